@@ -1,0 +1,157 @@
+"""Units: suffixes that users write (``power_kw``) to SI, and SI to what an engineer reads (mm, N, MPa, kW, rpm).
+
+Everything inside gearwright is SI: m, kg, s, N, Pa, W, rad, K. A record's field says its dimension in its type
+(``power: Power``), and that one mark serves the reader of files, the JSON Schema, the tables and the reports.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Annotated
+
+RPM = 2.0 * math.pi / 60.0
+"""One revolution per minute in rad/s."""
+INCH = 0.0254
+"""One inch in m (exact, international yard and pound agreement 1959)."""
+POUND = 0.45359237
+"""One pound in kg (exact, same agreement)."""
+GRAVITY = 9.80665
+"""Standard gravity in m/s² (exact, 3rd CGPM 1901)."""
+FOOT = 12.0 * INCH
+POUND_FORCE = POUND * GRAVITY
+HORSEPOWER = 550.0 * FOOT * POUND_FORCE
+"""One mechanical horsepower in W."""
+
+_SUFFIXES: Mapping[str, Mapping[str, float]] = {
+    "angle": {"deg": math.pi / 180.0, "rad": 1.0},
+    "area": {"mm2": 1e-6, "m2": 1.0},
+    "density": {"kg_m3": 1.0},
+    "energy": {"j": 1.0, "kj": 1e3, "mj": 1e6, "kwh": 3.6e6},
+    "force": {"n": 1.0, "kn": 1e3, "lbf": POUND_FORCE},
+    "frequency": {"hz": 1.0, "khz": 1e3},
+    "inertia": {"kg_m2": 1.0},
+    "length": {"mm": 1e-3, "m": 1.0, "um": 1e-6, "in": INCH, "ft": FOOT},
+    "mass": {"kg": 1.0, "g": 1e-3, "lb": POUND},
+    "power": {"kw": 1e3, "w": 1.0, "mw": 1e6, "hp": HORSEPOWER},
+    "speed": {"rpm": RPM, "rad_s": 1.0},
+    "stiffness": {"n_m": 1.0, "n_um": 1e6, "n_mm": 1e3},
+    "stress": {"mpa": 1e6, "pa": 1.0, "gpa": 1e9, "psi": POUND_FORCE / INCH**2},
+    "time": {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
+    "torque": {"nm": 1.0, "knm": 1e3, "lbf_ft": POUND_FORCE * FOOT},
+    "torsional_stiffness": {"nm_rad": 1.0, "knm_rad": 1e3},
+    "velocity": {"m_s": 1.0, "km_h": 1.0 / 3.6, "kt": 1852.0 / 3600.0},
+    "volume": {"m3": 1.0, "l": 1e-3, "mm3": 1e-9},
+}
+SUFFIXES: Mapping[str, Mapping[str, float]] = MappingProxyType(_SUFFIXES)
+"""Dimension -> suffix of the key -> SI value of one such unit."""
+
+_SHOWN: Mapping[str, tuple[str, float]] = {
+    "angle": ("°", math.pi / 180.0),
+    "area": ("mm²", 1e-6),
+    "density": ("kg/m³", 1.0),
+    "energy": ("kJ", 1e3),
+    "force": ("N", 1.0),
+    "frequency": ("Hz", 1.0),
+    "inertia": ("kg m²", 1.0),
+    "length": ("mm", 1e-3),
+    "mass": ("kg", 1.0),
+    "power": ("kW", 1e3),
+    "specific_power": ("kW/kg", 1e3),
+    "specific_torque": ("N m/kg", 1.0),
+    "speed": ("rpm", RPM),
+    "stiffness": ("N/µm", 1e6),
+    "stress": ("MPa", 1e6),
+    "time": ("s", 1.0),
+    "torque": ("N m", 1.0),
+    "torsional_stiffness": ("kN m/rad", 1e3),
+    "velocity": ("m/s", 1.0),
+    "volume": ("l", 1e-3),
+    "number": ("", 1.0),
+    "ratio": ("", 1.0),
+    "percent": ("%", 0.01),
+}
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Marks a field as a physical quantity of one dimension, in SI."""
+
+    dimension: str
+    """A key of `SUFFIXES`, or a dimension that is only shown (``ratio``, ``specific_power``)."""
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Where a computed field comes from."""
+
+    equation: str
+    """The equation in the field's symbols."""
+    source: str
+    """Author, year, equation or clause."""
+
+
+Angle = Annotated[float, Quantity("angle")]
+Area = Annotated[float, Quantity("area")]
+Density = Annotated[float, Quantity("density")]
+Energy = Annotated[float, Quantity("energy")]
+Force = Annotated[float, Quantity("force")]
+Frequency = Annotated[float, Quantity("frequency")]
+Inertia = Annotated[float, Quantity("inertia")]
+Length = Annotated[float, Quantity("length")]
+Mass = Annotated[float, Quantity("mass")]
+Number = Annotated[float, Quantity("number")]
+Power = Annotated[float, Quantity("power")]
+Ratio = Annotated[float, Quantity("ratio")]
+SpecificPower = Annotated[float, Quantity("specific_power")]
+Speed = Annotated[float, Quantity("speed")]
+Stiffness = Annotated[float, Quantity("stiffness")]
+Stress = Annotated[float, Quantity("stress")]
+Time = Annotated[float, Quantity("time")]
+Torque = Annotated[float, Quantity("torque")]
+TorsionalStiffness = Annotated[float, Quantity("torsional_stiffness")]
+Velocity = Annotated[float, Quantity("velocity")]
+Volume = Annotated[float, Quantity("volume")]
+
+
+def unit(dimension: str) -> str:
+    """Return the unit in which a dimension is shown.
+
+    Args:
+        dimension: Such as ``"length"``.
+    """
+    return _SHOWN[dimension][0]
+
+
+def shown(value: float, dimension: str) -> float:
+    """Return an SI value in the unit in which its dimension is shown.
+
+    Args:
+        value: In SI.
+        dimension: Such as ``"length"``.
+
+    >>> shown(0.0254, "length")
+    25.4
+    """
+    return value / _SHOWN[dimension][1]
+
+
+def text(value: float, dimension: str, digits: int = 4) -> str:
+    """Return a value with its unit, as a user reads it.
+
+    Args:
+        value: In SI.
+        dimension: Such as ``"length"``.
+        digits: Significant digits [-].
+
+    >>> text(2094.395, "speed")
+    '20000 rpm'
+    """
+    number = shown(value, dimension)
+    if number != 0.0 and abs(number) >= 10 ** (digits - 1):
+        written = f"{number:.0f}"
+    else:
+        written = f"{number:.{digits}g}"
+    return f"{written} {unit(dimension)}".rstrip()
