@@ -1,0 +1,202 @@
+"""What the types cannot see: names that must exist, names that must differ, teeth that must fit together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import combinations
+
+from gearwright.catalogue.materials import materials
+from gearwright.errors import Problem, near
+from gearwright.spec.design import GROUND, Design, GearRules, Pair, Planetary
+
+SIDES = ("pinion", "wheel")
+
+
+def reference_problems(design: Design) -> list[Problem]:
+    """Return every name in a design that points nowhere or clashes, and every impossible set of given teeth.
+
+    Args:
+        design: As typed; its references are not resolved yet.
+    """
+    checks = (_shafts, _machines, _pairs, _planetaries, _clutches, _layout, _cases, _keep, _materials)
+    return [problem for check in checks for problem in check(design)]
+
+
+def _shafts(design: Design) -> Iterator[Problem]:
+    seen: set[str] = set()
+    for name in design.shafts:
+        if name in seen:
+            yield Problem("shafts", f"{name!r} stands twice; every shaft has one name")
+        if name == GROUND or "." in name or not name.strip():
+            yield Problem(
+                "shafts",
+                f"{name!r} cannot be a shaft's name: {GROUND!r} is the frame, and dots separate gears from pairs",
+            )
+        seen.add(name)
+    used = _used_shafts(design)
+    for name in design.shafts:
+        if name not in used:
+            yield Problem("shafts", f"{name!r} carries nothing; remove it, or put a machine or a gear on it")
+
+
+def _used_shafts(design: Design) -> set[str]:
+    used = {machine.shaft for machine in design.machines.values()}
+    for pair in design.pairs.values():
+        used |= {name for side in SIDES for name in as_list(getattr(pair, side))}
+    for planetary in design.planetaries.values():
+        used |= {planetary.sun, planetary.ring, planetary.carrier}
+    for clutch in design.clutches.values():
+        used |= {clutch.driving, clutch.driven}
+    return used
+
+
+def as_list(names: str | list[str]) -> list[str]:
+    """Return one name or several as a list.
+
+    Args:
+        names: As a pair gives its side.
+    """
+    return [names] if isinstance(names, str) else names
+
+
+def _shaft(path: str, name: str, design: Design, *, ground: bool = False) -> Iterator[Problem]:
+    allowed = [*design.shafts, GROUND] if ground else design.shafts
+    if name not in allowed:
+        yield Problem(path, f"there is no shaft {name!r}; {near(name, allowed)}")
+
+
+def _machines(design: Design) -> Iterator[Problem]:
+    tables = {"turbines": design.turbines, "motors": design.motors, "propellers": design.propellers}
+    owner: dict[str, str] = {}
+    for table, machines in tables.items():
+        for name, machine in machines.items():  # type: ignore[attr-defined]
+            yield from _shaft(f"{table}.{name}.shaft", machine.shaft, design)
+            if name in owner:
+                yield Problem(
+                    f"{table}.{name}", f"{owner[name]} has a machine of this name already; cases need different names"
+                )
+            owner[name] = table
+    if not design.machines:
+        yield Problem("", "no machine drives or loads this train; add a table such as [turbines.gas-turbine]")
+    if not design.propellers:
+        yield Problem("propellers", "nothing takes the power; add a table such as [propellers.propeller]")
+
+
+def _pairs(design: Design) -> Iterator[Problem]:
+    for name, pair in design.pairs.items():
+        path = f"pairs.{name}"
+        if name in design.planetaries:
+            yield Problem(path, "a planetary set has this name too; stages need different names")
+        sides = {side: as_list(getattr(pair, side)) for side in SIDES}
+        if all(isinstance(getattr(pair, side), list) for side in SIDES):
+            yield Problem(
+                path, "pinion and wheel are both lists; one gear meshes with several, so only one side may be a list"
+            )
+        for side, names in sides.items():
+            for shaft in names:
+                yield from _gear_reference(f"{path}.{side}", shaft, name, design)
+        meshes = max(len(names) for names in sides.values())
+        if pair.share is not None and (len(pair.share) != meshes or abs(sum(pair.share) - 1.0) > 1e-9):
+            yield Problem(
+                f"{path}.share",
+                f"{pair.share} does not share the load of {meshes} meshes; give {meshes} numbers whose sum is 1",
+            )
+
+
+def _gear_reference(path: str, name: str, own: str, design: Design) -> Iterator[Problem]:
+    stage, dot, gear = name.partition(".")
+    if not dot:
+        yield from _shaft(path, name, design)
+        return
+    others = [f"{other}.{side}" for other in design.pairs if other != own for side in SIDES]
+    if stage == own or gear not in SIDES or stage not in design.pairs:
+        yield Problem(path, f"there is no gear {name!r} in another pair; {near(name, others)}")
+    elif any("." in each for each in as_list(getattr(design.pairs[stage], gear))):
+        yield Problem(path, f"{name!r} is itself a shared gear; name the pair that owns it")
+
+
+def _planetaries(design: Design) -> Iterator[Problem]:
+    for name, planetary in design.planetaries.items():
+        path = f"planetaries.{name}"
+        members = {"sun": planetary.sun, "ring": planetary.ring, "carrier": planetary.carrier}
+        for member, shaft in members.items():
+            yield from _shaft(f"{path}.{member}", shaft, design, ground=True)
+        for (one, shaft), (other, same) in combinations(members.items(), 2):
+            if shaft == same:
+                yield Problem(f"{path}.{other}", f"{same!r} is the {one} already; the three members are three shafts")
+        yield from _planetary_teeth(path, planetary)
+
+
+def _planetary_teeth(path: str, planetary: Planetary) -> Iterator[Problem]:
+    sun, planet, ring = planetary.sun_teeth, planetary.planet_teeth, planetary.ring_teeth
+    if sun is not None and planet is not None and ring is not None and sun + 2 * planet != ring:
+        yield Problem(
+            f"{path}.ring_teeth",
+            f"{ring} does not close: z_s + 2 z_p = {sun} + 2·{planet} = {sun + 2 * planet}; give that, or leave it out",
+        )
+
+
+def _clutches(design: Design) -> Iterator[Problem]:
+    for name, clutch in design.clutches.items():
+        for side in ("driving", "driven"):
+            yield from _shaft(f"clutches.{name}.{side}", getattr(clutch, side), design)
+        if clutch.driving == clutch.driven:
+            yield Problem(
+                f"clutches.{name}.driven", f"{clutch.driven!r} drives already; a clutch joins two different shafts"
+            )
+
+
+def _layout(design: Design) -> Iterator[Problem]:
+    for name, layout in design.layout.items():
+        yield from _shaft(f"layout.{name}", name, design)
+        if layout.bore is not None and layout.bore_ratio is not None:
+            yield Problem(f"layout.{name}", "bore and bore_ratio are both given; keep one")
+        if layout.bore is not None and layout.diameter is not None and layout.bore >= layout.diameter:
+            yield Problem(
+                f"layout.{name}.bore",
+                f"the bore {layout.bore * 1e3:g} mm leaves no wall in a shaft of {layout.diameter * 1e3:g} mm; reduce it",
+            )
+
+
+def _cases(design: Design) -> Iterator[Problem]:
+    for case, drives in design.cases.items():
+        for machine, drive in drives.items():
+            path = f"cases.{case}.{machine}"
+            if machine not in design.machines:
+                yield Problem(path, f"there is no machine {machine!r}; {near(machine, design.machines)}")
+            elif machine in design.turbines and drive.power is not None and drive.power < 0:
+                yield Problem(f"{path}.power_kw", f"{drive.power / 1e3:g} kW: a turbine gives power; use 0 or more")
+
+
+def _keep(design: Design) -> Iterator[Problem]:
+    for machine in design.speeds.keep or []:
+        if machine not in design.machines:
+            yield Problem("speeds.keep", f"there is no machine {machine!r}; {near(machine, design.machines)}")
+
+
+def _materials(design: Design) -> Iterator[Problem]:
+    yield from _gear_material("gears.material", design.gears)
+    stages: Mapping[str, Mapping[str, Pair | Planetary]] = {"pairs": design.pairs, "planetaries": design.planetaries}
+    for table, members in stages.items():
+        for name, stage in members.items():
+            if stage.gears is not None and "material" in stage.gears.model_fields_set:
+                yield from _gear_material(f"{table}.{name}.gears.material", stage.gears)
+    if design.shafting.material is not None:
+        yield from _material("shafting.material", design.shafting.material, ("yield_strength",), "shafts")
+
+
+def _gear_material(path: str, rules: GearRules) -> Iterator[Problem]:
+    yield from _material(path, rules.material, ("yield_strength", "surface_hardness"), f"rating {rules.rating!r}")
+
+
+def _material(path: str, name: str, needed: Iterable[str], purpose: str) -> Iterator[Problem]:
+    known = materials()
+    if name not in known:
+        yield Problem(path, f"there is no material {name!r}; {near(name, known)}")
+        return
+    missing = [each for each in needed if getattr(known[name], each) is None]
+    if missing:
+        enough = [other for other, each in known.items() if all(getattr(each, need) is not None for need in needed)]
+        yield Problem(
+            path, f"{name!r} has no {' and no '.join(missing)}, which {purpose} needs; use one of {', '.join(enough)}"
+        )

@@ -1,0 +1,51 @@
+"""Line numbers of the keys of a TOML text, which TOML readers do not give."""
+
+from __future__ import annotations
+
+import re
+
+_HEADER = re.compile(r"^\s*\[{1,2}\s*([^\]]+?)\s*\]{1,2}\s*(?:#.*)?$")
+_KEY = re.compile(r"""^\s*((?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+)(?:\s*\.\s*(?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+))*)\s*=""")
+_PART = re.compile(r"""\s*(?:"([^"]*)"|'([^']*)'|([^.\s"']+))\s*(?:\.|$)""")
+_MULTILINE = ('"""', "'''")
+
+
+def key_lines(text: str) -> dict[str, int]:
+    """Return the line, counted from 1, of every table and key by its dotted path.
+
+    Args:
+        text: A TOML document. Keys of inline tables are not listed; their table is.
+    """
+    lines: dict[str, int] = {}
+    table, closing = "", ""
+    for number, line in enumerate(text.splitlines(), start=1):
+        if closing:
+            closing = "" if closing in line else closing
+            continue
+        header, key = _HEADER.match(line), _KEY.match(line)
+        if header and not key:
+            table = _dotted(header[1])
+            lines.setdefault(table, number)
+        elif key:
+            path = _dotted(key[1])
+            lines.setdefault(f"{table}.{path}" if table else path, number)
+            closing = next((mark for mark in _MULTILINE if line.count(mark) == 1), "")
+    return lines
+
+
+def line_of(path: str, lines: dict[str, int]) -> int | None:
+    """Return the line of a path, or of the nearest table above it.
+
+    Args:
+        path: Dotted path.
+        lines: As `key_lines` gives them.
+    """
+    while path:
+        if path in lines:
+            return lines[path]
+        path = path.rpartition(".")[0]
+    return None
+
+
+def _dotted(key: str) -> str:
+    return ".".join(next(part for part in match if part) for match in _PART.findall(key))

@@ -1,0 +1,261 @@
+"""Frozen records whose physical fields are written with the unit in the key and kept in SI.
+
+`convert` turns a raw table (``{"power_kw": 1046}``) into what the record takes (``{"power": 1046000.0}``) and
+collects every problem on the way; the record's own types then check what is left. Both speak of the keys that the user wrote.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from types import UnionType
+from typing import Any, ClassVar, Union, get_args, get_origin
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic.fields import FieldInfo
+
+from gearwright.errors import Problem, near
+from gearwright.units import SUFFIXES, Quantity
+
+
+class Record(BaseModel):
+    """What all records of a file share: frozen, and no field that is not declared."""
+
+    model_config: ClassVar[ConfigDict] = ConfigDict(frozen=True, extra="forbid", strict=False, allow_inf_nan=False)
+
+
+Location = tuple[str, ...]
+
+
+@dataclass
+class Written:
+    """What the user wrote, by the place of the field in the record."""
+
+    keys: dict[Location, str] = field(default_factory=dict)
+    """Location of the field -> dotted path as written."""
+    values: dict[Location, object] = field(default_factory=dict)
+    """Location of the field -> value as written."""
+    factors: dict[Location, tuple[float, str]] = field(default_factory=dict)
+    """Location of a quantity -> (SI value of its unit, suffix)."""
+    problems: list[Problem] = field(default_factory=list)
+    """What was found so far."""
+
+    def report(self, location: Location, message: str) -> None:
+        """Add a problem at a location."""
+        self.problems.append(Problem(self.keys.get(location, ".".join(location)), message))
+
+
+def quantity_of(info: FieldInfo) -> Quantity | None:
+    """Return the quantity that marks a field, if any.
+
+    Args:
+        info: Field of a record.
+    """
+    marks = [mark for mark in info.metadata if isinstance(mark, Quantity)]
+    if not marks:
+        marks = [mark for part in _parts(info.annotation) for mark in getattr(part, "__metadata__", ())]
+    found = next((mark for mark in marks if isinstance(mark, Quantity)), None)
+    return found if found is not None and found.dimension in SUFFIXES else None
+
+
+def _parts(annotation: Any) -> Iterator[Any]:
+    if get_origin(annotation) in (Union, UnionType):
+        yield from get_args(annotation)
+    else:
+        yield annotation
+
+
+def keys_of(model: type[Record]) -> dict[str, tuple[str, float, str]]:
+    """Return the keys that a table of this record may have.
+
+    Args:
+        model: The record's type.
+
+    Returns:
+        Key -> (field, factor to SI, suffix); the suffix is empty for what has no unit.
+    """
+    keys: dict[str, tuple[str, float, str]] = {}
+    for name, info in model.model_fields.items():
+        quantity = quantity_of(info)
+        if quantity is None:
+            keys[info.alias or name] = (info.alias or name, 1.0, "")
+            continue
+        for suffix, factor in SUFFIXES[quantity.dimension].items():
+            keys[f"{name}_{suffix}"] = (name, factor, suffix)
+    return keys
+
+
+def convert(raw: Mapping[str, object], model: type[Record], written: Written, at: Location = ()) -> dict[str, object]:
+    """Return a table in the record's own field names and SI, noting every problem.
+
+    Args:
+        raw: As parsed from the file.
+        model: The record's type.
+        written: Collects keys, values and problems.
+        at: Location of the table.
+    """
+    keys = keys_of(model)
+    result: dict[str, object] = {}
+    prefix = written.keys.get(at, "")
+    for key, value in raw.items():
+        path = f"{prefix}.{key}" if prefix else key
+        if key not in keys:
+            written.problems.append(Problem(path, _unknown(key, model, keys)))
+            continue
+        name, factor, suffix = keys[key]
+        location = (*at, name)
+        if name in result:
+            written.problems.append(
+                Problem(path, f"{name} is given twice; keep one of {written.keys[location]} and {path}")
+            )
+            continue
+        written.keys[location], written.values[location] = path, value
+        if suffix:
+            written.factors[location] = (factor, suffix)
+            result[name] = _number(value, factor, suffix, written, location)
+        else:
+            result[name] = _nested(value, _field(model, name).annotation, written, location)
+    _require(model, keys, result, written, prefix)
+    return result
+
+
+def _require(model: type[Record], keys: Mapping[str, tuple[str, float, str]], result: Mapping[str, object],
+             written: Written, prefix: str) -> None:  # fmt: skip
+    """Note every required field that the table lacks."""
+    for name, info in model.model_fields.items():
+        if info.is_required() and (info.alias or name) not in result:
+            options = [key for key, (field_name, _, _) in keys.items() if field_name in (name, info.alias)]
+            path = f"{prefix}.{options[0]}" if prefix else options[0]
+            if options[0] != name:
+                result[name] = _STAND_IN
+            if not any(problem.path.startswith(f"{prefix}.{name}" if prefix else name) for problem in written.problems):
+                written.problems.append(Problem(path, f"is required; write {' or '.join(options)}"))
+
+
+def _field(model: type[Record], key: str) -> FieldInfo:
+    return next(info for name, info in model.model_fields.items() if key in (name, info.alias))
+
+
+def _unknown(key: str, model: type[Record], keys: Mapping[str, object]) -> str:
+    if key in model.model_fields:
+        units = ", ".join(sorted(name for name in keys if name.startswith(f"{key}_")))
+        return f"the unit is missing; write one of {units}"
+    lower = {name.lower(): name for name in keys}
+    if key.lower() in lower:
+        return f"no such field; did you mean {lower[key.lower()]}?"
+    return f"no such field; {near(key, keys)}"
+
+
+def _number(value: object, factor: float, suffix: str, written: Written, location: Location) -> object:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        written.report(location, f"{value!r} is not a number; give a number in {suffix}")
+        return _STAND_IN
+    if not math.isfinite(value):
+        written.report(location, f"{value} is not a finite number; give a finite number in {suffix}")
+        return _STAND_IN
+    return float(value) * factor
+
+
+def _nested(value: object, annotation: Any, written: Written, location: Location) -> object:
+    """Convert a record, or a table of records (of any depth), inside a table."""
+    for part in _parts(annotation):
+        if isinstance(part, type) and issubclass(part, Record):
+            if isinstance(value, Mapping):
+                return convert(value, part, written, location)
+            written.report(location, f"{value!r} is not a table; write [{written.keys[location]}] and its fields below")
+            return None
+        if get_origin(part) is dict and _holds_records(get_args(part)[1]):
+            return _table(value, get_args(part)[1], written, location)
+    return value
+
+
+def _holds_records(annotation: Any) -> bool:
+    if get_origin(annotation) is dict:
+        return _holds_records(get_args(annotation)[1])
+    return isinstance(annotation, type) and issubclass(annotation, Record)
+
+
+def _table(value: object, annotation: Any, written: Written, location: Location) -> object:
+    path = written.keys[location]
+    if not isinstance(value, Mapping):
+        written.report(location, f"{value!r} is not a table; write [{path}.NAME] and its fields below")
+        return None
+    rows: dict[str, object] = {}
+    for name, row in value.items():
+        inner = (*location, name)
+        written.keys[inner] = f"{path}.{name}"
+        rows[name] = _nested(row, annotation, written, inner)
+    return rows
+
+
+def build(model: type[Record], raw: Mapping[str, object]) -> tuple[Record | None, Written]:
+    """Return the record with everything that is wrong with the table.
+
+    Where the table has problems, the record holds stand-ins in their place, so that what else is wrong can still be
+    looked for; it is None where not even that can be had.
+
+    Args:
+        model: The record's type.
+        raw: As parsed from the file.
+    """
+    written = Written()
+    table = convert(raw, model, written)
+    try:
+        return model.model_validate(table), written
+    except ValidationError as error:
+        faults = error.errors(include_url=False)
+    for details in faults:
+        _add(written, details)
+        _stand_in(table, details["loc"])
+    try:
+        return model.model_validate(table), written
+    except ValidationError:
+        return None, written
+
+
+_STAND_IN = 1.0
+"""A quantity that every bound of a required field allows; it never leaves the search for problems."""
+
+
+def _stand_in(table: dict[str, Any], location: tuple[int | str, ...]) -> None:
+    """Take the faulty entry out of a table, or put a stand-in where a quantity is required."""
+    for part in location[:-1]:
+        inner = table.get(str(part))
+        if not isinstance(inner, dict):
+            break
+        table, location = inner, location[1:]
+    key = str(location[0])
+    value = table.pop(key, None)
+    if isinstance(value, float):
+        table[key] = _STAND_IN
+
+
+def _add(written: Written, details: Any) -> None:
+    """Add what pydantic found, in the user's own key and unit, unless the place is reported already."""
+    location = tuple(str(part) for part in details["loc"])
+    while location and location not in written.keys:
+        location = location[:-1]
+    if details["type"] == "missing":
+        return  # `convert` has named it with its keys
+    path, message = written.keys.get(location, ""), _message(details, written, location)
+    if not any(problem.path == path for problem in written.problems):
+        written.problems.append(Problem(path, message))
+
+
+_BOUNDS = {"greater_than": ("gt", "greater than"), "greater_than_equal": ("ge", "at least"),
+           "less_than": ("lt", "less than"), "less_than_equal": ("le", "at most")}  # fmt: skip
+
+
+def _message(details: Any, written: Written, location: Location) -> str:
+    given = written.values.get(location, details["input"])
+    factor, suffix = written.factors.get(location, (1.0, ""))
+    context = details.get("ctx", {})
+    if details["type"] in _BOUNDS:
+        key, words = _BOUNDS[details["type"]]
+        return f"{given} {suffix} is not allowed; give a value {words} {context[key] / factor:.6g} {suffix}".replace(
+            "  ", " "
+        ).rstrip()
+    if details["type"] == "literal_error":
+        return f"{given!r} is not known; allowed: {context['expected']}"
+    return f"{given!r} is not allowed: {details['msg'].removeprefix('Value error, ')}"

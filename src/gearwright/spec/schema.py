@@ -1,0 +1,66 @@
+"""JSON Schema of the design file, from the same types that read it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gearwright.spec.design import Design
+from gearwright.spec.record import Record, keys_of, quantity_of
+from gearwright.units import SUFFIXES
+
+
+def schema() -> dict[str, Any]:
+    """Return the JSON Schema (draft 2020-12) of a design file: every key with its unit, bounds and meaning."""
+    document = Design.model_json_schema(by_alias=True)
+    definitions: dict[str, Any] = document.get("$defs", {})
+    for model in _records(Design, {}):
+        table = document if model is Design else definitions[model.__name__]
+        _expand(table, model)
+    document["$schema"] = "https://json-schema.org/draft/2020-12/schema"
+    document["title"] = "gearwright design"
+    return document
+
+
+def _records(model: type[Record], seen: dict[type[Record], None]) -> list[type[Record]]:
+    """Return a record's type and all record types inside it."""
+    if model in seen:
+        return []
+    seen[model] = None
+    for info in model.model_fields.values():
+        for inner in _inside(info.annotation):
+            _records(inner, seen)
+    return list(seen)
+
+
+def _inside(annotation: Any) -> list[type[Record]]:
+    if isinstance(annotation, type) and issubclass(annotation, Record):
+        return [annotation]
+    return [found for part in getattr(annotation, "__args__", ()) for found in _inside(part)]
+
+
+def _expand(table: dict[str, Any], model: type[Record]) -> None:
+    """Replace every quantity by one property per unit, of which one at most may stand."""
+    properties, required = table["properties"], table.get("required", [])
+    for name, info in model.model_fields.items():
+        quantity = quantity_of(info)
+        if quantity is None:
+            continue
+        entry = properties.pop(name)
+        options = [key for key, (field, _, _) in keys_of(model).items() if field == name]
+        for key, (suffix, factor) in zip(options, SUFFIXES[quantity.dimension].items(), strict=True):
+            properties[key] = _number(entry, suffix, factor)
+        if name in required:
+            required.remove(name)
+            table.setdefault("allOf", []).append({"oneOf": [{"required": [key]} for key in options]})
+
+
+def _number(entry: dict[str, Any], suffix: str, factor: float) -> dict[str, Any]:
+    """Return the property of one unit, its bounds converted from SI."""
+    source = next((part for part in entry.get("anyOf", []) if part.get("type") == "number"), entry)
+    number: dict[str, Any] = {"type": "number", "description": f"{entry.get('description', '')} [{suffix}]"}
+    for bound in ("minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum"):
+        if bound in source:
+            number[bound] = source[bound] / factor
+    if isinstance(entry.get("default"), int | float):
+        number["default"] = entry["default"] / factor
+    return number
