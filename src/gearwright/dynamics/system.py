@@ -1,0 +1,200 @@
+"""System: bodies, lines, tones and loads as flat arrays; names and units travel beside them.
+
+    δ_j = d_j·q − e_j(φ)                     deflection of line j
+    f_j = k_j(φ) g(δ_j) + c_j δ̇_j            its force
+    M q̈ + s G q̇ − s² C q + Σ_j d_j f_j = Q(t, q̇) − M Ω ṡ
+
+q is measured from the rigid motion: θ = Ω τ + q with τ = ∫ s dt and s the speed factor (1 at the reference speeds Ω).
+A tone is an angle φ = ω τ that is an integer combination of shaft angles; k_j and e_j are Fourier sums over tones.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+class Series(NamedTuple):
+    """Fourier sums, one for each line, in compressed rows: Σ a cos φ + b sin φ."""
+
+    start: Ints
+    """First term of each line and one past the last, shape (lines + 1,)."""
+    tone: Ints
+    """Tone of each term, shape (terms,)."""
+    cosine: Floats
+    """Coefficient a, shape (terms,): [-] relative to the mean for stiffness, [m or rad] for errors."""
+    sine: Floats
+    """Coefficient b, shape (terms,), in the unit of a."""
+
+
+class Entries(NamedTuple):
+    """Entries of a sparse matrix."""
+
+    row: Ints
+    """Coordinate that feels the force, shape (entries,)."""
+    column: Ints
+    """Coordinate that causes it, shape (entries,)."""
+    value: Floats
+    """Value at the reference speeds, shape (entries,)."""
+
+
+class Schedules(NamedTuple):
+    """Loads that are piecewise linear in time, in compressed rows; held before the first and after the last point."""
+
+    dof: Ints
+    """Coordinate of each schedule, shape (schedules,)."""
+    start: Ints
+    """First point of each schedule and one past the last, shape (schedules + 1,)."""
+    time: Floats
+    """Time of each point [s], shape (points,)."""
+    value: Floats
+    """Load at each point [N or N m], shape (points,)."""
+
+
+class Loads(NamedTuple):
+    """What acts on the coordinates from outside: Q = constant + schedule − a q̇ − b |θ̇| θ̇."""
+
+    constant: Floats
+    """[N or N m], shape (coordinates,)."""
+    damping: Floats
+    """a: load lost per speed above the reference [N s/m or N m s/rad], shape (coordinates,)."""
+    quadratic: Floats
+    """b: propeller-like resistance [N m s²/rad²], shape (coordinates,)."""
+    schedules: Schedules
+    """Loads given against time."""
+
+
+class Profile(NamedTuple):
+    """Speed factor s(t), piecewise linear; held before the first and after the last point."""
+
+    time: Floats
+    """[s], shape (points,)."""
+    factor: Floats
+    """s: speed over reference speed [-], shape (points,)."""
+    travel: Floats
+    """τ = ∫ s dt from time 0 to each point [s], shape (points,)."""
+
+
+class Arrays(NamedTuple):
+    """The only thing that the compiled kernel sees."""
+
+    mass: Floats
+    """Mass or inertia of each coordinate [kg or kg m²], shape (coordinates,)."""
+    speed: Floats
+    """Ω: reference speed of the rigid motion [rad/s or m/s], shape (coordinates,)."""
+    line_start: Ints
+    """First weight of each line and one past the last, shape (lines + 1,)."""
+    line_dof: Ints
+    """Coordinate of each weight, shape (weights,)."""
+    line_weight: Floats
+    """d: deflection per coordinate [m/rad for a mesh, - for a shaft or support], shape (weights,)."""
+    stiffness: Floats
+    """Mean stiffness [N/m or N m/rad], shape (lines,)."""
+    damping: Floats
+    """c [N s/m or N m s/rad], shape (lines,)."""
+    backlash: Floats
+    """B [m or rad], shape (lines,): 0 is a linear line, infinity one that never touches on its back."""
+    tone_rate: Floats
+    """dφ/dτ of each tone: its circular frequency at the reference speeds [rad/s], shape (tones,)."""
+    variation: Series
+    """Stiffness over its mean, less 1."""
+    error: Series
+    """e: manufacturing, assembly and transmission error of each line."""
+    gyroscopic: Entries
+    """Ω G [N s/m]."""
+    centripetal: Entries
+    """Ω² C [N/m]."""
+    loads: Loads
+    """External loads."""
+    profile: Profile
+    """Speed factor against time."""
+
+
+class Tone(NamedTuple):
+    """An angle that is an integer combination of shaft angles."""
+
+    counts: tuple[tuple[str, int], ...]
+    """Coordinate and its integer, such as (("sun", 28), ("carrier", -28)); empty for a constant."""
+
+    def __str__(self) -> str:
+        return " + ".join(f"{count} {name}" for name, count in self.counts).replace("+ -", "− ") or "constant"
+
+
+@dataclass(frozen=True)
+class Labels:
+    """Names and units of coordinates, lines and tones."""
+
+    coordinates: tuple[str, ...]
+    """Names, in the order of the arrays."""
+    coordinate_units: tuple[str, ...]
+    """``"rad"`` for a rotation, ``"m"`` for a translation."""
+    lines: tuple[str, ...]
+    """Names, in the order of the arrays."""
+    line_units: tuple[str, ...]
+    """Unit of the deflection: ``"m"`` (force in N) or ``"rad"`` (torque in N m)."""
+    line_kinds: tuple[str, ...]
+    """``"mesh"``, ``"shaft"``, ``"support"`` or ``"line"``."""
+    tones: tuple[Tone, ...]
+    """Which angle each tone is."""
+
+
+@dataclass(frozen=True, eq=False)
+class System:
+    """A drive train as the solvers see it."""
+
+    arrays: Arrays
+    """The numbers."""
+    labels: Labels
+    """Their names and units."""
+
+    def __str__(self) -> str:
+        labels = self.labels
+        return f"System: {len(labels.coordinates)} coordinates, {len(labels.lines)} lines, {len(labels.tones)} tones"
+
+
+def line_matrix(arrays: Arrays) -> Floats:
+    """Return the lines' weights as a dense matrix D with δ = D q − e.
+
+    Args:
+        arrays: The system's numbers.
+
+    Returns:
+        Shape (lines, coordinates).
+    """
+    lines = len(arrays.stiffness)
+    matrix = np.zeros((lines, len(arrays.mass)))
+    row = np.repeat(np.arange(lines), np.diff(arrays.line_start))
+    np.add.at(matrix, (row, arrays.line_dof), arrays.line_weight)
+    return matrix
+
+
+def entry_matrix(entries: Entries, size: int) -> Floats:
+    """Return sparse entries as a dense matrix.
+
+    Args:
+        entries: Gyroscopic or centripetal terms.
+        size: Number of coordinates.
+
+    Returns:
+        Shape (size, size).
+    """
+    matrix = np.zeros((size, size))
+    np.add.at(matrix, (entries.row, entries.column), entries.value)
+    return matrix
+
+
+def top_rate(arrays: Arrays) -> float:
+    """Return the highest circular frequency [rad/s] with which stiffness or errors excite the system.
+
+    Args:
+        arrays: The system's numbers.
+    """
+    used = np.concatenate([arrays.variation.tone, arrays.error.tone])
+    fastest = float(np.max(np.abs(arrays.tone_rate[used]), initial=0.0))
+    return fastest * float(np.max(np.abs(arrays.profile.factor)))
