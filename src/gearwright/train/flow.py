@@ -1,0 +1,296 @@
+"""One load case of a train: every speed, every torque, every power, closed to rounding."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.errors import DesignError, Problem
+from gearwright.spec import GROUND, Design, Drive, Pair
+from gearwright.train.graph import Joint, Train
+from gearwright.train.kinematics import Array, Yielded, rows, solve_speeds
+from gearwright.train.statics import MAX_REVERSALS, Sharing, lossy, solve_torques
+
+RATED = "rated"
+"""Name of the case that every design has: each machine at its rated power."""
+
+
+@dataclass(frozen=True)
+class MeshFlow:
+    """What one row of equal meshes carries."""
+
+    name: str
+    multiplier: float
+    """Torque per tooth of all equal meshes together, λ [N m]."""
+    torques: tuple[float, float, float]
+    """Torque on the nodes of gear a, gear b and carrier, all equal meshes together [N m]."""
+    tooth_power: float
+    """Power through the teeth relative to the carrier, positive from a to b [W]."""
+    loss: float
+    """Power lost in the teeth [W]."""
+
+
+@dataclass(frozen=True)
+class PowerFlow:
+    """A balanced load case."""
+
+    case: str
+    speeds: Mapping[str, float]
+    """Node -> speed [rad/s]; the ground is in it with zero."""
+    machine_torques: Mapping[str, float]
+    """Machine -> torque on its shaft [N m]."""
+    machine_powers: Mapping[str, float]
+    """Machine -> power into the train [W]; negative takes power out."""
+    meshes: Mapping[str, MeshFlow]
+    """Mesh row -> what it carries."""
+    joints: Mapping[str, float] = field(default_factory=dict)
+    """Engaged clutch -> torque that it gives to its driven shaft [N m]; an open one is not in it."""
+    yielded: tuple[Yielded, ...] = ()
+    """Machines whose asked speed the teeth give only nearly."""
+
+    @property
+    def loss(self) -> float:
+        """Power lost in all meshes [W]."""
+        return sum(mesh.loss for mesh in self.meshes.values())
+
+    @property
+    def residual(self) -> float:
+        """Power in minus power out minus losses, as a part of the power in [-]."""
+        powers = self.machine_powers.values()
+        supplied = sum(power for power in powers if power > 0.0)
+        return abs(sum(powers) - self.loss) / supplied if supplied else 0.0
+
+
+def asked_speeds(design: Design, drives: Mapping[str, Drive]) -> dict[str, float]:
+    """Return machine -> asked speed [rad/s] in the order in which they are kept.
+
+    Args:
+        design: With the machines' rated speeds and the order of keeping.
+        drives: The case; a speed given there comes first and replaces the rated one.
+    """
+    machines = design.machines
+    order = [*(design.speeds.keep or []), *design.turbines, *design.motors, *design.propellers]
+    given = [name for name in order if name in drives and drives[name].speed is not None]
+    speeds = {name: drives[name].speed or machines[name].speed for name in given}
+    if given:
+        return speeds
+    return {name: machines[name].speed for name in dict.fromkeys(order)}
+
+
+def drives_of(design: Design, case: str) -> dict[str, Drive]:
+    """Return what each machine does in a case.
+
+    Args:
+        design: With its cases.
+        case: Name of one of them, or ``rated``: every machine at rated power, the propellers balance.
+    """
+    if case in design.cases:
+        return dict(design.cases[case])
+    rated = {name: turbine.power for name, turbine in design.turbines.items()}
+    rated |= {name: motor.power for name, motor in design.motors.items()}
+    return {name: Drive(power=power) for name, power in rated.items()}
+
+
+def power_flow(
+    design: Design, train: Train, teeth: Mapping[str, int], case: str = RATED, *,
+    efficiency: Mapping[str, float] | None = None,
+) -> PowerFlow:  # fmt: skip
+    """Return the speeds, torques and powers of a case.
+
+    Args:
+        design: With machines and cases.
+        train: Its graph.
+        teeth: Tooth number of every gear.
+        case: Name of the case.
+        efficiency: Stage -> efficiency of each of its meshes [-]; left out: lossless.
+
+    Raises:
+        DesignError: If shafts are locked or free, or no torques balance.
+    """
+    drives = drives_of(design, case)
+    joints = list(train.joints)
+    while True:
+        matrix = rows(train, teeth, joints)
+        speeds, yielded = solve_speeds(train, matrix, _asked_of_turning(design, train, drives, joints))
+        losses = np.array([(efficiency or {}).get(mesh.stage, 1.0) for mesh in train.meshes] + [1.0] * len(joints))
+        torques, multipliers, effective = _balance(design, train, (matrix, speeds, losses), drives, case)
+        slipping = [
+            joint
+            for k, joint in enumerate(joints)
+            if _overruns(joint, multipliers[len(train.meshes) + k], train, speeds)
+        ]
+        if not slipping:
+            break
+        joints.remove(slipping[0])
+    return _collect(train, case, (speeds, torques, multipliers, effective), joints, tuple(yielded))
+
+
+def _asked_of_turning(
+    design: Design, train: Train, drives: Mapping[str, Drive], joints: list[Joint]
+) -> dict[str, float]:
+    """Return the asked speeds; a machine that idles behind an open clutch stands still."""
+    asked = asked_speeds(design, drives)
+    opened = [joint for joint in train.joints if joint not in joints]
+    idle = {
+        name for name in asked if name not in drives and any(train.machines[name] == joint.driving for joint in opened)
+    }
+    return {name: 0.0 if name in idle else speed for name, speed in asked.items()}
+
+
+def _overruns(joint: Joint, multiplier: float, train: Train, speeds: Array) -> bool:
+    """Tell whether an overrunning clutch would have to pull its driving shaft."""
+    if not joint.overrunning:
+        return False
+    turning = speeds[train.nodes.index(joint.driven)]
+    return bool(-multiplier * np.sign(turning or 1.0) < -1e-9)
+
+
+def _balance(
+    design: Design, train: Train, state: tuple[Array, Array, Array], drives: Mapping[str, Drive], case: str
+) -> tuple[dict[str, float], Array, Array]:
+    """Return machine torques, multipliers and the torque matrix, with losses in the direction of the power."""
+    matrix, speeds, efficiency = state
+    column = {name: k for k, name in enumerate(train.nodes)}
+    machine_torques, balancing = _machine_torques(design, train, speeds, drives, case)
+    applied = np.zeros(len(train.nodes))
+    for name, torque in machine_torques.items():
+        applied[column[train.machines[name]]] += torque
+    unknown = np.zeros((len(train.nodes), len(balancing)))
+    for k, name in enumerate(balancing):
+        unknown[column[train.machines[name]], k] = 1.0
+    sharing = _sharing(design, train)
+    effective, direction = matrix, np.ones(len(matrix))
+    for _ in range(MAX_REVERSALS):
+        solved = solve_torques(effective, applied, unknown, sharing=sharing)
+        if solved is None:
+            raise _unbalanced(train, balancing, case)
+        multipliers, found = solved
+        if np.all(efficiency == 1.0):
+            break
+        power = multipliers * _rolling(train, matrix, speeds)
+        previous, direction = direction, np.where(power < 0.0, -1.0, 1.0)
+        effective = _with_losses(train, matrix, direction, efficiency)
+        if np.array_equal(previous, direction) and effective is not matrix and _ > 0:
+            break
+    machine_torques.update(dict(zip(balancing, (float(each) for each in found), strict=True)))
+    return machine_torques, multipliers, effective
+
+
+def _machine_torques(
+    design: Design, train: Train, speeds: Array, drives: Mapping[str, Drive], case: str
+) -> tuple[dict[str, float], list[str]]:
+    """Return the torques that the case states, and the machines that balance the rest."""
+    stated: dict[str, float] = {}
+    balancing: list[str] = []
+    problems: list[Problem] = []
+    for name, shaft in train.machines.items():
+        speed = float(speeds[train.nodes.index(shaft)])
+        drive = drives.get(name)
+        if drive is None:
+            if name in design.propellers:
+                balancing.append(name)
+            else:
+                stated[name] = 0.0
+        elif drive.power is None:
+            balancing.append(name)
+        elif speed == 0.0 and drive.power != 0.0:
+            problems.append(
+                Problem(
+                    f"cases.{case}.{name}", f"{drive.power / 1e3:g} kW at standstill: its shaft {shaft!r} does not turn"
+                )
+            )
+        else:
+            stated[name] = drive.power / speed if drive.power else 0.0
+    if problems:
+        raise DesignError(problems)
+    return stated, balancing
+
+
+def _sharing(design: Design, train: Train) -> list[Sharing]:
+    groups = []
+    for stage, pair in design.pairs.items():
+        own = tuple(k for k, mesh in enumerate(train.meshes) if mesh.stage == stage)
+        if len(own) > 1:
+            groups.append(Sharing(own, _shares(pair, len(own)), stated=pair.share is not None))
+    return groups
+
+
+def _shares(pair: Pair, count: int) -> tuple[float, ...]:
+    return tuple(pair.share) if pair.share is not None else (1.0 / count,) * count
+
+
+def _rolling(train: Train, matrix: Array, speeds: Array) -> Array:
+    """Return z_a (ω_a − ω_c) of every mesh row [rad/s]; zero for clutches."""
+    value = {**dict(zip(train.nodes, speeds, strict=True)), GROUND: 0.0}
+    rolling = np.zeros(len(matrix))
+    for k, mesh in enumerate(train.meshes):
+        one, _, carrier = mesh.nodes
+        rolling[k] = _teeth_of(train, matrix, k) * (value[one] - value[carrier])
+    return -rolling
+
+
+def _teeth_of(train: Train, matrix: Array, row: int) -> float:
+    """Return z_a of a mesh row from the matrix, also where gear a is on the ground."""
+    one, other, carrier = train.meshes[row].nodes
+    entry = {node: matrix[row, train.nodes.index(node)] for node in (one, other, carrier) if node != GROUND}
+    return float(entry[one] if one in entry else -entry[other] - entry[carrier])
+
+
+def _with_losses(train: Train, matrix: Array, direction: Array, efficiency: Array) -> Array:
+    """Return the torque matrix of meshes whose driving side is known."""
+    driving, driven = np.zeros_like(matrix), np.zeros_like(matrix)
+    for k, mesh in enumerate(train.meshes):
+        ends = mesh.nodes[:2] if direction[k] > 0.0 else mesh.nodes[1::-1]
+        for node, part in zip(ends, (driving, driven), strict=True):
+            if node != GROUND:
+                column = train.nodes.index(node)
+                part[k, column] = matrix[k, column]
+    return lossy(matrix, driving, driven, efficiency)
+
+
+def _unbalanced(train: Train, balancing: list[str], case: str) -> DesignError:
+    takers = ", ".join(balancing) or "no machine"
+    return DesignError([
+        Problem(
+            f"cases.{case}",
+            f"no torques balance: {takers} is free to balance, and the power of some machine has no path to it."
+            " Join the shafts, engage a clutch, or leave out the power of one more machine so that it balances",
+        )
+    ])  # fmt: skip
+
+
+def _collect(
+    train: Train, case: str, solved: tuple[Array, dict[str, float], Array, Array], joints: list[Joint],
+    yielded: tuple[Yielded, ...],
+) -> PowerFlow:  # fmt: skip
+    speeds, torques, multipliers, effective = solved
+    speed = {**{name: float(value) for name, value in zip(train.nodes, speeds, strict=True)}, GROUND: 0.0}
+    meshes = {mesh.name: _mesh_flow(train, k, speed, multipliers, effective) for k, mesh in enumerate(train.meshes)}
+    start = len(train.meshes)
+    return PowerFlow(
+        case=case,
+        speeds=speed,
+        machine_torques=torques,
+        machine_powers={name: torque * speed[train.machines[name]] for name, torque in torques.items()},
+        meshes=meshes,
+        joints={joint.name: -float(multipliers[start + k]) for k, joint in enumerate(joints)},
+        yielded=yielded,
+    )
+
+
+def _mesh_flow(
+    train: Train, row: int, speed: Mapping[str, float], multipliers: NDArray[np.float64], effective: Array
+) -> MeshFlow:
+    """Return what a row carries; a member on the ground takes what the other two leave."""
+    mesh = train.meshes[row]
+    torque = {
+        node: float(multipliers[row] * effective[row, train.nodes.index(node)]) for node in mesh.nodes if node != GROUND
+    }
+    torque.setdefault(GROUND, -sum(torque.values()))
+    one, other, carrier = (torque[node] for node in mesh.nodes)
+    inward = -one * (speed[mesh.nodes[0]] - speed[mesh.nodes[2]])
+    outward = other * (speed[mesh.nodes[1]] - speed[mesh.nodes[2]])
+    return MeshFlow(mesh.name, float(multipliers[row]), (one, other, carrier), inward, inward - outward)

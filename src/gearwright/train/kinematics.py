@@ -1,0 +1,140 @@
+"""Speeds of every node from the teeth and the machines: A ω = 0 with as many given speeds as the train has freedoms."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.errors import DesignError, Problem
+from gearwright.spec import GROUND
+from gearwright.train.graph import Joint, Train
+
+Array = NDArray[np.float64]
+RANK_TOLERANCE = 1e-9
+"""Singular values below this part of the largest count as zero; rows are scaled to unit length first."""
+
+
+@dataclass(frozen=True)
+class Yielded:
+    """A machine whose asked speed the teeth do not give exactly."""
+
+    machine: str
+    asked: float
+    """Asked speed [rad/s]."""
+    actual: float
+    """Speed that the teeth give, without its sense [rad/s]."""
+
+    @property
+    def deviation(self) -> float:
+        """(actual − asked) / asked [-]."""
+        return (self.actual - self.asked) / self.asked
+
+
+def rows(train: Train, teeth: Mapping[str, int], joints: Sequence[Joint]) -> Array:
+    """Return the kinematic matrix A, one row per mesh, then one per engaged clutch.
+
+    Args:
+        train: The graph.
+        teeth: Tooth number of every gear.
+        joints: The clutches that are engaged.
+
+    Returns:
+        Shape (rows, nodes); the ground has no column, as it stands still.
+    """
+    column = {name: k for k, name in enumerate(train.nodes)}
+    matrix = np.zeros((len(train.meshes) + len(joints), len(train.nodes)))
+
+    def add(row: int, node: str, value: float) -> None:
+        if node != GROUND:
+            matrix[row, column[node]] += value
+
+    for k, mesh in enumerate(train.meshes):
+        z_a, z_b = (teeth[gear] for gear in mesh.gears)
+        add(k, mesh.nodes[0], z_a)
+        add(k, mesh.nodes[1], -mesh.sign * z_b)
+        add(k, mesh.nodes[2], mesh.sign * z_b - z_a)
+    for k, joint in enumerate(joints, start=len(train.meshes)):
+        add(k, joint.driving, 1.0)
+        add(k, joint.driven, -1.0)
+    return matrix
+
+
+def solve_speeds(train: Train, matrix: Array, asked: Mapping[str, float]) -> tuple[Array, list[Yielded]]:
+    """Return the speed of every node and the machines whose speed had to yield.
+
+    Args:
+        train: The graph.
+        matrix: From `rows`.
+        asked: Machine -> asked speed [rad/s], the one to be kept first. The first ones kept turn
+            forwards; the sense of the others follows from the teeth.
+
+    Returns:
+        Speeds (nodes,) [rad/s], and what yielded.
+
+    Raises:
+        DesignError: If a shaft is locked, or speeds stay free; the shafts are named.
+    """
+    column = {name: k for k, name in enumerate(train.nodes)}
+    scaled = matrix / np.maximum(np.linalg.norm(matrix, axis=1, keepdims=True), 1e-300)
+    free = _null_space(scaled)
+    motions = np.zeros((0, free.shape[1]))
+    speeds: list[float] = []
+    kept: list[str] = []
+    for machine, speed in asked.items():
+        motion = free[column[train.machines[machine]]]
+        if np.linalg.norm(motion) < RANK_TOLERANCE:
+            raise _locked(train, matrix, machine)
+        extended = np.vstack([motions, motion / np.linalg.norm(motion)])
+        if np.linalg.matrix_rank(extended, tol=RANK_TOLERANCE) > len(motions):
+            motions = extended
+            speeds.append(speed / float(np.linalg.norm(motion)))
+            kept.append(machine)
+    if len(kept) < free.shape[1]:
+        raise _free(train, free, motions, len(kept))
+    omega: Array = free @ np.linalg.solve(motions, np.array(speeds)) if kept else np.zeros(len(train.nodes))
+    yielded = [
+        Yielded(machine, speed, abs(float(omega[column[train.machines[machine]]])))
+        for machine, speed in asked.items()
+        if machine not in kept and speed > 0.0
+    ]
+    return omega, yielded
+
+
+def _null_space(matrix: Array) -> Array:
+    """Return an orthonormal basis (nodes, freedoms) of the motions that the rows allow."""
+    if not len(matrix):
+        return np.eye(matrix.shape[1])
+    _, values, right = np.linalg.svd(matrix)
+    rank = int(np.sum(values > RANK_TOLERANCE * values[0]))
+    basis: Array = right[rank:].T
+    return basis
+
+
+def _locked(train: Train, matrix: Array, machine: str) -> DesignError:
+    """Say which rows lock a machine's shaft: those without one of which it would turn."""
+    shaft = train.machines[machine]
+    node = train.nodes.index(shaft)
+    names = [mesh.name for mesh in train.meshes] + [joint.name for joint in train.joints]
+    guilty = [
+        names[k]
+        for k in range(len(matrix))
+        if np.linalg.norm(_null_space(np.delete(matrix, k, axis=0))[node]) > RANK_TOLERANCE
+    ]
+    loop = f" Their teeth contradict each other around: {', '.join(guilty)}." if guilty else ""
+    message = f"{machine} cannot turn it: the train locks it.{loop} Free a member, or give teeth that agree"
+    return DesignError([Problem(f"shafts.{shaft}", message)])
+
+
+def _free(train: Train, free: Array, motions: Array, given: int) -> DesignError:
+    """Name the shafts whose speed nothing determines."""
+    remaining = free @ _null_space(motions) if len(motions) else free
+    loose = [name for name, motion in zip(train.nodes, remaining, strict=True) if np.linalg.norm(motion) > 1e-6]
+    shafts = [name for name in loose if "." not in name]
+    message = (
+        f"the speeds of {', '.join(shafts)} are not determined: the train has {free.shape[1]} free speeds and the"
+        f" machines give {given}; give a machine with a speed on one of them, ground a member, or join two shafts"
+    )
+    return DesignError([Problem("shafts", message)])

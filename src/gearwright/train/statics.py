@@ -1,0 +1,114 @@
+"""Torques of every mesh and of the machines that balance: T + Aᵀ λ = 0, with losses that follow the power.
+
+Parallel paths leave λ undetermined: a share that the design states holds, and what is left is shared as equally as
+equilibrium allows. The elastic answer comes from the System.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+BALANCE_TOLERANCE = 1e-9
+"""Largest torque left over, as a part of the largest applied, in a train that can balance."""
+MAX_REVERSALS = 20
+"""Rounds in which the direction of the tooth power may still change while losses are found."""
+
+
+@dataclass(frozen=True)
+class Sharing:
+    """Rows that run in parallel and the share of each; `stated` if the design says so."""
+
+    rows: tuple[int, ...]
+    share: tuple[float, ...]
+    stated: bool
+
+
+def solve_torques(
+    matrix: Array, applied: Array, balancing: Array, *, sharing: Sequence[Sharing] = ()
+) -> tuple[Array, Array] | None:
+    """Return the multipliers of the rows and the torques of the balancing machines.
+
+    Args:
+        matrix: (rows, nodes) torque on each node per unit multiplier of each row; A itself where nothing is lost.
+        applied: (nodes,) torques that are given [N m].
+        balancing: (nodes, machines) unit columns of the machines whose torque balances.
+        sharing: Groups of parallel rows.
+
+    Returns:
+        λ (rows,) [N m per tooth] and torques (machines,) [N m], or None where no torques balance.
+    """
+    system = np.hstack([matrix.T, balancing])
+    solution = _solve(system, -applied)
+    scale = max(float(np.abs(applied).max(initial=0.0)), 1e-30)
+    if np.abs(system @ solution + applied).max(initial=0.0) > BALANCE_TOLERANCE * scale:
+        return None
+    free = _null_space(system)
+    if free.shape[1]:
+        solution = _share(solution, free, sharing)
+    split = len(matrix)
+    return solution[:split], solution[split:]
+
+
+def _solve(system: Array, right: Array) -> Array:
+    """Return the least solution, columns scaled to unit length and refined once, so that powers close to rounding."""
+    scale = np.maximum(np.linalg.norm(system, axis=0), 1e-300)
+    scaled = system / scale
+    inverse = np.linalg.pinv(scaled, rcond=1e-12)
+    first = inverse @ right
+    solution: Array = (first + inverse @ (right - scaled @ first)) / scale
+    return solution
+
+
+def _share(solution: Array, free: Array, sharing: Sequence[Sharing]) -> Array:
+    """Move along the torques that balance by themselves until the shares hold: stated ones first, then equal ones."""
+    for stated in (True, False):
+        equations = [row for group in sharing if group.stated is stated for row in _equal(group, len(solution))]
+        if not equations or not free.shape[1]:
+            continue
+        left = np.array(equations)
+        move, *_ = np.linalg.lstsq(left @ free, -left @ solution, rcond=None)
+        solution = np.asarray(solution + free @ move, dtype=np.float64)
+        free = free @ _null_space(left @ free)
+    return solution
+
+
+def _equal(group: Sharing, size: int) -> list[Array]:
+    """Return the equations λ_i / share_i = λ_0 / share_0 of a group."""
+    equations = []
+    for row, share in zip(group.rows[1:], group.share[1:], strict=True):
+        equation = np.zeros(size)
+        equation[group.rows[0]], equation[row] = share, -group.share[0]
+        equations.append(equation)
+    return equations
+
+
+def _null_space(matrix: Array) -> Array:
+    _, values, right = np.linalg.svd(matrix)
+    rank = int(np.sum(values > 1e-10 * max(values[0], 1e-300))) if len(values) else 0
+    basis: Array = right[rank:].T
+    return basis
+
+
+def lossy(matrix: Array, driving: Array, driven: Array, efficiency: Array) -> Array:
+    """Return the torque matrix with tooth losses: the driven gear receives η times what the driving one gives.
+
+    Args:
+        matrix: (rows, nodes) kinematic rows relative to the carrier.
+        driving: (rows, nodes) the part of each row that belongs to the gear that drives.
+        driven: (rows, nodes) the part of the gear that is driven.
+        efficiency: (rows,) η of each row [-].
+
+    Returns:
+        (rows, nodes); the carrier takes what keeps the three torques of a mesh in balance.
+    """
+    carrier = matrix - driving - driven
+    loss = (1.0 - efficiency)[:, None]
+    drop = driven * loss
+    on_carrier = np.where(carrier != 0.0, 1.0, 0.0) * drop.sum(axis=1, keepdims=True)
+    result: Array = matrix - drop + on_carrier
+    return result
