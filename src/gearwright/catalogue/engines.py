@@ -1,0 +1,250 @@
+"""The 121 engines of Pulvirenti (2023), tables 1.3-1.15, as they are printed, and what is known to be wrong with them.
+
+The gearbox masses of these tables are estimates by a formula and not weights; `sizing.statistical.engine_check`
+recomputes them. The engine speed is not printed: each series has a rule that reproduces its printed masses.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+
+from gearwright.errors import DesignError, Problem
+from gearwright.units import RPM, Power, Speed
+
+SOURCE = "Pulvirenti 2023, tables 1.3-1.15"
+_KW = 1e3
+
+
+@dataclass(frozen=True)
+class Printed:
+    """A number as it stands in a table: its digits say how well it is known."""
+
+    text: str
+    """The digits as printed."""
+
+    @property
+    def value(self) -> float:
+        """The number in the unit of its column."""
+        return float(self.text)
+
+    @property
+    def half_digit(self) -> float:
+        """Half a unit of the last printed digit, in the unit of the column."""
+        return 0.5 * 10.0 ** -len(self.text.partition(".")[2])
+
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """The numbers that round to the printed one, in the unit of the column."""
+        return self.value - self.half_digit, self.value + self.half_digit
+
+
+@dataclass(frozen=True)
+class Note:
+    """What is known about one printed column of one row, or of every row of a series."""
+
+    series: str
+    model: str
+    """Model, or ``*`` for every row of the series."""
+    column: str
+    """Name of the column as in `Engine.printed`, or ``model``."""
+    verdict: str
+    """``last digit``, ``differs``, ``misplaced``, ``meaningless``; ``other source`` where the row itself is doubtful."""
+    reads_as: str
+    """For a misplaced number, the column to which it belongs."""
+    reason: str
+
+
+@dataclass(frozen=True)
+class Series:
+    """A family of engines, one table of the thesis, with the rule for its engine speed."""
+
+    name: str
+    table: str
+    """Number of the table in Pulvirenti (2023)."""
+    manufacturer: str
+    kind: str
+    """``turboprop`` or ``turboshaft``."""
+    rule: str
+    """``ratio`` (engine speed over propeller speed) or ``speed_rpm``."""
+    value: float
+    """Ratio [-], or engine speed [rpm]."""
+    reason: str
+    """Why this rule: the interval of values that reproduces the printed masses."""
+
+
+@dataclass(frozen=True)
+class Engine:
+    """One row of the tables."""
+
+    series: Series
+    model: str
+    row: int
+    """Place in its table, from 1; two models of table 1.13 appear twice."""
+    printed: tuple[tuple[str, Printed], ...]
+    """Column name and printed number; a column that is left empty in print is not here."""
+    notes: tuple[Note, ...]
+
+    def as_printed(self, column: str) -> Printed | None:
+        """Return what stands under a column, misplaced or not.
+
+        Args:
+            column: Such as ``torque_nm``.
+        """
+        return dict(self.printed).get(column)
+
+    def as_meant(self, column: str) -> Printed | None:
+        """Return what belongs to a column: misplaced numbers are read where they belong.
+
+        Args:
+            column: Such as ``torque_nm``.
+        """
+        for note in self.notes:
+            if note.reads_as == column:
+                return self.as_printed(note.column)
+        return None if self.note(column, "misplaced") else self.as_printed(column)
+
+    def note(self, column: str, verdict: str = "") -> Note | None:
+        """Return the note on a column, if there is one.
+
+        Args:
+            column: Such as ``torque_nm``.
+            verdict: Only a note with this verdict, if given.
+        """
+        found = (note for note in self.notes if note.column == column and verdict in ("", note.verdict))
+        return next(found, None)
+
+    @property
+    def power(self) -> Power:
+        """Take-off power of the engine [W]."""
+        return self._input("power_kw") * _KW
+
+    @property
+    def propeller_speed(self) -> Speed:
+        """Speed of the propeller or of the output shaft [rad/s]."""
+        return self._input("propeller_rpm") * RPM
+
+    @property
+    def engine_speed(self) -> Speed:
+        """Speed of the power turbine by the rule of the series [rad/s]."""
+        if self.series.rule == "ratio":
+            return self.series.value * self.propeller_speed
+        return self.series.value * RPM
+
+    @property
+    def has_gearbox(self) -> bool:
+        """False where the printed gearbox columns mean nothing."""
+        return self.note("gearbox_mass_kg", "meaningless") is None
+
+    def _input(self, column: str) -> float:
+        return dict(self.printed)[column].value
+
+
+@cache
+def all_series() -> tuple[Series, ...]:
+    """Return the series in the order of the tables."""
+    return tuple(
+        Series(
+            name=row["series"],
+            table=row["table"],
+            manufacturer=row["manufacturer"],
+            kind=row["kind"],
+            rule=row["rule"],
+            value=float(row["value"]),
+            reason=row["reason"],
+        )
+        for row in _rows("engine_series.csv")
+    )
+
+
+@cache
+def notes() -> tuple[Note, ...]:
+    """Return everything that is known to be wrong or doubtful in the tables."""
+    return tuple(Note(**row) for row in _rows("engine_notes.csv"))
+
+
+@cache
+def engines() -> tuple[Engine, ...]:
+    """Return the 121 engines in the order of the tables."""
+    of_name = {one.name: one for one in all_series()}
+    place = dict.fromkeys(of_name, 0)
+    found = []
+    for row in _rows("engines.csv"):
+        name, model = row.pop("series"), row.pop("model")
+        place[name] += 1
+        printed = tuple((column, Printed(text)) for column, text in row.items() if text)
+        remarks = tuple(note for note in notes() if note.series == name and note.model in ("*", model))
+        found.append(Engine(of_name[name], model, place[name], printed, remarks))
+    return tuple(found)
+
+
+def select(
+    *,
+    series: str = "",
+    manufacturer: str = "",
+    kind: str = "",
+    model: str = "",
+    power: tuple[float, float] | None = None,
+) -> tuple[Engine, ...]:
+    """Return the engines that answer to every criterion; names match by any part of them, in any case.
+
+    Args:
+        series: Such as ``PW100``.
+        manufacturer: Such as ``pratt``.
+        kind: ``turboprop`` or ``turboshaft``.
+        model: Such as ``127``.
+        power: Least and greatest power [W].
+
+    Raises:
+        DesignError: No engine answers to them.
+    """
+    wanted = ((series, "name"), (manufacturer, "manufacturer"), (kind, "kind"))
+    low, high = power or (0.0, math.inf)
+    found = tuple(
+        one
+        for one in engines()
+        if all(text.casefold() in getattr(one.series, field).casefold() for text, field in wanted)
+        and model.casefold() in one.model.casefold()
+        and low <= one.power <= high
+    )
+    if not found:
+        raise DesignError([Problem("engines", f"no engine of the catalogue answers to this; {_choice()}")])
+    return found
+
+
+def _choice() -> str:
+    powers = [one.power / _KW for one in engines()]
+    names = ", ".join(one.name for one in all_series())
+    return f"series: {names}; power {min(powers):g} to {max(powers):g} kW"
+
+
+def nearest(power: float, engine_speed: float, propeller_speed: float, *, count: int = 5) -> tuple[Engine, ...]:
+    """Return the engines that are most alike in power and in both speeds, the nearest first.
+
+    The distance is that of the logarithms, so a factor counts the same in each of the three. Engines whose printed
+    gearbox means nothing are left out.
+
+    Args:
+        power: [W].
+        engine_speed: [rad/s].
+        propeller_speed: [rad/s].
+        count: How many [-].
+    """
+
+    def distance(engine: Engine) -> float:
+        return math.hypot(
+            math.log(engine.power / power),
+            math.log(engine.engine_speed / engine_speed),
+            math.log(engine.propeller_speed / propeller_speed),
+        )
+
+    return tuple(sorted((one for one in engines() if one.has_gearbox), key=distance)[:count])
+
+
+def _rows(name: str) -> Iterator[dict[str, str]]:
+    text = files("gearwright.catalogue").joinpath(f"data/{name}").read_text(encoding="utf-8")
+    yield from csv.DictReader(text.splitlines())
