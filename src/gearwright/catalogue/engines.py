@@ -53,7 +53,7 @@ class Note:
     column: str
     """Name of the column as in `Engine.printed`, or ``model``."""
     verdict: str
-    """``last digit``, ``differs``, ``misplaced``, ``meaningless``; ``other source`` where the row itself is doubtful."""
+    """``last digit``, ``differs``, ``misplaced``, ``meaningless``; ``other source`` where the row is doubtful."""
     reads_as: str
     """For a misplaced number, the column to which it belongs."""
     reason: str
@@ -226,7 +226,7 @@ def nearest(power: float, engine_speed: float, propeller_speed: float, *, count:
     """Return the engines that are most alike in power and in both speeds, the nearest first.
 
     The distance is that of the logarithms, so a factor counts the same in each of the three. Engines whose printed
-    gearbox means nothing are left out.
+    gearbox means nothing are left out, and of engines of a series with the same power and speed only the first counts.
 
     Args:
         power: [W].
@@ -242,7 +242,10 @@ def nearest(power: float, engine_speed: float, propeller_speed: float, *, count:
             math.log(engine.propeller_speed / propeller_speed),
         )
 
-    return tuple(sorted((one for one in engines() if one.has_gearbox), key=distance)[:count])
+    distinct = {
+        (one.series.name, one.power, one.propeller_speed): one for one in reversed(engines()) if one.has_gearbox
+    }
+    return tuple(sorted(distinct.values(), key=distance)[:count])
 
 
 def _rows(name: str) -> Iterator[dict[str, str]]:
