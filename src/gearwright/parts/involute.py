@@ -1,0 +1,165 @@
+"""Closed forms of the involute cylindrical gear: angles, virtual teeth, profile shift, undercut.
+
+Numbers of teeth are signed as in ISO 21771: an internal gear has a negative number of teeth, and with it a negative
+centre distance, so that one formula serves external and internal pairs. Lengths are in m, angles in rad.
+"""
+
+from __future__ import annotations
+
+import math
+
+from gearwright.errors import DesignError, Problem
+
+
+def involute(angle: float) -> float:
+    """Return the involute function inv α = tan α − α.
+
+    Args:
+        angle: Pressure angle [rad].
+
+    Source: ISO 21771:2007.
+
+    >>> round(involute(math.radians(20.0)), 6)
+    0.014904
+    """
+    return math.tan(angle) - angle
+
+
+def involute_angle(value: float) -> float:
+    """Return the pressure angle whose involute function has a given value.
+
+    Args:
+        value: inv α [-], not negative.
+
+    Returns:
+        α [rad], exact to rounding (Newton's iteration from an explicit start).
+
+    Source: the inverse of ISO 21771:2007's inv α = α³/3 + 2α⁵/15 + …, whose first terms give the start.
+
+    >>> round(math.degrees(involute_angle(0.014904)), 3)
+    20.0
+    """
+    if not (math.isfinite(value) and value >= 0.0):
+        raise DesignError(
+            [Problem("", f"inv α = {value:.6g} has no angle; the profile shifts or thickness are too small")]
+        )
+    if value == 0.0:
+        return 0.0
+    q = (3.0 * value) ** (1.0 / 3.0)
+    # The series runs out beyond α ≈ 60°; there tan α ≈ inv α + π/2 is the better start.
+    angle = q * (1.0 - q * q * 2.0 / 15.0) if value < 0.6 else math.atan(value + 1.2)
+    for _ in range(20):
+        tangent = math.tan(angle)
+        step = (tangent - angle - value) / tangent**2
+        angle -= step
+        if abs(step) <= 1e-15 * angle:
+            break
+    return angle
+
+
+def transverse_pressure_angle(pressure_angle: float, helix_angle: float) -> float:
+    """Return the transverse pressure angle α_t of a helical gear.
+
+    Args:
+        pressure_angle: Normal pressure angle α_n [rad].
+        helix_angle: Helix angle at the reference cylinder β [rad].
+
+    Source: ISO 21771:2007, tan α_t = tan α_n / cos β.
+
+    >>> round(math.degrees(transverse_pressure_angle(math.radians(20.0), math.radians(15.8))), 4)
+    20.7195
+    """
+    return math.atan(math.tan(pressure_angle) / math.cos(helix_angle))
+
+
+def base_helix_angle(pressure_angle: float, helix_angle: float) -> float:
+    """Return the helix angle at the base cylinder β_b.
+
+    Args:
+        pressure_angle: Normal pressure angle α_n [rad].
+        helix_angle: Helix angle at the reference cylinder β [rad].
+
+    Source: ISO 21771:2007, sin β_b = sin β cos α_n.
+    """
+    return math.asin(math.sin(helix_angle) * math.cos(pressure_angle))
+
+
+def virtual_teeth(teeth: float, pressure_angle: float, helix_angle: float) -> float:
+    """Return the number of teeth of the equivalent spur gear in the normal section, z_n.
+
+    Args:
+        teeth: Number of teeth z [-], negative for an internal gear.
+        pressure_angle: Normal pressure angle α_n [rad].
+        helix_angle: Helix angle at the reference cylinder β [rad].
+
+    Source: ISO 6336-3:2006, z_n = z / (cos² β_b cos β).
+
+    >>> round(virtual_teeth(17, math.radians(20.0), math.radians(15.8)), 3)
+    18.905
+    """
+    return teeth / (math.cos(base_helix_angle(pressure_angle, helix_angle)) ** 2 * math.cos(helix_angle))
+
+
+def working_pressure_angle(teeth_sum: float, shift_sum: float, *, pressure_angle: float, helix_angle: float) -> float:
+    """Return the working transverse pressure angle α_wt at which given profile shifts mesh without backlash.
+
+    Args:
+        teeth_sum: z_1 + z_2 [-], with z_2 negative for an internal pair.
+        shift_sum: x_1 + x_2 [-].
+        pressure_angle: Normal pressure angle α_n [rad].
+        helix_angle: Helix angle at the reference cylinder β [rad].
+
+    Source: ISO 21771:2007, inv α_wt = inv α_t + 2 tan α_n (x_1 + x_2)/(z_1 + z_2).
+    """
+    transverse = transverse_pressure_angle(pressure_angle, helix_angle)
+    return involute_angle(involute(transverse) + 2.0 * math.tan(pressure_angle) * shift_sum / teeth_sum)
+
+
+def shift_sum(teeth_sum: float, working_angle: float, *, pressure_angle: float, helix_angle: float) -> float:
+    """Return the sum of profile shifts x_1 + x_2 that closes the backlash at a working pressure angle.
+
+    Args:
+        teeth_sum: z_1 + z_2 [-], with z_2 negative for an internal pair.
+        working_angle: Working transverse pressure angle α_wt [rad].
+        pressure_angle: Normal pressure angle α_n [rad].
+        helix_angle: Helix angle at the reference cylinder β [rad].
+
+    Source: ISO 21771:2007, the inverse of `working_pressure_angle`.
+    """
+    transverse = transverse_pressure_angle(pressure_angle, helix_angle)
+    return (involute(working_angle) - involute(transverse)) * teeth_sum / (2.0 * math.tan(pressure_angle))
+
+
+def least_profile_shift(teeth: float, rack_height: float, *, pressure_angle: float, helix_angle: float) -> float:
+    """Return the profile shift below which a rack undercuts an external gear.
+
+    Args:
+        teeth: Number of teeth z [-].
+        rack_height: Straight part of the rack's flank below its reference line, in modules [-].
+        pressure_angle: Normal pressure angle α_n [rad].
+        helix_angle: Helix angle at the reference cylinder β [rad].
+
+    Source: ISO 21771:2007, x_min = h* − z sin² α_t / (2 cos β).
+
+    >>> round(least_profile_shift(9, 1.0, pressure_angle=math.radians(20.0), helix_angle=0.0), 3)
+    0.474
+    """
+    transverse = transverse_pressure_angle(pressure_angle, helix_angle)
+    return rack_height - teeth * math.sin(transverse) ** 2 / (2.0 * math.cos(helix_angle))
+
+
+def least_teeth(rack_height: float, *, pressure_angle: float, helix_angle: float) -> float:
+    """Return the number of teeth below which a rack undercuts an external gear without profile shift.
+
+    Args:
+        rack_height: Straight part of the rack's flank below its reference line, in modules [-].
+        pressure_angle: Normal pressure angle α_n [rad].
+        helix_angle: Helix angle at the reference cylinder β [rad].
+
+    Source: ISO 21771:2007, z_min = 2 h* cos β / sin² α_t.
+
+    >>> round(least_teeth(1.0, pressure_angle=math.radians(20.0), helix_angle=0.0), 2)
+    17.1
+    """
+    transverse = transverse_pressure_angle(pressure_angle, helix_angle)
+    return 2.0 * rack_height * math.cos(helix_angle) / math.sin(transverse) ** 2

@@ -1,0 +1,188 @@
+"""The one form in which every mesh stiffness model hands over its result: a Fourier series in the mesh phase.
+
+The mesh phase φ grows by 2π per tooth in the direction of the drive and is zero when a tooth pair touches at the
+pitch point (at mid face for helical teeth). Written in an angle, not in time, it stays right while speeds change.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearwright.errors import DesignError, Problem
+
+Array: TypeAlias = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class StiffnessCurve:
+    """A mesh stiffness along the line of action, k(φ) = mean + Σ cosine_n cos nφ + sine_n sin nφ."""
+
+    mean: float
+    """Mean stiffness [N/m]."""
+    cosine: tuple[float, ...] = ()
+    """Cosine coefficients of harmonics 1, 2, … of the mesh phase [N/m]."""
+    sine: tuple[float, ...] = ()
+    """Sine coefficients of the same harmonics [N/m]."""
+    source: str = ""
+    """Model and clause that made the curve."""
+
+    def __post_init__(self) -> None:
+        if len(self.cosine) != len(self.sine):
+            message = f"{len(self.cosine)} cosine and {len(self.sine)} sine coefficients given; give as many of each"
+            raise DesignError([Problem("stiffness", message)])
+        if not all(math.isfinite(value) for value in (self.mean, *self.cosine, *self.sine)):
+            raise DesignError([Problem("stiffness", "a coefficient is not a finite number")])
+        lowest, phase = _lowest(self)
+        if not lowest > 0.0:
+            message = (
+                f"{lowest:.4g} N/m at mesh phase {phase:.3f} rad; a stiffness must be positive: lower the harmonics"
+            )
+            raise DesignError([Problem("stiffness", message)])
+
+
+def stiffness_at(curve: StiffnessCurve, phase: ArrayLike) -> Array:
+    """Return the stiffness at given mesh phases.
+
+    Args:
+        curve: The curve.
+        phase: Mesh phases φ [rad], any shape.
+
+    Returns:
+        k [N/m], shape of `phase`.
+
+    Source: definition of the Fourier series.
+    """
+    angle = np.asarray(phase, dtype=np.float64)
+    order = np.arange(1, len(curve.cosine) + 1)
+    terms = np.multiply.outer(angle, order)
+    return np.asarray(curve.mean + np.cos(terms) @ np.array(curve.cosine) + np.sin(terms) @ np.array(curve.sine))
+
+
+def pair_curve(
+    ends: tuple[float, float], stiffness: Callable[[Array], Array], *, overlap: float, harmonics: int, source: str
+) -> StiffnessCurve:
+    """Return the mesh stiffness that passing tooth pairs add up to.
+
+    Args:
+        ends: Start and end of contact, in base pitches from the pitch point [-].
+        stiffness: Stiffness of one pair over its whole face width [N/m] at places in base pitches from the pitch point.
+        overlap: Overlap ratio ε_β of helical teeth, 0 for spur [-].
+        harmonics: Harmonics of the mesh phase to keep [-].
+        source: Model of the pair stiffness.
+
+    Returns:
+        Its coefficients are the exact integrals ∫ k(τ) e^(−2πi n τ) dτ over the path of contact; slices of a helical
+        tooth follow each other by ε_β pitches across the face, which multiplies harmonic n by sinc(n ε_β).
+
+    Source: Poisson's sum of shifted pairs; slicing as Wan et al. 2015, Mech. Mach. Theory 92, without
+        coupling between slices.
+    """
+    start, end = ends
+    # Gauss needs half a point per radian of the highest harmonic; 24 more carry the pair stiffness itself.
+    nodes, weights = np.polynomial.legendre.leggauss(24 + math.ceil(2.0 * harmonics * (end - start)))
+    place = 0.5 * (start + end) + 0.5 * (end - start) * nodes
+    order = np.arange(harmonics + 1)
+    weighted = 0.5 * (end - start) * weights * stiffness(place)
+    coefficients = np.exp(-2j * np.pi * np.outer(order, place)) @ weighted * np.sinc(order * overlap)
+    return _from_coefficients(coefficients, source)
+
+
+def rectangular_curve(
+    single: float, ends: tuple[float, float], *, step: float = 0.75, overlap: float = 0.0, harmonics: int = 8
+) -> StiffnessCurve:
+    """Return the two-level curve of ISO 6336-1: c′ with one pair in contact, c′ (1 + 0.75) with two.
+
+    Args:
+        single: Stiffness of one pair in single contact, c′ b [N/m].
+        ends: Start and end of contact, in base pitches from the pitch point [-].
+        step: What each further pair adds, as a part of `single` [-].
+        overlap: Overlap ratio ε_β [-].
+        harmonics: Harmonics of the mesh phase to keep [-].
+
+    Returns:
+        A curve whose mean is c_γ b = c′ b (0.75 ε_α + 0.25).
+
+    Source: ISO 6336-1:2006, clause 9; the levels are the only ones whose mean gives c_γα for every 1 ≤ ε_α ≤ 2.
+    """
+    start, end = ends
+    order = np.arange(1, harmonics + 1)
+    wave = np.exp(-2j * np.pi * order * end) - np.exp(-2j * np.pi * order * start)
+    pairs = np.concatenate(([end - start], 1j * wave / (2.0 * np.pi * order) * np.sinc(order * overlap)))
+    coefficients = single * step * pairs
+    coefficients[0] += single * (1.0 - step)
+    return _from_coefficients(coefficients, "ISO 6336-1:2006, two levels")
+
+
+def sampled_curve(phase: ArrayLike, stiffness: ArrayLike, *, harmonics: int, source: str) -> StiffnessCurve:
+    """Return a user's own curve, given as points over one mesh cycle and joined by straight lines.
+
+    Args:
+        phase: Mesh phases [rad], shape (n,), increasing; the cycle closes 2π after the first.
+        stiffness: Stiffness at them [N/m], shape (n,), positive. A last point one cycle after the first must repeat it.
+        harmonics: Harmonics of the mesh phase to keep [-].
+        source: Where the points come from.
+
+    Returns:
+        The exact Fourier coefficients of the polygon.
+
+    Source: from the jumps of slope, c_n = −Σ Δs_i e^(−i n φ_i) / (2π n²).
+
+    Raises:
+        DesignError: for points that do not increase, are not positive or do not close.
+    """
+    x, y = np.asarray(phase, dtype=np.float64), np.asarray(stiffness, dtype=np.float64)
+    problems = _sample_problems(x, y)
+    if problems:
+        raise DesignError(problems)
+    if not math.isclose(x[-1] - x[0], 2.0 * math.pi, rel_tol=1e-9):
+        x, y = np.append(x, x[0] + 2.0 * math.pi), np.append(y, y[0])
+    slope = np.diff(y) / np.diff(x)
+    jump = slope - np.roll(slope, 1)
+    order = np.arange(1, harmonics + 1)
+    waves = -(np.exp(-1j * np.outer(order, x[:-1])) @ jump) / (2.0 * np.pi * order**2)
+    mean = float(np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(x))) / (2.0 * math.pi)
+    return _from_coefficients(np.concatenate(([mean], waves)), source)
+
+
+def _from_coefficients(coefficients: NDArray[Any], source: str) -> StiffnessCurve:
+    """Turn the complex coefficients of e^(i n φ), n ≥ 0, into the record."""
+    waves = coefficients[1:]
+    cosine, sine = (2.0 * waves.real).tolist(), (-2.0 * waves.imag).tolist()
+    return StiffnessCurve(float(coefficients[0].real), tuple(cosine), tuple(sine), source)
+
+
+def _lowest(curve: StiffnessCurve) -> tuple[float, float]:
+    """Lowest stiffness of a fine sampling of one cycle [N/m] and its phase [rad]."""
+    phase = np.linspace(0.0, 2.0 * np.pi, 32 * len(curve.cosine) + 1)
+    stiffness = stiffness_at(curve, phase)
+    place = int(np.argmin(stiffness))
+    return float(stiffness[place]), float(phase[place])
+
+
+def _sample_problems(x: Array, y: Array) -> list[Problem]:
+    """What is wrong with a user's points."""
+    if x.ndim != 1 or x.shape != y.shape or x.size < 3:
+        return [
+            Problem("phase", f"shapes {x.shape} and {y.shape} given; give at least 3 phases and as many stiffnesses")
+        ]
+    problems = []
+    if not (np.all(np.isfinite(x)) and np.all(np.diff(x) > 0.0)):
+        problems.append(Problem("phase", "the phases must be finite and increase from point to point"))
+    elif x[-1] - x[0] > 2.0 * math.pi * (1.0 + 1e-9):
+        problems.append(Problem("phase", f"the phases cover {x[-1] - x[0]:.4g} rad; one mesh cycle is 2π"))
+    elif math.isclose(x[-1] - x[0], 2.0 * math.pi, rel_tol=1e-9) and not math.isclose(y[0], y[-1], rel_tol=1e-6):
+        problems.append(
+            Problem("stiffness", f"{y[0]:.6g} N/m at the start and {y[-1]:.6g} N/m one cycle later: not periodic")
+        )
+    if not (np.all(np.isfinite(y)) and np.all(y > 0.0)):
+        place = int(np.argmax(~(y > 0.0)))
+        problems.append(
+            Problem("stiffness", f"point {place}: {y[place]:.6g} N/m given; a stiffness must be positive and finite")
+        )
+    return problems
