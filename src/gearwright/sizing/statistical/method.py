@@ -16,16 +16,16 @@ Covered = Literal["included", "left out", "not stated"]
 
 @dataclass(frozen=True)
 class Coverage:
-    """What the mass of a method contains besides gears and housing."""
+    """What the mass of a method contains besides its gears."""
 
     lubrication: Covered
+    """Lubrication system."""
     rotor_shaft: Covered
+    """Shaft of the rotor or propeller."""
     accessories: Covered
-    housing: _ROUNDING = 1e-9
-
-
-"""A limit itself is inside, however its value was computed [-]."""
-Covered = "included"
+    """Accessory drives."""
+    housing: Covered = "included"
+    """Case, shafts and bearings."""
 
 
 @dataclass(frozen=True)

@@ -90,7 +90,8 @@ def scores() -> tuple[Score, ...]:
 def left_out_scatter() -> float:
     """Return the scatter of the refit when each weight is predicted from the other sixty [-].
 
-    A factor of one standard deviation. The refit has seen the weights that it is scored on; this is the fair figure to hold beside the other methods.
+    A factor of one standard deviation. The refit has seen the weights that it is scored on; this is the fair figure
+    to hold beside the other methods.
 
     Source:
         Leave-one-out cross-validation.
