@@ -1,1 +1,1 @@
-"""machines."""
+"""Turbine, motor and propeller as the gearbox sees them: mass and inertia by closed laws."""

@@ -154,7 +154,7 @@ def _layout(design: Design) -> Iterator[Problem]:
         if layout.bore is not None and layout.diameter is not None and layout.bore >= layout.diameter:
             yield Problem(
                 f"layout.{name}.bore",
-                f"the bore {layout.bore * 1e3:g} mm leaves no wall in a shaft of {layout.diameter * 1e3:g} mm; reduce it",
+                f"the bore {layout.bore * 1e3:g} mm leaves no wall in a shaft of {layout.diameter * 1e3:g} mm",
             )
 
 

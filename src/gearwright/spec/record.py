@@ -1,7 +1,8 @@
 """Frozen records whose physical fields are written with the unit in the key and kept in SI.
 
 `convert` turns a raw table (``{"power_kw": 1046}``) into what the record takes (``{"power": 1046000.0}``) and
-collects every problem on the way; the record's own types then check what is left. Both speak of the keys that the user wrote.
+collects every problem on the way; the record's own types then check what is left. Both speak of the keys that the
+user wrote.
 """
 
 from __future__ import annotations
@@ -120,7 +121,7 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
     return result
 
 
-def _require(model: type[Record], keys: Mapping[str, tuple[str, float, str]], result: Mapping[str, object],
+def _require(model: type[Record], keys: Mapping[str, tuple[str, float, str]], result: dict[str, object],
              written: Written, prefix: str) -> None:  # fmt: skip
     """Note every required field that the table lacks."""
     for name, info in model.model_fields.items():
@@ -218,17 +219,17 @@ _STAND_IN = 1.0
 """A quantity that every bound of a required field allows; it never leaves the search for problems."""
 
 
-def _stand_in(table: dict[str, Any], location: tuple[int | str, ...]) -> None:
+def _stand_in(entries: dict[str, Any], location: tuple[int | str, ...]) -> None:
     """Take the faulty entry out of a table, or put a stand-in where a quantity is required."""
     for part in location[:-1]:
-        inner = table.get(str(part))
+        inner = entries.get(str(part))
         if not isinstance(inner, dict):
             break
-        table, location = inner, location[1:]
+        entries, location = inner, location[1:]
     key = str(location[0])
-    value = table.pop(key, None)
+    value = entries.pop(key, None)
     if isinstance(value, float):
-        table[key] = _STAND_IN
+        entries[key] = _STAND_IN
 
 
 def _add(written: Written, details: Any) -> None:

@@ -95,7 +95,7 @@ def drives_of(design: Design, case: str) -> dict[str, Drive]:
 
 
 def power_flow(
-    design: Design, train: Train, teeth: Mapping[str, int], case: str = RATED, *,
+    design: Design, train: Train, teeth: Mapping[str, float], case: str = RATED, *,
     efficiency: Mapping[str, float] | None = None,
 ) -> PowerFlow:  # fmt: skip
     """Return the speeds, torques and powers of a case.

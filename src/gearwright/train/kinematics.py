@@ -33,7 +33,7 @@ class Yielded:
         return (self.actual - self.asked) / self.asked
 
 
-def rows(train: Train, teeth: Mapping[str, int], joints: Sequence[Joint]) -> Array:
+def rows(train: Train, teeth: Mapping[str, float], joints: Sequence[Joint]) -> Array:
     """Return the kinematic matrix A, one row per mesh, then one per engaged clutch.
 
     Args:

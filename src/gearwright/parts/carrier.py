@@ -1,0 +1,59 @@
+"""First sizing of a planet carrier: cantilever pins in bending, a plate that carries the torque."""
+
+from __future__ import annotations
+
+import math
+
+
+def pin_diameter(force: float, face_width: float, allowable: float) -> float:
+    """Return the diameter of a cantilever planet pin [m].
+
+    Args:
+        force: Tangential force of one planet on its pin, T_c/(N r_c) [N].
+        face_width: Planet face width; the force acts at its middle [m].
+        allowable: Allowable bending stress [Pa].
+
+    Source: cantilever beam, d³ = 32 M/(π σ) with M = F b/2; Pulvirenti 2023, §2.4 (model), with the force 2 F_t.
+    """
+    return math.cbrt(32.0 * force * face_width / 2.0 / (math.pi * allowable))
+
+
+def pin_mass(diameter: float, face_width: float, density: float) -> float:
+    """Return the mass of one planet pin of the planet's width [kg].
+
+    Args:
+        diameter: [m].
+        face_width: [m].
+        density: ρ [kg/m³].
+
+    Source: cylinder.
+    """
+    return math.pi / 4.0 * diameter**2 * face_width * density
+
+
+def plate_mass(radius: float, thickness: float, density: float, *, fill: float) -> float:
+    """Return the mass of the carrier's plate [kg].
+
+    Args:
+        radius: Outer radius, pin circle plus half a pin [m].
+        thickness: [m].
+        density: ρ [kg/m³].
+        fill: Share of the disc that is not cut out [-].
+
+    Source: disc.
+    """
+    return math.pi * radius**2 * thickness * density * fill
+
+
+def plate_shear_stress(torque: float, hub_diameter: float, thickness: float) -> float:
+    """Return the shear stress in the plate where it meets its shaft [Pa].
+
+    Args:
+        torque: Carrier torque T_c [N m].
+        hub_diameter: Diameter of the shaft that the plate is one piece with [m].
+        thickness: Plate thickness [m].
+
+    Source: torque over the cylinder of the hub, τ = 2 T_c / (π d² t); the carrier's plate bears T_c, which Pulvirenti
+        2023, §2.4 leaves out.
+    """
+    return 2.0 * torque / (math.pi * hub_diameter**2 * thickness)

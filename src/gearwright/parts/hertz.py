@@ -1,0 +1,101 @@
+"""Hertz's contact of two gear teeth at the pitch point: pressure, and the module that bears it."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+HERTZ_COEFFICIENT = 0.418
+"""√(1 / (2π (1 − ν²))) rounded, for ν = 0.3 and two bodies of one material.
+
+Pulvirenti 2023, eq. (2.2) prints 0.4118, which is 1.5 % low in stress.
+"""
+
+
+class ContactAngles(NamedTuple):
+    """The angles that a contact formula works with."""
+
+    pressure: float
+    """Pressure angle [rad]: α_n as Pulvirenti prints, α_t where the transverse section is taken."""
+    line: float
+    """Inclination of the contact line [rad]: β as printed, β_b where the base cylinder is taken."""
+
+
+def hertz_coefficient(poisson_ratio: float) -> float:
+    """Return the coefficient of the line contact of two equal materials [-].
+
+    Args:
+        poisson_ratio: ν [-].
+
+    Source: Hertz 1882; σ_H = √(1/(2π(1−ν²))) √(F' E / ρ) with F' the load per length and 1/ρ the sum of curvatures.
+
+    >>> round(hertz_coefficient(0.3), 4)
+    0.4182
+    """
+    return math.sqrt(1.0 / (2.0 * math.pi * (1.0 - poisson_ratio**2)))
+
+
+def contact_angles(pressure_angle: float, helix_angle: float, *, transverse: bool) -> ContactAngles:
+    """Return the angles of the contact formula.
+
+    Args:
+        pressure_angle: Normal pressure angle α_n [rad].
+        helix_angle: β [rad].
+        transverse: Take α_t and β_b, as theory asks, instead of α_n and β, as Pulvirenti prints (4 % heavier).
+
+    Source: Pulvirenti 2023, eq. (2.2); ISO 6336-2:2019 for the transverse form (Z_H).
+    """
+    if not transverse:
+        return ContactAngles(pressure_angle, helix_angle)
+    return ContactAngles(
+        math.atan(math.tan(pressure_angle) / math.cos(helix_angle)),
+        math.asin(math.sin(helix_angle) * math.cos(pressure_angle)),
+    )
+
+
+def contact_stress(
+    tangential_force: float, face_width: float, curvature: float, *, angles: ContactAngles, elastic_modulus: float
+) -> float:
+    """Return Hertz's pressure at the pitch point [Pa].
+
+    Args:
+        tangential_force: F_t of one mesh [N].
+        face_width: b [m].
+        curvature: Sum 1/r_1 ± 1/r_2 of the pitch radii, minus for an internal mesh [1/m].
+        angles: From `contact_angles`.
+        elastic_modulus: E of both gears [Pa].
+
+    Source: Pulvirenti 2023, eq. (2.2), coefficient corrected from 0.4118 to 0.418:
+        σ_H = 0.418 √(F_t E (1/r_1 ± 1/r_2) cos β / (b cos α sin α)).
+    """
+    load = tangential_force * elastic_modulus * curvature * math.cos(angles.line)
+    return HERTZ_COEFFICIENT * math.sqrt(load / (face_width * math.cos(angles.pressure) * math.sin(angles.pressure)))
+
+
+def module_hertz(
+    torque_per_tooth: ArrayLike, curvature: ArrayLike, width_ratio: float, *, allowable: float, elastic_modulus: float,
+    angles: ContactAngles, helix_angle: float = 0.0,
+) -> Array:  # fmt: skip
+    """Return the smallest normal module whose flanks bear contact [m].
+
+    Args:
+        torque_per_tooth: T/z of one mesh [N m]; the same on both gears.
+        curvature: Sum 1/z_1 ± 1/z_2, minus for an internal mesh [-].
+        width_ratio: λ = b/m_n [-].
+        allowable: Allowable pressure [Pa].
+        elastic_modulus: E of both gears [Pa].
+        angles: From `contact_angles`.
+        helix_angle: β on the pitch cylinder [rad].
+
+    Source: Pulvirenti 2023, eqs (2.2) and (2.12) solved for m_n with b = λ m_n, r = m_n z / (2 cos β).
+    """
+    geometry = (
+        math.cos(angles.line) * math.cos(helix_angle) ** 2 / (math.cos(angles.pressure) * math.sin(angles.pressure))
+    )
+    load = 4.0 * np.asarray(torque_per_tooth, dtype=float) * np.asarray(curvature) * elastic_modulus * geometry
+    return np.asarray(np.cbrt(HERTZ_COEFFICIENT**2 * load / (width_ratio * allowable**2)))

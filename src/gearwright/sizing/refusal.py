@@ -1,0 +1,70 @@
+"""Why a stage has no tooth numbers, and what would do."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gearwright.errors import DesignError, Problem
+from gearwright.parts.planets import assembles, neighbours_clear
+from gearwright.spec import Design, Pair, Planetary
+
+
+def refusal(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: float) -> DesignError:
+    """Return the error of a stage without candidates: the planets that would fit, or the ratio that teeth would give.
+
+    Args:
+        name: Name of the stage.
+        stage: As in the design.
+        design: With the rules of the search.
+        tooth_ratio: z_2/z_1 or z_r/z_s asked [-].
+    """
+    if isinstance(stage, Planetary):
+        return DesignError([_planetary(name, stage, design, tooth_ratio)])
+    lowest = design.teeth.pinion_minimum
+    message = (
+        f"no tooth numbers give the ratio {tooth_ratio:.4g} within {design.teeth.stage_tolerance:.1%}; allow more in"
+        f" teeth.stage_tolerance, fewer teeth in teeth.pinion_minimum ({lowest or 'no undercut'}), or change the speeds"
+    )
+    return DesignError([Problem(f"pairs.{name}", message)])
+
+
+def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float) -> Problem:
+    """Return the problem of a planetary set."""
+    path, ratio = f"planetaries.{name}", 1.0 + tooth_ratio
+    if _fits(stage, design, tooth_ratio, 1, assembly=False):
+        for count in range(stage.planets - 1, 0, -1):
+            if _fits(stage, design, tooth_ratio, count, assembly=True):
+                clear = _fits(stage, design, tooth_ratio, stage.planets, assembly=False)
+                why = "cannot be assembled" if clear else "do not fit"
+                return Problem(
+                    f"{path}.planets", f"{stage.planets} planets {why} at ratio {ratio:.3g}; at most {count}"
+                )
+    low, high = _range(design)
+    message = (
+        f"no tooth numbers give the ratio {ratio:.4g} within {design.teeth.stage_tolerance:.1%}; with suns of"
+        f" {design.teeth.sun_minimum} to {design.teeth.sun_maximum} teeth, planets of {design.teeth.planet_minimum} or"
+        f" more, the ratio lies from {low:.3g} up, and below {high:.3g} for two planets or more; change the speeds, or"
+        " the limits in [teeth]"
+    )
+    return Problem(path, message)
+
+
+def _range(design: Design) -> tuple[float, float]:
+    """Return the smallest ratio, and the one at which two planets touch [-]."""
+    rules = design.teeth
+    return 2.0 + 2.0 * rules.planet_minimum / rules.sun_maximum, 2.0 * (rules.sun_maximum - 2) / 2.0 + 2.0
+
+
+def _fits(stage: Planetary, design: Design, tooth_ratio: float, planets: int, *, assembly: bool) -> bool:
+    """Tell whether any tooth numbers within the tolerance suit a number of planets."""
+    rules = design.teeth
+    sun = np.array([stage.sun_teeth]) if stage.sun_teeth else np.arange(rules.sun_minimum, rules.sun_maximum + 1)
+    wanted = (tooth_ratio - 1.0) / 2.0 * sun
+    planet = np.concatenate([np.floor(wanted), np.floor(wanted) + 1.0]).astype(int)
+    sun = np.concatenate([sun, sun])
+    ring = sun + 2 * planet
+    good = np.abs((1.0 + ring / sun) / (1.0 + tooth_ratio) - 1.0) <= rules.stage_tolerance
+    good &= (planet >= rules.planet_minimum) & neighbours_clear(sun, planet, planets)
+    if assembly:
+        good &= assembles(sun, ring, planets)
+    return bool(good.any())

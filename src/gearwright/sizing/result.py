@@ -1,0 +1,229 @@
+"""What sizing yields: every value with its unit and the equation and source that made it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Annotated
+
+from gearwright.spec import Design
+from gearwright.train.flow import PowerFlow
+from gearwright.train.graph import Train
+from gearwright.units import Inertia, Length, Mass, Number, Origin, Quantity, Ratio, Speed, Torque
+
+_THESIS = "Pulvirenti 2023"
+
+
+@dataclass(frozen=True)
+class GearSizing:
+    """One kind of gear body."""
+
+    name: str
+    """Such as ``first.sun``."""
+    stage: str
+    """Pair or planetary set that owns it."""
+    role: str
+    """sun, planet, ring, pinion or wheel."""
+    shafts: tuple[str, ...]
+    """What carries it."""
+    bodies: int
+    """Number of equal bodies."""
+    teeth: int
+    """Tooth number z."""
+    module: Annotated[float, Quantity("length"), Origin("m_n = max(bending, contact)", f"{_THESIS}, eqs 2.1, 2.2")]
+    """Normal module m_n [m]."""
+    helix_angle: Annotated[float, Quantity("angle"), Origin("β", "design")]
+    """Helix angle on the pitch cylinder [rad]."""
+    face_width: Annotated[float, Quantity("length"), Origin("b = λ m_n", f"{_THESIS}, eq. 2.3")]
+    """Face width of one body [m]."""
+    pitch_diameter: Annotated[float, Quantity("length"), Origin("d = m_n z / cos β", "ISO 21771:2007")]
+    """Pitch diameter [m]."""
+    rim: Annotated[
+        float, Quantity("length"), Origin("3.95 m_n outside the pitch circle", "AGMA 2001-D04, backup ratio 1.2")
+    ]
+    """Wall of a ring outside its pitch circle [m]; zero for discs."""
+    mass: Annotated[float, Quantity("mass"), Origin("m = π r² b ρ", f"{_THESIS}, eq. 3.3; 2.18 corrected")]
+    """Mass of one body [kg]."""
+    inertia: Annotated[float, Quantity("inertia"), Origin("I = m d²/8", f"{_THESIS}, eq. 3.6")]
+    """Polar inertia of one body about its own axis [kg m²]."""
+
+
+@dataclass(frozen=True)
+class MeshSizing:
+    """One row of equal meshes at its worst case."""
+
+    name: str
+    """Such as ``first.sun-planet``."""
+    gears: tuple[str, str]
+    """Names of the two gears."""
+    count: int
+    """Number of equal meshes."""
+    case: str
+    """Load case that governs."""
+    load_factor: Ratio
+    """Mesh load factor K_γ [-]."""
+    tangential_force: Annotated[float, Quantity("force"), Origin("F_t = 2 T K_γ / (N d)", f"{_THESIS}, eq. 2.9")]
+    """Tangential force of one mesh [N]."""
+    radial_force: Annotated[float, Quantity("force"), Origin("F_r = F_t tan α_n / cos β", "ISO 21771:2007")]
+    """Radial force of one mesh [N]."""
+    axial_force: Annotated[float, Quantity("force"), Origin("F_a = F_t tan β", "ISO 21771:2007")]
+    """Axial force of one mesh [N]; balanced inside a double-helical gear."""
+    pitch_line_velocity: Annotated[float, Quantity("velocity"), Origin("v = (ω − ω_c) d/2", "kinematics")]
+    """Pitch-line velocity relative to the carrier [m/s]."""
+    module_bending: Annotated[
+        float, Quantity("length"), Origin("m_n³ = 2 (T/z) Y cos β / (λ σ)", f"{_THESIS}, eq. 2.1, cube root")
+    ]
+    """Module that bending asks for [m]."""
+    module_contact: Annotated[float, Quantity("length"), Origin("from σ_H = 2.5 HB / S", f"{_THESIS}, eq. 2.2, 0.418")]
+    """Module that contact asks for [m]."""
+    bending_stress: Annotated[float, Quantity("stress"), Origin("σ = F_t / (b m_n Y_L)", "Lewis 1892")]
+    """Lewis bending stress of the weaker gear [Pa]."""
+    bending_margin: Annotated[
+        float, Quantity("ratio"), Origin("R_p0.2 / σ over the asked factor", f"{_THESIS}, eq. 2.1")
+    ]
+    """Allowable over actual bending stress [-]; 1 is just enough."""
+    contact_stress: Annotated[
+        float, Quantity("stress"), Origin("σ_H = 0.418 √(F_t E Σ(1/r) cos β / (b cos α sin α))", f"{_THESIS}, eq. 2.2")
+    ]
+    """Hertz pressure at the pitch point [Pa]."""
+    contact_margin: Annotated[
+        float, Quantity("ratio"), Origin("2.5 HB / σ_H over the asked factor", f"{_THESIS}, eq. 2.2")
+    ]
+    """Allowable over actual contact pressure [-]; 1 is just enough."""
+
+
+@dataclass(frozen=True)
+class ShaftSizing:
+    """One shaft."""
+
+    name: str
+    case: str
+    """Load case that governs."""
+    speed: Speed
+    """In the rated case [rad/s]."""
+    torque: Annotated[float, Quantity("torque"), Origin("half the sum of |T| on the shaft", "equilibrium")]
+    """Largest torque inside the shaft [N m]."""
+    bending_moment: Annotated[
+        float, Quantity("torque"), Origin("M in both planes", f"{_THESIS}, eqs 2.43–2.46 corrected")
+    ]
+    """Bending moment where it governs [N m]."""
+    length: Length
+    """[m]"""
+    diameter: Annotated[float, Quantity("length"), Origin("√(σ_b² + 4 τ²) = R_p0.2 / S", f"{_THESIS}, eq. 2.47")]
+    """Outer diameter [m]."""
+    bore: Length
+    """Inner diameter [m]."""
+    stress: Annotated[float, Quantity("stress"), Origin("√(σ_b² + 4 τ²)", f"{_THESIS}, eq. 2.47")]
+    """Tresca stress [Pa]."""
+    margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", f"{_THESIS}, eq. 2.47")]
+    """Allowable over actual stress [-]."""
+    mass: Annotated[float, Quantity("mass"), Origin("cylinder", "geometry")]
+    """[kg]"""
+    inertia: Annotated[float, Quantity("inertia"), Origin("cylinder", "geometry")]
+    """[kg m²]"""
+    stiffness: Annotated[float, Quantity("torsional_stiffness"), Origin("K = π G d⁴ / (32 L)", f"{_THESIS}, eq. 3.12")]
+    """Torsional stiffness over the whole length [N m/rad]."""
+
+
+@dataclass(frozen=True)
+class CarrierSizing:
+    """The carrier of one planetary set."""
+
+    stage: str
+    shaft: str
+    """Shaft that it is part of, or ``ground``."""
+    torque: Torque
+    """Largest torque T_c [N m]."""
+    pin_force: Annotated[float, Quantity("force"), Origin("F = T_c K_γ / (N r_c)", f"{_THESIS}, §2.4")]
+    """Force of one planet on its pin [N]."""
+    radius: Annotated[float, Quantity("length"), Origin("r_c = m (z_s + z_p)/2", "geometry")]
+    """Radius of the pin circle [m]."""
+    pin_diameter: Annotated[
+        float, Quantity("length"), Origin("d³ = 32 (F b/2) / (π σ)", f"{_THESIS}, §2.4, cantilever")
+    ]
+    """Diameter of a pin [m]."""
+    plate_thickness: Annotated[
+        float, Quantity("length"), Origin("share of b, or by τ = 2 T_c/(π d² t)", "first sizing")
+    ]
+    """Thickness of the plate [m]."""
+    mass: Annotated[float, Quantity("mass"), Origin("pins and plate", "geometry")]
+    """Pins and plate, without planets [kg]."""
+    inertia: Annotated[float, Quantity("inertia"), Origin("pins and plate", "geometry")]
+    """Pins and plate, without planets [kg m²]."""
+
+
+@dataclass(frozen=True)
+class MachineSizing:
+    """One machine at the end of a shaft."""
+
+    name: str
+    kind: str
+    """turbine, motor or propeller."""
+    shaft: str
+    torque: Torque
+    """At rated power and speed; for a propeller, what balances the rated case [N m]."""
+    mass: Annotated[
+        float | None,
+        Quantity("mass"),
+        Origin("0.3928 Q^0.8587 lb, or k T^0.33", "NDARC (NASA/TP-2015-218751); Pulvirenti 2023"),
+    ]
+    """Of a motor; None where the gearbox does not size it [kg]."""
+    inertia: Inertia
+    """Polar inertia of what turns [kg m²]."""
+    inertia_is_given: bool
+    """True if the design gives it, False if it is estimated."""
+
+
+@dataclass(frozen=True)
+class Sizing:
+    """A sized transmission."""
+
+    design: Design
+    train: Train
+    teeth: Mapping[str, int]
+    """Gear -> tooth number."""
+    flows: Mapping[str, PowerFlow]
+    """Case -> speeds, torques and powers; ``rated`` is always there."""
+    gears: tuple[GearSizing, ...]
+    meshes: tuple[MeshSizing, ...]
+    shafts: tuple[ShaftSizing, ...]
+    carriers: tuple[CarrierSizing, ...]
+    machines: tuple[MachineSizing, ...]
+    overrides: Mapping[str, float] = field(default_factory=dict)
+    """Path -> value that the user gave instead of the computed one [SI]."""
+
+    @property
+    def gear_mass(self) -> Mass:
+        """Mass of all gears [kg]."""
+        return sum(gear.mass * gear.bodies for gear in self.gears)
+
+    @property
+    def shaft_mass(self) -> Mass:
+        """Mass of all shafts [kg]."""
+        return sum(shaft.mass for shaft in self.shafts)
+
+    @property
+    def carrier_mass(self) -> Mass:
+        """Mass of all carriers [kg]."""
+        return sum(carrier.mass for carrier in self.carriers)
+
+    @property
+    def mass(self) -> Mass:
+        """Mass of gears, shafts and carriers; no motor, housing, bearings or oil [kg]."""
+        return self.gear_mass + self.shaft_mass + self.carrier_mass
+
+    @property
+    def motor_mass(self) -> Mass:
+        """Mass of all motors [kg]."""
+        return sum(machine.mass or 0.0 for machine in self.machines)
+
+    @property
+    def power_density(self) -> Annotated[float, Quantity("specific_power")]:
+        """Rated power over the mass of gears, shafts and carriers [W/kg]."""
+        return sum(power for power in self.flows["rated"].machine_powers.values() if power > 0.0) / self.mass
+
+    @property
+    def worst_margin(self) -> Number:
+        """Smallest margin of all checks [-]."""
+        margins = [margin for mesh in self.meshes for margin in (mesh.bending_margin, mesh.contact_margin)]
+        return min([*margins, *(shaft.margin for shaft in self.shafts)])

@@ -1,0 +1,46 @@
+"""The verb: a design becomes a sized transmission."""
+
+from __future__ import annotations
+
+from gearwright.sizing.gears import context, size_gears, size_meshes, stage_modules
+from gearwright.sizing.machines import size_machines
+from gearwright.sizing.result import Sizing
+from gearwright.sizing.shafts import size_carriers, size_shafts
+from gearwright.sizing.teeth import choose_teeth
+from gearwright.spec import Design
+from gearwright.spec.overrides import Overrides
+from gearwright.train.flow import RATED, power_flow
+from gearwright.train.graph import build_train
+from gearwright.train.targets import targets
+
+
+def size(design: Design) -> Sizing:
+    """Return the sized transmission: teeth, modules, widths, stresses, margins, shafts, carriers, masses.
+
+    Args:
+        design: As `gearwright.read` gives it. Rated powers and every case of it are carried.
+
+    Raises:
+        DesignError: If speeds, teeth or torques cannot be had; with the path and what would do.
+    """
+    train = build_train(design)
+    teeth = choose_teeth(design, train, targets(design))
+    flows = {case: power_flow(design, train, teeth, case) for case in (RATED, *design.cases)}
+    overrides = Overrides(design.overrides)
+    given = context(design, train, teeth, flows, overrides)
+    gears = size_gears(given, stage_modules(given))
+    shafts = size_shafts(given, gears)
+    sizing = Sizing(
+        design=design,
+        train=train,
+        teeth=teeth,
+        flows=flows,
+        gears=gears,
+        meshes=size_meshes(given, gears),
+        shafts=shafts,
+        carriers=size_carriers(given, gears, shafts),
+        machines=size_machines(given),
+        overrides=overrides.used,
+    )
+    overrides.require_all_used()
+    return sizing

@@ -1,0 +1,52 @@
+"""Computed values that the user gives instead, and which of them were taken."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from gearwright.errors import DesignError, Problem, near
+from gearwright.units import SUFFIXES
+
+
+@dataclass
+class Overrides:
+    """Hands out the user's value where there is one, and remembers what was asked for."""
+
+    given: Mapping[str, float]
+    """As in the design file: dotted path with unit -> value."""
+    used: dict[str, float] = field(default_factory=dict)
+    """Path without unit -> value that was taken [SI]."""
+    offered: set[str] = field(default_factory=set)
+    """Every key that would have been taken."""
+
+    def take(self, path: str, dimension: str, computed: float) -> float:
+        """Return the user's value for a path, or the computed one.
+
+        Args:
+            path: Such as ``first.module``.
+            dimension: Of the value; ``ratio`` has no unit in the key.
+            computed: In SI.
+        """
+        keys = {path: 1.0} if dimension not in SUFFIXES else {
+            f"{path}_{suffix}": factor for suffix, factor in SUFFIXES[dimension].items()
+        }  # fmt: skip
+        self.offered |= set(keys)
+        for key, factor in keys.items():
+            if key in self.given:
+                self.used[path] = self.given[key] * factor
+                return self.used[path]
+        return computed
+
+    def require_all_used(self) -> None:
+        """Raise for every override that no computed value has taken.
+
+        Raises:
+            DesignError: With the nearest path.
+        """
+        unknown = [key for key in self.given if key not in self.offered]
+        if unknown:
+            raise DesignError(
+                Problem(f"overrides.{key}", f"nothing of this name is computed; {near(key, self.offered)}")
+                for key in unknown
+            )
