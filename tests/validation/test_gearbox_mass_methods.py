@@ -67,7 +67,10 @@ def test_afdd00_has_the_si_coefficient_of_the_thesis():
 
 @pytest.mark.parametrize("row", CLASSES, ids=[row[0] for row in CLASSES])
 def test_the_class_rows_come_out(row):
-    """Seven classes evaluated independently from the formulas in lb, hp and rpm; their tolerance is 1e-4. The CH-47D has two rotors."""
+    """Seven classes evaluated independently from the formulas in lb, hp and rpm; their tolerance is 1e-4.
+
+    The CH-47D has two rotors.
+    """
     name, power, speed_in, speed_out, beta, by_refit, by_line, afdd83, afdd00 = row
     need = Requirement(power * HORSEPOWER, speed_in * RPM, speed_out * RPM)
     triple = (need.power, need.engine_speed, need.propeller_speed)
