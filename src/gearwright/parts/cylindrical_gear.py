@@ -176,6 +176,6 @@ def tip_thickness(gear: CylindricalGear) -> float:
     Source: ISO 21771:2007, s_a = 2 ψ_a r_a.
 
     >>> round(1e3 * tip_thickness(CylindricalGear(20, 1e-3, 0.01)), 3)
-    0.696
+    0.695
     """
     return 2.0 * half_angle_at(gear, gear.tip_radius) * gear.tip_radius

@@ -34,6 +34,7 @@ class GearPair:
             problems.append(Problem("given_centre_distance", f"{1e3 * given:.6g} mm given; must be {least}"))
         if problems:
             raise DesignError(problems)
+        _ = self.working_pressure_angle  # profile shifts that fit no centre distance are refused here
 
     @property
     def side(self) -> int:

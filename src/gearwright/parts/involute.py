@@ -67,7 +67,7 @@ def transverse_pressure_angle(pressure_angle: float, helix_angle: float) -> floa
     Source: ISO 21771:2007, tan α_t = tan α_n / cos β.
 
     >>> round(math.degrees(transverse_pressure_angle(math.radians(20.0), math.radians(15.8))), 4)
-    20.7195
+    20.7197
     """
     return math.atan(math.tan(pressure_angle) / math.cos(helix_angle))
 

@@ -1,0 +1,77 @@
+"""Published mesh stiffness: the worked example of ISO/TR 6336-30, and the energy method beside ISO 6336-1."""
+
+import math
+
+import numpy as np
+import pytest
+
+from gearwright.parts.cylindrical_gear import ISO53_D, CylindricalGear
+from gearwright.parts.gear_pair import GearPair
+from gearwright.parts.material import Material
+from gearwright.parts.mesh_stiffness_energy import mesh_stiffness_energy, pair_stiffness
+from gearwright.parts.mesh_stiffness_iso6336 import mesh_stiffness_iso6336, theoretical_stiffness
+
+STEEL = Material("steel", 206e9, 0.3, 7850.0)
+
+
+def spur(first, second, shifts=(0.0, 0.0)):
+    return GearPair(
+        CylindricalGear(first, 3e-3, 20e-3, profile_shift=shifts[0]),
+        CylindricalGear(second, 3e-3, 20e-3, profile_shift=shifts[1]),
+    )
+
+
+def test_stiffness_of_the_iso_example():
+    """ISO/TR 6336-30:2017, example 1: c′_th 17.85584, c′ 12.37047, c_γα 17.46485, c_γβ 14.84512 N/(mm µm).
+
+    c′ to its printed digits; c_γ hangs on ε_α, which the report rounds to three decimals: 6e-4.
+    """
+    pair = GearPair(
+        CylindricalGear(17, 8e-3, 0.1, helix_angle=math.radians(15.8), profile_shift=0.145, rack=ISO53_D),
+        CylindricalGear(103, 8e-3, 0.1, helix_angle=math.radians(15.8), rack=ISO53_D),
+        0.5,
+    )
+    found = mesh_stiffness_iso6336(pair)
+    assert found.theoretical / 1e9 == pytest.approx(17.85584, abs=6e-6)
+    assert found.single / 1e9 == pytest.approx(12.37047, abs=6e-6)
+    assert found.mesh / 1e9 == pytest.approx(17.46485, rel=6e-4)
+    assert found.face / 1e9 == pytest.approx(14.84512, rel=6e-4)
+
+
+@pytest.mark.parametrize(
+    ("teeth", "shifts", "theoretical"),
+    [((20, 20), (0, 0), 14.7273236), ((30, 60), (0, 0), 17.6329006), ((25, 100), (0.3, -0.1), 18.6375226)],
+)
+def test_theoretical_single_stiffness(teeth, shifts, theoretical):
+    """ISO 6336-1:2006, the nine coefficients evaluated independently; 1e-8 is their rounding."""
+    assert theoretical_stiffness(teeth, shifts) / 1e9 == pytest.approx(theoretical, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("pair", "least", "most"),
+    [
+        (spur(20, 20), 1.0, 1.17),
+        (spur(30, 60), 1.0, 1.10),
+        (spur(40, 100), 1.0, 1.10),
+        (spur(25, 100, (0.3, -0.1)), 1.0, 1.10),
+        (spur(30, -90), 1.0, 1.10),
+        (spur(54, -186), 1.0, 1.10),
+    ],
+)
+def test_the_energy_method_finds_isos_theoretical_single_stiffness(pair, least, most):
+    """c′_th is the greatest stiffness of one pair of perfect steel teeth, before C_M = 0.8 for what was measured.
+
+    Two independent theories: the energy method is 2 to 8 % stiffer, 15 % at 20/20, the smallest gears tried.
+    """
+    distance = np.linspace(-pair.approach, pair.recess, 101)
+    greatest = float(pair_stiffness(pair, distance, materials=(STEEL, STEEL)).stiffness.max())
+    assert least < greatest / mesh_stiffness_iso6336(pair).theoretical < most
+
+
+@pytest.mark.parametrize("pair", [spur(20, 20), spur(30, 60), spur(40, 100), spur(30, -90), spur(48, -153)])
+def test_the_energy_method_finds_isos_relation_of_mean_to_single_stiffness(pair):
+    """c_γ/c′ = 0.75 ε_α + 0.25: within 4.5 % (measured 2 to 4 % lower)."""
+    distance = np.linspace(-pair.approach, pair.recess, 101)
+    greatest = float(pair_stiffness(pair, distance, materials=(STEEL, STEEL)).stiffness.max()) * pair.face_width
+    mean = mesh_stiffness_energy(pair, materials=(STEEL, STEEL)).mean
+    assert mean / greatest == pytest.approx(0.75 * pair.transverse_contact_ratio + 0.25, rel=0.045)
