@@ -1,0 +1,310 @@
+"""Assemble: a sizing and one of its load cases become a System of absolute rotations.
+
+Every gear, carrier and machine is a body; shafts, clutches and meshes are lines. Planets are bodies of their own, with the
+relative mesh phases that their places give. Lines are signed so that what carries power in the case carries it with a
+positive force.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from gearwright.catalogue.materials import materials
+from gearwright.dynamics.line import DampingRatio, Periodic
+from gearwright.dynamics.model import Model
+from gearwright.dynamics.system import System
+from gearwright.errors import DesignError, Problem, near
+from gearwright.parts.cylindrical_gear import BasicRack, CylindricalGear
+from gearwright.parts.gear_pair import GearPair
+from gearwright.parts.mesh_stiffness_iso6336 import mesh_curve_iso6336, mesh_stiffness_iso6336
+from gearwright.parts.planet_phasing import even_positions, planet_phases
+from gearwright.parts.shaft import shaft_diameter, torsional_stiffness
+from gearwright.parts.stiffness_curve import StiffnessCurve
+from gearwright.sizing import GearSizing, MeshSizing, ShaftSizing, Sizing
+from gearwright.spec import GROUND, Planetary
+from gearwright.train.flow import RATED, PowerFlow
+from gearwright.train.graph import Mesh
+
+HARMONICS = 5
+"""Harmonics of the mesh frequency that a varying stiffness keeps, as many as the thesis (Pulvirenti 2023, eq. 3.35)."""
+
+
+@dataclass
+class _Assembly:
+    """A model under construction and what it is made from."""
+
+    sizing: Sizing
+    flow: PowerFlow
+    varying: bool
+    model: Model = field(default_factory=Model)
+    members: dict[str, list[str]] = field(default_factory=dict)
+    """Shaft -> bodies on it, in order."""
+    inertias: dict[str, tuple[float, float]] = field(default_factory=dict)
+    """Body -> inertia [kg m²] and speed [rad/s]."""
+
+    def body(self, name: str, shaft: str, inertia: float, *, speed: float | None = None) -> str:
+        """Put a body on a shaft; the ground takes none."""
+        if shaft != GROUND:
+            self.inertias[name] = (inertia, self.flow.speeds[shaft] if speed is None else speed)
+            if speed is None:
+                self.members.setdefault(shaft, []).append(name)
+        return name
+
+    def add_inertia(self, name: str, inertia: float) -> None:
+        """Add a share of a shaft to a body."""
+        own, speed = self.inertias[name]
+        self.inertias[name] = (own + inertia, speed)
+
+
+def assemble(sizing: Sizing, case: str | None = None, *, stiffness: str | None = None) -> System:
+    """Return the drive train of a sizing as bodies and lines.
+
+    Args:
+        sizing: What was sized.
+        case: Load case; left out: the design's first one, or ``rated``.
+        stiffness: ``"constant"`` or ``"varying"`` mesh stiffness; left out: as the design says.
+
+    Raises:
+        DesignError: If there is no such case.
+
+    Source: Pulvirenti 2023, chapter 3, with the corrections of its errata (absolute planet angles, carrier inertia with
+        planets, damping by effective mass, ISO 6336-1 mesh stiffness, phases of Parker & Lin 2004).
+    """
+    case = case or default_case(sizing)
+    if case not in sizing.flows:
+        raise DesignError([Problem("case", f"there is no case {case!r}; {near(case, sizing.flows)}")])
+    varying = (stiffness or sizing.design.dynamics.stiffness) == "varying"
+    assembly = _Assembly(sizing, sizing.flows[case], varying)
+    _bodies(assembly)
+    shaft_lines = list(_shaft_lines(assembly))
+    for name, (inertia, speed) in assembly.inertias.items():
+        assembly.model.rotation(name, inertia=inertia, speed=speed)
+    damping = DampingRatio(sizing.design.dynamics.shaft_damping)
+    for name, first, second, value in shaft_lines:
+        assembly.model.shaft(name, first, second, stiffness=value, damping=damping)
+    for mesh in sizing.train.meshes:
+        _mesh_lines(assembly, mesh)
+    for name, torque in assembly.flow.machine_torques.items():
+        if torque:
+            assembly.model.load(name, constant=torque)
+    return assembly.model.build()
+
+
+def default_case(sizing: Sizing) -> str:
+    """Return the case that is looked at if none is named: the design's first one, or ``rated``.
+
+    Args:
+        sizing: What was sized.
+    """
+    return next(iter(sizing.design.cases), RATED)
+
+
+def _bodies(assembly: _Assembly) -> None:
+    """Add every gear and carrier to its shaft, in the order of the stages, then the machines."""
+    sizing = assembly.sizing
+    gears = {gear.name: gear for gear in sizing.gears}
+    carriers = {carrier.stage: carrier for carrier in sizing.carriers}
+    for name, planetary in sizing.design.planetaries.items():
+        planet = gears[f"{name}.planet"]
+        carrier = carriers[name]
+        carried = planet.bodies * planet.mass * carrier.radius**2
+        assembly.body(f"{name}.sun", planetary.sun, gears[f"{name}.sun"].inertia)
+        assembly.body(f"{name}.carrier", planetary.carrier, carrier.inertia + carried)
+        assembly.body(f"{name}.ring", planetary.ring, gears[f"{name}.ring"].inertia)
+        for k in range(planetary.planets):
+            speed = assembly.flow.speeds[f"{name}.planet"]
+            assembly.body(f"{name}.planet-{k + 1}", f"{name}.planet", planet.inertia, speed=speed)
+    for gear in sizing.gears:
+        if gear.role in ("pinion", "wheel"):
+            for shaft in gear.shafts:
+                assembly.body(_on_shaft(gear, shaft), shaft, gear.inertia * gear.bodies / len(gear.shafts))
+    for shaft in sizing.shafts:
+        _share_shaft(assembly, shaft)
+    for machine in sizing.machines:
+        assembly.inertias[machine.name] = (machine.inertia, assembly.flow.speeds[machine.shaft])
+
+
+def _on_shaft(gear: GearSizing, shaft: str) -> str:
+    return gear.name if len(gear.shafts) == 1 else f"{gear.name}.{shaft}"
+
+
+def _share_shaft(assembly: _Assembly, shaft: ShaftSizing) -> None:
+    """Give each end of a shaft half of its inertia; a shaft without gears is a body itself."""
+    members = assembly.members.setdefault(shaft.name, [])
+    if not members:
+        assembly.body(f"{shaft.name} hub", shaft.name, shaft.inertia)
+        return
+    for end in {members[0], members[-1]}:
+        assembly.add_inertia(end, shaft.inertia / (1.0 if len(members) == 1 else 2.0))
+
+
+def _shaft_lines(assembly: _Assembly) -> Iterator[tuple[str, str, str, float]]:
+    """Yield name, ends and stiffness [N m/rad] of every shaft line: along each shaft, to its machines, across clutches."""
+    sizing = assembly.sizing
+    shafts = {shaft.name: shaft for shaft in sizing.shafts}
+    for name, members in assembly.members.items():
+        if name not in shafts:
+            continue
+        pieces = len(members) - 1
+        for k, (first, second) in enumerate(zip(members, members[1:], strict=False)):
+            line = f"{name} shaft" if pieces == 1 else f"{name} shaft {k + 1}"
+            yield line, first, second, shafts[name].stiffness * pieces
+    for machine in sizing.machines:
+        members = assembly.members[machine.shaft]
+        end = members[-1] if machine.kind == "propeller" else members[0]
+        driving = assembly.flow.machine_powers[machine.name] >= 0.0
+        ends = (machine.name, end) if driving else (end, machine.name)
+        if len(members) == 1 and _only_machine(assembly, machine.shaft):
+            yield f"{machine.shaft} shaft", *ends, shafts[machine.shaft].stiffness
+        else:
+            yield f"{machine.name} shaft", *ends, _stub_stiffness(assembly, machine.torque)
+    for joint in sizing.train.joints:
+        if joint.name in assembly.flow.joints:
+            ends = (assembly.members[joint.driving][-1], assembly.members[joint.driven][0])
+            softer = min(shafts[joint.driving].stiffness, shafts[joint.driven].stiffness)
+            yield f"{joint.name} clutch", *ends, softer
+
+
+def _only_machine(assembly: _Assembly, shaft: str) -> bool:
+    return sum(machine.shaft == shaft for machine in assembly.sizing.machines) == 1
+
+
+def _stub_stiffness(assembly: _Assembly, torque: float) -> float:
+    """Return the stiffness of a machine's own shaft, sized by its torque [N m/rad]."""
+    rules = assembly.sizing.design.shafting
+    material = materials()[rules.material or assembly.sizing.design.gears.material]
+    diameter = shaft_diameter(0.0, torque, (material.yield_strength or 0.0) / rules.safety, bore_ratio=rules.bore_ratio)
+    return torsional_stiffness(diameter, rules.end_length, material.shear_modulus, bore=rules.bore_ratio * diameter)
+
+
+def gear_pairs(sizing: Sizing) -> dict[str, GearPair]:
+    """Return the geometry of every mesh row, one mesh of it, gear a first.
+
+    Args:
+        sizing: What was sized.
+    """
+    gears = {gear.name: gear for gear in sizing.gears}
+    pairs = {}
+    for mesh in sizing.train.meshes:
+        angle = sizing.design.rules(mesh.stage).pressure_angle
+        one, other = (_cylindrical(gears[gear], angle) for gear in mesh.gears)
+        if mesh.sign > 0:
+            other = CylindricalGear(-other.teeth, other.module, other.face_width, other.helix_angle, rack=other.rack)
+        pairs[mesh.name] = GearPair(one, other)
+    return pairs
+
+
+def _cylindrical(gear: GearSizing, pressure_angle: float) -> CylindricalGear:
+    rack = BasicRack(pressure_angle=pressure_angle)
+    return CylindricalGear(gear.teeth, gear.module, gear.face_width, gear.helix_angle, rack=rack)
+
+
+def mesh_curve(sizing: Sizing, mesh: MeshSizing, pair: GearPair, *, harmonics: int = HARMONICS) -> StiffnessCurve:
+    """Return the stiffness of one mesh of a row along its line of action.
+
+    Args:
+        sizing: What was sized.
+        mesh: The row at its worst case, whose specific load counts.
+        pair: Its geometry.
+        harmonics: Of the mesh frequency; 0 gives the mean.
+    """
+    modulus = materials()[sizing.design.rules(mesh.name.partition(".")[0]).material].elastic_modulus
+    load = mesh.tangential_force / pair.face_width
+    stiffness = mesh_stiffness_iso6336(pair, specific_load=max(load, 1.0), elastic_moduli=(modulus, modulus))
+    return mesh_curve_iso6336(pair, stiffness, harmonics=harmonics)
+
+
+def _mesh_lines(assembly: _Assembly, mesh: Mesh) -> None:
+    """Add the lines of a row: one per planet, or one for the halves of a double-helical gear."""
+    sizing, pairs = assembly.sizing, gear_pairs(assembly.sizing)
+    sized = next(each for each in sizing.meshes if each.name == mesh.name)
+    pair = pairs[mesh.name]
+    curve = mesh_curve(sizing, sized, pair, harmonics=HARMONICS if assembly.varying else 0)
+    stage = sizing.design.stages[mesh.stage]
+    if isinstance(stage, Planetary):
+        phases = _phases(mesh, stage, pairs)
+        for k in range(mesh.count):
+            _add_line(assembly, mesh, pair, _Tooth(f"{mesh.name}-{k + 1}", k + 1, curve, 1, phases[k]))
+    else:
+        _add_line(assembly, mesh, pair, _Tooth(mesh.name, 0, curve, mesh.count, _parallel_phase(assembly, mesh)))
+
+
+@dataclass(frozen=True)
+class _Tooth:
+    """What one line of a mesh row has of its own."""
+
+    name: str
+    planet: int
+    curve: StiffnessCurve
+    count: int
+    phase: float
+    """In cycles."""
+
+
+def _phases(mesh: Mesh, stage: Planetary, pairs: Mapping[str, GearPair]) -> tuple[float, ...]:
+    sun_mesh, ring_mesh = pairs[f"{mesh.stage}.sun-planet"], pairs[f"{mesh.stage}.planet-ring"]
+    phases = planet_phases(sun_mesh, ring_mesh, even_positions(stage.planets))
+    return phases.sun if mesh.name.endswith("sun-planet") else phases.ring
+
+
+def _parallel_phase(assembly: _Assembly, mesh: Mesh) -> float:
+    """Return the phase of a pair among its parallel ones, evenly spaced around the gear that they share [cycles]."""
+    row = [each for each in assembly.sizing.train.meshes if each.stage == mesh.stage]
+    place = row.index(mesh) / len(row)
+    shared = mesh.gears[0] if len({each.nodes[0] for each in row}) == 1 else mesh.gears[1]
+    return (assembly.sizing.teeth[shared] * place) % 1.0
+
+
+def _add_line(assembly: _Assembly, mesh: Mesh, pair: GearPair, tooth: _Tooth) -> None:
+    """Add δ = r_a (θ_a − θ_c) − s r_b (θ_b − θ_c), signed so that its force is positive in the case."""
+    flow, sizing = assembly.flow, assembly.sizing
+    sign = -1.0 if flow.meshes[mesh.name].torques[0] > 0.0 else 1.0
+    one, other = sign * pair.driver.base_radius, -sign * mesh.sign * pair.driven.base_radius
+    names = _line_bodies(assembly, mesh, tooth.planet)
+    weights = {
+        name: value
+        for name, node, value in zip(names, mesh.nodes, (one, other, -one - other), strict=True)
+        if node != GROUND
+    }
+    mean = tooth.curve.mean
+    variation = None
+    if tooth.curve.cosine:
+        variation = Periodic(
+            phase=_tone(assembly, mesh),
+            cosine=[value / mean for value in tooth.curve.cosine],
+            sine=[value / mean for value in tooth.curve.sine],
+            offset=2.0 * math.pi * tooth.phase,
+        )
+    damping = DampingRatio(sizing.design.dynamics.mesh_damping)
+    assembly.model.mesh(tooth.name, weights, stiffness=mean * tooth.count, damping=damping, variation=variation)
+
+
+def _line_bodies(assembly: _Assembly, mesh: Mesh, planet: int) -> tuple[str, str, str]:
+    """Return the bodies of gear a, gear b and carrier."""
+    if planet:
+        one, other = (f"{gear}-{planet}" if gear.endswith(".planet") else gear for gear in mesh.gears)
+        return one, other, f"{mesh.stage}.carrier"
+    one, other = (
+        _on_shaft(next(gear for gear in assembly.sizing.gears if gear.name == name), node)
+        for name, node in zip(mesh.gears, mesh.nodes, strict=False)
+    )
+    return one, other, GROUND
+
+
+def _tone(assembly: _Assembly, mesh: Mesh) -> dict[str, int]:
+    """Return the mesh phase as integers of rotations, growing with time: z (θ − θ_c) of the sun or of gear a."""
+    sizing, speeds = assembly.sizing, assembly.flow.speeds
+    stage = sizing.design.stages[mesh.stage]
+    if isinstance(stage, Planetary):
+        gear, node, carrier = f"{mesh.stage}.sun", stage.sun, stage.carrier
+        bodies = (gear, f"{mesh.stage}.carrier")
+    else:
+        gear, node, carrier = mesh.gears[0], mesh.nodes[0], GROUND
+        bodies = (_line_bodies(assembly, mesh, 0)[0], GROUND)
+    teeth = sizing.teeth[gear] if speeds[node] >= speeds[carrier] else -sizing.teeth[gear]
+    counts = {bodies[0]: teeth} if node != GROUND else {}
+    if carrier != GROUND:
+        counts[bodies[1]] = -teeth
+    return counts
