@@ -2,6 +2,29 @@
 
 from gearwright.dynamics.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model import Model
+from gearwright.dynamics.modes import Modes, modes
+from gearwright.dynamics.recorder import Outputs
+from gearwright.dynamics.simulate import replay, simulate
+from gearwright.dynamics.statics import Equilibrium, statics
 from gearwright.dynamics.system import Arrays, Labels, System
+from gearwright.dynamics.trace import Samples, Statistics, Trace
 
-__all__ = ["Arrays", "DampingRatio", "Labels", "Line", "Model", "Periodic", "System"]
+__all__ = [
+    "Arrays",
+    "DampingRatio",
+    "Equilibrium",
+    "Labels",
+    "Line",
+    "Model",
+    "Modes",
+    "Outputs",
+    "Periodic",
+    "Samples",
+    "Statistics",
+    "System",
+    "Trace",
+    "modes",
+    "replay",
+    "simulate",
+    "statics",
+]

@@ -1,0 +1,53 @@
+"""Energy: where the work of a run came from and where it went, and whether it adds up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from gearwright.dynamics.reference import line_state, speed_factor
+from gearwright.dynamics.system import Arrays, Floats
+from gearwright.units import Energy, Origin, Quantity
+
+
+@dataclass(frozen=True)
+class Work:
+    """Energy book of a run, from its start to its end."""
+
+    driven: Energy
+    """Work of loads that drive their coordinate [J]."""
+    braked: Energy
+    """Work taken out by loads that resist [J]."""
+    dissipated: Annotated[float, Quantity("energy"), Origin("∫ Σ c δ̇² dt", "energy balance of the lines")]
+    """Heat in the lines' dampers [J]."""
+    stiffness: Annotated[float, Quantity("energy"), Origin("∫ Σ ½ k̇ g² dt", "energy balance of the lines")]
+    """Work of the changing stiffness [J]."""
+    error: Annotated[float, Quantity("energy"), Origin("−∫ Σ ė f dt", "energy balance of the lines")]
+    """Work of errors that move under force [J]."""
+    frame: Energy
+    """Work that keeps a rotating frame at its speed [J]."""
+    stored: Energy
+    """Growth of kinetic and elastic energy [J]."""
+
+    @property
+    def imbalance(self) -> float:
+        """What does not add up, over all the work that was moved [-]."""
+        gain = self.driven - self.braked - self.dissipated + self.stiffness + self.error + self.frame
+        moved = self.driven + self.braked + self.dissipated + abs(self.stored)
+        return abs(gain - self.stored) / moved if moved else 0.0
+
+
+def stored_energy(arrays: Arrays, time: float, position: Floats, velocity: Floats) -> float:
+    """Return kinetic energy at absolute speed plus elastic energy [J].
+
+    Args:
+        arrays: The system's numbers.
+        time: [s].
+        position: q [rad or m], shape (coordinates,).
+        velocity: q̇ [rad/s or m/s], shape (coordinates,).
+    """
+    total = arrays.speed * speed_factor(arrays.profile, time)[0] + velocity
+    lines = line_state(arrays, time, position, velocity)
+    return 0.5 * float(np.sum(arrays.mass * total**2) + np.sum(lines.stiffness * lines.contact**2))

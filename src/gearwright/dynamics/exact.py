@@ -1,0 +1,166 @@
+"""Exact steps for constant stiffness: one matrix carries state, constant loads and tones over any time.
+
+With linear lines and harmonic errors, z = (q, q̇, 1, cos φ, sin φ) obeys ż = A z, so z(t + h) = expm(A h) z(t): the step
+makes no error. A block of steps is filled by doubling: rows 1, 2–3, 4–7, … from the rows before them.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy import linalg
+
+from gearwright.dynamics.system import Arrays, Floats, Series, entry_matrix, line_matrix
+
+FORMS = 6
+"""Quadratic forms whose integrals are the works of `energy.Work`."""
+
+
+class Propagator(NamedTuple):
+    """What carries a block of steps."""
+
+    powers: tuple[Floats, ...]
+    """expm(A h 2^i), transposed, for i = 0, 1, …, shape (extended states, extended states) each."""
+    output: Floats
+    """Line forces and deflections from z, shape (extended states, 2 lines)."""
+    works: Floats
+    """Quadratic forms whose value at the start of a step is the work during it, shape (6, extended, extended)."""
+
+
+def is_exact(arrays: Arrays) -> bool:
+    """Return whether the exact step applies: constant stiffness and speed, no backlash, loads linear in speed.
+
+    Args:
+        arrays: The system's numbers.
+    """
+    linear = not (np.any(arrays.backlash > 0.0) or len(arrays.variation.tone) or np.any(arrays.loads.quadratic))
+    steady = len(arrays.loads.schedules.dof) == 0 and bool(np.all(arrays.profile.factor == arrays.profile.factor[0]))
+    return linear and steady
+
+
+def extended_state(arrays: Arrays, time: float, state: Floats) -> Floats:
+    """Return z = (q, q̇, 1, cos φ, sin φ), shape (extended states,).
+
+    Args:
+        arrays: The system's numbers.
+        time: [s].
+        state: q and q̇ (and anything after them), shape (at least 2 coordinates,).
+    """
+    angle = arrays.tone_rate * arrays.profile.factor[0] * time
+    return np.concatenate([state[: 2 * len(arrays.mass)], [1.0], np.cos(angle), np.sin(angle)])
+
+
+def propagator(arrays: Arrays, h: float, doublings: int) -> Propagator:
+    """Return the exact step and its powers.
+
+    Args:
+        arrays: The system's numbers, such that `is_exact`.
+        h: Step [s].
+        doublings: Powers kept: blocks of up to 2^doublings steps.
+    """
+    rate, rows = _extended(arrays)
+    powers = [linalg.expm(rate * h).T]
+    for _ in range(doublings):
+        powers.append(powers[-1] @ powers[-1])
+    return Propagator(tuple(powers), np.vstack([rows.force, rows.deflection]).T, _works(arrays, rate, rows, h))
+
+
+def block(carry: Propagator, start: Floats, steps: int) -> Floats:
+    """Return z at the start of each step and once more at the end, shape (steps + 1, extended states).
+
+    Args:
+        carry: Step and powers.
+        start: z at the first step, shape (extended states,).
+        steps: Number of steps.
+    """
+    rows = np.empty((steps + 1, len(start)))
+    rows[0] = start
+    done = 1
+    for power in carry.powers:
+        more = min(done, steps + 1 - done)
+        rows[done : done + more] = rows[:more] @ power
+        done += more
+    return rows
+
+
+class _Rows(NamedTuple):
+    """Quantities that are linear in z."""
+
+    force: Floats
+    deflection: Floats
+    rate: Floats
+    error_rate: Floats
+    load: Floats
+    velocity: Floats
+    frame: Floats
+
+
+def _extended(arrays: Arrays) -> tuple[Floats, _Rows]:
+    """Return A and the rows that read quantities from z."""
+    size, tones = len(arrays.mass), len(arrays.tone_rate)
+    width = 2 * size + 1 + 2 * tones
+    factor = float(arrays.profile.factor[0])
+    turning = np.zeros((2 * tones, 2 * tones))
+    turning[:tones, tones:] = np.diag(-arrays.tone_rate * factor)
+    turning[tones:, :tones] = np.diag(arrays.tone_rate * factor)
+    error = _error_rows(arrays.error, width, size, tones)
+    error_rate = np.zeros_like(error)
+    error_rate[:, 2 * size + 1 :] = error[:, 2 * size + 1 :] @ turning
+    matrix = line_matrix(arrays)
+    deflection, rate = -error, -error_rate
+    deflection[:, :size] += matrix
+    rate[:, size : 2 * size] += matrix
+    force = arrays.stiffness[:, None] * deflection + arrays.damping[:, None] * rate
+    velocity = np.eye(size, width, size)
+    load = -arrays.loads.damping[:, None] * velocity
+    load[:, 2 * size] = arrays.loads.constant
+    frame = factor**2 * entry_matrix(arrays.centripetal, size) @ np.eye(size, width)
+    frame -= factor * entry_matrix(arrays.gyroscopic, size) @ velocity
+    slope = np.zeros((width, width))
+    slope[:size] = velocity
+    slope[size : 2 * size] = (load + frame - matrix.T @ force) / arrays.mass[:, None]
+    slope[2 * size + 1 :, 2 * size + 1 :] = turning
+    return slope, _Rows(force, deflection, rate, error_rate, load, velocity, frame)
+
+
+def _error_rows(error: Series, width: int, size: int, tones: int) -> Floats:
+    rows = np.zeros((len(error.start) - 1, width))
+    line = np.repeat(np.arange(len(rows)), np.diff(error.start))
+    np.add.at(rows, (line, 2 * size + 1 + error.tone), error.cosine)
+    np.add.at(rows, (line, 2 * size + 1 + tones + error.tone), error.sine)
+    return rows
+
+
+def _works(arrays: Arrays, rate: Floats, rows: _Rows, h: float) -> Floats:
+    """Return ∫ expm(Aᵀs) W expm(As) ds over a step for the power forms W: Gauss on a short piece, then doubling."""
+    size = len(arrays.mass)
+    total = rows.velocity.copy()
+    total[:, 2 * size] += arrays.speed * arrays.profile.factor[0]
+    drives = arrays.loads.constant * arrays.speed >= 0.0
+    forms = np.array(
+        [
+            rows.load[drives].T @ total[drives],
+            -rows.load[~drives].T @ total[~drives],
+            rows.rate.T @ (arrays.damping[:, None] * rows.rate),
+            np.zeros_like(rate),
+            -rows.error_rate.T @ rows.force,
+            rows.frame.T @ rows.velocity,
+        ]
+    )
+    fastest = float(np.max(np.abs(np.linalg.eigvals(rate))))
+    halvings = max(0, int(np.ceil(np.log2(max(fastest * h, 1e-300) / 0.5))))
+    return _doubled(rate * (h / 2**halvings), forms * (h / 2**halvings), halvings)
+
+
+def _doubled(rate: Floats, forms: Floats, halvings: int) -> Floats:
+    nodes, weights = np.polynomial.legendre.leggauss(6)
+    sums = np.zeros_like(forms)
+    for node, weight in zip(nodes, weights, strict=True):
+        carry = linalg.expm(rate * 0.5 * (node + 1.0))
+        sums += 0.5 * weight * (carry.T @ forms @ carry)
+    carry = linalg.expm(rate)
+    for _ in range(halvings):
+        sums = sums + carry.T @ sums @ carry
+        carry = carry @ carry
+    return sums

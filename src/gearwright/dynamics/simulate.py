@@ -1,0 +1,215 @@
+"""Simulate: a system's motion over a stretch of time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Literal
+
+import numpy as np
+
+from gearwright.dynamics.energy import Work, stored_energy
+from gearwright.dynamics.exact import is_exact
+from gearwright.dynamics.kernel import WORKS
+from gearwright.dynamics.recorder import BLOCK, Outputs, Recorder
+from gearwright.dynamics.statics import statics
+from gearwright.dynamics.steppers import METHODS, Stepper, stepper
+from gearwright.dynamics.stepsize import check_duration, check_step, default_step
+from gearwright.dynamics.system import Arrays, Floats, System
+from gearwright.dynamics.trace import Samples, Trace
+from gearwright.errors import DesignError, Problem, near
+
+STRETCH = 1000
+"""Steps of the first stretch, repeated at half the step for the error estimate."""
+RICHARDSON = 16.0 / 15.0
+"""Error of a fourth-order step from the difference to two half steps."""
+
+Start = Literal["static", "rigid"] | tuple[Floats, Floats]
+Ran = tuple[str, float, tuple[str, ...]]
+"""Method, error estimate and notes of a run."""
+
+
+def simulate(
+    system: System,
+    duration: float,
+    *,
+    method: str = "auto",
+    step: float | None = None,
+    start: Start = "static",
+    outputs: Outputs | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Trace:
+    """Return the motion of a system, with statistics of every step, an energy book and an error estimate.
+
+    Args:
+        system: Bodies, lines, loads.
+        duration: [s].
+        method: ``"exact"`` (constant stiffness, linear), ``"runge-kutta"``, or ``"auto"``.
+        step: [s]; left out, from the highest harmonic and the fastest mode.
+        start: ``"static"`` equilibrium, the ``"rigid"`` motion itself, or (q, q̇).
+        outputs: What to keep.
+        progress: Called with the fraction done, from 0 to 1.
+
+    Returns:
+        The trace; of what was done so far, with a note, if the user interrupts.
+
+    Raises:
+        DesignError: Method, step, duration or outputs that cannot be.
+        SolveError: If the motion diverges, with time, line and value.
+    """
+    arrays = system.arrays
+    method, reason = _method(arrays, method)
+    step = _step(arrays, method, step)
+    steps = check_duration(duration, step)
+    recorder = Recorder(system, outputs or Outputs(), step=step, steps=steps)
+    state = _start(system, start)
+    error = _error(arrays, method, step, (min(steps, STRETCH), state))
+    first = state.copy()
+    done = _run(stepper(arrays, method, step), recorder, state, progress)
+    notes = (reason, *_notes(recorder, done))
+    return _trace(recorder, (method, error, notes), (first, state), done)
+
+
+def replay(system: System, trace: Trace, start: float, end: float) -> Samples:
+    """Return every step of a part of a run, bit for bit as it was.
+
+    Args:
+        system: The system of the run.
+        trace: What the run left.
+        start: [s].
+        end: [s].
+
+    Raises:
+        DesignError: If the part lies outside the run.
+    """
+    steps = round(trace.duration / trace.step)
+    recorder = Recorder(system, Outputs(windows=((start, end),)), step=trace.step, steps=steps)
+    low, high = recorder.spans[0]
+    place = int(np.searchsorted(trace.checkpoints.step, low, side="right")) - 1
+    state = trace.checkpoints.state[place].copy()
+    advance = stepper(system.arrays, trace.method, trace.step)
+    record = np.empty((BLOCK, 2 * recorder.size + 2 * len(system.labels.lines)))
+    for first in range(int(trace.checkpoints.step[place]), high, BLOCK):
+        rows = record[: min(BLOCK, high - first)]
+        advance(first, rows, state)
+        recorder.take(first, rows)
+    return recorder.samples(1)
+
+
+def _method(arrays: Arrays, method: str) -> tuple[str, str]:
+    if method == "auto":
+        if is_exact(arrays):
+            return "exact", "exact step: constant stiffness and speed, no backlash, loads linear in speed"
+        return "runge-kutta", "Runge–Kutta: stiffness, backlash or loads change with time or speed"
+    if method not in METHODS:
+        raise DesignError([Problem("method", f"no such method: {method}; {near(method, ('auto', *METHODS))}")])
+    if method == "exact" and not is_exact(arrays):
+        message = "exact needs constant stiffness and speed, no backlash, loads linear in speed; use auto"
+        raise DesignError([Problem("method", message)])
+    return method, f"{method}: asked for"
+
+
+def _step(arrays: Arrays, method: str, step: float | None) -> float:
+    if step is None:
+        return default_step(arrays)
+    if method != "exact":
+        check_step(arrays, step)
+    elif not 0.0 < step < np.inf:
+        raise DesignError([Problem("step", f"{step:g} s; it must be positive and finite")])
+    return step
+
+
+def _start(system: System, start: Start) -> Floats:
+    size = len(system.arrays.mass)
+    state = np.zeros(2 * size + WORKS)
+    if start == "static":
+        state[:size] = statics(system, balance="accelerate").position
+    elif start != "rigid":
+        parts = [np.asarray(part, dtype=float) for part in start]
+        if len(parts) != 2 or any(part.shape != (size,) or not np.all(np.isfinite(part)) for part in parts):
+            message = f"give (position, velocity), {size} finite numbers each, or 'static' or 'rigid'"
+            raise DesignError([Problem("start", message)])
+        state[:size], state[size : 2 * size] = parts
+    return state
+
+
+def _error(arrays: Arrays, method: str, step: float, stretch: tuple[int, Floats]) -> float:
+    """Return the difference of line forces between step and half step over the largest force."""
+    steps, start = stretch
+    forces = []
+    for pieces in (1, 2):
+        advance, state = stepper(arrays, method, step / pieces), start.copy()
+        record = np.empty((pieces * steps, 2 * len(arrays.mass) + 2 * len(arrays.stiffness)))
+        for first in range(0, len(record), BLOCK):
+            advance(first, record[first : first + BLOCK], state)
+        columns = slice(2 * len(arrays.mass), 2 * len(arrays.mass) + len(arrays.stiffness))
+        forces.append(record[::pieces, columns])
+    largest = float(np.max(np.abs(forces[1]), initial=0.0))
+    return RICHARDSON * float(np.max(np.abs(forces[0] - forces[1]), initial=0.0)) / largest if largest else 0.0
+
+
+def _run(advance: Stepper, recorder: Recorder, state: Floats, progress: Callable[[float], None] | None) -> int:
+    """March block by block; return the number of steps done."""
+    record = np.empty((BLOCK, 2 * recorder.size + 2 * len(recorder.system.labels.lines)))
+    # The state moves on only when its block has been taken, so that an interruption leaves the two together.
+    done, ahead = 0, state.copy()
+    try:
+        while done < recorder.steps:
+            rows = record[: min(BLOCK, recorder.steps - done)]
+            recorder.checkpoint(done, state)
+            advance(done, rows, ahead)
+            recorder.take(done, rows)
+            done += len(rows)
+            state[:] = ahead
+            if progress is not None:
+                progress(done / recorder.steps)
+        advance(done, record[:1], ahead)
+        recorder.take(done, record[:1])
+    except KeyboardInterrupt:
+        if done == 0:
+            raise
+        recorder.stop(done)
+    return done
+
+
+def _notes(recorder: Recorder, done: int) -> list[str]:
+    notes = [
+        f"line {recorder.system.labels.lines[line]} first lost contact at {first * recorder.step:.6g} s"
+        for line, first in zip(recorder.gaps, recorder.lost, strict=True)
+        if first >= 0
+    ]
+    if done < recorder.steps:
+        notes.append(f"interrupted at {done * recorder.step:.6g} s of {recorder.steps * recorder.step:.6g} s")
+    return notes
+
+
+def _trace(
+    recorder: Recorder, ran: tuple[str, float, tuple[str, ...]], ends: tuple[Floats, Floats], done: int
+) -> Trace:
+    method, error, notes = ran
+    size, labels = recorder.size, recorder.system.labels
+    lines = len(labels.lines)
+    return Trace(
+        method=method,
+        step=recorder.step,
+        duration=done * recorder.step,
+        error=error,
+        work=_work(recorder, ends, done),
+        samples=recorder.samples(),
+        windows=tuple(recorder.samples(number) for number in range(1, 1 + len(recorder.spans))),
+        force=recorder.statistics(labels.lines, size, "line"),
+        deflection=recorder.statistics(labels.lines, size + lines, "line"),
+        velocity=recorder.statistics(labels.coordinates, 0, "coordinate"),
+        checkpoints=recorder.checkpoints(),
+        notes=notes,
+        labels=labels,
+    )
+
+
+def _work(recorder: Recorder, ends: tuple[Floats, Floats], done: int) -> Work:
+    arrays, size = recorder.system.arrays, recorder.size
+    before, after = (
+        stored_energy(arrays, time, state[:size], state[size : 2 * size])
+        for time, state in zip((0.0, done * recorder.step), ends, strict=True)
+    )
+    driven, braked, dissipated, stiffness, error, frame = (float(work) for work in ends[1][2 * size :])
+    return Work(driven, braked, dissipated, stiffness, error, frame, after - before)

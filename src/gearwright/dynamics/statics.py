@@ -1,0 +1,127 @@
+"""Statics: the equilibrium of loads, line forces and errors at one instant, with contact found line by line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from gearwright.dynamics.modes import split_rigid
+from gearwright.dynamics.reference import dead_zone, external_load, line_state, speed_factor
+from gearwright.dynamics.system import Arrays, Floats, Labels, System, entry_matrix, line_matrix
+from gearwright.errors import SolveError
+
+BALANCE_TOLERANCE = 1e-6
+"""Largest power of the loads on a rigid motion, over the sum of its parts [-]: room for rounded radii."""
+CONTACT_ROUNDS = 200
+"""Rounds in which contact must settle; lines open or close in each."""
+RESIDUAL = 1e-12
+"""Force left unbalanced at equilibrium, over the largest [-]."""
+TRACE = 1e-9
+"""Share of a line's stiffness that is used to look for contact while it stands open [-]."""
+
+Balance = Literal["required", "accelerate"]
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """Static equilibrium, measured from the rigid motion."""
+
+    position: Floats
+    """q [rad or m], shape (coordinates,); of least kinetic norm where rigid motions leave it open."""
+    force: Floats
+    """Line forces [N or N m], shape (lines,)."""
+    labels: Labels
+    """Names of coordinates and lines."""
+
+
+def statics(system: System, *, time: float = 0.0, balance: Balance = "required") -> Equilibrium:
+    """Return the elastic equilibrium under the loads, stiffnesses and errors of one instant.
+
+    Args:
+        system: Bodies, lines, loads.
+        time: Instant [s].
+        balance: ``"required"`` refuses loads that would set a rigid motion going; ``"accelerate"`` lets it go and finds
+            the shape that it keeps under that steady acceleration (inertia relief).
+
+    Raises:
+        SolveError: If loads do not balance on a motion that no line holds, or contact does not settle.
+    """
+    arrays = system.arrays
+    rigid, elastic = split_rigid(arrays)
+    rest = np.zeros(len(arrays.mass))
+    load = external_load(arrays, time, rest)
+    if balance == "required":
+        _check_balance(system, rigid, load)
+    position = _settle(arrays, time, elastic, load)
+    return Equilibrium(position, line_state(arrays, time, position, rest).force, system.labels)
+
+
+def _check_balance(system: System, rigid: Floats, load: Floats) -> None:
+    for motion in rigid.T:
+        parts = motion * load
+        if abs(np.sum(parts)) > BALANCE_TOLERANCE * np.sum(np.abs(parts)):
+            scale = motion[np.argmax(np.abs(motion))]
+            shape = motion / scale
+            names = system.labels.coordinates
+            moving = ", ".join(f"{names[i]} {shape[i]:.3g}" for i in np.flatnonzero(np.abs(shape) > 1e-9))
+            raise SolveError(
+                f"nothing holds the motion ({moving}) and the loads on it do not balance: they leave "
+                f"{np.sum(parts) / scale:.4g} N m; balance the loads or add a support"
+            )
+
+
+def _settle(arrays: Arrays, time: float, elastic: Floats, load: Floats) -> Floats:
+    """Minimise the potential, which contact makes convex and piecewise quadratic: Newton with an exact line search."""
+    start = line_state(arrays, time, np.zeros_like(load), np.zeros_like(load))
+    matrix, error = line_matrix(arrays) @ elastic, -start.deflection
+    centripetal = speed_factor(arrays.profile, time)[0] ** 2 * entry_matrix(arrays.centripetal, len(load))
+    centripetal = elastic.T @ centripetal @ elastic
+    # A trace of the closed stiffness lets bodies whose teeth all stand open move until they touch.
+    closed = matrix.T @ (start.stiffness[:, None] * matrix)
+    place, pull = np.zeros(elastic.shape[1]), elastic.T @ load
+    for _ in range(CONTACT_ROUNDS):
+        deflection = matrix @ place - error
+        contact = dead_zone(deflection, arrays.backlash)
+        force = matrix.T @ (start.stiffness * contact)
+        rest = pull + centripetal @ place - force
+        if np.max(np.abs(rest), initial=0.0) <= RESIDUAL * np.max(np.abs(pull) + np.abs(force), initial=0.0):
+            return np.asarray(elastic @ place)
+        touching = np.where(contact != 0.0, start.stiffness, 0.0)
+        tangent = matrix.T @ (touching[:, None] * matrix) - centripetal + TRACE * closed
+        way = np.linalg.solve(tangent, rest)
+        bend = -float(way @ centripetal @ way)
+        slope = _Slope(deflection, matrix @ way, arrays.backlash, start.stiffness)
+        place = place + _reach(slope, float(way @ (rest + force)), bend) * way
+    raise SolveError(f"contact did not settle in {CONTACT_ROUNDS} rounds at {time:g} s; lines open and close in turn")
+
+
+class _Slope(NamedTuple):
+    """What decides the potential's slope along a direction."""
+
+    deflection: Floats
+    rate: Floats
+    backlash: Floats
+    stiffness: Floats
+
+    def elastic(self, distance: float) -> float:
+        """Return the elastic forces' part of the slope."""
+        contact = dead_zone(self.deflection + distance * self.rate, self.backlash)
+        return float(np.sum(self.stiffness * contact * self.rate))
+
+
+def _reach(slope: _Slope, pull: float, bend: float) -> float:
+    """Return the distance at which the slope vanishes: straight between the points where a line opens or closes."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        points = np.concatenate([-slope.deflection / slope.rate, -(slope.deflection + slope.backlash) / slope.rate])
+    points = np.sort(points[np.isfinite(points) & (points > 0.0)])
+    low, at_low = 0.0, slope.elastic(0.0) - pull
+    for high in (*points, 2.0 * np.max(points, initial=0.5) + 1.0):
+        at_high = slope.elastic(high) - pull + bend * high
+        if at_high >= 0.0 or high > np.max(points, initial=0.0):
+            break
+        low, at_low = high, at_high
+    if at_high <= at_low:
+        raise SolveError("the loads push a body away from every line that could hold it; add a support")
+    return float(low - at_low * (high - low) / (at_high - at_low))
