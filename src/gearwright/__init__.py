@@ -1,3 +1,72 @@
-"""gearwright designs aircraft transmissions and shows how they behave."""
+"""gearwright designs aircraft transmissions and shows how they behave.
+
+>>> import gearwright as gw
+>>> design = gw.read(gw.shipped("in-line-h2"))
+>>> sizing = gw.size(design)
+>>> round(sizing.gear_mass, 1)
+34.0
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
 
 __version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from gearwright.dynamics import Model, Outputs, modes, simulate
+    from gearwright.dynamics.assemble import assemble
+    from gearwright.errors import DesignError, SolveError
+    from gearwright.render.report import report
+    from gearwright.shipped import shipped, shipped_names
+    from gearwright.sizing import size
+    from gearwright.spec import parse, read, schema
+    from gearwright.store import load, save
+
+_VERBS = {
+    "DesignError": "errors",
+    "Model": "dynamics",
+    "Outputs": "dynamics",
+    "SolveError": "errors",
+    "assemble": "dynamics.assemble",
+    "load": "store",
+    "modes": "dynamics",
+    "parse": "spec",
+    "read": "spec",
+    "report": "render.report",
+    "save": "store",
+    "schema": "spec",
+    "shipped": "shipped",
+    "shipped_names": "shipped",
+    "simulate": "dynamics",
+    "size": "sizing",
+}
+"""Public name -> module; loaded on first use, so that ``gearwright --help`` stays quick."""
+
+__all__ = [
+    "DesignError",
+    "Model",
+    "Outputs",
+    "SolveError",
+    "assemble",
+    "load",
+    "modes",
+    "parse",
+    "read",
+    "report",
+    "save",
+    "schema",
+    "shipped",
+    "shipped_names",
+    "simulate",
+    "size",
+]
+
+
+def __getattr__(name: str) -> object:
+    """Load a public verb on its first use."""
+    if name not in _VERBS:
+        raise AttributeError(f"module 'gearwright' has no attribute {name!r}")
+    value: object = getattr(import_module(f"gearwright.{_VERBS[name]}"), name)
+    return value

@@ -1,8 +1,8 @@
 """Assemble: a sizing and one of its load cases become a System of absolute rotations.
 
-Every gear, carrier and machine is a body; shafts, clutches and meshes are lines. Planets are bodies of their own, with the
-relative mesh phases that their places give. Lines are signed so that what carries power in the case carries it with a
-positive force.
+Every gear, carrier and machine is a body; shafts, clutches and meshes are lines. Planets are bodies of their own, with
+the relative mesh phases that their places give. Lines are signed so that what carries power in the case carries it with
+a positive force.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from gearwright.catalogue.materials import materials
 from gearwright.dynamics.line import DampingRatio, Periodic
@@ -120,8 +121,8 @@ def _bodies(assembly: _Assembly) -> None:
         if gear.role in ("pinion", "wheel"):
             for shaft in gear.shafts:
                 assembly.body(_on_shaft(gear, shaft), shaft, gear.inertia * gear.bodies / len(gear.shafts))
-    for shaft in sizing.shafts:
-        _share_shaft(assembly, shaft)
+    for sized in sizing.shafts:
+        _share_shaft(assembly, sized)
     for machine in sizing.machines:
         assembly.inertias[machine.name] = (machine.inertia, assembly.flow.speeds[machine.shaft])
 
@@ -141,14 +142,14 @@ def _share_shaft(assembly: _Assembly, shaft: ShaftSizing) -> None:
 
 
 def _shaft_lines(assembly: _Assembly) -> Iterator[tuple[str, str, str, float]]:
-    """Yield name, ends and stiffness [N m/rad] of every shaft line: along each shaft, to its machines, across clutches."""
+    """Yield name, ends and stiffness [N m/rad] of every line along a shaft, to a machine or across a clutch."""
     sizing = assembly.sizing
     shafts = {shaft.name: shaft for shaft in sizing.shafts}
     for name, members in assembly.members.items():
         if name not in shafts:
             continue
         pieces = len(members) - 1
-        for k, (first, second) in enumerate(zip(members, members[1:], strict=False)):
+        for k, (first, second) in enumerate(pairwise(members)):
             line = f"{name} shaft" if pieces == 1 else f"{name} shaft {k + 1}"
             yield line, first, second, shafts[name].stiffness * pieces
     for machine in sizing.machines:

@@ -1,0 +1,245 @@
+"""The command line: each command calls the verb of its name and adds nothing.
+
+Exit codes: 0 done, 1 a computation did not succeed, 2 the design or the call is wrong.
+Heavy modules load inside the commands, so that ``--help`` answers at once.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from gearwright import __version__
+
+if TYPE_CHECKING:
+    from gearwright.dynamics import System, Trace
+    from gearwright.sizing import Sizing
+    from gearwright.spec import Design
+
+app = typer.Typer(
+    help="Design aircraft transmissions and see how they behave.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+
+DesignArgument = Annotated[str, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of tables")]
+CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")]
+StiffnessOption = Annotated[
+    Literal["constant", "varying"] | None, typer.Option(help="Mesh stiffness; left out: as the design says")
+]
+DurationOption = Annotated[float, typer.Option(help="Time to simulate [s]", min=0.0)]
+
+
+@app.callback(invoke_without_command=True)
+def _main(version: Annotated[bool, typer.Option("--version", help="Print the version")] = False) -> None:
+    if version:
+        typer.echo(f"gearwright {__version__}")
+        raise typer.Exit
+
+
+@app.command()
+def new(
+    name: Annotated[str | None, typer.Argument(help="Name of a shipped design; left out: list them")] = None,
+    file: Annotated[Path | None, typer.Argument(help="File to write; left out: NAME.toml here")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace a file that is there")] = False,
+) -> None:
+    """Write a shipped design as a file to start from, or list all of them."""
+    from gearwright.errors import DesignError, Problem
+    from gearwright.shipped import shipped, shipped_names
+    from gearwright.spec import read
+
+    if name is None:
+        for each in shipped_names():
+            typer.echo(f"{each:24} {read(shipped(each)).name}")
+        return
+    text = shipped(name).read_text(encoding="utf-8")
+    target = file or Path(f"{name}.toml")
+    if target.exists() and not force:
+        raise DesignError(
+            [Problem("", "the file is there already; give another name, or --force to replace it")], str(target)
+        )
+    target.write_text(text, encoding="utf-8")
+    typer.echo(f"wrote {target}; next: gearwright run {target}")
+
+
+@app.command()
+def check(design: DesignArgument) -> None:
+    """Check a design file and say everything that is wrong with it."""
+    sizing = _size(design)
+    typer.echo(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")
+
+
+@app.command()
+def size(design: DesignArgument, json: JsonOption = False) -> None:
+    """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
+    from gearwright.render.text import print_sizing, sizing_json
+
+    sizing = _size(design)
+    if json:
+        typer.echo(sizing_json(sizing))
+    else:
+        print_sizing(sizing)
+
+
+@app.command()
+def modes(design: DesignArgument, case: CaseOption = None, json: JsonOption = False) -> None:
+    """Natural frequencies and mode shapes of a design's drive train."""
+    from gearwright.dynamics import modes as find_modes
+    from gearwright.render.text import modes_json, print_modes
+
+    found = find_modes(_assemble(_size(design), case))
+    if json:
+        typer.echo(modes_json(found))
+    else:
+        print_modes(found)
+
+
+@app.command()
+def simulate(
+    design: DesignArgument,
+    case: CaseOption = None,
+    duration: DurationOption = 0.2,
+    stiffness: StiffnessOption = None,
+    output: Annotated[Path | None, typer.Option(help="Write the run to this netCDF-4 file")] = None,
+    json: JsonOption = False,
+) -> None:
+    """Simulate a design's drive train in a load case."""
+    from gearwright.dynamics.assemble import default_case
+    from gearwright.render.text import print_trace, trace_json
+    from gearwright.store import save
+
+    sizing = _size(design)
+    system = _assemble(sizing, case, stiffness)
+    trace = _simulate(system, duration)
+    if output is not None:
+        save(output, trace, design=sizing.design, case=case or default_case(sizing))
+    if json:
+        typer.echo(trace_json(trace))
+    else:
+        print_trace(trace)
+
+
+@app.command()
+def run(
+    design: DesignArgument,
+    case: CaseOption = None,
+    duration: DurationOption = 0.2,
+    stiffness: StiffnessOption = None,
+    folder: Annotated[
+        Path | None, typer.Option("--out", help="Folder for the results; left out: NAME-results here")
+    ] = None,
+) -> None:
+    """Do everything: size, find modes, simulate, and write the report and the results."""
+    from gearwright.dynamics import modes as find_modes
+    from gearwright.dynamics.assemble import default_case
+    from gearwright.render.report import report as make_report
+    from gearwright.render.text import print_modes, print_sizing, print_trace, sizing_json
+    from gearwright.store import save
+
+    sizing = _size(design)
+    print_sizing(sizing)
+    case = case or default_case(sizing)
+    found = find_modes(_assemble(sizing, case, stiffness))
+    print_modes(found)
+    trace = _simulate(_assemble(sizing, case, stiffness), duration)
+    print_trace(trace)
+    folder = folder or Path(f"{Path(design).stem}-results")
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "sizing.json").write_text(sizing_json(sizing) + "\n", encoding="utf-8")
+    save(folder / "run.nc", trace, design=sizing.design, case=case)
+    (folder / "report.html").write_text(make_report(sizing, modes=found, trace=trace), encoding="utf-8")
+    typer.echo(f"wrote {folder / 'report.html'}, {folder / 'run.nc'} and {folder / 'sizing.json'}")
+
+
+@app.command()
+def report(
+    design: DesignArgument,
+    file: Annotated[Path, typer.Option("--out", help="HTML file to write")] = Path("report.html"),
+    results: Annotated[Path | None, typer.Option(help="Run (netCDF-4) to show with it")] = None,
+) -> None:
+    """Write the report of a design as one self-contained HTML file that also prints well."""
+    from gearwright.dynamics import modes as find_modes
+    from gearwright.render.report import report as make_report
+    from gearwright.store import load
+
+    sizing = _size(design)
+    trace = load(results).trace if results is not None else None
+    found = find_modes(_assemble(sizing, None))
+    file.write_text(make_report(sizing, modes=found, trace=trace), encoding="utf-8")
+    typer.echo(f"wrote {file}")
+
+
+@app.command()
+def schema() -> None:
+    """Print the JSON Schema of the design file, for editors."""
+    import json
+
+    from gearwright.spec import schema as make_schema
+
+    typer.echo(json.dumps(make_schema(), indent=2, ensure_ascii=False))
+
+
+def _read(design: str) -> Design:
+    """Return a design from a file, or a shipped one by its name."""
+    from gearwright.shipped import shipped, shipped_names
+    from gearwright.spec import read
+
+    path = Path(design)
+    return read(shipped(design) if not path.exists() and design in shipped_names() else path)
+
+
+def _size(design: str) -> Sizing:
+    from gearwright.errors import DesignError
+    from gearwright.sizing import size as make_sizing
+
+    read = _read(design)
+    try:
+        return make_sizing(read)
+    except DesignError as error:
+        raise DesignError(error.problems, design) from None
+
+
+def _assemble(sizing: Sizing, case: str | None, stiffness: str | None = None) -> System:
+    from gearwright.dynamics.assemble import assemble
+
+    return assemble(sizing, case, stiffness=stiffness)
+
+
+def _simulate(system: System, duration: float) -> Trace:
+    from gearwright.dynamics import Outputs
+    from gearwright.dynamics import simulate as run_system
+
+    with _progress() as update:
+        return run_system(system, duration, outputs=Outputs(start=duration / 4.0), progress=update)
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[float], None]]:
+    """Show a bar on a terminal; stay silent elsewhere."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with Progress(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as bar:
+        task = bar.add_task("simulating", total=1.0)
+        yield lambda done: bar.update(task, completed=done)
+
+
+def main() -> None:
+    """Run the command line; design problems and failed computations become messages and exit codes."""
+    from gearwright.errors import DesignError, GearwrightError
+
+    try:
+        app()
+    except DesignError as error:
+        typer.echo(str(error), err=True)
+        sys.exit(2)
+    except GearwrightError as error:
+        typer.echo(str(error), err=True)
+        sys.exit(1)

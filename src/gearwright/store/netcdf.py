@@ -1,0 +1,185 @@
+"""Save a simulated run as netCDF-4 (HDF5) and load it again, equal: arrays with dimensions, units and names.
+
+A file holds the design that made it (as JSON, the reader's own form), the case, and one group per part of the `Trace`.
+Any netCDF reader opens it; ``xarray.open_dataset(path, group="samples")`` gives labelled arrays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any
+
+import h5netcdf
+import numpy as np
+
+from gearwright import __version__
+from gearwright.dynamics import Labels, Samples, Statistics, Trace
+from gearwright.dynamics.energy import Work
+from gearwright.dynamics.system import Tone
+from gearwright.dynamics.trace import Checkpoints
+from gearwright.errors import DesignError, Problem
+from gearwright.spec import Design
+
+FORMAT = "gearwright trace 1"
+
+_DIMENSIONS: Mapping[type, Mapping[str, tuple[tuple[str, ...], str]]] = {
+    Samples: {
+        "time": (("time",), "s"),
+        "position": (("time", "coordinate"), "rad or m, see coordinate_unit"),
+        "velocity": (("time", "coordinate"), "rad/s or m/s, see coordinate_unit"),
+        "line_force": (("time", "line"), "N or N m, see line_unit"),
+        "line_deflection": (("time", "line"), "m or rad, see line_unit"),
+    },
+    Statistics: {
+        "edges": (("edge",), "s"),
+        "mean": (("bin", "name"), "as the quantity"),
+        "least": (("bin", "name"), "as the quantity"),
+        "most": (("bin", "name"), "as the quantity"),
+        "rms": (("bin", "name"), "as the quantity"),
+    },
+    Checkpoints: {"step": (("checkpoint",), "1"), "state": (("checkpoint", "state"), "SI")},
+}
+"""Array fields of each part: dimensions and unit."""
+
+_STATISTICS = ("force", "deflection", "velocity")
+_SCALARS = ("method", "step", "duration", "error")
+
+
+@dataclass(frozen=True, eq=False)
+class StoredRun:
+    """What a file holds."""
+
+    design: Design
+    """The design that made the run."""
+    case: str
+    """Load case."""
+    trace: Trace
+    """The run."""
+
+
+def save(path: str | Path, trace: Trace, *, design: Design, case: str) -> None:
+    """Write a run to a netCDF-4 file; a file that is there is replaced only when the new one is complete.
+
+    Args:
+        path: Of the file, usually ``*.nc``.
+        trace: The run.
+        design: That made it.
+        case: Load case that was run.
+    """
+    final = Path(path)
+    partial = final.with_name(final.name + ".part")
+    with h5netcdf.File(partial, "w") as file:
+        file.attrs["format"], file.attrs["gearwright"] = FORMAT, __version__
+        file.attrs["design"], file.attrs["case"] = design.model_dump_json(by_alias=True, exclude_unset=True), case
+        _write_labels(file, trace.labels)
+        for name in _SCALARS:
+            file.attrs[name] = getattr(trace, name)
+        file.attrs["notes"] = "\n".join(trace.notes)
+        file.attrs.update({f"work_{field.name}": getattr(trace.work, field.name) for field in fields(Work)})
+        _write_part(file.create_group("samples"), trace.samples)
+        for number, window in enumerate(trace.windows):
+            _write_part(file.create_group(f"window_{number}"), window)
+        for name in _STATISTICS:
+            group = file.create_group(name)
+            statistics = getattr(trace, name)
+            group.attrs["what"] = statistics.what
+            group.attrs["names"] = "\n".join(statistics.names)
+            _write_part(group, statistics)
+        _write_part(file.create_group("checkpoints"), trace.checkpoints)
+    partial.replace(final)
+
+
+def load(path: str | Path) -> StoredRun:
+    """Return the run that a file holds, equal to what was saved.
+
+    Args:
+        path: Of the file.
+
+    Raises:
+        DesignError: If there is no such file, or it is not one of gearwright's.
+    """
+    try:
+        with h5netcdf.File(Path(path), "r") as file:
+            if file.attrs.get("format") != FORMAT:
+                raise DesignError(
+                    [Problem("", f"this is not a gearwright run; its format is {file.attrs.get('format')!r}")],
+                    str(path),
+                )
+            return _read(file)
+    except OSError as error:
+        raise DesignError([Problem("", f"the file cannot be read as netCDF-4: {error}")], str(path)) from None
+
+
+def _read(file: Any) -> StoredRun:
+    labels = _read_labels(file)
+    windows = sorted((name for name in file.groups if name.startswith("window_")), key=lambda name: int(name[7:]))
+    trace = Trace(
+        method=str(file.attrs["method"]),
+        step=float(file.attrs["step"]),
+        duration=float(file.attrs["duration"]),
+        error=float(file.attrs["error"]),
+        work=Work(**{field.name: float(file.attrs[f"work_{field.name}"]) for field in fields(Work)}),
+        samples=Samples(**_read_part(file.groups["samples"], Samples), labels=labels),
+        windows=tuple(Samples(**_read_part(file.groups[name], Samples), labels=labels) for name in windows),
+        **{name: _read_statistics(file.groups[name]) for name in _STATISTICS},
+        checkpoints=Checkpoints(**_read_part(file.groups["checkpoints"], Checkpoints)),
+        notes=_lines(file.attrs["notes"]),
+        labels=labels,
+    )
+    design = Design.model_validate_json(str(file.attrs["design"]))
+    return StoredRun(design, str(file.attrs["case"]), trace)
+
+
+def _write_part(group: Any, part: Any) -> None:
+    for name, (dimensions, unit) in _DIMENSIONS[type(part)].items():
+        values = np.asarray(getattr(part, name))
+        for dimension, size in zip(dimensions, values.shape, strict=True):
+            if dimension not in group.dimensions:
+                group.dimensions[dimension] = size
+        variable = group.create_variable(name, dimensions, values.dtype, data=values)
+        variable.attrs["units"] = unit
+
+
+def _read_part(group: Any, kind: type) -> dict[str, Any]:
+    return {name: np.asarray(group.variables[name][...]) for name in _DIMENSIONS[kind]}
+
+
+def _read_statistics(group: Any) -> Statistics:
+    names = _lines(group.attrs["names"])
+    return Statistics(names=names, what=str(group.attrs["what"]), **_read_part(group, Statistics))
+
+
+def _write_labels(file: Any, labels: Labels) -> None:
+    """Write names as text with one name a line: plain attributes that every reader shows."""
+    file.attrs["coordinates"], file.attrs["coordinate_unit"] = (
+        _joined(labels.coordinates),
+        _joined(labels.coordinate_units),
+    )
+    file.attrs["lines"], file.attrs["line_unit"] = _joined(labels.lines), _joined(labels.line_units)
+    file.attrs["line_kinds"] = _joined(labels.line_kinds)
+    file.attrs["tones"] = _joined("\t".join(f"{count} {name}" for name, count in tone.counts) for tone in labels.tones)
+
+
+def _read_labels(file: Any) -> Labels:
+    tones = [
+        Tone(tuple((name, int(count)) for count, _, name in (part.partition(" ") for part in line.split("\t") if part)))
+        for line in _lines(file.attrs["tones"])
+    ]
+    return Labels(
+        coordinates=_lines(file.attrs["coordinates"]),
+        coordinate_units=_lines(file.attrs["coordinate_unit"]),
+        lines=_lines(file.attrs["lines"]),
+        line_units=_lines(file.attrs["line_unit"]),
+        line_kinds=_lines(file.attrs["line_kinds"]),
+        tones=tuple(tones),
+    )
+
+
+def _joined(names: Any) -> str:
+    return "\n".join(names)
+
+
+def _lines(text: Any) -> tuple[str, ...]:
+    return tuple(str(text).split("\n")) if str(text) else ()
