@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from rich.box import SIMPLE_HEAD
 from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
@@ -18,33 +19,41 @@ from gearwright.units import RPM, text
 
 _KW = 1e3
 _MARKS = {"included": "yes", "left out": "no", "not stated": "not stated"}
+_SIGNS = {"included": "✓", "left out": "–", "not stated": "?"}
+_SIGN_KEY = "H housing, L lubrication, S propeller shaft, A accessories: ✓ in it, – left out, ? not stated"
+WIDE = 130
+"""Width of a terminal from which sources and every column of the engine tables are shown [characters]."""
+_BRIEF = ("gearbox_mass_kg", "torque_nm", "gearbox_kw_kg", "torque_nm_kg")
 
 
-def comparison_table(found: Comparison) -> RenderableType:
+def comparison_table(found: Comparison, *, width: int = WIDE) -> RenderableType:
     """Return every method side by side with the band, the mass that is taken and the engines that are alike.
 
     Args:
         found: Of `compare`.
+        width: Of the terminal [characters].
     """
     return Group(
-        _methods(found), Text(spread_text(found) + "\n"), _engines_alike(found.engines), Text(taken_text(found))
+        _methods(found, width), Text(spread_text(found) + "\n"), _engines_alike(found.engines), Text(taken_text(found))
     )
 
 
-def engine_table(rows: Iterable[CheckedEngine]) -> Table:
+def engine_table(rows: Iterable[CheckedEngine], *, width: int = WIDE) -> Table:
     """Return the engines as printed, with the flagged numbers marked.
 
     Args:
         rows: Checked rows of the catalogue.
+        width: Of the terminal [characters]; a narrow one shows the columns of the gearbox.
     """
     shown = list(rows)
-    table = Table(title=f"{len(shown)} engines (Pulvirenti 2023, tables 1.3-1.15; * flagged)", title_justify="left")
-    for heading in ("series", "model", "kW", "rpm in", "rpm out"):
+    columns = tuple(COLUMNS) if width >= WIDE else _BRIEF
+    table = _table(f"{len(shown)} engines (Pulvirenti 2023, tables 1.3-1.15; * flagged)")
+    for heading in ("series", "model", "kW", "rpm\nin", "rpm\nout"):
         table.add_column(heading, justify="left" if heading in ("series", "model") else "right", no_wrap=True)
-    for symbol, unit, _ in COLUMNS.values():
+    for symbol, unit, _ in (COLUMNS[one] for one in columns):
         table.add_column(f"{symbol}\n{unit}", justify="right", no_wrap=True)
     for one in shown:
-        table.add_row(*_identity(one.engine), *(_printed(one, column) for column in COLUMNS))
+        table.add_row(*_identity(one.engine), *(_printed(one, column) for column in columns))
     return table
 
 
@@ -54,7 +63,7 @@ def note_table(rows: Iterable[CheckedEngine]) -> Table:
     Args:
         rows: Checked rows of the catalogue.
     """
-    table = Table(title="Flagged", title_justify="left")
+    table = _table("Flagged")
     for heading in ("series", "model", "column", "verdict", "reason"):
         table.add_column(heading)
     notes = dict.fromkeys(note for one in rows for note in one.engine.notes)
@@ -70,10 +79,9 @@ def score_table(found: Iterable[Score]) -> Table:
     Args:
         found: Of `scores`.
     """
-    table = Table(
-        title="Against 61 real weights (NASA/TM-2009-215680)", title_justify="left", caption=score_assumption()
-    )
-    for heading in ("method", "weights in range", "bias", "scatter (1σ)", "bias over the assumed speeds"):
+    table = _table("Against 61 real weights (NASA/TM-2009-215680)")
+    table.caption, table.caption_justify = score_assumption(), "left"
+    for heading in ("method", "in range", "bias", "scatter 1σ", "over assumed speeds"):
         table.add_column(heading, justify="left" if heading == "method" else "right")
     for one in found:
         table.add_row(one.method.name, str(one.count), *score_cells(one))
@@ -89,9 +97,9 @@ def score_cells(score: Score) -> tuple[str, str, str]:
     bias = "none in range" if score.bias is None else f"{100.0 * (score.bias - 1.0):+.0f} %"
     scatter = "" if score.scatter is None else f"× {score.scatter:.2f}"
     if score.bias_span is None:
-        return bias, scatter, "out of range at a corner"
+        return bias, scatter, "partly out of range"
     if score.needs_only_beta:
-        return bias, scatter, "exact: needs β only"
+        return bias, scatter, "exact, β only"
     low, high = (100.0 * (one - 1.0) for one in score.bias_span)
     return bias, scatter, f"{low:+.0f} to {high:+.0f} %"
 
@@ -151,21 +159,33 @@ def requirement_text(need: Requirement) -> str:
     return f"{text(need.power, 'power')}, {speeds} (ratio {need.ratio:.2f}, output {need.output_torque:.0f} N m)"
 
 
-def _methods(found: Comparison) -> Table:
-    table = Table(title=f"Gearbox mass: {requirement_text(found.requirement)}", title_justify="left")
+def _methods(found: Comparison, width: int) -> Table:
+    table = _table(f"Gearbox mass: {requirement_text(found.requirement)}")
+    table.caption, table.caption_justify = _SIGN_KEY, "left"
     table.add_column("method", no_wrap=True)
     table.add_column("mass", justify="right", no_wrap=True)
-    table.add_column("what is in it")
+    for sign in "HLSA":
+        table.add_column(sign, no_wrap=True)
     table.add_column("assumed, or why there is no mass")
-    table.add_column("source")
+    if width >= WIDE:
+        table.add_column("source")
     for one in found.estimates:
-        table.add_row(
-            one.method.name, mass_text(one), coverage_text(one.method.includes), remark(one), one.method.source
-        )
+        source = [one.method.source] if width >= WIDE else []
+        table.add_row(one.method.name, mass_text(one), *_signs(one.method.includes), remark(one), *source)
     for given in (found.bottom_up, found.stated):
         if given is not None:
-            table.add_row(*_given(given), style="bold")
+            table.add_row(given_name(given), f"{given.mass:.1f} kg", "", "", "", "", given.origin, style="bold")
     return table
+
+
+def _signs(covered: Coverage) -> tuple[str, str, str, str]:
+    parts = (covered.housing, covered.lubrication, covered.rotor_shaft, covered.accessories)
+    housing, lubrication, shaft, accessories = (_SIGNS[one] for one in parts)
+    return housing, lubrication, shaft, accessories
+
+
+def _table(title: str) -> Table:
+    return Table(title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
 
 
 def given_name(given: StatedMass) -> str:
@@ -175,10 +195,6 @@ def given_name(given: StatedMass) -> str:
         given: The design's own mass or the user's.
     """
     return "Your own mass (override)" if given.overridden else "This design"
-
-
-def _given(given: StatedMass) -> tuple[str, str, str, str, str]:
-    return given_name(given), f"{given.mass:.1f} kg", "", "", given.origin
 
 
 def spread_text(found: Comparison) -> str:
@@ -210,7 +226,7 @@ def taken_text(found: Comparison) -> str:
 
 
 def _engines_alike(rows: tuple[Engine, ...]) -> Table:
-    table = Table(title="Most alike in the catalogue (mass is NASA'15's estimate, not a weight)", title_justify="left")
+    table = _table("Most alike in the catalogue; masses by NASA'15")
     for heading in ("series", "model", "kW", "rpm in", "rpm out", "m_GB, kg"):
         table.add_column(heading, justify="left" if heading in ("series", "model") else "right")
     for one in rows:

@@ -153,7 +153,7 @@ def _mark_requirement(axes: Axes, chosen: Comparison) -> None:
             marker="*",
             s=150,
             color=_INK,
-            label="this requirement by the real weights,\n68 and 95 %",
+            label="this requirement: mass taken, and\n68 and 95 % of real weights",
             zorder=5,
         )
 

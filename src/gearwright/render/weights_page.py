@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from base64 import b64encode
 from collections import Counter
 from functools import cache
 
@@ -171,8 +172,8 @@ def _verdict_count() -> str:
 
 
 def _svg(figure: Figure, name: str) -> str:
-    """Return a figure as an SVG element whose ids are its own and the same at every run."""
-    out = io.StringIO()
-    with rc_context({"svg.hashsalt": name, "svg.fonttype": "none"}):
-        figure.savefig(out, format="svg", metadata={"Date": None})
-    return out.getvalue()[out.getvalue().index("<svg") :]
+    """Return a figure as the address of an SVG image: apart from the page's ids, and the same at every run."""
+    out = io.BytesIO()
+    with rc_context({"svg.hashsalt": name}):
+        figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
+    return f"data:image/svg+xml;base64,{b64encode(out.getvalue()).decode('ascii')}"

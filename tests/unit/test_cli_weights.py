@@ -1,0 +1,65 @@
+"""The commands ``engines`` and ``mass``."""
+
+import json
+
+import pytest
+import typer
+from typer.testing import CliRunner
+
+from gearwright import cli_weights
+from gearwright.errors import DesignError
+
+app = typer.Typer()
+app.command()(cli_weights.engines)
+app.command()(cli_weights.mass)
+
+PW127 = ["mass", "--power-kw", "2051", "--engine-rpm", "20204", "--propeller-rpm", "1212"]
+
+
+def run(*arguments):
+    return CliRunner().invoke(app, list(arguments), env={"COLUMNS": "150"}, catch_exceptions=False)
+
+
+def test_mass_shows_the_methods_side_by_side():
+    result = run(*PW127)
+    assert result.exit_code == 0
+    assert "136.5 kg" in result.output
+    assert "Taken from here on: 136.5 kg" in result.output
+
+
+def test_mass_writes_report_and_json(tmp_path):
+    page, record = tmp_path / "out.html", tmp_path / "out.json"
+    result = run(*PW127, "--mass-kg", "190", "--origin", "weighed", "--report", str(page), "--json", str(record))
+    assert result.exit_code == 0
+    assert "Table 1.15" in page.read_text(encoding="utf-8")
+    assert json.loads(record.read_text(encoding="utf-8"))["taken"]["mass_kg"] == 190.0
+
+
+def test_a_mass_without_origin_and_an_origin_without_mass_are_refused():
+    with pytest.raises(DesignError, match="needs its origin"):
+        run(*PW127, "--mass-kg", "190")
+    with pytest.raises(DesignError, match="add --mass-kg"):
+        run(*PW127, "--origin", "weighed")
+
+
+def test_the_mass_of_a_design_is_a_row_of_its_own(capsys):
+    found = cli_weights.show_mass(2051.0, 20204.0, 1212.0, bottom_up=150.0)
+    assert found.taken.mass == 150.0
+    assert "This design" in capsys.readouterr().out
+
+
+def test_engines_filters_and_sorts(tmp_path):
+    rows = tmp_path / "engines.json"
+    result = run("engines", "--manufacturer", "GE", "--kind", "turboprop", "--sort", "power", "--json", str(rows))
+    assert result.exit_code == 0
+    powers = [one["power_kw"] for one in json.loads(rows.read_text(encoding="utf-8"))]
+    assert len(powers) == 27
+    assert powers == sorted(powers)
+
+
+def test_engines_writes_csv(tmp_path):
+    path = tmp_path / "engines.csv"
+    run("engines", "--min-power-kw", "3000", "--csv", str(path))
+    lines = path.read_text(encoding="utf-8").splitlines()
+    assert len(lines) == 1 + 3
+    assert lines[1].startswith("1.3,PW100,")
