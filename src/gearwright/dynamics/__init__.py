@@ -1,9 +1,12 @@
 """Dynamics: a drive train as bodies and lines; its statics, modes and motion."""
 
+from gearwright.dynamics.beam import Segment, bending_shaft
+from gearwright.dynamics.campbell import Campbell, campbell
 from gearwright.dynamics.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model import Model
 from gearwright.dynamics.modes import Modes, modes
 from gearwright.dynamics.recorder import Outputs
+from gearwright.dynamics.response import Response, frequency_response
 from gearwright.dynamics.simulate import replay, simulate
 from gearwright.dynamics.statics import Equilibrium, statics
 from gearwright.dynamics.system import Arrays, Labels, System
@@ -11,6 +14,7 @@ from gearwright.dynamics.trace import Samples, Statistics, Trace
 
 __all__ = [
     "Arrays",
+    "Campbell",
     "DampingRatio",
     "Equilibrium",
     "Labels",
@@ -19,10 +23,15 @@ __all__ = [
     "Modes",
     "Outputs",
     "Periodic",
+    "Response",
     "Samples",
+    "Segment",
     "Statistics",
     "System",
     "Trace",
+    "bending_shaft",
+    "campbell",
+    "frequency_response",
     "modes",
     "replay",
     "simulate",

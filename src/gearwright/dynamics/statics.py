@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gearwright.dynamics.modes import split_rigid
 from gearwright.dynamics.reference import dead_zone, external_load, line_state, speed_factor
@@ -16,8 +17,8 @@ BALANCE_TOLERANCE = 1e-6
 """Largest power of the loads on a rigid motion, over the sum of its parts [-]: room for rounded radii."""
 CONTACT_ROUNDS = 200
 """Rounds in which contact must settle; lines open or close in each."""
-RESIDUAL = 1e-12
-"""Force left unbalanced at equilibrium, over the largest [-]."""
+WHOLE = 1e-6
+"""How near to one whole step Newton's last, in which no line opened or closed, must be [-]."""
 TRACE = 1e-9
 """Share of a line's stiffness that is used to look for contact while it stands open [-]."""
 
@@ -78,23 +79,27 @@ def _settle(arrays: Arrays, time: float, elastic: Floats, load: Floats) -> Float
     matrix, error = line_matrix(arrays) @ elastic, -start.deflection
     centripetal = speed_factor(arrays.profile, time)[0] ** 2 * entry_matrix(arrays.centripetal, len(load))
     centripetal = elastic.T @ centripetal @ elastic
-    # A trace of the closed stiffness lets bodies whose teeth all stand open move until they touch.
-    closed = matrix.T @ (start.stiffness[:, None] * matrix)
     place, pull = np.zeros(elastic.shape[1]), elastic.T @ load
+    touching = _touching(-error, arrays.backlash)
     for _ in range(CONTACT_ROUNDS):
         deflection = matrix @ place - error
-        contact = dead_zone(deflection, arrays.backlash)
-        force = matrix.T @ (start.stiffness * contact)
-        rest = pull + centripetal @ place - force
-        if np.max(np.abs(rest), initial=0.0) <= RESIDUAL * np.max(np.abs(pull) + np.abs(force), initial=0.0):
-            return np.asarray(elastic @ place)
-        touching = np.where(contact != 0.0, start.stiffness, 0.0)
-        tangent = matrix.T @ (touching[:, None] * matrix) - centripetal + TRACE * closed
-        way = np.linalg.solve(tangent, rest)
+        force = matrix.T @ (start.stiffness * dead_zone(deflection, arrays.backlash))
+        # A trace of the stiffness of open lines lets bodies whose teeth all stand open move until they touch.
+        tangent = matrix.T @ (np.where(touching, 1.0, TRACE)[:, None] * start.stiffness[:, None] * matrix) - centripetal
+        way = np.linalg.solve(tangent, pull + centripetal @ place - force)
         bend = -float(way @ centripetal @ way)
         slope = _Slope(deflection, matrix @ way, arrays.backlash, start.stiffness)
-        place = place + _reach(slope, float(way @ (rest + force)), bend) * way
+        reach = _reach(slope, float(way @ (pull + centripetal @ place)), bend)
+        place = place + reach * way
+        before, touching = touching, _touching(matrix @ place - error, arrays.backlash)
+        if np.array_equal(before, touching) and abs(reach - 1.0) < WHOLE:
+            return np.asarray(elastic @ place)
     raise SolveError(f"contact did not settle in {CONTACT_ROUNDS} rounds at {time:g} s; lines open and close in turn")
+
+
+def _touching(deflection: Floats, backlash: Floats) -> NDArray[np.bool_]:
+    """Return which lines carry: linear ones always, others outside their gap."""
+    return np.asarray((backlash == 0.0) | (deflection >= 0.0) | (deflection < -backlash))
 
 
 class _Slope(NamedTuple):
@@ -113,6 +118,8 @@ class _Slope(NamedTuple):
 
 def _reach(slope: _Slope, pull: float, bend: float) -> float:
     """Return the distance at which the slope vanishes: straight between the points where a line opens or closes."""
+    if not np.any(slope.rate):
+        return 1.0
     with np.errstate(divide="ignore", invalid="ignore"):
         points = np.concatenate([-slope.deflection / slope.rate, -(slope.deflection + slope.backlash) / slope.rate])
     points = np.sort(points[np.isfinite(points) & (points > 0.0)])
