@@ -23,7 +23,7 @@ _SIGNS = {"included": "✓", "left out": "–", "not stated": "?"}
 _SIGN_KEY = "H housing, L lubrication, S propeller shaft, A accessories: ✓ in it, – left out, ? not stated"
 WIDE = 130
 """Width of a terminal from which sources and every column of the engine tables are shown [characters]."""
-_BRIEF = ("gearbox_mass_kg", "torque_nm", "gearbox_kw_kg", "torque_nm_kg")
+_BRIEF = ("gearbox_mass_kg", "gearbox_kw_kg", "torque_nm_kg")
 
 
 def comparison_table(found: Comparison, *, width: int = WIDE) -> RenderableType:
