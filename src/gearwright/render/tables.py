@@ -1,0 +1,215 @@
+"""Tables of records: one mechanism for the terminal, the report and machines.
+
+A column takes header, unit, equation and source from the marks of the record's field (`gearwright.units`), so that
+no unit and no formula is written twice.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
+
+from gearwright.units import SUFFIXES, Origin, Quantity, shown, unit
+
+Mark = Literal["", "given", "estimated"]
+"""Where a value comes from: computed, given by the user in place of the computed one, or estimated."""
+MARKS: Mapping[Mark, tuple[str, str]] = MappingProxyType(
+    {"given": ("*", "given by the user in place of the computed value"), "estimated": ("~", "estimated: not given")}
+)
+"""Mark -> sign beside the value, and what it says."""
+SYMBOLS: Mapping[str, str] = MappingProxyType({
+    "teeth": "z", "module": "m_n", "helix_angle": "β", "face_width": "b", "pitch_diameter": "d", "mass": "m",
+    "inertia": "I", "speed": "n", "torque": "T", "power": "P", "load_factor": "K_γ", "tangential_force": "F_t",
+    "radial_force": "F_r", "axial_force": "F_a", "pitch_line_velocity": "v", "bending_stress": "σ_F",
+    "contact_stress": "σ_H", "stiffness": "k", "bending_moment": "M_b", "diameter": "d", "bore": "d_i",
+    "length": "L", "pin_force": "F_p", "radius": "r_c", "pin_diameter": "d_p", "plate_thickness": "t",
+    "frequency": "f", "bodies": "N", "count": "N",
+    "module_bending": "m_n (σ_F)", "module_contact": "m_n (σ_H)", "bending_margin": "margin σ_F",
+    "contact_margin": "margin σ_H",
+})  # fmt: skip
+"""Field -> symbol of the trade."""
+_HEADERS = {"name": "", "count": "meshes"}
+SMALLEST_PLAIN = 1e-3
+"""Magnitude below which a number is written with a power of ten."""
+
+
+@dataclass(frozen=True)
+class Column:
+    """One field of the records."""
+
+    name: str
+    """Name of the field."""
+    header: str
+    """In words."""
+    symbol: str
+    """Of the trade; empty if there is none."""
+    dimension: str
+    """Key of the units, or empty for words and counts."""
+    origin: Origin | None
+    """Equation and source of a computed field."""
+
+    @property
+    def unit(self) -> str:
+        """Unit in which the column is shown."""
+        return unit(self.dimension) if self.dimension else ""
+
+    @property
+    def key(self) -> str:
+        """Name with the unit, as in design files: ``face_width_mm``."""
+        for suffix, factor in SUFFIXES.get(self.dimension, {}).items():
+            if math.isclose(factor * shown(1.0, self.dimension), 1.0):
+                return f"{self.name}_{suffix}"
+        return self.name
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One value of one record."""
+
+    value: Any
+    """In the unit that is shown; words, counts and names as they are; None where there is none."""
+    text: str
+    """As it is read."""
+    mark: Mark = ""
+    """Where it comes from."""
+
+    @property
+    def is_number(self) -> bool:
+        """True for what is aligned to the right."""
+        return isinstance(self.value, int | float) and not isinstance(self.value, bool)
+
+
+@dataclass(frozen=True)
+class Table:
+    """Records as rows of text."""
+
+    title: str
+    columns: tuple[Column, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    note: str = ""
+    """What the reader must know."""
+
+    @property
+    def marks(self) -> tuple[Mark, ...]:
+        """Marks that occur, for the legend."""
+        return tuple(mark for mark in MARKS if any(cell.mark == mark for row in self.rows for cell in row))
+
+
+Marking = Callable[[object, str], Mark]
+"""Record and field -> mark."""
+
+
+def _computed(record: object, field: str) -> Mark:
+    """Return the mark of a value that is computed: none."""
+    return ""
+
+
+def table(
+    title: str, records: Iterable[object], fields: Sequence[str], *, mark: Marking = _computed, note: str = ""
+) -> Table:
+    """Return the table of some fields of equal records.
+
+    Args:
+        title: In words.
+        records: Frozen records of one type; none at all gives a table without rows and columns.
+        fields: Names of the columns, in order.
+        mark: Tells where a value comes from.
+        note: What the reader must know.
+    """
+    listed = list(records)
+    if not listed:
+        return Table(title, (), (), note)
+    hints = get_type_hints(type(listed[0]), include_extras=True)
+    hints |= {name: _returned(type(listed[0]), name) for name in fields if name not in hints}
+    columns = tuple(column(name, hints[name]) for name in fields)
+    rows = tuple(tuple(cell(getattr(one, c.name), c, mark(one, c.name)) for c in columns) for one in listed)
+    return Table(title, columns, rows, note)
+
+
+def _returned(record: type, name: str) -> Any:
+    return get_type_hints(getattr(record, name).fget, include_extras=True)["return"]
+
+
+def column(name: str, hint: Any) -> Column:
+    """Return the column of a field.
+
+    Args:
+        name: Of the field.
+        hint: Its annotation with marks.
+    """
+    marks = [mark for part in _parts(hint) for mark in getattr(part, "__metadata__", ())]
+    quantity = next((mark.dimension for mark in marks if isinstance(mark, Quantity)), "")
+    origin = next((mark for mark in marks if isinstance(mark, Origin)), None)
+    return Column(name, _HEADERS.get(name, name.replace("_", " ")), SYMBOLS.get(name, ""), quantity, origin)
+
+
+def _parts(hint: Any) -> tuple[Any, ...]:
+    if get_origin(hint) is Annotated:
+        return (hint,)
+    return get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
+
+
+def cell(value: object, column: Column, mark: Mark = "") -> Cell:
+    """Return one value as it is read.
+
+    Args:
+        value: In SI.
+        column: Its column.
+        mark: Where it comes from.
+    """
+    if isinstance(value, float):
+        number = shown(value, column.dimension) if column.dimension else value
+        return Cell(number, written(number), mark)
+    if value is None:
+        return Cell(None, "–", mark)
+    if isinstance(value, tuple):
+        return Cell(list(value), ", ".join(map(str, value)), mark)
+    return Cell(value, str(value), mark)
+
+
+def written(number: float, digits: int = 4) -> str:
+    """Return a number with so many significant digits, trailing zeros kept.
+
+    Args:
+        number: In the unit that is shown.
+        digits: Significant digits [-].
+
+    >>> written(1.0), written(-16035.0), written(0.0)
+    ('1.000', '−16035', '0')
+    """
+    if number < 0.0:
+        return f"−{written(-number, digits)}"
+    if math.isinf(number):
+        return "∞"
+    if number == 0.0:
+        return "0"
+    if abs(number) >= 10 ** (digits - 1):
+        return f"{number:.0f}"
+    if abs(number) < SMALLEST_PLAIN:
+        return f"{number:.{digits - 1}e}"
+    return f"{number:#.{digits}g}".rstrip(".")
+
+
+def as_json(one: Table) -> dict[str, Any]:
+    """Return a table for machines: columns with unit, equation and source, and rows by key.
+
+    Values have all their digits and the unit that the key names; what is not finite is null.
+
+    Args:
+        one: The table.
+    """
+    columns = [
+        {"key": c.key, "unit": c.unit, "equation": c.origin.equation, "source": c.origin.source}
+        if c.origin
+        else {"key": c.key, "unit": c.unit}
+        for c in one.columns
+    ]
+    rows = [{c.key: _finite(each.value) for c, each in zip(one.columns, row, strict=True)} for row in one.rows]
+    return {"title": one.title, "columns": columns, "rows": rows}
+
+
+def _finite(value: Any) -> Any:
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,0 +1,104 @@
+"""Words for the terminal: the report of a Sizing, the modes, the summary of a Trace.
+
+Each function returns something that rich prints; nothing here writes to the screen.
+"""
+
+from __future__ import annotations
+
+from rich import box
+from rich.console import Group, RenderableType
+from rich.table import Table as RichTable
+from rich.text import Text
+
+from gearwright.dynamics import Modes, Trace
+from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
+from gearwright.render.tables import MARKS, Cell, Column, Table
+from gearwright.render.views import flow_tables, tables_of
+from gearwright.sizing.result import Sizing
+from gearwright.units import text
+
+_ORDER = ("margins", "speeds", "gears", "meshes", "rating", "shafts", "carriers", "machines", "mass")
+
+
+def sizing_text(sizing: Sizing) -> RenderableType:
+    """Return the report of a sizing for the terminal.
+
+    Args:
+        sizing: As sized.
+    """
+    tables = tables_of(sizing)
+    parts: list[RenderableType] = [Text(sizing.design.name, style="bold"), Text(summary(sizing)), Text()]
+    parts += [table_text(each) for each in flow_tables(sizing)]
+    parts += [table_text(tables[name]) for name in _ORDER if tables[name].rows]
+    return Group(*parts)
+
+
+def summary(sizing: Sizing) -> str:
+    """Return mass, power density and worst margin in one or two sentences.
+
+    Args:
+        sizing: As sized.
+    """
+    parts = ", ".join(
+        f"{what} {text(mass, 'mass')}"
+        for what, mass in (
+            ("gears", sizing.gear_mass),
+            ("shafts", sizing.shaft_mass),
+            ("carriers", sizing.carrier_mass),
+        )
+    )
+    motors = f" Motors {text(sizing.motor_mass, 'mass')}." if sizing.motor_mass else ""
+    return (
+        f"{text(sizing.mass, 'mass')} ({parts}), {text(sizing.power_density, 'specific_power')},"
+        f" worst margin {sizing.worst_margin:.3f}.{motors}"
+    )
+
+
+def modes_text(modes: Modes, *, most: int = 30) -> RenderableType:
+    """Return the natural frequencies for the terminal.
+
+    Args:
+        modes: As found.
+        most: Modes that are listed at most.
+    """
+    return table_text(mode_table(modes, most=most))
+
+
+def trace_text(trace: Trace) -> RenderableType:
+    """Return mean, least, greatest, rms and peak-to-peak of every line, and the energy book, for the terminal.
+
+    Args:
+        trace: As simulated.
+    """
+    head = Text(
+        f"{trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
+        f" estimated force error {trace.error:.1e}"
+    )
+    notes = [Text(note, style="yellow") for note in trace.notes]
+    return Group(head, *notes, Text(), *(table_text(each) for each in (*motion_tables(trace), energy_table(trace))))
+
+
+def table_text(one: Table) -> RenderableType:
+    """Return a table for the terminal.
+
+    Args:
+        one: The table.
+    """
+    shape = RichTable(title=one.title, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD, pad_edge=False)
+    for k, column in enumerate(one.columns):
+        right = any(row[k].is_number for row in one.rows)
+        shape.add_column(_head(column), justify="right" if right else "left", no_wrap=right, overflow="fold")
+    for row in one.rows:
+        shape.add_row(*(_shown(cell) for cell in row))
+    legend = [f"{MARKS[mark][0]} {MARKS[mark][1]}" for mark in one.marks]
+    below = " ".join([*([one.note] if one.note else []), *(f"{words}." for words in legend)])
+    return Group(shape, Text(f"{below}\n", style="dim")) if below else shape
+
+
+def _head(column: Column) -> str:
+    return f"{column.symbol or column.header}\n{column.unit}"
+
+
+def _shown(cell: Cell) -> Text:
+    sign = MARKS[cell.mark][0] if cell.mark else ""
+    return Text(cell.text + sign)

@@ -1,0 +1,141 @@
+"""The look of every figure: one font, one small palette, a thin grid; and a figure as SVG or PNG, the same each time.
+
+The palette is Okabe and Ito's, which also those see who do not tell red from green. Fonts are those that matplotlib
+ships, and letters become outlines, so that a figure looks the same everywhere.
+"""
+
+from __future__ import annotations
+
+import functools
+import io
+import re
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any, ParamSpec
+
+import matplotlib as mpl
+from cycler import cycler
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+INK, MUTED, HAIR, PAPER = "#1d2530", "#66707c", "#d9dde2", "#ffffff"
+BLUE, ORANGE, GREEN, PURPLE = "#0072b2", "#d55e00", "#009e73", "#a3548c"
+SKY, AMBER = "#56b4e9", "#e69f00"
+STEEL = "#e4e8ed"
+"""Fill of gears and boxes."""
+CYCLE = (BLUE, ORANGE, GREEN, PURPLE, SKY, AMBER)
+"""Colours of curves, in order."""
+KIND_COLOURS: Mapping[str, str] = MappingProxyType({"turbine": BLUE, "motor": ORANGE, "propeller": GREEN})
+"""Colour of the power that each kind of machine gives."""
+INCH = 25.4
+"""[mm]; figures are sized in mm of paper."""
+RESOLUTION = 160.0
+"""Of PNG images [dots per inch]."""
+
+_STYLE: dict[Any, Any] = {
+    "font.family": ["DejaVu Sans"],
+    "font.size": 8.0,
+    "axes.titlesize": 9.0,
+    "axes.titlelocation": "left",
+    "axes.titleweight": "bold",
+    "axes.labelsize": 8.0,
+    "axes.labelcolor": INK,
+    "axes.edgecolor": MUTED,
+    "axes.linewidth": 0.6,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.prop_cycle": cycler(color=list(CYCLE)),
+    "grid.color": HAIR,
+    "grid.linewidth": 0.5,
+    "text.color": INK,
+    "xtick.color": MUTED,
+    "ytick.color": MUTED,
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "lines.linewidth": 1.1,
+    "legend.frameon": False,
+    "legend.fontsize": 7.5,
+    "figure.facecolor": PAPER,
+    "hatch.linewidth": 0.6,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "gearwright",
+    "path.simplify": True,
+}
+
+_Inputs = ParamSpec("_Inputs")
+
+
+def styled(draw: Callable[_Inputs, Figure]) -> Callable[_Inputs, Figure]:
+    """Return a drawing function whose figure has the look of this module and leaves matplotlib's settings alone.
+
+    Args:
+        draw: Builds the figure.
+    """
+
+    @functools.wraps(draw)
+    def drawn(*args: _Inputs.args, **kwargs: _Inputs.kwargs) -> Figure:
+        with mpl.rc_context(_STYLE):
+            figure = draw(*args, **kwargs)
+            # The layout is settled once; solved anew at every saving, it would drift in the last digits.
+            figure.draw_without_rendering()
+            figure.set_layout_engine("none")
+        return figure
+
+    return drawn
+
+
+def sheet(width: float, height: float) -> Figure:
+    """Return an empty figure.
+
+    Args:
+        width: Of the paper [mm].
+        height: Of the paper [mm].
+    """
+    return Figure(figsize=(width / INCH, height / INCH), layout="constrained")
+
+
+def only_grid(axes: Axes, axis: str) -> None:
+    """Keep the grid lines of one axis, as bars need.
+
+    Args:
+        axes: To change.
+        axis: ``"x"`` or ``"y"``.
+    """
+    other = axes.yaxis if axis == "x" else axes.xaxis
+    other.grid(visible=False)
+    other.set_tick_params(length=0)
+
+
+def to_svg(figure: Figure, prefix: str = "") -> str:
+    """Return a figure as an SVG element that stands alone or inside a page.
+
+    Args:
+        figure: As drawn.
+        prefix: Goes before every id, so that several figures can share a page.
+    """
+    buffer = io.StringIO()
+    with mpl.rc_context(_STYLE):
+        figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
+    text = buffer.getvalue()
+    text = text[text.index("<svg") :]
+    text = re.sub(r"<metadata>.*?</metadata>\s*", "", text, flags=re.DOTALL)
+    if prefix:
+        text = re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{prefix}-", text)
+    return re.sub(r"[ \t]+\n", "\n", text)
+
+
+def to_png(figure: Figure, resolution: float = RESOLUTION) -> bytes:
+    """Return a figure as a PNG image.
+
+    Args:
+        figure: As drawn.
+        resolution: [dots per inch].
+    """
+    buffer = io.BytesIO()
+    with mpl.rc_context(_STYLE):
+        figure.savefig(buffer, format="png", dpi=resolution, metadata={"Software": None})
+    return buffer.getvalue()

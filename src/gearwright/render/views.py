@@ -1,0 +1,221 @@
+"""What a reader wants to see of a Sizing, as tables: load cases, margins worst first, gears, shafts, masses."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Annotated
+
+from gearwright.render.branches import Branch, branches
+from gearwright.render.tables import Mark, Table, table
+from gearwright.sizing.result import MachineSizing, MeshSizing, ShaftSizing, Sizing
+from gearwright.sizing.teeth import groups_of
+from gearwright.spec.design import ShaftLayout
+from gearwright.units import Mass, Origin, Quantity, Ratio, Speed, Stress
+
+NOT_IN_THE_MASS = "Not in the mass: housing, bearings, oil system, accessories, motors."
+_JUST_ENOUGH = (
+    "Margin: allowable over actual stress, the asked factor included; 1 is just enough. Equations of Pulvirenti 2023."
+)
+KEPT = 1e-9
+"""Deviation of a speed below which it counts as kept [-]; rounding is far below."""
+ROUNDING = 1e-9
+"""How far a margin may be below 1 through rounding [-]."""
+
+
+@dataclass(frozen=True)
+class Margin:
+    """One check of one part."""
+
+    part: str
+    check: str
+    """What is checked."""
+    case: str
+    """Load case that governs."""
+    stress: Stress
+    """Actual [Pa]."""
+    allowable: Stress
+    """With the asked factor in it [Pa]."""
+    margin: Ratio
+    """Allowable over actual [-]; 1 is just enough."""
+    source: str
+    """Equation."""
+
+    @property
+    def holds(self) -> bool:
+        """True if the stress is allowed."""
+        return self.margin >= 1.0 - ROUNDING
+
+
+@dataclass(frozen=True)
+class MassPart:
+    """One line of the mass breakdown."""
+
+    part: str
+    group: str
+    """gears, shafts or carriers."""
+    count: int
+    each: Mass
+    """Of one [kg]."""
+    total: Mass
+    """Of all [kg]."""
+    share: Annotated[float, Quantity("percent")]
+    """Of the mass of gears, shafts and carriers [-]."""
+
+
+@dataclass(frozen=True)
+class AskedSpeed:
+    """A speed that the teeth give only nearly."""
+
+    case: str
+    machine: str
+    asked: Speed
+    """[rad/s]"""
+    actual: Speed
+    """[rad/s]"""
+    deviation: Annotated[float, Quantity("percent"), Origin("actual / asked − 1", "kinematics of the teeth")]
+    """[-]"""
+
+
+def margins(sizing: Sizing) -> tuple[Margin, ...]:
+    """Return every check of a sizing, worst first.
+
+    Args:
+        sizing: As sized.
+    """
+    found = [each for mesh in sizing.meshes for each in _mesh_margins(mesh)]
+    found += [_shaft_margin(shaft) for shaft in sizing.shafts]
+    return tuple(sorted(found, key=lambda each: (round(each.margin, 9), each.part)))
+
+
+def _mesh_margins(mesh: MeshSizing) -> list[Margin]:
+    return [
+        _margin(mesh.name, "tooth root bending", mesh.case, mesh.bending_stress, mesh.bending_margin, "Lewis; eq. 2.1"),
+        _margin(mesh.name, "flank contact", mesh.case, mesh.contact_stress, mesh.contact_margin, "Hertz; eq. 2.2"),
+    ]  # fmt: skip
+
+
+def _shaft_margin(shaft: ShaftSizing) -> Margin:
+    return _margin(shaft.name, "shaft, Tresca", shaft.case, shaft.stress, shaft.margin, "eq. 2.47")
+
+
+def _margin(part: str, check: str, case: str, stress: float, margin: float, source: str) -> Margin:
+    allowable = stress * margin if math.isfinite(margin) else math.inf
+    return Margin(part, check, case, stress, allowable, margin, source)
+
+
+def mass_parts(sizing: Sizing) -> tuple[MassPart, ...]:
+    """Return the mass breakdown of gears, shafts and carriers, heaviest first.
+
+    Args:
+        sizing: As sized.
+    """
+    parts = [(gear.name, "gears", gear.bodies, gear.mass) for gear in sizing.gears]
+    parts += [(shaft.name, "shafts", 1, shaft.mass) for shaft in sizing.shafts]
+    parts += [(f"{carrier.stage}.carrier", "carriers", 1, carrier.mass) for carrier in sizing.carriers]
+    rows = [
+        MassPart(part, group, count, each, count * each, count * each / sizing.mass)
+        for part, group, count, each in parts
+    ]
+    return tuple(sorted(rows, key=lambda row: -row.total))
+
+
+def asked_speeds(sizing: Sizing) -> tuple[AskedSpeed, ...]:
+    """Return every asked speed that the teeth do not give exactly.
+
+    Args:
+        sizing: As sized.
+    """
+    return tuple(
+        AskedSpeed(case, each.machine, each.asked, each.actual, each.deviation)
+        for case, flow in sizing.flows.items()
+        for each in flow.yielded
+        if abs(each.deviation) > KEPT
+    )
+
+
+def given_by_user(sizing: Sizing, record: object, field: str) -> Mark:
+    """Return whether a value was computed, given by the user, or estimated.
+
+    Args:
+        sizing: With its overrides and its design.
+        record: One of its records.
+        field: Name of the field.
+    """
+    name, stage = getattr(record, "name", ""), getattr(record, "stage", "")
+    owner = groups_of(sizing.design).get(stage, stage)
+    paths = {f"{name}.{field}", f"{stage}.{field}", f"{stage}.carrier.{field}"}
+    if field == "module":
+        paths.add(f"{owner}.module")
+    if paths & set(sizing.overrides) or _in_design(sizing, record, field):
+        return "given"
+    if isinstance(record, MachineSizing) and field == "inertia" and not record.inertia_is_given:
+        return "estimated"
+    return ""
+
+
+def _in_design(sizing: Sizing, record: object, field: str) -> bool:
+    """Tell whether the design file itself states a value that would else be computed."""
+    if isinstance(record, ShaftSizing):
+        layout = sizing.design.layout.get(record.name, ShaftLayout())
+        return getattr(layout, field, None) is not None
+    if isinstance(record, MachineSizing) and field in ("mass", "inertia"):
+        return getattr(sizing.design.machines[record.name], field, None) is not None
+    return False
+
+
+def flow_tables(sizing: Sizing) -> tuple[Table, ...]:
+    """Return one table per load case: speed, torque and power of every part on every shaft.
+
+    Args:
+        sizing: As sized.
+    """
+    note = "Torque on the shaft; power into the shaft is positive."
+    fields = ("shaft", "part", "speed", "torque", "power")
+    return tuple(table(f"Case {case}", _shaft_by_shaft(sizing, case), fields, note=note) for case in sizing.flows)
+
+
+def _shaft_by_shaft(sizing: Sizing, case: str) -> list[Branch]:
+    found = branches(sizing.train, sizing.flows[case])
+    return [each for shaft in sizing.design.shafts for each in found if each.shaft == shaft]
+
+
+def tables_of(sizing: Sizing) -> dict[str, Table]:
+    """Return every table of a sizing, by a short name.
+
+    Args:
+        sizing: As sized.
+    """
+
+    def mark(record: object, field: str) -> Mark:
+        return given_by_user(sizing, record, field)
+
+    return {
+        "margins": table("Margins, worst first", margins(sizing),
+                         ("part", "check", "case", "stress", "allowable", "margin", "source"),
+                         note=_JUST_ENOUGH),
+        "speeds": table("Speeds that yield", asked_speeds(sizing),
+                        ("case", "machine", "asked", "actual", "deviation")),
+        "gears": table("Gears", sizing.gears, _gear_fields(sizing), mark=mark),
+        "meshes": table("Mesh forces", sizing.meshes,
+                        ("name", "count", "case", "load_factor", "tangential_force", "radial_force", "axial_force",
+                         "pitch_line_velocity"), note="Forces of one mesh."),
+        "rating": table("Mesh rating", sizing.meshes,
+                        ("name", "module_bending", "module_contact", "bending_stress", "bending_margin",
+                         "contact_stress", "contact_margin")),
+        "shafts": table("Shafts", sizing.shafts,
+                        ("name", "torque", "bending_moment", "length", "diameter", "bore", "stress", "margin",
+                         "stiffness", "mass", "inertia"), mark=mark),
+        "carriers": table("Carriers", sizing.carriers,
+                          ("stage", "shaft", "torque", "pin_force", "radius", "pin_diameter", "plate_thickness",
+                           "mass", "inertia"), mark=mark),
+        "machines": table("Machines", sizing.machines, ("name", "kind", "shaft", "torque", "mass", "inertia"),
+                          mark=mark),
+        "mass": table("Mass", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),
+                      note=NOT_IN_THE_MASS),
+    }  # fmt: skip
+
+
+def _gear_fields(sizing: Sizing) -> tuple[str, ...]:
+    helical = ("helix_angle",) if any(gear.helix_angle for gear in sizing.gears) else ()
+    return ("name", "bodies", "teeth", "module", *helical, "face_width", "pitch_diameter", "mass", "inertia")
