@@ -8,14 +8,16 @@ percentage of the row at once. Columns are in the units of the tables.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
+from types import MappingProxyType
 
 from gearwright.catalogue.engines import Engine, Printed, engines
 from gearwright.sizing.statistical.ndarc import mass_afdd00
 
-COLUMNS: dict[str, tuple[str, str, str]] = {
+_COLUMNS: dict[str, tuple[str, str, str]] = {
     "gearbox_mass_kg": ("m_GB", "kg", "NASA'15 at the engine speed of the series"),
     "torque_nm": ("Q", "N m", "P / ω_prop"),
     "engine_kw_kg": ("Pd_engine", "kW/kg", "P / m_engine"),
@@ -24,6 +26,7 @@ COLUMNS: dict[str, tuple[str, str, str]] = {
     "torque_nm_kg": ("Qd", "N m/kg", "Q / m_engine"),
     "gearbox_percent": ("%GB", "%", "100 m_GB / m_engine"),
 }
+COLUMNS: Mapping[str, tuple[str, str, str]] = MappingProxyType(_COLUMNS)
 """Column of the tables -> symbol, unit, formula."""
 
 

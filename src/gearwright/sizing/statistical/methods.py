@@ -12,7 +12,8 @@ from gearwright.sizing.statistical.refit import mass_refit, refit, refit_range
 from gearwright.sizing.statistical.requirement import Requirement
 from gearwright.units import HORSEPOWER
 
-_DRIVE_SYSTEM = Coverage(lubrication="not stated", rotor_shaft="included", accessories="included")
+_AFDD00 = Coverage(lubrication="not stated", rotor_shaft="included", accessories="included")
+_AFDD83 = Coverage(lubrication="not stated", rotor_shaft="included", accessories="not stated")
 _UNSTATED = Coverage(lubrication="not stated", rotor_shaft="not stated", accessories="not stated")
 _WITH_LUBRICATION = Coverage(lubrication="included", rotor_shaft="not stated", accessories="not stated")
 _NOTHING_SAID = Coverage("not stated", "not stated", "not stated", housing="not stated")
@@ -71,7 +72,7 @@ def _ndarc() -> tuple[Method, Method]:
             formula="W[lb] = 95.7634 N^0.38553 hp^0.78137 rpm_in^0.09899 / rpm_out^0.80686",
             source="Johnson 2015, NASA/TP-2015-218751; Pulvirenti 2023, eq. 1.1",
             basis="52 rotorcraft, mean error 8.6 %",
-            includes=_DRIVE_SYSTEM,
+            includes=_AFDD00,
             mass=lambda need: ndarc.mass_afdd00(need.power, need.engine_speed, need.propeller_speed),
             assumes="N = 1 rotor",
         ),
@@ -81,7 +82,7 @@ def _ndarc() -> tuple[Method, Method]:
             formula="W[lb] = 57.72 hp^0.8195 f_Q^0.068 N_gb^0.0663 (rpm_in/1000)^0.0369 / rpm_out^0.6379",
             source="Johnson 2015, NASA/TP-2015-218751",
             basis="30 aircraft, mean error 7.7 %",
-            includes=_DRIVE_SYSTEM,
+            includes=_AFDD83,
             mass=lambda need: ndarc.mass_afdd83(need.power, need.engine_speed, need.propeller_speed),
             assumes="f_Q = 3 %, N_gb = 1",
         ),
