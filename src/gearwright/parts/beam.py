@@ -1,0 +1,143 @@
+"""A shaft as a beam on two bearings: reactions, shear, bending and torsion under point loads, by equilibrium alone.
+
+Planes and load cases are leading axes of the arrays, so that one call serves both planes of every case. A bearing
+gives a force and no couple; bearings and loads may stand anywhere along the shaft, in any order.
+
+Signs: x runs along the shaft from its left end. The shear force at a section is the sum of the forces left of it, the
+bending moment is the moment of these forces about the section, dM/dx = V, and the torsion is the sum of the torques
+left of it. A couple is positive if it turns as a positive force does that acts right of the origin.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearwright.errors import DesignError, Problem
+
+Array = NDArray[np.float64]
+
+
+class PointLoads(NamedTuple):
+    """What acts on a shaft at points."""
+
+    position: Array
+    """x of every load [m], (n,)."""
+    force: Array
+    """Transverse forces [N], (..., n)."""
+    couple: Array
+    """Bending couples, such as an axial force times its lever [N m], (..., n)."""
+    torque: Array
+    """Torques about the shaft's axis [N m], (..., n)."""
+
+
+class Diagram(NamedTuple):
+    """Shear, bending and torsion just left and just right of every load; straight lines lie between."""
+
+    position: Array
+    """x, each one twice [m], (2 n,)."""
+    shear: Array
+    """[N], (..., 2 n)."""
+    bending: Array
+    """[N m], (..., 2 n)."""
+    torsion: Array
+    """[N m], (..., 2 n)."""
+
+
+def bearing_reactions(loads: PointLoads, bearings: ArrayLike) -> Array:
+    """Return the forces of two bearings on a shaft [N], (..., 2).
+
+    Args:
+        loads: What acts on the shaft [m, N, N m].
+        bearings: x of the two bearings [m], (2,).
+
+    Source: equilibrium of forces and moments; Pulvirenti 2023, eqs (2.43) and (2.45), the latter corrected.
+
+    Raises:
+        DesignError: If there are not two bearings at two places.
+
+    >>> middle = PointLoads(np.array([0.5]), np.array([-100.0]), np.zeros(1), np.zeros(1))
+    >>> bearing_reactions(middle, [0.0, 1.0]).tolist()
+    [50.0, 50.0]
+    """
+    first, second = _two(np.asarray(bearings, dtype=float))
+    moment = loads.force @ (loads.position - first) + loads.couple.sum(axis=-1)
+    right = -moment / (second - first)
+    return np.stack([-loads.force.sum(axis=-1) - right, right], axis=-1)
+
+
+def _two(bearings: Array) -> tuple[float, float]:
+    if bearings.size != 2:
+        message = (
+            f"{bearings.size} given; two bearings hold a shaft: with fewer it falls, with more statics is not enough"
+        )
+        raise DesignError([Problem("bearings", message)])
+    if bearings[0] == bearings[1]:
+        raise DesignError([Problem("bearings", f"both stand at {1e3 * bearings[0]:g} mm; give two different places")])
+    return float(bearings[0]), float(bearings[1])
+
+
+def supported(loads: PointLoads, bearings: ArrayLike, *, length: float) -> PointLoads:
+    """Return the loads with the reactions of the bearings among them, in balance.
+
+    Args:
+        loads: What acts on the shaft [m, N, N m].
+        bearings: x of the two bearings [m], (2,).
+        length: Of the shaft [m]; every load and bearing stands between 0 and it.
+
+    Source: equilibrium; Pulvirenti 2023, eqs (2.43) and (2.45), the latter corrected.
+
+    Raises:
+        DesignError: If a load or a bearing stands outside the shaft.
+    """
+    seats = np.asarray(bearings, dtype=float)
+    reactions = bearing_reactions(loads, seats)
+    for what, places in (("loads", loads.position), ("bearings", seats)):
+        outside = places[(places < 0.0) | (places > length)]
+        if outside.size:
+            message = f"{1e3 * outside[0]:.6g} mm is outside the shaft; allowed: 0 to {1e3 * length:.6g} mm"
+            raise DesignError([Problem(what, message)])
+    return PointLoads(
+        np.concatenate([loads.position, seats]),
+        np.concatenate([loads.force, reactions], axis=-1),
+        _padded(loads.couple),
+        _padded(loads.torque),
+    )
+
+
+def _padded(values: Array) -> Array:
+    """Return values with zeros for the two bearings."""
+    return np.concatenate([values, np.zeros((*values.shape[:-1], 2))], axis=-1)
+
+
+def diagram(loads: PointLoads) -> Diagram:
+    """Return shear, bending and torsion along a shaft under all that acts on it, reactions included.
+
+    The largest bending moment stands at one of the stations, also that of both planes together, because the moment runs
+    straight between them. Loads at one place keep their order.
+
+    Args:
+        loads: In balance [m, N, N m].
+
+    Source: Pulvirenti 2023, eqs (2.44) and (2.46), the latter corrected: M(x) = Σ F_k (x − x_k) − Σ C_k over x_k < x.
+    """
+    order = np.argsort(loads.position, kind="stable")
+    position, force, couple = loads.position[order], loads.force[..., order], loads.couple[..., order]
+    shear = np.cumsum(force, axis=-1)
+    carried = np.zeros_like(shear)
+    np.cumsum(shear[..., :-1] * np.diff(position), axis=-1, out=carried[..., 1:])
+    bending = carried - np.cumsum(couple, axis=-1)
+    torque = loads.torque[..., order]
+    torsion = np.cumsum(torque, axis=-1)
+    return Diagram(
+        np.repeat(position, 2),
+        _both_sides(shear - force, shear),
+        _both_sides(bending + couple, bending),
+        _both_sides(torsion - torque, torsion),
+    )
+
+
+def _both_sides(left: Array, right: Array) -> Array:
+    return np.stack([left, right], axis=-1).reshape(*left.shape[:-1], -1)
