@@ -204,7 +204,7 @@ def spread_text(found: Comparison) -> str:
         found: Of `compare`.
     """
     low, high = found.spread
-    lines = [f"The methods that apply span {low:.0f} to {high:.0f} kg, a factor of {high / low:.1f}."]
+    lines = [f"The methods that apply span {low:.3g} to {high:.3g} kg, a factor of {high / low:.1f}."]
     lines += [
         f"{one.level:.0%} of real gearboxes of this β weigh {one.low:.0f} to {one.high:.0f} kg." for one in found.bands
     ]
