@@ -1,7 +1,7 @@
 """gearwright designs aircraft transmissions and shows how they behave.
 
 >>> import gearwright as gw
->>> design = gw.read(gw.shipped("in-line-h2"))
+>>> design = gw.read(gw.shipped_design("in-line-h2"))
 >>> sizing = gw.size(design)
 >>> round(sizing.gear_mass, 1)
 34.0
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from gearwright.dynamics.assemble import assemble
     from gearwright.errors import DesignError, SolveError
     from gearwright.render.report import report
-    from gearwright.shipped import shipped, shipped_names
+    from gearwright.shipped import shipped_design, shipped_designs
     from gearwright.sizing import size
     from gearwright.spec import parse, read, schema
     from gearwright.store import load, save
@@ -37,8 +37,8 @@ _VERBS = {
     "report": "render.report",
     "save": "store",
     "schema": "spec",
-    "shipped": "shipped",
-    "shipped_names": "shipped",
+    "shipped_design": "shipped",
+    "shipped_designs": "shipped",
     "simulate": "dynamics",
     "size": "sizing",
 }
@@ -57,8 +57,8 @@ __all__ = [
     "report",
     "save",
     "schema",
-    "shipped",
-    "shipped_names",
+    "shipped_design",
+    "shipped_designs",
     "simulate",
     "size",
 ]

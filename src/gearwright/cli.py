@@ -52,14 +52,14 @@ def new(
 ) -> None:
     """Write a shipped design as a file to start from, or list all of them."""
     from gearwright.errors import DesignError, Problem
-    from gearwright.shipped import shipped, shipped_names
+    from gearwright.shipped import shipped_design, shipped_designs
     from gearwright.spec import read
 
     if name is None:
-        for each in shipped_names():
-            typer.echo(f"{each:24} {read(shipped(each)).name}")
+        for each in shipped_designs():
+            typer.echo(f"{each:24} {read(shipped_design(each)).name}")
         return
-    text = shipped(name).read_text(encoding="utf-8")
+    text = shipped_design(name).read_text(encoding="utf-8")
     target = file or Path(f"{name}.toml")
     if target.exists() and not force:
         raise DesignError(
@@ -188,11 +188,11 @@ def schema() -> None:
 
 def _read(design: str) -> Design:
     """Return a design from a file, or a shipped one by its name."""
-    from gearwright.shipped import shipped, shipped_names
+    from gearwright.shipped import shipped_design, shipped_designs
     from gearwright.spec import read
 
     path = Path(design)
-    return read(shipped(design) if not path.exists() and design in shipped_names() else path)
+    return read(shipped_design(design) if not path.exists() and design in shipped_designs() else path)
 
 
 def _size(design: str) -> Sizing:

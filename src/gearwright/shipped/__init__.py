@@ -9,12 +9,12 @@ from gearwright.errors import DesignError, Problem, near
 _DESIGNS = Path(__file__).parent / "designs"
 
 
-def shipped_names() -> tuple[str, ...]:
+def shipped_designs() -> tuple[str, ...]:
     """Return the names of all shipped designs."""
     return tuple(sorted(path.stem for path in _DESIGNS.glob("*.toml")))
 
 
-def shipped(name: str) -> Path:
+def shipped_design(name: str) -> Path:
     """Return the path of a shipped design file.
 
     Args:
@@ -23,6 +23,6 @@ def shipped(name: str) -> Path:
     Raises:
         DesignError: If there is none of this name; with the nearest one.
     """
-    if name not in shipped_names():
-        raise DesignError([Problem("name", f"there is no shipped design {name!r}; {near(name, shipped_names())}")])
+    if name not in shipped_designs():
+        raise DesignError([Problem("name", f"there is no shipped design {name!r}; {near(name, shipped_designs())}")])
     return _DESIGNS / f"{name}.toml"

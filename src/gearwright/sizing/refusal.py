@@ -9,7 +9,7 @@ from gearwright.parts.planets import assembles, neighbours_clear
 from gearwright.spec import Design, Pair, Planetary
 
 
-def refusal(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: float) -> DesignError:
+def refusal(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: float, *, fewest: int) -> DesignError:
     """Return the error of a stage without candidates: the planets that would fit, or the ratio that teeth would give.
 
     Args:
@@ -17,13 +17,19 @@ def refusal(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: flo
         stage: As in the design.
         design: With the rules of the search.
         tooth_ratio: z_2/z_1 or z_r/z_s asked [-].
+        fewest: Fewest teeth of pinions without undercut [-].
     """
     if isinstance(stage, Planetary):
         return DesignError([_planetary(name, stage, design, tooth_ratio)])
-    lowest = design.teeth.pinion_minimum
+    least = design.teeth.pinion_minimum or fewest
+    given = [teeth for teeth in (stage.pinion_teeth, stage.wheel_teeth) if teeth is not None and teeth < least]
+    if given:
+        message = f"{given[0]} teeth are undercut; use at least {least}, or more gears.profile_shift"
+        return DesignError([Problem(f"pairs.{name}.pinion_teeth", message)])
     message = (
-        f"no tooth numbers give the ratio {tooth_ratio:.4g} within {design.teeth.stage_tolerance:.1%}; allow more in"
-        f" teeth.stage_tolerance, fewer teeth in teeth.pinion_minimum ({lowest or 'no undercut'}), or change the speeds"
+        f"no tooth numbers from {least} to {design.teeth.pinion_maximum} on the pinion give the ratio {tooth_ratio:.4g}"
+        f" within {design.teeth.stage_tolerance:.1%}; allow more in teeth.stage_tolerance or teeth.pinion_maximum, or"
+        " change the speeds"
     )
     return DesignError([Problem(f"pairs.{name}", message)])
 

@@ -8,65 +8,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.planets import assembles, neighbours_clear
-from gearwright.sizing.rating import Rating, modules, rating_of
+from gearwright.sizing.candidates import admissible, candidates, fewest_teeth, is_given
+from gearwright.sizing.front import Floats, Front, Integers, Task
+from gearwright.sizing.rating import modules, rating_of
 from gearwright.sizing.refusal import refusal
-from gearwright.spec import Design, Pair, Planetary
+from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.flow import RATED, PowerFlow, asked_speeds, power_flow
 from gearwright.train.graph import Train, gear_of
 from gearwright.train.kinematics import rows, solve_speeds
-from gearwright.train.targets import Edge, Targets
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
-
-
-@dataclass(frozen=True)
-class Front:
-    """All partial choices: every array has one entry per choice."""
-
-    teeth: Mapping[str, Integers]
-    """Gear -> tooth numbers."""
-    speeds: Mapping[str, Floats]
-    """Shaft -> speed that the teeth give [rad/s]."""
-    cubes: Mapping[str, Floats]
-    """Group of gears with one module -> m_n³ [m³]."""
-    volumes: Mapping[str, Floats]
-    """Group -> mass of its bodies over m_n³ [kg/m³]."""
-
-    @property
-    def mass(self) -> Floats:
-        """Mass of the gears chosen so far [kg]."""
-        parts = [self.cubes[group] * self.volumes[group] for group in self.cubes]
-        return np.sum(parts, axis=0) if parts else np.zeros(1)
-
-    def take(self, index: Integers) -> Front:
-        """Return the choices of an index, repeated where it repeats them."""
-        picked = [
-            {name: value[index] for name, value in part.items()} for part in (self.speeds, self.cubes, self.volumes)
-        ]
-        return Front({name: value[index] for name, value in self.teeth.items()}, *picked)
-
-
-@dataclass(frozen=True)
-class Task:
-    """One stage of the search."""
-
-    name: str
-    stage: Pair | Planetary
-    edge: Edge | None
-    group: str
-    rating: Rating
-    torque: float
-    """Largest nominal torque on the stage's reference gear per mesh, share and K_γ included [N m]."""
-    speed: float
-    """Nominal speed that belongs to it [rad/s]."""
+from gearwright.train.targets import Targets, members_of, willis_ratio, willis_speed
 
 
 def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, int]:
@@ -86,7 +42,9 @@ def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, in
     while tasks:
         task = next((each for each in tasks if _ready(each, front)), None)
         if task is None:
-            break
+            raise DesignError(
+                Problem(each.name, "no machine's speed leads to this stage; join its shafts") for each in tasks
+            )
         tasks.remove(task)
         front = _joined(design, _extend(front, task, design, nominal))
     best = front.take(np.array([int(np.argmin(front.mass))]))
@@ -149,10 +107,10 @@ def _ready(task: Task, front: Front) -> bool:
         shared = [gear_of(task.name, side, task.stage) for side in ("pinion", "wheel")]
         if any(gear.partition(".")[0] != task.name and gear not in front.teeth for gear in shared):
             return False
-    if task.edge is None:
-        members = [getattr(task.stage, member) for member in ("sun", "ring", "carrier")]
-        return sum(member in front.speeds for member in members) >= 2
-    return task.edge.fast[0] in front.speeds or task.edge.slow[0] in front.speeds
+    if isinstance(task.stage, Planetary):
+        members = members_of(task.stage)
+        return sum(member == GROUND or member in front.speeds for member in members) >= 2
+    return task.edge is not None and any(shaft in front.speeds for shaft in (*task.edge.fast, *task.edge.slow))
 
 
 def _joined(design: Design, front: Front) -> Front:
@@ -169,155 +127,67 @@ def _joined(design: Design, front: Front) -> Front:
 def _extend(front: Front, task: Task, design: Design, nominal: Targets) -> Front:
     """Multiply the front by a stage's candidates and keep those that its rules admit."""
     target = _target(front, task, nominal)
-    parent, small, large = _candidates(front, task, design, target)
-    actual = large / small
-    if isinstance(task.stage, Planetary):
-        actual = 1.0 + 2.0 * large / small
-    edge = task.edge
-    ratio = np.array([1.0]) if edge is None else _speed_ratio(edge, actual)
-    asked = None if edge is None else _speed_ratio(edge, target[parent])
-    good = _admissible(task, design, small, large)
-    if asked is not None and not _given(task.stage):
-        good &= np.abs(ratio / asked - 1.0) <= design.teeth.stage_tolerance
-    if edge is not None:
-        speeds = _new_speeds(front, edge, parent, ratio)
-        good &= _speeds_hold(design, speeds, task)
+    parent, small, large = candidates(front, task, design, target)
+    actual = 1.0 + 2.0 * large / small if isinstance(task.stage, Planetary) else large / small
+    good = admissible(task, design, small, large)
+    speeds = _new_speeds(front, task, parent, actual)
+    if not is_given(task.stage):
+        asked = target[parent]
+        if isinstance(task.stage, Planetary):
+            good &= np.abs((1.0 + actual) / (1.0 + asked) - 1.0) <= design.teeth.stage_tolerance
+        else:
+            good &= np.abs(actual / asked - 1.0) <= design.teeth.stage_tolerance
+        good &= _speeds_hold(design, speeds, len(small))
     if not good.any():
-        raise refusal(task.name, task.stage, design, float(np.median(target)))
+        raise refusal(task.name, task.stage, design, float(np.median(target)), fewest=fewest_teeth(task.rating))
     grown = front.take(parent[good])
-    if edge is not None:
-        grown = replace(grown, speeds={**grown.speeds, **{shaft: value[good] for shaft, value in speeds.items()}})
-    return _weigh(grown, task, small[good], large[good], design)
+    grown = replace(grown, speeds={**grown.speeds, **{shaft: value[good] for shaft, value in speeds.items()}})
+    return _weigh(grown, task, small[good], large[good])
 
 
 def _target(front: Front, task: Task, nominal: Targets) -> Floats:
     """Return the tooth ratio asked of every choice in the front [-]."""
     count = len(next(iter(front.speeds.values())))
-    if task.edge is None:
-        return np.full(count, nominal.tooth_ratios[task.name])
-    fast = front.speeds.get(task.edge.fast[0], np.full(count, nominal.speeds[task.edge.fast[0]]))
-    slow = front.speeds.get(task.edge.slow[0], np.full(count, nominal.speeds[task.edge.slow[0]]))
-    ratio = fast / slow
-    match task.edge.grounded:
-        case "ring":
-            return np.asarray(ratio - 1.0)
-        case "sun":
-            return np.asarray(1.0 / (ratio - 1.0))
-        case _:
-            return np.asarray(ratio)
+
+    def speed(shaft: str) -> Floats:
+        return front.speeds.get(shaft, np.full(count, nominal.speeds.get(shaft, 0.0)))
+
+    if isinstance(task.stage, Planetary):
+        return willis_ratio(task.stage, {member: speed(member) for member in members_of(task.stage)})
+    edge = nominal.edges[task.name]
+    return np.asarray(speed(_known(edge.fast, front)) / speed(_known(edge.slow, front)))
 
 
-def _speed_ratio(edge: Edge, tooth_ratio: Floats) -> Floats:
-    match edge.grounded:
-        case "ring":
-            return 1.0 + tooth_ratio
-        case "sun":
-            return 1.0 + 1.0 / tooth_ratio
-        case _:
-            return tooth_ratio
+def _known(shafts: tuple[str, ...], front: Front) -> str:
+    return next((shaft for shaft in shafts if shaft in front.speeds), shafts[0])
 
 
-def _given(stage: Pair | Planetary) -> bool:
-    if isinstance(stage, Pair):
-        return bool(stage.pinion_teeth and stage.wheel_teeth)
-    return sum(each is not None for each in (stage.sun_teeth, stage.planet_teeth, stage.ring_teeth)) >= 2
+def _new_speeds(front: Front, task: Task, parent: Integers, ratio: Floats) -> dict[str, Floats]:
+    """Return the speeds of the shafts that a stage reaches."""
+    known = {shaft: value[parent] for shaft, value in front.speeds.items()}
+    if isinstance(task.stage, Planetary):
+        missing = [member for member in members_of(task.stage) if member != GROUND and member not in known]
+        return {member: willis_speed(task.stage, member, ratio, known) for member in missing}
+    edge = task.edge
+    if edge is None:
+        return {}
+    source = next((shaft for shaft in edge.fast if shaft in known), None)
+    if source is not None:
+        return {shaft: known[source] / ratio for shaft in edge.slow if shaft not in known}
+    source = next(shaft for shaft in edge.slow if shaft in known)
+    return dict.fromkeys(edge.fast, known[source] * ratio)
 
 
-def _candidates(front: Front, task: Task, design: Design, target: Floats) -> tuple[Integers, Integers, Integers]:
-    """Return parents, and the tooth numbers of pinion and wheel, or of sun and planet."""
-    stage, rules = task.stage, design.teeth
-    if isinstance(stage, Planetary):
-        first, second = _planetary_given(stage)
-        small = np.array([first]) if first else np.arange(rules.sun_minimum, rules.sun_maximum + 1)
-        wanted = (target[:, None] - 1.0) / 2.0 * small
-        return _neighbours(wanted, small, second)
-    pinion, wheel = (gear_of(task.name, side, stage) for side in ("pinion", "wheel"))
-    if wheel in front.teeth:
-        large = front.teeth[wheel]
-        return _around(large / target, large, stage.pinion_teeth)
-    if pinion in front.teeth:
-        parent, large, small_ = _around(front.teeth[pinion] * target, front.teeth[pinion], stage.wheel_teeth)
-        return parent, small_, large
-    fewest = rules.pinion_minimum or fewest_teeth(task.rating)
-    small = np.array([stage.pinion_teeth]) if stage.pinion_teeth else np.arange(fewest, rules.pinion_maximum + 1)
-    return _neighbours(target[:, None] * small, small, stage.wheel_teeth)
-
-
-def _planetary_given(stage: Planetary) -> tuple[int | None, int | None]:
-    """Return the sun's and the planets' teeth, where they are given or follow."""
-    sun, planet, ring = stage.sun_teeth, stage.planet_teeth, stage.ring_teeth
-    if sun is None and planet is not None and ring is not None:
-        sun = ring - 2 * planet
-    if planet is None and sun is not None and ring is not None and (ring - sun) % 2 == 0:
-        planet = (ring - sun) // 2
-    return sun, planet
-
-
-def fewest_teeth(rating: Rating, profile_shift: float = 0.0) -> int:
-    """Return the smallest tooth number without undercut [-].
-
-    Args:
-        rating: Resolved rules: pressure and helix angle.
-        profile_shift: x [-].
-
-    Source: z_min = 2 cos β (1 − x) / sin² α_t; Pulvirenti 2023, eq. (2.6) has its approximation with cos³ β / sin² α_n.
-    """
-    transverse = math.atan(math.tan(rating.rules.pressure_angle) / math.cos(rating.helix_angle))
-    return math.ceil(2.0 * math.cos(rating.helix_angle) * (1.0 - profile_shift) / math.sin(transverse) ** 2)
-
-
-def _neighbours(wanted: Floats, small: Integers, given: int | None) -> tuple[Integers, Integers, Integers]:
-    """Return every choice of the front with every small gear and the integers around the wanted large one."""
-    parent = np.arange(len(wanted))[:, None, None]
-    low = np.floor(wanted).astype(np.int64)[:, :, None]
-    large = low + np.arange(2) if given is None else np.full((*low.shape[:2], 1), given)
-    parent, teeth, large = np.broadcast_arrays(parent, small[None, :, None], large)
-    return parent.ravel(), teeth.ravel().astype(np.int64), large.ravel().astype(np.int64)
-
-
-def _around(wanted: Floats, large: Integers, given: int | None) -> tuple[Integers, Integers, Integers]:
-    """Return the integers around the wanted gear that meshes with one that is chosen already."""
-    low = np.floor(wanted).astype(np.int64)[:, None]
-    small = low + np.arange(2) if given is None else np.full((len(low), 1), given)
-    parent, teeth, shared = np.broadcast_arrays(np.arange(len(low))[:, None], small, large[:, None])
-    return parent.ravel(), teeth.ravel(), shared.ravel()
-
-
-def _admissible(task: Task, design: Design, small: Integers, large: Integers) -> NDArray[np.bool_]:
-    """Tell which tooth numbers can be made and put together."""
-    rules, stage = design.teeth, task.stage
-    if isinstance(stage, Planetary):
-        ring = small + 2 * large
-        good = assembles(small, ring, stage.planets) & neighbours_clear(small, large, stage.planets)
-        good &= large >= rules.planet_minimum
-        if rules.hunting:
-            good &= (np.gcd(small, large) == 1) & (np.gcd(large, ring) == 1)
-        return good
-    good = np.minimum(small, large) >= (rules.pinion_minimum or fewest_teeth(task.rating))
-    if stage.pinion_teeth:
-        good = np.ones(len(small), dtype=bool)
-    if rules.hunting:
-        good &= np.gcd(small, large) == 1
-    return good
-
-
-def _new_speeds(front: Front, edge: Edge, parent: Integers, ratio: Floats) -> dict[str, Floats]:
-    """Return the speeds of the shafts on the far side of a stage."""
-    if edge.fast[0] in front.speeds:
-        return dict.fromkeys(edge.slow, front.speeds[edge.fast[0]][parent] / ratio)
-    return dict.fromkeys(edge.fast, front.speeds[edge.slow[0]][parent] * ratio)
-
-
-def _speeds_hold(design: Design, speeds: Mapping[str, Floats], task: Task) -> NDArray[np.bool_]:
+def _speeds_hold(design: Design, speeds: Mapping[str, Floats], count: int) -> NDArray[np.bool_]:
     """Tell which choices keep the machines' speeds within the tolerance."""
-    good = np.ones(len(next(iter(speeds.values()))), dtype=bool)
+    good = np.ones(count, dtype=bool)
     for machine in design.machines.values():
-        if machine.shaft in speeds and not _given(task.stage):
+        if machine.shaft in speeds:
             good &= np.abs(speeds[machine.shaft] / machine.speed - 1.0) <= design.teeth.speed_tolerance
     return good
 
 
-def _weigh(front: Front, task: Task, small: Integers, large: Integers, design: Design) -> Front:
+def _weigh(front: Front, task: Task, small: Integers, large: Integers) -> Front:
     """Add a stage's teeth, module and bodies to the front."""
     stage, rating = task.stage, task.rating
     names, factor = _bodies(task, small, large)
@@ -359,16 +229,3 @@ def _bodies(task: Task, small: Integers, large: Integers) -> tuple[dict[str, Int
     for side, count in counts.items():
         factor = np.asarray(factor + disc * count * squares[side], dtype=np.float64)
     return {gears["pinion"]: small, gears["wheel"]: large}, factor
-
-
-def unresolved(design: Design, teeth: Mapping[str, int]) -> DesignError | None:
-    """Return the error of stages that the search could not reach, if any.
-
-    Args:
-        design: The design.
-        teeth: What was chosen.
-    """
-    missing = [name for name in design.stages if not any(gear.startswith(f"{name}.") for gear in teeth)]
-    if not missing:
-        return None
-    return DesignError([Problem(name, "no machine's speed leads to this stage") for name in missing])

@@ -40,6 +40,11 @@ class Motor(Record):
         "ndarc", description="Mass from torque: NDARC's law, or the thesis's k T^0.33"
     )
     mass: Mass | None = Field(None, gt=0, description="Known mass, instead of the law")
+    reverse: bool = Field(False, description="Its shaft turns against the first machine's, as seen from one end")
+    balances: bool = Field(
+        False,
+        description="Its torque follows from equilibrium, as on one member of a differential; power is its rating",
+    )
     inertia: Inertia | None = Field(None, gt=0, description="Polar inertia of its rotor; estimated if left out")
 
 
@@ -76,6 +81,12 @@ class GearRules(Record):
         gt=0,
         le=1,
         description="Share of the bending allowable for gears loaded both ways (planets); ISO 6336-3 takes 0.7",
+    )
+    profile_shift: Ratio = Field(
+        0.0,
+        ge=-0.5,
+        le=1,
+        description="Profile shift x of pinions; it lowers the tooth number that is free of undercut",
     )
     contact_angles: Literal["normal", "transverse"] = Field(
         "normal", description="Angles of the helical contact formula: α and β as the thesis prints, or α_t and β_b"
@@ -122,6 +133,9 @@ class Pair(Record):
         1, description="2 for a double-helical gear: two halves of opposite hand share the load"
     )
     internal: bool = Field(False, description="The wheel is an internal gear")
+    coaxial_with: str | None = Field(
+        None, description="Pair whose centre distance this one must have, as their shafts lie on the same axes"
+    )
     share: list[Ratio] | None = Field(None, description="Share of the load of each parallel mesh; left out: equal")
     gears: GearRules | None = Field(None, description="Rules of this pair where they differ from [gears]")
 

@@ -74,10 +74,11 @@ def asked_speeds(design: Design, drives: Mapping[str, Drive]) -> dict[str, float
     machines = design.machines
     order = [*(design.speeds.keep or []), *design.turbines, *design.motors, *design.propellers]
     given = [name for name in order if name in drives and drives[name].speed is not None]
-    speeds = {name: drives[name].speed or machines[name].speed for name in given}
-    if given:
-        return speeds
-    return {name: machines[name].speed for name in dict.fromkeys(order)}
+    speeds = {name: drives[name].speed or 0.0 for name in given}
+    if not given:
+        speeds = {name: machines[name].speed for name in dict.fromkeys(order)}
+    reversed_ = {name for name, motor in design.motors.items() if motor.reverse}
+    return {name: -speed if name in reversed_ else speed for name, speed in speeds.items()}
 
 
 def drives_of(design: Design, case: str) -> dict[str, Drive]:
@@ -90,8 +91,9 @@ def drives_of(design: Design, case: str) -> dict[str, Drive]:
     if case in design.cases:
         return dict(design.cases[case])
     rated = {name: turbine.power for name, turbine in design.turbines.items()}
-    rated |= {name: motor.power for name, motor in design.motors.items()}
-    return {name: Drive(power=power) for name, power in rated.items()}
+    drives = {name: Drive(power=power) for name, power in rated.items()}
+    drives |= {name: Drive(power=None if motor.balances else motor.power) for name, motor in design.motors.items()}
+    return drives
 
 
 def power_flow(
@@ -141,11 +143,11 @@ def _asked_of_turning(
 
 
 def _overruns(joint: Joint, multiplier: float, train: Train, speeds: Array) -> bool:
-    """Tell whether an overrunning clutch would have to pull its driving shaft."""
+    """Tell whether an overrunning clutch has nothing to transmit, or would have to pull its driving shaft."""
     if not joint.overrunning:
         return False
     turning = speeds[train.nodes.index(joint.driven)]
-    return bool(-multiplier * np.sign(turning or 1.0) < -1e-9)
+    return bool(-multiplier * np.sign(turning or 1.0) <= 1e-9)
 
 
 def _balance(

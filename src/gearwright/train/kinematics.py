@@ -96,9 +96,9 @@ def solve_speeds(train: Train, matrix: Array, asked: Mapping[str, float]) -> tup
         raise _free(train, free, motions, len(kept))
     omega: Array = free @ np.linalg.solve(motions, np.array(speeds)) if kept else np.zeros(len(train.nodes))
     yielded = [
-        Yielded(machine, speed, abs(float(omega[column[train.machines[machine]]])))
+        Yielded(machine, abs(speed), abs(float(omega[column[train.machines[machine]]])))
         for machine, speed in asked.items()
-        if machine not in kept and speed > 0.0
+        if machine not in kept and speed
     ]
     return omega, yielded
 

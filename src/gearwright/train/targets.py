@@ -134,7 +134,7 @@ def _potentials(design: Design, edges: Mapping[str, Edge], fixed: Mapping[str, f
     equations: list[tuple[dict[str, float], float, float]] = []
     for rank, (machine, speed) in enumerate(asked_speeds(design, {}).items()):
         shaft = design.machines[machine].shaft
-        equations.append(({shaft: 1.0}, math.log(speed), _KEPT if rank == 0 else _ASKED))
+        equations.append(({shaft: 1.0}, math.log(abs(speed)), _KEPT if rank == 0 else _ASKED))
     for name, edge in edges.items():
         ratio, weight = _edge_ratio(design.stages[name], edge, fixed.get(name))
         equations += [({fast: 1.0, slow: -1.0}, math.log(ratio), weight) for fast in edge.fast for slow in edge.slow]
@@ -174,13 +174,58 @@ def _require_connected(matrix: Array, design: Design) -> None:
         raise DesignError([Problem("shafts", message)])
 
 
+def members_of(stage: Planetary) -> tuple[str, str, str]:
+    """Return the shafts of sun, ring and carrier.
+
+    Args:
+        stage: A planetary set.
+    """
+    return stage.sun, stage.ring, stage.carrier
+
+
+def willis_ratio(stage: Planetary, speeds: Mapping[str, Array]) -> Array:
+    """Return z_r/z_s that lets the members turn at given speeds [-].
+
+    Args:
+        stage: A planetary set.
+        speeds: Shaft -> speed without its sense; the ground is zero [rad/s].
+
+    Source: Willis 1841, ω_s − ω_c = −(z_r/z_s) (ω_r − ω_c); with the carrier held the ring turns backwards.
+    """
+    sun, ring, carrier = (speeds[member] for member in members_of(stage))
+    if stage.carrier == GROUND:
+        return np.asarray(sun / ring)
+    with np.errstate(divide="ignore"):
+        return np.asarray((sun - carrier) / (carrier - ring))
+
+
+def willis_speed(stage: Planetary, member: str, ratio: Array, speeds: Mapping[str, Array]) -> Array:
+    """Return the speed of one member from those of the other two, without its sense [rad/s].
+
+    Args:
+        stage: A planetary set.
+        member: Shaft whose speed is asked.
+        ratio: z_r/z_s [-].
+        speeds: Shaft -> speed of the others [rad/s].
+
+    Source: Willis 1841, ω_s + (z_r/z_s) ω_r = (1 + z_r/z_s) ω_c.
+    """
+    zero = np.zeros(len(ratio))
+    sun, ring, carrier = (speeds.get(each, zero) for each in members_of(stage))
+    if member == stage.sun:
+        return np.abs((1.0 + ratio) * carrier - ratio * ring)
+    if member == stage.ring:
+        return np.abs(((1.0 + ratio) * carrier - sun) / ratio)
+    return np.abs((sun + ratio * ring) / (1.0 + ratio))
+
+
 def _differential(name: str, stage: Planetary, speeds: Mapping[str, float]) -> float:
     """Return z_r/z_s of a planetary set whose three members turn."""
     given = given_tooth_ratio(stage)
     if given is not None:
         return given
-    sun, ring, carrier = speeds[stage.sun], speeds[stage.ring], speeds[stage.carrier]
-    ratio = -(sun - carrier) / (ring - carrier) if ring != carrier else math.inf
+    sun, ring, carrier = (speeds[member] for member in members_of(stage))
+    ratio = float(willis_ratio(stage, {member: np.asarray(speeds[member]) for member in members_of(stage)}))
     if not 1.0 < ratio < math.inf:
         message = (
             f"no teeth let sun, ring and carrier turn at {sun:.4g}, {ring:.4g} and {carrier:.4g} rad/s: z_r/z_s would"

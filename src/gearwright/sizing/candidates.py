@@ -1,0 +1,118 @@
+"""Tooth numbers that a stage may have: near its ratio, free of undercut, able to be put together."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.parts.planets import assembles, neighbours_clear
+from gearwright.sizing.front import Floats, Front, Integers, Task
+from gearwright.sizing.rating import Rating
+from gearwright.spec import Design, Pair, Planetary
+from gearwright.train.graph import gear_of
+
+LEAST_LEWIS = 12
+"""Fewest teeth for which the Lewis form factor is tabulated."""
+
+
+def is_given(stage: Pair | Planetary) -> bool:
+    """Tell whether a stage's teeth are all given.
+
+    Args:
+        stage: As in the design.
+    """
+    if isinstance(stage, Pair):
+        return bool(stage.pinion_teeth and stage.wheel_teeth)
+    return sum(each is not None for each in (stage.sun_teeth, stage.planet_teeth, stage.ring_teeth)) >= 2
+
+
+def candidates(front: Front, task: Task, design: Design, target: Floats) -> tuple[Integers, Integers, Integers]:
+    """Return the choice in the front that each candidate extends, and the teeth of pinion and wheel, or sun and planet.
+
+    Args:
+        front: Partial choices.
+        task: The stage.
+        design: With the rules of the search.
+        target: Tooth ratio asked of every choice [-].
+    """
+    stage, rules = task.stage, design.teeth
+    if isinstance(stage, Planetary):
+        first, second = _planetary_given(stage)
+        small = np.array([first]) if first else np.arange(rules.sun_minimum, rules.sun_maximum + 1)
+        wanted = (target[:, None] - 1.0) / 2.0 * small
+        return _neighbours(wanted, small, second)
+    pinion, wheel = (gear_of(task.name, side, stage) for side in ("pinion", "wheel"))
+    if wheel in front.teeth:
+        large = front.teeth[wheel]
+        return _around(large / target, large, stage.pinion_teeth)
+    if pinion in front.teeth:
+        parent, large, small_ = _around(front.teeth[pinion] * target, front.teeth[pinion], stage.wheel_teeth)
+        return parent, small_, large
+    fewest = rules.pinion_minimum or fewest_teeth(task.rating)
+    small = np.array([stage.pinion_teeth]) if stage.pinion_teeth else np.arange(fewest, rules.pinion_maximum + 1)
+    return _neighbours(target[:, None] * small, small, stage.wheel_teeth)
+
+
+def _planetary_given(stage: Planetary) -> tuple[int | None, int | None]:
+    """Return the sun's and the planets' teeth, where they are given or follow."""
+    sun, planet, ring = stage.sun_teeth, stage.planet_teeth, stage.ring_teeth
+    if sun is None and planet is not None and ring is not None:
+        sun = ring - 2 * planet
+    if planet is None and sun is not None and ring is not None and (ring - sun) % 2 == 0:
+        planet = (ring - sun) // 2
+    return sun, planet
+
+
+def fewest_teeth(rating: Rating) -> int:
+    """Return the smallest tooth number of pinions without undercut [-].
+
+    Args:
+        rating: Resolved rules: pressure angle, helix angle and profile shift of pinions.
+
+    Source: z_min = 2 cos β (1 − x) / sin² α_t; Pulvirenti 2023, eq. (2.6), approximates it: 2 cos³ β (1 − x)/sin² α.
+    """
+    angle, rules = rating.helix_angle, rating.rules
+    transverse = math.atan(math.tan(rules.pressure_angle) / math.cos(angle))
+    return max(math.ceil(2.0 * math.cos(angle) * (1.0 - rules.profile_shift) / math.sin(transverse) ** 2), LEAST_LEWIS)
+
+
+def _neighbours(wanted: Floats, small: Integers, given: int | None) -> tuple[Integers, Integers, Integers]:
+    """Return every choice of the front with every small gear and the integers around the wanted large one."""
+    parent = np.arange(len(wanted))[:, None, None]
+    low = np.floor(wanted).astype(np.int64)[:, :, None]
+    large = low + np.arange(2) if given is None else np.full((*low.shape[:2], 1), given)
+    parent, teeth, large = np.broadcast_arrays(parent, small[None, :, None], large)
+    return parent.ravel(), teeth.ravel().astype(np.int64), large.ravel().astype(np.int64)
+
+
+def _around(wanted: Floats, large: Integers, given: int | None) -> tuple[Integers, Integers, Integers]:
+    """Return the integers around the wanted gear that meshes with one that is chosen already."""
+    low = np.floor(wanted).astype(np.int64)[:, None]
+    small = low + np.arange(2) if given is None else np.full((len(low), 1), given)
+    parent, teeth, shared = np.broadcast_arrays(np.arange(len(low))[:, None], small, large[:, None])
+    return parent.ravel(), teeth.ravel(), shared.ravel()
+
+
+def admissible(task: Task, design: Design, small: Integers, large: Integers) -> NDArray[np.bool_]:
+    """Tell which tooth numbers can be made and put together.
+
+    Args:
+        task: The stage.
+        design: With the rules of the search.
+        small: Teeth of pinion or sun.
+        large: Teeth of wheel or planet.
+    """
+    rules, stage = design.teeth, task.stage
+    if isinstance(stage, Planetary):
+        ring = small + 2 * large
+        good = assembles(small, ring, stage.planets) & neighbours_clear(small, large, stage.planets)
+        good &= large >= rules.planet_minimum
+        if rules.hunting:
+            good &= (np.gcd(small, large) == 1) & (np.gcd(large, ring) == 1)
+        return good
+    good = np.minimum(small, large) >= (rules.pinion_minimum or fewest_teeth(task.rating))
+    if rules.hunting:
+        good &= np.gcd(small, large) == 1
+    return good
