@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 import numpy as np
@@ -63,17 +64,31 @@ def time_figure(trace: Trace) -> Figure:
     return figure
 
 
+def _families(samples: Samples, unit: str) -> dict[str, list[str]]:
+    """Return the lines of one unit by what they are, the planets of a set together."""
+    found: dict[str, list[str]] = {}
+    for name, own in zip(samples.labels.lines, samples.labels.line_units, strict=True):
+        if own == unit:
+            found.setdefault(re.sub(r"-\d+(?=-|$)", "", name), []).append(name)
+    return found
+
+
+def _several(family: str, names: list[str]) -> str:
+    return family if len(names) == 1 else f"{family} ({len(names)})"
+
+
 def _draw_lines(axes: Axes, samples: Samples, unit: str) -> None:
-    labels = samples.labels
-    for name, kind in zip(labels.lines, labels.line_units, strict=True):
-        if kind == unit:
-            axes.plot(samples.time, samples.force(name), label=name, lw=0.8)
+    for place, (family, names) in enumerate(_families(samples, unit).items()):
+        colour = theme.CYCLE[place % len(theme.CYCLE)]
+        forces = np.array([samples.force(name) for name in names]).T
+        curves = axes.plot(samples.time, forces, color=colour, lw=0.8, alpha=1.0 if len(names) == 1 else 0.6)
+        curves[0].set_label(_several(family, names))
     axes.margins(x=0.0)
 
 
 @theme.styled
 def spectrum_figure(trace: Trace, mesh_frequency: Mapping[str, float]) -> Figure:
-    """Return the amplitude spectrum of every line force, with the mesh frequencies and their multiples.
+    """Return the amplitude spectrum of the line forces (of the first planet of a set), with the mesh frequencies and their multiples.
 
     It reads the last window if one was kept, as only there every step is known, and else the samples of the run.
 
@@ -90,7 +105,7 @@ def spectrum_figure(trace: Trace, mesh_frequency: Mapping[str, float]) -> Figure
         axes.set_ylabel(f"amplitude of {_KINDS[unit][1]}")
         _mark_orders(axes, mesh_frequency, named=axes is grid[0])
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    grid[0].set_title("Spectrum; dotted: mesh frequency and its multiples", pad=18.0)
+    grid[0].set_title("Spectrum; dotted: mesh frequency and its multiples", pad=26.0)
     grid[-1].set_xlabel("frequency [Hz]")
     return figure
 
@@ -110,12 +125,11 @@ def spectrum(time: Floats, values: Floats) -> tuple[Floats, Floats]:
 
 
 def _draw_spectra(axes: Axes, samples: Samples, unit: str) -> None:
-    labels, largest = samples.labels, 0.0
-    for name, kind in zip(labels.lines, labels.line_units, strict=True):
-        if kind == unit:
-            frequency, amplitude = spectrum(samples.time, samples.force(name))
-            axes.semilogy(frequency[1:], amplitude[1:], label=name, lw=0.8)
-            largest = max(largest, float(np.max(amplitude[1:], initial=0.0)))
+    largest = 0.0
+    for family, names in _families(samples, unit).items():
+        frequency, amplitude = spectrum(samples.time, samples.force(names[0]))
+        axes.semilogy(frequency[1:], amplitude[1:], label=family, lw=0.8)
+        largest = max(largest, float(np.max(amplitude[1:], initial=0.0)))
     if largest > 0.0:
         axes.set_ylim(largest * FLOOR, largest * 2.0)
     axes.margins(x=0.0)
@@ -149,7 +163,7 @@ def mode_figure(modes: Modes) -> Figure:
     columns = min(3, max(1, len(elastic)))
     rows = -(-len(elastic) // columns) or 1
     names = modes.labels.coordinates
-    figure = theme.sheet(WIDTH, 12.0 + rows * (10.0 + 3.6 * len(names)))
+    figure = theme.sheet(WIDTH, 8.0 + rows * (12.0 + 4.0 * len(names)))
     grid = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
     for axes, mode in zip(grid.flat, elastic, strict=False):
         _draw_shape(axes, modes, mode)
@@ -167,11 +181,10 @@ def _draw_shape(axes: Axes, modes: Modes, mode: int) -> None:
         if len(own) and np.any(shape[own]):
             axes.barh(own, _normalised(shape[own]), color=colour, height=0.62)
     held = int(np.argmax(modes.line_energy[:, mode]))
-    axes.set_title(f"{mode + 1}:  {modes.frequency[mode]:.4g} Hz", fontsize=8.5)
+    axes.set_title(f"{mode + 1}:  {modes.frequency[mode]:.4g} Hz", fontsize=8.5, pad=11.0)
     share = f"{modes.line_energy[held, mode]:.0%} of the strain in {modes.labels.lines[held]}"
     axes.annotate(share, (0.0, 1.0), (0, 1), xycoords="axes fraction", textcoords="offset points", fontsize=6.0,
                   color=theme.MUTED, va="bottom")  # fmt: skip
-    axes.title.set_position((0.0, 1.12))
     axes.axvline(0.0, color=theme.MUTED, lw=0.6)
     axes.set_xlim(-1.1, 1.1)
     theme.only_grid(axes, "x")

@@ -67,9 +67,10 @@ def margin_figure(sizing: Sizing) -> Figure:
     shown = [min(check.margin, LARGEST_MARGIN) for check in checks]
     axes.barh(range(len(checks)), shown, color=[_CHECK_COLOURS[check.check] for check in checks], height=0.72)
     for place, (check, length) in enumerate(zip(checks, shown, strict=True)):
+        colour = theme.INK if check.holds else theme.ORANGE
         number = f"{check.margin:.3f}" if math.isfinite(check.margin) else "no load"
         axes.annotate(number if check.holds else f"{number}  too small", (length, place), (3, 0), fontsize=7.5,
-                      textcoords="offset points", va="center", color=theme.INK if check.holds else theme.ORANGE)  # fmt: skip
+                      textcoords="offset points", va="center", color=colour)  # fmt: skip
     axes.set_yticks(range(len(checks)), [f"{check.part}, {check.check}" for check in checks])
     axes.axvline(1.0, color=theme.ORANGE, lw=1.2)
     axes.invert_yaxis()

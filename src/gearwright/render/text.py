@@ -1,18 +1,17 @@
-"""Words for the terminal: the report of a Sizing, the modes, the summary of a Trace.
-
-Each function returns something that rich prints; nothing here writes to the screen.
-"""
+"""Words for the terminal, and JSON for machines: the report of a Sizing, the modes, the summary of a Trace."""
 
 from __future__ import annotations
 
+import json
+
 from rich import box
-from rich.console import Group, RenderableType
+from rich.console import Console, Group, RenderableType
 from rich.table import Table as RichTable
 from rich.text import Text
 
 from gearwright.dynamics import Modes, Trace
 from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
-from gearwright.render.tables import MARKS, Cell, Column, Table
+from gearwright.render.tables import MARKS, Cell, Column, Table, as_json
 from gearwright.render.views import flow_tables, tables_of
 from gearwright.sizing.result import Sizing
 from gearwright.units import text
@@ -31,6 +30,32 @@ def sizing_text(sizing: Sizing) -> RenderableType:
     parts += [table_text(each) for each in flow_tables(sizing)]
     parts += [table_text(tables[name]) for name in _ORDER if tables[name].rows]
     return Group(*parts)
+
+
+def print_sizing(sizing: Sizing) -> None:
+    """Print the report of a sizing.
+
+    Args:
+        sizing: As sized.
+    """
+    Console().print(sizing_text(sizing))
+
+
+def sizing_json(sizing: Sizing) -> str:
+    """Return every table of a sizing as JSON, with units, equations and sources.
+
+    Args:
+        sizing: As sized.
+    """
+    tables = {name: as_json(each) for name, each in tables_of(sizing).items()}
+    flows = {case: as_json(each) for case, each in zip(sizing.flows, flow_tables(sizing), strict=True)}
+    head = {
+        "design": sizing.design.name,
+        "mass_kg": sizing.mass,
+        "power_density_w_kg": sizing.power_density,
+        "worst_margin": sizing.worst_margin,
+    }
+    return json.dumps({**head, "cases": flows, **tables}, indent=2, ensure_ascii=False, allow_nan=False)
 
 
 def summary(sizing: Sizing) -> str:
@@ -64,6 +89,24 @@ def modes_text(modes: Modes, *, most: int = 30) -> RenderableType:
     return table_text(mode_table(modes, most=most))
 
 
+def print_modes(modes: Modes) -> None:
+    """Print the natural frequencies.
+
+    Args:
+        modes: As found.
+    """
+    Console().print(modes_text(modes))
+
+
+def modes_json(modes: Modes) -> str:
+    """Return the natural frequencies as JSON.
+
+    Args:
+        modes: As found.
+    """
+    return json.dumps(as_json(mode_table(modes, most=len(modes.frequency))), indent=2, ensure_ascii=False)
+
+
 def trace_text(trace: Trace) -> RenderableType:
     """Return mean, least, greatest, rms and peak-to-peak of every line, and the energy book, for the terminal.
 
@@ -76,6 +119,26 @@ def trace_text(trace: Trace) -> RenderableType:
     )
     notes = [Text(note, style="yellow") for note in trace.notes]
     return Group(head, *notes, Text(), *(table_text(each) for each in (*motion_tables(trace), energy_table(trace))))
+
+
+def print_trace(trace: Trace) -> None:
+    """Print the summary of a run.
+
+    Args:
+        trace: As simulated.
+    """
+    Console().print(trace_text(trace))
+
+
+def trace_json(trace: Trace) -> str:
+    """Return the summary of a run as JSON.
+
+    Args:
+        trace: As simulated.
+    """
+    tables = {each.title.lower(): as_json(each) for each in (*motion_tables(trace), energy_table(trace))}
+    head = {"method": trace.method, "step_s": trace.step, "duration_s": trace.duration, "error": trace.error}
+    return json.dumps({**head, "notes": list(trace.notes), **tables}, indent=2, ensure_ascii=False, allow_nan=False)
 
 
 def table_text(one: Table) -> RenderableType:
