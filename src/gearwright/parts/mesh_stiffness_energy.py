@@ -1,23 +1,27 @@
 """Time-varying mesh stiffness from the strain energy of the teeth: bending, shear, compression, foundation, Hertz.
 
 Pairs in contact are added as independent springs: what one pair does to its neighbour through their common body is
-left out. The rim's own bending is not in it either: an elastic ring is a body of the dynamic model.
+left out. The rim's own bending is not in it either: an elastic ring is a body of the dynamic model. A bore radius
+brings in the twist of the disc, which every pair then feels for itself; a thin web is better a shaft of the model.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.errors import DesignError, Problem
 from gearwright.parts.cylindrical_gear import CylindricalGear
 from gearwright.parts.gear_pair import GearPair, contact_radii
 from gearwright.parts.involute import virtual_teeth
 from gearwright.parts.material import Material
-from gearwright.parts.stiffness_curve import StiffnessCurve, pair_curve
+from gearwright.parts.passing_pairs import pair_curve, summed_pairs
+from gearwright.parts.stiffness_curve import StiffnessCurve
 from gearwright.parts.tooth_compliance import ToothCompliance, tooth_compliance
 from gearwright.parts.tooth_form import tooth_form
 
@@ -72,7 +76,8 @@ def pair_stiffness(
 
     Source: as `tooth_compliance` and `contact_compliance`; helical teeth by their equivalent spur gears.
     """
-    driver, driven = np.array([contact_radii(pair, float(place)) for place in distance]).T
+    radii = np.array([contact_radii(pair, float(place)) for place in distance]).reshape(-1, 2)
+    driver, driven = radii.T
     return PairStiffness(
         distance=distance,
         driver=_gear_compliance(pair.driver, driver, material=materials[0], bore_radius=bore_radii[0]),
@@ -98,20 +103,54 @@ def mesh_stiffness_energy(
     Source: Yang & Lin 1987; Tian 2004; Cornell 1981 or Sainsot et al. 2004; Yang & Sun 1985. Helical teeth in slices
         (see `pair_curve`), each with the normal section's stiffness times cos β_b, as ISO 6336-1:2006 does with cos β.
     Valid for: perfect flanks without modifications; full contact along every line of contact.
+
+    Raises:
+        DesignError: for a total contact ratio below 1.
     """
-    pitch = pair.driver.base_pitch
-    transverse = pair.face_width * math.cos(pair.driver.base_helix_angle)
-
-    def single(place: Array) -> Array:
-        return transverse * pair_stiffness(pair, place * pitch, materials=materials, bore_radii=bore_radii).stiffness
-
     return pair_curve(
-        (-pair.approach / pitch, pair.recess / pitch),
-        single,
+        _ends(pair),
+        _passing_pair(pair, materials, bore_radii),
         overlap=pair.overlap_ratio,
         harmonics=harmonics,
         source="potential energy of the tooth",
     )
+
+
+def mesh_cycle_energy(
+    pair: GearPair, phase: Array, *, materials: tuple[Material, Material], bore_radii: Bores = (None, None)
+) -> Array:
+    """Return the stiffness of a spur mesh at given mesh phases with its jumps, as a figure shows it.
+
+    Args:
+        pair: External or internal spur pair.
+        phase: Mesh phases φ [rad], shape (n,).
+        materials: Of driver and driven gear.
+        bore_radii: Radii at which the two bodies are held [m]; None: half plane.
+
+    Returns:
+        k [N/m], shape (n,).
+
+    Source: as `mesh_stiffness_energy`, without its Fourier series.
+    """
+    if pair.driver.helix_angle > 0.0:
+        raise DesignError([Problem("helix_angle", "helical teeth have no jumps to show; use `mesh_stiffness_energy`")])
+    return summed_pairs(_ends(pair), _passing_pair(pair, materials, bore_radii), phase)
+
+
+def _ends(pair: GearPair) -> tuple[float, float]:
+    """Start and end of contact in base pitches from the pitch point."""
+    return -pair.approach / pair.driver.base_pitch, pair.recess / pair.driver.base_pitch
+
+
+def _passing_pair(pair: GearPair, materials: tuple[Material, Material], bore_radii: Bores) -> Callable[[Array], Array]:
+    """Stiffness of one pair [N/m] as a function of its place in base pitches, along the transverse line of action."""
+    width = pair.face_width * math.cos(pair.driver.base_helix_angle)
+
+    def stiffness(place: Array) -> Array:
+        distance = place * pair.driver.base_pitch
+        return width * pair_stiffness(pair, distance, materials=materials, bore_radii=bore_radii).stiffness
+
+    return stiffness
 
 
 def _gear_compliance(

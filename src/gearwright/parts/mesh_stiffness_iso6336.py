@@ -12,7 +12,8 @@ from gearwright.errors import DesignError, Problem
 from gearwright.parts.cylindrical_gear import BasicRack
 from gearwright.parts.gear_pair import GearPair
 from gearwright.parts.involute import virtual_teeth
-from gearwright.parts.stiffness_curve import StiffnessCurve, rectangular_curve
+from gearwright.parts.passing_pairs import rectangular_curve
+from gearwright.parts.stiffness_curve import StiffnessCurve
 
 _C = (0.04723, 0.15551, 0.25791, -0.00635, -0.11654, -0.00193, -0.24188, 0.00529, 0.00182)
 """Coefficients C_1 to C_9 of the least flexibility q′ in mm µm/N (ISO 6336-1:2006, clause 9, method B)."""

@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.cylindrical_gear import CylindricalGear
 from gearwright.parts.gear_pair import GearPair, contact_radii
-from gearwright.parts.stiffness_curve import StiffnessCurve, pair_curve
+from gearwright.parts.passing_pairs import pair_curve
+from gearwright.parts.stiffness_curve import StiffnessCurve
 
 Array: TypeAlias = NDArray[np.float64]
 

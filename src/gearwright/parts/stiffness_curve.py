@@ -7,7 +7,6 @@ pitch point (at mid face for helical teeth). Written in an angle, not in time, i
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -64,59 +63,18 @@ def stiffness_at(curve: StiffnessCurve, phase: ArrayLike) -> Array:
     return np.asarray(curve.mean + np.cos(terms) @ np.array(curve.cosine) + np.sin(terms) @ np.array(curve.sine))
 
 
-def pair_curve(
-    ends: tuple[float, float], stiffness: Callable[[Array], Array], *, overlap: float, harmonics: int, source: str
-) -> StiffnessCurve:
-    """Return the mesh stiffness that passing tooth pairs add up to.
+def curve_of(coefficients: NDArray[Any], source: str) -> StiffnessCurve:
+    """Return the curve with given complex Fourier coefficients.
 
     Args:
-        ends: Start and end of contact, in base pitches from the pitch point [-].
-        stiffness: Stiffness of one pair over its whole face width [N/m] at places in base pitches from the pitch point.
-        overlap: Overlap ratio ε_β of helical teeth, 0 for spur [-].
-        harmonics: Harmonics of the mesh phase to keep [-].
-        source: Model of the pair stiffness.
+        coefficients: Coefficients c_n of e^(i n φ), n = 0, 1, … [N/m], shape (harmonics + 1,).
+        source: Model that made them.
 
-    Returns:
-        Its coefficients are the exact integrals ∫ k(τ) e^(−2πi n τ) dτ over the path of contact; slices of a helical
-        tooth follow each other by ε_β pitches across the face, which multiplies harmonic n by sinc(n ε_β).
-
-    Source: Poisson's sum of shifted pairs; slicing as Wan et al. 2015, Mech. Mach. Theory 92, without
-        coupling between slices.
+    Source: k = c_0 + Σ 2 Re c_n cos nφ − 2 Im c_n sin nφ.
     """
-    start, end = ends
-    # Gauss needs half a point per radian of the highest harmonic; 24 more carry the pair stiffness itself.
-    nodes, weights = np.polynomial.legendre.leggauss(24 + math.ceil(2.0 * harmonics * (end - start)))
-    place = 0.5 * (start + end) + 0.5 * (end - start) * nodes
-    order = np.arange(harmonics + 1)
-    weighted = 0.5 * (end - start) * weights * stiffness(place)
-    coefficients = np.exp(-2j * np.pi * np.outer(order, place)) @ weighted * np.sinc(order * overlap)
-    return _from_coefficients(coefficients, source)
-
-
-def rectangular_curve(
-    single: float, ends: tuple[float, float], *, step: float = 0.75, overlap: float = 0.0, harmonics: int = 8
-) -> StiffnessCurve:
-    """Return the two-level curve of ISO 6336-1: c′ with one pair in contact, c′ (1 + 0.75) with two.
-
-    Args:
-        single: Stiffness of one pair in single contact, c′ b [N/m].
-        ends: Start and end of contact, in base pitches from the pitch point [-].
-        step: What each further pair adds, as a part of `single` [-].
-        overlap: Overlap ratio ε_β [-].
-        harmonics: Harmonics of the mesh phase to keep [-].
-
-    Returns:
-        A curve whose mean is c_γ b = c′ b (0.75 ε_α + 0.25).
-
-    Source: ISO 6336-1:2006, clause 9; the levels are the only ones whose mean gives c_γα for every 1 ≤ ε_α ≤ 2.
-    """
-    start, end = ends
-    order = np.arange(1, harmonics + 1)
-    wave = np.exp(-2j * np.pi * order * end) - np.exp(-2j * np.pi * order * start)
-    pairs = np.concatenate(([end - start], 1j * wave / (2.0 * np.pi * order) * np.sinc(order * overlap)))
-    coefficients = single * step * pairs
-    coefficients[0] += single * (1.0 - step)
-    return _from_coefficients(coefficients, "ISO 6336-1:2006, two levels")
+    waves = coefficients[1:]
+    cosine, sine = (2.0 * waves.real).tolist(), (-2.0 * waves.imag).tolist()
+    return StiffnessCurve(float(coefficients[0].real), tuple(cosine), tuple(sine), source)
 
 
 def sampled_curve(phase: ArrayLike, stiffness: ArrayLike, *, harmonics: int, source: str) -> StiffnessCurve:
@@ -147,14 +105,7 @@ def sampled_curve(phase: ArrayLike, stiffness: ArrayLike, *, harmonics: int, sou
     order = np.arange(1, harmonics + 1)
     waves = -(np.exp(-1j * np.outer(order, x[:-1])) @ jump) / (2.0 * np.pi * order**2)
     mean = float(np.sum(0.5 * (y[1:] + y[:-1]) * np.diff(x))) / (2.0 * math.pi)
-    return _from_coefficients(np.concatenate(([mean], waves)), source)
-
-
-def _from_coefficients(coefficients: NDArray[Any], source: str) -> StiffnessCurve:
-    """Turn the complex coefficients of e^(i n φ), n ≥ 0, into the record."""
-    waves = coefficients[1:]
-    cosine, sine = (2.0 * waves.real).tolist(), (-2.0 * waves.imag).tolist()
-    return StiffnessCurve(float(coefficients[0].real), tuple(cosine), tuple(sine), source)
+    return curve_of(np.concatenate(([mean], waves)), source)
 
 
 def _lowest(curve: StiffnessCurve) -> tuple[float, float]:
