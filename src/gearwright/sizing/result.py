@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
@@ -9,7 +10,7 @@ from typing import Annotated
 from gearwright.spec import Design
 from gearwright.train.flow import PowerFlow
 from gearwright.train.graph import Train
-from gearwright.units import Inertia, Length, Mass, Number, Origin, Quantity, Ratio, Speed, Torque
+from gearwright.units import Force, Inertia, Length, Mass, Number, Origin, Quantity, Ratio, Speed, Torque
 
 _THESIS = "Pulvirenti 2023"
 
@@ -93,6 +94,35 @@ class MeshSizing:
 
 
 @dataclass(frozen=True)
+class BearingLoad:
+    """What one bearing gives to its shaft in the case that governs the shaft."""
+
+    position: Length
+    """Middle of the bearing, from the shaft's first end [m]."""
+    force: tuple[Force, Force]
+    """Along y and along z of the cross-section [N]."""
+
+    @property
+    def radial_force(self) -> Force:
+        """Both planes together [N]."""
+        return math.hypot(*self.force)
+
+
+@dataclass(frozen=True)
+class ShaftDiagram:
+    """Shear, bending and torsion just left and just right of every load; straight lines lie between."""
+
+    position: tuple[Length, ...]
+    """From the shaft's first end, each one twice [m]."""
+    shear: tuple[tuple[Force, ...], tuple[Force, ...]]
+    """Along y and along z [N]."""
+    bending: tuple[tuple[Torque, ...], tuple[Torque, ...]]
+    """By the forces along y and by those along z [N m]."""
+    torsion: tuple[Torque, ...]
+    """[N m]"""
+
+
+@dataclass(frozen=True)
 class ShaftSizing:
     """One shaft."""
 
@@ -101,12 +131,14 @@ class ShaftSizing:
     """Load case that governs."""
     speed: Speed
     """In the rated case [rad/s]."""
-    torque: Annotated[float, Quantity("torque"), Origin("half the sum of |T| on the shaft", "equilibrium")]
-    """Largest torque inside the shaft [N m]."""
+    torque: Annotated[float, Quantity("torque"), Origin("T(x) = Σ T_k left of x", "equilibrium")]
+    """Torque inside the shaft at the section that governs [N m]."""
     bending_moment: Annotated[
-        float, Quantity("torque"), Origin("M in both planes", f"{_THESIS}, eqs 2.43–2.46 corrected")
+        float, Quantity("torque"), Origin("M = √(M_y² + M_z²)", f"{_THESIS}, eqs 2.43–2.46 corrected")
     ]
-    """Bending moment where it governs [N m]."""
+    """Bending moment of both planes at the section that governs [N m]."""
+    axial_force: Annotated[float, Quantity("force"), Origin("Σ F_t tan β of single helices", "ISO 21771:2007")]
+    """What the meshes leave for a thrust bearing, positive towards the shaft's second end [N]."""
     length: Length
     """[m]"""
     diameter: Annotated[float, Quantity("length"), Origin("√(σ_b² + 4 τ²) = R_p0.2 / S", f"{_THESIS}, eq. 2.47")]
@@ -123,6 +155,12 @@ class ShaftSizing:
     """[kg m²]"""
     stiffness: Annotated[float, Quantity("torsional_stiffness"), Origin("K = π G d⁴ / (32 L)", f"{_THESIS}, eq. 3.12")]
     """Torsional stiffness over the whole length [N m/rad]."""
+    axis: tuple[Length, Length]
+    """Where its axis stands in the cross-section, y and z [m]."""
+    bearings: tuple[BearingLoad, ...]
+    """Its two bearings; none where only torque acts."""
+    diagram: ShaftDiagram
+    """In the case that governs."""
 
 
 @dataclass(frozen=True)

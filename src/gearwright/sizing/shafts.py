@@ -4,17 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
 
 from gearwright.catalogue.materials import materials
+from gearwright.parts.beam import Diagram, diagram, supported
 from gearwright.parts.carrier import pin_diameter, pin_mass, plate_mass, plate_shear_stress
 from gearwright.parts.material import Material
 from gearwright.parts.shaft import shaft_diameter, shaft_inertia, shaft_mass, shaft_stress, torsional_stiffness
+from gearwright.sizing.axes import axes_of
 from gearwright.sizing.gears import Context
-from gearwright.sizing.result import CarrierSizing, GearSizing, ShaftSizing
+from gearwright.sizing.layout import ShaftPlan, plan_of
+from gearwright.sizing.loads import shaft_loads
+from gearwright.sizing.result import BearingLoad, CarrierSizing, GearSizing, ShaftDiagram, ShaftSizing
 from gearwright.spec import GROUND
 from gearwright.spec.design import ShaftLayout
-from gearwright.train.flow import RATED, PowerFlow
-from gearwright.train.graph import Train
+from gearwright.train.flow import RATED
 
 
 def shaft_material(given: Context) -> Material:
@@ -26,77 +32,93 @@ def shaft_material(given: Context) -> Material:
     return materials()[given.design.shafting.material or given.design.gears.material]
 
 
-def torque_inside(flow: PowerFlow, train: Train, shaft: str) -> float:
-    """Return the largest torque that can act inside a shaft [N m]: half the sum of the magnitudes on it.
-
-    Args:
-        flow: A load case.
-        train: The graph.
-        shaft: Name of the shaft.
-    """
-    on_shaft = [torque for name, torque in flow.machine_torques.items() if train.machines[name] == shaft]
-    for mesh in train.meshes:
-        torques = flow.meshes[mesh.name].torques
-        on_shaft += [torque for node, torque in zip(mesh.nodes, torques, strict=True) if node == shaft]
-    for joint in train.joints:
-        if joint.name in flow.joints and shaft in (joint.driving, joint.driven):
-            on_shaft.append(flow.joints[joint.name])
-    return sum(abs(torque) for torque in on_shaft) / 2.0
-
-
 def size_shafts(given: Context, gears: tuple[GearSizing, ...]) -> tuple[ShaftSizing, ...]:
-    """Return every shaft of the design.
+    """Return every shaft of the design, sized where bending and torsion together are largest.
 
     Args:
         given: What sizing reads.
         gears: From `size_gears`.
+
+    Raises:
+        DesignError: If axes do not close, or gears, places or bearings do not fit on a shaft.
     """
-    return tuple(_shaft(given, name, gears) for name in given.design.shafts)
+    axes, by_name = axes_of(given, gears), {gear.name: gear for gear in gears}
+    return tuple(_shaft(given, plan_of(given, name, gears), axes, by_name, name=name) for name in given.design.shafts)
 
 
-def _shaft(given: Context, name: str, gears: tuple[GearSizing, ...]) -> ShaftSizing:
+class _Governing(NamedTuple):
+    """The load case that governs a shaft."""
+
+    case: str
+    bending_moment: float
+    torque: float
+    axial_force: float
+    bearings: tuple[BearingLoad, ...]
+    diagram: ShaftDiagram
+
+
+def _shaft(
+    given: Context, plan: ShaftPlan, axes: Mapping[str, complex], gears: Mapping[str, GearSizing], *, name: str
+) -> ShaftSizing:
     rules, layout, take = given.design.shafting, given.design.layout.get(name, ShaftLayout()), given.overrides.take
-    material = shaft_material(given)
-    loads = {case: torque_inside(flow, given.train, name) for case, flow in given.flows.items()}
-    case = max(loads, key=lambda each: loads[each])
-    torque, moment = loads[case], 0.0
+    material, load = shaft_material(given), _governing(given, plan, axes, gears, name=name)
     allowable = (material.yield_strength or 0.0) / rules.safety
     ratio = layout.bore_ratio if layout.bore_ratio is not None else rules.bore_ratio
-    diameter = layout.diameter or shaft_diameter(moment, torque, allowable, bore_ratio=ratio)
+    diameter = layout.diameter or shaft_diameter(load.bending_moment, load.torque, allowable, bore_ratio=ratio)
     diameter = take(f"{name}.diameter", "length", diameter)
     bore = layout.bore if layout.bore is not None else ratio * diameter
-    length = take(f"{name}.length", "length", layout.length or _length(given, name, gears))
-    mass = take(f"{name}.mass", "mass", shaft_mass(diameter, length, material.density, bore=bore))
-    stress = shaft_stress(moment, torque, diameter, bore=bore) if diameter else 0.0
+    mass = take(f"{name}.mass", "mass", shaft_mass(diameter, plan.length, material.density, bore=bore))
+    stress = shaft_stress(load.bending_moment, load.torque, diameter, bore=bore) if diameter else 0.0
     return ShaftSizing(
         name=name,
-        case=case,
+        case=load.case,
         speed=given.flows[RATED].speeds[name],
-        torque=torque,
-        bending_moment=moment,
-        length=length,
+        torque=load.torque,
+        bending_moment=load.bending_moment,
+        axial_force=load.axial_force,
+        length=plan.length,
         diameter=diameter,
         bore=bore,
         stress=stress,
         margin=allowable / stress if stress else math.inf,
         mass=mass,
         inertia=shaft_inertia(mass, diameter, bore=bore),
-        stiffness=torsional_stiffness(diameter, length, material.shear_modulus, bore=bore),
+        stiffness=torsional_stiffness(diameter, plan.length, material.shear_modulus, bore=bore),
+        axis=(axes[name].real, axes[name].imag),
+        bearings=load.bearings,
+        diagram=load.diagram,
     )
 
 
-def _length(given: Context, name: str, gears: tuple[GearSizing, ...]) -> float:
-    """Return a shaft's length: gears of pairs side by side with gaps, or the standard length between planetary sets."""
-    rules = given.design.shafting
-    widths = [
-        gear.face_width * gear.bodies / len(gear.shafts)
-        for gear in gears
-        if name in gear.shafts and gear.role in ("pinion", "wheel")
-    ]
-    if widths:
-        return sum(widths) + rules.bearing_length * (len(widths) + 1)
-    members = sum(name in (stage.sun, stage.ring, stage.carrier) for stage in given.design.planetaries.values())
-    return rules.middle_length if members > 1 else rules.end_length
+def _governing(
+    given: Context, plan: ShaftPlan, axes: Mapping[str, complex], gears: Mapping[str, GearSizing], *, name: str
+) -> _Governing:
+    """Return the case and the section where √(M² + T²) is largest, and what belongs to them."""
+    loads, axial = shaft_loads(given, name, plan, axes=axes, gears=gears)
+    bends = bool(loads.force.any())
+    whole = supported(loads, plan.bearings, length=plan.length) if bends else loads
+    drawn = diagram(whole)
+    moment = np.hypot(drawn.bending[:, 0], drawn.bending[:, 1])
+    case, section = np.unravel_index(int(np.argmax(np.hypot(moment, drawn.torsion))), moment.shape)
+    reactions = whole.force[case, :, -2:].T.tolist() if bends else []
+    return _Governing(
+        case=list(given.flows)[case],
+        bending_moment=float(moment[case, section]),
+        torque=abs(float(drawn.torsion[case, section])),
+        axial_force=float(axial[case]),
+        bearings=tuple(BearingLoad(at, (y, z)) for at, (y, z) in zip(plan.bearings, reactions, strict=False)),
+        diagram=_diagram(drawn, int(case)),
+    )
+
+
+def _diagram(drawn: Diagram, case: int) -> ShaftDiagram:
+    shear, bending = drawn.shear[case].tolist(), drawn.bending[case].tolist()
+    return ShaftDiagram(
+        position=tuple(drawn.position.tolist()),
+        shear=(tuple(shear[0]), tuple(shear[1])),
+        bending=(tuple(bending[0]), tuple(bending[1])),
+        torsion=tuple(drawn.torsion[case].tolist()),
+    )
 
 
 def size_carriers(

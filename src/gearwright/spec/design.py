@@ -188,6 +188,12 @@ class CarrierRules(Record):
     fill: Ratio = Field(0.6, gt=0, le=1, description="Share of the plate that is not cut out")
 
 
+class Place(Record):
+    """Where something sits along its shaft."""
+
+    position: Length = Field(ge=0, description="Middle of its width, from the shaft's first end")
+
+
 class ShaftLayout(Record):
     """What is given of one shaft."""
 
@@ -195,6 +201,21 @@ class ShaftLayout(Record):
     diameter: Length | None = Field(None, gt=0, description="Outer diameter; left out: sized")
     bore_ratio: Ratio | None = Field(None, ge=0, lt=0.95, description="Bore over outer diameter")
     bore: Length | None = Field(None, gt=0, description="Bore diameter")
+    first_bearing: Length | None = Field(
+        None, ge=0, description="Middle of the first bearing, from the shaft's first end; left out: at that end"
+    )
+    second_bearing: Length | None = Field(
+        None, ge=0, description="Middle of the second bearing, from the shaft's first end; left out: at the other end"
+    )
+    places: dict[str, Place] = Field(
+        default_factory=dict, description="Where gears, carriers, machines and clutches sit; left out: in order"
+    )
+    angle: Angle | None = Field(
+        None,
+        ge=-2 * math.pi,
+        le=2 * math.pi,
+        description="Direction of this shaft's axis seen from the axis that it meshes with; left out: evenly spaced",
+    )
 
 
 class DynamicsRules(Record):

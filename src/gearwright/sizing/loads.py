@@ -1,0 +1,139 @@
+"""What acts on one shaft, in both planes and every load case: mesh forces as point loads, and all torques.
+
+A mesh of a pair gives a tangential force that makes its torque, a radial force that parts the gears, and, with a
+single helix, an axial force whose lever about the shaft's axis is the pitch radius. Both halves of a double-helical
+gear take half of it, each in its own middle; their axial forces meet inside the gear's body. The members of a planetary
+set load their shaft by torque only: the forces of equal planets cancel. Forces carry the mesh load factor K_γ,
+torques are those of the power flow. The thrust and the moments of a propeller are not in it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.parts.beam import PointLoads
+from gearwright.sizing.gears import Context
+from gearwright.sizing.layout import ShaftPlan
+from gearwright.sizing.result import GearSizing
+from gearwright.train.flow import RATED
+from gearwright.train.graph import INTERNAL, Mesh
+
+Array = NDArray[np.float64]
+Complexes = NDArray[np.complexfloating[Any, Any]]
+
+
+class _Load(NamedTuple):
+    """One point load over all cases; transverse values are complex, y + i z."""
+
+    position: float
+    torque: Array
+    force: Complexes
+    couple: Complexes
+    axial: Array
+
+    def part(self, position: float, share: float) -> _Load:
+        """Return a share of the load at another place."""
+        return _Load(position, share * self.torque, share * self.force, share * self.couple, share * self.axial)
+
+
+def shaft_loads(
+    given: Context, name: str, plan: ShaftPlan, *, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
+) -> tuple[PointLoads, Array]:
+    """Return the point loads on a shaft, bearings left out, and the axial force of each case [N].
+
+    Args:
+        given: What sizing reads.
+        name: Of the shaft.
+        plan: Where things sit along it.
+        axes: Where all axes stand, y + i z [m].
+        gears: By name.
+
+    Returns:
+        Forces and couples (cases, 2 planes, n), torques (cases, n); axial forces (cases,), positive along x.
+
+    Source: forces of a mesh: ISO 21771:2007; equilibrium of the shaft: Pulvirenti 2023, §2.4.
+    """
+    loads = [*_torques(given, name, plan), *_meshes(given, name, plan, axes, gears)]
+    position = np.array([load.position for load in loads])
+    torque = np.stack([load.torque for load in loads], axis=-1)
+    force = np.stack([load.force for load in loads], axis=-1)
+    couple = np.stack([load.couple for load in loads], axis=-1)
+    return PointLoads(position, _planes(force), _planes(couple), torque), np.sum([load.axial for load in loads], axis=0)
+
+
+def _planes(values: Complexes) -> Array:
+    return np.stack([values.real, values.imag], axis=-2)
+
+
+def _torques(given: Context, name: str, plan: ShaftPlan) -> Iterator[_Load]:
+    """Yield what loads the shaft by torque only: machines, clutches, members of planetary sets."""
+    train, flows = given.train, given.flows.values()
+    for machine, shaft in train.machines.items():
+        if shaft == name:
+            yield _pure(plan.places[machine], [flow.machine_torques.get(machine, 0.0) for flow in flows])
+    for joint in train.joints:
+        if name in (joint.driving, joint.driven):
+            sign = 1.0 if name == joint.driven else -1.0
+            yield _pure(plan.places[joint.name], [sign * flow.joints.get(joint.name, 0.0) for flow in flows])
+    for mesh in train.meshes:
+        if mesh.stage in given.design.planetaries and name in mesh.nodes:
+            side = mesh.nodes.index(name)
+            member = f"{mesh.stage}.carrier" if side == 2 else mesh.gears[side]
+            yield _pure(plan.places[member], [flow.meshes[mesh.name].torques[side] for flow in flows])
+
+
+def _pure(position: float, torque: list[float]) -> _Load:
+    none = np.zeros(len(torque))
+    return _Load(position, np.array(torque), none.astype(complex), none.astype(complex), none)
+
+
+def _meshes(
+    given: Context, name: str, plan: ShaftPlan, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
+) -> Iterator[_Load]:
+    """Yield what every mesh of a pair puts on the shaft, once for each half of its gear."""
+    for mesh in given.train.meshes:
+        if mesh.stage in given.design.pairs and name in mesh.nodes[:2]:
+            side = mesh.nodes.index(name)
+            gear = gears[mesh.gears[side]]
+            whole = _mesh_load(given, mesh, side, axes, gear)
+            for half in range(mesh.count):
+                offset = (half - (mesh.count - 1) / 2.0) * gear.face_width
+                yield whole.part(plan.places[gear.name] + offset, 1.0 / mesh.count)
+
+
+def _mesh_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], gear: GearSizing) -> _Load:
+    """Return what all halves of a mesh together put on one of its two gears, at the origin."""
+    rating, radius = given.ratings[mesh.stage], gear.pitch_diameter / 2.0
+    torque = np.array([flow.meshes[mesh.name].torques[side] for flow in given.flows.values()])
+    tangential = torque / radius * rating.load_factor
+    radial = np.abs(tangential) * math.tan(rating.rules.pressure_angle) / math.cos(rating.helix_angle)
+    toward = _toward_mesh(mesh, side, axes)
+    outward = 1.0 if mesh.sign == INTERNAL and side == 1 else -1.0
+    force = toward * (1j * tangential + outward * radial)
+    slope = _hand(given, mesh.nodes[side]) * math.tan(rating.helix_angle) if mesh.count == 1 else 0.0
+    axial = -slope * tangential
+    return _Load(0.0, torque, force, -toward * radius * axial, axial)
+
+
+def _toward_mesh(mesh: Mesh, side: int, axes: Mapping[str, complex]) -> complex:
+    """Return the direction from a gear's axis to its pitch point: towards its mate, or, inside a ring, away from it."""
+    between = axes[mesh.nodes[1]] - axes[mesh.nodes[0]]
+    from_first = between / abs(between)
+    if mesh.sign == INTERNAL:
+        return -from_first
+    return from_first if side == 0 else -from_first
+
+
+def _hand(given: Context, shaft: str) -> float:
+    """Return +1 for right-hand helices, −1 for left-hand ones.
+
+    All helices on a shaft have one hand, so that the axial forces of a driven and a driving gear on it oppose each
+    other. Mating gears turn opposite ways and have opposite hands, or the same with an internal gear; the sense of
+    rotation therefore gives a choice of hands that always fits.
+    """
+    return -1.0 if given.flows[RATED].speeds[shaft] < 0.0 else 1.0
