@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from gearwright import __version__
+from gearwright.cli_weights import engines, show_mass, stated_mass
 
 if TYPE_CHECKING:
     from gearwright.dynamics import System, Trace
@@ -174,6 +175,26 @@ def report(
     found = find_modes(_assemble(sizing, None))
     file.write_text(make_report(sizing, modes=found, trace=trace), encoding="utf-8")
     typer.echo(f"wrote {file}")
+
+
+app.command()(engines)
+
+
+@app.command()
+def mass(
+    power_kw: Annotated[float, typer.Option(help="Power at the rating that sizes the gearbox")],
+    engine_rpm: Annotated[float, typer.Option(help="Speed of the input")],
+    propeller_rpm: Annotated[float, typer.Option(help="Speed of the propeller or rotor")],
+    design: Annotated[str | None, typer.Option(help="Design whose parts are summed up beside the statistics")] = None,
+    mass_kg: Annotated[float | None, typer.Option(help="Your own mass; it wins over every estimate")] = None,
+    origin: Annotated[str, typer.Option(help="Where your own mass comes from")] = "",
+    json: Annotated[Path | None, typer.Option(help="Write the comparison as JSON")] = None,
+    report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page")] = None,
+) -> None:
+    """Show what a gearbox weighs by every public method, with the band of the real weights."""
+    bottom_up = _size(design).mass if design is not None else None
+    stated = stated_mass(mass_kg, origin)
+    show_mass(power_kw, engine_rpm, propeller_rpm, bottom_up=bottom_up, stated=stated, json=json, report=report)
 
 
 @app.command()

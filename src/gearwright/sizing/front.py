@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from gearwright.sizing.rating import Rating
 from gearwright.spec import Pair, Planetary
-from gearwright.train.targets import Edge
+from gearwright.train.edges import Edge
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]

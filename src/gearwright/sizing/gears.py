@@ -59,8 +59,27 @@ def stage_modules(given: Context) -> dict[str, float]:
     for mesh in given.train.meshes:
         owner = group[mesh.stage]
         needed[owner] = max(needed.get(owner, 0.0), *_mesh_modules(given, mesh))
+    _align(given, needed, group)
     taken = {owner: given.overrides.take(f"{owner}.module", "length", value) for owner, value in needed.items()}
     return {stage: taken[owner] for stage, owner in group.items()}
+
+
+def _align(given: Context, needed: dict[str, float], group: Mapping[str, str]) -> None:
+    """Raise modules until pairs on the same axes have the larger one's centre distance."""
+    for name, pair in given.design.pairs.items():
+        if pair.coaxial_with is None:
+            continue
+        spans = {each: _span(given, each) for each in (name, pair.coaxial_with)}
+        distance = max(needed[group[each]] * span for each, span in spans.items())
+        for each, span in spans.items():
+            needed[group[each]] = distance / span
+
+
+def _span(given: Context, stage: str) -> float:
+    """Return a pair's centre distance over its normal module, (z_1 ± z_2) / (2 cos β) [-]."""
+    mesh = next(mesh for mesh in given.train.meshes if mesh.stage == stage)
+    one, other = (given.teeth[gear] for gear in mesh.gears)
+    return abs(one - mesh.sign * other) / (2.0 * math.cos(given.ratings[stage].helix_angle))
 
 
 def worst_case(given: Context, mesh: Mesh) -> tuple[str, float]:

@@ -19,10 +19,11 @@ from gearwright.sizing.front import Floats, Front, Integers, Task
 from gearwright.sizing.rating import modules, rating_of
 from gearwright.sizing.refusal import refusal
 from gearwright.spec import GROUND, Design, Pair, Planetary
+from gearwright.train.edges import members_of, willis_ratio, willis_speed
 from gearwright.train.flow import RATED, PowerFlow, asked_speeds, power_flow
 from gearwright.train.graph import Train, gear_of
 from gearwright.train.kinematics import rows, solve_speeds
-from gearwright.train.targets import Targets, members_of, willis_ratio, willis_speed
+from gearwright.train.targets import Targets
 
 
 def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, int]:
@@ -38,7 +39,7 @@ def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, in
     """
     flow, kept = _nominal_flow(design, train, nominal)
     tasks = [_task(name, design, train, nominal, flow) for name in design.stages]
-    front = Front({}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {})
+    front = _joined(design, Front({}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {}))
     while tasks:
         task = next((each for each in tasks if _ready(each, front)), None)
         if task is None:
@@ -171,11 +172,10 @@ def _new_speeds(front: Front, task: Task, parent: Integers, ratio: Floats) -> di
     edge = task.edge
     if edge is None:
         return {}
-    source = next((shaft for shaft in edge.fast if shaft in known), None)
-    if source is not None:
-        return {shaft: known[source] / ratio for shaft in edge.slow if shaft not in known}
-    source = next(shaft for shaft in edge.slow if shaft in known)
-    return dict.fromkeys(edge.fast, known[source] * ratio)
+    source = next(shaft for shaft in (*edge.fast, *edge.slow) if shaft in known)
+    fast = known[source] if source in edge.fast else known[source] * ratio
+    reached = {**dict.fromkeys(edge.fast, fast), **dict.fromkeys(edge.slow, fast / ratio)}
+    return {shaft: speed for shaft, speed in reached.items() if shaft not in known}
 
 
 def _speeds_hold(design: Design, speeds: Mapping[str, Floats], count: int) -> NDArray[np.bool_]:

@@ -8,6 +8,7 @@ from itertools import combinations
 from gearwright.catalogue.materials import materials
 from gearwright.errors import Problem, near
 from gearwright.spec.design import GROUND, Design, GearRules, Pair, Planetary
+from gearwright.units import text
 
 SIDES = ("pinion", "wheel")
 
@@ -18,7 +19,10 @@ def reference_problems(design: Design) -> list[Problem]:
     Args:
         design: As typed; its references are not resolved yet.
     """
-    checks = (_shafts, _machines, _pairs, _planetaries, _clutches, _layout, _cases, _keep, _materials)
+    checks = (
+        _shafts, _names, _machines, _speeds, _pairs, _planetaries, _clutches, _teeth, _layout, _cases, _keep,
+        _materials, _overrides,
+    )  # fmt: skip
     return [problem for check in checks for problem in check(design)]
 
 
@@ -27,16 +31,33 @@ def _shafts(design: Design) -> Iterator[Problem]:
     for name in design.shafts:
         if name in seen:
             yield Problem("shafts", f"{name!r} stands twice; every shaft has one name")
-        if name == GROUND or "." in name or not name.strip():
-            yield Problem(
-                "shafts",
-                f"{name!r} cannot be a shaft's name: {GROUND!r} is the frame, and dots separate gears from pairs",
-            )
+        if name == GROUND:
+            yield Problem("shafts", f"{GROUND!r} is the frame and stands still; give the shaft another name")
+        elif not _is_name(name):
+            yield Problem("shafts", f"{name!r} {_NO_NAME}")
         seen.add(name)
     used = _used_shafts(design)
     for name in design.shafts:
         if name not in used:
             yield Problem("shafts", f"{name!r} carries nothing; remove it, or put a machine or a gear on it")
+
+
+_NO_NAME = "cannot be a name: use letters, digits, hyphens or spaces; a dot joins a stage to its gear"
+
+
+def _is_name(name: str) -> bool:
+    return bool(name.strip()) and name.isprintable() and "." not in name
+
+
+def _names(design: Design) -> Iterator[Problem]:
+    tables: Mapping[str, Mapping[str, object]] = {
+        "turbines": design.turbines, "motors": design.motors, "propellers": design.propellers, "pairs": design.pairs,
+        "planetaries": design.planetaries, "clutches": design.clutches, "cases": design.cases,
+    }  # fmt: skip
+    for table, entries in tables.items():
+        for name in entries:
+            if not _is_name(name):
+                yield Problem(f"{table}.{name}", f"{name!r} {_NO_NAME}")
 
 
 def _used_shafts(design: Design) -> set[str]:
@@ -78,13 +99,39 @@ def _machines(design: Design) -> Iterator[Problem]:
             owner[name] = table
     if not design.machines:
         yield Problem("", "no machine drives or loads this train; add a table such as [turbines.gas-turbine]")
-    if not design.propellers:
+    if design.machines and not design.propellers:
         yield Problem("propellers", "nothing takes the power; add a table such as [propellers.propeller]")
+
+
+def _speeds(design: Design) -> Iterator[Problem]:
+    """Find machines on one shaft that ask for different speeds, or senses."""
+    first: dict[str, str] = {}
+    for name, machine in design.machines.items():
+        other = first.setdefault(machine.shaft, name)
+        asked, speed = _signed_speed(name, design), _signed_speed(other, design)
+        if abs(asked / speed - 1.0) > design.teeth.speed_tolerance:
+            yield Problem(
+                f"{_table_of(name, design)}.{name}.speed",
+                f"{text(asked, 'speed')} on shaft {machine.shaft!r}, where {other} turns at {text(speed, 'speed')};"
+                " give one speed to both, or put a gear stage between them",
+            )
+
+
+def _signed_speed(machine: str, design: Design) -> float:
+    reverse = machine in design.motors and design.motors[machine].reverse
+    return -design.machines[machine].speed if reverse else design.machines[machine].speed
+
+
+def _table_of(machine: str, design: Design) -> str:
+    return next(table for table in ("turbines", "motors", "propellers") if machine in getattr(design, table))
 
 
 def _pairs(design: Design) -> Iterator[Problem]:
     for name, pair in design.pairs.items():
         path = f"pairs.{name}"
+        if pair.pinion == [] or pair.wheel == []:
+            yield Problem(path, "a gear sits on at least one shaft; name one in pinion and in wheel")
+            continue
         if name in design.planetaries:
             yield Problem(path, "a planetary set has this name too; stages need different names")
         sides = {side: as_list(getattr(pair, side)) for side in SIDES}
@@ -95,12 +142,23 @@ def _pairs(design: Design) -> Iterator[Problem]:
         for side, names in sides.items():
             for shaft in names:
                 yield from _gear_reference(f"{path}.{side}", shaft, name, design)
+            if len(set(names)) < len(names) or (len(names) > 1 and any("." in each for each in names)):
+                yield Problem(f"{path}.{side}", f"{names}: a list names different shafts, and no shared gear")
+        if set(sides["pinion"]) & set(sides["wheel"]):
+            yield Problem(path, f"{pair.pinion!r} carries both gears; pinion and wheel turn on two shafts")
+        if pair.coaxial_with is not None and (pair.coaxial_with == name or pair.coaxial_with not in design.pairs):
+            others = [other for other in design.pairs if other != name]
+            yield Problem(f"{path}.coaxial_with", f"there is no other pair {pair.coaxial_with!r}; {near(name, others)}")
         meshes = max(len(names) for names in sides.values())
-        if pair.share is not None and (len(pair.share) != meshes or abs(sum(pair.share) - 1.0) > 1e-9):
+        if pair.share is not None and not _is_share(pair.share, meshes):
             yield Problem(
                 f"{path}.share",
-                f"{pair.share} does not share the load of {meshes} meshes; give {meshes} numbers whose sum is 1",
+                f"{pair.share} does not share the load of {meshes} meshes; give as many positive numbers, sum 1",
             )
+
+
+def _is_share(share: list[float], meshes: int) -> bool:
+    return len(share) == meshes and min(share) > 0.0 and abs(sum(share) - 1.0) <= 1e-9
 
 
 def _gear_reference(path: str, name: str, own: str, design: Design) -> Iterator[Problem]:
@@ -146,6 +204,16 @@ def _clutches(design: Design) -> Iterator[Problem]:
             )
 
 
+def _teeth(design: Design) -> Iterator[Problem]:
+    rules = design.teeth
+    if rules.sun_minimum > rules.sun_maximum:
+        yield Problem("teeth.sun_minimum", f"{rules.sun_minimum} is above teeth.sun_maximum, {rules.sun_maximum}")
+    if rules.pinion_minimum is not None and rules.pinion_minimum > rules.pinion_maximum:
+        yield Problem(
+            "teeth.pinion_minimum", f"{rules.pinion_minimum} is above teeth.pinion_maximum, {rules.pinion_maximum}"
+        )
+
+
 def _layout(design: Design) -> Iterator[Problem]:
     for name, layout in design.layout.items():
         yield from _shaft(f"layout.{name}", name, design)
@@ -160,12 +228,14 @@ def _layout(design: Design) -> Iterator[Problem]:
 
 def _cases(design: Design) -> Iterator[Problem]:
     for case, drives in design.cases.items():
+        if case == "rated":
+            yield Problem("cases.rated", "every design has this case: all machines at rated power; take another name")
         for machine, drive in drives.items():
             path = f"cases.{case}.{machine}"
             if machine not in design.machines:
                 yield Problem(path, f"there is no machine {machine!r}; {near(machine, design.machines)}")
             elif machine in design.turbines and drive.power is not None and drive.power < 0:
-                yield Problem(f"{path}.power_kw", f"{drive.power / 1e3:g} kW: a turbine gives power; use 0 or more")
+                yield Problem(f"{path}.power", f"{drive.power / 1e3:g} kW: a turbine gives power; use 0 or more")
 
 
 def _keep(design: Design) -> Iterator[Problem]:
@@ -183,6 +253,12 @@ def _materials(design: Design) -> Iterator[Problem]:
                 yield from _gear_material(f"{table}.{name}.gears.material", stage.gears)
     if design.shafting.material is not None:
         yield from _material("shafting.material", design.shafting.material, ("yield_strength",), "shafts")
+
+
+def _overrides(design: Design) -> Iterator[Problem]:
+    for path, value in design.overrides.items():
+        if value <= 0.0:
+            yield Problem(f"overrides.{path}", f"{value:g} is not allowed; give a value greater than 0")
 
 
 def _gear_material(path: str, rules: GearRules) -> Iterator[Problem]:

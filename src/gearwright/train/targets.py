@@ -7,52 +7,21 @@ of their shafts, and what they leave open is split into equal ratios (Pulvirenti
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import GROUND, Design, Pair, Planetary
+from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of, members_of, willis_ratio, willis_speed
 from gearwright.train.flow import asked_speeds
-from gearwright.train.graph import shafts_of
 from gearwright.train.kinematics import Array
 
 # Weights of what holds first, in log speeds: the kept speed, given teeth and ratios, other machines, equal ratios.
 _KEPT, _GIVEN, _ASKED, _EQUAL = 1e9, 1e6, 1e3, 1.0
-
-
-@dataclass(frozen=True)
-class Edge:
-    """A stage as one ratio between two shafts: ω_fast / ω_slow = ratio(tooth ratio)."""
-
-    stage: str
-    fast: tuple[str, ...]
-    """Shafts of the pinions, or of the sun (of the ring where the sun stands still)."""
-    slow: tuple[str, ...]
-    """Shafts of the wheels, or the other turning member's."""
-    grounded: str
-    """``ring``, ``carrier``, ``sun``; or ``axes`` for a pair."""
-
-    def ratio(self, tooth_ratio: float) -> float:
-        """Return the speed ratio of a tooth ratio z_2/z_1 or z_r/z_s [-]."""
-        match self.grounded:
-            case "ring":
-                return 1.0 + tooth_ratio
-            case "sun":
-                return 1.0 + 1.0 / tooth_ratio
-            case _:
-                return tooth_ratio
-
-    def tooth_ratio(self, ratio: float) -> float:
-        """Return the tooth ratio of a speed ratio [-]."""
-        match self.grounded:
-            case "ring":
-                return ratio - 1.0
-            case "sun":
-                return 1.0 / (ratio - 1.0)
-            case _:
-                return ratio
+_SIDE = 1e-3
+"""Weight of equal ratios in stages off the way from the first machine to the propeller."""
 
 
 @dataclass(frozen=True)
@@ -88,56 +57,22 @@ def targets(design: Design) -> Targets:
     return Targets(speeds, tooth_ratios, edges)
 
 
-def edge_of(name: str, design: Design) -> Edge | None:
-    """Return a stage as an edge between shafts, or None for a differential.
-
-    Args:
-        name: Name of the stage.
-        design: The design.
-    """
-    stage = design.stages[name]
-    if isinstance(stage, Pair):
-        pinions, wheels = shafts_of("pinion", stage, design), shafts_of("wheel", stage, design)
-        return Edge(name, tuple(pinions), tuple(wheels), "axes")
-    if stage.ring == GROUND:
-        return Edge(name, (stage.sun,), (stage.carrier,), "ring")
-    if stage.carrier == GROUND:
-        return Edge(name, (stage.sun,), (stage.ring,), "carrier")
-    if stage.sun == GROUND:
-        return Edge(name, (stage.ring,), (stage.carrier,), "sun")
-    return None
-
-
 def _ratio(edge: Edge, speeds: Mapping[str, float]) -> float:
     return speeds[edge.fast[0]] / speeds[edge.slow[0]]
-
-
-def given_tooth_ratio(stage: Pair | Planetary) -> float | None:
-    """Return the tooth ratio that a stage's own teeth give, if they do [-].
-
-    Args:
-        stage: As in the design.
-    """
-    if isinstance(stage, Pair):
-        return stage.wheel_teeth / stage.pinion_teeth if stage.pinion_teeth and stage.wheel_teeth else None
-    sun, planet, ring = stage.sun_teeth, stage.planet_teeth, stage.ring_teeth
-    if ring and planet:
-        sun = ring - 2 * planet
-    elif sun and planet:
-        ring = sun + 2 * planet
-    return ring / sun if sun and ring else None
 
 
 def _potentials(design: Design, edges: Mapping[str, Edge], fixed: Mapping[str, float]) -> dict[str, float]:
     """Return shaft speeds by weighted least squares in their logarithms."""
     column = {name: k for k, name in enumerate(design.shafts)}
+    main = _main_stages(design, edges)
     equations: list[tuple[dict[str, float], float, float]] = []
-    for rank, (machine, speed) in enumerate(asked_speeds(design, {}).items()):
-        shaft = design.machines[machine].shaft
-        equations.append(({shaft: 1.0}, math.log(abs(speed)), _KEPT if rank == 0 else _ASKED))
+    for rank, (shaft, speed) in enumerate(_strong_speeds(design).items()):
+        equations.append(({shaft: 1.0}, math.log(speed), _KEPT if rank == 0 else _ASKED))
     for name, edge in edges.items():
         ratio, weight = _edge_ratio(design.stages[name], edge, fixed.get(name))
-        equations += [({fast: 1.0, slow: -1.0}, math.log(ratio), weight) for fast in edge.fast for slow in edge.slow]
+        ends = [(fast, slow) for fast in edge.fast for slow in edge.slow]
+        part = weight / math.sqrt(len(ends)) * (1.0 if name in main else _SIDE)
+        equations += [({fast: 1.0, slow: -1.0}, math.log(ratio), part) for fast, slow in ends]
     equations += [({clutch.driving: 1.0, clutch.driven: -1.0}, 0.0, _GIVEN) for clutch in design.clutches.values()]
     matrix = np.zeros((len(equations), len(column)))
     right = np.zeros(len(equations))
@@ -151,11 +86,73 @@ def _potentials(design: Design, edges: Mapping[str, Edge], fixed: Mapping[str, f
     return {name: math.exp(solution[k]) for name, k in column.items()}
 
 
+def _strong_speeds(design: Design) -> dict[str, float]:
+    """Return the speeds that machines give, and those that follow from them through differentials of given ratio."""
+    speeds: dict[str, float] = {}
+    for machine, speed in asked_speeds(design, {}).items():
+        speeds.setdefault(design.machines[machine].shaft, abs(speed))
+    for _ in design.stages:
+        for name, stage in design.stages.items():
+            _propagate(stage, edge_of(name, design), speeds)
+    return speeds
+
+
+def _propagate(stage: Pair | Planetary, edge: Edge | None, speeds: dict[str, float]) -> None:
+    """Add the speed that a stage of given ratio hands on, if it hands on one."""
+    ratio = asked_tooth_ratio(stage)
+    if ratio is None:
+        return
+    if edge is not None:
+        source = next((shaft for shaft in (*edge.fast, *edge.slow) if shaft in speeds), None)
+        if source is not None:
+            fast = speeds[source] * (1.0 if source in edge.fast else edge.ratio(ratio))
+            for shaft in edge.fast:
+                speeds.setdefault(shaft, fast)
+            for shaft in edge.slow:
+                speeds.setdefault(shaft, fast / edge.ratio(ratio))
+        return
+    if isinstance(stage, Pair):
+        return
+    missing = [member for member in members_of(stage) if member not in speeds]
+    if len(missing) == 1:
+        known = {member: np.array([speeds[member]]) for member in members_of(stage) if member in speeds}
+        speeds[missing[0]] = float(willis_speed(stage, missing[0], np.array([ratio]), known)[0])
+
+
+def _main_stages(design: Design, edges: Mapping[str, Edge]) -> set[str]:
+    """Return the stages on the shortest way from the first machine to the first propeller, which share its ratio."""
+    machines = list(asked_speeds(design, {}))
+    start = design.machines[machines[0]].shaft
+    goal = next(iter(design.propellers.values())).shaft
+    ways: dict[str, tuple[str, ...]] = {start: ()}
+    queue = [start]
+    for shaft in queue:
+        for name, ends in _neighbours(design, edges, shaft):
+            for end in ends:
+                if end not in ways:
+                    ways[end] = (*ways[shaft], name)
+                    queue.append(end)
+    return set(ways.get(goal, ()))
+
+
+def _neighbours(design: Design, edges: Mapping[str, Edge], shaft: str) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Yield what leads from a shaft, and where to: stages, differentials, clutches."""
+    for name, edge in edges.items():
+        if shaft in edge.fast:
+            yield name, edge.slow
+        if shaft in edge.slow:
+            yield name, edge.fast
+    for name, planetary in design.planetaries.items():
+        if name not in edges and shaft in members_of(planetary):
+            yield name, members_of(planetary)
+    for name, clutch in design.clutches.items():
+        if shaft in (clutch.driving, clutch.driven):
+            yield name, (clutch.driving, clutch.driven)
+
+
 def _edge_ratio(stage: Pair | Planetary, edge: Edge, fixed: float | None) -> tuple[float, float]:
     """Return an edge's ratio and how firmly it holds."""
-    asked = given_tooth_ratio(stage)
-    if asked is None and stage.ratio is not None:
-        asked = stage.ratio if isinstance(stage, Pair) else stage.ratio - 1.0
+    asked = asked_tooth_ratio(stage)
     if asked is not None:
         return edge.ratio(asked), _GIVEN
     return (fixed, _GIVEN) if fixed is not None else (1.0, _EQUAL)
@@ -174,54 +171,9 @@ def _require_connected(matrix: Array, design: Design) -> None:
         raise DesignError([Problem("shafts", message)])
 
 
-def members_of(stage: Planetary) -> tuple[str, str, str]:
-    """Return the shafts of sun, ring and carrier.
-
-    Args:
-        stage: A planetary set.
-    """
-    return stage.sun, stage.ring, stage.carrier
-
-
-def willis_ratio(stage: Planetary, speeds: Mapping[str, Array]) -> Array:
-    """Return z_r/z_s that lets the members turn at given speeds [-].
-
-    Args:
-        stage: A planetary set.
-        speeds: Shaft -> speed without its sense; the ground is zero [rad/s].
-
-    Source: Willis 1841, ω_s − ω_c = −(z_r/z_s) (ω_r − ω_c); with the carrier held the ring turns backwards.
-    """
-    sun, ring, carrier = (speeds[member] for member in members_of(stage))
-    if stage.carrier == GROUND:
-        return np.asarray(sun / ring)
-    with np.errstate(divide="ignore"):
-        return np.asarray((sun - carrier) / (carrier - ring))
-
-
-def willis_speed(stage: Planetary, member: str, ratio: Array, speeds: Mapping[str, Array]) -> Array:
-    """Return the speed of one member from those of the other two, without its sense [rad/s].
-
-    Args:
-        stage: A planetary set.
-        member: Shaft whose speed is asked.
-        ratio: z_r/z_s [-].
-        speeds: Shaft -> speed of the others [rad/s].
-
-    Source: Willis 1841, ω_s + (z_r/z_s) ω_r = (1 + z_r/z_s) ω_c.
-    """
-    zero = np.zeros(len(ratio))
-    sun, ring, carrier = (speeds.get(each, zero) for each in members_of(stage))
-    if member == stage.sun:
-        return np.abs((1.0 + ratio) * carrier - ratio * ring)
-    if member == stage.ring:
-        return np.abs(((1.0 + ratio) * carrier - sun) / ratio)
-    return np.abs((sun + ratio * ring) / (1.0 + ratio))
-
-
 def _differential(name: str, stage: Planetary, speeds: Mapping[str, float]) -> float:
     """Return z_r/z_s of a planetary set whose three members turn."""
-    given = given_tooth_ratio(stage)
+    given = asked_tooth_ratio(stage)
     if given is not None:
         return given
     sun, ring, carrier = (speeds[member] for member in members_of(stage))

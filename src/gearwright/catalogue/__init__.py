@@ -1,0 +1,1 @@
+"""Data that comes with gearwright: materials, engines, gearbox weights; each with its provenance."""

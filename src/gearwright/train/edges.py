@@ -1,0 +1,138 @@
+"""A stage as a relation between its shafts' speeds: one ratio between two of them, or Willis's equation of three."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearwright.spec import GROUND, Design, Pair, Planetary
+from gearwright.train.graph import shafts_of
+from gearwright.train.kinematics import Array
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A stage as one ratio between two shafts: ω_fast / ω_slow = ratio(tooth ratio)."""
+
+    stage: str
+    fast: tuple[str, ...]
+    """Shafts of the pinions, or of the sun (of the ring where the sun stands still)."""
+    slow: tuple[str, ...]
+    """Shafts of the wheels, or the other turning member's."""
+    grounded: str
+    """``ring``, ``carrier``, ``sun``; or ``axes`` for a pair."""
+
+    def ratio(self, tooth_ratio: float) -> float:
+        """Return the speed ratio of a tooth ratio z_2/z_1 or z_r/z_s [-]."""
+        match self.grounded:
+            case "ring":
+                return 1.0 + tooth_ratio
+            case "sun":
+                return 1.0 + 1.0 / tooth_ratio
+            case _:
+                return tooth_ratio
+
+    def tooth_ratio(self, ratio: float) -> float:
+        """Return the tooth ratio of a speed ratio [-]."""
+        match self.grounded:
+            case "ring":
+                return ratio - 1.0
+            case "sun":
+                return 1.0 / (ratio - 1.0)
+            case _:
+                return ratio
+
+
+def edge_of(name: str, design: Design) -> Edge | None:
+    """Return a stage as an edge between shafts, or None for a differential.
+
+    Args:
+        name: Name of the stage.
+        design: The design.
+    """
+    stage = design.stages[name]
+    if isinstance(stage, Pair):
+        pinions, wheels = shafts_of("pinion", stage, design), shafts_of("wheel", stage, design)
+        return Edge(name, tuple(pinions), tuple(wheels), "axes")
+    if stage.ring == GROUND:
+        return Edge(name, (stage.sun,), (stage.carrier,), "ring")
+    if stage.carrier == GROUND:
+        return Edge(name, (stage.sun,), (stage.ring,), "carrier")
+    if stage.sun == GROUND:
+        return Edge(name, (stage.ring,), (stage.carrier,), "sun")
+    return None
+
+
+def given_tooth_ratio(stage: Pair | Planetary) -> float | None:
+    """Return the tooth ratio that a stage's own teeth give, if they do [-].
+
+    Args:
+        stage: As in the design.
+    """
+    if isinstance(stage, Pair):
+        return stage.wheel_teeth / stage.pinion_teeth if stage.pinion_teeth and stage.wheel_teeth else None
+    sun, planet, ring = stage.sun_teeth, stage.planet_teeth, stage.ring_teeth
+    if ring and planet:
+        sun = ring - 2 * planet
+    elif sun and planet:
+        ring = sun + 2 * planet
+    return ring / sun if sun and ring else None
+
+
+def asked_tooth_ratio(stage: Pair | Planetary) -> float | None:
+    """Return the tooth ratio that a stage's teeth or its asked ratio give, if either does [-].
+
+    Args:
+        stage: As in the design.
+    """
+    given = given_tooth_ratio(stage)
+    if given is None and stage.ratio is not None:
+        return stage.ratio if isinstance(stage, Pair) else stage.ratio - 1.0
+    return given
+
+
+def members_of(stage: Planetary) -> tuple[str, str, str]:
+    """Return the shafts of sun, ring and carrier.
+
+    Args:
+        stage: A planetary set.
+    """
+    return stage.sun, stage.ring, stage.carrier
+
+
+def willis_ratio(stage: Planetary, speeds: Mapping[str, Array]) -> Array:
+    """Return z_r/z_s that lets the members turn at given speeds [-].
+
+    Args:
+        stage: A planetary set.
+        speeds: Shaft -> speed without its sense; the ground is zero [rad/s].
+
+    Source: Willis 1841, ω_s − ω_c = −(z_r/z_s) (ω_r − ω_c); with the carrier held the ring turns backwards.
+    """
+    sun, ring, carrier = (speeds[member] for member in members_of(stage))
+    if stage.carrier == GROUND:
+        return np.asarray(sun / ring)
+    with np.errstate(divide="ignore"):
+        return np.asarray((sun - carrier) / (carrier - ring))
+
+
+def willis_speed(stage: Planetary, member: str, ratio: Array, speeds: Mapping[str, Array]) -> Array:
+    """Return the speed of one member from those of the other two, without its sense [rad/s].
+
+    Args:
+        stage: A planetary set.
+        member: Shaft whose speed is asked.
+        ratio: z_r/z_s [-].
+        speeds: Shaft -> speed of the others [rad/s].
+
+    Source: Willis 1841, ω_s + (z_r/z_s) ω_r = (1 + z_r/z_s) ω_c.
+    """
+    zero = np.zeros(len(ratio))
+    sun, ring, carrier = (speeds.get(each, zero) for each in members_of(stage))
+    if member == stage.sun:
+        return np.abs((1.0 + ratio) * carrier - ratio * ring)
+    if member == stage.ring:
+        return np.abs(((1.0 + ratio) * carrier - sun) / ratio)
+    return np.abs((sun + ratio * ring) / (1.0 + ratio))
