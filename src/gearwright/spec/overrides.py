@@ -19,6 +19,8 @@ class Overrides:
     """Path without unit -> value that was taken [SI]."""
     offered: set[str] = field(default_factory=set)
     """Every key that would have been taken."""
+    twice: list[Problem] = field(default_factory=list)
+    """Values that are given in several units."""
 
     def take(self, path: str, dimension: str, computed: float) -> float:
         """Return the user's value for a path, or the computed one.
@@ -32,21 +34,24 @@ class Overrides:
             f"{path}_{suffix}": factor for suffix, factor in SUFFIXES[dimension].items()
         }  # fmt: skip
         self.offered |= set(keys)
-        for key, factor in keys.items():
-            if key in self.given:
-                self.used[path] = self.given[key] * factor
-                return self.used[path]
-        return computed
+        written = [key for key in keys if key in self.given]
+        if not written:
+            return computed
+        if len(written) > 1:
+            self.twice.append(Problem(f"overrides.{written[1]}", f"{path} is given twice; keep one of {written}"))
+        self.used[path] = self.given[written[0]] * keys[written[0]]
+        return self.used[path]
 
     def require_all_used(self) -> None:
-        """Raise for every override that no computed value has taken.
+        """Raise for every override that no computed value has taken, or that is given twice.
 
         Raises:
             DesignError: With the nearest path.
         """
-        unknown = [key for key in self.given if key not in self.offered]
-        if unknown:
-            raise DesignError(
-                Problem(f"overrides.{key}", f"nothing of this name is computed; {near(key, self.offered)}")
-                for key in unknown
-            )
+        unknown = [
+            Problem(f"overrides.{key}", f"nothing of this name is computed; {near(key, self.offered)}")
+            for key in self.given
+            if key not in self.offered
+        ]
+        if unknown or self.twice:
+            raise DesignError([*unknown, *self.twice])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import cast
 
@@ -10,7 +11,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.spec.check import reference_problems
 from gearwright.spec.design import Design
 from gearwright.spec.lines import key_lines, line_of
-from gearwright.spec.record import build
+from gearwright.spec.record import Location, build
 
 LARGEST_FILE = 1_000_000
 """Largest design file that is read [bytes]; the shipped ones have about a thousand."""
@@ -44,33 +45,50 @@ def parse(text: str, *, source: str = "") -> Design:
         )
     try:
         raw = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:  # ValueError also for whole numbers of thousands of digits
+        reason = "its brackets nest too deeply" if isinstance(error, RecursionError) else error
         raise DesignError(
-            [Problem("", f"this is not TOML: {error}; a line reads  key = value  or  [table]")], source
+            [Problem("", f"this is not TOML: {reason}; a line reads  key = value  or  [table]")], source
         ) from None
     record, written = build(Design, raw)
     problems = list(written.problems)
     if record is not None:
-        problems += reference_problems(cast(Design, record))
+        problems += _in_written_keys(reference_problems(cast(Design, record)), written.keys)
     if problems:
-        lines = key_lines(text)
-        placed = [Problem(each.path, each.message, line_of(each.path, lines)) for each in problems]
-        raise DesignError(sorted(placed, key=lambda each: (each.line or 0, each.path)), source)
+        raise DesignError(placed(problems, text), source)
     return cast(Design, record)
 
 
+def placed(problems: Iterable[Problem], text: str) -> list[Problem]:
+    """Return problems with their lines, in the order of the file.
+
+    Args:
+        problems: With paths in the keys of the file.
+        text: The file's content.
+    """
+    lines = key_lines(text)
+    found = [Problem(each.path, each.message, line_of(each.path, lines)) for each in problems]
+    return sorted(found, key=lambda each: (each.line or 0, each.path))
+
+
+def _in_written_keys(problems: Iterable[Problem], keys: Mapping[Location, str]) -> list[Problem]:
+    """Return problems whose paths end in the key with its unit, as the user wrote it."""
+    written = {".".join(location): path for location, path in keys.items()}
+    return [Problem(written.get(each.path, each.path), each.message) for each in problems]
+
+
 def _text(path: Path) -> str:
-    """Return the file's text, or say why there is none to be had."""
+    """Return the file's text, or say why there is none to be had; never read more than the largest design."""
     name = str(path)
     if path.is_dir():
         raise DesignError([Problem("", "this is a folder; name a design file in it, such as design.toml")], name)
     try:
-        size = path.stat().st_size
-        if size > LARGEST_FILE:
-            raise DesignError(
-                [Problem("", f"the file has {size:,} bytes; a design file has at most {LARGEST_FILE:,}")], name
-            )
-        return path.read_text(encoding="utf-8")
+        with path.open("rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+        if len(content) > LARGEST_FILE:
+            message = f"the file has more than {LARGEST_FILE:,} bytes, the most that a design has; name a design file"
+            raise DesignError([Problem("", message)], name)
+        return content.decode("utf-8-sig").replace("\r\n", "\n")
     except FileNotFoundError:
         raise DesignError(
             [Problem("", "there is no such file; `gearwright new` lists the designs to start from")], name

@@ -8,6 +8,7 @@ user wrote.
 from __future__ import annotations
 
 import math
+import reprlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from types import UnionType
@@ -23,7 +24,7 @@ from gearwright.units import SUFFIXES, Quantity
 class Record(BaseModel):
     """What all records of a file share: frozen, and no field that is not declared."""
 
-    model_config: ClassVar[ConfigDict] = ConfigDict(frozen=True, extra="forbid", strict=False, allow_inf_nan=False)
+    model_config: ClassVar[ConfigDict] = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
 
 
 Location = tuple[str, ...]
@@ -41,6 +42,8 @@ class Written:
     """Location of a quantity -> (SI value of its unit, suffix)."""
     problems: list[Problem] = field(default_factory=list)
     """What was found so far."""
+    incomplete: bool = False
+    """True where a whole table is unreadable or misnamed: what refers to it is no mistake of its own."""
 
     def report(self, location: Location, message: str) -> None:
         """Add a problem at a location."""
@@ -100,9 +103,10 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
     result: dict[str, object] = {}
     prefix = written.keys.get(at, "")
     for key, value in raw.items():
-        path = f"{prefix}.{key}" if prefix else key
+        path = f"{prefix}.{key}" if prefix else key or '""'
         if key not in keys:
             written.problems.append(Problem(path, _unknown(key, model, keys)))
+            written.incomplete |= isinstance(value, Mapping)
             continue
         name, factor, suffix = keys[key]
         location = (*at, name)
@@ -139,7 +143,7 @@ def _field(model: type[Record], key: str) -> FieldInfo:
 
 
 def _unknown(key: str, model: type[Record], keys: Mapping[str, object]) -> str:
-    if key in model.model_fields:
+    if key in model.model_fields and quantity_of(model.model_fields[key]) is not None:
         units = ", ".join(sorted(name for name in keys if name.startswith(f"{key}_")))
         return f"the unit is missing; write one of {units}"
     lower = {name.lower(): name for name in keys}
@@ -150,12 +154,28 @@ def _unknown(key: str, model: type[Record], keys: Mapping[str, object]) -> str:
 
 def _number(value: object, factor: float, suffix: str, written: Written, location: Location) -> object:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        written.report(location, f"{value!r} is not a number; give a number in {suffix}")
+        written.report(location, f"{_brief(value)} is not a number; give a number in {suffix}")
         return _STAND_IN
-    if not math.isfinite(value):
-        written.report(location, f"{value} is not a finite number; give a finite number in {suffix}")
+    try:
+        converted = float(value) * factor
+    except OverflowError:
+        converted = math.inf
+    if not math.isfinite(converted):
+        written.report(location, f"{_brief(value)} is not a finite number; give a finite number in {suffix}")
         return _STAND_IN
-    return float(value) * factor
+    return converted
+
+
+_BRIEF = reprlib.Repr()
+_BRIEF.maxstring = _BRIEF.maxother = 60
+
+
+def _brief(value: object) -> str:
+    """Return a value as written, cut where it is long or deep."""
+    try:
+        return _BRIEF.repr(value)
+    except ValueError:  # Python refuses to print whole numbers of thousands of digits
+        return "a number of thousands of digits"
 
 
 def _nested(value: object, annotation: Any, written: Written, location: Location) -> object:
@@ -164,11 +184,33 @@ def _nested(value: object, annotation: Any, written: Written, location: Location
         if isinstance(part, type) and issubclass(part, Record):
             if isinstance(value, Mapping):
                 return convert(value, part, written, location)
-            written.report(location, f"{value!r} is not a table; write [{written.keys[location]}] and its fields below")
+            written.report(
+                location, f"{_brief(value)} is not a table; write [{written.keys[location]}] and its fields below"
+            )
+            written.incomplete = True
             return None
         if get_origin(part) is dict and _holds_records(get_args(part)[1]):
             return _table(value, get_args(part)[1], written, location)
+        if get_origin(part) is dict and isinstance(value, Mapping):
+            return _flat(value, written, location)
     return value
+
+
+def _flat(value: Mapping[str, object], written: Written, location: Location) -> dict[str, object]:
+    """Return a table of plain values by dotted path: a path may stand in quotes or be written as TOML's dotted keys."""
+    flat: dict[str, object] = {}
+    waiting = list(value.items())
+    while waiting:
+        path, inner = waiting.pop(0)
+        if isinstance(inner, Mapping):
+            waiting += [(f"{path}.{key}", each) for key, each in inner.items()]
+            continue
+        place = (*location, path)
+        if path in flat:
+            written.report(place, "is given twice; keep one")
+        flat[path], written.values[place] = inner, inner
+        written.keys[place] = f"{written.keys[location]}.{path}"
+    return flat
 
 
 def _holds_records(annotation: Any) -> bool:
@@ -180,7 +222,8 @@ def _holds_records(annotation: Any) -> bool:
 def _table(value: object, annotation: Any, written: Written, location: Location) -> object:
     path = written.keys[location]
     if not isinstance(value, Mapping):
-        written.report(location, f"{value!r} is not a table; write [{path}.NAME] and its fields below")
+        written.report(location, f"{_brief(value)} is not a table; write [{path}.NAME] and its fields below")
+        written.incomplete = True
         return None
     rows: dict[str, object] = {}
     for name, row in value.items():
@@ -194,7 +237,7 @@ def build(model: type[Record], raw: Mapping[str, object]) -> tuple[Record | None
     """Return the record with everything that is wrong with the table.
 
     Where the table has problems, the record holds stand-ins in their place, so that what else is wrong can still be
-    looked for; it is None where not even that can be had.
+    looked for; it is None where not even that can be had, or where whole tables are missing from it.
 
     Args:
         model: The record's type.
@@ -203,12 +246,15 @@ def build(model: type[Record], raw: Mapping[str, object]) -> tuple[Record | None
     written = Written()
     table = convert(raw, model, written)
     try:
-        return model.model_validate(table), written
+        record = model.model_validate(table)
+        return (None if written.incomplete else record), written
     except ValidationError as error:
         faults = error.errors(include_url=False)
     for details in faults:
         _add(written, details)
         _stand_in(table, details["loc"])
+    if written.incomplete:
+        return None, written
     try:
         return model.model_validate(table), written
     except ValidationError:
@@ -246,6 +292,9 @@ def _add(written: Written, details: Any) -> None:
 
 _BOUNDS = {"greater_than": ("gt", "greater than"), "greater_than_equal": ("ge", "at least"),
            "less_than": ("lt", "less than"), "less_than_equal": ("le", "at most")}  # fmt: skip
+_WANTED = {"bool_type": "true or false", "dict_type": "a table", "finite_number": "a finite number",
+           "float_type": "a number", "int_type": "a whole number", "list_type": 'a list such as ["one", "two"]',
+           "string_type": "a text in quotes", "too_short": "at least one"}  # fmt: skip
 
 
 def _message(details: Any, written: Written, location: Location) -> str:
@@ -254,9 +303,10 @@ def _message(details: Any, written: Written, location: Location) -> str:
     context = details.get("ctx", {})
     if details["type"] in _BOUNDS:
         key, words = _BOUNDS[details["type"]]
-        return f"{given} {suffix} is not allowed; give a value {words} {context[key] / factor:.6g} {suffix}".replace(
-            "  ", " "
-        ).rstrip()
+        unit = f" {suffix}" if suffix else ""
+        return f"{_brief(given)}{unit} is not allowed; give a value {words} {context[key] / factor:.6g}{unit}"
     if details["type"] == "literal_error":
-        return f"{given!r} is not known; allowed: {context['expected']}"
-    return f"{given!r} is not allowed: {details['msg'].removeprefix('Value error, ')}"
+        return f"{_brief(given)} is not known; allowed: {context['expected']}"
+    if details["type"] in _WANTED:
+        return f"{_brief(given)} is not allowed; give {_WANTED[details['type']]}"
+    return f"{_brief(given)} is not allowed: {details['msg']}"
