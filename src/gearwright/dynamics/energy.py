@@ -11,6 +11,9 @@ from gearwright.dynamics.reference import line_state, speed_factor
 from gearwright.dynamics.system import Arrays, Floats
 from gearwright.units import Energy, Origin, Quantity
 
+WORKS = 6
+"""Energies that run along with the state: all of `Work` but what is stored."""
+
 
 @dataclass(frozen=True)
 class Work:

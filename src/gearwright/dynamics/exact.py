@@ -13,9 +13,6 @@ from scipy import linalg
 
 from gearwright.dynamics.system import Arrays, Floats, Series, entry_matrix, line_matrix
 
-FORMS = 6
-"""Quadratic forms whose integrals are the works of `energy.Work`."""
-
 
 class Propagator(NamedTuple):
     """What carries a block of steps."""

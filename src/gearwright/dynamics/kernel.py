@@ -13,9 +13,6 @@ from numba import njit
 
 from gearwright.dynamics.system import Arrays, Floats, Profile, Schedules, Series
 
-WORKS = 6
-"""Energies that run along as extra states: see `work.Work`."""
-
 
 class Instant(NamedTuple):
     """What the clock alone decides; work arrays that are filled in place."""

@@ -7,9 +7,8 @@ from typing import Literal
 
 import numpy as np
 
-from gearwright.dynamics.energy import Work, stored_energy
+from gearwright.dynamics.energy import WORKS, Work, stored_energy
 from gearwright.dynamics.exact import is_exact
-from gearwright.dynamics.kernel import WORKS
 from gearwright.dynamics.recorder import BLOCK, Outputs, Recorder
 from gearwright.dynamics.statics import statics
 from gearwright.dynamics.steppers import METHODS, Stepper, stepper
@@ -20,6 +19,8 @@ from gearwright.errors import DesignError, Problem, near
 
 STRETCH = 1000
 """Steps of the first stretch, repeated at half the step for the error estimate."""
+LARGEST_GENERATED = 250
+"""Lines up to which code is generated for the structure: beyond, generating it takes seconds."""
 RICHARDSON = 16.0 / 15.0
 """Error of a fourth-order step from the difference to two half steps."""
 
@@ -43,7 +44,7 @@ def simulate(
     Args:
         system: Bodies, lines, loads.
         duration: [s].
-        method: ``"exact"`` (constant stiffness, linear), ``"runge-kutta"``, or ``"auto"``.
+        method: One of `METHODS`, or ``"auto"``, which says in the notes what it picked and why.
         step: [s]; left out, from the highest harmonic and the fastest mode.
         start: ``"static"`` equilibrium, the ``"rigid"`` motion itself, or (q, q̇).
         outputs: What to keep.
@@ -99,7 +100,9 @@ def _method(arrays: Arrays, method: str) -> tuple[str, str]:
     if method == "auto":
         if is_exact(arrays):
             return "exact", "exact step: constant stiffness and speed, no backlash, loads linear in speed"
-        return "runge-kutta", "Runge–Kutta: stiffness, backlash or loads change with time or speed"
+        if len(arrays.stiffness) > LARGEST_GENERATED:
+            return "runge-kutta generic", f"Runge–Kutta, generic code: more than {LARGEST_GENERATED} lines"
+        return "runge-kutta", "Runge–Kutta, generated code: stiffness, backlash or loads change with time or speed"
     if method not in METHODS:
         raise DesignError([Problem("method", f"no such method: {method}; {near(method, ('auto', *METHODS))}")])
     if method == "exact" and not is_exact(arrays):

@@ -10,13 +10,17 @@ from collections.abc import Callable
 
 import numpy as np
 
-from gearwright.dynamics import exact, kernel
+from gearwright.dynamics import exact
+from gearwright.dynamics.clock import clock
+from gearwright.dynamics.generate import table_width
+from gearwright.dynamics.native import compiled
 from gearwright.dynamics.recorder import BLOCK
 from gearwright.dynamics.system import Arrays, Floats
+from gearwright.dynamics.topology import parameters, topology
 
 Stepper = Callable[[int, Floats, Floats], None]
-METHODS = ("exact", "runge-kutta")
-"""Names of the methods."""
+METHODS = ("exact", "runge-kutta", "runge-kutta generic")
+"""Names of the methods; the plain ``"runge-kutta"`` runs code that is generated for the system's structure."""
 
 
 def stepper(arrays: Arrays, method: str, h: float) -> Stepper:
@@ -27,10 +31,28 @@ def stepper(arrays: Arrays, method: str, h: float) -> Stepper:
         method: One of `METHODS`.
         h: Step [s].
     """
-    return _exact(arrays, h) if method == "exact" else _runge_kutta(arrays, h)
+    builders = {"exact": _exact, "runge-kutta": _generated, "runge-kutta generic": _generic}
+    return builders[method](arrays, h)
 
 
-def _runge_kutta(arrays: Arrays, h: float) -> Stepper:
+def _generated(arrays: Arrays, h: float) -> Stepper:
+    shape = topology(arrays)
+    layout, numbers = parameters(arrays, h)
+    code = compiled(shape, layout)
+    table = np.empty((2 * BLOCK + 1, table_width(shape)))
+    fill = clock(arrays, h, len(table))
+
+    def advance(first: int, record: Floats, state: Floats) -> None:
+        fill(first, table[: 2 * len(record) + 1])
+        code.advance(numbers, table, len(record), state, record)
+
+    return advance
+
+
+def _generic(arrays: Arrays, h: float) -> Stepper:
+    # Loaded here because the generated code does without it, and compiling it the first time takes seconds.
+    from gearwright.dynamics import kernel
+
     instants = kernel.empty_instant(arrays), kernel.empty_instant(arrays)
 
     def advance(first: int, record: Floats, state: Floats) -> None:

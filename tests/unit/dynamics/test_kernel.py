@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from random_systems import random_system
 
 from gearwright.dynamics import kernel, reference
-from gearwright.dynamics.energy import stored_energy
+from gearwright.dynamics.energy import WORKS, stored_energy
 
 
 @settings(max_examples=60, deadline=None)
@@ -16,7 +16,7 @@ def test_generic_kernel_agrees_with_plain_numpy(seed, bodies, lines, time):
     arrays = random_system(seed, bodies, lines).arrays
     rng = np.random.default_rng(seed + 1)
     size = len(arrays.mass)
-    state = np.concatenate([rng.normal(0.0, 0.1, size), rng.normal(0.0, 1.0, size), np.zeros(kernel.WORKS)])
+    state = np.concatenate([rng.normal(0.0, 0.1, size), rng.normal(0.0, 1.0, size), np.zeros(WORKS)])
     now, slope, output = kernel.empty_instant(arrays), np.zeros_like(state), np.zeros(2 * lines)
     kernel.set_instant(arrays, time, now)
     kernel.derivative(arrays, now, state, slope, output)
@@ -41,7 +41,7 @@ def test_powers_are_the_rates_of_the_energies(seed, time):
     rng = np.random.default_rng(seed + 1)
     size = len(arrays.mass)
     q, v = rng.normal(0.0, 0.1, size), rng.normal(0.0, 1.0, size)
-    state, output = np.concatenate([q, v, np.zeros(kernel.WORKS)]), np.zeros(2 * len(arrays.stiffness))
+    state, output = np.concatenate([q, v, np.zeros(WORKS)]), np.zeros(2 * len(arrays.stiffness))
     now, slope = kernel.empty_instant(arrays), np.zeros_like(state)
     kernel.set_instant(arrays, time, now)
     kernel.derivative(arrays, now, state, slope, output)

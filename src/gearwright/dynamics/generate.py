@@ -1,0 +1,209 @@
+"""Generate: a system's structure becomes straight-line LLVM assembly of its right-hand side and Runge–Kutta loop.
+
+Two kinds of functions: `instant` works out what the clock decides from a row of the clock table (cos and sin of every
+tone, s, ṡ, scheduled loads); `slope` the derivative, and as `look` the outputs of a step too. `native` joins them.
+"""
+
+from __future__ import annotations
+
+from gearwright.dynamics.emit import Emitter
+from gearwright.dynamics.energy import WORKS
+from gearwright.dynamics.topology import Layout, LineShape, Topology
+
+CHUNK = 8
+"""Numbers in one vector when whole states are added."""
+
+
+def table_width(shape: Topology) -> int:
+    """Return the columns of the clock table: cosines, sines, s, ṡ, scheduled loads.
+
+    Args:
+        shape: Structure.
+    """
+    return 2 * shape.tones + 2 + len(shape.scheduled)
+
+
+def state_width(shape: Topology, lanes: int) -> int:
+    """Return the numbers in a state, filled up to whole vectors.
+
+    Args:
+        shape: Structure.
+        lanes: Trajectories side by side.
+    """
+    return -(-(2 * shape.size + WORKS) * lanes // CHUNK) * CHUNK
+
+
+class Writer:
+    """Writes the functions of one structure."""
+
+    def __init__(self, shape: Topology, layout: Layout, lanes: int) -> None:
+        self.shape, self.layout, self.lanes = shape, layout, lanes
+        self.count = len(shape.lines)
+        self.varied = [j for j, line in enumerate(shape.lines) if line.variation]
+        self.wrong = [j for j, line in enumerate(shape.lines) if line.error]
+        starts = [0]
+        for line in shape.lines:
+            starts.append(starts[-1] + len(line.dofs))
+        self.weights = starts
+
+    def instant(self) -> str:
+        """Return the function that fills stiffness, half its rate, error and its rate from a row of the clock table."""
+        code = Emitter(self.lanes)
+        shape, at = self.shape, self.layout
+        used = {tone for line in shape.lines for tone in (*line.variation, *line.error)}
+        cos = {tone: code.load("%row", tone) for tone in sorted(used)}
+        sin = {tone: code.load("%row", shape.tones + tone) for tone in sorted(used)}
+        factor = code.load("%row", 2 * shape.tones)
+        place = [0, 0]
+        for j, line in enumerate(shape.lines):
+            if line.variation:
+                firsts = (at.variation_cos, at.variation_sin, at.variation_cos_rate, at.variation_sin_rate)
+                value, rate = self._sums(code, line.variation, (cos, sin), [first + place[0] for first in firsts])
+                code.store(code.add(code.load("%p", at.stiffness + j), value), "%now", j)
+                code.store(code.multiply(factor, rate), "%now", self.count + j)
+            if line.error:
+                firsts = (at.error_cos, at.error_sin, at.error_cos_rate, at.error_sin_rate)
+                value, rate = self._sums(code, line.error, (cos, sin), [first + place[1] for first in firsts])
+                code.store(value, "%now", 2 * self.count + j)
+                code.store(code.multiply(factor, rate), "%now", 3 * self.count + j)
+            place = [place[0] + len(line.variation), place[1] + len(line.error)]
+        head = "define internal void @instant(ptr noalias %p, ptr noalias %row, ptr noalias %now) noinline nounwind {"
+        return "\n".join([head, *code.lines, "  ret void", "}"])
+
+    def _sums(
+        self, code: Emitter, tones: tuple[int, ...], waves: tuple[dict[int, str], dict[int, str]], firsts: list[int]
+    ) -> tuple[str, str]:
+        cos, sin = waves
+        sums = [code.zero, code.zero]
+        for number, tone in enumerate(tones):
+            for part, (first, second) in enumerate((firsts[:2], firsts[2:])):
+                sums[part] = code.add(sums[part], code.multiply(code.load("%p", first + number), cos[tone]))
+                sums[part] = code.add(sums[part], code.multiply(code.load("%p", second + number), sin[tone]))
+        return sums[0], sums[1]
+
+    def slope(self, name: str, output: str) -> str:
+        """Return the function that fills the derivative of (q, q̇, works).
+
+        Args:
+            name: Of the function.
+            output: ``""``, ``"record"`` (forces and deflections) or ``"statistics"`` (least, most, sums of forces).
+        """
+        code = Emitter(self.lanes)
+        size = self.shape.size
+        position = [code.load("%y", i) for i in range(size)]
+        velocity = [code.load("%y", size + i) for i in range(size)]
+        factor, ramp = code.load("%row", 2 * self.shape.tones), code.load("%row", 2 * self.shape.tones + 1)
+        force, works = self._loads(code, velocity, factor)
+        for i in self.shape.turning:
+            force[i] = code.subtract(force[i], code.multiply(code.load("%p", self.layout.inertia + i), ramp))
+        for j in range(self.count):
+            self._line(code, j, (position, velocity, force, works), output)
+        self._frames(code, (position, velocity, force, works), factor)
+        for i in range(size):
+            code.store(velocity[i], "%dy", i)
+            code.store(code.multiply(force[i], code.load("%p", self.layout.mobility + i)), "%dy", size + i)
+        for number, work in enumerate(works):
+            code.store(work, "%dy", 2 * size + number)
+        pointers = ", ".join(f"ptr noalias %{each}" for each in ("p", "row", "now", "y", "dy", "out"))
+        head = f"define internal void @{name}({pointers}) noinline nounwind {{"
+        return "\n".join([head, *code.lines, "  ret void", "}"])
+
+    def _loads(self, code: Emitter, velocity: list[str], factor: str) -> tuple[list[str], list[str]]:
+        """Return the external load of each coordinate, and the powers with the first two filled in."""
+        force, works, at = [code.zero] * self.shape.size, [code.zero] * WORKS, self.layout
+        for i, damped, squared in self.shape.loaded:
+            total = code.add(code.multiply(code.load("%p", at.speed + i), factor), velocity[i])
+            load = code.load("%p", at.constant + i)
+            for number, dof in enumerate(self.shape.scheduled):
+                if dof == i:
+                    load = code.add(load, code.load("%row", 2 * self.shape.tones + 2 + number))
+            if damped:
+                load = code.subtract(load, code.multiply(code.load("%p", at.loss + i), velocity[i]))
+            if squared:
+                drag = code.multiply(code.multiply(code.load("%p", at.quadratic + i), code.size(total)), total)
+                load = code.subtract(load, drag)
+            force[i] = load
+            power = code.multiply(load, total)
+            works[0] = code.add(works[0], code.larger(power, code.zero))
+            works[1] = code.subtract(works[1], code.smaller(power, code.zero))
+        return force, works
+
+    def _line(
+        self, code: Emitter, j: int, parts: tuple[list[str], list[str], list[str], list[str]], output: str
+    ) -> None:
+        position, velocity, force, works = parts
+        line, at = self.shape.lines[j], self.layout
+        deflection, rate = self._along(code, j, position), self._along(code, j, velocity)
+        if line.error:
+            deflection = code.subtract(deflection, code.load("%now", 2 * self.count + j))
+            wander = code.load("%now", 3 * self.count + j)
+            rate = code.subtract(rate, wander)
+        contact = deflection
+        if line.gap:
+            back = code.add(deflection, code.load("%p", at.backlash + j))
+            contact = code.add(code.larger(deflection, code.zero), code.smaller(back, code.zero))
+        stiffness = code.load("%now", j) if line.variation else code.load("%p", at.stiffness + j)
+        carried = code.multiply(stiffness, contact)
+        if line.damped:
+            drag = code.multiply(code.load("%p", at.damping + j), rate)
+            works[2] = code.add(works[2], code.multiply(drag, rate))
+            carried = code.add(carried, drag)
+        if line.variation:
+            swell = code.multiply(code.load("%now", self.count + j), code.multiply(contact, contact))
+            works[3] = code.add(works[3], swell)
+        if line.error:
+            works[4] = code.subtract(works[4], code.multiply(wander, carried))
+        self._spread(code, j, line, (carried, force))
+        self._output(code, j, (carried, deflection), output)
+
+    def _along(self, code: Emitter, j: int, vector: list[str]) -> str:
+        """Return a line's weights times a vector."""
+        line, total = self.shape.lines[j], code.zero
+        for number, (dof, sign) in enumerate(zip(line.dofs, line.signs, strict=True)):
+            if sign < 0 and total != code.zero:
+                total = code.subtract(total, vector[dof])
+            elif sign > 0:
+                total = code.add(total, vector[dof])
+            else:
+                weight = code.load("%p", self.layout.weight + self.weights[j] + number)
+                total = code.add(total, code.multiply(weight, vector[dof]))
+        return total
+
+    def _spread(self, code: Emitter, j: int, line: LineShape, carried: tuple[str, list[str]]) -> None:
+        """Subtract a line's force from its coordinates."""
+        value, force = carried
+        for number, (dof, sign) in enumerate(zip(line.dofs, line.signs, strict=True)):
+            if sign < 0:
+                force[dof] = code.add(force[dof], value)
+            elif sign > 0:
+                force[dof] = code.value(f"fsub {code.type} {force[dof]}, {value}")
+            else:
+                weight = code.load("%p", self.layout.weight + self.weights[j] + number)
+                part = code.multiply(weight, value)
+                force[dof] = code.value(f"fsub contract nsz {code.type} {force[dof]}, {part}")
+
+    def _output(self, code: Emitter, j: int, values: tuple[str, str], output: str) -> None:
+        carried, deflection = values
+        if output == "record":
+            code.store(carried, "%out", j)
+            code.store(deflection, "%out", self.count + j)
+        elif output == "statistics":
+            least, most, total, square = (code.load("%out", part * self.count + j) for part in range(4))
+            code.store(code.smaller(carried, least), "%out", j)
+            code.store(code.larger(carried, most), "%out", self.count + j)
+            code.store(code.add(carried, total), "%out", 2 * self.count + j)
+            code.store(code.add(code.multiply(carried, carried), square), "%out", 3 * self.count + j)
+
+    def _frames(self, code: Emitter, parts: tuple[list[str], list[str], list[str], list[str]], factor: str) -> None:
+        position, velocity, force, works = parts
+        for number, (row, column) in enumerate(self.shape.gyroscopic):
+            value = code.multiply(code.load("%p", self.layout.gyroscopic + number), factor)
+            part = code.multiply(value, velocity[column])
+            force[row] = code.value(f"fsub contract nsz {code.type} {force[row]}, {part}")
+            works[5] = code.value(f"fsub contract nsz {code.type} {works[5]}, {code.multiply(part, velocity[row])}")
+        square = code.multiply(factor, factor) if self.shape.centripetal else code.zero
+        for number, (row, column) in enumerate(self.shape.centripetal):
+            value = code.multiply(code.load("%p", self.layout.centripetal + number), square)
+            part = code.multiply(value, position[column])
+            force[row] = code.add(force[row], part)
+            works[5] = code.add(works[5], code.multiply(part, velocity[row]))

@@ -1,0 +1,172 @@
+"""Native: generated assembly joined into one Runge–Kutta loop, compiled in memory and called through a pointer."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import llvmlite.binding as llvm
+
+from gearwright.dynamics.energy import WORKS
+from gearwright.dynamics.generate import CHUNK, Writer, state_width, table_width
+from gearwright.dynamics.system import Floats
+from gearwright.dynamics.topology import Layout, Topology
+
+Advance = Callable[[Floats, Floats, int, Floats, Floats], None]
+"""(parameters, clock table, steps, state, output): carries the state on in place."""
+
+
+class Compiled(NamedTuple):
+    """Machine code of one structure."""
+
+    advance: Advance
+    """Runs a block of steps."""
+    engine: Any
+    """Keeps the machine code in memory."""
+    assembly: str
+    """What was compiled, to read."""
+
+
+@lru_cache(maxsize=64)
+def compiled(shape: Topology, layout: Layout, lanes: int = 1) -> Compiled:
+    """Return the machine code for a structure; each structure is compiled once.
+
+    Args:
+        shape: Structure.
+        layout: Places of the numbers, which follow from the structure.
+        lanes: 1 for a single trajectory with every step recorded; 8 for as many side by side with statistics.
+    """
+    text = assembly(shape, layout, lanes)
+    engine = _engine(text)
+    function = ctypes.CFUNCTYPE(None, *([ctypes.c_void_p] * 2), ctypes.c_int64, *([ctypes.c_void_p] * 2))(
+        engine.get_function_address("advance")
+    )
+
+    def advance(numbers: Floats, table: Floats, steps: int, state: Floats, output: Floats) -> None:
+        function(numbers.ctypes.data, table.ctypes.data, steps, state.ctypes.data, output.ctypes.data)
+
+    return Compiled(advance, engine, text)
+
+
+def assembly(shape: Topology, layout: Layout, lanes: int) -> str:
+    """Return the LLVM assembly of a structure.
+
+    Args:
+        shape: Structure.
+        layout: Places of the numbers.
+        lanes: Trajectories side by side.
+    """
+    writer = Writer(shape, layout, lanes)
+    look = writer.slope("look", "record" if lanes == 1 else "statistics")
+    return "\n\n".join([_DECLARATIONS, writer.instant(), look, writer.slope("slope", ""), _loop(shape, lanes)])
+
+
+_DECLARATIONS = """declare double @llvm.fabs.f64(double)
+declare <8 x double> @llvm.fabs.v8f64(<8 x double>)
+declare void @llvm.memcpy.p0.p0.i64(ptr, ptr, i64, i1)
+declare void @llvm.memset.p0.i64(ptr, i8, i64, i1)"""
+
+
+def _engine(text: str) -> Any:
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    triple, features = llvm.Target.from_default_triple(), llvm.get_host_cpu_features().flatten()
+    # The assembly is straight-line code without redundancy: optimising passes before code generation gain nothing.
+    target = triple.create_target_machine(cpu=llvm.get_host_cpu_name(), features=features, opt=3)
+    module = llvm.parse_assembly(text)
+    module.verify()
+    engine = llvm.create_mcjit_compiler(module, target)
+    engine.finalize_object()
+    return engine
+
+
+def _loop(shape: Topology, lanes: int) -> str:
+    """Return the function that takes the steps: the classical fourth-order Runge–Kutta method."""
+    width = state_width(shape, lanes)
+    row = table_width(shape) * lanes
+    numbers = 2 * shape.size
+    stride = numbers + 2 * len(shape.lines) if lanes == 1 else 0
+    keep = f"  call void @llvm.memcpy.p0.p0.i64(ptr %place, ptr %y, i64 {8 * numbers}, i1 false)" if lanes == 1 else ""
+    skip = numbers if lanes == 1 else 0
+    step = "%h = load <8 x double>, ptr %p, align 8" if lanes == CHUNK else _SPREAD_STEP
+    arrays = "\n".join(f"  %{name} = alloca [{width} x double], align 64" for name in ("y", "s", "k", "sum"))
+    clear = "\n".join(
+        f"  call void @llvm.memset.p0.i64(ptr %{name}, i8 0, i64 {8 * width}, i1 false)"
+        for name in ("y", "s", "k", "sum")
+    )
+    size = 8 * (2 * shape.size + WORKS) * lanes
+    pointers = "ptr noalias %p, ptr noalias %table, i64 %steps, ptr noalias %state, ptr noalias %out"
+    return f"""define void @advance({pointers}) {{
+entry:
+{arrays}
+  %now = alloca [{4 * len(shape.lines) * lanes} x double], align 64
+{clear}
+  call void @llvm.memcpy.p0.p0.i64(ptr %y, ptr %state, i64 {size}, i1 false)
+  {step}
+  %half = fmul <8 x double> %h, {_splat(0.5)}
+  %sixth = fmul <8 x double> %h, {_splat(1.0 / 6.0)}
+  call void @instant(ptr %p, ptr %table, ptr %now)
+  br label %head
+head:
+  %i = phi i64 [0, %entry], [%next, %head]
+  %twice = mul i64 %i, {2 * row}
+  %row0 = getelementptr double, ptr %table, i64 %twice
+  %row1 = getelementptr double, ptr %row0, i64 {row}
+  %row2 = getelementptr double, ptr %row1, i64 {row}
+  %offset = mul i64 %i, {stride}
+  %place = getelementptr double, ptr %out, i64 %offset
+  %seen = getelementptr double, ptr %place, i64 {skip}
+{keep}
+  call void @look(ptr %p, ptr %row0, ptr %now, ptr %y, ptr %k, ptr %seen)
+{_stage("a", width, "%half", "first")}
+  call void @instant(ptr %p, ptr %row1, ptr %now)
+  call void @slope(ptr %p, ptr %row1, ptr %now, ptr %s, ptr %k, ptr %seen)
+{_stage("b", width, "%half", "middle")}
+  call void @slope(ptr %p, ptr %row1, ptr %now, ptr %s, ptr %k, ptr %seen)
+{_stage("c", width, "%h", "middle")}
+  call void @instant(ptr %p, ptr %row2, ptr %now)
+  call void @slope(ptr %p, ptr %row2, ptr %now, ptr %s, ptr %k, ptr %seen)
+{_stage("d", width, "%sixth", "last")}
+  %next = add i64 %i, 1
+  %more = icmp slt i64 %next, %steps
+  br i1 %more, label %head, label %done
+done:
+  call void @llvm.memcpy.p0.p0.i64(ptr %state, ptr %y, i64 {size}, i1 false)
+  ret void
+}}"""
+
+
+_SPREAD_STEP = """%one = load double, ptr %p, align 8
+  %lone = insertelement <8 x double> poison, double %one, i64 0
+  %h = shufflevector <8 x double> %lone, <8 x double> poison, <8 x i32> zeroinitializer"""
+
+
+def _splat(value: float) -> str:
+    return "<" + ", ".join([f"double {value!r}"] * CHUNK) + ">"
+
+
+def _stage(tag: str, width: int, factor: str, which: str) -> str:
+    """Return the sums after a slope: s = y + factor k and sum += (1 or 2) k; after the last, y += factor (sum + k)."""
+    lines = []
+    vector, flags = "<8 x double>", "contract"
+    for i in range(0, width, CHUNK):
+        name = f"{tag}{i}"
+        for pointer in ("y", "k", "sum", "s"):
+            lines.append(f"%{pointer}p{name} = getelementptr double, ptr %{pointer}, i64 {i}")
+        for pointer in ("y", "k", "sum"):
+            lines.append(f"%{pointer}{name} = load {vector}, ptr %{pointer}p{name}, align 64")
+        if which == "first":
+            lines.append(f"store {vector} %k{name}, ptr %sump{name}, align 64")
+        elif which == "middle":
+            lines.append(f"%d{name} = fmul {flags} {vector} %k{name}, {_splat(2.0)}")
+            lines.append(f"%n{name} = fadd {flags} {vector} %sum{name}, %d{name}")
+            lines.append(f"store {vector} %n{name}, ptr %sump{name}, align 64")
+        else:
+            lines.append(f"%n{name} = fadd {flags} {vector} %sum{name}, %k{name}")
+        change, target = ("n", "yp") if which == "last" else ("k", "sp")
+        lines.append(f"%m{name} = fmul {flags} {vector} {factor}, %{change}{name}")
+        lines.append(f"%r{name} = fadd {flags} {vector} %y{name}, %m{name}")
+        lines.append(f"store {vector} %r{name}, ptr %{target}{name}, align 64")
+    return "\n".join(f"  {line}" for line in lines)
