@@ -14,10 +14,10 @@ from gearwright.parts.mesh_stiffness_iso6336 import mesh_stiffness_iso6336, theo
 STEEL = Material("steel", 206e9, 0.3, 7850.0)
 
 
-def spur(first, second, shifts=(0.0, 0.0)):
+def spur(first, second, shifts=(0.0, 0.0), helix=0.0):
     return GearPair(
-        CylindricalGear(first, 3e-3, 20e-3, profile_shift=shifts[0]),
-        CylindricalGear(second, 3e-3, 20e-3, profile_shift=shifts[1]),
+        CylindricalGear(first, 3e-3, 20e-3, math.radians(helix), profile_shift=shifts[0]),
+        CylindricalGear(second, 3e-3, 20e-3, math.radians(helix), profile_shift=shifts[1]),
     )
 
 
@@ -68,10 +68,15 @@ def test_the_energy_method_finds_isos_theoretical_single_stiffness(pair, least, 
     assert least < greatest / mesh_stiffness_iso6336(pair).theoretical < most
 
 
-@pytest.mark.parametrize("pair", [spur(20, 20), spur(30, 60), spur(40, 100), spur(30, -90), spur(48, -153)])
-def test_the_energy_method_finds_isos_relation_of_mean_to_single_stiffness(pair):
-    """c_γ/c′ = 0.75 ε_α + 0.25: within 4.5 % (measured 2 to 4 % lower)."""
-    distance = np.linspace(-pair.approach, pair.recess, 101)
-    greatest = float(pair_stiffness(pair, distance, materials=(STEEL, STEEL)).stiffness.max()) * pair.face_width
+@pytest.mark.parametrize("teeth", [(30, 60), (40, 100), (54, 66), (17, 103), (30, -90), (48, -153), (66, -186)])
+@pytest.mark.parametrize("helix", [0.0, 15.0, 25.0])
+def test_the_energy_method_finds_isos_mean_mesh_stiffness(teeth, helix):
+    """c′_th cos β (0.75 ε_α + 0.25), spur and helical, external and internal: within 6 %.
+
+    Measured: 2 % below to 5 % above. C_M and C_B, which fit theory to measured gears, are in neither.
+    """
+    pair = spur(*teeth, helix=helix)
+    ratio = pair.transverse_contact_ratio
+    theory = mesh_stiffness_iso6336(pair).theoretical * math.cos(math.radians(helix)) * (0.75 * ratio + 0.25)
     mean = mesh_stiffness_energy(pair, materials=(STEEL, STEEL)).mean
-    assert mean / greatest == pytest.approx(0.75 * pair.transverse_contact_ratio + 0.25, rel=0.045)
+    assert mean / pair.face_width == pytest.approx(theory, rel=0.06)

@@ -172,6 +172,30 @@ def test_mesh_stiffness_follows_its_curve_with_the_planets_phase():
             assert found == pytest.approx(float(stiffness_at(curve, phase + 2.0 * math.pi * shift)))
 
 
+@pytest.mark.parametrize(("sun_teeth", "silent"), [(24, "translations"), (25, "rotation"), (26, "both")])
+def test_phases_choose_what_the_sun_does(sun_teeth, silent):
+    """Parker 2000: l z_s mod N = 0 moves the sun in rotation only, 1 or N − 1 in translation only, others not at all.
+
+    Quasi-static over one mesh cycle, N = 4, first harmonic of a stiffness that varies by a tenth: silent is below
+    1e-13 m (rounding of a millimetre), the rest moves by more than 1e-9 m.
+    """
+    curve = StiffnessCurve(4e8, (3e7, 1e7), (1e7, 0.0))
+    # The ring meshes stay even: with equal curves half a cycle apart, sun and ring would cancel each other.
+    phases = PlanetPhases(tuple(-sun_teeth * n / 4 % 1.0 for n in range(4)), (0.0,) * 4)
+    system = loaded(planetary(4, sun_mesh=curve, sun_teeth=sun_teeth, phases=phases), speeds={"carrier": 1.0})
+    rate = sun_teeth * 1.0 * 0.14 / 0.04
+    cycle = 2.0 * np.pi / rate * np.arange(16) / 16
+    places = np.array([statics(system, time=float(time)).position for time in cycle])
+    names = system.labels.coordinates
+    first = np.abs(np.fft.rfft(places, axis=0))[1]
+    moving = {"rotation": first[names.index("sun")] * 0.04, "translations": first[names.index("sun.x")]}
+    for motion, size in moving.items():
+        if silent in (motion, "both"):
+            assert size < 1e-13
+        else:
+            assert size > 1e-9
+
+
 def test_the_carriers_speed_loads_the_pins_with_the_planets_weight():
     """m r_c Ω² outwards, less what the softened pin gives by; 1e-2 covers the displaced radius."""
     system = loaded(planetary(3), speeds={"carrier": 300.0})
