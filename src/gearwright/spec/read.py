@@ -26,7 +26,7 @@ def read(path: str | Path) -> Design:
     Raises:
         DesignError: With every problem of the file: its path, line, what was given, what is allowed and the fix.
     """
-    return parse(_text(Path(path)), source=str(path))
+    return parse(file_text(Path(path)), source=str(path))
 
 
 def parse(text: str, *, source: str = "") -> Design:
@@ -77,7 +77,7 @@ def _in_written_keys(problems: Iterable[Problem], keys: Mapping[Location, str]) 
     return [Problem(written.get(each.path, each.path), each.message) for each in problems]
 
 
-def _text(path: Path) -> str:
+def file_text(path: Path) -> str:
     """Return the file's text, or say why there is none to be had; never read more than the largest design."""
     name = str(path)
     if path.is_dir():

@@ -1,0 +1,88 @@
+"""Results of a sizing by name, for studies and scripts: ``mass``, ``motor_mass``, ``gears.first.sun.module`` …"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator
+from dataclasses import fields, is_dataclass
+from functools import cache
+from typing import NamedTuple, get_args, get_type_hints
+
+from gearwright.errors import DesignError, Problem, near
+from gearwright.sizing.result import Sizing
+from gearwright.units import Quantity
+
+
+class Named(NamedTuple):
+    """A result with its dimension."""
+
+    value: float
+    """In SI."""
+    dimension: str
+    """Such as ``"mass"``; a key of the table of shown units."""
+
+
+def named_results(sizing: Sizing) -> dict[str, Named]:
+    """Return every number of a sizing by its dotted name.
+
+    Args:
+        sizing: What was sized.
+    """
+    totals = {
+        "mass": Named(sizing.mass, "mass"),
+        "gear_mass": Named(sizing.gear_mass, "mass"),
+        "shaft_mass": Named(sizing.shaft_mass, "mass"),
+        "carrier_mass": Named(sizing.carrier_mass, "mass"),
+        "motor_mass": Named(sizing.motor_mass, "mass"),
+        "total_mass": Named(sizing.mass + sizing.motor_mass, "mass"),
+        "power_density": Named(sizing.power_density, "specific_power"),
+        "worst_margin": Named(sizing.worst_margin, "ratio"),
+    }
+    return {**totals, **dict(_parts(sizing))}
+
+
+def pick(results: dict[str, Named], name: str) -> Named:
+    """Return one result.
+
+    Args:
+        results: From `named_results`.
+        name: Its name.
+
+    Raises:
+        DesignError: If there is none of this name; with the nearest one.
+    """
+    if name not in results:
+        raise DesignError([Problem(f"results.{name}", f"there is no such result; {near(name, results)}")])
+    return results[name]
+
+
+def _parts(sizing: Sizing) -> Iterator[tuple[str, Named]]:
+    """Yield the numbers of every gear, mesh, shaft, carrier and machine."""
+    for group in ("gears", "meshes", "shafts", "carriers", "machines"):
+        for part in getattr(sizing, group):
+            name = getattr(part, "stage" if group == "carriers" else "name")
+            for field, dimension in _quantities(type(part)):
+                value = getattr(part, field)
+                if value is not None:
+                    yield f"{group}.{name}.{field}", Named(float(value), dimension)
+    for case, flow in sizing.flows.items():
+        for shaft, speed in flow.speeds.items():
+            yield f"cases.{case}.{shaft}.speed", Named(speed, "speed")
+        for machine, power in flow.machine_powers.items():
+            yield f"cases.{case}.{machine}.power", Named(power, "power")
+            yield f"cases.{case}.{machine}.torque", Named(flow.machine_torques[machine], "torque")
+
+
+@cache
+def _quantities(kind: Hashable) -> tuple[tuple[str, str], ...]:
+    """Return the fields of a record that are numbers with a dimension, and whole numbers."""
+    if not (isinstance(kind, type) and is_dataclass(kind)):
+        return ()
+    hints = get_type_hints(kind, include_extras=True)
+    found = []
+    for field in fields(kind):
+        marks = [mark for mark in get_args(hints[field.name])[1:] if isinstance(mark, Quantity)]
+        if marks:
+            found.append((field.name, marks[0].dimension))
+        elif hints[field.name] is int:
+            found.append((field.name, "number"))
+    return tuple(found)

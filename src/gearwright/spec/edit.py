@@ -1,0 +1,90 @@
+"""Change a design by dotted paths in the user's own keys and units: ``motors.electric.speed_rpm`` = 4200."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import UnionType
+from typing import Any, Union, get_args, get_origin
+
+from pydantic import ValidationError
+
+from gearwright.errors import DesignError, Problem, near
+from gearwright.spec.check import reference_problems
+from gearwright.spec.design import Design
+from gearwright.spec.record import Record, keys_of
+
+Value = float | int | str | bool | list[Any]
+
+
+def edited(design: Design, changes: Mapping[str, Value]) -> Design:
+    """Return a design with some of its entries changed; the design itself stays as it is.
+
+    Args:
+        design: Where to start.
+        changes: Dotted path, with the unit in its last part, -> value in that unit.
+
+    Raises:
+        DesignError: For every path that does not exist (with the nearest one) and every value that is not allowed.
+    """
+    data = design.model_dump(by_alias=True, exclude_unset=True)
+    problems = [problem for path, value in changes.items() if (problem := _set(data, path, value)) is not None]
+    if problems:
+        raise DesignError(problems)
+    try:
+        changed = Design.model_validate(data)
+    except ValidationError as error:
+        raise DesignError(
+            Problem(".".join(str(part) for part in each["loc"]), f"{each['input']!r} is not allowed: {each['msg']}")
+            for each in error.errors(include_url=False)
+        ) from None
+    found = reference_problems(changed)
+    if found:
+        raise DesignError(found)
+    return changed
+
+
+def _set(data: dict[str, Any], path: str, value: Value) -> Problem | None:
+    """Put one value into a dumped design, or say why it has no place there."""
+    annotation: Any = Design
+    table, parts = data, path.split(".")
+    for depth, part in enumerate(parts):
+        last = depth == len(parts) - 1
+        record = _record(annotation)
+        if record is None:
+            inner = get_args(annotation)[1]
+            if not _holds_tables(inner):
+                table[".".join(parts[depth:])] = value
+                return None
+            if part not in table:
+                return Problem(path, f"there is no {'.'.join(parts[: depth + 1])}; {near(part, table)}")
+            annotation, table = inner, table[part]
+            continue
+        keys = keys_of(record)
+        if part not in keys:
+            return Problem(path, f"there is no {'.'.join(parts[: depth + 1])}; {near(part, keys)}")
+        name, factor, suffix = keys[part]
+        if last and suffix and (isinstance(value, bool) or not isinstance(value, int | float)):
+            return Problem(path, f"{value!r} is not a number; give a number in {suffix}")
+        if last:
+            table[name] = value * factor if suffix and isinstance(value, int | float) else value
+            return None
+        annotation = _plain(record.model_fields[name].annotation)
+        if not _holds_tables(annotation):
+            return Problem(path, f"{'.'.join(parts[: depth + 1])} has no entries")
+        table = table.setdefault(name, {})
+    return Problem(path, "this is a table; name one of its entries")
+
+
+def _plain(annotation: Any) -> Any:
+    """Return an annotation without its None."""
+    if get_origin(annotation) in (Union, UnionType):
+        return next(part for part in get_args(annotation) if part is not type(None))
+    return annotation
+
+
+def _record(annotation: Any) -> type[Record] | None:
+    return annotation if isinstance(annotation, type) and issubclass(annotation, Record) else None
+
+
+def _holds_tables(annotation: Any) -> bool:
+    return _record(annotation) is not None or get_origin(annotation) is dict
