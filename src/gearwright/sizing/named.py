@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
-from dataclasses import fields, is_dataclass
-from functools import cache
+from collections.abc import Iterator
+from dataclasses import fields
 from typing import NamedTuple, get_args, get_type_hints
 
 from gearwright.errors import DesignError, Problem, near
-from gearwright.sizing.result import Sizing
+from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, MeshSizing, ShaftSizing, Sizing
 from gearwright.units import Quantity
 
 
@@ -60,7 +59,7 @@ def _parts(sizing: Sizing) -> Iterator[tuple[str, Named]]:
     for group in ("gears", "meshes", "shafts", "carriers", "machines"):
         for part in getattr(sizing, group):
             name = getattr(part, "stage" if group == "carriers" else "name")
-            for field, dimension in _quantities(type(part)):
+            for field, dimension in _QUANTITIES[type(part)]:
                 value = getattr(part, field)
                 if value is not None:
                     yield f"{group}.{name}.{field}", Named(float(value), dimension)
@@ -72,11 +71,8 @@ def _parts(sizing: Sizing) -> Iterator[tuple[str, Named]]:
             yield f"cases.{case}.{machine}.torque", Named(flow.machine_torques[machine], "torque")
 
 
-@cache
-def _quantities(kind: Hashable) -> tuple[tuple[str, str], ...]:
+def _quantities(kind: type) -> tuple[tuple[str, str], ...]:
     """Return the fields of a record that are numbers with a dimension, and whole numbers."""
-    if not (isinstance(kind, type) and is_dataclass(kind)):
-        return ()
     hints = get_type_hints(kind, include_extras=True)
     found = []
     for field in fields(kind):
@@ -86,3 +82,7 @@ def _quantities(kind: Hashable) -> tuple[tuple[str, str], ...]:
         elif hints[field.name] is int:
             found.append((field.name, "number"))
     return tuple(found)
+
+
+_QUANTITIES = {kind: _quantities(kind) for kind in (GearSizing, MeshSizing, ShaftSizing, CarrierSizing, MachineSizing)}
+"""Record -> its numbers, looked up once."""
