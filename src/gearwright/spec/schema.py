@@ -13,7 +13,7 @@ def schema() -> dict[str, Any]:
     """Return the JSON Schema (draft 2020-12) of a design file: every key with its unit, bounds and meaning."""
     document = Design.model_json_schema(by_alias=True)
     definitions: dict[str, Any] = document.get("$defs", {})
-    for model in _records(Design, {}):
+    for model in records(Design, {}):
         table = document if model is Design else definitions[model.__name__]
         _expand(table, model)
     document["$schema"] = "https://json-schema.org/draft/2020-12/schema"
@@ -21,14 +21,19 @@ def schema() -> dict[str, Any]:
     return document
 
 
-def _records(model: type[Record], seen: dict[type[Record], None]) -> list[type[Record]]:
-    """Return a record's type and all record types inside it."""
+def records(model: type[Record], seen: dict[type[Record], None]) -> list[type[Record]]:
+    """Return a record's type and all record types inside it.
+
+    Args:
+        model: The record's type.
+        seen: What was met before; start with an empty one.
+    """
     if model in seen:
         return []
     seen[model] = None
     for info in model.model_fields.values():
         for inner in _inside(info.annotation):
-            _records(inner, seen)
+            records(inner, seen)
     return list(seen)
 
 
@@ -49,9 +54,14 @@ def _expand(table: dict[str, Any], model: type[Record]) -> None:
         options = [key for key, (field, _, _) in keys_of(model).items() if field == name]
         for key, (suffix, factor) in zip(options, SUFFIXES[quantity.dimension].items(), strict=True):
             properties[key] = _number(entry, suffix, factor)
+        choices: list[dict[str, Any]] = [{"required": [key]} for key in options]
         if name in required:
             required.remove(name)
-            table.setdefault("allOf", []).append({"oneOf": [{"required": [key]} for key in options]})
+        elif len(options) > 1:
+            choices.append({"not": {"anyOf": [{"required": [key]} for key in options]}})
+        else:
+            continue
+        table.setdefault("allOf", []).append({"oneOf": choices})
 
 
 def _number(entry: dict[str, Any], suffix: str, factor: float) -> dict[str, Any]:

@@ -1,0 +1,89 @@
+"""Small design files that the tests start from, and what is wrong with a text."""
+
+import pytest
+
+from gearwright.errors import DesignError, Problem
+from gearwright.sizing import size
+from gearwright.spec import parse
+
+PAIR = """\
+schema = 1
+name = "one pair"
+shafts = ["fast", "slow"]
+
+[turbines.turbine]
+shaft = "fast"
+power_kw = 100
+speed_rpm = 6000
+
+[propellers.propeller]
+shaft = "slow"
+speed_rpm = 2000
+diameter_m = 2
+
+[pairs.stage]
+pinion = "fast"
+wheel = "slow"
+"""
+"""A turbine, a pair, a propeller."""
+
+HYBRID = """\
+schema = 1
+name = "two planetary stages in line"
+shafts = ["input", "middle", "output"]
+
+[turbines.turbine]
+shaft = "input"
+power_kw = 1046
+speed_rpm = 20000
+
+[motors.electric]
+shaft = "middle"
+power_kw = 1005
+speed_rpm = 4500
+
+[propellers.propeller]
+shaft = "output"
+speed_rpm = 1212
+diameter_m = 3.93
+blades = 6
+
+[planetaries.first]
+sun = "input"
+ring = "ground"
+carrier = "middle"
+planets = 3
+
+[planetaries.second]
+sun = "middle"
+ring = "ground"
+carrier = "output"
+planets = 5
+
+[cases.cruise.turbine]
+power_kw = 1046
+[cases.cruise.electric]
+power_kw = 470.7
+"""
+"""In-Line hybrid 2 of Pulvirenti 2023."""
+
+
+def changed(text: str, old: str, new: str) -> str:
+    """Return a text with one passage replaced; the passage must stand in it."""
+    assert old in text, old
+    return text.replace(old, new, 1)
+
+
+def problems(text: str, *, sized: bool = False) -> tuple[Problem, ...]:
+    """Return what the reader (and the sizing) finds wrong with a text."""
+    with pytest.raises(DesignError) as caught:
+        design = parse(text)
+        if sized:
+            size(design)
+    return caught.value.problems
+
+
+def problem(text: str, *, sized: bool = False) -> Problem:
+    """Return the one thing that is wrong with a text."""
+    (only,) = problems(text, sized=sized)
+    return only

@@ -1,0 +1,315 @@
+"""Everything that can be wrong with a design file is told with its path, line, value, what is allowed and the fix."""
+
+import pytest
+
+from designs import HYBRID, PAIR, changed, problem, problems
+from gearwright.errors import DesignError
+from gearwright.spec import parse, read
+from gearwright.spec.read import LARGEST_FILE
+
+
+def test_an_unknown_key_names_the_nearest_one():
+    found = problem(changed(HYBRID, "planets = 3", "planetz = 3"))
+    assert (found.path, found.line) == ("planetaries.first.planetz", 25)
+    assert found.message == "no such field; did you mean planets?"
+
+
+def test_an_unknown_key_that_resembles_none_lists_all():
+    assert "allowed: " in problem(changed(HYBRID, "planets = 3", "xyz = 3")).message
+
+
+def test_a_misnamed_table_is_one_problem_not_many():
+    """What refers to the machines of a misnamed table is no mistake of its own."""
+    found = problem(changed(HYBRID, "[motors.electric]", "[motor.electric]"))
+    assert found.path == "motor"
+    assert "did you mean motors?" in found.message
+
+
+def test_a_negative_power_is_refused():
+    found = problem(changed(PAIR, "power_kw = 100", "power_kw = -100"))
+    assert (found.path, found.line) == ("turbines.turbine.power_kw", 7)
+    assert found.message == "-100 kw is not allowed; give a value greater than 0 kw"
+
+
+def test_a_turbine_does_not_take_power():
+    found = problem(PAIR + "[cases.brake.turbine]\npower_w = -5000\n")
+    assert (found.path, found.line) == ("cases.brake.turbine.power_w", 19)
+    assert "-5 kW: a turbine gives power; use 0 or more" in found.message
+
+
+def test_a_motor_on_a_shaft_that_does_not_exist_is_refused():
+    found = problem(changed(HYBRID, 'shaft = "middle"', 'shaft = "midle"'))
+    assert (found.path, found.line) == ("motors.electric.shaft", 11)
+    assert found.message == "there is no shaft 'midle'; did you mean middle?"
+
+
+@pytest.mark.parametrize("word", ["nan", "inf", "-inf", "9" * 400])
+def test_a_number_that_is_not_finite_is_refused(word):
+    found = problem(changed(PAIR, "power_kw = 100", f"power_kw = {word}"))
+    assert (found.path, found.line) == ("turbines.turbine.power_kw", 7)
+    assert "not a finite number; give a finite number in kw" in found.message
+    assert len(found.message) < 200
+
+
+@pytest.mark.parametrize("value", ["true", '"100"', "1979-05-27", "[100]", "{ value = 100 }"])
+def test_what_is_not_a_number_is_refused_as_a_quantity(value):
+    found = problem(changed(PAIR, "power_kw = 100", f"power_kw = {value}"))
+    assert found.path == "turbines.turbine.power_kw"
+    assert found.message.endswith("is not a number; give a number in kw")
+
+
+@pytest.mark.parametrize("value", ["true", '"3"', "3.0", "3.5", "nan"])
+def test_a_count_is_a_whole_number(value):
+    found = problem(changed(HYBRID, "planets = 3", f"planets = {value}"))
+    assert (found.path, found.line) == ("planetaries.first.planets", 25)
+    assert found.message.endswith("is not allowed; give a whole number")
+
+
+def test_a_count_has_bounds():
+    found = problem(changed(HYBRID, "planets = 3", "planets = 0"))
+    assert found.message == "0 is not allowed; give a value at least 1"
+
+
+def test_a_choice_lists_what_may_be_chosen():
+    found = problem(PAIR + "halves = 3\n")
+    assert (found.path, found.message) == ("pairs.stage.halves", "3 is not known; allowed: 1 or 2")
+
+
+def test_a_text_is_in_quotes():
+    found = problem(changed(PAIR, 'name = "one pair"', "name = 5"))
+    assert (found.path, found.message) == ("name", "5 is not allowed; give a text in quotes")
+
+
+def test_a_required_key_is_missed_with_its_units():
+    found = problem(changed(PAIR, "power_kw = 100\n", ""))
+    assert found.path == "turbines.turbine.power_kw"
+    assert found.message == "is required; write power_kw or power_w or power_mw or power_hp"
+
+
+def test_a_row_that_is_no_table_is_refused():
+    found = problem(changed(PAIR, "[turbines.turbine]", "[[turbines.turbine]]"))
+    assert found.path == "turbines.turbine"
+    assert "is not a table; write [turbines.turbine] and its fields below" in found.message
+
+
+def test_a_table_that_is_a_number_is_refused():
+    found = problem("pairs = 5\n" + PAIR.split("[pairs.stage]")[0])
+    assert (found.path, found.line) == ("pairs", 1)
+    assert "write [pairs.NAME]" in found.message
+
+
+def test_all_problems_come_at_once_in_the_order_of_the_file():
+    """Values, keys and references together, each with its line."""
+    text = changed(HYBRID, "power_kw = 1046", "power_kw = -1046")
+    text = changed(text, 'shaft = "middle"', 'shaft = "midle"')
+    text = changed(text, "blades = 6", "blades = true")
+    text = changed(text, 'ring = "ground"', 'ring = "grund"')
+    text = changed(text, "planets = 5", "planetz = 5")
+    text = changed(text, "[cases.cruise.electric]", "[cases.cruise.electrik]")
+    found = problems(text)
+    assert [(each.path, each.line) for each in found] == [
+        ("turbines.turbine.power_kw", 7),
+        ("motors.electric.shaft", 11),
+        ("propellers.propeller.blades", 19),
+        ("planetaries.first.ring", 23),
+        ("planetaries.second.planetz", 31),
+        ("cases.cruise.electrik", 35),
+    ]
+    with pytest.raises(DesignError) as caught:
+        parse(text, source="design.toml")
+    assert str(caught.value).startswith("design.toml: 6 problems\n  line 7: turbines.turbine.power_kw: -1046 kw")
+
+
+@pytest.mark.parametrize("text", ["", "   \n\t\n"])
+def test_an_empty_file_says_where_to_start(text):
+    found = problem(text)
+    assert "the file is empty; `gearwright new` writes" in found.message
+
+
+@pytest.mark.parametrize(
+    "text", ["hello world", "[a", 'name = "unclosed', "a = 1\na = 2", "a = " + "[" * 5000, "a = " + "9" * 5000]
+)
+def test_what_is_not_toml_is_told_with_its_reason(text):
+    found = problem(text)
+    assert found.path == ""
+    assert found.message.startswith("this is not TOML: ")
+    assert found.message.endswith("a line reads  key = value  or  [table]")
+
+
+@pytest.mark.parametrize("text", ['"" = 3', '[""]\na = 1', "a." * 2000 + "b = 1", "overrides." + "a." * 2000 + "b = 1"])
+def test_odd_but_legal_toml_is_refused_by_name(text):
+    """These need a name and shafts at the least."""
+    assert {"name", "shafts"} <= {each.path for each in problems(text)}
+
+
+def test_a_folder_is_not_a_file(tmp_path):
+    with pytest.raises(DesignError, match=r"this is a folder; name a design file in it") as caught:
+        read(tmp_path)
+    assert caught.value.source == str(tmp_path)
+
+
+def test_a_missing_file_says_where_to_start(tmp_path):
+    with pytest.raises(DesignError, match=r"there is no such file; `gearwright new` lists"):
+        read(tmp_path / "none.toml")
+
+
+def test_a_file_of_ten_megabytes_is_not_read(tmp_path):
+    path = tmp_path / "big.toml"
+    path.write_bytes(b"#" * 10_000_000)
+    with pytest.raises(DesignError, match=f"more than {LARGEST_FILE:,} bytes"):
+        read(path)
+
+
+def test_a_file_of_bytes_is_not_a_design(tmp_path):
+    path = tmp_path / "design.toml"
+    path.write_bytes(b"\xff\xfe\x00name")
+    with pytest.raises(DesignError, match="not a text file in UTF-8"):
+        read(path)
+
+
+def test_a_windows_file_is_read(tmp_path):
+    path = tmp_path / "design.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + PAIR.replace("\n", "\r\n").encode())
+    assert read(path) == parse(PAIR)
+
+
+def test_names_must_be_names():
+    for name in ("", " ", "a.b", "a\\nb"):
+        text = changed(PAIR, '"slow"]', f'"slow", "{name}"]')
+        assert any("cannot be a name" in each.message for each in problems(text)), name
+    assert "cannot be a name" in problem(changed(PAIR, "[pairs.stage]", '[pairs."a.b"]')).message
+    assert "is the frame and stands still" in problems(changed(PAIR, '"slow"]', '"slow", "ground"]'))[0].message
+
+
+def test_a_shaft_stands_once_and_carries_something():
+    assert "stands twice" in problem(changed(PAIR, '"slow"]', '"slow", "slow"]')).message
+    found = problem(changed(PAIR, '"slow"]', '"slow", "spare"]'))
+    assert (found.path, found.line) == ("shafts", 3)
+    assert "'spare' carries nothing; remove it" in found.message
+
+
+def test_two_machines_have_two_names():
+    text = PAIR + '[motors.turbine]\nshaft = "fast"\npower_kw = 5\nspeed_rpm = 6000\n'
+    found = problem(text)
+    assert (found.path, found.line) == ("motors.turbine", 18)
+    assert "turbines has a machine of this name already" in found.message
+
+
+def test_two_machines_that_fight_over_one_speed_are_named():
+    text = PAIR + '[motors.helper]\nshaft = "fast"\npower_kw = 5\nspeed_rpm = 4000\n'
+    found = problem(text)
+    assert (found.path, found.line) == ("motors.helper.speed_rpm", 21)
+    assert "4000 rpm on shaft 'fast', where turbine turns at 6000 rpm" in found.message
+
+
+def test_machines_on_one_shaft_may_agree_within_the_tolerance():
+    parse(PAIR + '[motors.helper]\nshaft = "fast"\npower_kw = 5\nspeed_rpm = 6200\n')
+
+
+def test_a_train_has_machines_and_a_taker():
+    bare = 'schema = 1\nname = "bare"\nshafts = ["one"]\n'
+    assert any("no machine drives or loads this train" in each.message for each in problems(bare))
+    text = changed(PAIR, PAIR[PAIR.index("[propellers") : PAIR.index("[pairs")], "")
+    assert "nothing takes the power; add a table" in problem(text).message
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ('wheel = []', "at least one shaft"),
+        ('wheel = ["slow", "slow"]', "a list names different shafts"),
+        ('wheel = "fast"', "pinion and wheel turn on two shafts"),
+        ('wheel = "ground"', "there is no shaft 'ground'"),
+        ('wheel = "other.wheel"', "there is no gear 'other.wheel' in another pair"),
+        ('wheel = "slow"\nshare = [0.5, 0.5]', "does not share the load of 1 meshes"),
+    ],
+)  # fmt: skip
+def test_a_pair_joins_two_shafts(change, words):
+    assert any(words in each.message for each in problems(changed(PAIR, 'wheel = "slow"', change)))
+
+
+def test_shares_are_positive():
+    text = changed(changed(PAIR, '"slow"]', '"slow", "other"]'), 'wheel = "slow"', 'wheel = ["slow", "other"]')
+    parse(text + "share = [0.4, 0.6]\n")
+    found = problem(text + "share = [-1.0, 2.0]\n")
+    assert found.path == "pairs.stage.share"
+    assert "give as many positive numbers, sum 1" in found.message
+
+
+def test_members_of_a_planetary_set_are_three_shafts():
+    found = problem(changed(HYBRID, 'sun = "input"', 'sun = "ground"'))
+    assert found.path == "planetaries.first.ring"
+    assert "'ground' is the sun already" in found.message
+
+
+def test_ring_teeth_close_the_set():
+    text = changed(HYBRID, "planets = 3", "planets = 3\nsun_teeth = 30\nplanet_teeth = 30\nring_teeth = 91")
+    found = problem(text)
+    assert (found.path, found.line) == ("planetaries.first.ring_teeth", 28)
+    assert found.message.startswith("91 does not close: z_s + 2 z_p = 30 + 2·30 = 90")
+
+
+def test_a_clutch_joins_two_shafts():
+    text = PAIR + '[clutches.sprag]\ndriving = "fast"\ndriven = "fast"\n'
+    found = problem(text)
+    assert (found.path, found.line) == ("clutches.sprag.driven", 20)
+
+
+def test_a_bore_is_thinner_than_its_shaft():
+    found = problem(PAIR + "[layout.fast]\nbore_mm = 30\ndiameter_mm = 20\n")
+    assert (found.path, found.line) == ("layout.fast.bore_mm", 19)
+    assert found.message == "the bore 30 mm leaves no wall in a shaft of 20 mm"
+
+
+def test_a_bore_is_given_once():
+    assert "are both given; keep one" in problem(PAIR + "[layout.fast]\nbore_mm = 3\nbore_ratio = 0.3\n").message
+
+
+def test_a_material_without_the_needed_property_is_refused():
+    found = problem(PAIR + '[gears]\nmaterial = "structural-steel"\n')
+    assert (found.path, found.line) == ("gears.material", 19)
+    assert "'structural-steel' has no surface_hardness, which rating 'lewis-hertz' needs; use one of" in found.message
+
+
+def test_an_unknown_material_is_refused_where_it_stands():
+    found = problem(PAIR + '[pairs.stage.gears]\nmaterial = "carburized-9310"\n')
+    assert (found.path, found.line) == ("pairs.stage.gears.material", 19)
+    assert "did you mean carburised-9310?" in found.message
+
+
+def test_the_limits_of_the_search_are_in_order():
+    assert problem(PAIR + "[teeth]\nsun_minimum = 40\nsun_maximum = 20\n").path == "teeth.sun_minimum"
+    assert problem(PAIR + "[teeth]\npinion_minimum = 40\npinion_maximum = 20\n").path == "teeth.pinion_minimum"
+
+
+def test_the_rated_case_is_everyones():
+    assert "every design has this case" in problem(PAIR + "[cases.rated.turbine]\npower_kw = 5\n").message
+
+
+def test_a_case_names_machines_that_exist():
+    found = problem(PAIR + "[cases.cruise.turbin]\npower_kw = 5\n")
+    assert (found.path, found.line) == ("cases.cruise.turbin", 18)
+    assert found.message == "there is no machine 'turbin'; did you mean turbine?"
+
+
+def test_speeds_are_kept_of_machines_that_exist():
+    found = problem(PAIR + '[speeds]\nkeep = ["prop"]\n')
+    assert (found.path, found.line) == ("speeds.keep", 19)
+
+
+@pytest.mark.parametrize("line", ['"stage.module_mm" = -3', "stage.module_mm = 0"])
+def test_an_override_is_positive(line):
+    found = problem(PAIR + f"[overrides]\n{line}\n")
+    assert (found.path, found.line) == ("overrides.stage.module_mm", 19)
+    assert "give a value greater than 0" in found.message
+
+
+def test_an_override_of_nothing_names_the_nearest():
+    found = problem(PAIR + '[overrides]\n"stage.modul_mm" = 3\n', sized=True)
+    assert found.path == "overrides.stage.modul_mm"
+    assert "nothing of this name is computed; did you mean stage.module_mm?" in found.message
+
+
+def test_an_override_is_given_in_one_unit():
+    found = problem(PAIR + '[overrides]\n"stage.module_mm" = 3\n"stage.module_m" = 0.003\n', sized=True)
+    assert "stage.module is given twice" in found.message
