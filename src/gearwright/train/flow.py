@@ -164,19 +164,16 @@ def _balance(
     for k, name in enumerate(balancing):
         unknown[column[train.machines[name]], k] = 1.0
     sharing = _sharing(design, train)
-    effective, direction = matrix, np.ones(len(matrix))
+    effective, direction = matrix, np.zeros(len(matrix))
     for _ in range(MAX_REVERSALS):
         solved = solve_torques(effective, applied, unknown, sharing=sharing)
         if solved is None:
             raise _unbalanced(train, balancing, case)
         multipliers, found = solved
-        if np.all(efficiency == 1.0):
+        previous, direction = direction, np.where(multipliers * _rolling(train, matrix, speeds) < 0.0, -1.0, 1.0)
+        if np.all(efficiency == 1.0) or np.array_equal(previous, direction):
             break
-        power = multipliers * _rolling(train, matrix, speeds)
-        previous, direction = direction, np.where(power < 0.0, -1.0, 1.0)
         effective = _with_losses(train, matrix, direction, efficiency)
-        if np.array_equal(previous, direction) and effective is not matrix and _ > 0:
-            break
     machine_torques.update(dict(zip(balancing, (float(each) for each in found), strict=True)))
     return machine_torques, multipliers, effective
 
