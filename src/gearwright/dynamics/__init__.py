@@ -2,6 +2,7 @@
 
 from gearwright.dynamics.beam import Segment, bending_shaft
 from gearwright.dynamics.campbell import Campbell, campbell
+from gearwright.dynamics.ensemble import Ensemble, simulate_many
 from gearwright.dynamics.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model import Model
 from gearwright.dynamics.modes import Modes, modes
@@ -16,6 +17,7 @@ __all__ = [
     "Arrays",
     "Campbell",
     "DampingRatio",
+    "Ensemble",
     "Equilibrium",
     "Labels",
     "Line",
@@ -35,5 +37,6 @@ __all__ = [
     "modes",
     "replay",
     "simulate",
+    "simulate_many",
     "statics",
 ]

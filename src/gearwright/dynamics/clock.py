@@ -9,7 +9,7 @@ import numpy as np
 from gearwright.dynamics.system import Arrays, Floats, Profile
 
 Clock = Callable[[int, Floats], None]
-"""(first step, table) fills the rows: cosines, sines, s, ṡ, scheduled loads; one row for each half step."""
+"""(first step, table) fills the rows: cosine and sine of each tone, s, ṡ, scheduled loads; a row for each half step."""
 
 
 def clock(arrays: Arrays, h: float, rows: int) -> Clock:
@@ -38,10 +38,10 @@ def _steady(arrays: Arrays, h: float, rows: int) -> Clock:
     tones = len(arrays.tone_rate)
 
     def fill(first: int, table: Floats) -> None:
-        phasor = turned[: len(table)] * np.exp(1j * arrays.tone_rate * factor * (first * h))
-        table[:, :tones], table[:, tones : 2 * tones] = phasor.real, phasor.imag
+        start = np.exp(1j * arrays.tone_rate * factor * (first * h))
+        np.multiply(turned[: len(table)], start, out=table[:, : 2 * tones].view(np.complex128))
         table[:, 2 * tones], table[:, 2 * tones + 1] = factor, 0.0
-        if table.shape[1] > 2 * tones + 2:
+        if len(arrays.loads.schedules.dof):
             _loads(arrays, _times(first, h, len(table)), table)
 
     return fill
@@ -50,8 +50,7 @@ def _steady(arrays: Arrays, h: float, rows: int) -> Clock:
 def _ramped(arrays: Arrays, time: Floats, table: Floats) -> None:
     tones = len(arrays.tone_rate)
     factor, slope, travel = speed_factors(arrays.profile, time)
-    angle = np.outer(travel, arrays.tone_rate)
-    table[:, :tones], table[:, tones : 2 * tones] = np.cos(angle), np.sin(angle)
+    table[:, : 2 * tones].view(np.complex128)[:] = np.exp(1j * np.outer(travel, arrays.tone_rate))
     table[:, 2 * tones], table[:, 2 * tones + 1] = factor, slope
     _loads(arrays, time, table)
 

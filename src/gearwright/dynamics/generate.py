@@ -15,12 +15,22 @@ CHUNK = 8
 
 
 def table_width(shape: Topology) -> int:
-    """Return the columns of the clock table: cosines, sines, s, ṡ, scheduled loads.
+    """Return the columns of the clock table: cosine and sine of each tone, s, ṡ, scheduled loads.
 
     Args:
         shape: Structure.
     """
-    return 2 * shape.tones + 2 + len(shape.scheduled)
+    columns = 2 * shape.tones + 2 + len(shape.scheduled)
+    return columns + columns % 2  # even, so that a cosine and its sine can be written as one complex number
+
+
+def record_width(shape: Topology) -> int:
+    """Return the numbers in a row of a record, filled up to whole vectors: q, q̇, line forces, deflections.
+
+    Args:
+        shape: Structure.
+    """
+    return -(-2 * (shape.size + len(shape.lines)) // CHUNK) * CHUNK
 
 
 def state_width(shape: Topology, lanes: int) -> int:
@@ -51,8 +61,8 @@ class Writer:
         code = Emitter(self.lanes)
         shape, at = self.shape, self.layout
         used = {tone for line in shape.lines for tone in (*line.variation, *line.error)}
-        cos = {tone: code.load("%row", tone) for tone in sorted(used)}
-        sin = {tone: code.load("%row", shape.tones + tone) for tone in sorted(used)}
+        cos = {tone: code.load("%row", 2 * tone) for tone in sorted(used)}
+        sin = {tone: code.load("%row", 2 * tone + 1) for tone in sorted(used)}
         factor = code.load("%row", 2 * shape.tones)
         place = [0, 0]
         for j, line in enumerate(shape.lines):

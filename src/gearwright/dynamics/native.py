@@ -10,12 +10,16 @@ from typing import Any, NamedTuple
 import llvmlite.binding as llvm
 
 from gearwright.dynamics.energy import WORKS
-from gearwright.dynamics.generate import CHUNK, Writer, state_width, table_width
+from gearwright.dynamics.generate import CHUNK, Writer, record_width, state_width, table_width
 from gearwright.dynamics.system import Floats
 from gearwright.dynamics.topology import Layout, Topology
 
-Advance = Callable[[Floats, Floats, int, Floats, Floats], None]
-"""(parameters, clock table, steps, state, output): carries the state on in place."""
+Advance = Callable[[Floats, Floats, int, Floats, Floats, Floats], None]
+"""(parameters, clock table, steps, state, record, summary): carries the state on in place.
+
+For one trajectory each step fills a row of `record`, and `summary` takes least, most, sum and sum of squares of its
+columns. Lanes keep no record; their summary is of the line forces.
+"""
 
 
 class Compiled(NamedTuple):
@@ -40,12 +44,13 @@ def compiled(shape: Topology, layout: Layout, lanes: int = 1) -> Compiled:
     """
     text = assembly(shape, layout, lanes)
     engine = _engine(text)
-    function = ctypes.CFUNCTYPE(None, *([ctypes.c_void_p] * 2), ctypes.c_int64, *([ctypes.c_void_p] * 2))(
-        engine.get_function_address("advance")
-    )
+    pointer, whole = ctypes.c_void_p, ctypes.c_int64
+    signature = ctypes.CFUNCTYPE(None, pointer, pointer, whole, pointer, pointer, pointer)
+    function = signature(engine.get_function_address("advance"))
 
-    def advance(numbers: Floats, table: Floats, steps: int, state: Floats, output: Floats) -> None:
-        function(numbers.ctypes.data, table.ctypes.data, steps, state.ctypes.data, output.ctypes.data)
+    def advance(numbers: Floats, table: Floats, steps: int, state: Floats, record: Floats, summary: Floats) -> None:
+        addresses = (array.ctypes.data for array in (state, record, summary))
+        function(numbers.ctypes.data, table.ctypes.data, steps, *addresses)
 
     return Compiled(advance, engine, text)
 
@@ -87,9 +92,9 @@ def _loop(shape: Topology, lanes: int) -> str:
     width = state_width(shape, lanes)
     row = table_width(shape) * lanes
     numbers = 2 * shape.size
-    stride = numbers + 2 * len(shape.lines) if lanes == 1 else 0
+    stride = record_width(shape) if lanes == 1 else 0
     keep = f"  call void @llvm.memcpy.p0.p0.i64(ptr %place, ptr %y, i64 {8 * numbers}, i1 false)" if lanes == 1 else ""
-    skip = numbers if lanes == 1 else 0
+    seen = f"%seen = getelementptr double, ptr %place, i64 {numbers}" if lanes == 1 else _SEEN_LANES
     step = "%h = load <8 x double>, ptr %p, align 8" if lanes == CHUNK else _SPREAD_STEP
     arrays = "\n".join(f"  %{name} = alloca [{width} x double], align 64" for name in ("y", "s", "k", "sum"))
     clear = "\n".join(
@@ -97,7 +102,9 @@ def _loop(shape: Topology, lanes: int) -> str:
         for name in ("y", "s", "k", "sum")
     )
     size = 8 * (2 * shape.size + WORKS) * lanes
-    pointers = "ptr noalias %p, ptr noalias %table, i64 %steps, ptr noalias %state, ptr noalias %out"
+    pointers = (
+        "ptr noalias %p, ptr noalias %table, i64 %steps, ptr noalias %state, ptr noalias %out, ptr noalias %summary"
+    )
     return f"""define void @advance({pointers}) {{
 entry:
 {arrays}
@@ -117,9 +124,10 @@ head:
   %row2 = getelementptr double, ptr %row1, i64 {row}
   %offset = mul i64 %i, {stride}
   %place = getelementptr double, ptr %out, i64 %offset
-  %seen = getelementptr double, ptr %place, i64 {skip}
+  {seen}
 {keep}
   call void @look(ptr %p, ptr %row0, ptr %now, ptr %y, ptr %k, ptr %seen)
+{_summary(stride)}
 {_stage("a", width, "%half", "first")}
   call void @instant(ptr %p, ptr %row1, ptr %now)
   call void @slope(ptr %p, ptr %row1, ptr %now, ptr %s, ptr %k, ptr %seen)
@@ -138,9 +146,30 @@ done:
 }}"""
 
 
+_SEEN_LANES = "%seen = getelementptr double, ptr %summary, i64 0"
 _SPREAD_STEP = """%one = load double, ptr %p, align 8
   %lone = insertelement <8 x double> poison, double %one, i64 0
   %h = shufflevector <8 x double> %lone, <8 x double> poison, <8 x i32> zeroinitializer"""
+
+
+def _summary(width: int) -> str:
+    """Return the update of least, most, sum and sum of squares with the row that was just written."""
+    lines, vector = [], "<8 x double>"
+    for i in range(0, width, CHUNK):
+        lines.append(f"%rp{i} = getelementptr double, ptr %place, i64 {i}")
+        lines.append(f"%row{i}v = load {vector}, ptr %rp{i}, align 8")
+        for part, word in enumerate(("lo", "hi", "su", "sq")):
+            lines.append(f"%{word}p{i} = getelementptr double, ptr %summary, i64 {part * width + i}")
+            lines.append(f"%{word}{i} = load {vector}, ptr %{word}p{i}, align 8")
+        lines.append(f"%lm{i} = fcmp olt {vector} %row{i}v, %lo{i}")
+        lines.append(f"%lon{i} = select <8 x i1> %lm{i}, {vector} %row{i}v, {vector} %lo{i}")
+        lines.append(f"%hm{i} = fcmp ogt {vector} %row{i}v, %hi{i}")
+        lines.append(f"%hin{i} = select <8 x i1> %hm{i}, {vector} %row{i}v, {vector} %hi{i}")
+        lines.append(f"%sun{i} = fadd {vector} %su{i}, %row{i}v")
+        lines.append(f"%sqm{i} = fmul contract {vector} %row{i}v, %row{i}v")
+        lines.append(f"%sqn{i} = fadd contract {vector} %sq{i}, %sqm{i}")
+        lines += [f"store {vector} %{word}n{i}, ptr %{word}p{i}, align 8" for word in ("lo", "hi", "su", "sq")]
+    return "\n".join(f"  {line}" for line in lines)
 
 
 def _splat(value: float) -> str:

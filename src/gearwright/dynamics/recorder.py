@@ -38,6 +38,7 @@ class Recorder:
     def __init__(self, system: System, outputs: Outputs, *, step: float, steps: int) -> None:
         self.system, self.step, self.steps = system, step, steps
         self.size = len(system.labels.coordinates)
+        self.past = 2 * self.size + 2 * len(system.labels.lines)
         self.stride = max(1, -(-(steps + 1) // max(2, outputs.samples)))
         self.spans = [_span(window, step, steps) for window in outputs.windows]
         self.edges = _edges(outputs, step, steps)
@@ -60,17 +61,20 @@ class Recorder:
         if first % self.spacing == 0:
             self.points.append((first, state.copy()))
 
-    def take(self, first: int, record: Floats) -> None:
+    def take(self, first: int, record: Floats, summary: Floats) -> None:
         """Take a block of rows (q, q̇, line forces, deflections).
 
         Args:
             first: Step of the first row.
-            record: Shape (steps, 2 coordinates + 2 lines).
+            record: Shape (steps, at least 2 coordinates + 2 lines).
+            summary: Its `summary_of`.
 
         Raises:
             SolveError: If the run has diverged, with time, line and value.
         """
-        self._check(first, record)
+        least, most, _, square = summary[:, 2 * self.size : self.past]
+        if not (np.max(most) < RUNAWAY and np.min(least) > -RUNAWAY and np.all(np.isfinite(square))):
+            self._diverged(first, record)
         self._keep(0, first, record, range(-(-first // self.stride) * self.stride, first + len(record), self.stride))
         for number, (start, stop) in enumerate(self.spans, start=1):
             self._keep(number, first, record, range(max(start, first), min(stop, first + len(record))))
@@ -79,13 +83,12 @@ class Recorder:
             low, high = max(int(self.edges[place]), first), min(int(self.edges[place + 1]), first + len(record))
             if low >= high:
                 break
-            self._count(place, record[low - first : high - first, self.size :])
+            whole = high - low == len(record)
+            self._count(place, summary if whole else summary_of(record[low - first : high - first]))
         self._watch(first, record)
 
-    def _check(self, first: int, record: Floats) -> None:
-        forces = record[:, 2 * self.size :]
-        if np.max(np.abs(forces), initial=0.0) < RUNAWAY:
-            return
+    def _diverged(self, first: int, record: Floats) -> None:
+        forces = record[:, 2 * self.size : self.past]
         row = int(np.argmin(np.all(np.abs(forces) < RUNAWAY, axis=1)))
         lines = self.system.labels.lines
         column = int(np.argmin(np.abs(forces[row, : len(lines)]) < RUNAWAY))
@@ -95,13 +98,14 @@ class Recorder:
         )
 
     def _keep(self, number: int, first: int, record: Floats, steps: range) -> None:
-        self.kept[number] += [(step, record[step - first].copy()) for step in steps]
+        self.kept[number] += [(step, record[step - first, : self.past].copy()) for step in steps]
 
-    def _count(self, place: int, rows: Floats) -> None:
-        self.sums[0, place] += np.sum(rows, axis=0)
-        self.sums[1, place] += np.einsum("ij,ij->j", rows, rows)
-        np.minimum(self.least[place], np.min(rows, axis=0), out=self.least[place])
-        np.maximum(self.most[place], np.max(rows, axis=0), out=self.most[place])
+    def _count(self, place: int, summary: Floats) -> None:
+        least, most, total, square = summary[:, self.size : self.past]
+        self.sums[0, place] += total
+        self.sums[1, place] += square
+        np.minimum(self.least[place], least, out=self.least[place])
+        np.maximum(self.most[place], most, out=self.most[place])
 
     def _watch(self, first: int, record: Floats) -> None:
         if len(self.gaps):
@@ -151,6 +155,17 @@ class Recorder:
         self.edges = np.concatenate([self.edges[:keep], [max(done, self.edges[0])]])
         bins = len(self.edges) - 1
         self.sums, self.least, self.most = self.sums[:, :bins], self.least[:bins], self.most[:bins]
+
+
+def summary_of(record: Floats) -> Floats:
+    """Return least, most, sum and sum of squares of each column, shape (4, columns).
+
+    Args:
+        record: Shape (steps, columns).
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        square = np.einsum("ij,ij->j", record, record)
+        return np.array([np.min(record, axis=0), np.max(record, axis=0), np.sum(record, axis=0), square])
 
 
 def _span(window: tuple[float, float], step: float, steps: int) -> tuple[int, int]:

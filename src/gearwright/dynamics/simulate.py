@@ -11,7 +11,7 @@ from gearwright.dynamics.energy import WORKS, Work, stored_energy
 from gearwright.dynamics.exact import is_exact
 from gearwright.dynamics.recorder import BLOCK, Outputs, Recorder
 from gearwright.dynamics.statics import statics
-from gearwright.dynamics.steppers import METHODS, Stepper, stepper
+from gearwright.dynamics.steppers import METHODS, Stepper, blank_record, stepper
 from gearwright.dynamics.stepsize import check_duration, check_step, default_step
 from gearwright.dynamics.system import Arrays, Floats, System
 from gearwright.dynamics.trace import Samples, Trace
@@ -88,11 +88,10 @@ def replay(system: System, trace: Trace, start: float, end: float) -> Samples:
     place = int(np.searchsorted(trace.checkpoints.step, low, side="right")) - 1
     state = trace.checkpoints.state[place].copy()
     advance = stepper(system.arrays, trace.method, trace.step)
-    record = np.empty((BLOCK, 2 * recorder.size + 2 * len(system.labels.lines)))
+    record = blank_record(system.arrays, BLOCK)
     for first in range(int(trace.checkpoints.step[place]), high, BLOCK):
         rows = record[: min(BLOCK, high - first)]
-        advance(first, rows, state)
-        recorder.take(first, rows)
+        recorder.take(first, rows, advance(first, rows, state))
     return recorder.samples(1)
 
 
@@ -141,7 +140,7 @@ def _error(arrays: Arrays, method: str, step: float, stretch: tuple[int, Floats]
     forces = []
     for pieces in (1, 2):
         advance, state = stepper(arrays, method, step / pieces), start.copy()
-        record = np.empty((pieces * steps, 2 * len(arrays.mass) + 2 * len(arrays.stiffness)))
+        record = blank_record(arrays, pieces * steps)
         for first in range(0, len(record), BLOCK):
             advance(first, record[first : first + BLOCK], state)
         columns = slice(2 * len(arrays.mass), 2 * len(arrays.mass) + len(arrays.stiffness))
@@ -152,21 +151,19 @@ def _error(arrays: Arrays, method: str, step: float, stretch: tuple[int, Floats]
 
 def _run(advance: Stepper, recorder: Recorder, state: Floats, progress: Callable[[float], None] | None) -> int:
     """March block by block; return the number of steps done."""
-    record = np.empty((BLOCK, 2 * recorder.size + 2 * len(recorder.system.labels.lines)))
+    record = blank_record(recorder.system.arrays, BLOCK)
     # The state moves on only when its block has been taken, so that an interruption leaves the two together.
     done, ahead = 0, state.copy()
     try:
         while done < recorder.steps:
             rows = record[: min(BLOCK, recorder.steps - done)]
             recorder.checkpoint(done, state)
-            advance(done, rows, ahead)
-            recorder.take(done, rows)
+            recorder.take(done, rows, advance(done, rows, ahead))
             done += len(rows)
             state[:] = ahead
             if progress is not None:
                 progress(done / recorder.steps)
-        advance(done, record[:1], ahead)
-        recorder.take(done, record[:1])
+        recorder.take(done, record[:1], advance(done, record[:1], ahead))
     except KeyboardInterrupt:
         if done == 0:
             raise

@@ -1,0 +1,190 @@
+"""Ensembles: many systems of one structure side by side, eight to a vector, spread over the processor's cores."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearwright.dynamics.energy import WORKS
+from gearwright.dynamics.generate import state_width, table_width
+from gearwright.dynamics.native import Compiled, compiled
+from gearwright.dynamics.recorder import RUNAWAY
+from gearwright.dynamics.statics import statics
+from gearwright.dynamics.stepsize import check_duration, check_step, default_step
+from gearwright.dynamics.system import Arrays, Floats, Labels, System
+from gearwright.dynamics.topology import Topology, parameters, topology
+from gearwright.dynamics.trace import index_of
+from gearwright.errors import DesignError, Problem, SolveError
+
+LANES = 8
+"""Trajectories in one vector."""
+STEPS = 64
+"""Steps between two settings of the clock: the clock table of eight lanes then stays in the second-level cache."""
+
+
+@dataclass(frozen=True, eq=False)
+class Ensemble:
+    """Line forces of many trajectories, from every step after the transient; shape (trajectories, lines) each."""
+
+    mean: Floats
+    """[N or N m]."""
+    least: Floats
+    """[N or N m]."""
+    most: Floats
+    """[N or N m]."""
+    rms: Floats
+    """Root mean square [N or N m]."""
+    state: Floats
+    """q and q̇ at the end, shape (trajectories, 2 coordinates)."""
+    step: float
+    """[s]."""
+    labels: Labels
+    """Names."""
+
+    def of(self, line: str) -> dict[str, Floats]:
+        """Return mean, least, most and rms of one line's force, shape (trajectories,) each.
+
+        Args:
+            line: Its name.
+        """
+        column = index_of(line, self.labels.lines, "line")
+        return {key: getattr(self, key)[:, column] for key in ("mean", "least", "most", "rms")}
+
+
+def simulate_many(
+    systems: Sequence[System],
+    duration: float,
+    *,
+    step: float | None = None,
+    settle: float = 0.0,
+    start: Floats | None = None,
+    threads: int | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Ensemble:
+    """Return force statistics of many systems that differ in their numbers only.
+
+    Args:
+        systems: All of one structure: the same lines, tones and kinds of loads.
+        duration: [s].
+        step: [s]; left out, the smallest that any of them asks for.
+        settle: Time at the beginning that the statistics leave out [s].
+        start: q and q̇ of each, shape (systems, 2 coordinates); left out, static equilibrium.
+        threads: Threads to use; left out, one for each core.
+        progress: Called with the fraction done.
+
+    Raises:
+        DesignError: If structures differ (with the first that does), or step or duration cannot be.
+        SolveError: If a trajectory diverges, with its number and line.
+    """
+    shape = _shape(systems)
+    step = min(default_step(system.arrays) for system in systems) if step is None else step
+    for system in systems:
+        check_step(system.arrays, step)
+    steps, first = check_duration(duration, step), round(settle / step)
+    if not 0 <= first < steps:
+        raise DesignError([Problem("settle", f"{settle:g} s; it must lie within the duration of {duration:g} s")])
+    states = _states(systems, start)
+    groups = [range(low, min(low + LANES, len(systems))) for low in range(0, len(systems), LANES)]
+    code = compiled(shape, parameters(systems[0].arrays, step)[0], LANES)
+    results = []
+    with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+        runs = [
+            pool.submit(
+                _run, code, shape, [systems[i].arrays for i in group], states[list(group)], (step, first, steps)
+            )
+            for group in groups
+        ]
+        for number, run in enumerate(runs, start=1):
+            results.append(run.result())
+            if progress is not None:
+                progress(number / len(runs))
+    summary, ends = (np.concatenate([result[part] for result in results]) for part in range(2))
+    return _ensemble(systems[0].labels, summary, ends, (step, steps - first))
+
+
+def _shape(systems: Sequence[System]) -> Topology:
+    if not systems:
+        raise DesignError([Problem("systems", "there is none")])
+    shape = topology(systems[0].arrays)
+    for number, system in enumerate(systems):
+        if topology(system.arrays) != shape:
+            message = "its structure differs from the first one's: lines, backlash or none, tones, kinds of loads"
+            raise DesignError([Problem(f"systems.{number}", message)])
+    return shape
+
+
+def _states(systems: Sequence[System], start: Floats | None) -> Floats:
+    size = len(systems[0].arrays.mass)
+    states = np.zeros((len(systems), 2 * size + WORKS))
+    if start is None:
+        states[:, :size] = [statics(system, balance="accelerate").position for system in systems]
+    elif np.shape(start) != (len(systems), 2 * size):
+        raise DesignError([Problem("start", f"its shape is {np.shape(start)}; it must be {(len(systems), 2 * size)}")])
+    else:
+        states[:, : 2 * size] = start
+    return states
+
+
+def _run(
+    code: Compiled, shape: Topology, group: Sequence[Arrays], states: Floats, clock: tuple[float, int, int]
+) -> tuple[Floats, Floats]:
+    """March one vector of trajectories; missing ones repeat the last."""
+    step, settled, steps = clock
+    lanes = [*group, *[group[-1]] * (LANES - len(group))]
+    numbers = np.array([parameters(arrays, step)[1] for arrays in lanes]).T.copy()
+    state = np.zeros(state_width(shape, LANES))
+    width = states.shape[1]
+    state[: width * LANES] = np.vstack([states, np.repeat(states[-1:], LANES - len(group), axis=0)]).T.ravel()
+    table = np.zeros((2 * STEPS + 1, table_width(shape), LANES))
+    fill = _Clock(lanes, step)
+    first, summary = 0, np.zeros(0)
+    while first < steps:
+        if first == 0 or first == settled:
+            summary = np.zeros((4, len(shape.lines), LANES))
+            summary[0], summary[1] = np.inf, -np.inf
+        stop = settled if first < settled else steps
+        count = min(STEPS, stop - first)
+        fill(first, table[: 2 * count + 1])
+        code.advance(numbers, table, count, state, state, summary)
+        first += count
+    ends = state[: width * LANES].reshape(width, LANES).T[: len(group)]
+    return summary.transpose(2, 0, 1)[: len(group)], ends
+
+
+class _Clock:
+    """Fills the clock table of all lanes: alike if they run at one speed."""
+
+    def __init__(self, lanes: Sequence[Arrays], step: float) -> None:
+        self.step, self.lanes = step, lanes
+        self.rate = np.array([arrays.tone_rate for arrays in lanes]).T
+        factors = [arrays.profile.factor for arrays in lanes]
+        self.steady = all(np.all(factor == factor[0]) for factor in factors)
+        if not self.steady or any(len(arrays.loads.schedules.dof) for arrays in lanes):
+            raise DesignError([Problem("systems", "ensembles run at constant speed, without schedules; use simulate")])
+        self.factor = np.array([factor[0] for factor in factors])
+        half = 0.5 * step * np.arange(2 * STEPS + 1)
+        self.turned = np.exp(1j * half[:, None, None] * (self.rate * self.factor))
+
+    def __call__(self, first: int, table: Floats) -> None:
+        tones = 2 * len(self.rate)
+        phasor = self.turned[: len(table)] * np.exp(1j * self.rate * self.factor * (first * self.step))
+        table[:, 0:tones:2], table[:, 1:tones:2] = phasor.real, phasor.imag
+        table[:, tones] = self.factor
+
+
+def _ensemble(labels: Labels, summary: Floats, ends: Floats, clock: tuple[float, int]) -> Ensemble:
+    step, count = clock
+    least, most, total, square = (summary[:, part] for part in range(4))
+    wrong = ~(np.isfinite(square) & (most < RUNAWAY) & (least > -RUNAWAY))
+    if np.any(wrong):
+        number, line = (int(place[0]) for place in np.nonzero(wrong))
+        raise SolveError(
+            f"trajectory {number} diverged on line {labels.lines[line]} (largest force {most[number, line]:.3g}); "
+            f"take a smaller step than {step:.3g} s"
+        )
+    state = ends[:, : 2 * len(labels.coordinates)]
+    return Ensemble(total / count, least, most, np.sqrt(square / count), state, step, labels)

@@ -1,0 +1,79 @@
+"""Many systems side by side give what each gives alone."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from random_systems import random_system
+
+from gearwright.dynamics import Outputs, simulate, simulate_many
+from gearwright.errors import DesignError, SolveError
+
+
+def family(count: int):
+    """Return systems of one structure with other stiffness, speed and errors, at constant speed."""
+    base = random_system(11)
+    arrays = base.arrays
+    loads = arrays.loads._replace(schedules=arrays.loads.schedules._replace(dof=arrays.loads.schedules.dof[:0]))
+    profile = arrays.profile._replace(factor=np.full_like(arrays.profile.factor, 1.1))
+    members = []
+    for number in range(count):
+        scale = 1.0 + 0.05 * number
+        changed = arrays._replace(
+            stiffness=arrays.stiffness * scale,
+            tone_rate=arrays.tone_rate / scale,
+            error=arrays.error._replace(cosine=arrays.error.cosine * scale),
+            loads=loads,
+            profile=profile._replace(travel=1.1 * profile.time),
+        )
+        members.append(replace(base, arrays=changed))
+    return members
+
+
+def rest(systems):
+    return np.zeros((len(systems), 2 * len(systems[0].arrays.mass)))
+
+
+def test_each_trajectory_of_an_ensemble_is_the_run_of_its_system_alone():
+    """Eleven systems fill one vector and part of another; the order of sums differs, so 1e-9 after 5000 steps."""
+    systems = family(11)
+    many = simulate_many(systems, 0.5, step=1e-4, settle=0.1, start=rest(systems))
+    for number in (0, 7, 8, 10):
+        system, last = systems[number], Outputs(start=0.1)
+        alone = simulate(system, 0.5, step=1e-4, start="rigid", outputs=last, method="runge-kutta")
+        scale = np.max(np.abs(alone.force.most))
+        for key in ("mean", "least", "most", "rms"):
+            np.testing.assert_allclose(
+                getattr(many, key)[number], getattr(alone.force, key)[0], rtol=1e-9, atol=1e-9 * scale
+            )
+
+
+def test_results_do_not_depend_on_the_number_of_threads():
+    systems = family(20)
+    one, four = (simulate_many(systems, 0.05, step=1e-4, start=rest(systems), threads=threads) for threads in (1, 4))
+    assert np.array_equal(one.rms, four.rms)
+    assert np.array_equal(one.state, four.state)
+
+
+def test_a_system_of_another_structure_is_named():
+    with pytest.raises(DesignError, match=r"systems\.2: its structure differs"):
+        simulate_many([*family(2), random_system(12)], 0.1)
+
+
+def test_progress_counts_to_one():
+    calls = []
+    systems = family(20)
+    simulate_many(systems, 0.01, step=1e-4, start=rest(systems), progress=calls.append)
+    assert calls[-1] == 1.0
+    assert len(calls) == 3
+
+
+def test_a_trajectory_that_diverges_is_named():
+    systems = family(3)
+    arrays = systems[1].arrays
+    # Negative damping drives the motion; next to no drag limits it.
+    drag = 1e-12 * arrays.loads.quadratic
+    wild = arrays.loads._replace(damping=np.full_like(arrays.loads.damping, -400.0), quadratic=drag)
+    systems[1] = replace(systems[1], arrays=arrays._replace(loads=wild))
+    with pytest.raises(SolveError, match="trajectory 1 diverged on line"):
+        simulate_many(systems, 2.0, step=1e-4, start=rest(systems))
