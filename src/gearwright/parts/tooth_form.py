@@ -160,6 +160,10 @@ def _form(side: int, base: float, base_half: float, *, radius: Array, half_angle
             [Problem("profile_shift", "the tooth is pointed below its tip circle; shorten it or shift less")]
         )
     upright = radius * np.cos(half_angle)
+    if np.any(half_angle <= 0.0) or np.any(side * np.diff(upright) <= 0.0):
+        raise DesignError(
+            [Problem("profile_shift", "the rack undercuts the tooth away; shift more or take more teeth")]
+        )
     return ToothForm(
         side=side,
         base_radius=base,

@@ -116,6 +116,15 @@ def test_mesh_forces_carry_the_torque_of_the_sun():
         assert forces[f"planet-{n}.pin.tangential"] == pytest.approx(-2.0 * math.cos(ANGLE) * 100.0 / 4 / 0.04)
 
 
+def test_backlash_does_not_matter_while_every_mesh_is_pressed_and_turns_round_with_the_torque():
+    """The dead zone lies on the side that the torque leaves; reversed, the force is reached on the far flanks."""
+    tight, loose = planetary(4), planetary(4, backlash=2e-4)
+    meshes = [n for n, kind in enumerate(loaded(tight).labels.line_kinds) if kind == "mesh"]
+    forces = [statics(loaded(each)).force[meshes] for each in (tight, loose)]
+    assert forces[0] == pytest.approx(forces[1])
+    assert statics(loaded(loose, -100.0)).force[meshes] == pytest.approx(-forces[0], rel=1e-6)
+
+
 @pytest.mark.parametrize("pin", [3e8, math.inf])
 def test_a_thick_tooth_and_a_lagging_pin_take_more_load(pin):
     """Both close the sun mesh before its neighbours'. On elastic pins less than on rigid ones, but more than 1/N."""

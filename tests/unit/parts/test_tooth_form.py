@@ -5,6 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
 from gearwright.parts.cylindrical_gear import BasicRack, CylindricalGear, half_angle_at
@@ -59,6 +61,23 @@ def test_undercut_takes_material_from_the_root():
     waist = int(np.argmin(lower))
     assert 0 < waist < len(lower) - 1
     assert np.all(np.diff(tooth_form(gear(30)).half_thickness) < 0.0)
+
+
+@settings(deadline=None, max_examples=60)
+@given(st.integers(5, 300), st.sampled_from([1, -1]), st.floats(-0.8, 1.2), st.sampled_from([0.25, 0.30, 0.38]))
+def test_every_outline_rises_from_root_to_tip_or_is_refused(teeth, side, shift, fillet):
+    """Undercut, pointed or narrow teeth are named; whatever passes can be bent."""
+    try:
+        form = tooth_form(gear(side * teeth, shift, rack=BasicRack(fillet_radius=fillet)))
+    except DesignError as error:
+        assert error.problems[0].path in ("profile_shift", "rack.fillet_radius")
+        return
+    assert np.all(np.diff(form.height) > 0.0) and np.all(form.half_thickness > 0.0)
+
+
+def test_a_tooth_that_the_rack_cuts_away_is_refused():
+    with pytest.raises(DesignError, match="undercuts"):
+        tooth_form(gear(5, -0.4))
 
 
 def test_a_fillet_that_does_not_fit_is_refused():
