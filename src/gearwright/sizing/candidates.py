@@ -28,6 +28,29 @@ def is_given(stage: Pair | Planetary) -> bool:
     return sum(each is not None for each in (stage.sun_teeth, stage.planet_teeth, stage.ring_teeth)) >= 2
 
 
+def given_teeth(design: Design) -> dict[str, int]:
+    """Return the tooth number of every gear of a design whose stages all give theirs.
+
+    Args:
+        design: As read.
+    """
+    teeth: dict[str, int] = {}
+    for name, stage in design.stages.items():
+        if isinstance(stage, Planetary):
+            sun, planet = _planetary_given(stage)
+            teeth |= {
+                f"{name}.sun": sun or 0,
+                f"{name}.planet": planet or 0,
+                f"{name}.ring": (sun or 0) + 2 * (planet or 0),
+            }
+        else:
+            teeth |= {
+                gear_of(name, "pinion", stage): stage.pinion_teeth or 0,
+                gear_of(name, "wheel", stage): stage.wheel_teeth or 0,
+            }
+    return teeth
+
+
 def candidates(front: Front, task: Task, design: Design, target: Floats) -> tuple[Integers, Integers, Integers]:
     """Return the choice in the front that each candidate extends, and the teeth of pinion and wheel, or sun and planet.
 

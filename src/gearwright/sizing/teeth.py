@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem
-from gearwright.sizing.candidates import admissible, candidates, fewest_teeth, is_given
+from gearwright.sizing.candidates import admissible, candidates, fewest_teeth, given_teeth, is_given
 from gearwright.sizing.front import Floats, Front, Integers, Task
 from gearwright.sizing.rating import modules, rating_of
 from gearwright.sizing.refusal import refusal
@@ -37,6 +37,8 @@ def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, in
     Raises:
         DesignError: If a stage has no candidate; with what would do.
     """
+    if all(is_given(stage) for stage in design.stages.values()):
+        return given_teeth(design)
     flow, kept = _nominal_flow(design, train, nominal)
     tasks = [_task(name, design, train, nominal, flow) for name in design.stages]
     front = _joined(design, Front({}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {}))
@@ -44,7 +46,7 @@ def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, in
         task = next((each for each in tasks if _ready(each, front)), None)
         if task is None:
             raise DesignError(
-                Problem(each.name, "no machine's speed leads to this stage; join its shafts") for each in tasks
+                Problem(each.name, "no speed that is known leads to this stage; give its teeth") for each in tasks
             )
         tasks.remove(task)
         front = _joined(design, _extend(front, task, design, nominal))

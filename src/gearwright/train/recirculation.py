@@ -1,0 +1,93 @@
+"""Power that runs in a circle: out of a stage on one shaft, through other stages, and back into it on another."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from gearwright.spec import GROUND
+from gearwright.train.flow import PowerFlow
+from gearwright.train.graph import Train
+
+SMALLEST_SHARE = 1e-9
+"""Circulating power below this part of the power supplied is rounding."""
+
+
+@dataclass(frozen=True)
+class Loop:
+    """One circle of power."""
+
+    path: tuple[str, ...]
+    """Stages and shafts in the direction of the power; the first one follows the last."""
+    power: float
+    """What circulates [W]."""
+
+
+def recirculation(train: Train, flow: PowerFlow) -> tuple[Loop, ...]:
+    """Return every circle in which power runs, the largest first; none is the usual case.
+
+    Args:
+        train: The graph.
+        flow: A load case.
+    """
+    edges = _edges(train, flow)
+    supplied = sum(power for power in flow.machine_powers.values() if power > 0.0)
+    loops = []
+    while (path := _circle(edges)) is not None:
+        steps = list(zip(path, (*path[1:], path[0]), strict=True))
+        power = min(edges[start][end] for start, end in steps)
+        loops.append(Loop(tuple(path), power))
+        for start, end in steps:
+            edges[start][end] -= power
+            if edges[start][end] <= SMALLEST_SHARE * supplied:
+                del edges[start][end]
+    return tuple(sorted(loops, key=lambda loop: -loop.power))
+
+
+def _edges(train: Train, flow: PowerFlow) -> dict[str, dict[str, float]]:
+    """Return the power from every stage to the shafts that it drives, and to it from those that drive it [W]."""
+    given: dict[tuple[str, str], float] = {}
+    for mesh in train.meshes:
+        for node, torque in zip(mesh.nodes, flow.meshes[mesh.name].torques, strict=True):
+            if node != GROUND and "." not in node:
+                key = (f"stage {mesh.stage}", node)
+                given[key] = given.get(key, 0.0) + torque * flow.speeds[node]
+    for joint in train.joints:
+        if joint.name in flow.joints:
+            power = flow.joints[joint.name] * flow.speeds[joint.driven]
+            given[(f"clutch {joint.name}", joint.driven)] = power
+            given[(f"clutch {joint.name}", joint.driving)] = -power
+    supplied = sum(power for power in flow.machine_powers.values() if power > 0.0)
+    edges: dict[str, dict[str, float]] = {}
+    for (stage, shaft), power in given.items():
+        if abs(power) > SMALLEST_SHARE * supplied:
+            start, end = (stage, shaft) if power > 0.0 else (shaft, stage)
+            edges.setdefault(start, {})[end] = abs(power)
+    return edges
+
+
+def _circle(edges: Mapping[str, Mapping[str, float]]) -> list[str] | None:
+    """Return one directed circle, or None."""
+    done: set[str] = set()
+    for start in edges:
+        path: list[str] = []
+        found = _walk(start, edges, path, done)
+        if found is not None:
+            return found
+    return None
+
+
+def _walk(node: str, edges: Mapping[str, Mapping[str, float]], path: list[str], done: set[str]) -> list[str] | None:
+    """Follow the power from a node until a node of the path comes again."""
+    if node in path:
+        return path[path.index(node) :]
+    if node in done:
+        return None
+    path.append(node)
+    for following in edges.get(node, {}):
+        found = _walk(following, edges, path, done)
+        if found is not None:
+            return found
+    path.pop()
+    done.add(node)
+    return None
