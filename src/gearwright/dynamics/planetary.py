@@ -4,7 +4,7 @@ Translations are written in the frame of the carrier: x and y of sun, ring and c
 each planet. Rotations are absolute angles, so that the mass matrix is diagonal.
 
 Coordinates are named ``sun``, ``sun.x``, ``sun.y`` (likewise ``ring``, ``carrier``), ``planet-1``, ``planet-1.radial``,
-``planet-1.tangential``; lines ``sun-planet-1``, ``planet-1-ring``, ``planet-1.pin.radial``, ``sun.support.x`` …
+``planet-1.tangential``; lines ``sun-planet-1``, ``planet-ring-1``, ``planet-1.pin.radial``, ``sun.support.x`` …
 """
 
 from __future__ import annotations
@@ -181,7 +181,7 @@ def _ring_mesh(writer: _Writer, number: int, position: float) -> None:
     )
     phase = p.phases.ring[number - 1] if p.phases else 0.0
     run_out = _run_out(writer, "ring", p.ring, position + flank * angle)
-    _mesh(writer, f"planet-{number}-ring", motion, curve=p.ring_mesh, phase=phase, run_out=run_out)
+    _mesh(writer, f"planet-ring-{number}", motion, curve=p.ring_mesh, phase=phase, run_out=run_out)
 
 
 def _tooth(writer: _Writer, name: str, member: Member, direction: float) -> _Motion:

@@ -112,7 +112,7 @@ def test_mesh_forces_carry_the_torque_of_the_sun():
     forces = {name: force for name, force in zip(system.labels.lines, found.force, strict=True) if "planet" in name}
     for n in range(1, 5):
         assert forces[f"sun-planet-{n}"] == pytest.approx(100.0 / 4 / 0.04)
-        assert forces[f"planet-{n}-ring"] == pytest.approx(100.0 / 4 / 0.04)
+        assert forces[f"planet-ring-{n}"] == pytest.approx(100.0 / 4 / 0.04)
         assert forces[f"planet-{n}.pin.tangential"] == pytest.approx(-2.0 * math.cos(ANGLE) * 100.0 / 4 / 0.04)
 
 
@@ -176,7 +176,7 @@ def test_mesh_stiffness_follows_its_curve_with_the_planets_phase():
     stiffness = line_state(system.arrays, time, rest, rest).stiffness
     phase = 27 * 10.0 * 0.14 / 0.04 * time
     for n in range(4):
-        for name, shift in ((f"sun-planet-{n + 1}", phases.sun[n]), (f"planet-{n + 1}-ring", phases.ring[n])):
+        for name, shift in ((f"sun-planet-{n + 1}", phases.sun[n]), (f"planet-ring-{n + 1}", phases.ring[n])):
             found = stiffness[system.labels.lines.index(name)]
             assert found == pytest.approx(float(stiffness_at(curve, phase + 2.0 * math.pi * shift)))
 
@@ -220,7 +220,7 @@ def test_names_carry_the_name_of_the_set():
     add_planetary(model, planetary(3), name="second")
     model.shaft("middle", "first.carrier", "second.sun", stiffness=1e6)
     system = model.build()
-    assert "first.planet-2.radial" in system.labels.coordinates and "second.planet-3-ring" in system.labels.lines
+    assert "first.planet-2.radial" in system.labels.coordinates and "second.planet-ring-3" in system.labels.lines
     assert modes(system).rigid == 1
 
 
