@@ -65,6 +65,8 @@ def candidates(front: Front, task: Task, design: Design, target: Floats) -> tupl
         first, second = _planetary_given(stage)
         small = np.array([first]) if first else np.arange(rules.sun_minimum, rules.sun_maximum + 1)
         wanted = (target[:, None] - 1.0) / 2.0 * small
+        if stage.ring_teeth and second is None:
+            wanted = np.broadcast_to((stage.ring_teeth - small) / 2.0, wanted.shape)
         return _neighbours(wanted, small, second)
     pinion, wheel = (gear_of(task.name, side, stage) for side in ("pinion", "wheel"))
     if wheel in front.teeth:
@@ -132,6 +134,8 @@ def admissible(task: Task, design: Design, small: Integers, large: Integers) -> 
         ring = small + 2 * large
         good = assembles(small, ring, stage.planets) & neighbours_clear(small, large, stage.planets)
         good &= large >= rules.planet_minimum
+        if stage.ring_teeth:
+            good &= ring == stage.ring_teeth
         if rules.hunting:
             good &= (np.gcd(small, large) == 1) & (np.gcd(large, ring) == 1)
         return good

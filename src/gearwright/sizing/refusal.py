@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.planets import assembles, neighbours_clear
 from gearwright.spec import Design, Pair, Planetary
+from gearwright.spec.check import table_of
+from gearwright.train.flow import PowerFlow
+from gearwright.units import text
 
 
 def refusal(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: float, *, fewest: int) -> DesignError:
@@ -34,6 +39,34 @@ def refusal(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: flo
     return DesignError([Problem(f"pairs.{name}", message)])
 
 
+def refuse_contradictions(design: Design, flows: Mapping[str, PowerFlow]) -> None:
+    """Raise where the teeth give a machine another speed than it asks for.
+
+    Args:
+        design: With the asked speeds and the tolerance.
+        flows: Every load case at the chosen teeth.
+
+    Raises:
+        DesignError: With both speeds of every such machine.
+    """
+    problems: dict[str, Problem] = {}
+    for case, flow in flows.items():
+        for each in flow.yielded:
+            drive = design.cases.get(case, {}).get(each.machine)
+            own = drive is not None and drive.speed is not None
+            table = f"cases.{case}" if own else table_of(each.machine, design)
+            path = f"{table}.{each.machine}.speed"
+            if abs(each.deviation) > design.teeth.speed_tolerance:
+                message = (
+                    f"{text(each.asked, 'speed')} is asked, but the teeth and the other speeds give"
+                    f" {text(each.actual, 'speed')} ({each.deviation:+.1%}); change the speed or the teeth, or allow more"
+                    " in teeth.speed_tolerance"
+                )
+                problems.setdefault(path, Problem(path, message))
+    if problems:
+        raise DesignError(problems.values())
+
+
 def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float) -> Problem:
     """Return the problem of a planetary set."""
     path, ratio = f"planetaries.{name}", 1.0 + tooth_ratio
@@ -45,6 +78,17 @@ def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float) 
                 return Problem(
                     f"{path}.planets", f"{stage.planets} planets {why} at ratio {ratio:.3g}; at most {count}"
                 )
+    given = ", ".join(
+        f"{part} = {teeth}"
+        for part in ("sun_teeth", "planet_teeth", "ring_teeth")
+        if (teeth := getattr(stage, part)) is not None
+    )
+    if given:
+        message = (
+            f"no tooth numbers with {given} give the ratio {ratio:.4g} within {design.teeth.stage_tolerance:.1%} and"
+            f" let {stage.planets} planets be assembled; leave one out, or change the speeds"
+        )
+        return Problem(path, message)
     low, high = _range(design)
     message = (
         f"no tooth numbers give the ratio {ratio:.4g} within {design.teeth.stage_tolerance:.1%}; with suns of"

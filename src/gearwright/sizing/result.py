@@ -229,6 +229,8 @@ class Sizing:
     machines: tuple[MachineSizing, ...]
     overrides: Mapping[str, float] = field(default_factory=dict)
     """Path -> value that the user gave instead of the computed one [SI]."""
+    origins: Mapping[str, str] = field(default_factory=dict)
+    """Path of an override -> where the user has it from."""
 
     @property
     def gear_mass(self) -> Mass:
@@ -247,7 +249,12 @@ class Sizing:
 
     @property
     def mass(self) -> Mass:
-        """Mass of gears, shafts and carriers; no motor, housing, bearings or oil [kg]."""
+        """Mass of gears, shafts and carriers, without motor, housing, bearings and oil; or the user's own [kg]."""
+        return self.overrides.get("gearbox.mass", self.parts_mass)
+
+    @property
+    def parts_mass(self) -> Mass:
+        """Sum of gears, shafts and carriers [kg]."""
         return self.gear_mass + self.shaft_mass + self.carrier_mass
 
     @property

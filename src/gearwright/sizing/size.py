@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gearwright.sizing.gears import context, size_gears, size_meshes, stage_modules
 from gearwright.sizing.machines import size_machines
+from gearwright.sizing.refusal import refuse_contradictions
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import size_carriers, size_shafts
 from gearwright.sizing.teeth import choose_teeth
@@ -26,10 +27,12 @@ def size(design: Design) -> Sizing:
     train = build_train(design)
     teeth = choose_teeth(design, train, targets(design))
     flows = {case: power_flow(design, train, teeth, case) for case in (RATED, *design.cases)}
-    overrides = Overrides(design.overrides)
+    refuse_contradictions(design, flows)
+    overrides = Overrides(design.overrides, design.origins)
     given = context(design, train, teeth, flows, overrides)
     gears = size_gears(given, stage_modules(given))
     shafts = size_shafts(given, gears)
+    overrides.take("gearbox.mass", "mass", 0.0)
     sizing = Sizing(
         design=design,
         train=train,
@@ -41,6 +44,7 @@ def size(design: Design) -> Sizing:
         carriers=size_carriers(given, gears, shafts),
         machines=size_machines(given),
         overrides=overrides.used,
+        origins=overrides.origins,
     )
     overrides.require_all_used()
     return sizing

@@ -7,6 +7,7 @@ from itertools import combinations
 
 from gearwright.catalogue.materials import materials
 from gearwright.errors import Problem, near
+from gearwright.parts.lewis import FEWEST_TEETH
 from gearwright.spec.design import GROUND, Design, GearRules, Pair, Planetary
 from gearwright.units import text
 
@@ -111,7 +112,7 @@ def _speeds(design: Design) -> Iterator[Problem]:
         asked, speed = _signed_speed(name, design), _signed_speed(other, design)
         if abs(asked / speed - 1.0) > design.teeth.speed_tolerance:
             yield Problem(
-                f"{_table_of(name, design)}.{name}.speed",
+                f"{table_of(name, design)}.{name}.speed",
                 f"{text(asked, 'speed')} on shaft {machine.shaft!r}, where {other} turns at {text(speed, 'speed')};"
                 " give one speed to both, or put a gear stage between them",
             )
@@ -122,7 +123,13 @@ def _signed_speed(machine: str, design: Design) -> float:
     return -design.machines[machine].speed if reverse else design.machines[machine].speed
 
 
-def _table_of(machine: str, design: Design) -> str:
+def table_of(machine: str, design: Design) -> str:
+    """Return the table of the file that describes a machine.
+
+    Args:
+        machine: Its name.
+        design: The design.
+    """
     return next(table for table in ("turbines", "motors", "propellers") if machine in getattr(design, table))
 
 
@@ -183,6 +190,7 @@ def _planetaries(design: Design) -> Iterator[Problem]:
             if shaft == same:
                 yield Problem(f"{path}.{other}", f"{same!r} is the {one} already; the three members are three shafts")
         yield from _planetary_teeth(path, planetary)
+        yield from _few_teeth(path, planetary, design.teeth.planet_minimum)
 
 
 def _planetary_teeth(path: str, planetary: Planetary) -> Iterator[Problem]:
@@ -191,6 +199,25 @@ def _planetary_teeth(path: str, planetary: Planetary) -> Iterator[Problem]:
         yield Problem(
             f"{path}.ring_teeth",
             f"{ring} does not close: z_s + 2 z_p = {sun} + 2·{planet} = {sun + 2 * planet}; give that, or leave it out",
+        )
+    elif sun is not None and ring is not None and (ring <= sun or (ring - sun) % 2):
+        message = f"{ring} leaves no planets beside a sun of {sun}: z_r − z_s = 2 z_p is even and above 0"
+        yield Problem(f"{path}.ring_teeth", message)
+    elif planet is not None and ring is not None and ring <= 2 * planet:
+        yield Problem(f"{path}.ring_teeth", f"{ring} leaves no sun inside planets of {planet}: z_r = z_s + 2 z_p")
+
+
+def _few_teeth(path: str, planetary: Planetary, planet_minimum: int) -> Iterator[Problem]:
+    sun, planet = planetary.sun_teeth, planetary.planet_teeth
+    if sun is not None and sun < FEWEST_TEETH:
+        yield Problem(
+            f"{path}.sun_teeth", f"{sun} is below {FEWEST_TEETH}, where the table of Lewis form factors begins"
+        )
+    if planet is not None and planet < max(planet_minimum, FEWEST_TEETH):
+        yield Problem(
+            f"{path}.planet_teeth",
+            f"{planet} is below {max(planet_minimum, FEWEST_TEETH)}, the least of teeth.planet_minimum and of the table"
+            " of Lewis form factors",
         )
 
 
@@ -256,6 +283,9 @@ def _materials(design: Design) -> Iterator[Problem]:
 
 
 def _overrides(design: Design) -> Iterator[Problem]:
+    for path in design.origins:
+        if path not in design.overrides:
+            yield Problem(f"origins.{path}", f"nothing of this name is overridden; {near(path, design.overrides)}")
     for path, value in design.overrides.items():
         if value <= 0.0:
             yield Problem(f"overrides.{path}", f"{value:g} is not allowed; give a value greater than 0")

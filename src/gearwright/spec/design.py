@@ -23,18 +23,18 @@ class Turbine(Record):
     """A gas turbine's output (power turbine) that drives a shaft."""
 
     shaft: str = Field(description="Shaft that it drives")
-    power: Power = Field(gt=0, description="Rated power")
-    speed: Speed = Field(gt=0, description="Speed at rated power")
+    power: Power = Field(gt=0, le=1e9, description="Rated power")
+    speed: Speed = Field(ge=0.1, le=2e4, description="Speed at rated power")
     inertia: Inertia | None = Field(None, gt=0, description="Polar inertia of its rotor; estimated if left out")
-    diameter: Length | None = Field(None, gt=0, description="Disc diameter, for the inertia estimate")
+    diameter: Length | None = Field(None, gt=0, le=100, description="Disc diameter, for the inertia estimate")
 
 
 class Motor(Record):
     """An electric motor on a shaft; with negative power in a case it generates."""
 
     shaft: str = Field(description="Shaft that it drives")
-    power: Power = Field(gt=0, description="Rated power")
-    speed: Speed = Field(gt=0, description="Speed at rated power")
+    power: Power = Field(gt=0, le=1e9, description="Rated power")
+    speed: Speed = Field(ge=0.1, le=2e4, description="Speed at rated power")
     flux: Literal["radial", "axial"] = Field("radial", description="Flux topology, for its proportions")
     mass_law: Literal["ndarc", "thesis"] = Field(
         "ndarc", description="Mass from torque: NDARC's law, or the thesis's k T^0.33"
@@ -52,8 +52,8 @@ class Propeller(Record):
     """A propeller; it takes the power that the machines give."""
 
     shaft: str = Field(description="Shaft that carries it")
-    speed: Speed = Field(gt=0, description="Asked speed; the teeth may let it yield")
-    diameter: Length = Field(gt=0, description="Diameter")
+    speed: Speed = Field(ge=0.1, le=2e4, description="Asked speed; the teeth may let it yield")
+    diameter: Length = Field(gt=0, le=100, description="Diameter")
     blades: int = Field(4, ge=2, le=12, description="Number of blades")
     inertia: Inertia | None = Field(None, gt=0, description="Polar inertia; estimated if left out")
 
@@ -100,13 +100,13 @@ class GearRules(Record):
 class TeethRules(Record):
     """What the search for tooth numbers may choose from."""
 
-    sun_minimum: int = Field(18, ge=8, description="Smallest tooth number of suns")
-    sun_maximum: int = Field(59, ge=8, description="Largest tooth number of suns")
+    sun_minimum: int = Field(18, ge=8, le=400, description="Smallest tooth number of suns")
+    sun_maximum: int = Field(59, ge=8, le=400, description="Largest tooth number of suns")
     pinion_minimum: int | None = Field(
-        None, ge=6, description="Smallest tooth number of pinions; left out: no undercut"
+        None, ge=6, le=400, description="Smallest tooth number of pinions; left out: no undercut"
     )
-    pinion_maximum: int = Field(40, ge=8, description="Largest tooth number of pinions that are searched")
-    planet_minimum: int = Field(12, ge=8, description="Smallest tooth number of planets")
+    pinion_maximum: int = Field(40, ge=8, le=400, description="Largest tooth number of pinions that are searched")
+    planet_minimum: int = Field(12, ge=8, le=400, description="Smallest tooth number of planets")
     stage_tolerance: Ratio = Field(
         0.025, gt=0, le=0.2, description="Allowed deviation of a stage's ratio from its target"
     )
@@ -123,8 +123,8 @@ class Pair(Record):
 
     pinion: str | list[str] = Field(description="Shaft (or shafts, or shared gear) of the pinion")
     wheel: str | list[str] = Field(description="Shaft (or shafts, or shared gear) of the wheel")
-    pinion_teeth: int | None = Field(None, ge=6, description="z_1; left out: gearwright chooses")
-    wheel_teeth: int | None = Field(None, ge=6, description="z_2; left out: gearwright chooses")
+    pinion_teeth: int | None = Field(None, ge=6, le=2000, description="z_1; left out: gearwright chooses")
+    wheel_teeth: int | None = Field(None, ge=6, le=2000, description="z_2; left out: gearwright chooses")
     ratio: Ratio | None = Field(
         None, gt=0, description="Asked ratio z_2/z_1; left out: the shafts' speeds or the split give it"
     )
@@ -147,9 +147,9 @@ class Planetary(Record):
     ring: str = Field(description="Shaft of the ring")
     carrier: str = Field(description="Shaft of the carrier")
     planets: int = Field(3, ge=1, le=12, description="Number of planets")
-    sun_teeth: int | None = Field(None, ge=6, description="z_s; left out: gearwright chooses")
-    planet_teeth: int | None = Field(None, ge=6, description="z_p; left out: gearwright chooses")
-    ring_teeth: int | None = Field(None, ge=6, description="z_r; left out: z_s + 2 z_p")
+    sun_teeth: int | None = Field(None, ge=6, le=2000, description="z_s; left out: gearwright chooses")
+    planet_teeth: int | None = Field(None, ge=6, le=2000, description="z_p; left out: gearwright chooses")
+    ring_teeth: int | None = Field(None, ge=6, le=2000, description="z_r; left out: z_s + 2 z_p")
     ratio: Ratio | None = Field(
         None, gt=1, description="Asked ratio 1 + z_r/z_s; left out: the speeds or the split give it"
     )
@@ -236,9 +236,12 @@ class Drive(Record):
     """What one machine does in a case."""
 
     power: Power | None = Field(
-        None, description="Power into the train; negative takes power out; left out: it balances the rest"
+        None,
+        ge=-1e9,
+        le=1e9,
+        description="Power into the train; negative takes power out; left out: it balances the rest",
     )
-    speed: Speed | None = Field(None, gt=0, description="Speed, where it is not the rated one")
+    speed: Speed | None = Field(None, ge=0.1, le=2e4, description="Speed, where it is not the rated one")
 
 
 class SpeedRules(Record):
@@ -275,6 +278,10 @@ class Design(Record):
     overrides: dict[str, float] = Field(
         default_factory=dict,
         description='Computed values that are given instead, by dotted path with unit: "first.module_mm" = 3',
+    )
+    origins: dict[str, str] = Field(
+        default_factory=dict,
+        description='Where overrides come from, by the same path: "first.module_mm" = "drawing 4711"',
     )
 
     @property

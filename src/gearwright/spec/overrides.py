@@ -8,6 +8,9 @@ from dataclasses import dataclass, field
 from gearwright.errors import DesignError, Problem, near
 from gearwright.units import SUFFIXES
 
+NO_ORIGIN = "user's design file"
+"""Origin of a value that the user gave without saying where it comes from."""
+
 
 @dataclass
 class Overrides:
@@ -15,8 +18,12 @@ class Overrides:
 
     given: Mapping[str, float]
     """As in the design file: dotted path with unit -> value."""
+    sources: Mapping[str, str] = field(default_factory=dict)
+    """Dotted path with unit -> where the user has the value from."""
     used: dict[str, float] = field(default_factory=dict)
     """Path without unit -> value that was taken [SI]."""
+    origins: dict[str, str] = field(default_factory=dict)
+    """Path without unit -> where the value that was taken comes from."""
     offered: set[str] = field(default_factory=set)
     """Every key that would have been taken."""
     twice: list[Problem] = field(default_factory=list)
@@ -40,6 +47,7 @@ class Overrides:
         if len(written) > 1:
             self.twice.append(Problem(f"overrides.{written[1]}", f"{path} is given twice; keep one of {written}"))
         self.used[path] = self.given[written[0]] * keys[written[0]]
+        self.origins[path] = self.sources.get(written[0], NO_ORIGIN)
         return self.used[path]
 
     def require_all_used(self) -> None:
