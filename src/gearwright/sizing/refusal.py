@@ -39,6 +39,23 @@ def refusal(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: flo
     return DesignError([Problem(f"pairs.{name}", message)])
 
 
+def contradiction(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: float) -> DesignError:
+    """Return the error of a stage whose tooth numbers all contradict the speeds of the machines.
+
+    Args:
+        name: Name of the stage.
+        stage: As in the design.
+        design: With the tolerance.
+        tooth_ratio: z_2/z_1 or z_r/z_s that teeth give [-].
+    """
+    asked = f"the asked ratio {stage.ratio:.4g}" if stage.ratio is not None else f"the ratio z_2/z_1 {tooth_ratio:.4g}"
+    message = (
+        f"tooth numbers that give {asked} turn a machine at another speed than it asks for, by more than"
+        f" {design.teeth.speed_tolerance:.1%}; change the ratio or the speeds, or allow more in teeth.speed_tolerance"
+    )
+    return DesignError([Problem(f"{'pairs' if isinstance(stage, Pair) else 'planetaries'}.{name}", message)])
+
+
 def refuse_contradictions(design: Design, flows: Mapping[str, PowerFlow]) -> None:
     """Raise where the teeth give a machine another speed than it asks for.
 
@@ -59,8 +76,8 @@ def refuse_contradictions(design: Design, flows: Mapping[str, PowerFlow]) -> Non
             if abs(each.deviation) > design.teeth.speed_tolerance:
                 message = (
                     f"{text(each.asked, 'speed')} is asked, but the teeth and the other speeds give"
-                    f" {text(each.actual, 'speed')} ({each.deviation:+.1%}); change the speed or the teeth, or allow more"
-                    " in teeth.speed_tolerance"
+                    f" {text(each.actual, 'speed')} ({each.deviation:+.1%}); change the speed or the teeth, or allow"
+                    " more in teeth.speed_tolerance"
                 )
                 problems.setdefault(path, Problem(path, message))
     if problems:

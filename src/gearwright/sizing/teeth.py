@@ -17,7 +17,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.sizing.candidates import admissible, candidates, fewest_teeth, given_teeth, is_given
 from gearwright.sizing.front import Floats, Front, Integers, Task
 from gearwright.sizing.rating import modules, rating_of
-from gearwright.sizing.refusal import refusal
+from gearwright.sizing.refusal import contradiction, refusal
 from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.edges import members_of, willis_ratio, willis_speed
 from gearwright.train.flow import RATED, PowerFlow, asked_speeds, power_flow
@@ -140,7 +140,10 @@ def _extend(front: Front, task: Task, design: Design, nominal: Targets) -> Front
             good &= np.abs((1.0 + actual) / (1.0 + asked) - 1.0) <= design.teeth.stage_tolerance
         else:
             good &= np.abs(actual / asked - 1.0) <= design.teeth.stage_tolerance
-        good &= _speeds_hold(design, speeds, len(small))
+        holds = _speeds_hold(design, speeds, len(small))
+        if good.any() and not (good & holds).any():
+            raise contradiction(task.name, task.stage, design, float(np.median(actual[good])))
+        good &= holds
     if not good.any():
         raise refusal(task.name, task.stage, design, float(np.median(target)), fewest=fewest_teeth(task.rating))
     grown = front.take(parent[good])
