@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from gearwright.dynamics import Modes, Samples, Trace
 from gearwright.dynamics.system import Floats
+from gearwright.errors import DesignError, Problem
 from gearwright.render import theme
 from gearwright.render.figures_sizing import WIDTH
 from gearwright.sizing.result import Sizing
@@ -19,6 +20,8 @@ ORDERS = 3
 """Multiples of each mesh frequency that a spectrum marks."""
 FLOOR = 1e-5
 """Smallest amplitude that a spectrum shows, over the largest [-]."""
+CLOSE_STEPS = 600
+"""Steps at the end of a window that are shown closely."""
 MOST_MODES = 12
 """Mode shapes in one figure."""
 _KINDS = {"m": ("Mesh and support forces", "force [N]"), "rad": ("Shaft torques", "torque [N m]")}
@@ -53,12 +56,12 @@ def time_figure(trace: Trace) -> Figure:
     grid = figure.subplots(len(units), len(stretches), squeeze=False, sharey="row")
     for row, unit in zip(grid, units, strict=True):
         for axes, samples in zip(row, stretches, strict=True):
-            _draw_lines(axes, samples, unit)
+            _draw_lines(axes, samples, unit, len(samples.time) if samples is trace.samples else CLOSE_STEPS)
         row[0].set_ylabel(_KINDS[unit][1])
         row[0].set_title(_KINDS[unit][0])
         row[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     if trace.windows:
-        grid[0, 1].set_title("Window: every step")
+        grid[0, 1].set_title("Its end, every step")
     for axes in grid[-1]:
         axes.set_xlabel("time [s]")
     return figure
@@ -77,27 +80,30 @@ def _several(family: str, names: list[str]) -> str:
     return family if len(names) == 1 else f"{family} ({len(names)})"
 
 
-def _draw_lines(axes: Axes, samples: Samples, unit: str) -> None:
+def _draw_lines(axes: Axes, samples: Samples, unit: str, most: int) -> None:
     for place, (family, names) in enumerate(_families(samples, unit).items()):
         colour = theme.CYCLE[place % len(theme.CYCLE)]
-        forces = np.array([samples.force(name) for name in names]).T
-        curves = axes.plot(samples.time, forces, color=colour, lw=0.8, alpha=1.0 if len(names) == 1 else 0.6)
+        forces = np.array([samples.force(name)[-most:] for name in names]).T
+        curves = axes.plot(samples.time[-most:], forces, color=colour, lw=0.8, alpha=1.0 if len(names) == 1 else 0.6)
         curves[0].set_label(_several(family, names))
     axes.margins(x=0.0)
 
 
 @theme.styled
 def spectrum_figure(trace: Trace, mesh_frequency: Mapping[str, float]) -> Figure:
-    """Return the amplitude spectrum of the line forces (of the first planet of a set), with the mesh frequencies and their multiples.
-
-    It reads the last window if one was kept, as only there every step is known, and else the samples of the run.
+    """Return the amplitude spectrum of the line forces (of the first planet of a set), and the mesh frequencies.
 
     Args:
         trace: As simulated.
         mesh_frequency: Mesh row -> [Hz], as `mesh_frequencies` gives it.
+
+    Raises:
+        DesignError: If no stretch of the run is kept at every step; thinned samples would show false frequencies.
     """
     units = [unit for unit in _KINDS if unit in trace.labels.line_units]
-    samples = trace.windows[-1] if trace.windows else trace.samples
+    samples = every_step(trace)
+    if samples is None:
+        raise DesignError([Problem("outputs.windows", "none is kept; keep a window, so that every step is known")])
     figure = theme.sheet(WIDTH, 10.0 + 62.0 * len(units))
     grid = figure.subplots(len(units), 1, squeeze=False, sharex=True)[:, 0]
     for axes, unit in zip(grid, units, strict=True):
@@ -106,8 +112,20 @@ def spectrum_figure(trace: Trace, mesh_frequency: Mapping[str, float]) -> Figure
         _mark_orders(axes, mesh_frequency, named=axes is grid[0])
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     grid[0].set_title("Spectrum; dotted: mesh frequency and its multiples", pad=26.0)
-    grid[-1].set_xlabel("frequency [Hz]")
+    grid[-1].set_xlabel("frequency [kHz]")
     return figure
+
+
+def every_step(trace: Trace) -> Samples | None:
+    """Return the last stretch of a run of which every step is kept, if there is one.
+
+    Args:
+        trace: As simulated.
+    """
+    if trace.windows:
+        return trace.windows[-1]
+    time = trace.samples.time
+    return trace.samples if len(time) > 1 and time[1] - time[0] < 1.5 * trace.step else None
 
 
 def spectrum(time: Floats, values: Floats) -> tuple[Floats, Floats]:
@@ -128,7 +146,7 @@ def _draw_spectra(axes: Axes, samples: Samples, unit: str) -> None:
     largest = 0.0
     for family, names in _families(samples, unit).items():
         frequency, amplitude = spectrum(samples.time, samples.force(names[0]))
-        axes.semilogy(frequency[1:], amplitude[1:], label=family, lw=0.8)
+        axes.semilogy(frequency[1:] / 1e3, amplitude[1:], label=family, lw=0.8)
         largest = max(largest, float(np.max(amplitude[1:], initial=0.0)))
     if largest > 0.0:
         axes.set_ylim(largest * FLOOR, largest * 2.0)
@@ -137,9 +155,12 @@ def _draw_spectra(axes: Axes, samples: Samples, unit: str) -> None:
 
 def _mark_orders(axes: Axes, mesh_frequency: Mapping[str, float], *, named: bool) -> None:
     """Mark each distinct mesh frequency and its multiples, named above the frame, if asked and with room."""
-    end = axes.get_xlim()[1]
+    end = min(axes.get_xlim()[1], 1.1e-3 * ORDERS * max(mesh_frequency.values(), default=np.inf))
+    axes.set_xlim(0.0, end)
     stages = {round(value, 6): name.partition(".")[0] for name, value in reversed(list(mesh_frequency.items()))}
-    marks = sorted((order * value, order, name) for value, name in stages.items() for order in range(1, ORDERS + 1))
+    marks = sorted(
+        (order * value / 1e3, order, name) for value, name in stages.items() for order in range(1, ORDERS + 1)
+    )
     free = -np.inf
     for frequency, order, name in marks:
         if frequency > end:

@@ -80,9 +80,11 @@ def styled(draw: Callable[_Inputs, Figure]) -> Callable[_Inputs, Figure]:
     def drawn(*args: _Inputs.args, **kwargs: _Inputs.kwargs) -> Figure:
         with mpl.rc_context(_STYLE):
             figure = draw(*args, **kwargs)
-            # The layout is settled once; solved anew at every saving, it would drift in the last digits.
-            figure.draw_without_rendering()
-            figure.set_layout_engine("none")
+            # Solved anew at every saving, the layout would drift in the last digits; twice, as legends move the axes.
+            if figure.get_layout_engine() is not None:
+                figure.draw_without_rendering()
+                figure.draw_without_rendering()
+                figure.set_layout_engine("none")
         return figure
 
     return drawn
