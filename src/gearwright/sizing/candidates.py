@@ -103,10 +103,18 @@ def fewest_teeth(rating: Rating) -> int:
     return max(math.ceil(2.0 * math.cos(angle) * (1.0 - rules.profile_shift) / math.sin(transverse) ** 2), LEAST_LEWIS)
 
 
+_MOST = 1_000_000
+
+
+def _whole(wanted: Floats) -> Integers:
+    """Return the tooth number below; at least one tooth, as what an absurd ratio asks is refused later by its rules."""
+    return np.clip(np.floor(wanted), 1, _MOST).astype(np.int64)
+
+
 def _neighbours(wanted: Floats, small: Integers, given: int | None) -> tuple[Integers, Integers, Integers]:
     """Return every choice of the front with every small gear and the integers around the wanted large one."""
     parent = np.arange(len(wanted))[:, None, None]
-    low = np.floor(wanted).astype(np.int64)[:, :, None]
+    low = _whole(wanted)[:, :, None]
     large = low + np.arange(2) if given is None else np.full((*low.shape[:2], 1), given)
     parent, teeth, large = np.broadcast_arrays(parent, small[None, :, None], large)
     return parent.ravel(), teeth.ravel().astype(np.int64), large.ravel().astype(np.int64)
@@ -114,7 +122,7 @@ def _neighbours(wanted: Floats, small: Integers, given: int | None) -> tuple[Int
 
 def _around(wanted: Floats, large: Integers, given: int | None) -> tuple[Integers, Integers, Integers]:
     """Return the integers around the wanted gear that meshes with one that is chosen already."""
-    low = np.floor(wanted).astype(np.int64)[:, None]
+    low = _whole(wanted)[:, None]
     small = low + np.arange(2) if given is None else np.full((len(low), 1), given)
     parent, teeth, shared = np.broadcast_arrays(np.arange(len(low))[:, None], small, large[:, None])
     return parent.ravel(), teeth.ravel(), shared.ravel()
