@@ -132,6 +132,8 @@ def _internal(gear: CylindricalGear, teeth: float) -> ToothForm:
     root = pitch + (gear.rack.dedendum - gear.profile_shift) * gear.module
     tip = pitch - (gear.pitch_radius - gear.tip_radius)
     fillet = gear.rack.fillet_radius * gear.module
+    if root - fillet <= base:
+        raise DesignError([Problem("profile_shift", "the ring's root lies inside its base circle; shift less")])
     # The circle's centre lies on the flank's normal, which is a tangent of the base circle.
     centre = math.sqrt((root - fillet) ** 2 - base**2)
     foot = base_half + (centre + fillet) / base

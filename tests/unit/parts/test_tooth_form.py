@@ -63,7 +63,7 @@ def test_undercut_takes_material_from_the_root():
     assert np.all(np.diff(tooth_form(gear(30)).half_thickness) < 0.0)
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=150)
 @given(st.integers(5, 300), st.sampled_from([1, -1]), st.floats(-0.8, 1.2), st.sampled_from([0.25, 0.30, 0.38]))
 def test_every_outline_rises_from_root_to_tip_or_is_refused(teeth, side, shift, fillet):
     """Undercut, pointed or narrow teeth are named; whatever passes can be bent."""
@@ -78,6 +78,8 @@ def test_every_outline_rises_from_root_to_tip_or_is_refused(teeth, side, shift, 
 def test_a_tooth_that_the_rack_cuts_away_is_refused():
     with pytest.raises(DesignError, match="undercuts"):
         tooth_form(gear(5, -0.4))
+    with pytest.raises(DesignError, match="base circle"):
+        tooth_form(gear(-5, 1.19))
 
 
 def test_a_fillet_that_does_not_fit_is_refused():
