@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -89,13 +90,13 @@ def simulate_many(
         raise DesignError([Problem("settle", f"{settle:g} s; it must lie within the duration of {duration:g} s")])
     states = _states(systems, start)
     groups = [range(low, min(low + LANES, len(systems))) for low in range(0, len(systems), LANES)]
-    code = compiled(shape, parameters(systems[0].arrays, step)[0], LANES)
+    own = _own(systems)
+    code = compiled(shape, parameters(systems[0].arrays, step)[0], LANES, own)
     results = []
+    clock = _Timing(step, first, steps, "clock" not in own)
     with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
         runs = [
-            pool.submit(
-                _run, code, shape, [systems[i].arrays for i in group], states[list(group)], (step, first, steps)
-            )
+            pool.submit(_run, code, shape, [systems[i].arrays for i in group], states[list(group)], clock)
             for group in groups
         ]
         for number, run in enumerate(runs, start=1):
@@ -129,18 +130,28 @@ def _states(systems: Sequence[System], start: Floats | None) -> Floats:
     return states
 
 
+class _Timing(NamedTuple):
+    """When, and whether for all lanes alike."""
+
+    step: float
+    settled: int
+    steps: int
+    shared: bool
+
+
 def _run(
-    code: Compiled, shape: Topology, group: Sequence[Arrays], states: Floats, clock: tuple[float, int, int]
+    code: Compiled, shape: Topology, group: Sequence[Arrays], states: Floats, clock: _Timing
 ) -> tuple[Floats, Floats]:
     """March one vector of trajectories; missing ones repeat the last."""
-    step, settled, steps = clock
+    step, settled, steps, shared = clock
     lanes = [*group, *[group[-1]] * (LANES - len(group))]
     numbers = np.array([parameters(arrays, step)[1] for arrays in lanes]).T.copy()
+    alike = numbers[:, 0].copy()
     state = np.zeros(state_width(shape, LANES))
     width = states.shape[1]
     state[: width * LANES] = np.vstack([states, np.repeat(states[-1:], LANES - len(group), axis=0)]).T.ravel()
-    table = np.zeros((2 * STEPS + 1, table_width(shape), LANES))
-    fill = _Clock(lanes, step)
+    table = np.zeros((2 * STEPS + 1, table_width(shape), 1 if shared else LANES))
+    fill = _Clock(lanes, step, shared=shared)
     first, summary = 0, np.zeros(0)
     while first < steps:
         if first == 0 or first == settled:
@@ -149,31 +160,47 @@ def _run(
         stop = settled if first < settled else steps
         count = min(STEPS, stop - first)
         fill(first, table[: 2 * count + 1])
-        code.advance(numbers, table, count, state, state, summary)
+        code.advance(count, alike, numbers, table, state, state, summary)
         first += count
     ends = state[: width * LANES].reshape(width, LANES).T[: len(group)]
     return summary.transpose(2, 0, 1)[: len(group)], ends
 
 
 class _Clock:
-    """Fills the clock table of all lanes: alike if they run at one speed."""
+    """Fills the clock table: one for all lanes if they run at one speed, each lane's own if not."""
 
-    def __init__(self, lanes: Sequence[Arrays], step: float) -> None:
-        self.step, self.lanes = step, lanes
-        self.rate = np.array([arrays.tone_rate for arrays in lanes]).T
-        factors = [arrays.profile.factor for arrays in lanes]
-        self.steady = all(np.all(factor == factor[0]) for factor in factors)
-        if not self.steady or any(len(arrays.loads.schedules.dof) for arrays in lanes):
-            raise DesignError([Problem("systems", "ensembles run at constant speed, without schedules; use simulate")])
-        self.factor = np.array([factor[0] for factor in factors])
+    def __init__(self, lanes: Sequence[Arrays], step: float, *, shared: bool) -> None:
+        self.step, self.shared = step, shared
+        self.factor = np.array([arrays.profile.factor[0] for arrays in lanes])
+        self.rate = np.array([arrays.tone_rate for arrays in lanes]).T * self.factor
+        if shared:
+            self.rate, self.factor = self.rate[:, :1], self.factor[:1]
         half = 0.5 * step * np.arange(2 * STEPS + 1)
-        self.turned = np.exp(1j * half[:, None, None] * (self.rate * self.factor))
+        self.turned = np.exp(1j * half[:, None, None] * self.rate)
 
     def __call__(self, first: int, table: Floats) -> None:
         tones = 2 * len(self.rate)
-        phasor = self.turned[: len(table)] * np.exp(1j * self.rate * self.factor * (first * self.step))
+        phasor = self.turned[: len(table)] * np.exp(1j * self.rate * (first * self.step))
         table[:, 0:tones:2], table[:, 1:tones:2] = phasor.real, phasor.imag
         table[:, tones] = self.factor
+
+
+def _own(systems: Sequence[System]) -> frozenset[str]:
+    """Return which groups of numbers differ from system to system."""
+    layout, first = parameters(systems[0].arrays, 1.0)
+    differs = np.zeros(len(first), dtype=bool)
+    clocks = set()
+    for system in systems:
+        arrays = system.arrays
+        if np.any(arrays.profile.factor != arrays.profile.factor[0]) or len(arrays.loads.schedules.dof):
+            message = "ensembles run at constant speed, without schedules; use simulate"
+            raise DesignError([Problem("systems", message)])
+        differs |= parameters(arrays, 1.0)[1] != first
+        clocks.add((float(arrays.profile.factor[0]), arrays.tone_rate.tobytes()))
+    ends = [*layout[1:], len(first)]
+    groups = zip(layout._fields, layout, ends, strict=True)
+    own = {name for name, start, end in groups if np.any(differs[start:end])}
+    return frozenset(own | {"clock"} if len(clocks) > 1 else own)
 
 
 def _ensemble(labels: Labels, summary: Floats, ends: Floats, clock: tuple[float, int]) -> Ensemble:

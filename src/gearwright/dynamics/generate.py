@@ -10,6 +10,8 @@ from gearwright.dynamics.emit import Emitter
 from gearwright.dynamics.energy import WORKS
 from gearwright.dynamics.topology import Layout, LineShape, Topology
 
+Waves = dict[int, str]
+"""Cosine or sine of each tone, by its number."""
 CHUNK = 8
 """Numbers in one vector when whole states are added."""
 
@@ -44,13 +46,11 @@ def state_width(shape: Topology, lanes: int) -> int:
 
 
 class Writer:
-    """Writes the functions of one structure."""
+    """Writes the functions of one structure; `own` names the numbers that each lane has to itself."""
 
-    def __init__(self, shape: Topology, layout: Layout, lanes: int) -> None:
-        self.shape, self.layout, self.lanes = shape, layout, lanes
+    def __init__(self, shape: Topology, layout: Layout, lanes: int, own: frozenset[str]) -> None:
+        self.shape, self.layout, self.lanes, self.own = shape, layout, lanes, own
         self.count = len(shape.lines)
-        self.varied = [j for j, line in enumerate(shape.lines) if line.variation]
-        self.wrong = [j for j, line in enumerate(shape.lines) if line.error]
         starts = [0]
         for line in shape.lines:
             starts.append(starts[-1] + len(line.dofs))
@@ -59,36 +59,52 @@ class Writer:
     def instant(self) -> str:
         """Return the function that fills stiffness, half its rate, error and its rate from a row of the clock table."""
         code = Emitter(self.lanes)
-        shape, at = self.shape, self.layout
+        shape = self.shape
         used = {tone for line in shape.lines for tone in (*line.variation, *line.error)}
-        cos = {tone: code.load("%row", 2 * tone) for tone in sorted(used)}
-        sin = {tone: code.load("%row", 2 * tone + 1) for tone in sorted(used)}
-        factor = code.load("%row", 2 * shape.tones)
-        place = [0, 0]
+        cos = {tone: self._clock(code, 2 * tone) for tone in sorted(used)}
+        sin = {tone: self._clock(code, 2 * tone + 1) for tone in sorted(used)}
+        factor = self._clock(code, 2 * shape.tones)
+        places = [0, 0]
         for j, line in enumerate(shape.lines):
             if line.variation:
-                firsts = (at.variation_cos, at.variation_sin, at.variation_cos_rate, at.variation_sin_rate)
-                value, rate = self._sums(code, line.variation, (cos, sin), [first + place[0] for first in firsts])
-                code.store(code.add(code.load("%p", at.stiffness + j), value), "%now", j)
+                value, rate = self._sums(code, ("variation", places[0]), line.variation, (cos, sin))
+                code.store(code.add(self._number(code, "stiffness", j), value), "%now", j)
                 code.store(code.multiply(factor, rate), "%now", self.count + j)
             if line.error:
-                firsts = (at.error_cos, at.error_sin, at.error_cos_rate, at.error_sin_rate)
-                value, rate = self._sums(code, line.error, (cos, sin), [first + place[1] for first in firsts])
+                value, rate = self._sums(code, ("error", places[1]), line.error, (cos, sin))
                 code.store(value, "%now", 2 * self.count + j)
                 code.store(code.multiply(factor, rate), "%now", 3 * self.count + j)
-            place = [place[0] + len(line.variation), place[1] + len(line.error)]
-        head = "define internal void @instant(ptr noalias %p, ptr noalias %row, ptr noalias %now) noinline nounwind {"
+            places = [places[0] + len(line.variation), places[1] + len(line.error)]
+        return self._function(code, "instant", ("p", "own", "row", "now"))
+
+    def _function(self, code: Emitter, name: str, pointers: tuple[str, ...]) -> str:
+        arguments = ", ".join(f"ptr noalias %{pointer}" for pointer in pointers)
+        head = f"define internal void @{name}({arguments}) noinline nounwind {{"
         return "\n".join([head, *code.lines, "  ret void", "}"])
 
+    def _number(self, code: Emitter, group: str, index: int) -> str:
+        """Load a parameter: each lane's own, or one for all."""
+        place = getattr(self.layout, group) + index
+        return code.load("%own", place) if group in self.own else code.spread("%p", place)
+
+    def _clock(self, code: Emitter, column: int) -> str:
+        """Load a column of the clock table: each lane's own, or one for all."""
+        return code.load("%row", column) if "clock" in self.own else code.spread("%row", column)
+
     def _sums(
-        self, code: Emitter, tones: tuple[int, ...], waves: tuple[dict[int, str], dict[int, str]], firsts: list[int]
+        self,
+        code: Emitter,
+        terms: tuple[str, int],
+        tones: tuple[int, ...],
+        waves: tuple[dict[int, str], dict[int, str]],
     ) -> tuple[str, str]:
-        cos, sin = waves
-        sums = [code.zero, code.zero]
+        """Return a Fourier sum and its rate."""
+        (group, first), sums = terms, [code.zero, code.zero]
         for number, tone in enumerate(tones):
-            for part, (first, second) in enumerate((firsts[:2], firsts[2:])):
-                sums[part] = code.add(sums[part], code.multiply(code.load("%p", first + number), cos[tone]))
-                sums[part] = code.add(sums[part], code.multiply(code.load("%p", second + number), sin[tone]))
+            for part, ending in enumerate(("", "_rate")):
+                for wave, name in zip(waves, (f"{group}_cos{ending}", f"{group}_sin{ending}"), strict=True):
+                    coefficient = self._number(code, name, first + number)
+                    sums[part] = code.add(sums[part], code.multiply(coefficient, wave[tone]))
         return sums[0], sums[1]
 
     def slope(self, name: str, output: str) -> str:
@@ -102,35 +118,33 @@ class Writer:
         size = self.shape.size
         position = [code.load("%y", i) for i in range(size)]
         velocity = [code.load("%y", size + i) for i in range(size)]
-        factor, ramp = code.load("%row", 2 * self.shape.tones), code.load("%row", 2 * self.shape.tones + 1)
+        factor, ramp = self._clock(code, 2 * self.shape.tones), self._clock(code, 2 * self.shape.tones + 1)
         force, works = self._loads(code, velocity, factor)
         for i in self.shape.turning:
-            force[i] = code.subtract(force[i], code.multiply(code.load("%p", self.layout.inertia + i), ramp))
+            force[i] = code.subtract(force[i], code.multiply(self._number(code, "inertia", i), ramp))
         for j in range(self.count):
             self._line(code, j, (position, velocity, force, works), output)
         self._frames(code, (position, velocity, force, works), factor)
         for i in range(size):
             code.store(velocity[i], "%dy", i)
-            code.store(code.multiply(force[i], code.load("%p", self.layout.mobility + i)), "%dy", size + i)
+            code.store(code.multiply(force[i], self._number(code, "mobility", i)), "%dy", size + i)
         for number, work in enumerate(works):
             code.store(work, "%dy", 2 * size + number)
-        pointers = ", ".join(f"ptr noalias %{each}" for each in ("p", "row", "now", "y", "dy", "out"))
-        head = f"define internal void @{name}({pointers}) noinline nounwind {{"
-        return "\n".join([head, *code.lines, "  ret void", "}"])
+        return self._function(code, name, ("p", "own", "row", "now", "y", "dy", "out"))
 
     def _loads(self, code: Emitter, velocity: list[str], factor: str) -> tuple[list[str], list[str]]:
         """Return the external load of each coordinate, and the powers with the first two filled in."""
-        force, works, at = [code.zero] * self.shape.size, [code.zero] * WORKS, self.layout
+        force, works = [code.zero] * self.shape.size, [code.zero] * WORKS
         for i, damped, squared in self.shape.loaded:
-            total = code.add(code.multiply(code.load("%p", at.speed + i), factor), velocity[i])
-            load = code.load("%p", at.constant + i)
+            total = code.add(code.multiply(self._number(code, "speed", i), factor), velocity[i])
+            load = self._number(code, "constant", i)
             for number, dof in enumerate(self.shape.scheduled):
                 if dof == i:
-                    load = code.add(load, code.load("%row", 2 * self.shape.tones + 2 + number))
+                    load = code.add(load, self._clock(code, 2 * self.shape.tones + 2 + number))
             if damped:
-                load = code.subtract(load, code.multiply(code.load("%p", at.loss + i), velocity[i]))
+                load = code.subtract(load, code.multiply(self._number(code, "loss", i), velocity[i]))
             if squared:
-                drag = code.multiply(code.multiply(code.load("%p", at.quadratic + i), code.size(total)), total)
+                drag = code.multiply(code.multiply(self._number(code, "quadratic", i), code.size(total)), total)
                 load = code.subtract(load, drag)
             force[i] = load
             power = code.multiply(load, total)
@@ -142,7 +156,7 @@ class Writer:
         self, code: Emitter, j: int, parts: tuple[list[str], list[str], list[str], list[str]], output: str
     ) -> None:
         position, velocity, force, works = parts
-        line, at = self.shape.lines[j], self.layout
+        line = self.shape.lines[j]
         deflection, rate = self._along(code, j, position), self._along(code, j, velocity)
         if line.error:
             deflection = code.subtract(deflection, code.load("%now", 2 * self.count + j))
@@ -150,12 +164,12 @@ class Writer:
             rate = code.subtract(rate, wander)
         contact = deflection
         if line.gap:
-            back = code.add(deflection, code.load("%p", at.backlash + j))
+            back = code.add(deflection, self._number(code, "backlash", j))
             contact = code.add(code.larger(deflection, code.zero), code.smaller(back, code.zero))
-        stiffness = code.load("%now", j) if line.variation else code.load("%p", at.stiffness + j)
+        stiffness = code.load("%now", j) if line.variation else self._number(code, "stiffness", j)
         carried = code.multiply(stiffness, contact)
         if line.damped:
-            drag = code.multiply(code.load("%p", at.damping + j), rate)
+            drag = code.multiply(self._number(code, "damping", j), rate)
             works[2] = code.add(works[2], code.multiply(drag, rate))
             carried = code.add(carried, drag)
         if line.variation:
@@ -175,7 +189,7 @@ class Writer:
             elif sign > 0:
                 total = code.add(total, vector[dof])
             else:
-                weight = code.load("%p", self.layout.weight + self.weights[j] + number)
+                weight = self._number(code, "weight", self.weights[j] + number)
                 total = code.add(total, code.multiply(weight, vector[dof]))
         return total
 
@@ -188,7 +202,7 @@ class Writer:
             elif sign > 0:
                 force[dof] = code.value(f"fsub {code.type} {force[dof]}, {value}")
             else:
-                weight = code.load("%p", self.layout.weight + self.weights[j] + number)
+                weight = self._number(code, "weight", self.weights[j] + number)
                 part = code.multiply(weight, value)
                 force[dof] = code.value(f"fsub contract nsz {code.type} {force[dof]}, {part}")
 
@@ -207,13 +221,13 @@ class Writer:
     def _frames(self, code: Emitter, parts: tuple[list[str], list[str], list[str], list[str]], factor: str) -> None:
         position, velocity, force, works = parts
         for number, (row, column) in enumerate(self.shape.gyroscopic):
-            value = code.multiply(code.load("%p", self.layout.gyroscopic + number), factor)
+            value = code.multiply(self._number(code, "gyroscopic", number), factor)
             part = code.multiply(value, velocity[column])
             force[row] = code.value(f"fsub contract nsz {code.type} {force[row]}, {part}")
             works[5] = code.value(f"fsub contract nsz {code.type} {works[5]}, {code.multiply(part, velocity[row])}")
         square = code.multiply(factor, factor) if self.shape.centripetal else code.zero
         for number, (row, column) in enumerate(self.shape.centripetal):
-            value = code.multiply(code.load("%p", self.layout.centripetal + number), square)
+            value = code.multiply(self._number(code, "centripetal", number), square)
             part = code.multiply(value, position[column])
             force[row] = code.add(force[row], part)
             works[5] = code.add(works[5], code.multiply(part, velocity[row]))

@@ -14,8 +14,8 @@ from gearwright.dynamics.generate import CHUNK, Writer, record_width, state_widt
 from gearwright.dynamics.system import Floats
 from gearwright.dynamics.topology import Layout, Topology
 
-Advance = Callable[[Floats, Floats, int, Floats, Floats, Floats], None]
-"""(parameters, clock table, steps, state, record, summary): carries the state on in place.
+Advance = Callable[[int, Floats, Floats, Floats, Floats, Floats, Floats], None]
+"""(steps, parameters, each lane's own parameters, clock table, state, record, summary): carries the state on in place.
 
 For one trajectory each step fills a row of `record`, and `summary` takes least, most, sum and sum of squares of its
 columns. Lanes keep no record; their summary is of the line forces.
@@ -34,38 +34,39 @@ class Compiled(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def compiled(shape: Topology, layout: Layout, lanes: int = 1) -> Compiled:
+def compiled(shape: Topology, layout: Layout, lanes: int = 1, own: frozenset[str] = frozenset()) -> Compiled:
     """Return the machine code for a structure; each structure is compiled once.
 
     Args:
         shape: Structure.
         layout: Places of the numbers, which follow from the structure.
         lanes: 1 for a single trajectory with every step recorded; 8 for as many side by side with statistics.
+        own: Fields of `Layout`, and ``"clock"``, that each lane has to itself; all others are alike.
     """
-    text = assembly(shape, layout, lanes)
+    text = assembly(shape, layout, lanes, own)
     engine = _engine(text)
     pointer, whole = ctypes.c_void_p, ctypes.c_int64
-    signature = ctypes.CFUNCTYPE(None, pointer, pointer, whole, pointer, pointer, pointer)
+    signature = ctypes.CFUNCTYPE(None, whole, *[pointer] * 6)
     function = signature(engine.get_function_address("advance"))
 
-    def advance(numbers: Floats, table: Floats, steps: int, state: Floats, record: Floats, summary: Floats) -> None:
-        addresses = (array.ctypes.data for array in (state, record, summary))
-        function(numbers.ctypes.data, table.ctypes.data, steps, *addresses)
+    def advance(steps: int, *arrays: Floats) -> None:
+        function(steps, *(array.ctypes.data for array in arrays))
 
     return Compiled(advance, engine, text)
 
 
-def assembly(shape: Topology, layout: Layout, lanes: int) -> str:
+def assembly(shape: Topology, layout: Layout, lanes: int, own: frozenset[str] = frozenset()) -> str:
     """Return the LLVM assembly of a structure.
 
     Args:
         shape: Structure.
         layout: Places of the numbers.
         lanes: Trajectories side by side.
+        own: Numbers that each lane has to itself.
     """
-    writer = Writer(shape, layout, lanes)
+    writer = Writer(shape, layout, lanes, own)
     look = writer.slope("look", "record" if lanes == 1 else "statistics")
-    return "\n\n".join([_DECLARATIONS, writer.instant(), look, writer.slope("slope", ""), _loop(shape, lanes)])
+    return "\n\n".join([_DECLARATIONS, writer.instant(), look, writer.slope("slope", ""), _loop(shape, lanes, own)])
 
 
 _DECLARATIONS = """declare double @llvm.fabs.f64(double)
@@ -87,34 +88,32 @@ def _engine(text: str) -> Any:
     return engine
 
 
-def _loop(shape: Topology, lanes: int) -> str:
+def _loop(shape: Topology, lanes: int, own: frozenset[str]) -> str:
     """Return the function that takes the steps: the classical fourth-order Runge–Kutta method."""
     width = state_width(shape, lanes)
-    row = table_width(shape) * lanes
+    row = table_width(shape) * (lanes if "clock" in own else 1)
     numbers = 2 * shape.size
     stride = record_width(shape) if lanes == 1 else 0
     keep = f"  call void @llvm.memcpy.p0.p0.i64(ptr %place, ptr %y, i64 {8 * numbers}, i1 false)" if lanes == 1 else ""
     seen = f"%seen = getelementptr double, ptr %place, i64 {numbers}" if lanes == 1 else _SEEN_LANES
-    step = "%h = load <8 x double>, ptr %p, align 8" if lanes == CHUNK else _SPREAD_STEP
     arrays = "\n".join(f"  %{name} = alloca [{width} x double], align 64" for name in ("y", "s", "k", "sum"))
     clear = "\n".join(
         f"  call void @llvm.memset.p0.i64(ptr %{name}, i8 0, i64 {8 * width}, i1 false)"
         for name in ("y", "s", "k", "sum")
     )
     size = 8 * (2 * shape.size + WORKS) * lanes
-    pointers = (
-        "ptr noalias %p, ptr noalias %table, i64 %steps, ptr noalias %state, ptr noalias %out, ptr noalias %summary"
-    )
+    names = ("p", "own", "table", "state", "out", "summary")
+    pointers = "i64 %steps, " + ", ".join(f"ptr noalias %{name}" for name in names)
     return f"""define void @advance({pointers}) {{
 entry:
 {arrays}
   %now = alloca [{4 * len(shape.lines) * lanes} x double], align 64
 {clear}
   call void @llvm.memcpy.p0.p0.i64(ptr %y, ptr %state, i64 {size}, i1 false)
-  {step}
+  {_SPREAD_STEP}
   %half = fmul <8 x double> %h, {_splat(0.5)}
   %sixth = fmul <8 x double> %h, {_splat(1.0 / 6.0)}
-  call void @instant(ptr %p, ptr %table, ptr %now)
+  call void @instant(ptr %p, ptr %own, ptr %table, ptr %now)
   br label %head
 head:
   %i = phi i64 [0, %entry], [%next, %head]
@@ -126,16 +125,16 @@ head:
   %place = getelementptr double, ptr %out, i64 %offset
   {seen}
 {keep}
-  call void @look(ptr %p, ptr %row0, ptr %now, ptr %y, ptr %k, ptr %seen)
+  call void @look(ptr %p, ptr %own, ptr %row0, ptr %now, ptr %y, ptr %k, ptr %seen)
 {_summary(stride)}
 {_stage("a", width, "%half", "first")}
-  call void @instant(ptr %p, ptr %row1, ptr %now)
-  call void @slope(ptr %p, ptr %row1, ptr %now, ptr %s, ptr %k, ptr %seen)
+  call void @instant(ptr %p, ptr %own, ptr %row1, ptr %now)
+  call void @slope(ptr %p, ptr %own, ptr %row1, ptr %now, ptr %s, ptr %k, ptr %seen)
 {_stage("b", width, "%half", "middle")}
-  call void @slope(ptr %p, ptr %row1, ptr %now, ptr %s, ptr %k, ptr %seen)
+  call void @slope(ptr %p, ptr %own, ptr %row1, ptr %now, ptr %s, ptr %k, ptr %seen)
 {_stage("c", width, "%h", "middle")}
-  call void @instant(ptr %p, ptr %row2, ptr %now)
-  call void @slope(ptr %p, ptr %row2, ptr %now, ptr %s, ptr %k, ptr %seen)
+  call void @instant(ptr %p, ptr %own, ptr %row2, ptr %now)
+  call void @slope(ptr %p, ptr %own, ptr %row2, ptr %now, ptr %s, ptr %k, ptr %seen)
 {_stage("d", width, "%sixth", "last")}
   %next = add i64 %i, 1
   %more = icmp slt i64 %next, %steps

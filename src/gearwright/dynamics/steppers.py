@@ -59,7 +59,7 @@ def _generated(arrays: Arrays, h: float) -> Stepper:
         fill(first, table[: 2 * len(record) + 1])
         summary = np.zeros((4, width))
         summary[0], summary[1] = np.inf, -np.inf
-        code.advance(numbers, table, len(record), state, record, summary)
+        code.advance(len(record), numbers, numbers, table, state, record, summary)
         return summary
 
     return advance
