@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.spec import GROUND, Design, Drive, Pair
 from gearwright.train.graph import Joint, Train
 from gearwright.train.kinematics import Array, Yielded, rows, solve_speeds
@@ -111,6 +111,7 @@ def power_flow(
 
     Raises:
         DesignError: If shafts are locked or free, or no torques balance.
+        SolveError: If losses leave no steady direction of the power.
     """
     drives = drives_of(design, case)
     joints = list(train.joints)
@@ -170,12 +171,23 @@ def _balance(
         if solved is None:
             raise _unbalanced(train, balancing, case)
         multipliers, found = solved
-        previous, direction = direction, np.where(multipliers * _rolling(train, matrix, speeds) < 0.0, -1.0, 1.0)
+        previous, direction = direction, _direction(multipliers * _rolling(train, matrix, speeds))
         if np.all(efficiency == 1.0) or np.array_equal(previous, direction):
             break
         effective = _with_losses(train, matrix, direction, efficiency)
+    else:
+        raise SolveError(
+            f"cases.{case}: the power through the teeth changes its direction from round to round, so that its losses"
+            " cannot be found; nearly all of it circulates. Use higher efficiencies, or other teeth"
+        )
     machine_torques.update(dict(zip(balancing, (float(each) for each in found), strict=True)))
     return machine_torques, multipliers, effective
+
+
+def _direction(power: Array) -> Array:
+    """Return the sense of each row's tooth power, +1 from a to b; rounding noise of an idle row counts as +1."""
+    noise = 1e-9 * np.abs(power).max(initial=0.0)
+    return np.where(power < -noise, -1.0, 1.0)
 
 
 def _machine_torques(
@@ -252,11 +264,17 @@ def _with_losses(train: Train, matrix: Array, direction: Array, efficiency: Arra
 
 def _unbalanced(train: Train, balancing: list[str], case: str) -> DesignError:
     takers = ", ".join(balancing) or "no machine"
+    held = {mesh.stage for mesh in train.meshes if GROUND in mesh.nodes}
+    loose = ", ".join(dict.fromkeys(mesh.stage for mesh in train.meshes if mesh.stage not in held))
+    fix = (
+        f"All three members of {loose} turn: ground one, or put a machine that balances on each"
+        if loose
+        else "Join the shafts, engage a clutch, or leave out the power of one more machine so that it balances"
+    )
     return DesignError([
         Problem(
             f"cases.{case}",
-            f"no torques balance: {takers} is free to balance, and the power of some machine has no path to it."
-            " Join the shafts, engage a clutch, or leave out the power of one more machine so that it balances",
+            f"no torques balance: {takers} is free to balance, and the power of some machine has no path to it. {fix}",
         )
     ])  # fmt: skip
 
