@@ -13,6 +13,8 @@ from gearwright.sizing.rating import Rating
 from gearwright.spec import Design, Pair, Planetary
 from gearwright.train.graph import gear_of
 
+NEAREST, WIDE = 1, 4
+"""Tooth numbers on either side of the exact ratio: the integers next to it, and more where none of those will do."""
 LEAST_LEWIS = 12
 """Fewest teeth for which the Lewis form factor is tabulated."""
 
@@ -51,7 +53,9 @@ def given_teeth(design: Design) -> dict[str, int]:
     return teeth
 
 
-def candidates(front: Front, task: Task, design: Design, target: Floats) -> tuple[Integers, Integers, Integers]:
+def candidates(
+    front: Front, task: Task, design: Design, target: Floats, *, reach: int = NEAREST
+) -> tuple[Integers, Integers, Integers]:
     """Return the choice in the front that each candidate extends, and the teeth of pinion and wheel, or sun and planet.
 
     Args:
@@ -59,6 +63,7 @@ def candidates(front: Front, task: Task, design: Design, target: Floats) -> tupl
         task: The stage.
         design: With the rules of the search.
         target: Tooth ratio asked of every choice [-].
+        reach: How many tooth numbers on either side of the exact ratio are tried [-].
     """
     stage, rules = task.stage, design.teeth
     if isinstance(stage, Planetary):
@@ -67,17 +72,17 @@ def candidates(front: Front, task: Task, design: Design, target: Floats) -> tupl
         wanted = (target[:, None] - 1.0) / 2.0 * small
         if stage.ring_teeth and second is None:
             wanted = np.broadcast_to((stage.ring_teeth - small) / 2.0, wanted.shape)
-        return _neighbours(wanted, small, second)
+        return _neighbours(wanted, small, second, reach)
     pinion, wheel = (gear_of(task.name, side, stage) for side in ("pinion", "wheel"))
     if wheel in front.teeth:
         large = front.teeth[wheel]
-        return _around(large / target, large, stage.pinion_teeth)
+        return _around(large / target, large, stage.pinion_teeth, reach)
     if pinion in front.teeth:
-        parent, large, small_ = _around(front.teeth[pinion] * target, front.teeth[pinion], stage.wheel_teeth)
+        parent, large, small_ = _around(front.teeth[pinion] * target, front.teeth[pinion], stage.wheel_teeth, reach)
         return parent, small_, large
     fewest = rules.pinion_minimum or fewest_teeth(task.rating)
     small = np.array([stage.pinion_teeth]) if stage.pinion_teeth else np.arange(fewest, rules.pinion_maximum + 1)
-    return _neighbours(target[:, None] * small, small, stage.wheel_teeth)
+    return _neighbours(target[:, None] * small, small, stage.wheel_teeth, reach)
 
 
 def _planetary_given(stage: Planetary) -> tuple[int | None, int | None]:
@@ -111,19 +116,19 @@ def _whole(wanted: Floats) -> Integers:
     return np.clip(np.floor(wanted), 1, _MOST).astype(np.int64)
 
 
-def _neighbours(wanted: Floats, small: Integers, given: int | None) -> tuple[Integers, Integers, Integers]:
+def _neighbours(wanted: Floats, small: Integers, given: int | None, reach: int) -> tuple[Integers, Integers, Integers]:
     """Return every choice of the front with every small gear and the integers around the wanted large one."""
     parent = np.arange(len(wanted))[:, None, None]
     low = _whole(wanted)[:, :, None]
-    large = low + np.arange(2) if given is None else np.full((*low.shape[:2], 1), given)
+    large = low + np.arange(1 - reach, 1 + reach) if given is None else np.full((*low.shape[:2], 1), given)
     parent, teeth, large = np.broadcast_arrays(parent, small[None, :, None], large)
     return parent.ravel(), teeth.ravel().astype(np.int64), large.ravel().astype(np.int64)
 
 
-def _around(wanted: Floats, large: Integers, given: int | None) -> tuple[Integers, Integers, Integers]:
+def _around(wanted: Floats, large: Integers, given: int | None, reach: int) -> tuple[Integers, Integers, Integers]:
     """Return the integers around the wanted gear that meshes with one that is chosen already."""
     low = _whole(wanted)[:, None]
-    small = low + np.arange(2) if given is None else np.full((len(low), 1), given)
+    small = low + np.arange(1 - reach, 1 + reach) if given is None else np.full((len(low), 1), given)
     parent, teeth, shared = np.broadcast_arrays(np.arange(len(low))[:, None], small, large[:, None])
     return parent.ravel(), teeth.ravel(), shared.ravel()
 

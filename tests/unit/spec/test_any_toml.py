@@ -17,8 +17,8 @@ scalars = st.one_of(
 )  # fmt: skip
 NAMES = [
     "shafts", "name", "schema", "turbines", "motors", "propellers", "pairs", "planetaries", "clutches", "gears",
-    "teeth", "layout", "cases", "overrides", "speeds", "shaft", "power_kw", "speed_rpm", "diameter_m", "pinion", "wheel",
-    "sun", "ring", "carrier", "planets", "sun_teeth", "keep", "share", "bore_mm", "material", "fast", "slow",
+    "teeth", "layout", "cases", "overrides", "speeds", "shaft", "power_kw", "speed_rpm", "diameter_m", "pinion",
+    "wheel", "sun", "ring", "carrier", "planets", "sun_teeth", "keep", "share", "bore_mm", "material", "fast", "slow",
 ]  # fmt: skip
 names = st.one_of(st.sampled_from(NAMES), st.text(max_size=5))
 tables = st.recursive(
