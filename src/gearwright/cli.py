@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from gearwright import __version__
+from gearwright.cli_study import compare, study
 from gearwright.cli_weights import engines, show_mass, stated_mass
 
 if TYPE_CHECKING:
@@ -178,6 +179,8 @@ def report(
 
 
 app.command()(engines)
+app.command()(study)
+app.command()(compare)
 
 
 @app.command()

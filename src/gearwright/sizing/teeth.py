@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem
-from gearwright.sizing.candidates import admissible, candidates, fewest_teeth, given_teeth, is_given
+from gearwright.sizing.candidates import NEAREST, WIDE, admissible, candidates, fewest_teeth, given_teeth, is_given
 from gearwright.sizing.front import Floats, Front, Integers, Task
 from gearwright.sizing.rating import modules, rating_of
 from gearwright.sizing.refusal import contradiction, refusal
@@ -128,27 +128,31 @@ def _joined(design: Design, front: Front) -> Front:
 
 
 def _extend(front: Front, task: Task, design: Design, nominal: Targets) -> Front:
-    """Multiply the front by a stage's candidates and keep those that its rules admit."""
+    """Multiply the front by a stage's candidates and keep those that its rules admit; look further only if none is."""
     target = _target(front, task, nominal)
-    parent, small, large = candidates(front, task, design, target)
-    actual = 1.0 + 2.0 * large / small if isinstance(task.stage, Planetary) else large / small
-    good = admissible(task, design, small, large)
-    speeds = _new_speeds(front, task, parent, actual)
-    if not is_given(task.stage):
-        asked = target[parent]
-        if isinstance(task.stage, Planetary):
-            good &= np.abs((1.0 + actual) / (1.0 + asked) - 1.0) <= design.teeth.stage_tolerance
-        else:
-            good &= np.abs(actual / asked - 1.0) <= design.teeth.stage_tolerance
-        holds = _speeds_hold(design, speeds, len(small))
-        if good.any() and not (good & holds).any():
-            raise contradiction(task.name, task.stage, design, float(np.median(actual[good])))
-        good &= holds
-    if not good.any():
+    for reach in (NEAREST, WIDE):
+        parent, small, large = candidates(front, task, design, target, reach=reach)
+        actual = 1.0 + 2.0 * large / small if isinstance(task.stage, Planetary) else large / small
+        speeds = _new_speeds(front, task, parent, actual)
+        near = admissible(task, design, small, large) & _near(task, design, actual, target[parent])
+        good = near & _speeds_hold(task, design, speeds, len(small))
+        if good.any():
+            break
+    else:
+        if near.any():
+            raise contradiction(task.name, task.stage, design, float(np.median(actual[near])))
         raise refusal(task.name, task.stage, design, float(np.median(target)), fewest=fewest_teeth(task.rating))
     grown = front.take(parent[good])
     grown = replace(grown, speeds={**grown.speeds, **{shaft: value[good] for shaft, value in speeds.items()}})
     return _weigh(grown, task, small[good], large[good])
+
+
+def _near(task: Task, design: Design, actual: Floats, asked: Floats) -> NDArray[np.bool_]:
+    """Tell which tooth ratios are within the tolerance; given teeth are as they are."""
+    if is_given(task.stage):
+        return np.ones(len(actual), dtype=bool)
+    one = 1.0 if isinstance(task.stage, Planetary) else 0.0
+    return np.asarray(np.abs((one + actual) / (one + asked) - 1.0) <= design.teeth.stage_tolerance)
 
 
 def _target(front: Front, task: Task, nominal: Targets) -> Floats:
@@ -183,9 +187,11 @@ def _new_speeds(front: Front, task: Task, parent: Integers, ratio: Floats) -> di
     return {shaft: speed for shaft, speed in reached.items() if shaft not in known}
 
 
-def _speeds_hold(design: Design, speeds: Mapping[str, Floats], count: int) -> NDArray[np.bool_]:
-    """Tell which choices keep the machines' speeds within the tolerance."""
+def _speeds_hold(task: Task, design: Design, speeds: Mapping[str, Floats], count: int) -> NDArray[np.bool_]:
+    """Tell which choices keep the machines' speeds within the tolerance; given teeth are as they are."""
     good = np.ones(count, dtype=bool)
+    if is_given(task.stage):
+        return good
     for machine in design.machines.values():
         if machine.shaft in speeds:
             good &= np.abs(speeds[machine.shaft] / machine.speed - 1.0) <= design.teeth.speed_tolerance

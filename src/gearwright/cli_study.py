@@ -1,0 +1,135 @@
+"""The commands ``study`` and ``compare``: many designs in one table and one figure.
+
+Imports that cost time stand inside the commands, so that ``--help`` stays quick.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from gearwright.spec import Design
+    from gearwright.spec.study import Study, Value
+    from gearwright.study import Table
+
+JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table")]
+CsvOption = Annotated[Path | None, typer.Option(help="Write the table as CSV")]
+FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
+SetOption = Annotated[
+    list[str] | None, typer.Option("--set", help="PATH=VALUE for all cases, such as gears.material=…")
+]
+
+
+def study(
+    name: Annotated[
+        str | None, typer.Argument(help="Study file, or name of a shipped study; left out: list them")
+    ] = None,
+    changes: SetOption = None,
+    csv: CsvOption = None,
+    figure: FigureOption = None,
+    json: JsonOption = False,
+) -> None:
+    """Run a study: designs along axes, one row per variant."""
+    from gearwright.shipped import shipped_studies, shipped_study
+    from gearwright.spec.study import read_study
+
+    if name is None:
+        for each in shipped_studies():
+            typer.echo(f"{each:20} {read_study(shipped_study(each)).name}")
+        return
+    path = Path(name)
+    read = read_study(shipped_study(name) if not path.exists() and name in shipped_studies() else path)
+    read = read.model_copy(update={"changes": {**read.changes, **_changes(changes)}})
+    designs = {each: _design(each, path.parent) for each in read.designs}
+    _show(read, designs, csv=csv, figure=figure, json=json)
+
+
+def compare(
+    designs: Annotated[list[str] | None, typer.Argument(help="Designs; left out: the thesis's ten")] = None,
+    power_kw: Annotated[float | None, typer.Option(help="Rated power of all machines together", min=0.0)] = None,
+    engine_rpm: Annotated[float | None, typer.Option(help="Speed of the turbine", min=0.0)] = None,
+    propeller_rpm: Annotated[float | None, typer.Option(help="Speed of the propeller", min=0.0)] = None,
+    changes: SetOption = None,
+    csv: CsvOption = None,
+    figure: FigureOption = None,
+    json: JsonOption = False,
+) -> None:
+    """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
+    from gearwright.shipped import shipped_study
+    from gearwright.spec.study import read_study
+    from gearwright.study import for_engine
+    from gearwright.units import RPM
+
+    read = read_study(shipped_study("architectures"))
+    read = read.model_copy(update={"designs": designs or read.designs, "changes": _changes(changes)})
+    fitted = {
+        name: for_engine(
+            _design(name, Path()),
+            power=power_kw * 1e3 if power_kw else None,
+            engine_speed=engine_rpm * RPM if engine_rpm else None,
+            propeller_speed=propeller_rpm * RPM if propeller_rpm else None,
+        )
+        for name in read.designs
+    }
+    _show(read, fitted, csv=csv, figure=figure, json=json)
+
+
+def _show(read: Study, designs: dict[str, Design], *, csv: Path | None, figure: Path | None, json: bool) -> None:
+    from rich.console import Console
+
+    from gearwright.render.study_tables import study_csv, study_grid, study_json
+    from gearwright.study import run
+
+    table = run(read, designs)
+    if json:
+        typer.echo(study_json(table))
+    else:
+        Console().print(study_grid(table))
+    if csv is not None:
+        csv.write_text(study_csv(table), encoding="utf-8")
+    if figure is not None:
+        _draw(table, figure)
+
+
+def _draw(table: Table, path: Path) -> None:
+    from gearwright.errors import DesignError, Problem
+    from gearwright.render.study_figures import study_figure
+    from gearwright.render.theme import to_png, to_svg
+
+    match path.suffix:
+        case ".svg":
+            path.write_text(to_svg(study_figure(table)), encoding="utf-8")
+        case ".png":
+            path.write_bytes(to_png(study_figure(table)))
+        case other:
+            raise DesignError([Problem("--figure", f"{other!r} is not drawn; end the name with .svg or .png")])
+
+
+def _design(name: str, folder: Path) -> Design:
+    """Return a design from a file beside the study, or a shipped one by its name."""
+    from gearwright.shipped import shipped_design, shipped_designs
+    from gearwright.spec import read
+
+    path = folder / name
+    return read(shipped_design(name) if not path.exists() and name in shipped_designs() else path)
+
+
+def _changes(written: list[str] | None) -> dict[str, Value]:
+    """Return PATH=VALUE options as changes; a value is read as TOML reads it, or taken as text."""
+    import tomllib
+
+    from gearwright.errors import DesignError, Problem
+
+    changes: dict[str, Value] = {}
+    for each in written or []:
+        path, equals, value = each.partition("=")
+        if not equals:
+            raise DesignError([Problem("--set", f"{each!r} has no value; write PATH=VALUE")])
+        try:
+            changes[path.strip()] = tomllib.loads(f"value = {value}")["value"]
+        except tomllib.TOMLDecodeError:
+            changes[path.strip()] = value.strip()
+    return changes

@@ -1,0 +1,130 @@
+"""Figures of a study: lines along an axis with the optimum and how flat it is, or stacked masses of several designs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from gearwright.render import theme
+from gearwright.render.study_tables import heading, inputs_of, result_unit
+from gearwright.study import Row, Table
+from gearwright.units import shown
+
+FLAT = 0.03
+"""Deviation from the optimum that still counts as near it [-]."""
+_STACK = ("gear_mass", "shaft_mass", "carrier_mass", "motor_mass")
+_STACK_COLOURS = dict(zip(_STACK, (theme.BLUE, theme.GREEN, theme.AMBER, theme.ORANGE), strict=True))
+_HEAVIER_IS_BETTER = ("power_density", "worst_margin")
+
+
+def study_figure(table: Table) -> Figure:
+    """Return the figure that suits a study: lines where a number varies, bars where designs are compared.
+
+    Args:
+        table: Of the study.
+    """
+    return sweep_figure(table) if _numeric_axis(table) else comparison_figure(table)
+
+
+def _numeric_axis(table: Table) -> str | None:
+    """Return the last axis if its values are numbers."""
+    paths = inputs_of(table)
+    if not paths or any(not _is_number(row.inputs[paths[-1]]) for row in table.rows):
+        return None
+    return paths[-1]
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+@theme.styled
+def sweep_figure(table: Table) -> Figure:
+    """Return every result against the last axis, one panel each, with the optimum and the range near it.
+
+    Args:
+        table: Of a study whose last axis is a number.
+    """
+    axis = _numeric_axis(table) or ""
+    figure = theme.sheet(180.0, 16.0 + 44.0 * len(table.results))
+    panels = figure.subplots(len(table.results), 1, sharex=True, squeeze=False)[:, 0]
+    for panel, result in zip(panels, table.results, strict=True):
+        for colour, (label, rows) in zip(theme.CYCLE * 4, _curves(table, axis), strict=False):
+            _draw_curve(panel, axis, result, (label, rows, colour))
+        panel.set_ylabel(f"{heading(result)} [{result_unit(table, result) or '-'}]")
+        panel.margins(x=0.02, y=0.18)
+    panels[-1].set_xlabel(axis)
+    if len(list(_curves(table, axis))) > 1:
+        panels[0].legend(loc="best")
+    panels[0].set_title(f"{table.name}: ring at the optimum, band within {FLAT:.0%} of it")
+    return figure
+
+
+def _curves(table: Table, axis: str) -> Iterator[tuple[str, list[Row]]]:
+    """Yield the rows that differ in the axis alone, with what sets them apart."""
+    groups: dict[str, list[Row]] = {}
+    for row in table.rows:
+        if not row.problem:
+            others = [str(value) for path, value in row.inputs.items() if path != axis]
+            groups.setdefault(", ".join([row.design, *others]), []).append(row)
+    yield from groups.items()
+
+
+def _draw_curve(panel: Axes, axis: str, result: str, curve: tuple[str, list[Row], str]) -> None:
+    label, rows, colour = curve
+    place: list[Any] = [row.inputs[axis] for row in rows]
+    values = [shown(*row.results[result]) for row in rows]
+    panel.plot(place, values, "-", color=colour, marker=".", ms=3.5, label=label)
+    best = max(values) if result in _HEAVIER_IS_BETTER else min(values)
+    near = [x for x, value in zip(place, values, strict=True) if abs(value / best - 1.0) <= FLAT] if best else place
+    at = place[values.index(best)]
+    panel.plot([at], [best], "o", mfc="none", mec=colour, ms=8)
+    panel.axvspan(min(near), max(near), color=colour, alpha=0.07, lw=0)
+    offset = -12 if result in _HEAVIER_IS_BETTER else 8
+    side = {min(place): "left", max(place): "right"}.get(at, "center")
+    panel.annotate(f"{best:.4g} at {at:g}", (at, best), (0, offset), textcoords="offset points", ha=side,
+                   fontsize=7.5, color=colour)  # fmt: skip
+
+
+@theme.styled
+def comparison_figure(table: Table) -> Figure:
+    """Return the masses of several designs as stacked bars, lightest first, with their power density.
+
+    Args:
+        table: With the results ``gear_mass``, ``shaft_mass``, ``carrier_mass`` and ``motor_mass``, or some of them.
+    """
+    rows = sorted((row for row in table.rows if not row.problem), key=lambda row: _stacked(table, row))
+    parts = [part for part in _STACK if part in table.results] or list(table.results[:1])
+    figure = theme.sheet(180.0, 26.0 + 7.0 * len(rows))
+    axes = figure.add_subplot()
+    labels = [", ".join([row.design, *(str(value) for value in row.inputs.values())]) for row in rows]
+    start = [0.0] * len(rows)
+    for part in parts:
+        values = [shown(*row.results[part]) for row in rows]
+        axes.barh(
+            labels, values, left=start, height=0.66, color=_STACK_COLOURS.get(part, theme.SKY), label=heading(part)
+        )
+        start = [left + value for left, value in zip(start, values, strict=True)]
+    for place, (row, end) in enumerate(zip(rows, start, strict=True)):
+        axes.annotate(_bar_text(row, end), (end, place), (4, 0), textcoords="offset points", va="center", fontsize=7.5)
+    axes.invert_yaxis()
+    axes.set_xlim(0.0, max(start, default=1.0) * 1.42)
+    axes.set_xlabel("mass [kg]: gears, shafts, carriers and motors; without housing, bearings and oil")
+    axes.legend(loc="upper right")
+    axes.set_title(table.name)
+    theme.only_grid(axes, "x")
+    return figure
+
+
+def _stacked(table: Table, row: Row) -> float:
+    parts = [part for part in _STACK if part in table.results] or list(table.results[:1])
+    return sum(row.results[part].value for part in parts)
+
+
+def _bar_text(row: Row, total: float) -> str:
+    density = row.results.get("power_density")
+    text = f"{total:.1f} kg"
+    return text if density is None else f"{text}   gearbox {shown(*density):.1f} kW/kg"

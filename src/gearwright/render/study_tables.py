@@ -1,0 +1,117 @@
+"""The table of a study for the terminal, for files and for the page."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+
+from rich.table import Table as Grid
+
+from gearwright.render.tables import written
+from gearwright.study import Row, Table
+from gearwright.units import shown, unit
+
+_WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
+          "motor_mass": "motors", "total_mass": "gearbox + motors", "power_density": "power density",
+          "worst_margin": "worst margin"}  # fmt: skip
+
+
+def heading(result: str) -> str:
+    """Return the name of a result as an engineer reads it.
+
+    Args:
+        result: Its dotted name.
+    """
+    return _WORDS.get(result, result.replace("_", " "))
+
+
+def inputs_of(table: Table) -> tuple[str, ...]:
+    """Return the paths that vary, in order.
+
+    Args:
+        table: Of the study.
+    """
+    return tuple(table.rows[0].inputs) if table.rows else ()
+
+
+def result_unit(table: Table, result: str) -> str:
+    """Return the unit in which a result is shown.
+
+    Args:
+        table: Of the study.
+        result: Its name.
+    """
+    first = next(row for row in table.rows if not row.problem)
+    return unit(first.results[result].dimension)
+
+
+def study_grid(table: Table) -> Grid:
+    """Return the table for the terminal; a failed variant shows its reason.
+
+    Args:
+        table: Of the study.
+    """
+    grid = Grid(title=table.name, title_justify="left", caption=_caption(table), caption_justify="left", box=None)
+    for name in ("design", *inputs_of(table)):
+        grid.add_column(name, justify="left" if name == "design" else "right", overflow="fold")
+    for result in table.results:
+        grid.add_column(f"{heading(result)}\n{result_unit(table, result)}", justify="right")
+    for row in table.rows:
+        if not row.problem:
+            grid.add_row(row.design, *_inputs(row), *(_shown(row, result) for result in table.results))
+    return grid
+
+
+def _caption(table: Table) -> str:
+    failed = [f"{row.design} {' '.join(_inputs(row))}: {row.problem}" for row in table.failed]
+    return "\n".join(["", f"{len(failed)} of {len(table.rows)} cannot be had:", *failed]) if failed else ""
+
+
+def _inputs(row: Row) -> list[str]:
+    return [f"{value:g}" if isinstance(value, float) else str(value) for value in row.inputs.values()]
+
+
+def _shown(row: Row, result: str) -> str:
+    value, dimension = row.results[result]
+    return written(shown(value, dimension))
+
+
+def study_records(table: Table) -> list[dict[str, float | int | str | bool | None]]:
+    """Return the rows as plain records: design, inputs, results with their unit in the key, problem.
+
+    Args:
+        table: Of the study.
+    """
+    records = []
+    for row in table.rows:
+        record: dict[str, float | int | str | bool | None] = {"design": row.design, **row.inputs}
+        for result in table.results:
+            found = row.results.get(result)
+            name = f"{result} [{result_unit(table, result)}]".replace(" []", "")
+            record[name] = None if found is None else shown(found.value, found.dimension)
+        records.append({**record, "problem": row.problem})
+    return records
+
+
+def study_json(table: Table) -> str:
+    """Return the rows as JSON.
+
+    Args:
+        table: Of the study.
+    """
+    return json.dumps({"study": table.name, "rows": study_records(table)}, indent=2, ensure_ascii=False)
+
+
+def study_csv(table: Table) -> str:
+    """Return the rows as CSV.
+
+    Args:
+        table: Of the study.
+    """
+    records = study_records(table)
+    buffer = io.StringIO()
+    writer = csv.DictWriter(buffer, fieldnames=list(records[0]), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(records)
+    return buffer.getvalue()
