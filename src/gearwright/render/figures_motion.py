@@ -8,6 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from gearwright.dynamics import Modes, Samples, Trace
 from gearwright.dynamics.system import Floats
@@ -63,7 +64,7 @@ def time_figure(trace: Trace) -> Figure:
     if trace.windows:
         grid[0, 1].set_title("Its end, every step")
     for axes in grid[-1]:
-        axes.set_xlabel("time [s]")
+        axes.set_xlabel("time [ms]")
     return figure
 
 
@@ -84,9 +85,12 @@ def _draw_lines(axes: Axes, samples: Samples, unit: str, most: int) -> None:
     for place, (family, names) in enumerate(_families(samples, unit).items()):
         colour = theme.CYCLE[place % len(theme.CYCLE)]
         forces = np.array([samples.force(name)[-most:] for name in names]).T
-        curves = axes.plot(samples.time[-most:], forces, color=colour, lw=0.8, alpha=1.0 if len(names) == 1 else 0.6)
+        curves = axes.plot(
+            samples.time[-most:] * 1e3, forces, color=colour, lw=0.8, alpha=1.0 if len(names) == 1 else 0.6
+        )
         curves[0].set_label(_several(family, names))
     axes.margins(x=0.0)
+    axes.xaxis.set_major_locator(MaxNLocator(5))
 
 
 @theme.styled

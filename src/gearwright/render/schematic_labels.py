@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from itertools import pairwise
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextPath
@@ -38,7 +39,7 @@ class Board:
             shape = patch.get_path().transformed(patch.get_patch_transform()).get_extents()
             self.taken.append((shape.x0, shape.y0, shape.x1, shape.y1))
         for curve in self.axes.lines:
-            points = [(float(x), float(y)) for x, y in curve.get_xydata()]
+            points = np.asarray(curve.get_xydata(), dtype=float).tolist()
             self.taken += [(min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1]))
                            for a, b in pairwise(points)]  # fmt: skip
 

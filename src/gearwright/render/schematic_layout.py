@@ -1,7 +1,7 @@
 """Where the parts of a train stand on paper: columns along the axis, a height for each axis, nested hollow shafts.
 
-Coordinates are mm of paper. Shafts that a planetary set or a clutch joins share an axis; a pair puts its axes
-apart by the centre distance. Where parallel paths meet again, no plane shows all centre distances: the heights are then a
+Coordinates are mm of paper. Shafts that a planetary set or a clutch joins share an axis; a pair puts its axes apart
+by the centre distance. Where parallel paths meet again, no plane shows all centre distances: heights are then a
 compromise, each mesh is drawn in its true ratio, and `Layout.exact` is False.
 """
 

@@ -1,0 +1,71 @@
+"""The design as read: every entry with its unit, and which ones are defaults."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from pydantic.fields import FieldInfo
+
+from gearwright.spec import Design
+from gearwright.spec.record import Record, quantity_of
+from gearwright.units import text
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One value of the design."""
+
+    path: str
+    """Dotted path in the file, without the unit of the key."""
+    value: str
+    """With its unit."""
+    is_given: bool
+    """True if the file states it, False for a default."""
+    meaning: str
+    """What it is."""
+
+
+def entries(design: Design) -> tuple[Entry, ...]:
+    """Return every value of a design, in the order of its types; a freedom that is left open is not in it.
+
+    Args:
+        design: As read.
+    """
+    return tuple(_record("", design, design.model_fields_set))
+
+
+def _record(path: str, record: Record, given: set[str]) -> Iterator[Entry]:
+    for name, info in type(record).model_fields.items():
+        value = getattr(record, name)
+        where = f"{path}.{name}" if path else name
+        if value is None or value in ({}, ""):
+            continue
+        if isinstance(value, Record):
+            yield from _record(where, value, value.model_fields_set)
+        elif isinstance(value, Mapping):
+            yield from _table(where, value, info)
+        else:
+            yield Entry(where, _words(value, info), name in given, info.description or "")
+
+
+def _table(path: str, table: Mapping[str, object], info: FieldInfo) -> Iterator[Entry]:
+    for name, value in table.items():
+        where = f"{path}.{name}"
+        if isinstance(value, Record):
+            yield from _record(where, value, value.model_fields_set)
+        elif isinstance(value, Mapping):
+            yield from _table(where, value, info)
+        else:
+            yield Entry(where, str(value), is_given=True, meaning=info.description or "")
+
+
+def _words(value: object, info: FieldInfo) -> str:
+    quantity = quantity_of(info)
+    if quantity is not None and isinstance(value, int | float):
+        return text(value, quantity.dimension)
+    if isinstance(value, list | tuple):
+        return ", ".join(map(str, value))
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return str(value)

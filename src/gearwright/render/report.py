@@ -1,0 +1,145 @@
+"""The report: one HTML page that stands alone, for the screen and for paper."""
+
+from __future__ import annotations
+
+import re
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup, escape
+from matplotlib.figure import Figure as Drawing
+
+from gearwright import __version__
+from gearwright.dynamics import Modes, Trace
+from gearwright.dynamics.assemble import default_case
+from gearwright.render import theme
+from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
+from gearwright.render.figures_motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
+from gearwright.render.figures_sizing import margin_figure, mass_figure
+from gearwright.render.inputs import entries
+from gearwright.render.report_parts import (
+    Figure,
+    Section,
+    assumptions,
+    formulas,
+    key_numbers,
+    warnings,
+)
+from gearwright.render.schematic import power_flow_figure, schematic_figure
+from gearwright.render.tables import MARKS, Table
+from gearwright.render.views import flow_tables, tables_of
+from gearwright.sizing.result import Sizing
+
+_SUBSCRIPT = re.compile(r"_([A-Za-z0-9α-ω.]*[A-Za-z0-9α-ω])")
+
+
+def report(sizing: Sizing, *, modes: Modes | None = None, trace: Trace | None = None, case: str | None = None) -> str:
+    """Return the report of a sizing as one self-contained HTML page; the same input gives the same bytes.
+
+    Args:
+        sizing: As sized.
+        modes: Natural modes, if they are to be in it.
+        trace: A run, if it is to be in it.
+        case: Load case of modes and run; left out: the design's first one, or ``rated``.
+    """
+    sections = [
+        _summary(sizing),
+        _power(sizing),
+        *_parts(sizing),
+        *([_modes(modes)] if modes else []),
+        *([_dynamics(sizing, trace, case or default_case(sizing))] if trace else []),
+    ]
+    tables = [one for section in sections for one in section.tables]
+    return _environment().get_template("report.html.j2").render(
+        design=sizing.design,
+        numbers=key_numbers(sizing),
+        sections=sections,
+        entries=entries(sizing.design),
+        warnings=warnings(sizing, trace),
+        assumptions=assumptions(sizing),
+        formulas=formulas(tables),
+        marks=MARKS,
+        version=__version__,
+    )  # fmt: skip
+
+
+def _environment() -> Environment:
+    environment = Environment(
+        loader=PackageLoader("gearwright.render"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["symbols"] = symbols
+    return environment
+
+
+def symbols(words: str) -> Markup:
+    """Return words whose ``m_n`` and the like are set with a subscript.
+
+    Args:
+        words: An equation or a symbol.
+    """
+    return Markup(_SUBSCRIPT.sub(r"<sub>\1</sub>", str(escape(words))))
+
+
+def _figure(drawing: Drawing, name: str, caption: str) -> Figure:
+    return Figure(theme.to_svg(drawing, name), caption)
+
+
+def _summary(sizing: Sizing) -> Section:
+    return Section(
+        "Summary",
+        tables=(tables_of(sizing)["margins"],),
+        figures=(_figure(margin_figure(sizing), "margins", "Margin of every check, worst first."),),
+    )
+
+
+def _power(sizing: Sizing) -> Section:
+    figures = [_figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")]
+    for case in sizing.flows:
+        caption = f"Power flow in case {case}: bands as wide as the power, in the colour of its source."
+        figures.append(_figure(power_flow_figure(sizing, case), f"flow-{_safe(case)}", caption))
+    speeds = tables_of(sizing)["speeds"]
+    return Section("Architecture and power flow", tables=_filled(speeds, *flow_tables(sizing)), figures=tuple(figures))
+
+
+def _parts(sizing: Sizing) -> tuple[Section, ...]:
+    found = tables_of(sizing)
+    mass = _figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
+    return (
+        Section("Gears", tables=_filled(found["gears"])),
+        Section("Meshes: forces, stresses and margins", tables=_filled(found["meshes"], found["rating"])),
+        Section("Shafts, carriers and machines", tables=_filled(found["shafts"], found["carriers"], found["machines"])),
+        Section("Mass", tables=(found["mass"],), figures=(mass,)),
+    )
+
+
+def _filled(*tables: Table) -> tuple[Table, ...]:
+    return tuple(one for one in tables if one.rows)
+
+
+def _modes(modes: Modes) -> Section:
+    caption = "Lowest elastic modes; each coordinate over the largest of its kind."
+    return Section(
+        "Natural modes", tables=(mode_table(modes),), figures=(_figure(mode_figure(modes), "modes", caption),)
+    )
+
+
+def _dynamics(sizing: Sizing, trace: Trace, case: str) -> Section:
+    figures = [_figure(time_figure(trace), "time", "Forces and torques against time.")]
+    notes = [
+        f"Case {case}. {trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
+        f" estimated force error {trace.error:.1e} of the largest force."
+    ]
+    if every_step(trace) is not None:
+        drawing = spectrum_figure(trace, mesh_frequencies(sizing, case))
+        figures.append(_figure(drawing, "spectrum", "Amplitude spectra with mesh frequencies and their multiples."))
+    else:
+        notes.append("No spectrum: no stretch of the run was kept at every step.")
+    tables = (*motion_tables(trace), energy_table(trace))
+    return Section("Dynamic response", tables=tables, figures=tuple(figures), notes=(*notes, *trace.notes))
+
+
+def _safe(name: str) -> str:
+    return re.sub(r"[^A-Za-z0-9-]", "-", name)
