@@ -166,12 +166,13 @@ def _balance(
         unknown[column[train.machines[name]], k] = 1.0
     sharing = _sharing(design, train)
     effective, direction = matrix, np.zeros(len(matrix))
+    noise = 1e-9 * float(np.abs(applied * speeds).max(initial=0.0))
     for _ in range(MAX_REVERSALS):
         solved = solve_torques(effective, applied, unknown, sharing=sharing)
         if solved is None:
             raise _unbalanced(train, balancing, case)
         multipliers, found = solved
-        previous, direction = direction, _direction(multipliers * _rolling(train, matrix, speeds))
+        previous, direction = direction, _direction(multipliers * _rolling(train, matrix, speeds), noise)
         if np.all(efficiency == 1.0) or np.array_equal(previous, direction):
             break
         effective = _with_losses(train, matrix, direction, efficiency)
@@ -184,9 +185,8 @@ def _balance(
     return machine_torques, multipliers, effective
 
 
-def _direction(power: Array) -> Array:
+def _direction(power: Array, noise: float) -> Array:
     """Return the sense of each row's tooth power, +1 from a to b; rounding noise of an idle row counts as +1."""
-    noise = 1e-9 * np.abs(power).max(initial=0.0)
     return np.where(power < -noise, -1.0, 1.0)
 
 
@@ -252,14 +252,15 @@ def _teeth_of(train: Train, matrix: Array, row: int) -> float:
 
 def _with_losses(train: Train, matrix: Array, direction: Array, efficiency: Array) -> Array:
     """Return the torque matrix of meshes whose driving side is known."""
-    driving, driven = np.zeros_like(matrix), np.zeros_like(matrix)
+    # The ground gets a column here: a ring that stands still is driven too, and its losses load the carrier.
+    whole = np.hstack([matrix, -matrix.sum(axis=1, keepdims=True)])
+    column = {node: k for k, node in enumerate((*train.nodes, GROUND))}
+    driving, driven = np.zeros_like(whole), np.zeros_like(whole)
     for k, mesh in enumerate(train.meshes):
         ends = mesh.nodes[:2] if direction[k] > 0.0 else mesh.nodes[1::-1]
         for node, part in zip(ends, (driving, driven), strict=True):
-            if node != GROUND:
-                column = train.nodes.index(node)
-                part[k, column] = matrix[k, column]
-    return lossy(matrix, driving, driven, efficiency)
+            part[k, column[node]] = whole[k, column[node]]
+    return lossy(whole, driving, driven, efficiency)[:, :-1]
 
 
 def _unbalanced(train: Train, balancing: list[str], case: str) -> DesignError:

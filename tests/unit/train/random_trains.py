@@ -1,0 +1,71 @@
+"""Random trains with one free speed: any stages, one after the other or branching, machines anywhere."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from hypothesis import strategies as st
+
+from gearwright.spec import Design
+
+KINDS = ("external", "internal", "ring", "carrier", "sun", "layshafts")
+
+
+@st.composite
+def tables(draw: st.DrawFn) -> tuple[dict[str, Any], dict[str, int], dict[str, float]]:
+    """Return the table of a design with a case, the teeth of its gears and the efficiency of its stages."""
+    shafts, teeth, efficiency = ["s0"], {}, {}
+    pairs: dict[str, Any] = {}
+    planetaries: dict[str, Any] = {}
+    for k in range(draw(st.integers(1, 5))):
+        start, end, name = draw(st.sampled_from(shafts)), f"s{k + 1}", f"stage{k}"
+        ends = (start, end) if draw(st.booleans()) else (end, start)
+        kind = draw(st.sampled_from(KINDS))
+        efficiency[name] = draw(st.floats(0.97, 1.0))
+        small, large = draw(st.integers(15, 60)), draw(st.integers(15, 90))
+        shafts.append(end)
+        match kind:
+            case "external" | "internal":
+                pairs[name] = {"pinion": ends[0], "wheel": ends[1], "internal": kind == "internal"}
+                teeth |= {f"{name}.pinion": small, f"{name}.wheel": small + large}
+            case "layshafts":
+                left, right = f"left{k}", f"right{k}"
+                shafts += [left, right]
+                pairs[f"{name}a"] = {"pinion": start, "wheel": [left, right]}
+                pairs[f"{name}b"] = {"pinion": [left, right], "wheel": end}
+                efficiency |= {f"{name}a": efficiency[name], f"{name}b": efficiency[name]}
+                teeth |= {f"{name}a.pinion": small, f"{name}a.wheel": large}
+                teeth |= {f"{name}b.pinion": large, f"{name}b.wheel": small + large}
+            case _:
+                members = [member for member in ("sun", "ring", "carrier") if member != kind]
+                planetaries[name] = {kind: "ground", **dict(zip(members, ends, strict=True))}
+                teeth |= {f"{name}.sun": small, f"{name}.planet": large, f"{name}.ring": small + 2 * large}
+    machine = {"speed": 500.0, "power": 1e5}
+    motors = {f"m{k}": {"shaft": draw(st.sampled_from(shafts)), **machine} for k in range(draw(st.integers(0, 3)))}
+    table = {
+        "name": "random", "shafts": shafts, "pairs": pairs, "planetaries": planetaries, "motors": motors,
+        "turbines": {"turbine": {"shaft": "s0", **machine}},
+        "propellers": {"propeller": {"shaft": shafts[-1], "speed": 100.0, "diameter": 2.0}},
+    }  # fmt: skip
+    names = ["turbine", "propeller", *motors]
+    balancing = draw(st.sampled_from(names))
+    powers = {name: {"power": draw(st.floats(0.0 if name == "turbine" else -1e6, 1e6))} for name in names}
+    table["cases"] = {"case": {**powers, balancing: {"speed": 300.0}}}
+    return table, teeth, efficiency
+
+
+def shuffled(draw: st.DrawFn, table: dict[str, Any]) -> dict[str, Any]:
+    """Return a table of a design with its entries and shafts in another order."""
+    result = {key: _reordered(draw, value) for key, value in table.items()}
+    return _reordered(draw, result)
+
+
+def _reordered(draw: st.DrawFn, value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: value[key] for key in draw(st.permutations(list(value)))}
+    return draw(st.permutations(value)) if isinstance(value, list) else value
+
+
+def design_of(table: dict[str, Any]) -> Design:
+    """Return the design of a table in SI."""
+    return Design.model_validate(table)
