@@ -15,6 +15,8 @@ from gearwright.train.graph import gear_of
 
 NEAREST, WIDE = 1, 4
 """Tooth numbers on either side of the exact ratio: the integers next to it, and more where none of those will do."""
+LARGEST_FREE_RATIO = 10
+"""Largest tooth ratio z_2/z_1 that is looked at where a stage's ratio is the search's own choice."""
 LEAST_LEWIS = 12
 """Fewest teeth for which the Lewis form factor is tabulated."""
 
@@ -83,6 +85,29 @@ def candidates(
     fewest = rules.pinion_minimum or fewest_teeth(task.rating)
     small = np.array([stage.pinion_teeth]) if stage.pinion_teeth else np.arange(fewest, rules.pinion_maximum + 1)
     return _neighbours(target[:, None] * small, small, stage.wheel_teeth, reach)
+
+
+def all_candidates(task: Task, design: Design) -> tuple[Integers, Integers, Integers]:
+    """Return every tooth number that a stage of free ratio may have, from a front of one choice.
+
+    Args:
+        task: The stage.
+        design: With the rules of the search.
+    """
+    rules = design.teeth
+    if isinstance(task.stage, Planetary):
+        first = np.arange(rules.sun_minimum, rules.sun_maximum + 1)
+        second = np.arange(rules.planet_minimum, LARGEST_FREE_RATIO * rules.sun_maximum // 2 + 1)
+    else:
+        least = rules.pinion_minimum or fewest_teeth(task.rating)
+        first = (
+            np.array([task.stage.pinion_teeth])
+            if task.stage.pinion_teeth
+            else np.arange(least, rules.pinion_maximum + 1)
+        )
+        second = np.arange(least, LARGEST_FREE_RATIO * int(first.max()) + 1)
+    small, large = (each.ravel() for each in np.meshgrid(first, second, indexing="ij"))
+    return np.zeros(len(small), dtype=np.int64), small, large
 
 
 def _planetary_given(stage: Planetary) -> tuple[int | None, int | None]:

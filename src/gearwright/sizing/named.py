@@ -7,6 +7,7 @@ from dataclasses import fields
 from typing import NamedTuple, get_args, get_type_hints
 
 from gearwright.errors import DesignError, Problem, near
+from gearwright.sizing.envelope import envelope
 from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, MeshSizing, ShaftSizing, Sizing
 from gearwright.units import Quantity
 
@@ -36,6 +37,9 @@ def named_results(sizing: Sizing) -> dict[str, Named]:
         "power_density": Named(sizing.power_density, "specific_power"),
         "worst_margin": Named(sizing.worst_margin, "ratio"),
     }
+    box = envelope(sizing)
+    totals |= {f"envelope.{side}": Named(getattr(box, side), "length") for side in ("width", "height", "length")}
+    totals["envelope.volume"] = Named(box.volume, "volume")
     return {**totals, **dict(_parts(sizing))}
 
 

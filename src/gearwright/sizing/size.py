@@ -26,7 +26,8 @@ def size(design: Design) -> Sizing:
     """
     train = build_train(design)
     teeth = choose_teeth(design, train, targets(design))
-    flows = {case: power_flow(design, train, teeth, case) for case in (RATED, *design.cases)}
+    efficiency = {stage: design.rules(stage).mesh_efficiency for stage in design.stages}
+    flows = {case: power_flow(design, train, teeth, case, efficiency=efficiency) for case in (RATED, *design.cases)}
     refuse_contradictions(design, flows)
     overrides = Overrides(design.overrides, design.origins)
     given = context(design, train, teeth, flows, overrides)

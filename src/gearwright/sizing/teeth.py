@@ -14,7 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem
-from gearwright.sizing.candidates import NEAREST, WIDE, admissible, candidates, fewest_teeth, given_teeth, is_given
+from gearwright.sizing.candidates import (
+    NEAREST,
+    WIDE,
+    admissible,
+    all_candidates,
+    candidates,
+    fewest_teeth,
+    given_teeth,
+    is_given,
+)
 from gearwright.sizing.front import Floats, Front, Integers, Task
 from gearwright.sizing.rating import modules, rating_of
 from gearwright.sizing.refusal import contradiction, refusal
@@ -130,11 +139,15 @@ def _joined(design: Design, front: Front) -> Front:
 def _extend(front: Front, task: Task, design: Design, nominal: Targets) -> Front:
     """Multiply the front by a stage's candidates and keep those that its rules admit; look further only if none is."""
     target = _target(front, task, nominal)
+    open_ = _is_open(front, task, design)
     for reach in (NEAREST, WIDE):
-        parent, small, large = candidates(front, task, design, target, reach=reach)
+        if open_:
+            parent, small, large = all_candidates(task, design)
+        else:
+            parent, small, large = candidates(front, task, design, target, reach=reach)
         actual = 1.0 + 2.0 * large / small if isinstance(task.stage, Planetary) else large / small
         speeds = _new_speeds(front, task, parent, actual)
-        near = admissible(task, design, small, large) & _near(task, design, actual, target[parent])
+        near = admissible(task, design, small, large) & (open_ | _near(task, design, actual, target[parent]))
         good = near & _speeds_hold(task, design, speeds, len(small))
         if good.any():
             break
@@ -145,6 +158,15 @@ def _extend(front: Front, task: Task, design: Design, nominal: Targets) -> Front
     grown = front.take(parent[good])
     grown = replace(grown, speeds={**grown.speeds, **{shaft: value[good] for shaft, value in speeds.items()}})
     return _weigh(grown, task, small[good], large[good])
+
+
+def _is_open(front: Front, task: Task, design: Design) -> bool:
+    """Tell whether a stage's ratio is the search's own choice: the first of those that share an open ratio."""
+    if design.teeth.split == "equal" or task.edge is None or is_given(task.stage) or task.stage.ratio is not None:
+        return False
+    known = {machine.shaft for machine in design.machines.values()} | set(front.speeds)
+    far = task.edge.slow if task.edge.fast[0] in front.speeds else task.edge.fast
+    return len(next(iter(front.speeds.values()))) == 1 and not known & set(far)
 
 
 def _near(task: Task, design: Design, actual: Floats, asked: Floats) -> NDArray[np.bool_]:

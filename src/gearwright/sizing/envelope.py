@@ -1,0 +1,76 @@
+"""The space that gears, shafts and carriers take: a box around their tip circles, and how long the axes are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Annotated
+
+from gearwright.sizing.result import GearSizing, Sizing
+from gearwright.spec import Planetary
+from gearwright.units import Origin, Quantity, Volume
+
+
+@dataclass(frozen=True)
+class Envelope:
+    """A box around the gearbox without its housing; the shafts run along its length."""
+
+    width: Annotated[float, Quantity("length"), Origin("tip circles around the axes, along y", "geometry")]
+    """Across the shafts, along y [m]."""
+    height: Annotated[float, Quantity("length"), Origin("tip circles around the axes, along z", "geometry")]
+    """Across the shafts, along z [m]."""
+    length: Annotated[
+        float, Quantity("length"), Origin("longest axis: its shafts and planetary sets in a row", "layout")
+    ]
+    """Along the shafts [m]."""
+
+    @property
+    def volume(self) -> Volume:
+        """Of the box [m³]."""
+        return self.width * self.height * self.length
+
+
+def envelope(sizing: Sizing) -> Envelope:
+    """Return the box around all gears and shafts.
+
+    Args:
+        sizing: What was sized; its axes stand where its layout says.
+    """
+    discs = list(_discs(sizing))
+    sides = [(min(each[k] - each[2] for each in discs), max(each[k] + each[2] for each in discs)) for k in (0, 1)]
+    (left, right), (low, high) = sides
+    return Envelope(right - left, high - low, max(_lengths(sizing).values()))
+
+
+def _discs(sizing: Sizing) -> Iterator[tuple[float, float, float]]:
+    """Yield y, z and radius of every gear on a shaft, of every ring, and of every shaft [m]."""
+    axis = {shaft.name: shaft.axis for shaft in sizing.shafts}
+    for shaft in sizing.shafts:
+        yield (*shaft.axis, shaft.diameter / 2.0)
+    for gear in sizing.gears:
+        for shaft_name in _carriers_of(sizing, gear):
+            yield (*axis[shaft_name], gear.pitch_diameter / 2.0 + (gear.rim or gear.module))
+
+
+def _carriers_of(sizing: Sizing, gear: GearSizing) -> Iterator[str]:
+    """Yield the shafts around which a gear turns or stands; a ring on the ground stands around its set's shafts."""
+    stage = sizing.design.stages[gear.stage]
+    members = (stage.sun, stage.carrier, stage.ring) if isinstance(stage, Planetary) else gear.shafts
+    names = {shaft.name for shaft in sizing.shafts}
+    if gear.role != "planet":
+        found = [shaft for shaft in members if shaft in names]
+        yield from found[:1] if isinstance(stage, Planetary) else found
+
+
+def _lengths(sizing: Sizing) -> dict[tuple[float, float], float]:
+    """Return the length of every axis: its shafts in a row and the face widths of its planetary sets [m]."""
+    length: dict[tuple[float, float], float] = {}
+    axis = {shaft.name: shaft.axis for shaft in sizing.shafts}
+    for shaft in sizing.shafts:
+        length[shaft.axis] = length.get(shaft.axis, 0.0) + shaft.length
+    for gear in sizing.gears:
+        if gear.role == "ring":
+            stage = sizing.design.planetaries[gear.stage]
+            place = next(axis[member] for member in (stage.sun, stage.carrier, stage.ring) if member in axis)
+            length[place] += gear.face_width
+    return length
