@@ -1,0 +1,94 @@
+"""Power closes in every shipped design, case and direction; the efficiency of planetary sets in closed form."""
+
+import pytest
+
+from gearwright.shipped import shipped_design, shipped_designs
+from gearwright.sizing import size
+from gearwright.spec import Drive, parse, read
+from gearwright.train.flow import power_flow
+from gearwright.train.graph import build_train
+
+CLOSURE = 1e-12
+"""Part of the supplied power that rounding may leave."""
+SIZED = {name: size(read(shipped_design(name))) for name in shipped_designs()}
+
+
+def machine_modes(design):
+    """Return what machines can do alone: each drives the rest, and motors also generate."""
+    turbines = {name: Drive(power=machine.power) for name, machine in design.turbines.items()}
+    motors = {name: Drive(power=machine.power) for name, machine in design.motors.items()}
+    modes = {"turbines alone": turbines, "motors generate": dict(turbines)}
+    for name, motor in design.motors.items():
+        modes["motors generate"][name] = Drive(power=-0.2 * motor.power)
+    modes |= {f"{name} alone": {name: drive} for name, drive in {**turbines, **motors}.items()}
+    return modes
+
+
+@pytest.mark.parametrize("name", shipped_designs())
+def test_power_closes_in_every_case_of_every_shipped_design(name):
+    for flow in SIZED[name].flows.values():
+        assert flow.residual < CLOSURE
+
+
+@pytest.mark.parametrize("lossy", [False, True])
+@pytest.mark.parametrize("name", [name for name in shipped_designs() if name != "differential-hybrid"])
+def test_power_closes_when_machines_drive_alone_or_motors_generate(name, lossy):
+    """A machine left out idles. Losses follow the direction of the power: no case makes any."""
+    sizing = SIZED[name]
+    modes = machine_modes(sizing.design)
+    design = sizing.design.model_copy(update={"cases": modes})
+    efficiency = dict.fromkeys(design.stages, 0.99) if lossy else None
+    for mode in modes:
+        flow = power_flow(design, sizing.train, sizing.teeth, mode, efficiency=efficiency)
+        assert flow.residual < CLOSURE, mode
+        supplied = max(flow.machine_powers.values())
+        assert all(mesh.loss >= -CLOSURE * supplied for mesh in flow.meshes.values()), mode
+        assert (flow.loss > CLOSURE * supplied) is lossy, mode
+
+
+def test_a_differential_closes_with_both_speeds_given_and_losses():
+    sizing = SIZED["differential-hybrid"]
+    efficiency = dict.fromkeys(sizing.design.stages, 0.99)
+    flow = power_flow(sizing.design, sizing.train, sizing.teeth, efficiency=efficiency)
+    assert flow.residual < CLOSURE
+    assert flow.loss > 0.0
+
+
+SET = """\
+schema = 1
+name = "one planetary set"
+shafts = ["sun", "carrier"]
+[turbines.turbine]
+shaft = "{driving}"
+power_kw = 100
+speed_rpm = 6000
+[propellers.propeller]
+shaft = "{driven}"
+speed_rpm = 1000
+diameter_m = 2
+[planetaries.set]
+sun = "sun"
+ring = "ground"
+carrier = "carrier"
+"""
+
+
+@pytest.mark.parametrize(
+    ("driving", "driven", "published"),
+    [("sun", "carrier", 0.9876666666666667), ("carrier", "sun", 0.9876336898395721)],
+)
+def test_the_efficiency_of_a_planetary_set_is_the_closed_form(driving, driven, published):
+    """i_0 = -4.625, η_0 = 0.985 over both meshes: (1 - i_0 η_0)/(1 - i_0) and (1 - i_0)/(1 - i_0/η_0).
+
+    Müller 1998, Die Umlaufgetriebe; Wolf 1958. Power through teeth is relative to the carrier. Equality up to rounding.
+    """
+    design = parse(SET.format(driving=driving, driven=driven))
+    teeth = {"set.sun": 16, "set.planet": 29, "set.ring": 74}
+    flow = power_flow(design, build_train(design), teeth, efficiency={"set": 0.985**0.5})
+    assert -flow.machine_powers["propeller"] / flow.machine_powers["turbine"] == pytest.approx(published, rel=1e-12)
+    assert flow.residual < CLOSURE
+
+
+def test_a_lossless_mesh_loses_nothing():
+    flow = SIZED["in-line-h2"].flows["rated"]
+    assert all(abs(mesh.loss) <= CLOSURE * abs(mesh.tooth_power) for mesh in flow.meshes.values())
