@@ -11,7 +11,9 @@ from typing import Literal
 from pydantic import Field
 
 from gearwright.spec.record import Record
-from gearwright.units import Angle, Inertia, Length, Mass, Power, Ratio, Speed
+from gearwright.spec.support import Support
+from gearwright.spec.tolerance import PartErrors
+from gearwright.units import Angle, Inertia, Length, Mass, Power, Ratio, Speed, Stiffness, TorsionalStiffness
 
 GROUND = "ground"
 """The shaft that stands still."""
@@ -91,6 +93,9 @@ class GearRules(Record):
     contact_angles: Literal["normal", "transverse"] = Field(
         "normal", description="Angles of the helical contact formula: α and β as the thesis prints, or α_t and β_b"
     )
+    mesh_efficiency: Ratio = Field(
+        1.0, gt=0.5, le=1, description="Efficiency of one mesh; the driven gear receives that part of the tooth power"
+    )
     web_ratio: Ratio = Field(
         1.0, gt=0, le=1, description="Mass of a wheel body over that of the solid disc; 1 is solid"
     )
@@ -111,6 +116,9 @@ class TeethRules(Record):
         0.025, gt=0, le=0.2, description="Allowed deviation of a stage's ratio from its target"
     )
     speed_tolerance: Ratio = Field(0.05, gt=0, le=0.2, description="Allowed deviation of a speed that yields")
+    split: Literal["equal", "optimal"] = Field(
+        "equal", description="equal: stages share an open ratio equally (times ψ); optimal: as is lightest"
+    )
     hunting: bool = Field(False, description="Ask for tooth numbers without a common factor")
 
 
@@ -133,6 +141,17 @@ class Pair(Record):
         1, description="2 for a double-helical gear: two halves of opposite hand share the load"
     )
     internal: bool = Field(False, description="The wheel is an internal gear")
+    kind: Literal["cylindrical", "face"] = Field(
+        "cylindrical", description="face: the wheel's teeth stand on its face and the pinion lies across"
+    )
+    axis_angle: Angle | None = Field(None, description="Angle between the axes of a face-gear pair: 90°")
+    mesh_stiffness: Stiffness | None = Field(
+        None, gt=0, description="Known mean stiffness of one mesh along its line of action; left out: ISO 6336-1"
+    )
+    stiffness_swing: Ratio | None = Field(
+        None, ge=0, lt=1, description="Known first harmonic of the mesh stiffness over its mean"
+    )
+    backlash: Length = Field(0.0, ge=0, description="Along the line of action; 0: teeth stay in contact both ways")
     coaxial_with: str | None = Field(
         None, description="Pair whose centre distance this one must have, as their shafts lie on the same axes"
     )
@@ -201,6 +220,10 @@ class ShaftLayout(Record):
     diameter: Length | None = Field(None, gt=0, description="Outer diameter; left out: sized")
     bore_ratio: Ratio | None = Field(None, ge=0, lt=0.95, description="Bore over outer diameter")
     bore: Length | None = Field(None, gt=0, description="Bore diameter")
+    inertia: Inertia | None = Field(None, ge=0, description="Polar inertia without gears; left out: of the cylinder")
+    torsional_stiffness: TorsionalStiffness | None = Field(
+        None, gt=0, description="Over its whole length; left out: of the cylinder"
+    )
     first_bearing: Length | None = Field(
         None, ge=0, description="Middle of the first bearing, from the shaft's first end; left out: at that end"
     )
@@ -229,6 +252,9 @@ class DynamicsRules(Record):
     )
     stiffness: Literal["constant", "varying"] = Field(
         "varying", description="Mesh stiffness: mean, or a function of mesh phase"
+    )
+    machines: Literal["inertia", "torque"] = Field(
+        "inertia", description="Machines turn along on shafts of their own, or act by their torque alone"
     )
 
 
@@ -270,6 +296,10 @@ class Design(Record):
     shafting: ShaftRules = Field(default_factory=ShaftRules, description="Rules for all shafts")
     carriers: CarrierRules = Field(default_factory=CarrierRules, description="Rules for all carriers")
     layout: dict[str, ShaftLayout] = Field(default_factory=dict, description="What is given of single shafts")
+    supports: dict[str, Support] = Field(default_factory=dict, description="Shafts that move on their bearings")
+    errors: dict[str, PartErrors] = Field(
+        default_factory=dict, description="What is not as drawn, by gear, shaft or planet"
+    )
     dynamics: DynamicsRules = Field(default_factory=DynamicsRules, description="Assumptions of the dynamic model")
     speeds: SpeedRules = Field(default_factory=SpeedRules, description="Which speeds are kept")
     cases: dict[str, dict[str, Drive]] = Field(
