@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import MaxNLocator, NullLocator
 
 from gearwright.dynamics import Modes, Samples, Trace
 from gearwright.dynamics.system import Floats
@@ -23,8 +23,10 @@ FLOOR = 1e-5
 """Smallest amplitude that a spectrum shows, over the largest [-]."""
 CLOSE_STEPS = 600
 """Steps at the end of a window that are shown closely."""
-MOST_MODES = 12
+MOST_MODES = 9
 """Mode shapes in one figure."""
+ENVELOPE = 300
+"""Spans in which a long run is drawn as a band from least to greatest."""
 _KINDS = {"m": ("Mesh and support forces", "force [N]"), "rad": ("Shaft torques", "torque [N m]")}
 
 
@@ -46,7 +48,7 @@ def mesh_frequencies(sizing: Sizing, case: str) -> dict[str, float]:
 
 @theme.styled
 def time_figure(trace: Trace) -> Figure:
-    """Return mesh forces and shaft torques against time: the whole run, and beside it the last window if one was kept.
+    """Return mesh forces and shaft torques against time: the whole run, and beside it the end of the last window.
 
     Args:
         trace: As simulated.
@@ -93,6 +95,14 @@ def _draw_lines(axes: Axes, samples: Samples, unit: str, most: int) -> None:
     axes.xaxis.set_major_locator(MaxNLocator(5))
 
 
+def _envelope(time: Floats, values: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return time, least and greatest of several curves in each of many short spans."""
+    spans = np.array_split(np.arange(len(time)), ENVELOPE)
+    least = np.array([np.min(values[:, span]) for span in spans])
+    most = np.array([np.max(values[:, span]) for span in spans])
+    return np.array([np.mean(time[span]) for span in spans]), least, most
+
+
 @theme.styled
 def spectrum_figure(trace: Trace, mesh_frequency: Mapping[str, float]) -> Figure:
     """Return the amplitude spectrum of the line forces (of the first planet of a set), and the mesh frequencies.
@@ -112,6 +122,7 @@ def spectrum_figure(trace: Trace, mesh_frequency: Mapping[str, float]) -> Figure
     grid = figure.subplots(len(units), 1, squeeze=False, sharex=True)[:, 0]
     for axes, unit in zip(grid, units, strict=True):
         _draw_spectra(axes, samples, unit)
+        axes.yaxis.set_minor_locator(NullLocator())
         axes.set_ylabel(f"amplitude of {_KINDS[unit][1]}")
         _mark_orders(axes, mesh_frequency, named=axes is grid[0])
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
@@ -179,24 +190,33 @@ def _mark_orders(axes: Axes, mesh_frequency: Mapping[str, float], *, named: bool
 
 @theme.styled
 def mode_figure(modes: Modes) -> Figure:
-    """Return the shapes of the lowest elastic modes: every coordinate over the largest of its kind.
+    """Return the shapes of the lowest elastic modes, one for each frequency: every coordinate over the largest of its kind.
 
     Args:
         modes: As found.
     """
-    elastic = range(modes.rigid, min(len(modes.frequency), modes.rigid + MOST_MODES))
+    elastic = list(_first_of_each(modes))[:MOST_MODES]
     columns = min(3, max(1, len(elastic)))
     rows = -(-len(elastic) // columns) or 1
     names = modes.labels.coordinates
-    figure = theme.sheet(WIDTH, 8.0 + rows * (12.0 + 4.0 * len(names)))
+    figure = theme.sheet(WIDTH, 8.0 + rows * (12.0 + 3.0 * len(names)))
     grid = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
     for axes, mode in zip(grid.flat, elastic, strict=False):
         _draw_shape(axes, modes, mode)
     for axes in grid.flat[len(elastic) :]:
         axes.set_axis_off()
-    grid[0, 0].set_yticks(range(len(names)), names, fontsize=7.0)
+    grid[0, 0].set_yticks(range(len(names)), names)
     grid[0, 0].set_ylim(len(names) - 0.5, -0.5)
     return figure
+
+
+def _first_of_each(modes: Modes) -> Iterator[int]:
+    """Yield the first mode of every elastic frequency; those that share it look alike from another planet."""
+    first = 0
+    for frequency, count in modes.groups():
+        if frequency > 0.0:
+            yield first
+        first += count
 
 
 def _draw_shape(axes: Axes, modes: Modes, mode: int) -> None:
@@ -212,6 +232,7 @@ def _draw_shape(axes: Axes, modes: Modes, mode: int) -> None:
                   color=theme.MUTED, va="bottom")  # fmt: skip
     axes.axvline(0.0, color=theme.MUTED, lw=0.6)
     axes.set_xlim(-1.1, 1.1)
+    axes.tick_params(axis="y", labelsize=6.0)
     theme.only_grid(axes, "x")
 
 

@@ -11,6 +11,9 @@ from gearwright.spec import Design
 from gearwright.spec.record import Record, quantity_of
 from gearwright.units import text
 
+_IN_THE_HEAD = ("schema_version", "name", "description")
+"""What the page's head shows already."""
+
 
 @dataclass(frozen=True)
 class Entry:
@@ -27,7 +30,7 @@ class Entry:
 
 
 def entries(design: Design) -> tuple[Entry, ...]:
-    """Return every value of a design, in the order of its types; a freedom that is left open is not in it.
+    """Return every value of a design, in the order of its types; without name, description and what is left open.
 
     Args:
         design: As read.
@@ -39,7 +42,7 @@ def _record(path: str, record: Record, given: set[str]) -> Iterator[Entry]:
     for name, info in type(record).model_fields.items():
         value = getattr(record, name)
         where = f"{path}.{name}" if path else name
-        if value is None or value in ({}, ""):
+        if value is None or value in ({}, "") or where in _IN_THE_HEAD:
             continue
         if isinstance(value, Record):
             yield from _record(where, value, value.model_fields_set)

@@ -39,14 +39,15 @@ def report(sizing: Sizing, *, modes: Modes | None = None, trace: Trace | None = 
         sizing: As sized.
         modes: Natural modes, if they are to be in it.
         trace: A run, if it is to be in it.
-        case: Load case of modes and run; left out: the design's first one, or ``rated``.
+        case: Load case of the summary, of modes and run; left out: the design's first one, or ``rated``.
     """
+    case = case or default_case(sizing)
     sections = [
-        _summary(sizing),
-        _power(sizing),
+        _summary(sizing, case),
+        _power(sizing, case),
         *_parts(sizing),
         *([_modes(modes)] if modes else []),
-        *([_dynamics(sizing, trace, case or default_case(sizing))] if trace else []),
+        *([_dynamics(sizing, trace, case)] if trace else []),
     ]
     tables = [one for section in sections for one in section.tables]
     return _environment().get_template("report.html.j2").render(
@@ -87,29 +88,32 @@ def _figure(drawing: Drawing, name: str, caption: str) -> Figure:
     return Figure(theme.to_svg(drawing, name), caption)
 
 
-def _summary(sizing: Sizing) -> Section:
-    return Section(
-        "Summary",
-        tables=(tables_of(sizing)["margins"],),
-        figures=(_figure(margin_figure(sizing), "margins", "Margin of every check, worst first."),),
-    )
+def _summary(sizing: Sizing, case: str) -> Section:
+    return Section("Summary", tables=(tables_of(sizing)["margins"],), figures=(_flow(sizing, case),))
 
 
-def _power(sizing: Sizing) -> Section:
-    figures = [_figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")]
-    for case in sizing.flows:
-        caption = f"Power flow in case {case}: bands as wide as the power, in the colour of its source."
-        figures.append(_figure(power_flow_figure(sizing, case), f"flow-{_safe(case)}", caption))
-    speeds = tables_of(sizing)["speeds"]
-    return Section("Architecture and power flow", tables=_filled(speeds, *flow_tables(sizing)), figures=tuple(figures))
+def _flow(sizing: Sizing, case: str) -> Figure:
+    caption = f"Power flow in case {case}: bands as wide as the power, in the colour of its source."
+    return _figure(power_flow_figure(sizing, case), f"flow-{_safe(case)}", caption)
+
+
+def _power(sizing: Sizing, shown: str) -> Section:
+    """Return the architecture, and the power flow of every case that the summary does not show."""
+    skeleton = _figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")
+    others = [_flow(sizing, case) for case in sizing.flows if case != shown]
+    tables = _filled(tables_of(sizing)["speeds"], *flow_tables(sizing))
+    return Section("Architecture and power flow", tables=tables, figures=(skeleton, *others))
 
 
 def _parts(sizing: Sizing) -> tuple[Section, ...]:
     found = tables_of(sizing)
+    margins = _figure(margin_figure(sizing), "margins", "Margin of every check, worst first.")
     mass = _figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
     return (
         Section("Gears", tables=_filled(found["gears"])),
-        Section("Meshes: forces, stresses and margins", tables=_filled(found["meshes"], found["rating"])),
+        Section(
+            "Meshes: forces, stresses and margins", tables=_filled(found["meshes"], found["rating"]), figures=(margins,)
+        ),
         Section("Shafts, carriers and machines", tables=_filled(found["shafts"], found["carriers"], found["machines"])),
         Section("Mass", tables=(found["mass"],), figures=(mass,)),
     )

@@ -56,7 +56,7 @@ def key_numbers(sizing: Sizing) -> tuple[tuple[str, str], ...]:
     numbers = [
         ("rated power", text(power, "power")),
         ("output torque", text(torque, "torque")),
-        ("mass", text(sizing.mass, "mass")),
+        ("gears, shafts, carriers", text(sizing.mass, "mass")),
         ("power density", text(sizing.power_density, "specific_power")),
         ("worst margin", f"{sizing.worst_margin:.3f}"),
     ]
@@ -75,16 +75,24 @@ def warnings(sizing: Sizing, trace: Trace | None) -> tuple[str, ...]:
         for each in margins(sizing)
         if not each.holds
     ]
-    found += [
-        f"{each.machine} turns at {text(each.actual, 'speed')} in case {each.case}, asked were"
-        f" {text(each.asked, 'speed')} ({each.deviation:+.2%}): the teeth give no better."
-        for each in asked_speeds(sizing)
-    ]
+    found += _yielded(sizing)
     if trace is not None:
         found += [f"{note[0].upper()}{note[1:]}." for note in trace.notes if "contact" in note or "interrupted" in note]
         if trace.error > LARGE_ERROR:
             found.append(f"The run's estimated force error is {trace.error:.1%}; take a smaller step.")
     return tuple(found)
+
+
+def _yielded(sizing: Sizing) -> list[str]:
+    """Return one sentence for each speed that yields, whatever the number of cases."""
+    cases: dict[str, list[str]] = {}
+    for each in asked_speeds(sizing):
+        words = (
+            f"{each.machine} turns at {text(each.actual, 'speed')}, asked were {text(each.asked, 'speed')}"
+            f" ({each.deviation:+.2%}): the teeth give no better"
+        )
+        cases.setdefault(words, []).append(each.case)
+    return [f"{words} (case {', '.join(names)})." for words, names in cases.items()]
 
 
 def assumptions(sizing: Sizing) -> tuple[str, ...]:

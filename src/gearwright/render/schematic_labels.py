@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -9,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.font_manager import FontProperties
-from matplotlib.textpath import TextPath
+from matplotlib.textpath import text_to_path
 
 from gearwright.render import theme
 
@@ -79,6 +80,7 @@ class Board:
         )  # fmt: skip
 
 
+@functools.lru_cache(maxsize=4096)
 def text_width(text: str, size: float) -> float:
     """Return the width of one line [mm].
 
@@ -86,11 +88,9 @@ def text_width(text: str, size: float) -> float:
         text: The line.
         size: Of the font [pt].
     """
-    if not text.strip():
-        return 0.0
     # Bold is the wider face: what fits in bold fits in both.
-    path = TextPath((0.0, 0.0), text, size=size, prop=FontProperties(family="DejaVu Sans", weight="bold"))
-    return float(path.get_extents().width) * POINT
+    font = FontProperties(family="DejaVu Sans", weight="bold", size=size)
+    return float(text_to_path.get_text_width_height_descent(text, font, ismath="$" in text)[0]) * POINT
 
 
 def _overlap(one: Box, other: Box) -> float:

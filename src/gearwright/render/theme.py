@@ -61,6 +61,8 @@ _STYLE: dict[Any, Any] = {
     "legend.fontsize": 7.5,
     "figure.facecolor": PAPER,
     "hatch.linewidth": 0.6,
+    "xtick.minor.visible": False,
+    "ytick.minor.visible": False,
     "svg.fonttype": "path",
     "svg.hashsalt": "gearwright",
     "path.simplify": True,
@@ -80,10 +82,10 @@ def styled(draw: Callable[_Inputs, Figure]) -> Callable[_Inputs, Figure]:
     def drawn(*args: _Inputs.args, **kwargs: _Inputs.kwargs) -> Figure:
         with mpl.rc_context(_STYLE):
             figure = draw(*args, **kwargs)
-            # Solved anew at every saving, the layout would drift in the last digits; twice, as legends move the axes.
-            if figure.get_layout_engine() is not None:
-                figure.draw_without_rendering()
-                figure.draw_without_rendering()
+            # Solved anew at every saving, the layout would drift in the last digits.
+            engine = figure.get_layout_engine()
+            if engine is not None:
+                engine.execute(figure)
                 figure.set_layout_engine("none")
         return figure
 
