@@ -1,0 +1,108 @@
+"""The steel of a gear as ISO 6336-5 grades it: heat treatment, quality, hardness, and the two strengths."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import Annotated
+
+from gearwright.errors import DesignError, Problem
+from gearwright.units import Origin, Quantity
+
+STRESS_CORRECTION_TEST_GEAR = 2.0
+"""Stress correction factor of the reference test gears Y_ST [-] (ISO 6336-3:2019)."""
+
+
+class Treatment(Enum):
+    """Material groups of ISO 6336-5 that gearwright rates."""
+
+    STRUCTURAL = "St"
+    """Normalised low-carbon steel."""
+    THROUGH_HARDENED = "V"
+    """Through-hardened wrought steel."""
+    CASE_HARDENED = "Eh"
+    """Case-hardened (carburised) wrought steel."""
+    INDUCTION_HARDENED = "IF"
+    """Flame- or induction-hardened steel."""
+    NITRIDED = "NT"
+    """Nitrided nitriding steel."""
+    NITRIDED_THROUGH_HARDENED = "NV"
+    """Nitrided through-hardening steel."""
+    NITROCARBURISED = "NVc"
+    """Nitrocarburised steel."""
+
+    @property
+    def is_surface_hardened(self) -> bool:
+        """Whether the flank is harder than the core."""
+        return self not in (Treatment.STRUCTURAL, Treatment.THROUGH_HARDENED)
+
+    @property
+    def is_nitrided(self) -> bool:
+        """Whether nitrogen hardens the flank."""
+        return self in (Treatment.NITRIDED, Treatment.NITRIDED_THROUGH_HARDENED, Treatment.NITROCARBURISED)
+
+
+@dataclass(frozen=True)
+class StrengthLine:
+    """One row of ISO 6336-5, table 1: σ_lim = A x + B over a range of hardness."""
+
+    slope: float
+    """A [Pa per unit of hardness]."""
+    intercept: float
+    """B [Pa]."""
+    hardness: tuple[float, float]
+    """Least and greatest surface hardness [HV, or HBW for St]."""
+
+
+@dataclass(frozen=True)
+class GearSteel:
+    """A gear steel ready to be rated."""
+
+    name: str
+    """Name in the catalogue."""
+    treatment: Treatment
+    """Heat treatment."""
+    grade: str
+    """Material quality ML, MQ or ME."""
+    hardness: float
+    """Surface hardness [HV, or HBW for St]."""
+    contact_strength: Annotated[float, Quantity("stress"), Origin("σ_Hlim = A x + B", "ISO 6336-5:2016, table 1")]
+    """Allowable stress number for contact σ_Hlim [Pa]."""
+    bending_strength: Annotated[float, Quantity("stress"), Origin("σ_Flim = A x + B", "ISO 6336-5:2016, table 1")]
+    """Nominal stress number for bending σ_Flim of the standard reference test gears [Pa]."""
+    elastic_modulus: Annotated[float, Quantity("stress")] = 206e9
+    """E [Pa]."""
+    poisson_ratio: Annotated[float, Quantity("ratio")] = 0.3
+    """ν [-]."""
+    density: Annotated[float, Quantity("density")] = 7830.0
+    """ρ [kg/m³]."""
+    yield_strength: Annotated[float | None, Quantity("stress")] = None
+    """σ_S or R_p0.2 [Pa]; needed for the notch sensitivity of through-hardened steels only."""
+    source: str = ""
+    """Where the values come from."""
+
+
+def allowable_stress(line: StrengthLine, hardness: float) -> float:
+    """Return σ_lim of one row of the table.
+
+    Args:
+        line: The row.
+        hardness: Surface hardness x [HV, or HBW for St].
+
+    Returns:
+        σ_Hlim or σ_Flim [Pa].
+
+    Source: ISO 6336-5:2016, clause 5.5, σ_lim = A x + B.
+    Valid for: the row's range of hardness.
+
+    Raises:
+        DesignError: hardness outside the range.
+
+    >>> allowable_stress(StrengthLine(1.313e6, 373e6, (200.0, 360.0)), 300.0) / 1e6
+    766.9
+    """
+    low, high = line.hardness
+    if not low <= hardness <= high:
+        given = f"{hardness:.4g} given; ISO 6336-5 covers {low:g} to {high:g} for this steel and grade"
+        raise DesignError([Problem("hardness", f"{given}; nearest is {min(max(hardness, low), high):g}")])
+    return line.slope * hardness + line.intercept
