@@ -9,7 +9,10 @@ from gearwright.dynamics.modes import Modes, modes
 from gearwright.dynamics.recorder import Outputs
 from gearwright.dynamics.response import Response, frequency_response
 from gearwright.dynamics.simulate import replay, simulate
+from gearwright.dynamics.spectra import Waterfall, tone_amplitudes, waterfall
+from gearwright.dynamics.speed_map import SpeedMap, speed_map
 from gearwright.dynamics.statics import Equilibrium, statics
+from gearwright.dynamics.steady import Orbit, periodic
 from gearwright.dynamics.system import Arrays, Labels, System
 from gearwright.dynamics.trace import Samples, Statistics, Trace
 
@@ -23,20 +26,27 @@ __all__ = [
     "Line",
     "Model",
     "Modes",
+    "Orbit",
     "Outputs",
     "Periodic",
     "Response",
     "Samples",
     "Segment",
+    "SpeedMap",
     "Statistics",
     "System",
     "Trace",
+    "Waterfall",
     "bending_shaft",
     "campbell",
     "frequency_response",
     "modes",
+    "periodic",
     "replay",
     "simulate",
     "simulate_many",
+    "speed_map",
     "statics",
+    "tone_amplitudes",
+    "waterfall",
 ]

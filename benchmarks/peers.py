@@ -1,0 +1,241 @@
+"""Peers: the same equations given to other integrators, each as its users would write them.
+
+Every solver is a function (case, setting) that returns states on the common grid, shape (instants, states). Dense
+matrices are used where a peer is made for arrays (numpy, JAX, CasADi), loops where it compiles loops (numba).
+"""
+
+from __future__ import annotations
+
+import importlib.util
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from scipy.integrate import solve_ivp
+
+from gearwright.dynamics.steppers import blank_record, stepper
+from gearwright.dynamics.system import Arrays, line_matrix
+
+
+@dataclass
+class Case:
+    """One system, its start and the grid on which answers are compared."""
+
+    arrays: Arrays
+    start: np.ndarray
+    duration: float
+    intervals: int
+
+    @property
+    def grid(self) -> np.ndarray:
+        """Common instants [s]."""
+        return np.linspace(0.0, self.duration, self.intervals + 1)
+
+
+@dataclass
+class Dense:
+    """Matrices: k and e as constant + cosine and sine parts by tone."""
+
+    weights: np.ndarray
+    stiffness: tuple[np.ndarray, np.ndarray]
+    error: tuple[np.ndarray, np.ndarray]
+
+
+def dense(arrays: Arrays) -> Dense:
+    """Return a system as dense matrices."""
+    lines, tones = len(arrays.stiffness), len(arrays.tone_rate)
+    parts = []
+    for series, scale in ((arrays.variation, arrays.stiffness), (arrays.error, np.ones(lines))):
+        cos, sin = np.zeros((lines, tones)), np.zeros((lines, tones))
+        row = np.repeat(np.arange(lines), np.diff(series.start))
+        np.add.at(cos, (row, series.tone), series.cosine * scale[row])
+        np.add.at(sin, (row, series.tone), series.sine * scale[row])
+        parts.append((cos, sin))
+    return Dense(line_matrix(arrays), *parts)
+
+
+def array_slope(arrays: Arrays, module) -> Callable:
+    """Return dy/dt(t, y) in numpy's or JAX's own words."""
+    xp, form, size = module, dense(arrays), len(arrays.mass)
+    weights, mass, constant = xp.asarray(form.weights), xp.asarray(arrays.mass), xp.asarray(arrays.loads.constant)
+    (kc, ks), (ec, es) = ([xp.asarray(part) for part in pair] for pair in (form.stiffness, form.error))
+    mean, damping, rate = xp.asarray(arrays.stiffness), xp.asarray(arrays.damping), xp.asarray(arrays.tone_rate)
+    backlash = xp.asarray(arrays.backlash)
+
+    def slope(t, y):
+        cos, sin = xp.cos(rate * t), xp.sin(rate * t)
+        deflection = weights @ y[:size] - ec @ cos - es @ sin
+        speed = weights @ y[size:] - (es * rate) @ cos + (ec * rate) @ sin
+        contact = xp.where(
+            backlash > 0.0, xp.maximum(deflection, 0.0) + xp.minimum(deflection + backlash, 0.0), deflection
+        )
+        force = (mean + kc @ cos + ks @ sin) * contact + damping * speed
+        return xp.concatenate([y[size:], (constant - weights.T @ force) / mass])
+
+    return slope
+
+
+def numba_slope(arrays: Arrays) -> Callable:
+    """Return dy/dt(t, y) as a compiled loop over the sparse lines."""
+    start, dof, weight = arrays.line_start, arrays.line_dof, arrays.line_weight
+    mean, damping, backlash, rate = arrays.stiffness, arrays.damping, arrays.backlash, arrays.tone_rate
+    vs, vt, vc, vn = arrays.variation
+    es, et, ec, en = arrays.error
+    mass, constant, size = arrays.mass, arrays.loads.constant, len(arrays.mass)
+
+    @njit(error_model="numpy", fastmath=True)
+    def slope(t, y):
+        out = np.empty(2 * size)
+        cos, sin = np.cos(rate * t), np.sin(rate * t)
+        out[:size], out[size:] = y[size:], constant
+        for j in range(len(mean)):
+            d, v, k = 0.0, 0.0, 1.0
+            for i in range(start[j], start[j + 1]):
+                d += weight[i] * y[dof[i]]
+                v += weight[i] * y[size + dof[i]]
+            for i in range(vs[j], vs[j + 1]):
+                k += vc[i] * cos[vt[i]] + vn[i] * sin[vt[i]]
+            for i in range(es[j], es[j + 1]):
+                d -= ec[i] * cos[et[i]] + en[i] * sin[et[i]]
+                v -= rate[et[i]] * (en[i] * cos[et[i]] - ec[i] * sin[et[i]])
+            g = max(d, 0.0)
+            if d < -backlash[j]:
+                g = d + backlash[j]
+            f = mean[j] * k * g + damping[j] * v
+            for i in range(start[j], start[j + 1]):
+                out[size + dof[i]] -= weight[i] * f
+        out[size:] /= mass
+        return out
+
+    return slope
+
+
+def gearwright(case: Case, setting: float) -> Callable[[], np.ndarray]:
+    """Our own generated code; setting: steps in an interval of the grid."""
+    steps = int(setting)
+    h = case.duration / (case.intervals * steps)
+    advance, width = stepper(case.arrays, "runge-kutta", h), len(case.start)
+    record = blank_record(case.arrays, 512)
+
+    def run() -> np.ndarray:
+        state, rows = np.concatenate([case.start, np.zeros(6)]), []
+        for first in range(0, case.intervals * steps + 1, 512):
+            part = record[: min(512, case.intervals * steps + 1 - first)]
+            advance(first, part, state)
+            rows.append(part[-first % steps :: steps, :width].copy())
+        return np.concatenate(rows)
+
+    return run
+
+
+def scipy_run(slope: Callable, method: str) -> Callable:
+    """A method of scipy's solve_ivp; setting: relative tolerance."""
+
+    def make(case: Case, setting: float) -> Callable[[], np.ndarray]:
+        compiled = slope(case.arrays)
+        compiled(0.0, case.start)
+        span, scale = (0.0, case.duration), np.max(np.abs(case.start))
+
+        def run() -> np.ndarray:
+            return solve_ivp(
+                compiled, span, case.start, method, t_eval=case.grid, rtol=setting, atol=setting * scale
+            ).y.T
+
+        return run
+
+    return make
+
+
+def jax_runge_kutta(case: Case, setting: float) -> Callable[[], np.ndarray]:
+    """Fixed-step RK4 under jit and scan; setting: steps in an interval of the grid."""
+    import jax
+    import jax.numpy as jnp
+
+    jax.config.update("jax_enable_x64", val=True)
+    slope, steps = array_slope(case.arrays, jnp), int(setting)
+    h = case.duration / (case.intervals * steps)
+
+    def step(carry, _):
+        t, y = carry
+        k1 = slope(t, y)
+        k2 = slope(t + h / 2, y + h / 2 * k1)
+        k3 = slope(t + h / 2, y + h / 2 * k2)
+        k4 = slope(t + h, y + h * k3)
+        return (t + h, y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)), None
+
+    def interval(carry, _):
+        carry, _ = jax.lax.scan(step, carry, None, length=steps)
+        return carry, carry[1]
+
+    @jax.jit
+    def whole(y):
+        return jax.lax.scan(interval, (0.0, y), None, length=case.intervals)[1]
+
+    return lambda: np.vstack([case.start, np.asarray(whole(case.start))])
+
+
+def diffrax_run(name: str) -> Callable:
+    """A solver of diffrax with its adaptive controller; setting: relative tolerance."""
+
+    def make(case: Case, setting: float) -> Callable[[], np.ndarray]:
+        import diffrax
+        import jax
+        import jax.numpy as jnp
+
+        jax.config.update("jax_enable_x64", val=True)
+        slope = array_slope(case.arrays, jnp)
+        control = diffrax.PIDController(rtol=setting, atol=setting * float(np.max(np.abs(case.start))))
+        save, solver = diffrax.SaveAt(ts=jnp.asarray(case.grid)), getattr(diffrax, name)()
+        term = diffrax.ODETerm(lambda t, y, _: slope(t, y))
+
+        @jax.jit
+        def whole(y):
+            return diffrax.diffeqsolve(
+                term, solver, 0.0, case.duration, 1e-6, y, saveat=save, stepsize_controller=control, max_steps=10**6
+            ).ys
+
+        return lambda: np.asarray(whole(case.start))
+
+    return make
+
+
+def casadi_cvodes(case: Case, setting: float) -> Callable[[], np.ndarray]:
+    """CVODES through CasADi's virtual machine; setting: relative tolerance."""
+    import casadi
+
+    form, arrays, size = dense(case.arrays), case.arrays, len(case.arrays.mass)
+    t, y = casadi.SX.sym("t"), casadi.SX.sym("y", 2 * size)
+    weights, rate = casadi.sparsify(casadi.DM(form.weights)), arrays.tone_rate
+    cos, sin = casadi.cos(rate * t), casadi.sin(rate * t)
+    (kc, ks), (ec, es) = ([casadi.sparsify(casadi.DM(part)) for part in pair] for pair in (form.stiffness, form.error))
+    deflection = weights @ y[:size] - ec @ cos - es @ sin
+    speed = weights @ y[size:] - es @ (rate * cos) + ec @ (rate * sin)
+    gap = casadi.fmax(deflection, 0) + casadi.fmin(deflection + arrays.backlash, 0)
+    contact = casadi.if_else(arrays.backlash > 0.0, gap, deflection)
+    force = (arrays.stiffness + kc @ cos + ks @ sin) * contact + arrays.damping * speed
+    slope = casadi.vertcat(y[size:], (arrays.loads.constant - weights.T @ force) / arrays.mass)
+    options = {"reltol": setting, "abstol": setting * float(np.max(np.abs(case.start)))}
+    options |= {"linear_multistep_method": "adams", "nonlinear_solver_iteration": "functional", "max_num_steps": 10**6}
+    solver = casadi.integrator("f", "cvodes", {"x": y, "t": t, "ode": slope}, 0.0, list(case.grid[1:]), options)
+    return lambda: np.vstack([case.start, np.asarray(solver(x0=case.start)["xf"]).T])
+
+
+def has(module: str) -> bool:
+    """Return whether an optional peer is there."""
+    return importlib.util.find_spec(module) is not None
+
+
+LOOSE, STEPS = [10.0 ** (-power / 3) for power in range(6, 37)], [2, 3, 4, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64]
+PEERS: dict[str, tuple[Callable, list[float]]] = {
+    "gearwright RK4": (gearwright, STEPS),
+    "scipy RK45, numba slope": (scipy_run(numba_slope, "RK45"), LOOSE),
+    "scipy DOP853, numba slope": (scipy_run(numba_slope, "DOP853"), LOOSE),
+    "scipy RK45, numpy slope": (scipy_run(lambda arrays: array_slope(arrays, np), "RK45"), LOOSE),
+}
+if has("jax"):
+    PEERS["JAX RK4, jit"] = (jax_runge_kutta, STEPS)
+if has("diffrax"):
+    PEERS |= {f"diffrax {name}": (diffrax_run(name), LOOSE) for name in ("Tsit5", "Dopri8")}
+if has("casadi"):
+    PEERS["CasADi CVODES Adams"] = (casadi_cvodes, LOOSE)
