@@ -65,8 +65,8 @@ def test_samples_are_bounded_and_cover_the_run():
 def test_the_error_estimate_is_close_to_the_true_error():
     """Against a run at a sixteenth of the step: the estimate is good to a factor of two."""
     system, span = driven_pair(), ((0.0, 0.004),)
-    coarse = simulate(system, 0.004, outputs=Outputs(windows=span), start="rigid")
-    fine = simulate(system, 0.004, step=coarse.step / 16.0, outputs=Outputs(windows=span), start="rigid")
+    coarse = simulate(system, 0.004, step=4e-5, outputs=Outputs(windows=span), start="rigid")
+    fine = simulate(system, 0.004, step=4e-5 / 16.0, outputs=Outputs(windows=span), start="rigid")
     force, wanted = coarse.windows[0].force("mesh"), fine.windows[0].force("mesh")[::16]
     true = np.max(np.abs(force - wanted)) / np.max(np.abs(wanted))
     assert true / 2.0 < coarse.error < 2.0 * true
@@ -135,9 +135,9 @@ def test_an_interruption_keeps_what_was_done():
         if fraction > 0.4:
             raise KeyboardInterrupt
 
-    trace = simulate(driven_pair(), 0.05, outputs=Outputs(bins=10), progress=stop)
-    assert 0.4 * 0.05 < trace.duration < 0.6 * 0.05
-    assert trace.duration == pytest.approx(calls[-1] * 0.05, rel=1e-2)
+    trace = simulate(driven_pair(), 0.5, outputs=Outputs(bins=10), progress=stop)
+    assert 0.4 * 0.5 < trace.duration < 0.5 * 0.5
+    assert trace.duration == pytest.approx(calls[-1] * 0.5, rel=1e-2)
     assert trace.notes[-1].startswith("interrupted at")
     assert trace.force.edges[-1] == pytest.approx(trace.duration)
     assert np.all(np.isfinite(trace.force.mean))
