@@ -67,28 +67,41 @@ def save(path: str | Path, trace: Trace, *, design: Design, case: str) -> None:
         trace: The run.
         design: That made it.
         case: Load case that was run.
+
+    Raises:
+        DesignError: If the file cannot be written.
     """
     final = Path(path)
     partial = final.with_name(final.name + ".part")
-    with h5netcdf.File(partial, "w") as file:
-        file.attrs["format"], file.attrs["gearwright"] = FORMAT, __version__
-        file.attrs["design"], file.attrs["case"] = design.model_dump_json(by_alias=True, exclude_unset=True), case
-        _write_labels(file, trace.labels)
-        for name in _SCALARS:
-            file.attrs[name] = getattr(trace, name)
-        file.attrs["notes"] = "\n".join(trace.notes)
-        file.attrs.update({f"work_{field.name}": getattr(trace.work, field.name) for field in fields(Work)})
-        _write_part(file.create_group("samples"), trace.samples)
-        for number, window in enumerate(trace.windows):
-            _write_part(file.create_group(f"window_{number}"), window)
-        for name in _STATISTICS:
-            group = file.create_group(name)
-            statistics = getattr(trace, name)
-            group.attrs["what"] = statistics.what
-            group.attrs["names"] = "\n".join(statistics.names)
-            _write_part(group, statistics)
-        _write_part(file.create_group("checkpoints"), trace.checkpoints)
-    partial.replace(final)
+    try:
+        with h5netcdf.File(partial, "w") as file:
+            file.attrs["format"], file.attrs["gearwright"] = FORMAT, __version__
+            file.attrs["design"], file.attrs["case"] = design.model_dump_json(by_alias=True, exclude_unset=True), case
+            _write_trace(file, trace)
+        partial.replace(final)
+    except OSError as error:
+        message = f"the file cannot be written: {error}; name one in a folder that is there"
+        raise DesignError([Problem("", message)], str(path)) from None
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def _write_trace(file: Any, trace: Trace) -> None:
+    _write_labels(file, trace.labels)
+    for name in _SCALARS:
+        file.attrs[name] = getattr(trace, name)
+    file.attrs["notes"] = "\n".join(trace.notes)
+    file.attrs.update({f"work_{field.name}": getattr(trace.work, field.name) for field in fields(Work)})
+    _write_part(file.create_group("samples"), trace.samples)
+    for number, window in enumerate(trace.windows):
+        _write_part(file.create_group(f"window_{number}"), window)
+    for name in _STATISTICS:
+        group = file.create_group(name)
+        statistics = getattr(trace, name)
+        group.attrs["what"] = statistics.what
+        group.attrs["names"] = "\n".join(statistics.names)
+        _write_part(group, statistics)
+    _write_part(file.create_group("checkpoints"), trace.checkpoints)
 
 
 def load(path: str | Path) -> StoredRun:
@@ -110,6 +123,9 @@ def load(path: str | Path) -> StoredRun:
             return _read(file)
     except OSError as error:
         raise DesignError([Problem("", f"the file cannot be read as netCDF-4: {error}")], str(path)) from None
+    except (KeyError, ValueError) as error:  # ValueError also of a design that is none
+        message = f"the file is incomplete or damaged: {error}; simulate again"
+        raise DesignError([Problem("", message)], str(path)) from None
 
 
 def _read(file: Any) -> StoredRun:
