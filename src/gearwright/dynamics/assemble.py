@@ -7,12 +7,14 @@ a positive force.
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
 
 from gearwright.catalogue.materials import materials
+from gearwright.dynamics.geometry import add_errors, add_supports, body_of, contacts_of
 from gearwright.dynamics.line import DampingRatio, Periodic
 from gearwright.dynamics.model import Model
 from gearwright.dynamics.system import System
@@ -23,8 +25,8 @@ from gearwright.parts.mesh_stiffness_iso6336 import mesh_curve_iso6336, mesh_sti
 from gearwright.parts.planet_phasing import even_positions, planet_phases
 from gearwright.parts.shaft import shaft_diameter, torsional_stiffness
 from gearwright.parts.stiffness_curve import StiffnessCurve
-from gearwright.sizing import GearSizing, MeshSizing, ShaftSizing, Sizing
-from gearwright.spec import GROUND, Planetary
+from gearwright.sizing import GearSizing, MachineSizing, MeshSizing, ShaftSizing, Sizing
+from gearwright.spec import GROUND, Pair, Planetary
 from gearwright.train.flow import RATED, PowerFlow
 from gearwright.train.graph import Mesh
 
@@ -87,10 +89,25 @@ def assemble(sizing: Sizing, case: str | None = None, *, stiffness: str | None =
         assembly.model.shaft(name, first, second, stiffness=value, damping=damping)
     for mesh in sizing.train.meshes:
         _mesh_lines(assembly, mesh)
-    for name, torque in assembly.flow.machine_torques.items():
+    for machine in sizing.machines:
+        torque = assembly.flow.machine_torques.get(machine.name, 0.0)
         if torque:
-            assembly.model.load(name, constant=torque)
+            assembly.model.load(machine.name if _turns_along(sizing) else _seat(assembly, machine), constant=torque)
+    contacts = contacts_of(sizing, assembly.flow)
+    add_supports(assembly.model, sizing, contacts, assembly.flow)
+    add_errors(assembly.model, contacts, sizing.design.errors)
     return assembly.model.build()
+
+
+def _turns_along(sizing: Sizing) -> bool:
+    """Tell whether machines are bodies on shafts of their own, or torques on the train."""
+    return sizing.design.dynamics.machines == "inertia"
+
+
+def _seat(assembly: _Assembly, machine: MachineSizing) -> str:
+    """Return the body that a machine's shaft joins, or that its torque acts on."""
+    members = assembly.members[machine.shaft]
+    return members[-1] if machine.kind == "propeller" else members[0]
 
 
 def default_case(sizing: Sizing) -> str:
@@ -120,15 +137,11 @@ def _bodies(assembly: _Assembly) -> None:
     for gear in sizing.gears:
         if gear.role in ("pinion", "wheel"):
             for shaft in gear.shafts:
-                assembly.body(_on_shaft(gear, shaft), shaft, gear.inertia * gear.bodies / len(gear.shafts))
+                assembly.body(body_of(sizing, gear.name, shaft), shaft, gear.inertia * gear.bodies / len(gear.shafts))
     for sized in sizing.shafts:
         _share_shaft(assembly, sized)
-    for machine in sizing.machines:
+    for machine in sizing.machines if _turns_along(sizing) else ():
         assembly.inertias[machine.name] = (machine.inertia, assembly.flow.speeds[machine.shaft])
-
-
-def _on_shaft(gear: GearSizing, shaft: str) -> str:
-    return gear.name if len(gear.shafts) == 1 else f"{gear.name}.{shaft}"
 
 
 def _share_shaft(assembly: _Assembly, shaft: ShaftSizing) -> None:
@@ -152,9 +165,8 @@ def _shaft_lines(assembly: _Assembly) -> Iterator[tuple[str, str, str, float]]:
         for k, (first, second) in enumerate(pairwise(members)):
             line = f"{name} shaft" if pieces == 1 else f"{name} shaft {k + 1}"
             yield line, first, second, shafts[name].stiffness * pieces
-    for machine in sizing.machines:
-        members = assembly.members[machine.shaft]
-        end = members[-1] if machine.kind == "propeller" else members[0]
+    for machine in sizing.machines if _turns_along(sizing) else ():
+        members, end = assembly.members[machine.shaft], _seat(assembly, machine)
         driving = assembly.flow.machine_powers[machine.name] >= 0.0
         ends = (machine.name, end) if driving else (end, machine.name)
         if len(members) == 1 and _only_machine(assembly, machine.shaft):
@@ -224,12 +236,23 @@ def _mesh_lines(assembly: _Assembly, mesh: Mesh) -> None:
     pair = pairs[mesh.name]
     curve = mesh_curve(sizing, sized, pair, harmonics=HARMONICS if assembly.varying else 0)
     stage = sizing.design.stages[mesh.stage]
+    if isinstance(stage, Pair):
+        curve = _known(curve, stage)
     if isinstance(stage, Planetary):
         phases = _phases(mesh, stage, pairs)
         for k in range(mesh.count):
             _add_line(assembly, mesh, pair, _Tooth(f"{mesh.name}-{k + 1}", k + 1, curve, 1, phases[k]))
     else:
         _add_line(assembly, mesh, pair, _Tooth(mesh.name, 0, curve, mesh.count, _parallel_phase(assembly, mesh)))
+
+
+def _known(curve: StiffnessCurve, pair: Pair) -> StiffnessCurve:
+    """Return a stiffness curve with what the design gives of it: its mean, its first harmonic."""
+    mean = pair.mesh_stiffness or curve.mean
+    if pair.stiffness_swing is not None and curve.cosine:
+        return StiffnessCurve(mean, (pair.stiffness_swing * mean,), (0.0,))
+    scale = mean / curve.mean
+    return StiffnessCurve(mean, tuple(scale * a for a in curve.cosine), tuple(scale * b for b in curve.sine))
 
 
 @dataclass(frozen=True)
@@ -251,11 +274,21 @@ def _phases(mesh: Mesh, stage: Planetary, pairs: Mapping[str, GearPair]) -> tupl
 
 
 def _parallel_phase(assembly: _Assembly, mesh: Mesh) -> float:
-    """Return the phase of a pair among its parallel ones, evenly spaced around the gear that they share [cycles]."""
+    """Return the phase of a pair behind the first of its parallel ones, by their places around the gear they share.
+
+    A tooth of the shared gear passes the places one after the other, in the sense in which it turns [cycles].
+    """
     row = [each for each in assembly.sizing.train.meshes if each.stage == mesh.stage]
-    place = row.index(mesh) / len(row)
-    shared = mesh.gears[0] if len({each.nodes[0] for each in row}) == 1 else mesh.gears[1]
-    return (assembly.sizing.teeth[shared] * place) % 1.0
+    shared = 0 if len({each.nodes[0] for each in row}) == 1 else 1
+    angle = cmath.phase(_seen(assembly, mesh, shared) / _seen(assembly, row[0], shared))
+    sense = 1.0 if assembly.flow.speeds[mesh.nodes[shared]] >= 0.0 else -1.0
+    return (-sense * assembly.sizing.teeth[mesh.gears[shared]] * angle / (2.0 * math.pi)) % 1.0
+
+
+def _seen(assembly: _Assembly, mesh: Mesh, end: int) -> complex:
+    """Return the direction from one axis of a mesh to the other; a face gear's pinion sees opposite ones alike."""
+    axes = {shaft.name: complex(*shaft.axis) for shaft in assembly.sizing.shafts}
+    return axes[mesh.nodes[1 - end]] - axes[mesh.nodes[end]]
 
 
 def _add_line(assembly: _Assembly, mesh: Mesh, pair: GearPair, tooth: _Tooth) -> None:
@@ -279,7 +312,11 @@ def _add_line(assembly: _Assembly, mesh: Mesh, pair: GearPair, tooth: _Tooth) ->
             offset=2.0 * math.pi * tooth.phase,
         )
     damping = DampingRatio(sizing.design.dynamics.mesh_damping)
-    assembly.model.mesh(tooth.name, weights, stiffness=mean * tooth.count, damping=damping, variation=variation)
+    stage = sizing.design.stages[mesh.stage]
+    backlash = stage.backlash if isinstance(stage, Pair) else 0.0
+    assembly.model.mesh(
+        tooth.name, weights, stiffness=mean * tooth.count, damping=damping, backlash=backlash, variation=variation
+    )
 
 
 def _line_bodies(assembly: _Assembly, mesh: Mesh, planet: int) -> tuple[str, str, str]:
@@ -287,10 +324,7 @@ def _line_bodies(assembly: _Assembly, mesh: Mesh, planet: int) -> tuple[str, str
     if planet:
         one, other = (f"{gear}-{planet}" if gear.endswith(".planet") else gear for gear in mesh.gears)
         return one, other, f"{mesh.stage}.carrier"
-    one, other = (
-        _on_shaft(next(gear for gear in assembly.sizing.gears if gear.name == name), node)
-        for name, node in zip(mesh.gears, mesh.nodes, strict=False)
-    )
+    one, other = (body_of(assembly.sizing, name, node) for name, node in zip(mesh.gears, mesh.nodes, strict=False))
     return one, other, GROUND
 
 

@@ -1,18 +1,19 @@
 """Contacts: meshes with a direction in space, so that gears may shift, run out or stand wrong.
 
-A contact is where a driving tooth presses on a driven one along the unit vector n. With the displacements u of the two
-shafts and the rotations θ, positive as they drive,
+A contact is where a tooth of gear a presses on one of gear b along the unit vector n. With displacements u and
+rotations θ of the two,
 
-    δ = n·(u_a − u_b) + r_a θ_a − r_b θ_b − e
+    δ = n·(u_a − u_b) + l_a θ_a + l_b θ_b − e,   e = −n·(ε_a − ε_b) − …
 
-so an error that displaces a gear is a displacement like any other: e = −n·ε_a + n·ε_b. Shafts lie along x; the pinion
-of a face gear lies across. Each shaft has two axes across it, in the order in which a positive rotation meets them.
+an error ε that displaces a gear is a displacement like any other. Shafts lie along x, the pinion of a face gear across;
+every shaft has two axes across it, in the order in which a positive rotation meets them. The contacts of a planetary
+set are written in the frame of its carrier, whose y axis passes through the first planet.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -20,62 +21,70 @@ from gearwright.dynamics.line import Periodic
 from gearwright.spec.tolerance import PartErrors
 
 Vector = tuple[float, float, float]
+Turns = Mapping[str, int]
+"""An angle as integers of rotations."""
 AXES = "xyz"
 SMALL = 1e-12
 """Direction cosine below which a direction counts as square to an axis [-]."""
 
 
-class Spin(NamedTuple):
-    """How a shaft stands and turns."""
+class Carried(NamedTuple):
+    """A gear body in a contact, with the shaft (of a planet: the carrier's) that it sits on."""
 
-    rotation: str
-    """Coordinate of its rotation."""
-    axis: str
-    """``"x"``, ``"y"`` or ``"z"``."""
-    sense: int
-    """1 if the coordinate grows as the shaft drives, −1 if it falls."""
+    gear: str
+    """Name of the body, and of its rotation."""
+    shaft: str
+    """Name of the shaft."""
+    lever: float
+    """l: weight of its rotation in the contact's line, base radius with sign [m]."""
+    gear_turns: Turns
+    """Angle of the gear in the contact's frame."""
+    shaft_turns: Turns
+    """Angle of the shaft in the contact's frame."""
+    housing_turns: Turns
+    """Angle of the housing in the contact's frame: nothing, but for planetary sets."""
+    axis: str = "x"
+    """Axis of the shaft: ``"x"``, ``"y"`` or ``"z"``."""
+    place: complex | None = None
+    """Of a planet: direction from the carrier's axis to its pin, y + i z; None for other gears."""
 
     @property
     def across(self) -> tuple[int, int]:
-        """The two axes across it, as numbers of x, y, z."""
+        """The two axes across its shaft, as numbers of x, y, z."""
         first = (AXES.index(self.axis) + 1) % 3
         return first, (first + 1) % 3
 
 
 @dataclass(frozen=True)
 class Contact:
-    """Where one gear drives another."""
+    """Where a tooth of one gear presses on a tooth of another."""
 
     line: str
     """Name of the mesh's line."""
-    gears: tuple[str, str]
-    """Names of the driving and the driven gear body, whose errors it feels."""
-    shafts: tuple[str, str]
-    """Shafts of the two, whose motions and errors it feels."""
     direction: Vector
-    """n: along the line of action, from the driving into the driven tooth [-]."""
-    radii: tuple[float, float]
-    """Base radii of the two [m]."""
+    """n: along the line of action, from gear a into gear b [-]."""
+    sides: tuple[Carried, Carried]
+    """Gears a and b."""
 
 
-def push_direction(towards: complex, pressure_angle: float, *, sense: int, concave: bool = False) -> Vector:
-    """Return the direction in which a driving tooth presses on the driven one, both gears with axes along x.
+def push_direction(towards: complex, pressure_angle: float, *, sense: float) -> Vector:
+    """Return the direction in which a gear's tooth presses on another's, both with axes along x.
 
     Args:
-        towards: From the driver's axis to the pitch point, y + i z, of any length.
+        towards: From the axis of the pressing gear to the pitch point, y + i z, of any length.
         pressure_angle: Working transverse pressure angle [rad].
-        sense: 1 if the driver turns positively (y to z), −1 if negatively.
-        concave: The driver is an internal gear, whose teeth press inwards.
+        sense: 1 if it pushes on positively about its axis (y to z), −1 if negatively.
 
     Source: the line of action stands at the pressure angle to the common tangent, ISO 21771:2007, clause 5.2.
+
+    Valid for: a pressing gear with external teeth.
     """
     out = towards / abs(towards)
-    along = math.cos(pressure_angle) * sense * 1j * out
-    push = along + math.sin(pressure_angle) * (-out if concave else out)
+    push = math.cos(pressure_angle) * sense * 1j * out + math.sin(pressure_angle) * out
     return (0.0, push.real, push.imag)
 
 
-def face_push_direction(place: complex, pressure_angle: float, *, sense: int) -> Vector:
+def face_push_direction(place: complex, pressure_angle: float, *, sense: float) -> Vector:
     """Return the direction in which a pinion presses on a face gear that turns about x.
 
     The pinion lies along y or z, so that its axis meets the face gear's. A face gear on the positive side of it lies
@@ -85,7 +94,7 @@ def face_push_direction(place: complex, pressure_angle: float, *, sense: int) ->
     Args:
         place: From the pinion to the face gear's axis, y + i z, of any length, along y or z.
         pressure_angle: Of the pinion [rad].
-        sense: 1 if the pinion turns positively about its axis, −1 if negatively.
+        sense: 1 if the pinion pushes on positively about its axis, −1 if negatively.
 
     Source: geometry of two crossing axes; Wang, Zhao, Tao, Jia & Guo, eqs 5 and 6, whose face gear 1 lies above.
     """
@@ -106,58 +115,57 @@ def crossing_axis(place: complex) -> str | None:
     return "z" if abs(unit.real) < SMALL**0.5 else None
 
 
-def contact_weights(contact: Contact, spins: Mapping[str, Spin], rotations: tuple[str, str],
-                    moving: Collection[str]) -> dict[str, float]:  # fmt: skip
-    """Return the weights of a contact's line: rotations, and translations of shafts that can move.
+def shift_weights(contact: Contact) -> dict[str, float]:
+    """Return the weights of the shafts' displacements in a contact's line: ``"input.y"`` -> direction cosine [-].
 
     Args:
         contact: The mesh.
-        spins: Of every shaft.
-        rotations: Coordinates of the driving and the driven gear.
-        moving: Names of the translations in the model, such as ``"input.y"``.
     """
     weights: dict[str, float] = {}
-    for end, sign in ((0, 1.0), (1, -1.0)):
-        shaft = contact.shafts[end]
-        weights[rotations[end]] = sign * spins[shaft].sense * contact.radii[end]
+    for side, sign in zip(contact.sides, (1.0, -1.0), strict=True):
         for axis, cosine in zip(AXES, contact.direction, strict=True):
-            name = f"{shaft}.{axis}"
-            if name in moving and abs(cosine) > SMALL:
+            if abs(cosine) > SMALL:
+                name = f"{side.shaft}.{axis}"
                 weights[name] = weights.get(name, 0.0) + sign * cosine
     return weights
 
 
-def contact_errors(contact: Contact, spins: Mapping[str, Spin], parts: Mapping[str, PartErrors]) -> list[Periodic]:
-    """Return the errors of a contact's line: what its two gears and its two shafts bring along.
+def contact_errors(contact: Contact, parts: Mapping[str, PartErrors]) -> list[Periodic]:
+    """Return the errors of a contact's line: what its two gears and their shafts bring along.
 
     Args:
         contact: The mesh.
-        spins: Of every shaft.
         parts: Gear body or shaft -> its errors.
 
     Source: equivalent mesh errors, e = −J ε; Wang, Zhao, Tao, Jia & Guo, eqs 1 to 4, with the projections that follow
         from the directions of the lines of action instead of the printed phases.
     """
-    found = []
-    for end, sign in ((0, 1.0), (1, -1.0)):
-        spin = spins[contact.shafts[end]]
-        for part in (contact.gears[end], contact.shafts[end]):
-            if part in parts:
-                found += _errors(parts[part], spin, contact, (sign, contact.radii[end]))
+    found: list[Periodic] = []
+    for side, sign in zip(contact.sides, (1.0, -1.0), strict=True):
+        direction = [sign * cosine for cosine in contact.direction]
+        if side.gear in parts:
+            found += _errors(parts[side.gear], side, side.gear_turns, direction)
+        if side.shaft in parts and side.shaft != side.gear:
+            found += _errors(parts[side.shaft], side, side.shaft_turns, direction)
     return [each for each in found if each.constant or any(each.cosine) or any(each.sine)]
 
 
-def _errors(part: PartErrors, spin: Spin, contact: Contact, end: tuple[float, float]) -> list[Periodic]:
-    """Errors of one gear or shaft at one end of a contact, given its sign and base radius."""
-    sign, radius = end
-    first, second = (sign * contact.direction[axis] for axis in spin.across)
-    still = part.radial * (first * math.cos(part.radial_angle) + second * math.sin(part.radial_angle))
-    still += part.axial * sign * contact.direction[AXES.index(spin.axis)]
-    still += part.tooth_thickness + sign * radius * part.clocking
-    turning = Periodic(
-        phase={spin.rotation: 1},
-        cosine=(-part.eccentricity * first,),
-        sine=(-part.eccentricity * second,),
-        offset=part.phase,
-    )
-    return [Periodic(constant=-still), turning]
+def _errors(part: PartErrors, side: Carried, turns: Turns, direction: Sequence[float]) -> Iterator[Periodic]:
+    """Yield what one gear or shaft adds, given the contact's direction on its side."""
+    first, second = (direction[axis] for axis in side.across)
+    still = part.axial * direction[AXES.index(side.axis)] + part.tooth_thickness + side.lever * part.clocking
+    if side.place is not None:
+        pin = side.place / abs(side.place) * complex(part.pin_radial, part.pin_tangential)
+        still += first * pin.real + second * pin.imag
+    yield Periodic(constant=-still)
+    yield from _vector(part.radial, part.radial_angle, side.housing_turns, (first, second))
+    yield from _vector(part.eccentricity, part.phase, turns, (first, second))
+
+
+def _vector(length: float, angle: float, turns: Turns, across: tuple[float, float]) -> Iterator[Periodic]:
+    """Yield the error of a displacement across the shaft whose direction turns, or stands."""
+    first, second = across
+    if turns:
+        yield Periodic(turns, cosine=(-length * first,), sine=(-length * second,), offset=angle)
+    else:
+        yield Periodic(constant=-length * (first * math.cos(angle) + second * math.sin(angle)))

@@ -47,7 +47,7 @@ class Redundancy:
     @property
     def count(self) -> int:
         """Number of redundancies: independent loops of the load."""
-        return self.states.shape[1]
+        return int(self.states.shape[1])
 
 
 def redundancy(system: System, *, stiffness: Floats | None = None) -> Redundancy:

@@ -1,4 +1,4 @@
-"""Load-sharing coefficients: what share of the load each parallel line carries, at an instant and over a tooth cycle."""
+"""Load-sharing coefficients: which share of the load each parallel line carries, at an instant, over a tooth cycle."""
 
 from __future__ import annotations
 

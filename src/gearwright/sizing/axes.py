@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from gearwright.errors import DesignError, Problem
@@ -56,7 +56,8 @@ def axes_of(given: Context, gears: tuple[GearSizing, ...]) -> dict[str, complex]
         DesignError: If the centre distances do not close.
     """
     axis = _coaxial(given.design)
-    bonds = list(_bonds(given.train, axis, {gear.name: gear for gear in gears}))
+    faces = {name for name, pair in given.design.pairs.items() if pair.kind == "face"}
+    bonds = list(_bonds(given.train, axis, {gear.name: gear for gear in gears}, faces))
     placed: dict[str, complex] = {}
     while len(placed) < len(set(axis.values())):
         placed |= _next(given.design, bonds, placed, [each for each in axis.values() if each not in placed])
@@ -75,7 +76,9 @@ def _coaxial(design: Design) -> dict[str, str]:
     return axis
 
 
-def _bonds(train: Train, axis: Mapping[str, str], gears: Mapping[str, GearSizing]) -> Iterator[Bond]:
+def _bonds(
+    train: Train, axis: Mapping[str, str], gears: Mapping[str, GearSizing], faces: Collection[str]
+) -> Iterator[Bond]:
     for mesh in train.meshes:
         if mesh.nodes[0] not in axis or mesh.nodes[1] not in axis:
             continue
@@ -86,7 +89,9 @@ def _bonds(train: Train, axis: Mapping[str, str], gears: Mapping[str, GearSizing
                 f"{mesh.nodes[0]!r} and {mesh.nodes[1]!r} share an axis, so their gears cannot mesh; use a layshaft"
             )
             raise DesignError([Problem(f"pairs.{mesh.stage}", message)])
-        yield Bond(mesh.stage, ends, abs(other - one) if mesh.sign == INTERNAL else one + other)
+        # The pinion of a face gear lies across: the middle of its face, not its axis, is on the wheel's pitch circle.
+        apart = other if mesh.stage in faces else abs(other - one) if mesh.sign == INTERNAL else one + other
+        yield Bond(mesh.stage, ends, apart)
 
 
 def _next(

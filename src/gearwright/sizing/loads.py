@@ -3,7 +3,8 @@
 A mesh of a pair gives a tangential force that makes its torque, a radial force that parts the gears, and, with a
 single helix, an axial force whose lever about the shaft's axis is the pitch radius. Both halves of a double-helical
 gear take half of it, each in its own middle; their axial forces meet inside the gear's body. The members of a planetary
-set load their shaft by torque only: the forces of equal planets cancel. Forces carry the mesh load factor K_γ,
+set load their shaft by torque only: the forces of equal planets cancel. So does the pinion of face gears, which lies
+across and stands between opposite ones. Forces carry the mesh load factor K_γ,
 torques are those of the power flow. The thrust and the moments of a propeller are not in it.
 """
 
@@ -100,6 +101,9 @@ def _meshes(
         if mesh.stage in given.design.pairs and name in mesh.nodes[:2]:
             side = mesh.nodes.index(name)
             gear = gears[mesh.gears[side]]
+            if given.design.pairs[mesh.stage].kind == "face":
+                yield _face_load(given, mesh, side, axes, gear).part(plan.places[gear.name], 1.0)
+                continue
             whole = _mesh_load(given, mesh, side, axes, gear)
             for half in range(mesh.count):
                 offset = (half - (mesh.count - 1) / 2.0) * gear.face_width
@@ -118,6 +122,21 @@ def _mesh_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, complex
     slope = _hand(given, mesh.nodes[side]) * math.tan(rating.helix_angle) if mesh.count == 1 else 0.0
     axial = -slope * tangential
     return _Load(0.0, torque, force, -toward * radius * axial, axial)
+
+
+def _face_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], gear: GearSizing) -> _Load:
+    """Return what a face-gear mesh puts on its wheel (1: tangential and axial force) or on its pinion (0: torque)."""
+    rating, radius = given.ratings[mesh.stage], gear.pitch_diameter / 2.0
+    torque = np.array([flow.meshes[mesh.name].torques[side] for flow in given.flows.values()])
+    none = np.zeros_like(torque)
+    if side == 0:
+        return _Load(0.0, torque, none.astype(complex), none.astype(complex), none)
+    tangential = torque / radius * rating.load_factor
+    toward = _toward_mesh(mesh, side, axes)
+    # The pinion pushes the wheel away from itself, to the side on which the wheel lies.
+    away = 1.0 if toward.real + toward.imag > 0.0 else -1.0
+    axial = away * np.abs(tangential) * math.tan(rating.rules.pressure_angle)
+    return _Load(0.0, torque, toward * 1j * tangential, -toward * radius * axial, axial)
 
 
 def _toward_mesh(mesh: Mesh, side: int, axes: Mapping[str, complex]) -> complex:

@@ -82,8 +82,9 @@ def _shaft(
         stress=stress,
         margin=allowable / stress if stress else math.inf,
         mass=mass,
-        inertia=shaft_inertia(mass, diameter, bore=bore),
-        stiffness=torsional_stiffness(diameter, plan.length, material.shear_modulus, bore=bore),
+        inertia=shaft_inertia(mass, diameter, bore=bore) if layout.inertia is None else layout.inertia,
+        stiffness=layout.torsional_stiffness
+        or torsional_stiffness(diameter, plan.length, material.shear_modulus, bore=bore),
         axis=(axes[name].real, axes[name].imag),
         bearings=load.bearings,
         diagram=load.diagram,

@@ -10,6 +10,7 @@ from typing import Literal
 
 from pydantic import Field
 
+from gearwright.spec.dynamics import DynamicsRules, PlanetaryBearings
 from gearwright.spec.record import Record
 from gearwright.spec.support import Support
 from gearwright.spec.tolerance import PartErrors
@@ -173,6 +174,10 @@ class Planetary(Record):
         None, gt=1, description="Asked ratio 1 + z_r/z_s; left out: the speeds or the split give it"
     )
     ratio_split: Ratio = Field(1.0, gt=0.2, lt=5, description="ψ: this stage takes ψ times its equal part of the ratio")
+    backlash: Length = Field(0.0, ge=0, description="Of each mesh, along the line of action; 0: contact both ways")
+    bearings: PlanetaryBearings = Field(
+        default_factory=PlanetaryBearings, description="What holds its members, with dynamics.fidelity translational"
+    )
     gears: GearRules | None = Field(None, description="Rules of this set where they differ from [gears]")
 
 
@@ -238,23 +243,6 @@ class ShaftLayout(Record):
         ge=-2 * math.pi,
         le=2 * math.pi,
         description="Direction of this shaft's axis seen from the axis that it meshes with; left out: evenly spaced",
-    )
-
-
-class DynamicsRules(Record):
-    """Assumptions of the dynamic model."""
-
-    mesh_damping: Ratio = Field(
-        0.1, ge=0, lt=1, description="Damping ratio ζ of mesh lines (Pulvirenti 2023, eq. 3.29: 0.1)"
-    )
-    shaft_damping: Ratio = Field(
-        0.1, ge=0, lt=1, description="Damping ratio ζ of shaft lines (Pulvirenti 2023, eq. 3.13: 0.1)"
-    )
-    stiffness: Literal["constant", "varying"] = Field(
-        "varying", description="Mesh stiffness: mean, or a function of mesh phase"
-    )
-    machines: Literal["inertia", "torque"] = Field(
-        "inertia", description="Machines turn along on shafts of their own, or act by their torque alone"
     )
 
 
