@@ -9,6 +9,7 @@ from typing import cast
 
 from gearwright.errors import DesignError, Problem
 from gearwright.spec.check import reference_problems
+from gearwright.spec.curves import with_curves
 from gearwright.spec.design import Design
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.record import Location, build
@@ -26,15 +27,16 @@ def read(path: str | Path) -> Design:
     Raises:
         DesignError: With every problem of the file: its path, line, what was given, what is allowed and the fix.
     """
-    return parse(file_text(Path(path)), source=str(path))
+    return parse(file_text(Path(path)), source=str(path), folder=Path(path).parent)
 
 
-def parse(text: str, *, source: str = "") -> Design:
+def parse(text: str, *, source: str = "", folder: Path | None = None) -> Design:
     """Return the design that a TOML text describes.
 
     Args:
         text: The file's content.
         source: Name of the file, for messages.
+        folder: Where the files that it names are looked for; left out: where the program runs.
 
     Raises:
         DesignError: As `read`.
@@ -56,7 +58,10 @@ def parse(text: str, *, source: str = "") -> Design:
         problems += _in_written_keys(reference_problems(cast(Design, record)), written.keys)
     if problems:
         raise DesignError(placed(problems, text), source)
-    return cast(Design, record)
+    design, problems = with_curves(cast(Design, record), folder or Path())
+    if problems:
+        raise DesignError(placed(problems, text), source)
+    return design
 
 
 def placed(problems: Iterable[Problem], text: str) -> list[Problem]:
