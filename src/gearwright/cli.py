@@ -21,7 +21,6 @@ from gearwright.cli_weights import engines, show_mass, stated_mass
 if TYPE_CHECKING:
     from gearwright.dynamics import System, Trace
     from gearwright.sizing import Sizing
-    from gearwright.spec import Design
 
 app = typer.Typer(
     help="Design aircraft transmissions and see how they behave.",
@@ -169,10 +168,9 @@ def report(
     """Write the report of a design as one self-contained HTML file that also prints well."""
     from gearwright.dynamics import modes as find_modes
     from gearwright.render.report import report as make_report
-    from gearwright.store import load
 
     sizing = _size(design)
-    trace = load(results).trace if results is not None else None
+    trace = _run_of(sizing, results) if results is not None else None
     found = find_modes(_assemble(sizing, None))
     file.write_text(make_report(sizing, modes=found, trace=trace), encoding="utf-8")
     typer.echo(f"wrote {file}")
@@ -210,24 +208,40 @@ def schema() -> None:
     typer.echo(json.dumps(make_schema(), indent=2, ensure_ascii=False))
 
 
-def _read(design: str) -> Design:
-    """Return a design from a file, or a shipped one by its name."""
+def _path(design: str) -> Path:
+    """Return the file that is meant: the user's own, or a shipped one by its name."""
     from gearwright.shipped import shipped_design, shipped_designs
-    from gearwright.spec import read
 
     path = Path(design)
-    return read(shipped_design(design) if not path.exists() and design in shipped_designs() else path)
+    return shipped_design(design) if not path.exists() and design in shipped_designs() else path
 
 
 def _size(design: str) -> Sizing:
     from gearwright.errors import DesignError
     from gearwright.sizing import size as make_sizing
+    from gearwright.spec import read
+    from gearwright.spec.read import placed
 
-    read = _read(design)
+    path = _path(design)
+    made = read(path)
     try:
-        return make_sizing(read)
+        return make_sizing(made)
     except DesignError as error:
-        raise DesignError(error.problems, design) from None
+        raise DesignError(placed(error.problems, path.read_text(encoding="utf-8-sig")), design) from None
+
+
+def _run_of(sizing: Sizing, results: Path) -> Trace:
+    """Return a stored run, if it is one of this design."""
+    from gearwright.errors import DesignError, Problem
+    from gearwright.store import load
+
+    stored = load(results)
+    if stored.design != sizing.design:
+        message = (
+            f"this is a run of another design, {stored.design.name!r}, or of an earlier state of it; simulate again"
+        )
+        raise DesignError([Problem("", message)], str(results))
+    return stored.trace
 
 
 def _assemble(sizing: Sizing, case: str | None, stiffness: str | None = None) -> System:
@@ -267,3 +281,6 @@ def main() -> None:
     except GearwrightError as error:
         typer.echo(str(error), err=True)
         sys.exit(1)
+    except OSError as error:
+        typer.echo(f"{error.filename}: {error.strerror}; name another file or folder", err=True)
+        sys.exit(2)

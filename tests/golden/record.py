@@ -1,4 +1,4 @@
-"""What is remembered of a sizing, and where. Run this file to write all of it anew: ``python tests/golden/record.py``."""
+"""What is remembered of a sizing, and where; ``python tests/golden/record.py`` writes all of it anew."""
 
 from __future__ import annotations
 
