@@ -100,7 +100,9 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=7)
     parser.add_argument("--write", type=Path)
     chosen = parser.parse_args()
-    head = [f"Machine: {platform.machine()}, {platform.system()}, Python {platform.python_version()}, one thread each."]
+    head = [
+        f"Machine: {platform.machine()}, {platform.system()}, Python {platform.python_version()}, peers as installed."
+    ]
     text = "\n".join([*head, *table(chosen.rounds)]) + "\n"
     print(text)
     if chosen.write:

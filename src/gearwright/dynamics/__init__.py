@@ -13,10 +13,12 @@ from gearwright.dynamics.spectra import Waterfall, tone_amplitudes, waterfall
 from gearwright.dynamics.speed_map import SpeedMap, speed_map
 from gearwright.dynamics.statics import Equilibrium, statics
 from gearwright.dynamics.steady import Orbit, periodic
+from gearwright.dynamics.stepsize import Accuracy
 from gearwright.dynamics.system import Arrays, Labels, System
 from gearwright.dynamics.trace import Samples, Statistics, Trace
 
 __all__ = [
+    "Accuracy",
     "Arrays",
     "Campbell",
     "DampingRatio",

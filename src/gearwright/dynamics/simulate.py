@@ -12,15 +12,31 @@ from gearwright.dynamics.exact import is_exact
 from gearwright.dynamics.recorder import BLOCK, Outputs, Recorder
 from gearwright.dynamics.statics import statics
 from gearwright.dynamics.steppers import METHODS, Stepper, blank_record, stepper
-from gearwright.dynamics.stepsize import check_duration, check_step, default_step
+from gearwright.dynamics.stepsize import (
+    Accuracy,
+    accurate_step,
+    check_duration,
+    check_step,
+    default_step,
+    excited_step,
+    fastest_rate,
+)
 from gearwright.dynamics.system import Arrays, Floats, System
 from gearwright.dynamics.trace import Samples, Trace
 from gearwright.errors import DesignError, Problem, near
 
+ATTEMPTS = 4
+"""Times that the step is shortened for an accuracy; contact that comes and goes converges slowly."""
 STRETCH = 1000
 """Steps of the first stretch, repeated at half the step for the error estimate."""
 LARGEST_GENERATED = 250
 """Lines up to which code is generated for the structure: beyond, generating it takes seconds."""
+SECOND_ORDER = 4.0 / 3.0
+"""The same for the implicit step."""
+STIFF = 2.5e6
+"""Fastest rate above which implicit steps may pay [rad/s]."""
+STIFF_GAIN = 40.0
+"""How much longer an implicit step must be, since it costs so much more than an explicit one [-]."""
 RICHARDSON = 16.0 / 15.0
 """Error of a fourth-order step from the difference to two half steps."""
 
@@ -34,7 +50,7 @@ def simulate(
     duration: float,
     *,
     method: str = "auto",
-    step: float | None = None,
+    step: float | Accuracy | None = None,
     start: Start = "static",
     outputs: Outputs | None = None,
     progress: Callable[[float], None] | None = None,
@@ -45,7 +61,7 @@ def simulate(
         system: Bodies, lines, loads.
         duration: [s].
         method: One of `METHODS`, or ``"auto"``, which says in the notes what it picked and why.
-        step: [s]; left out, from the highest harmonic and the fastest mode.
+        step: [s], or an `Accuracy`; left out, from the highest harmonic and the fastest mode.
         start: ``"static"`` equilibrium, the ``"rigid"`` motion itself, or (q, q̇).
         outputs: What to keep.
         progress: Called with the fraction done, from 0 to 1.
@@ -59,10 +75,10 @@ def simulate(
     """
     arrays = system.arrays
     method, reason = _method(arrays, method)
-    step = _step(arrays, method, step)
+    state = _start(system, start)
+    step = _step(arrays, method, step, state)
     steps = check_duration(duration, step)
     recorder = Recorder(system, outputs or Outputs(), step=step, steps=steps)
-    state = _start(system, start)
     error = _error(arrays, method, step, (min(steps, STRETCH), state))
     first = state.copy()
     done = _run(stepper(arrays, method, step), recorder, state, progress)
@@ -101,6 +117,8 @@ def _method(arrays: Arrays, method: str) -> tuple[str, str]:
             return "exact", "exact step: constant stiffness and speed, no backlash, loads linear in speed"
         if len(arrays.stiffness) > LARGEST_GENERATED:
             return "runge-kutta generic", f"Runge–Kutta, generic code: more than {LARGEST_GENERATED} lines"
+        if fastest_rate(arrays) > STIFF and excited_step(arrays) > STIFF_GAIN * default_step(arrays):
+            return "implicit", f"implicit: modes up to {fastest_rate(arrays):.1e} rad/s, far above what excites"
         return "runge-kutta", "Runge–Kutta, generated code: stiffness, backlash or loads change with time or speed"
     if method not in METHODS:
         raise DesignError([Problem("method", f"no such method: {method}; {near(method, ('auto', *METHODS))}")])
@@ -110,10 +128,18 @@ def _method(arrays: Arrays, method: str) -> tuple[str, str]:
     return method, f"{method}: asked for"
 
 
-def _step(arrays: Arrays, method: str, step: float | None) -> float:
+def _step(arrays: Arrays, method: str, step: float | Accuracy | None, state: Floats) -> float:
+    if isinstance(step, Accuracy):
+        tried = _step(arrays, method, None, state)
+        for _ in range(ATTEMPTS):
+            error = _error(arrays, method, tried, (STRETCH, state))
+            if error <= step.value:
+                break
+            tried = accurate_step(tried, error, step)
+        return tried
     if step is None:
-        return default_step(arrays)
-    if method != "exact":
+        return excited_step(arrays) if method == "implicit" else default_step(arrays)
+    if method.startswith("runge-kutta"):
         check_step(arrays, step)
     elif not 0.0 < step < np.inf:
         raise DesignError([Problem("step", f"{step:g} s; it must be positive and finite")])
@@ -146,7 +172,8 @@ def _error(arrays: Arrays, method: str, step: float, stretch: tuple[int, Floats]
         columns = slice(2 * len(arrays.mass), 2 * len(arrays.mass) + len(arrays.stiffness))
         forces.append(record[::pieces, columns])
     largest = float(np.max(np.abs(forces[1]), initial=0.0))
-    return RICHARDSON * float(np.max(np.abs(forces[0] - forces[1]), initial=0.0)) / largest if largest else 0.0
+    share = SECOND_ORDER if method == "implicit" else RICHARDSON
+    return share * float(np.max(np.abs(forces[0] - forces[1]), initial=0.0)) / largest if largest else 0.0
 
 
 def _run(advance: Stepper, recorder: Recorder, state: Floats, progress: Callable[[float], None] | None) -> int:

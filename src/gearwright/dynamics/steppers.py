@@ -20,7 +20,7 @@ from gearwright.dynamics.system import Arrays, Floats
 from gearwright.dynamics.topology import parameters, topology
 
 Stepper = Callable[[int, Floats, Floats], Floats]
-METHODS = ("exact", "runge-kutta", "runge-kutta generic")
+METHODS = ("exact", "runge-kutta", "runge-kutta generic", "implicit")
 """Names of the methods; the plain ``"runge-kutta"`` runs code that is generated for the system's structure."""
 
 
@@ -42,7 +42,7 @@ def stepper(arrays: Arrays, method: str, h: float) -> Stepper:
         method: One of `METHODS`.
         h: Step [s].
     """
-    builders = {"exact": _exact, "runge-kutta": _generated, "runge-kutta generic": _generic}
+    builders = {"exact": _exact, "runge-kutta": _generated, "runge-kutta generic": _generic, "implicit": _implicit}
     return builders[method](arrays, h)
 
 
@@ -73,6 +73,18 @@ def _generic(arrays: Arrays, h: float) -> Stepper:
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
         kernel.runge_kutta(arrays, instants, (first, h), record, state)
+        return summary_of(record)
+
+    return advance
+
+
+def _implicit(arrays: Arrays, h: float) -> Stepper:
+    from gearwright.dynamics import implicit, kernel
+
+    now, parts = kernel.empty_instant(arrays), implicit.tangent_parts(arrays)
+
+    def advance(first: int, record: Floats, state: Floats) -> Floats:
+        implicit.march(arrays, now, (first, h), parts, record, state)
         return summary_of(record)
 
     return advance

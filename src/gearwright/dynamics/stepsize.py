@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from gearwright.dynamics.system import Arrays, Floats, entry_matrix, line_matrix, top_rate
@@ -17,8 +19,22 @@ COMFORTABLE = 1.0
 """The same for the default step: at 2.0 the fastest modes are stable but line forces off by 1e-2, at 1.0 by 1e-3."""
 STEPS_PER_CYCLE = 6.0
 """Steps in a cycle of the highest harmonic: line forces within about 4e-4 (docs/theory/dynamics.md)."""
+IMPLICIT_STEPS_PER_CYCLE = 40.0
+"""The same for the implicit second-order step."""
+MARGIN = 0.9
+"""What the step is shortened by, so that the error comes out below what was asked [-]."""
+ROUNDING = 1e-11
+"""Accuracy that rounding allows [-]."""
 LARGEST_RUN = 1e10
 """Steps that one run may take: about an hour for a small train."""
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """Asks for the step at which line forces are right to a share of the largest, as the first stretch shows."""
+
+    value: float
+    """Largest line-force error over the largest force [-]."""
 
 
 def fastest_rate(arrays: Arrays) -> float:
@@ -60,6 +76,21 @@ def default_step(arrays: Arrays) -> float:
     return float(min(stable, 1.0 / (STEPS_PER_CYCLE * excited))) if excited else float(stable)
 
 
+def excited_step(arrays: Arrays) -> float:
+    """Return the step that resolves what excites, whatever the modes [s].
+
+    Args:
+        arrays: The system's numbers.
+
+    Raises:
+        DesignError: If nothing excites: then the step must be given.
+    """
+    excited = top_rate(arrays) / (2.0 * np.pi)
+    if not excited:
+        raise DesignError([Problem("step", "nothing in the system sets a time scale for implicit steps; give one")])
+    return 1.0 / (IMPLICIT_STEPS_PER_CYCLE * excited)
+
+
 def check_step(arrays: Arrays, step: float) -> None:
     """Refuse a step at which explicit integration would blow up.
 
@@ -75,6 +106,22 @@ def check_step(arrays: Arrays, step: float) -> None:
         most, good = STABLE / fastest, default_step(arrays)
         message = f"{step:.3g} s is outside what is stable, 0 to {most:.3g} s; a step of {good:.3g} s would do"
         raise DesignError([Problem("step", message)])
+
+
+def accurate_step(step: float, error: float, asked: Accuracy) -> float:
+    """Return the step that brings the error of a fourth-order method down to what is asked, never a longer one [s].
+
+    Args:
+        step: Step that was tried [s].
+        error: Its error [-].
+        asked: Accuracy.
+
+    Raises:
+        DesignError: If the accuracy is not between rounding and one.
+    """
+    if not ROUNDING < asked.value < 1.0:
+        raise DesignError([Problem("step", f"accuracy {asked.value:g}; it must lie between {ROUNDING:g} and 1")])
+    return step * min(1.0, MARGIN * (asked.value / max(error, asked.value * 1e-6)) ** 0.25)
 
 
 def check_duration(duration: float, step: float) -> int:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from random_systems import random_system
 
-from gearwright.dynamics import DampingRatio, Model, Outputs, Periodic, replay, simulate
+from gearwright.dynamics import Accuracy, DampingRatio, Model, Outputs, Periodic, replay, simulate
 from gearwright.errors import DesignError, SolveError
 
 
@@ -70,6 +70,18 @@ def test_the_error_estimate_is_close_to_the_true_error():
     force, wanted = coarse.windows[0].force("mesh"), fine.windows[0].force("mesh")[::16]
     true = np.max(np.abs(force - wanted)) / np.max(np.abs(wanted))
     assert true / 2.0 < coarse.error < 2.0 * true
+
+
+@pytest.mark.parametrize("asked", [1e-4, 1e-6])
+def test_an_accuracy_chooses_the_step(asked):
+    """The estimate comes out below what was asked, and not needlessly small: within fourth order of the margin."""
+    trace = simulate(driven_pair(), 0.01, step=Accuracy(asked), start="rigid")
+    assert 0.05 * asked < trace.error <= asked
+
+
+def test_an_accuracy_that_cannot_be_is_refused():
+    with pytest.raises(DesignError, match="accuracy 0"):
+        simulate(driven_pair(), 0.01, step=Accuracy(0.0), start="rigid")
 
 
 def test_contact_loss_is_noted_with_line_and_time():
