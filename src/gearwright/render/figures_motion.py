@@ -190,7 +190,7 @@ def _mark_orders(axes: Axes, mesh_frequency: Mapping[str, float], *, named: bool
 
 @theme.styled
 def mode_figure(modes: Modes) -> Figure:
-    """Return the shapes of the lowest elastic modes, one for each frequency: every coordinate over the largest of its kind.
+    """Return shapes of the lowest elastic modes, one a frequency: each coordinate over the largest of its kind.
 
     Args:
         modes: As found.

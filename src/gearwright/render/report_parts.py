@@ -56,7 +56,7 @@ def key_numbers(sizing: Sizing) -> tuple[tuple[str, str], ...]:
     numbers = [
         ("rated power", text(power, "power")),
         ("output torque", text(torque, "torque")),
-        ("gears, shafts, carriers", text(sizing.mass, "mass")),
+        ("mass of the train", text(sizing.mass, "mass")),
         ("power density", text(sizing.power_density, "specific_power")),
         ("worst margin", f"{sizing.worst_margin:.3f}"),
     ]

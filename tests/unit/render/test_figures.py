@@ -1,0 +1,73 @@
+import matplotlib as mpl
+import numpy as np
+import pytest
+
+from gearwright.dynamics import Outputs, simulate
+from gearwright.errors import DesignError
+from gearwright.render import theme
+from gearwright.render.figures_motion import mesh_frequencies, mode_figure, spectrum, spectrum_figure, time_figure
+from gearwright.render.figures_sizing import margin_figure, mass_figure
+
+
+def every_figure(sizing, modal, run):
+    return [mass_figure(sizing), margin_figure(sizing), mode_figure(modal), time_figure(run),
+            spectrum_figure(run, {"first.mesh": 5e3})]  # fmt: skip
+
+
+def test_the_same_input_gives_the_same_svg(in_line_h2, modal, run) -> None:
+    first = [theme.to_svg(figure) for figure in every_figure(in_line_h2, modal, run)]
+    second = [theme.to_svg(figure) for figure in every_figure(in_line_h2, modal, run)]
+    assert first == second
+
+
+def test_an_svg_needs_nothing_from_outside(in_line_h2) -> None:
+    svg = theme.to_svg(mass_figure(in_line_h2), "mass")
+    assert svg.startswith("<svg")
+    for word in ("<text", "<image", "<metadata", "<!DOCTYPE", 'href="http', "font-family"):
+        assert word not in svg
+    assert 'id="mass-' in svg
+    assert 'href="#mass-' in svg
+
+
+def test_drawing_leaves_the_settings_of_matplotlib_alone(in_line_h2) -> None:
+    before = dict(mpl.rcParams)
+    theme.to_png(mass_figure(in_line_h2))
+    assert dict(mpl.rcParams) == before
+
+
+def test_a_png_has_the_asked_resolution(in_line_h2) -> None:
+    image = theme.to_png(margin_figure(in_line_h2), 100.0)
+    assert image.startswith(b"\x89PNG")
+    assert int.from_bytes(image[16:20], "big") == int(180.0 / 25.4 * 100.0)
+
+
+def test_the_bars_of_the_mass_figure_are_the_masses(in_line_h2) -> None:
+    widths = [patch.get_width() for patch in mass_figure(in_line_h2).axes[0].patches]
+    assert sum(widths) == pytest.approx(in_line_h2.mass)
+    assert widths[: len(widths) - 3] == sorted(widths[: len(widths) - 3], reverse=True)  # three more for the legend
+
+
+def test_a_spectrum_gives_frequency_and_amplitude_of_a_sine() -> None:
+    """3 sin(2π 250 t), whole periods in the record: Hann's window leaves the line's amplitude as it is."""
+    time = np.arange(1000) / 5000.0
+    frequency, amplitude = spectrum(time, 7.0 + 3.0 * np.sin(2.0 * np.pi * 250.0 * time))
+    largest = int(np.argmax(amplitude))
+    assert frequency[largest] == pytest.approx(250.0)
+    assert amplitude[largest] == pytest.approx(3.0, rel=2e-3)  # np.hanning is the symmetric window: 1/N of its mean
+
+
+def test_a_thinned_run_gives_no_spectrum(system) -> None:
+    thinned = simulate(system, 0.05, outputs=Outputs(samples=20))
+    with pytest.raises(DesignError, match="keep a window"):
+        spectrum_figure(thinned, {})
+
+
+def test_mesh_frequencies_follow_from_teeth_and_relative_speed(in_line_h2) -> None:
+    """z (n_sun − n_carrier) = 54 (20 000 − 4500) / 60 = 13 950 Hz in stage 1, the same in both its meshes."""
+    found = mesh_frequencies(in_line_h2, "rated")
+    assert found["first.sun-planet"] == pytest.approx(in_line_h2.teeth["first.sun"] * (20000 - 4500) / 60)
+    assert found["first.planet-ring"] == pytest.approx(found["first.sun-planet"])
+
+
+def test_mode_shapes_leave_out_rigid_motion(modal) -> None:
+    assert len(mode_figure(modal).axes) == 2

@@ -1,0 +1,116 @@
+import re
+from html.parser import HTMLParser
+
+import pytest
+from drawn_designs import MIXED, sized
+
+from gearwright.render.inputs import entries
+from gearwright.render.report import report, symbols
+
+VOID = {"meta", "br", "hr", "img", "link", "input"}
+
+
+class Outline(HTMLParser):
+    """Checks that tags close in order; collects ids, links and headings."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.ids: list[str] = []
+        self.links: list[str] = []
+        self.tags: set[str] = set()
+        self.headings: list[str] = []
+
+    def handle_starttag(self, tag, attrs) -> None:
+        self.tags.add(tag)
+        self.ids += [value for name, value in attrs if name == "id"]
+        self.links += [value for name, value in attrs if name in ("href", "src", "xlink:href")]
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs) -> None:
+        self.handle_starttag(tag, attrs)
+        if tag not in VOID:
+            self.open.pop()
+
+    def handle_endtag(self, tag) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data) -> None:
+        if self.open and self.open[-1] == "h2":
+            self.headings.append(data)
+
+
+@pytest.fixture(scope="module")
+def page(in_line_h2, modal, run) -> str:
+    return report(in_line_h2, modes=modal, trace=run)
+
+
+@pytest.fixture(scope="module")
+def outline(page) -> Outline:
+    parsed = Outline()
+    parsed.feed(page)
+    return parsed
+
+
+def test_the_same_input_gives_the_same_bytes(page, in_line_h2, modal, run) -> None:
+    assert report(in_line_h2, modes=modal, trace=run) == page
+
+
+def test_the_page_asks_for_nothing_from_outside_and_runs_nothing(page, outline) -> None:
+    assert not {"script", "link", "img", "iframe", "object"} & outline.tags
+    assert all(link.startswith("#") for link in outline.links)
+    assert "@import" not in page
+    assert all(address.startswith("#") for address in re.findall(r"url\(([^)]*)\)", page))
+
+
+def test_tags_close_ids_are_unique_and_links_lead_somewhere(outline) -> None:
+    assert outline.open == []
+    assert len(outline.ids) == len(set(outline.ids))
+    assert {link[1:] for link in outline.links} <= set(outline.ids)
+
+
+def test_chapters_come_in_the_order_that_engineers_expect(outline) -> None:
+    assert outline.headings == [
+        "Summary", "Inputs", "Architecture and power flow", "Gears", "Meshes: forces, stresses and margins",
+        "Shafts, carriers and machines", "Mass", "Natural modes", "Dynamic response", "Warnings and assumptions",
+        "Formulas",
+    ]  # fmt: skip
+
+
+def test_modes_and_dynamics_are_left_out_where_there_are_none(in_line_h2) -> None:
+    page = report(in_line_h2)
+    assert "Natural modes" not in page
+    assert "Dynamic response" not in page
+
+
+def test_formulas_stand_with_their_sources(page) -> None:
+    assert "b = λ m<sub>n</sub>" in page
+    assert "AGMA 2001-D04" not in page  # the rim is no column of the report: its formula is not either
+    assert "ISO 21771:2007" in page
+
+
+def test_what_the_user_writes_cannot_become_markup() -> None:
+    page = report(sized(MIXED.replace("Mixed hybrid", "<script>alert(1)</script>")))
+    assert "<script>" not in page
+    assert "&lt;script&gt;" in page
+
+
+def test_a_margin_below_one_is_the_first_thing_that_the_report_says() -> None:
+    page = report(sized(MIXED + '[overrides]\n"lay.diameter_mm" = 20\n'))
+    warning = page.index("it should be 1 or more")
+    assert warning < page.index("<figure")
+    assert "Given by the user in place of the computed value: lay.diameter" in page
+
+
+def test_inputs_tell_what_the_file_states_from_what_is_default(in_line_h2) -> None:
+    found = {entry.path: entry for entry in entries(in_line_h2.design)}
+    power, safety = found["turbines.gas-turbine.power"], found["gears.bending_safety"]
+    assert (power.value, power.is_given) == ("1046 kW", True)
+    assert (safety.value, safety.is_given) == ("2.5", False)
+    assert found["cases.cruise.electric.power"].value == "470.7 kW"
+    assert "planetaries.first.sun_teeth" not in found  # left open: gearwright chose
+
+
+def test_symbols_get_their_subscripts() -> None:
+    assert symbols("m_n³ = F_t / R_p0.2 < 1") == "m<sub>n</sub>³ = F<sub>t</sub> / R<sub>p0.2</sub> &lt; 1"

@@ -1,0 +1,62 @@
+from dataclasses import dataclass
+from typing import Annotated
+
+import pytest
+from drawn_designs import MIXED, sized
+
+from gearwright.render.tables import as_json, table, written
+from gearwright.render.views import given_by_user, tables_of
+from gearwright.units import Length, Origin, Quantity
+
+
+@dataclass(frozen=True)
+class Part:
+    name: str
+    face_width: Annotated[float, Quantity("length"), Origin("b = λ m_n", "a book")]
+    bore: Length | None = None
+
+
+def test_a_column_takes_unit_equation_and_source_from_the_marks_of_its_field() -> None:
+    column = table("Parts", [Part("wheel", 0.02)], ("name", "face_width")).columns[1]
+    assert (column.header, column.symbol, column.unit, column.key) == ("face width", "b", "mm", "face_width_mm")
+    assert column.origin == Origin("b = λ m_n", "a book")
+
+
+def test_values_are_shown_in_the_unit_of_their_column() -> None:
+    row = table("Parts", [Part("wheel", 0.02)], ("name", "face_width", "bore")).rows[0]
+    assert [cell.text for cell in row] == ["wheel", "20.00", "–"]
+
+
+@pytest.mark.parametrize(
+    ("number", "text"),
+    [(0.0, "0"), (1.0, "1.000"), (-16035.2, "−16035"), (0.99999999, "1.000"), (2.3e-5, "2.300e-05"),
+     (999.96, "1000"), (float("inf"), "∞")],
+)  # fmt: skip
+def test_numbers_have_four_significant_digits(number: float, text: str) -> None:
+    assert written(number) == text
+
+
+def test_machines_get_every_digit_and_no_infinity() -> None:
+    one = as_json(table("Parts", [Part("wheel", 1 / 30), Part("idle", float("inf"))], ("name", "face_width")))
+    assert one["rows"][0]["face_width_mm"] == pytest.approx(1000 / 30, rel=1e-15)
+    assert one["rows"][1]["face_width_mm"] is None
+    assert one["columns"][1]["source"] == "a book"
+
+
+def test_values_that_the_user_gives_are_marked_where_they_act_and_nowhere_else() -> None:
+    sizing = sized(MIXED + '[overrides]\n"second.module_mm" = 4\n"lay.diameter_mm" = 80\n')
+    gears = tables_of(sizing)["gears"]
+    module = [column.name for column in gears.columns].index("module")
+    marks = {row[0].value: row[module].mark for row in gears.rows}
+    assert marks == {
+        "first.pinion": "", "first.wheel": "", "second.sun": "given", "second.planet": "given", "second.ring": "given",
+    }  # fmt: skip
+    shafts = {shaft.name: given_by_user(sizing, shaft, "diameter") for shaft in sizing.shafts}
+    assert shafts == {"input": "", "lay": "given", "output": ""}
+
+
+def test_an_inertia_is_marked_as_given_or_as_estimated() -> None:
+    sizing = sized(MIXED)
+    marks = {machine.name: given_by_user(sizing, machine, "inertia") for machine in sizing.machines}
+    assert marks == {"gas-turbine": "estimated", "electric": "given", "propeller": "estimated"}
+    assert tables_of(sizing)["machines"].marks == ("given", "estimated")

@@ -1,0 +1,43 @@
+import io
+import json
+
+from rich.console import Console
+
+from gearwright.render.text import modes_json, modes_text, sizing_json, sizing_text, summary, trace_json, trace_text
+
+
+def on_screen(what, width=100) -> str:
+    console = Console(file=io.StringIO(), width=width)
+    console.print(what)
+    return console.file.getvalue()
+
+
+def test_the_terminal_report_tells_what_an_engineer_asks(in_line_h2) -> None:
+    words = on_screen(sizing_text(in_line_h2))
+    for asked in ("47.02 kW/kg", "Margins, worst first", "499.4", "16035", "first.planet", "Carriers",
+                  "Speeds that yield", "Not in the mass: housing", "~ estimated"):  # fmt: skip
+        assert asked in words, asked
+
+
+def test_no_line_of_the_report_is_wider_than_the_terminal(in_line_h2) -> None:
+    assert max(len(line) for line in on_screen(sizing_text(in_line_h2), width=80).splitlines()) <= 80
+
+
+def test_motors_are_named_only_where_there_are_some(designs) -> None:
+    assert "Motors" in summary(designs["mixed"])
+    assert "Motors" not in summary(designs["star"])
+
+
+def test_json_of_a_sizing_has_units_in_its_keys_and_sources(in_line_h2) -> None:
+    read = json.loads(sizing_json(in_line_h2))
+    sun = read["gears"]["rows"][0]
+    assert sun["face_width_mm"] == 1e3 * in_line_h2.gears[0].face_width
+    assert set(read["cases"]) == {"rated", "cruise"}
+    assert any("Pulvirenti 2023" in column.get("source", "") for column in read["gears"]["columns"])
+
+
+def test_modes_and_runs_are_told_in_words_and_in_json(modal, run) -> None:
+    assert "first.mesh" in on_screen(modes_text(modal))
+    assert "estimated force error" in on_screen(trace_text(run))
+    assert json.loads(modes_json(modal))["rows"][0]["frequency_hz"] == 0.0
+    assert json.loads(trace_json(run))["energy"]["rows"][0]["imbalance"] < 1e-6

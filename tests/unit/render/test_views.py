@@ -1,0 +1,74 @@
+import pytest
+from drawn_designs import MIXED, sized
+
+from gearwright.render.branches import branches
+from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
+from gearwright.render.views import asked_speeds, flow_tables, margins, mass_parts
+from gearwright.spec import GROUND
+
+
+def test_the_parts_on_every_shaft_are_in_balance_in_every_case(designs) -> None:
+    """Σ T = 0 on every shaft: no part of the power flow is left out or counted twice."""
+    for sizing in designs.values():
+        for flow in sizing.flows.values():
+            found = branches(sizing.train, flow)
+            largest = max(abs(each.torque) for each in found)
+            for shaft in sizing.design.shafts:
+                total = sum(each.torque for each in found if each.shaft == shaft)
+                assert abs(total) < 1e-9 * largest, (sizing.design.name, flow.case, shaft)  # rounding of the statics
+
+
+def test_the_ground_takes_the_reaction_of_the_rings(in_line_h2) -> None:
+    found = branches(in_line_h2.train, in_line_h2.flows["rated"])
+    held = {each.part for each in found if each.shaft == GROUND}
+    assert held == {"first.ring", "second.ring"}
+    assert sum(each.power for each in found if each.shaft == GROUND) == 0.0
+
+
+def test_margins_come_worst_first_with_every_check(in_line_h2) -> None:
+    found = margins(in_line_h2)
+    assert len(found) == 2 * len(in_line_h2.meshes) + len(in_line_h2.shafts)
+    assert [each.margin for each in found] == sorted((each.margin for each in found), key=lambda value: round(value, 9))
+    assert found[0].margin == pytest.approx(in_line_h2.worst_margin, abs=1e-9)
+    assert all(each.holds for each in found)
+
+
+def test_a_stress_above_its_allowable_does_not_hold() -> None:
+    worst = margins(sized(MIXED + '[overrides]\n"lay.diameter_mm" = 20\n'))[0]
+    assert (worst.part, worst.holds) == ("lay", False)
+    assert worst.stress > worst.allowable
+
+
+def test_the_mass_breakdown_adds_up(designs) -> None:
+    for sizing in designs.values():
+        parts = mass_parts(sizing)
+        assert sum(part.total for part in parts) == pytest.approx(sizing.mass, rel=1e-12)  # summation order
+        assert sum(part.share for part in parts) == pytest.approx(1.0, rel=1e-12)
+
+
+def test_only_speeds_that_really_yield_are_listed(in_line_h2) -> None:
+    """The motor's speed is kept to rounding; the propeller's yields by 0.78 %."""
+    assert {(each.case, each.machine) for each in asked_speeds(in_line_h2)} == {
+        ("rated", "propeller"), ("cruise", "propeller"),
+    }  # fmt: skip
+
+
+def test_there_is_one_flow_table_a_case(in_line_h2) -> None:
+    assert [each.title for each in flow_tables(in_line_h2)] == ["Case rated", "Case cruise"]
+
+
+def test_the_mode_table_lists_each_frequency_once_with_what_is_strained(modal) -> None:
+    rows = mode_table(modal).rows
+    assert len(rows) == 3
+    assert [cell.text for cell in rows[0]][2:4] == ["rigid", "none"]
+    assert rows[2][3].text == "first.mesh"  # the stiffest line holds the highest mode
+    assert "2 higher ones" in mode_table(modal, most=1).note
+
+
+def test_the_statistics_of_a_run_are_in_balance_with_its_loads(run) -> None:
+    """500 N m over 0.05 m base radius is 10 kN, 5000 N m over 0.5 m as well; the run starts in equilibrium."""
+    forces, torques = motion_tables(run)
+    mean = forces.rows[0][1].value
+    assert mean == pytest.approx(10e3, rel=0.01)  # the train as a whole speeds up a little: loads balance only nearly
+    assert torques.rows[0][1].value == pytest.approx(mean * 0.05, rel=0.01)
+    assert abs(energy_table(run).rows[0][-1].value) < 1e-6
