@@ -87,14 +87,6 @@ def refuse_contradictions(design: Design, flows: Mapping[str, PowerFlow]) -> Non
 def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float) -> Problem:
     """Return the problem of a planetary set."""
     path, ratio = f"planetaries.{name}", 1.0 + tooth_ratio
-    if _fits(stage, design, tooth_ratio, 1, assembly=False):
-        for count in range(stage.planets - 1, 0, -1):
-            if _fits(stage, design, tooth_ratio, count, assembly=True):
-                clear = _fits(stage, design, tooth_ratio, stage.planets, assembly=False)
-                why = "cannot be assembled" if clear else "do not fit"
-                return Problem(
-                    f"{path}.planets", f"{stage.planets} planets {why} at ratio {ratio:.3g}; at most {count}"
-                )
     given = ", ".join(
         f"{part} = {teeth}"
         for part in ("sun_teeth", "planet_teeth", "ring_teeth")
@@ -106,6 +98,14 @@ def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float) 
             f" let {stage.planets} planets be assembled; leave one out, or change the speeds"
         )
         return Problem(path, message)
+    if _fits(stage, design, tooth_ratio, 1, assembly=False):
+        for count in range(stage.planets - 1, 0, -1):
+            if _fits(stage, design, tooth_ratio, count, assembly=True):
+                clear = _fits(stage, design, tooth_ratio, stage.planets, assembly=False)
+                why = "cannot be assembled" if clear else "do not fit"
+                return Problem(
+                    f"{path}.planets", f"{stage.planets} planets {why} at ratio {ratio:.3g}; at most {count}"
+                )
     low, high = _range(design)
     message = (
         f"no tooth numbers give the ratio {ratio:.4g} within {design.teeth.stage_tolerance:.1%}; with suns of"
