@@ -1,0 +1,149 @@
+"""The lightest standard bearing that bears a duty, and what its margins are."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Annotated
+
+from gearwright.catalogue.bearings import Bearing, bearings
+from gearwright.errors import DesignError, Problem
+from gearwright.parts.bearing_life import basic_life, life_time
+from gearwright.parts.bearing_load import (
+    DEEP_GROOVE_STATIC,
+    FOUR_POINT,
+    FOUR_POINT_STATIC,
+    deep_groove_factors,
+    equivalent_load,
+    static_equivalent_load,
+    static_safety,
+    taper_factors,
+    taper_static_factors,
+)
+from gearwright.parts.bearing_rating import ball_static_factor
+from gearwright.parts.rolling_bearing import BearingKind
+from gearwright.units import Force, Length, Origin, Quantity, Ratio, Speed, Time
+
+_HOUR = 3600.0
+
+
+@dataclass(frozen=True)
+class BearingDuty:
+    """What a bearing has to bear, and for how long."""
+
+    radial: Force
+    """F_r, mean over the spectrum [N]."""
+    axial: Force
+    """F_a, mean over the spectrum [N]."""
+    speed: Speed
+    """Of the inner ring against the outer one [rad/s]."""
+    life: Time
+    """Wanted basic rating life L_10h [s]."""
+    static_safety: Ratio = 1.5
+    """Wanted s_0 at the limit load [-]."""
+    limit_factor: Ratio = 1.0
+    """Limit load over mean load [-]."""
+
+
+@dataclass(frozen=True)
+class BearingCheck:
+    """A bearing under a duty."""
+
+    bearing: Bearing
+    """Which one."""
+    equivalent_load: Annotated[float, Quantity("force"), Origin("P = X F_r + Y F_a", "ISO 281:2007, 5.2 and 7.2")]
+    """P [N]."""
+    life: Annotated[float, Quantity("time"), Origin("L_10h = (C/P)^p 10⁶/(60 n)", "ISO 281:2007, eqs (5), (21)")]
+    """Basic rating life [s]."""
+    static_safety: Annotated[float, Quantity("ratio"), Origin("s_0 = C_0/P_0", "ISO 76:2006, clause 9")]
+    """At the limit load [-]."""
+    life_margin: Annotated[float, Quantity("ratio"), Origin("L_10h / wanted", "ISO 281:2007")]
+    """Life over the wanted one [-]."""
+    static_margin: Annotated[float, Quantity("ratio"), Origin("s_0 / wanted", "ISO 76:2006")]
+    """Static safety over the wanted one [-]."""
+
+
+def check_bearing(bearing: Bearing, duty: BearingDuty) -> BearingCheck:
+    """Return life and static safety of a bearing under a duty.
+
+    Args:
+        bearing: From the catalogue.
+        duty: Loads, speed and wanted life.
+
+    Raises:
+        DesignError: If the bearing cannot bear the kind of load, or nothing loads it.
+    """
+    load, static = _loads(bearing, duty)
+    life = life_time(basic_life(bearing.dynamic_rating, load, bearing.kind), duty.speed)
+    safety = static_safety(bearing.static_rating, duty.limit_factor * static)
+    return BearingCheck(bearing, load, life, safety, life / duty.life, safety / duty.static_safety)
+
+
+def _loads(bearing: Bearing, duty: BearingDuty) -> tuple[float, float]:
+    """Return P and P_0."""
+    radial, axial, inside = duty.radial, abs(duty.axial), bearing.geometry
+    if bearing.kind is BearingKind.CYLINDRICAL:
+        if axial:
+            message = f"{axial:.4g} N along the shaft; an NU bearing bears none: give it to a ball or taper bearing"
+            raise DesignError([Problem(bearing.designation, message)])
+        return radial, radial
+    if bearing.kind is BearingKind.DEEP_GROOVE:
+        factors = deep_groove_factors(ball_static_factor(inside) * axial / bearing.static_rating)
+        static = DEEP_GROOVE_STATIC
+    elif bearing.kind is BearingKind.FOUR_POINT:
+        factors, static = FOUR_POINT, FOUR_POINT_STATIC
+    else:
+        factors, static = taper_factors(inside.contact_angle), taper_static_factors(inside.contact_angle)
+    return equivalent_load(radial, axial, factors), static_equivalent_load(radial, axial, static)
+
+
+def choose_bearing(
+    kind: BearingKind,
+    duty: BearingDuty,
+    *,
+    bore: Length,
+    largest_bore: Length = math.inf,
+    largest_outer: Length = math.inf,
+) -> BearingCheck:
+    """Return the lightest bearing of a kind that lives long enough and is not dented.
+
+    Args:
+        kind: Of bearing.
+        duty: Loads, speed and wanted life.
+        bore: Smallest bore, the diameter of the shaft [m].
+        largest_bore: Of the shaft's shoulder, or none [m].
+        largest_outer: Room in the housing, or none [m].
+
+    Raises:
+        DesignError: If no size has that bore, or none lives long enough; the nearest is named.
+    """
+    fitting = [
+        each
+        for each in bearings().values()
+        if each.kind is kind and bore - 1e-9 <= each.bore <= largest_bore and each.outer_diameter <= largest_outer
+    ]
+    if not fitting:
+        raise DesignError([Problem("bore", _no_bore(kind, bore))])
+    checks = sorted((check_bearing(each, duty) for each in fitting), key=lambda check: check.bearing.mass)
+    for check in checks:
+        if check.life_margin >= 1.0 and check.static_margin >= 1.0:
+            return check
+    best = max(checks, key=lambda check: min(check.life_margin, check.static_margin))
+    raise DesignError([Problem("bearing", _too_short(kind, best, duty))])
+
+
+def _no_bore(kind: BearingKind, bore: float) -> str:
+    bores = sorted({each.bore for each in bearings().values() if each.kind is kind})
+    closest = min(bores, key=lambda each: abs(each - bore))
+    return (
+        f"no {kind} bearing for {1e3 * bore:.4g} mm within the room given; the catalogue has {1e3 * bores[0]:g} to "
+        f"{1e3 * bores[-1]:g} mm, the nearest {1e3 * closest:g} mm"
+    )
+
+
+def _too_short(kind: BearingKind, best: BearingCheck, duty: BearingDuty) -> str:
+    return (
+        f"no {kind} bearing lives {duty.life / _HOUR:.4g} h with s_0 = {duty.static_safety:g} under "
+        f"{duty.radial:.4g} N and {abs(duty.axial):.4g} N; the nearest, {best.bearing.designation}, gives {best.life / _HOUR:.4g} h and "
+        f"{best.static_safety:.3g}; take another kind, a larger bore or two bearings"
+    )
