@@ -25,9 +25,12 @@ class Context:
     design: Design
     train: Train
     teeth: Mapping[str, int]
+    """Gear -> tooth number [-]."""
     flows: Mapping[str, PowerFlow]
+    """Case -> speeds, torques and powers."""
     overrides: Overrides
     ratings: Mapping[str, Rating]
+    """Stage -> resolved rules."""
 
 
 def context(

@@ -83,7 +83,14 @@ def _in_written_keys(problems: Iterable[Problem], keys: Mapping[Location, str]) 
 
 
 def file_text(path: Path) -> str:
-    """Return the file's text, or say why there is none to be had; never read more than the largest design."""
+    """Return the file's text, or say why there is none to be had; never read more than the largest design.
+
+    Args:
+        path: Of a design file, or of any other TOML file that a user writes.
+
+    Raises:
+        DesignError: If there is no such text file, or it is too large.
+    """
     name = str(path)
     if path.is_dir():
         raise DesignError([Problem("", "this is a folder; name a design file in it, such as design.toml")], name)

@@ -24,8 +24,11 @@ class Sharing:
     """Rows that run in parallel and the share of each; `stated` if the design says so."""
 
     rows: tuple[int, ...]
+    """Rows of the graph."""
     share: tuple[float, ...]
+    """Part of the group's load on each row [-]; the sum is one."""
     stated: bool
+    """True if the design gives the shares, so that they hold before any other."""
 
 
 def solve_torques(

@@ -1,0 +1,160 @@
+"""What is public says what it takes, in which unit, and where it comes from."""
+
+import ast
+import importlib
+import pkgutil
+import re
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import get_args, get_origin, get_type_hints
+
+import pytest
+
+import gearwright
+import gearwright.parts
+from gearwright.units import SUFFIXES, Origin, Quantity
+
+ROOT = Path(gearwright.__file__).parent
+MODULES = sorted(ROOT.rglob("*.py"))
+KERNELS = {"dynamics"}
+"""Layers whose compiled functions share one list of arguments, described where its type is."""
+UNIT = re.compile(r"\[[^\]]+\]")
+
+
+def public_functions(path):
+    """Return the public functions of a module."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    return [node for node in tree.body if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")]
+
+
+def arguments(function):
+    """Return name -> annotation of a function's arguments."""
+    every = [*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs]
+    return {each.arg: ast.unparse(each.annotation) for each in every if each.arg not in ("self", "cls")}
+
+
+def described(docstring):
+    """Return argument -> text of the Args section; several may share a line."""
+    section = re.search(r"^Args:\n(.*?)(?=^\S|\Z)", docstring, re.MULTILINE | re.DOTALL)
+    texts = {}
+    for entry in re.split(r"\n(?=    \S)", section[1] if section else ""):
+        names, _, text = entry.strip().partition(":")
+        for name in re.split(r",\s*", names):
+            texts[name.strip("* ")] = text
+    return texts
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_every_public_function_describes_every_argument(path):
+    assert ast.get_docstring(ast.parse(path.read_text(encoding="utf-8")))
+    for function in public_functions(path):
+        docstring = ast.get_docstring(function) or ""
+        assert docstring, function.name
+        if path.name.startswith("cli") or path.relative_to(ROOT).parts[0] in KERNELS:
+            continue
+        assert set(arguments(function)) <= set(described(docstring)), function.name
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "parts").glob("*.py")), ids=lambda path: path.stem)
+def test_every_formula_has_units_and_a_source(path):
+    for function in public_functions(path):
+        docstring = ast.get_docstring(function) or ""
+        assert "Source:" in docstring, function.name
+        texts = described(docstring)
+        for name, annotation in arguments(function).items():
+            physical = re.search(r"\b(?:float|ArrayLike)\b", annotation)
+            assert not physical or UNIT.search(texts[name]), f"{function.name}({name}): no unit in brackets"
+
+
+def result_records():
+    """Return every dataclass of the layers that compute."""
+    for layer in ("parts", "machines", "train", "sizing", "dynamics"):
+        package = importlib.import_module(f"gearwright.{layer}")
+        for found in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
+            module = importlib.import_module(found.name)
+            for name, value in vars(module).items():
+                own = isinstance(value, type) and value.__module__ == module.__name__
+                if own and is_dataclass(value) and not name.startswith("_"):
+                    yield value
+
+
+RECORDS = sorted(set(result_records()), key=lambda record: (record.__module__, record.__name__))
+SELF_EXPLAINING = {
+    "name",
+    "stage",
+    "shaft",
+    "design",
+    "train",
+    "gears",
+    "meshes",
+    "shafts",
+    "carriers",
+    "machines",
+    "rules",
+}
+
+
+@pytest.mark.parametrize("record", RECORDS, ids=lambda record: f"{record.__module__}.{record.__name__}")
+def test_every_number_of_a_record_has_a_line_of_documentation(record):
+    path = Path(importlib.import_module(record.__module__).__file__)
+    node = next(
+        each
+        for each in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(each, ast.ClassDef) and each.name == record.__name__
+    )
+    assert ast.get_docstring(node)
+    after = dict(zip(node.body, [*node.body[1:], None], strict=True))
+    for entry in node.body:
+        if isinstance(entry, ast.AnnAssign) and re.search(
+            r"\b(?:float|int|Array|NDArray|Quantity)\b", ast.unparse(entry.annotation)
+        ):
+            following = after[entry]
+            documented = isinstance(following, ast.Expr) and isinstance(following.value, ast.Constant)
+            assert documented, entry.target.id
+
+
+def marks(hint):
+    """Return the marks of a type, also inside a union."""
+    return [
+        *getattr(hint, "__metadata__", ()),
+        *(mark for part in get_args(hint) for mark in getattr(part, "__metadata__", ())),
+    ]
+
+
+def test_every_origin_belongs_to_a_quantity_that_users_can_be_shown():
+    count = 0
+    for record in RECORDS:
+        hints = get_type_hints(record, include_extras=True)
+        for field in fields(record):
+            found = marks(hints[field.name])
+            quantities = [mark for mark in found if isinstance(mark, Quantity)]
+            for origin in [mark for mark in found if isinstance(mark, Origin)]:
+                count += 1
+                assert quantities, f"{record.__name__}.{field.name}"
+                assert origin.equation and origin.source
+    assert count > 20
+
+
+def test_every_computed_quantity_of_a_sizing_has_an_origin():
+    """Loads and given values have none: their field says so by a plain type."""
+    from gearwright.sizing import result
+
+    for name in ("GearSizing", "MeshSizing", "ShaftSizing", "CarrierSizing", "MachineSizing"):
+        record = getattr(result, name)
+        hints = get_type_hints(record, include_extras=True)
+        for field in fields(record):
+            found = marks(hints[field.name])
+            plain = hints[field.name] in GIVEN or get_origin(hints[field.name]) is tuple
+            if any(isinstance(mark, Quantity) for mark in found) and not plain:
+                assert any(isinstance(mark, Origin) for mark in found), f"{name}.{field.name}"
+
+
+GIVEN = {value for name, value in vars(importlib.import_module("gearwright.units")).items() if marks(value)}
+
+
+def test_every_dimension_that_is_written_can_be_shown():
+    from gearwright.units import shown, unit
+
+    for dimension in SUFFIXES:
+        assert isinstance(unit(dimension), str)
+        assert shown(1.0, dimension) > 0.0

@@ -1,0 +1,114 @@
+"""Files and functions stay short, and the project speaks only of itself."""
+
+import ast
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+SOURCES = sorted((ROOT / "src").rglob("*.py"))
+LONGEST_FILE, LONGEST_FUNCTION, MOST_ARGUMENTS = 400, 70, 9
+HOMES = re.compile(r"(?<![\w.])/(?:work|opt|home|root|Users|tmp)/[\w.-]+")
+REGISTRIES = re.compile(
+    r"\b(?:pypi\.org|files\.pythonhosted\.org|conda\.anaconda\.org|artifactory|nexus|devpi)\b", re.IGNORECASE
+)
+HOW = "tests/architecture/test_size_and_words.py"
+
+
+def functions(path):
+    """Return every function of a file."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    return [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda path: str(path.relative_to(ROOT / "src")))
+def test_a_module_and_its_functions_are_short(path):
+    assert len(path.read_text(encoding="utf-8").splitlines()) <= LONGEST_FILE
+    for function in functions(path):
+        assert function.end_lineno - function.lineno < LONGEST_FUNCTION, function.name
+        arguments = function.args
+        count = len(arguments.posonlyargs) + len(arguments.args) + len(arguments.kwonlyargs)
+        is_command = path.name.startswith("cli")
+        assert count <= MOST_ARGUMENTS or is_command, function.name
+        # A wrapper may pass on what it wraps, typed by a ParamSpec; nothing else takes what it does not name.
+        loose = arguments.kwarg is not None and not ast.unparse(arguments.kwarg.annotation).endswith(".kwargs")
+        assert not loose, function.name
+
+
+def test_no_module_is_a_drawer_for_everything():
+    names = {path.stem for path in SOURCES}
+    assert not names & {"utils", "helpers", "misc", "common", "core", "tools"}
+
+
+def test_concrete_classes_do_not_inherit_from_each_other():
+    """Records, exceptions, enumerations, protocols and tuples are no implementations."""
+    allowed = {
+        "BaseModel",
+        "Record",
+        "Exception",
+        "GearwrightError",
+        "NamedTuple",
+        "StrEnum",
+        "IntEnum",
+        "Enum",
+        "Protocol",
+    }
+    for path in SOURCES:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef):
+                bases = {getattr(base, "id", getattr(base, "attr", "")) for base in node.bases}
+                assert bases <= allowed, f"{path}: {node.name}"
+
+
+def tracked():
+    """Return the text files of the project."""
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=False)
+    if listed.returncode:
+        pytest.skip("this is no working copy of the repository")
+    for name in listed.stdout.split("\0"):
+        path = ROOT / name
+        if name and name != HOW and path.is_file():
+            try:
+                yield name, path.read_text(encoding="utf-8")
+            except UnicodeDecodeError:
+                continue
+
+
+def test_no_path_of_a_machine_and_no_host_of_a_registry():
+    found = [
+        f"{name}: {match.group()}"
+        for name, text in tracked()
+        for pattern in (HOMES, REGISTRIES)
+        for match in pattern.finditer(text)
+    ]
+    assert found == []
+
+
+def test_the_patterns_find_what_they_should():
+    assert HOMES.search("see /home/someone/file")
+    assert not HOMES.search("src/home/page and a/tmp/b")
+    assert REGISTRIES.search("https://pypi.org/simple")
+
+
+def test_the_readme_and_the_checks_run_the_same_test_command():
+    """One line that makes the environment, installs the project and runs pytest."""
+    readme, run = (ROOT / name for name in ("README.md", ".ci/run"))
+    if not run.exists() or "pytest" not in readme.read_text(encoding="utf-8"):
+        pytest.skip("the README states no test command yet")
+    commands = [
+        {
+            _plain(line)
+            for line in path.read_text(encoding="utf-8").splitlines()
+            if "pytest" in line and "-m venv" in line
+        }
+        for path in (readme, run)
+    ]
+    assert commands[1], "the checks run no pytest"
+    assert commands[0] & commands[1]
+
+
+def _plain(line):
+    """Return a command with the interpreter's name made one."""
+    return line.strip().replace('"$python"', "python3").replace("`", "")
