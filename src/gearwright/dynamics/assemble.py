@@ -16,22 +16,19 @@ from itertools import pairwise
 from gearwright.catalogue.materials import materials
 from gearwright.dynamics.geometry import add_errors, add_supports, body_of, contacts_of
 from gearwright.dynamics.line import DampingRatio, Periodic
+from gearwright.dynamics.meshes import gear_pairs, mesh_curve
 from gearwright.dynamics.model import Model
 from gearwright.dynamics.system import System
+from gearwright.dynamics.translational import MEMBERS, add_stage, with_preload
 from gearwright.errors import DesignError, Problem, near
-from gearwright.parts.cylindrical_gear import BasicRack, CylindricalGear
 from gearwright.parts.gear_pair import GearPair
-from gearwright.parts.mesh_stiffness_iso6336 import mesh_curve_iso6336, mesh_stiffness_iso6336
 from gearwright.parts.planet_phasing import even_positions, planet_phases
 from gearwright.parts.shaft import shaft_diameter, torsional_stiffness
 from gearwright.parts.stiffness_curve import StiffnessCurve
-from gearwright.sizing import GearSizing, MachineSizing, MeshSizing, ShaftSizing, Sizing
-from gearwright.spec import GROUND, Pair, Planetary
+from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
+from gearwright.spec import GROUND, Planetary
 from gearwright.train.flow import RATED, PowerFlow
 from gearwright.train.graph import Mesh
-
-HARMONICS = 5
-"""Harmonics of the mesh frequency that a varying stiffness keeps, as many as the thesis (Pulvirenti 2023, eq. 3.35)."""
 
 
 @dataclass
@@ -70,7 +67,7 @@ def assemble(sizing: Sizing, case: str | None = None, *, stiffness: str | None =
         stiffness: ``"constant"`` or ``"varying"`` mesh stiffness; left out: as the design says.
 
     Raises:
-        DesignError: If there is no such case.
+        DesignError: If there is no such case, or a mesh stiffness model does not hold for the gears.
 
     Source: Pulvirenti 2023, chapter 3, with the corrections of its errata (absolute planet angles, carrier inertia with
         planets, damping by effective mass, ISO 6336-1 mesh stiffness, phases of Parker & Lin 2004).
@@ -82,13 +79,18 @@ def assemble(sizing: Sizing, case: str | None = None, *, stiffness: str | None =
     assembly = _Assembly(sizing, sizing.flows[case], varying)
     _bodies(assembly)
     shaft_lines = list(_shaft_lines(assembly))
+    moving = _moving(sizing)
     for name, (inertia, speed) in assembly.inertias.items():
-        assembly.model.rotation(name, inertia=inertia, speed=speed)
+        if name.partition(".")[0] not in moving or name in sizing.design.machines:
+            assembly.model.rotation(name, inertia=inertia, speed=speed)
+    for stage in moving:
+        _add_moving(assembly, stage)
     damping = DampingRatio(sizing.design.dynamics.shaft_damping)
     for name, first, second, value in shaft_lines:
         assembly.model.shaft(name, first, second, stiffness=value, damping=damping)
     for mesh in sizing.train.meshes:
-        _mesh_lines(assembly, mesh)
+        if mesh.stage not in moving:
+            _mesh_lines(assembly, mesh)
     for machine in sizing.machines:
         torque = assembly.flow.machine_torques.get(machine.name, 0.0)
         if torque:
@@ -96,7 +98,40 @@ def assemble(sizing: Sizing, case: str | None = None, *, stiffness: str | None =
     contacts = contacts_of(sizing, assembly.flow)
     add_supports(assembly.model, sizing, contacts, assembly.flow)
     add_errors(assembly.model, contacts, sizing.design.errors)
-    return assembly.model.build()
+    return with_preload(assembly.model.build(), sizing, assembly.flow)
+
+
+def _moving(sizing: Sizing) -> list[str]:
+    """Return the planetary sets whose members also move across."""
+    if sizing.design.dynamics.fidelity == "rotational":
+        return []
+    problems = [
+        Problem(
+            f"supports.{shaft}", f"{name}.{member} has bearings in planetaries.{name}.bearings; keep one of the two"
+        )
+        for name, planetary in sizing.design.planetaries.items()
+        for member in MEMBERS
+        if (shaft := getattr(planetary, member)) in sizing.design.supports
+    ]
+    if problems:
+        raise DesignError(problems)
+    return list(sizing.design.planetaries)
+
+
+def _add_moving(assembly: _Assembly, stage: str) -> None:
+    pairs = gear_pairs(assembly.sizing)
+    inner, outer = (
+        (pairs[mesh.name], mesh_curve(assembly.sizing, mesh, pairs[mesh.name], harmonics=_orders(assembly)))
+        for end in ("sun-planet", "planet-ring")
+        for mesh in assembly.sizing.meshes
+        if mesh.name == f"{stage}.{end}"
+    )
+    inertias = {name: inertia for name, (inertia, _) in assembly.inertias.items()}
+    add_stage(assembly.model, assembly.sizing, assembly.flow, stage=stage, inertias=inertias, meshes=(inner, outer))
+
+
+def _orders(assembly: _Assembly) -> int | None:
+    return None if assembly.varying else 0
 
 
 def _turns_along(sizing: Sizing) -> bool:
@@ -127,7 +162,8 @@ def _bodies(assembly: _Assembly) -> None:
     for name, planetary in sizing.design.planetaries.items():
         planet = gears[f"{name}.planet"]
         carrier = carriers[name]
-        carried = planet.bodies * planet.mass * carrier.radius**2
+        # Planets that move on their pins are masses of their own.
+        carried = 0.0 if name in _moving(sizing) else planet.bodies * planet.mass * carrier.radius**2
         assembly.body(f"{name}.sun", planetary.sun, gears[f"{name}.sun"].inertia)
         assembly.body(f"{name}.carrier", planetary.carrier, carrier.inertia + carried)
         assembly.body(f"{name}.ring", planetary.ring, gears[f"{name}.ring"].inertia)
@@ -192,67 +228,19 @@ def _stub_stiffness(assembly: _Assembly, torque: float) -> float:
     return torsional_stiffness(diameter, rules.end_length, material.shear_modulus, bore=rules.bore_ratio * diameter)
 
 
-def gear_pairs(sizing: Sizing) -> dict[str, GearPair]:
-    """Return the geometry of every mesh row, one mesh of it, gear a first.
-
-    Args:
-        sizing: What was sized.
-    """
-    gears = {gear.name: gear for gear in sizing.gears}
-    pairs = {}
-    for mesh in sizing.train.meshes:
-        angle = sizing.design.rules(mesh.stage).pressure_angle
-        one, other = (_cylindrical(gears[gear], angle) for gear in mesh.gears)
-        if mesh.sign > 0:
-            other = CylindricalGear(-other.teeth, other.module, other.face_width, other.helix_angle, rack=other.rack)
-        pairs[mesh.name] = GearPair(one, other)
-    return pairs
-
-
-def _cylindrical(gear: GearSizing, pressure_angle: float) -> CylindricalGear:
-    rack = BasicRack(pressure_angle=pressure_angle)
-    return CylindricalGear(gear.teeth, gear.module, gear.face_width, gear.helix_angle, rack=rack)
-
-
-def mesh_curve(sizing: Sizing, mesh: MeshSizing, pair: GearPair, *, harmonics: int = HARMONICS) -> StiffnessCurve:
-    """Return the stiffness of one mesh of a row along its line of action.
-
-    Args:
-        sizing: What was sized.
-        mesh: The row at its worst case, whose specific load counts.
-        pair: Its geometry.
-        harmonics: Of the mesh frequency; 0 gives the mean.
-    """
-    modulus = materials()[sizing.design.rules(mesh.name.partition(".")[0]).material].elastic_modulus
-    load = mesh.tangential_force / pair.face_width
-    stiffness = mesh_stiffness_iso6336(pair, specific_load=max(load, 1.0), elastic_moduli=(modulus, modulus))
-    return mesh_curve_iso6336(pair, stiffness, harmonics=harmonics)
-
-
 def _mesh_lines(assembly: _Assembly, mesh: Mesh) -> None:
     """Add the lines of a row: one per planet, or one for the halves of a double-helical gear."""
     sizing, pairs = assembly.sizing, gear_pairs(assembly.sizing)
     sized = next(each for each in sizing.meshes if each.name == mesh.name)
     pair = pairs[mesh.name]
-    curve = mesh_curve(sizing, sized, pair, harmonics=HARMONICS if assembly.varying else 0)
+    curve = mesh_curve(sizing, sized, pair, harmonics=_orders(assembly))
     stage = sizing.design.stages[mesh.stage]
-    if isinstance(stage, Pair):
-        curve = _known(curve, stage)
     if isinstance(stage, Planetary):
         phases = _phases(mesh, stage, pairs)
         for k in range(mesh.count):
             _add_line(assembly, mesh, pair, _Tooth(f"{mesh.name}-{k + 1}", k + 1, curve, 1, phases[k]))
     else:
         _add_line(assembly, mesh, pair, _Tooth(mesh.name, 0, curve, mesh.count, _parallel_phase(assembly, mesh)))
-
-
-def _known(curve: StiffnessCurve, pair: Pair) -> StiffnessCurve:
-    """Return a stiffness curve with what the design gives of it: its mean, its first harmonic."""
-    mean = pair.mesh_stiffness or curve.mean
-    if pair.stiffness_swing is not None and curve.cosine:
-        return StiffnessCurve(mean, (pair.stiffness_swing * mean,), (0.0,))
-    scale = mean / curve.mean
-    return StiffnessCurve(mean, tuple(scale * a for a in curve.cosine), tuple(scale * b for b in curve.sine))
 
 
 @dataclass(frozen=True)
@@ -312,8 +300,7 @@ def _add_line(assembly: _Assembly, mesh: Mesh, pair: GearPair, tooth: _Tooth) ->
             offset=2.0 * math.pi * tooth.phase,
         )
     damping = DampingRatio(sizing.design.dynamics.mesh_damping)
-    stage = sizing.design.stages[mesh.stage]
-    backlash = stage.backlash if isinstance(stage, Pair) else 0.0
+    backlash = sizing.design.stages[mesh.stage].backlash
     assembly.model.mesh(
         tooth.name, weights, stiffness=mean * tooth.count, damping=damping, backlash=backlash, variation=variation
     )

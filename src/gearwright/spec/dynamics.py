@@ -25,7 +25,7 @@ class MeshCurve(Record):
 
 
 class PlanetaryBearings(Record):
-    """How the members of a planetary set are held where they may move; the defaults are Lin & Parker's (1999)."""
+    """How the members of a planetary set are held where they may move; numbers left out are Lin & Parker's (1999)."""
 
     sun: Stiffness = Field(100e6, ge=0, description="Radial stiffness of the sun's bearing; 0 lets the sun float")
     carrier: Stiffness = Field(100e6, ge=0, description="Radial stiffness of the carrier's bearing; 0: floats")
@@ -33,7 +33,11 @@ class PlanetaryBearings(Record):
     ring_tangential: Stiffness = Field(
         1000e6, gt=0, description="Tangential stiffness at the ring's base circle, where the ring stands still"
     )
-    pin: Stiffness = Field(100e6, gt=0, description="Stiffness of a planet's pin with its bearing, in each direction")
+    pin: Stiffness | None = Field(
+        None,
+        gt=0,
+        description="Stiffness of a planet's pin with its bearing, in each direction; left out: the sized pin's alone",
+    )
     rigid: list[Literal["sun", "carrier", "ring", "pin"]] = Field(
         default_factory=list, description="Members whose bearings do not give way at all"
     )
