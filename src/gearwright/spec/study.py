@@ -50,15 +50,31 @@ def axis_values(path: str, axis: Axis) -> list[Value]:
     Raises:
         DesignError: If neither a list nor first, last and step are given, or they do not go together.
     """
+    length = axis_length(path, axis)
     if axis.values is not None:
         return axis.values
+    return [(axis.first or 0.0) + (axis.step or 0.0) * k for k in range(length)]
+
+
+def axis_length(path: str, axis: Axis) -> int:
+    """Return the number of values of an axis.
+
+    Args:
+        path: Of the entry, for messages.
+        axis: As written.
+
+    Raises:
+        DesignError: As `axis_values`.
+    """
+    if axis.values is not None:
+        return len(axis.values)
     if axis.first is None or axis.last is None or axis.step is None:
         raise DesignError([Problem(f"axes.{path}", "give a list of values, or all of from, to and step")])
     steps = (axis.last - axis.first) / axis.step
     if steps < 0 or not math.isfinite(steps):
         message = f"there is nothing from {axis.first:g} up to {axis.last:g}; exchange them"
         raise DesignError([Problem(f"axes.{path}", message)])
-    return [axis.first + axis.step * k for k in range(math.floor(steps + 1e-9) + 1)]
+    return math.floor(steps + 1e-9) + 1
 
 
 def case_count(study: Study) -> int:
@@ -70,7 +86,7 @@ def case_count(study: Study) -> int:
     Raises:
         DesignError: If there are more than can be run.
     """
-    count = len(study.designs) * math.prod(len(axis_values(path, axis)) for path, axis in study.axes.items())
+    count = len(study.designs) * math.prod(axis_length(path, axis) for path, axis in study.axes.items())
     if count > MOST_CASES:
         message = f"{count:,} cases; at most {MOST_CASES:,} are run: take larger steps, or fewer axes"
         raise DesignError([Problem("axes", message)])

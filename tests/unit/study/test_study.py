@@ -1,0 +1,94 @@
+"""Studies: axes, failed variants as rows, designs fitted to another engine, and what a study file may not say."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from gearwright.errors import DesignError
+from gearwright.render.study_tables import study_csv, study_records
+from gearwright.shipped import shipped_design, shipped_studies, shipped_study
+from gearwright.sizing import size
+from gearwright.spec import read
+from gearwright.spec.study import Study, axis_values, case_count, read_study
+from gearwright.study import for_engine, run
+from gearwright.units import RPM
+
+HEAD = 'schema = 1\nname = "s"\ndesigns = ["in-line-h2"]\n'
+
+
+def study_of(tmp_path: Path, text: str) -> Study:
+    file = tmp_path / "study.toml"
+    file.write_text(text, encoding="utf-8")
+    return read_study(file)
+
+
+@pytest.mark.parametrize("name", shipped_studies())
+def test_every_shipped_study_runs_without_a_failed_case(name: str) -> None:
+    study = read_study(shipped_study(name))
+    table = run(study, {each: read(shipped_design(each)) for each in study.designs})
+    assert len(table.rows) == case_count(study)
+    assert table.failed == ()
+
+
+def test_the_last_axis_is_the_fastest(tmp_path: Path) -> None:
+    planets = '"planetaries.first.planets" = {values = [3, 4]}'
+    fill = '"carriers.fill" = {from = 0.4, to = 0.6, step = 0.1}'
+    study = study_of(tmp_path, f"{HEAD}[axes]\n{planets}\n{fill}\n")
+    table = run(study, {"in-line-h2": read(shipped_design("in-line-h2"))})
+    inputs = [tuple(row.inputs.values()) for row in table.rows]
+    assert inputs[:4] == [(3, 0.4), (3, 0.5), (3, pytest.approx(0.6)), (4, 0.4)]
+
+
+def test_a_variant_that_fails_is_a_row_with_its_reason(tmp_path: Path) -> None:
+    study = study_of(tmp_path, HEAD + '[axes]\n"planetaries.second.planets" = {values = [5, 9]}\n')
+    table = run(study, {"in-line-h2": read(shipped_design("in-line-h2"))})
+    assert [bool(row.problem) for row in table.rows] == [False, True]
+    assert "9 planets do not fit" in table.failed[0].problem
+    assert study_records(table)[1]["mass [kg]"] is None
+    assert study_csv(table).count("\n") == 3
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "required"),
+        (HEAD + '[axes]\n"a.b" = {from = 3, to = 1, step = 1}\n', "exchange them"),
+        (HEAD + '[axes]\n"a.b" = {from = 3}\n', "all of from, to and step"),
+        (HEAD + '[axes]\n"a.b" = {from = 0, to = 1e9, step = 1}\n', "at most"),
+        (HEAD + "axs = 1\n", "did you mean axes?"),
+        (HEAD + '[axes]\n"a.b" = {values = [1]}\n', "there is no a"),
+        (HEAD + 'results = ["mas"]\n', "did you mean mass?"),
+        (HEAD + '[changes]\n"gears.materal" = "x"\n', "did you mean material?"),
+    ],
+)
+def test_what_a_study_cannot_do_is_named(tmp_path: Path, text: str, said: str) -> None:
+    with pytest.raises(DesignError) as raised:
+        study = study_of(tmp_path, text)
+        case_count(study)
+        run(study, {"in-line-h2": read(shipped_design("in-line-h2"))})
+    assert said in str(raised.value)
+
+
+def test_steps_include_the_last_value() -> None:
+    study = read_study(shipped_study("motor-speed"))
+    (axis,) = study.axes.values()
+    values = axis_values("speed", axis)
+    assert (values[0], values[-1], len(values)) == (3500.0, 5500.0, 21)
+
+
+def test_a_design_is_fitted_to_another_engine() -> None:
+    design = for_engine(
+        read(shipped_design("in-line-h2")), power=1000e3, engine_speed=30000 * RPM, propeller_speed=1700 * RPM
+    )
+    flow = size(design).flows["rated"]
+    assert sum(power for power in flow.machine_powers.values() if power > 0) == pytest.approx(1000e3, rel=1e-12)
+    assert flow.speeds["input"] == pytest.approx(30000 * RPM)
+    assert abs(flow.speeds["output"]) == pytest.approx(1700 * RPM, rel=0.05)
+    assert design.cases["cruise"]["electric"].power == pytest.approx(470.7e3 * 1000 / 2051, rel=1e-12)
+
+
+def test_a_motor_as_fast_as_the_turbine_stays_so() -> None:
+    design = for_engine(read(shipped_design("in-line-h1")), engine_speed=33000 * RPM)
+    assert design.motors["electric"].speed == pytest.approx(33000 * RPM)
