@@ -83,7 +83,7 @@ def test_a_mode_swings_at_its_natural_frequency(sizing: Sizing, mode: int) -> No
     )  # fmt: skip
     place = int(np.argmax(np.abs(shape)))
     motion = trace.samples.position[:, place] - still[place]
-    signs = np.flatnonzero(np.diff(np.sign(motion)))
+    signs = np.flatnonzero(np.diff(np.signbit(motion)))
     part = motion[signs] / (motion[signs] - motion[signs + 1])
     crossings = trace.samples.time[signs] + part * np.diff(trace.samples.time)[signs]
     measured = (len(crossings) - 1) / 2.0 / (crossings[-1] - crossings[0])
