@@ -1,0 +1,61 @@
+"""The page on the thesis: whole, self-contained, the same at every run; and the page in the documentation is it."""
+
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import typer
+from typer.testing import CliRunner
+
+from gearwright.catalogue.errata import errata, printed_claims
+from gearwright.cli_thesis import thesis
+from gearwright.render.thesis_page import thesis_markdown, thesis_page
+
+DOCS = Path(__file__).parents[3] / "docs" / "theory" / "thesis.md"
+
+
+def test_the_page_holds_every_claim_and_every_erratum():
+    page = thesis_page()
+    assert all(f'id="claim-{one.key}"' in page for one in printed_claims())
+    assert page.count('class="equation"') == len(errata())
+    assert "{" not in re.sub(r"<style>.*?</style>", "", page, flags=re.DOTALL), "a number was not filled in"
+
+
+def test_the_page_asks_for_nothing_from_elsewhere():
+    page = thesis_page()
+    assert not re.search(r"https?:|src=|@import|<script|<link", page)
+
+
+def test_every_tag_of_the_page_is_closed():
+    class Balance(HTMLParser):
+        stack: list[str]
+
+        def handle_starttag(self, tag, attributes):
+            if tag not in ("meta", "br"):
+                self.stack.append(tag)
+
+        def handle_endtag(self, tag):
+            assert self.stack.pop() == tag
+
+    parser = Balance()
+    parser.stack = []
+    parser.feed(thesis_page())
+    assert parser.stack == []
+
+
+def test_the_page_is_the_same_at_every_run():
+    assert thesis_page() == thesis_page()
+
+
+def test_the_page_of_the_documentation_is_what_the_command_writes():
+    """After a change of a number: gearwright thesis --out docs/theory/thesis.md."""
+    assert DOCS.read_text(encoding="utf-8") == thesis_markdown()
+
+
+def test_the_command_prints_the_verdicts_and_writes_the_page(tmp_path):
+    app = typer.Typer()
+    app.command()(thesis)
+    run = CliRunner().invoke(app, ["--out", str(tmp_path / "page.html"), "--errata"])
+    assert run.exit_code == 0, run.output
+    assert "does not hold" in run.output and "3.34" in run.output
+    assert (tmp_path / "page.html").read_text(encoding="utf-8") == thesis_page()
