@@ -1,7 +1,7 @@
 """Exact steps for constant stiffness: one matrix carries state, constant loads and tones over any time.
 
 With linear lines and harmonic errors, z = (q, q̇, 1, cos φ, sin φ) obeys ż = A z, so z(t + h) = expm(A h) z(t): the step
-makes no error. A block of steps is filled by doubling: rows 1, 2–3, 4–7, … from the rows before them.
+makes no error. The works are quadratic in z and double with the step as Φ does.
 """
 
 from __future__ import annotations
@@ -11,18 +11,20 @@ from typing import NamedTuple
 import numpy as np
 from scipy import linalg
 
-from gearwright.dynamics.system import Arrays, Floats, Series, entry_matrix, line_matrix
+from gearwright.dynamics.system import Arrays, Floats, Ints, entry_matrix, line_matrix
 
 
 class Propagator(NamedTuple):
     """What carries a block of steps."""
 
-    powers: tuple[Floats, ...]
-    """expm(A h 2^i), transposed, for i = 0, 1, …, shape (extended states, extended states) each."""
+    step: Floats
+    """expm(A h), shape (extended states, extended states)."""
     output: Floats
-    """Line forces and deflections from z, shape (extended states, 2 lines)."""
-    works: Floats
-    """Quadratic forms whose value at the start of a step is the work during it, shape (6, extended, extended)."""
+    """Line forces and deflections from z, shape (2 lines, extended states)."""
+    powers: tuple[Floats, ...]
+    """expm(A h 2^i) for i = 0, 1, …"""
+    works: tuple[Floats, ...]
+    """Quadratic forms of z whose values are the works during 2^i steps, shape (6, extended, extended) each."""
 
 
 def is_exact(arrays: Arrays) -> bool:
@@ -44,7 +46,7 @@ def extended_state(arrays: Arrays, time: float, state: Floats) -> Floats:
         time: [s].
         state: q and q̇ (and anything after them), shape (at least 2 coordinates,).
     """
-    angle = arrays.tone_rate * arrays.profile.factor[0] * time
+    angle = arrays.tone_rate[_tones(arrays)] * arrays.profile.factor[0] * time
     return np.concatenate([state[: 2 * len(arrays.mass)], [1.0], np.cos(angle), np.sin(angle)])
 
 
@@ -54,31 +56,30 @@ def propagator(arrays: Arrays, h: float, doublings: int) -> Propagator:
     Args:
         arrays: The system's numbers, such that `is_exact`.
         h: Step [s].
-        doublings: Powers kept: blocks of up to 2^doublings steps.
+        doublings: Powers kept: works of blocks of up to 2^doublings steps.
     """
     rate, rows = _extended(arrays)
-    powers = [linalg.expm(rate * h).T]
+    powers, works = [linalg.expm(rate * h)], [_works(arrays, rate, rows, h)]
     for _ in range(doublings):
+        works.append(works[-1] + powers[-1].T @ works[-1] @ powers[-1])
         powers.append(powers[-1] @ powers[-1])
-    return Propagator(tuple(powers), np.vstack([rows.force, rows.deflection]).T, _works(arrays, rate, rows, h))
+    return Propagator(powers[0], np.vstack([rows.force, rows.deflection]), tuple(powers), tuple(works))
 
 
-def block(carry: Propagator, start: Floats, steps: int) -> Floats:
-    """Return z at the start of each step and once more at the end, shape (steps + 1, extended states).
+def works_during(carry: Propagator, start: Floats, steps: int) -> Floats:
+    """Return the works during a number of steps [J], shape (6,): powers of two at a time.
 
     Args:
-        carry: Step and powers.
+        carry: Step, powers and works.
         start: z at the first step, shape (extended states,).
         steps: Number of steps.
     """
-    rows = np.empty((steps + 1, len(start)))
-    rows[0] = start
-    done = 1
-    for power in carry.powers:
-        more = min(done, steps + 1 - done)
-        rows[done : done + more] = rows[:more] @ power
-        done += more
-    return rows
+    total = np.zeros(len(carry.works[0]))
+    for i, (power, works) in enumerate(zip(carry.powers, carry.works, strict=True)):
+        if steps >> i & 1:
+            total += works @ start @ start
+            start = power @ start
+    return total
 
 
 class _Rows(NamedTuple):
@@ -95,13 +96,14 @@ class _Rows(NamedTuple):
 
 def _extended(arrays: Arrays) -> tuple[Floats, _Rows]:
     """Return A and the rows that read quantities from z."""
-    size, tones = len(arrays.mass), len(arrays.tone_rate)
+    size, rates = len(arrays.mass), arrays.tone_rate[_tones(arrays)]
+    tones = len(rates)
     width = 2 * size + 1 + 2 * tones
     factor = float(arrays.profile.factor[0])
     turning = np.zeros((2 * tones, 2 * tones))
-    turning[:tones, tones:] = np.diag(-arrays.tone_rate * factor)
-    turning[tones:, :tones] = np.diag(arrays.tone_rate * factor)
-    error = _error_rows(arrays.error, width, size, tones)
+    turning[:tones, tones:] = np.diag(-rates * factor)
+    turning[tones:, :tones] = np.diag(rates * factor)
+    error = _error_rows(arrays, width)
     error_rate = np.zeros_like(error)
     error_rate[:, 2 * size + 1 :] = error[:, 2 * size + 1 :] @ turning
     matrix = line_matrix(arrays)
@@ -121,11 +123,18 @@ def _extended(arrays: Arrays) -> tuple[Floats, _Rows]:
     return slope, _Rows(force, deflection, rate, error_rate, load, velocity, frame)
 
 
-def _error_rows(error: Series, width: int, size: int, tones: int) -> Floats:
+def _tones(arrays: Arrays) -> Ints:
+    """Return the tones that errors use; those of a stiffness that does not vary would only cost time."""
+    return np.unique(arrays.error.tone)
+
+
+def _error_rows(arrays: Arrays, width: int) -> Floats:
+    error, tones, first = arrays.error, _tones(arrays), 2 * len(arrays.mass) + 1
     rows = np.zeros((len(error.start) - 1, width))
     line = np.repeat(np.arange(len(rows)), np.diff(error.start))
-    np.add.at(rows, (line, 2 * size + 1 + error.tone), error.cosine)
-    np.add.at(rows, (line, 2 * size + 1 + tones + error.tone), error.sine)
+    place = first + np.searchsorted(tones, error.tone)
+    np.add.at(rows, (line, place), error.cosine)
+    np.add.at(rows, (line, place + len(tones)), error.sine)
     return rows
 
 

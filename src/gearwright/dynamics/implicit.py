@@ -10,8 +10,7 @@ import numpy as np
 from numba import njit
 
 from gearwright.dynamics import kernel
-from gearwright.dynamics.linear import linear
-from gearwright.dynamics.system import Arrays, Floats, line_matrix
+from gearwright.dynamics.system import Arrays, Floats
 
 RADIUS = 0.8
 """ρ∞: what is left of an unresolved vibration after each step [-]."""
@@ -21,40 +20,46 @@ SETTLED = 1e-10
 """Change of acceleration over the largest at which Newton's method stops [-]."""
 
 
-def tangent_parts(arrays: Arrays) -> tuple[Floats, Floats]:
-    """Return the lines' weights as a matrix, and the damping matrix at the reference speeds.
+@njit(cache=True, error_model="numpy")
+def fill_tangent(arrays: Arrays, shares: tuple[Floats, float, float, float], closed: Floats, tangent: Floats) -> None:
+    """Fill the derivative of the unbalanced force by the acceleration from shares of damping, stiffness and mass."""
+    damping, of_damping, of_stiffness, of_mass = shares
+    for i in range(len(arrays.mass)):
+        for j in range(len(arrays.mass)):
+            tangent[i, j] = of_damping * damping[i, j]
+        tangent[i, i] += of_mass * arrays.mass[i]
+    for line in range(len(closed)):
+        for a in range(arrays.line_start[line], arrays.line_start[line + 1]):
+            for b in range(arrays.line_start[line], arrays.line_start[line + 1]):
+                part = arrays.line_weight[a] * arrays.line_weight[b] * closed[line]
+                tangent[arrays.line_dof[a], arrays.line_dof[b]] += of_stiffness * part
 
-    Args:
-        arrays: The system's numbers.
-    """
-    return line_matrix(arrays), linear(arrays, float(arrays.profile.factor[0])).damping
 
-
-def _touching_stiffness(arrays: Arrays, now: kernel.Instant, deflection: Floats, out: Floats) -> None:
+@njit(cache=True, error_model="numpy")
+def touching_stiffness(arrays: Arrays, now: kernel.Instant, deflection: Floats, out: Floats) -> None:
+    """Fill the stiffness of each line, nothing where it stands open."""
     for j in range(len(out)):
         open_ = arrays.backlash[j] > 0.0 and -arrays.backlash[j] <= deflection[j] <= 0.0
         out[j] = 0.0 if open_ else now.stiffness[j]
 
 
-_touching = njit(_touching_stiffness, cache=True, error_model="numpy")
-
-
-def _march(
+@njit(cache=True, error_model="numpy")
+def march(
     arrays: Arrays,
     now: kernel.Instant,
     clock: tuple[int, float],
-    parts: tuple[Floats, Floats],
+    damping: Floats,
     record: Floats,
     state: Floats,
 ) -> None:
+    """Advance by one step for each row of `record`, as `kernel.runge_kutta` does; `damping` of the whole system."""
     first, h = clock
-    matrix, damping = parts
     size, lines = len(arrays.mass), len(arrays.stiffness)
     am, af = (2.0 * RADIUS - 1.0) / (RADIUS + 1.0), RADIUS / (RADIUS + 1.0)
     gamma = 0.5 - am + af
     beta = 0.25 * (gamma + 0.5) ** 2
     slope, ahead, trial = np.empty_like(state), np.empty_like(state), state.copy()
-    output, closed = np.empty(2 * lines), np.empty(lines)
+    output, closed, tangent = np.empty(2 * lines), np.empty(lines), np.empty((size, size))
     kernel.set_instant(arrays, first * h, now)
     kernel.derivative(arrays, now, state, slope, output)
     inner = slope[size : 2 * size].copy()
@@ -68,17 +73,11 @@ def _march(
             kernel.derivative(arrays, now, trial, ahead, output)
             wanted = ((1.0 - am) * guess + am * inner - af * slope[size : 2 * size]) / (1.0 - af)
             rest = arrays.mass * (ahead[size : 2 * size] - wanted)
-            _touching(arrays, now, output[lines:], closed)
-            tangent = h * gamma * damping + h * h * beta * (matrix.T @ (closed.reshape(lines, 1) * matrix))
-            for i in range(size):
-                tangent[i, i] += arrays.mass[i] * (1.0 - am) / (1.0 - af)
+            touching_stiffness(arrays, now, output[lines:], closed)
+            fill_tangent(arrays, (damping, h * gamma, h * h * beta, (1.0 - am) / (1.0 - af)), closed, tangent)
             change = np.linalg.solve(tangent, rest)
             guess += change
             if np.max(np.abs(change)) <= SETTLED * (np.max(np.abs(guess)) + 1e-300):
                 break
         trial[2 * size :] = state[2 * size :] + 0.5 * h * (slope[2 * size :] + ahead[2 * size :])
         state[:], slope[:], inner[:] = trial, ahead, guess
-
-
-march = njit(_march, cache=True, error_model="numpy")
-"""(arrays, instant, (first step, h), (line matrix, damping), record, state): fills the record, carries the state on."""

@@ -44,7 +44,7 @@ def compiled(shape: Topology, layout: Layout, lanes: int = 1, own: frozenset[str
         own: Fields of `Layout`, and ``"clock"``, that each lane has to itself; all others are alike.
     """
     text = assembly(shape, layout, lanes, own)
-    engine = _engine(text)
+    engine = machine_code(text)
     pointer, whole = ctypes.c_void_p, ctypes.c_int64
     signature = ctypes.CFUNCTYPE(None, whole, *[pointer] * 6)
     function = signature(engine.get_function_address("advance"))
@@ -75,7 +75,12 @@ declare void @llvm.memcpy.p0.p0.i64(ptr, ptr, i64, i1)
 declare void @llvm.memset.p0.i64(ptr, i8, i64, i1)"""
 
 
-def _engine(text: str) -> Any:
+def machine_code(text: str) -> Any:
+    """Return the engine that holds the machine code of an assembly.
+
+    Args:
+        text: LLVM assembly.
+    """
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     triple, features = llvm.Target.from_default_triple(), llvm.get_host_cpu_features().flatten()
@@ -126,7 +131,7 @@ head:
   {seen}
 {keep}
   call void @look(ptr %p, ptr %own, ptr %row0, ptr %now, ptr %y, ptr %k, ptr %seen)
-{_summary(stride)}
+{summary_update(stride)}
 {_stage("a", width, "%half", "first")}
   call void @instant(ptr %p, ptr %own, ptr %row1, ptr %now)
   call void @slope(ptr %p, ptr %own, ptr %row1, ptr %now, ptr %s, ptr %k, ptr %seen)
@@ -151,8 +156,12 @@ _SPREAD_STEP = """%one = load double, ptr %p, align 8
   %h = shufflevector <8 x double> %lone, <8 x double> poison, <8 x i32> zeroinitializer"""
 
 
-def _summary(width: int) -> str:
-    """Return the update of least, most, sum and sum of squares with the row that was just written."""
+def summary_update(width: int) -> str:
+    """Return the assembly that updates least, most, sum and sum of squares with the row at %place.
+
+    Args:
+        width: Numbers in a row, whole vectors.
+    """
     lines, vector = [], "<8 x double>"
     for i in range(0, width, CHUNK):
         lines.append(f"%rp{i} = getelementptr double, ptr %place, i64 {i}")

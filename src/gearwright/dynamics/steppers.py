@@ -14,8 +14,10 @@ import numpy as np
 from gearwright.dynamics import exact
 from gearwright.dynamics.clock import clock
 from gearwright.dynamics.generate import record_width, table_width
+from gearwright.dynamics.linear import linear
 from gearwright.dynamics.native import compiled
 from gearwright.dynamics.recorder import BLOCK, summary_of
+from gearwright.dynamics.recurrence import Size, recurrence
 from gearwright.dynamics.system import Arrays, Floats
 from gearwright.dynamics.topology import parameters, topology
 
@@ -32,6 +34,17 @@ def blank_record(arrays: Arrays, steps: int) -> Floats:
         steps: Rows.
     """
     return np.zeros((steps, record_width(topology(arrays))))
+
+
+def blank_summary(width: int) -> Floats:
+    """Return the summary of no rows, shape (4, width).
+
+    Args:
+        width: Numbers in a row.
+    """
+    summary = np.zeros((4, width))
+    summary[0], summary[1] = np.inf, -np.inf
+    return summary
 
 
 def stepper(arrays: Arrays, method: str, h: float) -> Stepper:
@@ -57,8 +70,7 @@ def _generated(arrays: Arrays, h: float) -> Stepper:
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
         fill(first, table[: 2 * len(record) + 1])
-        summary = np.zeros((4, width))
-        summary[0], summary[1] = np.inf, -np.inf
+        summary = blank_summary(width)
         code.advance(len(record), numbers, numbers, table, state, record, summary)
         return summary
 
@@ -81,10 +93,10 @@ def _generic(arrays: Arrays, h: float) -> Stepper:
 def _implicit(arrays: Arrays, h: float) -> Stepper:
     from gearwright.dynamics import implicit, kernel
 
-    now, parts = kernel.empty_instant(arrays), implicit.tangent_parts(arrays)
+    now, damping = kernel.empty_instant(arrays), linear(arrays, float(arrays.profile.factor[0])).damping
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
-        implicit.march(arrays, now, (first, h), parts, record, state)
+        implicit.march(arrays, now, (first, h), damping, record, state)
         return summary_of(record)
 
     return advance
@@ -92,18 +104,13 @@ def _implicit(arrays: Arrays, h: float) -> Stepper:
 
 def _exact(arrays: Arrays, h: float) -> Stepper:
     carry = exact.propagator(arrays, h, int(np.log2(BLOCK)))
-    width = 2 * len(arrays.mass)
-    past = width + 2 * len(arrays.stiffness)
+    kept, width = 2 * len(arrays.mass), record_width(topology(arrays))
+    run = recurrence(carry.step, carry.output, Size(len(carry.step), kept, len(carry.output), width))
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
-        # Always a whole block: matrix products of other heights may round differently.
-        rows = exact.block(carry, exact.extended_state(arrays, first * h, state), BLOCK)
-        steps = len(record)
-        record[:, :width] = rows[:steps, :width]
-        record[:, width:past] = (rows @ carry.output)[:steps]
-        state[:width] = rows[steps, :width]
-        products = rows[:steps].T @ rows[:steps]
-        state[width:] += np.einsum("kij,ij->k", carry.works, products)
-        return summary_of(record)
+        start, summary = exact.extended_state(arrays, first * h, state), blank_summary(width)
+        state[:kept] = run(start, record, summary)[:kept]
+        state[kept:] += exact.works_during(carry, start, len(record))
+        return summary
 
     return advance

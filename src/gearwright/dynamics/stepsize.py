@@ -121,7 +121,7 @@ def accurate_step(step: float, error: float, asked: Accuracy) -> float:
     """
     if not ROUNDING < asked.value < 1.0:
         raise DesignError([Problem("step", f"accuracy {asked.value:g}; it must lie between {ROUNDING:g} and 1")])
-    return step * min(1.0, MARGIN * (asked.value / max(error, asked.value * 1e-6)) ** 0.25)
+    return step * min(1.0, MARGIN * float(np.sqrt(np.sqrt(asked.value / max(error, 1e-6 * asked.value)))))
 
 
 def check_duration(duration: float, step: float) -> int:
