@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
+import numpy as np
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from gearwright.render import theme
 from gearwright.render.views import NOT_IN_THE_MASS, margins, mass_parts
-from gearwright.sizing.result import Sizing
+from gearwright.sizing.result import ShaftDiagram, Sizing
 
+Floats = NDArray[np.float64]
 _GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN}
 _ROW = 5.2
 """Height of one bar [mm]."""
@@ -18,6 +22,8 @@ _FRAME = 22.0
 WIDTH = 180.0
 """Of a figure on an A4 page [mm]."""
 _CHECK_COLOURS = {"tooth root bending": theme.BLUE, "flank contact": theme.SKY, "shaft, Tresca": theme.GREEN}
+STEPS = 12
+"""Places between two loads at which a shaft's diagram is drawn."""
 LARGEST_MARGIN = 4.0
 """Margin at which a bar is cut [-]; its number says how large it is."""
 
@@ -45,7 +51,8 @@ def mass_figure(sizing: Sizing) -> Figure:
     axes.invert_yaxis()
     axes.set_xlim(0.0, max(part.total for part in parts) * 1.18)
     axes.set_xlabel(f"mass [kg]. {NOT_IN_THE_MASS}")
-    axes.set_title(f"Mass {sizing.mass:.2f} kg, {sizing.power_density / 1e3:.1f} kW/kg")
+    parts_mass = f", parts {sizing.parts_mass:.2f} kg" if sizing.mass != sizing.parts_mass else ""
+    axes.set_title(f"Mass {sizing.mass:.2f} kg{parts_mass}, {sizing.power_density / 1e3:.1f} kW/kg")
     theme.only_grid(axes, "x")
     return figure
 
@@ -79,3 +86,45 @@ def margin_figure(sizing: Sizing) -> Figure:
     axes.set_title("Margins, worst first")
     theme.only_grid(axes, "x")
     return figure
+
+
+@theme.styled
+def shaft_figure(sizing: Sizing) -> Figure:
+    """Return shear, bending of both planes together and torsion along every shaft that carries more than torque.
+
+    Args:
+        sizing: As sized; at least one shaft has bearings.
+    """
+    shafts = [shaft for shaft in sizing.shafts if shaft.bearings]
+    figure = theme.sheet(WIDTH, 12.0 + 34.0 * len(shafts))
+    grid = figure.subplots(len(shafts), 3, squeeze=False)
+    for row, shaft in zip(grid, shafts, strict=True):
+        place, *curves = _along(shaft.diagram)
+        for axes, values, colour in zip(row, curves, (theme.GREEN, theme.BLUE, theme.ORANGE), strict=True):
+            axes.fill_between(place * 1e3, values, color=colour, alpha=0.25, lw=0.0)
+            axes.plot(place * 1e3, values, color=colour)
+            axes.plot([bearing.position * 1e3 for bearing in shaft.bearings], [0.0, 0.0], "^", color=theme.INK, ms=4.0)
+            axes.margins(x=0.02)
+        row[0].set_title(shaft.name)
+    for axes, label in zip(grid[-1], ("shear force [N]", "bending moment [N m]", "torsion [N m]"), strict=True):
+        axes.set_xlabel(f"{label} over position [mm]")
+    return figure
+
+
+def _along(diagram: ShaftDiagram) -> tuple[Floats, Floats, Floats, Floats]:
+    """Return position [m], shear [N], bending [N m] (both planes together) and torsion [N m] at many places.
+
+    Each component runs straight between loads, their square root does not: it is taken after the interpolation. Of
+    several loads at one place only the first and the last value count, as what lies between depends on their order.
+    """
+    position = np.array(diagram.position)
+    before, after = np.diff(position, prepend=-np.inf) > 0.0, np.diff(position, append=np.inf) > 0.0
+    keep = np.flatnonzero(before | after)
+    steps = np.linspace(0.0, len(keep) - 1.0, STEPS * (len(keep) - 1) + 1)
+
+    def dense(values: Sequence[float]) -> Floats:
+        result: Floats = np.interp(steps, np.arange(len(keep)), np.array(values)[keep])
+        return result
+
+    shear, bending = (np.hypot(dense(along_y), dense(along_z)) for along_y, along_z in (diagram.shear, diagram.bending))
+    return dense(diagram.position), shear, bending, dense(diagram.torsion)

@@ -14,7 +14,7 @@ from gearwright.dynamics.assemble import default_case
 from gearwright.render import theme
 from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
 from gearwright.render.figures_motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
-from gearwright.render.figures_sizing import margin_figure, mass_figure
+from gearwright.render.figures_sizing import margin_figure, mass_figure, shaft_figure
 from gearwright.render.inputs import entries
 from gearwright.render.report_parts import (
     Figure,
@@ -55,6 +55,7 @@ def report(sizing: Sizing, *, modes: Modes | None = None, trace: Trace | None = 
         numbers=key_numbers(sizing),
         sections=sections,
         entries=entries(sizing.design),
+        overrides=tables_of(sizing)["overrides"],
         warnings=warnings(sizing, trace),
         assumptions=assumptions(sizing),
         formulas=formulas(tables),
@@ -114,9 +115,18 @@ def _parts(sizing: Sizing) -> tuple[Section, ...]:
         Section(
             "Meshes: forces, stresses and margins", tables=_filled(found["meshes"], found["rating"]), figures=(margins,)
         ),
-        Section("Shafts, carriers and machines", tables=_filled(found["shafts"], found["carriers"], found["machines"])),
-        Section("Mass", tables=(found["mass"],), figures=(mass,)),
+        _shafts(sizing),
+        Section("Mass and envelope", tables=(found["mass"], found["envelope"]), figures=(mass,)),
     )
+
+
+def _shafts(sizing: Sizing) -> Section:
+    found = tables_of(sizing)
+    names = ("shafts", "bearings", "carriers", "machines")
+    caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
+    bent = any(shaft.bearings for shaft in sizing.shafts)
+    figures = (_figure(shaft_figure(sizing), "shafts", caption),) if bent else ()
+    return Section("Shafts, carriers and machines", tables=_filled(*(found[name] for name in names)), figures=figures)
 
 
 def _filled(*tables: Table) -> tuple[Table, ...]:

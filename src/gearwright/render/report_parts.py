@@ -9,6 +9,7 @@ from gearwright.dynamics import Trace
 from gearwright.render.tables import Table
 from gearwright.render.views import asked_speeds, margins
 from gearwright.sizing.result import Sizing
+from gearwright.train.recirculation import recirculation
 from gearwright.units import text
 
 LARGE_ERROR = 1e-3
@@ -76,6 +77,12 @@ def warnings(sizing: Sizing, trace: Trace | None) -> tuple[str, ...]:
         if not each.holds
     ]
     found += _yielded(sizing)
+    found += [
+        f"{text(loop.power, 'power')} circulate in case {case}: {', '.join(loop.path)}."
+        for case, flow in sizing.flows.items()
+        for loop in recirculation(sizing.train, flow)
+    ]
+    found += [f"{path} is given in place of its computed value ({origin})." for path, origin in sizing.origins.items()]
     if trace is not None:
         found += [f"{note[0].upper()}{note[1:]}." for note in trace.notes if "contact" in note or "interrupted" in note]
         if trace.error > LARGE_ERROR:
@@ -115,7 +122,8 @@ def assumptions(sizing: Sizing) -> tuple[str, ...]:
     estimated = [each.name for each in sizing.machines if not each.inertia_is_given]
     if estimated:
         found.append(f"Inertia estimated, not given: {', '.join(estimated)}.")
-    found += [f"Given by the user in place of the computed value: {path}." for path in sizing.overrides]
+    if any(pair.kind == "face" for pair in design.pairs.values()):
+        found.append("Face-gear pairs are drawn as if their axes were parallel.")
     return tuple(found)
 
 

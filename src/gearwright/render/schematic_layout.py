@@ -222,13 +222,19 @@ def _places(
     train: Train, seats: Sequence[Attachment], axis: Mapping[str, int],
     look: tuple[Mapping[str, Outline], float, Mapping[str, str]],
 ) -> dict[str, Place]:  # fmt: skip
-    """Return the columns: from the turbines on, machines before the stages of the same distance, propellers last."""
+    """Return the columns: from the turbines on, machines before their stages, propellers last."""
     outlines, scale, kinds = look
     distance = _distances(train, seats, kinds)
     machines = set(train.machines)
 
+    leaf = _leaves(seats, distance, kinds, machines)
+
     def rank(name: str) -> tuple[int, int]:
-        return distance[name], (2 if kinds.get(name) == "propeller" else 0) if name in machines else 1
+        if name in leaf:
+            return distance[leaf[name]], 1
+        if name in machines:
+            return distance[name], 4 if kinds.get(name) == "propeller" else 0
+        return distance[name], 2 if name in leaf.values() else 3
 
     lines = {name: {axis[seat.shaft] for seat in seats if element(seat) == name} for name in distance}
     slots: list[list[str]] = []
@@ -263,6 +269,20 @@ def _distances(train: Train, seats: Sequence[Attachment], kinds: Mapping[str, st
         distance |= {name: steps for name, steps in new.items() if steps == nearest}
     far = max(distance.values(), default=0) + 1
     return {name: distance.get(name, far) for name in names}
+
+
+def _leaves(
+    seats: Sequence[Attachment], distance: Mapping[str, int], kinds: Mapping[str, str], machines: set[str]
+) -> dict[str, str]:
+    """Return machine -> stage for those that feed a stage from a shaft of their own; they stand just before it."""
+    leaf = {}
+    for name in machines:
+        shaft = next(seat.shaft for seat in seats if seat.part == name and not seat.stage)
+        beside = [element(seat) for seat in seats if seat.shaft == shaft and element(seat) != name]
+        nearer = beside and all(distance[each] < distance[name] for each in beside)
+        if nearer and kinds.get(name) != "propeller":
+            leaf[name] = min(beside, key=lambda each: distance[each])
+    return leaf
 
 
 def _half(name: str, train: Train, outlines: Mapping[str, Outline], scale: float) -> float:

@@ -16,7 +16,20 @@ from gearwright.render.views import flow_tables, tables_of
 from gearwright.sizing.result import Sizing
 from gearwright.units import text
 
-_ORDER = ("margins", "speeds", "gears", "meshes", "rating", "shafts", "carriers", "machines", "mass")
+_ORDER = (
+    "margins",
+    "speeds",
+    "gears",
+    "meshes",
+    "rating",
+    "shafts",
+    "bearings",
+    "carriers",
+    "machines",
+    "mass",
+    "envelope",
+    "overrides",
+)
 
 
 def sizing_text(sizing: Sizing) -> RenderableType:

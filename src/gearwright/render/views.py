@@ -7,13 +7,15 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.render.branches import Branch, branches
+from gearwright.render.given import given_by_user, overrides_table
 from gearwright.render.tables import Mark, Table, table
-from gearwright.sizing.result import MachineSizing, MeshSizing, ShaftSizing, Sizing
-from gearwright.sizing.teeth import groups_of
-from gearwright.spec.design import ShaftLayout
-from gearwright.units import Mass, Origin, Quantity, Ratio, Speed, Stress
+from gearwright.sizing.envelope import envelope
+from gearwright.sizing.result import MeshSizing, ShaftSizing, Sizing
+from gearwright.units import Length, Mass, Origin, Quantity, Ratio, Speed, Stress
 
 NOT_IN_THE_MASS = "Not in the mass: housing, bearings, oil system, accessories, motors."
+_BEARINGS = "Positions from the shaft's first end; shafts that only torque acts on need none for it."
+_ENVELOPE = "Box around tip circles and shafts, without housing."
 _JUST_ENOUGH = (
     "Margin: allowable over actual stress, the asked factor included; 1 is just enough. Equations of Pulvirenti 2023."
 )
@@ -77,6 +79,18 @@ class AskedSpeed:
     """[-]"""
 
 
+@dataclass(frozen=True)
+class Bearing:
+    """What one bearing carries in the case that governs its shaft."""
+
+    shaft: str
+    case: str
+    position: Length
+    """From the shaft's first end [m]."""
+    radial_force: Annotated[float, Quantity("force"), Origin("√(F_y² + F_z²)", "equilibrium in both planes")]
+    """[N]"""
+
+
 def margins(sizing: Sizing) -> tuple[Margin, ...]:
     """Return every check of a sizing, worst first.
 
@@ -114,7 +128,7 @@ def mass_parts(sizing: Sizing) -> tuple[MassPart, ...]:
     parts += [(shaft.name, "shafts", 1, shaft.mass) for shaft in sizing.shafts]
     parts += [(f"{carrier.stage}.carrier", "carriers", 1, carrier.mass) for carrier in sizing.carriers]
     rows = [
-        MassPart(part, group, count, each, count * each, count * each / sizing.mass)
+        MassPart(part, group, count, each, count * each, count * each / sizing.parts_mass)
         for part, group, count, each in parts
     ]
     return tuple(sorted(rows, key=lambda row: -row.total))
@@ -132,36 +146,6 @@ def asked_speeds(sizing: Sizing) -> tuple[AskedSpeed, ...]:
         for each in flow.yielded
         if abs(each.deviation) > KEPT
     )
-
-
-def given_by_user(sizing: Sizing, record: object, field: str) -> Mark:
-    """Return whether a value was computed, given by the user, or estimated.
-
-    Args:
-        sizing: With its overrides and its design.
-        record: One of its records.
-        field: Name of the field.
-    """
-    name, stage = getattr(record, "name", ""), getattr(record, "stage", "")
-    owner = groups_of(sizing.design).get(stage, stage)
-    paths = {f"{name}.{field}", f"{stage}.{field}", f"{stage}.carrier.{field}"}
-    if field == "module":
-        paths.add(f"{owner}.module")
-    if paths & set(sizing.overrides) or _in_design(sizing, record, field):
-        return "given"
-    if isinstance(record, MachineSizing) and field == "inertia" and not record.inertia_is_given:
-        return "estimated"
-    return ""
-
-
-def _in_design(sizing: Sizing, record: object, field: str) -> bool:
-    """Tell whether the design file itself states a value that would else be computed."""
-    if isinstance(record, ShaftSizing):
-        layout = sizing.design.layout.get(record.name, ShaftLayout())
-        return getattr(layout, field, None) is not None
-    if isinstance(record, MachineSizing) and field in ("mass", "inertia"):
-        return getattr(sizing.design.machines[record.name], field, None) is not None
-    return False
 
 
 def flow_tables(sizing: Sizing) -> tuple[Table, ...]:
@@ -204,8 +188,13 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
                         ("name", "module_bending", "module_contact", "bending_stress", "bending_margin",
                          "contact_stress", "contact_margin")),
         "shafts": table("Shafts", sizing.shafts,
-                        ("name", "torque", "bending_moment", "length", "diameter", "bore", "stress", "margin",
-                         "stiffness", "mass", "inertia"), mark=mark),
+                        ("name", "torque", "bending_moment", "axial_force", "length", "diameter", "bore", "stress",
+                         "margin", "stiffness", "mass", "inertia"), mark=mark),
+        "bearings": table("Bearings", bearings(sizing), ("shaft", "case", "position", "radial_force"),
+                          note=_BEARINGS),
+        "envelope": table("Envelope", [envelope(sizing)], ("width", "height", "length", "volume"),
+                          note=_ENVELOPE),
+        "overrides": overrides_table(sizing),
         "carriers": table("Carriers", sizing.carriers,
                           ("stage", "shaft", "torque", "pin_force", "radius", "pin_diameter", "plate_thickness",
                            "mass", "inertia"), mark=mark),
@@ -214,6 +203,19 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "mass": table("Mass", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),
                       note=NOT_IN_THE_MASS),
     }  # fmt: skip
+
+
+def bearings(sizing: Sizing) -> tuple[Bearing, ...]:
+    """Return the load of every bearing, shaft by shaft.
+
+    Args:
+        sizing: As sized.
+    """
+    return tuple(
+        Bearing(shaft.name, shaft.case, each.position, each.radial_force)
+        for shaft in sizing.shafts
+        for each in shaft.bearings
+    )
 
 
 def _gear_fields(sizing: Sizing) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from gearwright.dynamics import Outputs, simulate
 from gearwright.errors import DesignError
 from gearwright.render import theme
 from gearwright.render.figures_motion import mesh_frequencies, mode_figure, spectrum, spectrum_figure, time_figure
-from gearwright.render.figures_sizing import margin_figure, mass_figure
+from gearwright.render.figures_sizing import margin_figure, mass_figure, shaft_figure
 
 
 def every_figure(sizing, modal, run):
@@ -43,8 +43,18 @@ def test_a_png_has_the_asked_resolution(in_line_h2) -> None:
 
 def test_the_bars_of_the_mass_figure_are_the_masses(in_line_h2) -> None:
     widths = [patch.get_width() for patch in mass_figure(in_line_h2).axes[0].patches]
-    assert sum(widths) == pytest.approx(in_line_h2.mass)
+    assert sum(widths) == pytest.approx(in_line_h2.parts_mass)
     assert widths[: len(widths) - 3] == sorted(widths[: len(widths) - 3], reverse=True)  # three more for the legend
+
+
+def test_shaft_diagrams_reach_the_moment_and_torque_that_govern(designs) -> None:
+    sizing = designs["off-set"]
+    bent = [shaft for shaft in sizing.shafts if shaft.bearings]
+    axes = shaft_figure(sizing).axes
+    for place, shaft in enumerate(bent):
+        bending, torsion = axes[3 * place + 1].lines[0].get_ydata(), axes[3 * place + 2].lines[0].get_ydata()
+        stress = 32.0 / (np.pi * shaft.diameter**3) * np.hypot(bending, torsion)
+        assert max(stress) == pytest.approx(shaft.stress, rel=1e-9), shaft.name  # Tresca of a solid shaft
 
 
 def test_a_spectrum_gives_frequency_and_amplitude_of_a_sine() -> None:

@@ -2,12 +2,16 @@ from itertools import combinations
 
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from gearwright.render.schematic import power_flow_figure, schematic_figure
+from gearwright.render.schematic_labels import Board, text_width
 from gearwright.render.schematic_layout import lay_out
 from gearwright.render.schematic_power import trace_power
-from gearwright.spec import parse
+from gearwright.shipped import shipped_design, shipped_designs
+from gearwright.sizing import size
+from gearwright.spec import parse, read
 from gearwright.train.graph import build_train
 
 NAMES = ["in-line-h2", "off-set", "mixed", "twin", "star"]
@@ -31,11 +35,37 @@ def overlapping(figure):
     return [(a, b) for (a, one), (b, other) in combinations(boxes, 2) if one.padded(-0.5).overlaps(other.padded(-0.5))]
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_no_two_labels_overlap_in_any_schematic_or_power_flow(designs, name) -> None:
-    sizing = designs[name]
+@pytest.mark.parametrize("name", shipped_designs())
+def test_no_two_labels_overlap_in_any_shipped_design(name) -> None:
+    sizing = size(read(shipped_design(name)))
     figures = [schematic_figure(sizing), *(power_flow_figure(sizing, case) for case in sizing.flows)]
     assert [overlapping(figure) for figure in figures] == [[] for _ in figures]
+
+
+def test_labels_avoid_what_is_drawn_and_each_other() -> None:
+    """Both want the middle of a gear: the first goes above it, the second beside the first."""
+    board = Board(Figure().add_axes((0.0, 0.0, 1.0, 1.0)))
+    board.axes.add_patch(Rectangle((-5.0, -5.0), 10.0, 10.0))
+    board.take_parts()
+    places = [(0.0, 0.0), (0.0, 10.0), (30.0, 10.0)]
+    first, second = board.place("input", places), board.place("output", places)
+    assert (first[0] + first[2], first[1] + first[3]) == pytest.approx((0.0, 20.0))
+    assert (second[0] + second[2], second[1] + second[3]) == pytest.approx((60.0, 20.0))
+
+
+def test_a_label_is_as_wide_as_matplotlib_draws_it() -> None:
+    figure = Figure(dpi=254)
+    text = figure.text(0.1, 0.5, "16035 N m", fontsize=7.0, weight="bold", family="DejaVu Sans")
+    drawn = text.get_window_extent(FigureCanvasAgg(figure).get_renderer()).width / 10.0
+    assert text_width("16035 N m", 7.0) == pytest.approx(drawn, rel=0.03)  # hinting rounds to pixels
+
+
+def test_a_motor_that_feeds_a_stage_from_its_own_shaft_stands_before_it() -> None:
+    """Its axis lies on the height of the output's: behind the stage the two would run into each other."""
+    layout = layout_of(size(read(shipped_design("off-set-h1"))))
+    motor, output = layout.spans["motor"], layout.spans["output"]
+    assert layout.heights["motor"] == pytest.approx(layout.heights["output"], abs=1e-9)
+    assert motor[1] < output[0]
 
 
 @pytest.mark.parametrize("name", NAMES)

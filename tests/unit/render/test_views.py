@@ -3,8 +3,9 @@ from drawn_designs import MIXED, sized
 
 from gearwright.render.branches import branches
 from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
-from gearwright.render.views import asked_speeds, flow_tables, margins, mass_parts
+from gearwright.render.views import asked_speeds, bearings, flow_tables, margins, mass_parts, tables_of
 from gearwright.spec import GROUND
+from gearwright.spec.overrides import NO_ORIGIN
 
 
 def test_the_parts_on_every_shaft_are_in_balance_in_every_case(designs) -> None:
@@ -42,7 +43,7 @@ def test_a_stress_above_its_allowable_does_not_hold() -> None:
 def test_the_mass_breakdown_adds_up(designs) -> None:
     for sizing in designs.values():
         parts = mass_parts(sizing)
-        assert sum(part.total for part in parts) == pytest.approx(sizing.mass, rel=1e-12)  # summation order
+        assert sum(part.total for part in parts) == pytest.approx(sizing.parts_mass, rel=1e-12)  # summation order
         assert sum(part.share for part in parts) == pytest.approx(1.0, rel=1e-12)
 
 
@@ -72,3 +73,24 @@ def test_the_statistics_of_a_run_are_in_balance_with_its_loads(run) -> None:
     assert mean == pytest.approx(10e3, rel=0.01)  # the train as a whole speeds up a little: loads balance only nearly
     assert torques.rows[0][1].value == pytest.approx(mean * 0.05, rel=0.01)
     assert abs(energy_table(run).rows[0][-1].value) < 1e-6
+
+
+def test_overrides_are_listed_as_written_with_their_origin() -> None:
+    text = (
+        MIXED
+        + '[overrides]\n"lay.diameter_mm" = 80\n"gearbox.mass_kg" = 60\n[origins]\n"gearbox.mass_kg" = "weighed"\n'
+    )
+    rows = tables_of(sized(text))["overrides"].rows
+    assert [[cell.text for cell in row] for row in rows] == [
+        ["lay.diameter_mm", "80.00", NO_ORIGIN], ["gearbox.mass_kg", "60.00", "weighed"],
+    ]  # fmt: skip
+
+
+def test_bearings_hold_the_shafts_that_gears_push_aside(designs) -> None:
+    """The off-set input pinion is pushed equally from both sides; its layshafts are not."""
+    loads = {}
+    for each in bearings(designs["off-set"]):
+        loads.setdefault(each.shaft, []).append(each.radial_force)
+    assert all(len(both) == 2 for both in loads.values())
+    assert max(loads["input"]) < 1e-6 * max(loads["left"])
+    assert bearings(designs["star"]) == ()
