@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.planets import assembles, neighbours_clear
+from gearwright.sizing.result import ShaftSizing
 from gearwright.spec import Design, Pair, Planetary
 from gearwright.spec.check import table_of
 from gearwright.train.flow import PowerFlow
@@ -48,7 +49,8 @@ def contradiction(name: str, stage: Pair | Planetary, design: Design, tooth_rati
         design: With the tolerance.
         tooth_ratio: z_2/z_1 or z_r/z_s that teeth give [-].
     """
-    asked = f"the asked ratio {stage.ratio:.4g}" if stage.ratio is not None else f"the ratio z_2/z_1 {tooth_ratio:.4g}"
+    teeth = "z_2/z_1" if isinstance(stage, Pair) else "z_r/z_s"
+    asked = f"the asked ratio {stage.ratio:.4g}" if stage.ratio is not None else f"{teeth} = {tooth_ratio:.4g}"
     message = (
         f"tooth numbers that give {asked} turn a machine at another speed than it asks for, by more than"
         f" {design.teeth.speed_tolerance:.1%}; change the ratio or the speeds, or allow more in teeth.speed_tolerance"
@@ -82,6 +84,28 @@ def refuse_contradictions(design: Design, flows: Mapping[str, PowerFlow]) -> Non
                 problems.setdefault(path, Problem(path, message))
     if problems:
         raise DesignError(problems.values())
+
+
+def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
+    """Raise where a given bore leaves no wall in a shaft.
+
+    Args:
+        shafts: As sized.
+
+    Raises:
+        DesignError: With the bore and the diameter of every such shaft.
+    """
+    problems = [
+        Problem(
+            f"layout.{shaft.name}.bore",
+            f"the bore {text(shaft.bore, 'length')} leaves no wall in a shaft of {text(shaft.diameter, 'length')}, the"
+            " diameter that its load asks for; give a smaller bore, or bore_ratio, with which the shaft is sized hollow",
+        )
+        for shaft in shafts
+        if shaft.diameter and shaft.bore >= shaft.diameter
+    ]
+    if problems:
+        raise DesignError(problems)
 
 
 def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float) -> Problem:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gearwright.sizing.gears import context, size_gears, size_meshes, stage_modules
 from gearwright.sizing.machines import size_machines
-from gearwright.sizing.refusal import refuse_contradictions
+from gearwright.sizing.refusal import refuse_bores, refuse_contradictions
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import size_carriers, size_shafts
 from gearwright.sizing.teeth import choose_teeth
@@ -33,6 +33,7 @@ def size(design: Design) -> Sizing:
     given = context(design, train, teeth, flows, overrides)
     gears = size_gears(given, stage_modules(given))
     shafts = size_shafts(given, gears)
+    refuse_bores(shafts)
     overrides.take("gearbox.mass", "mass", 0.0)
     sizing = Sizing(
         design=design,

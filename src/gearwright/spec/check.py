@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import combinations
 
@@ -11,6 +12,8 @@ from gearwright.parts.lewis import FEWEST_TEETH
 from gearwright.spec.design import GROUND, Design, GearRules, Pair, Planetary
 from gearwright.units import text
 
+WIDEST = 60
+"""Largest face width in modules that a design may ask for."""
 SIDES = ("pinion", "wheel")
 
 
@@ -22,7 +25,7 @@ def reference_problems(design: Design) -> list[Problem]:
     """
     checks = (
         _shafts, _names, _machines, _speeds, _pairs, _planetaries, _clutches, _teeth, _layout, _cases, _keep,
-        _materials, _overrides,
+        _materials, _widths, _overrides,
     )  # fmt: skip
     return [problem for check in checks for problem in check(design)]
 
@@ -293,6 +296,22 @@ def _overrides(design: Design) -> Iterator[Problem]:
 
 def _gear_material(path: str, rules: GearRules) -> Iterator[Problem]:
     yield from _material(path, rules.material, ("yield_strength", "surface_hardness"), f"rating {rules.rating!r}")
+
+
+def _widths(design: Design) -> Iterator[Problem]:
+    """Find helix angles so small that no face width gives the overlap."""
+    rules = {"gears": design.gears} if design.pairs else {}
+    rules |= {
+        f"pairs.{name}.gears": design.rules(name) for name, pair in design.pairs.items() if pair.gears is not None
+    }
+    for path, each in rules.items():
+        least = math.asin(each.overlap_ratio * math.pi / WIDEST)
+        if each.face_width_ratio is None and 0.0 < each.helix_angle < least:
+            yield Problem(
+                f"{path}.helix_angle",
+                f"{text(each.helix_angle, 'angle')} needs gears wider than {WIDEST} modules for the overlap ratio"
+                f" {each.overlap_ratio:g}; use 0, {text(least, 'angle')} or more, or give face_width_ratio",
+            )
 
 
 def _material(path: str, name: str, needed: Iterable[str], purpose: str) -> Iterator[Problem]:

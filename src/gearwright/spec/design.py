@@ -104,15 +104,15 @@ class GearRules(Record):
 
 
 class TeethRules(Record):
-    """What the search for tooth numbers may choose from."""
+    """What the search for tooth numbers may choose from; the table of Lewis form factors begins at 12 teeth."""
 
-    sun_minimum: int = Field(18, ge=8, le=400, description="Smallest tooth number of suns")
-    sun_maximum: int = Field(59, ge=8, le=400, description="Largest tooth number of suns")
+    sun_minimum: int = Field(18, ge=12, le=400, description="Smallest tooth number of suns")
+    sun_maximum: int = Field(59, ge=12, le=400, description="Largest tooth number of suns")
     pinion_minimum: int | None = Field(
-        None, ge=6, le=400, description="Smallest tooth number of pinions; left out: no undercut"
+        None, ge=12, le=400, description="Smallest tooth number of pinions; left out: no undercut"
     )
-    pinion_maximum: int = Field(40, ge=8, le=400, description="Largest tooth number of pinions that are searched")
-    planet_minimum: int = Field(12, ge=8, le=400, description="Smallest tooth number of planets")
+    pinion_maximum: int = Field(40, ge=12, le=400, description="Largest tooth number of pinions that are searched")
+    planet_minimum: int = Field(12, ge=12, le=400, description="Smallest tooth number of planets")
     stage_tolerance: Ratio = Field(
         0.025, gt=0, le=0.2, description="Allowed deviation of a stage's ratio from its target"
     )

@@ -187,7 +187,7 @@ def test_schema_is_json(call):
 
 
 def test_an_unknown_command_is_refused(call):
-    assert call("sise", "in-line").code == WRONG
+    assert call("weigh", "in-line").code == WRONG
 
 
 def test_a_computation_that_fails_ends_with_one(call, monkeypatch, design):

@@ -91,6 +91,20 @@ def test_given_teeth_that_cannot_be_assembled_are_named():
     assert "assembled" in found.message
 
 
+def test_a_bore_thicker_than_the_sized_shaft_is_refused():
+    found = problem(PAIR + "[layout.fast]\nbore_mm = 80\n", sized=True)
+    assert found.path == "layout.fast.bore"
+    assert found.message.startswith("the bore 80 mm leaves no wall in a shaft of ")
+    assert size(parse(PAIR + "[layout.fast]\nbore_mm = 2\n")).shafts[0].bore == 0.002
+
+
+def test_a_split_that_contradicts_the_speeds_is_refused():
+    """The motor's speed leaves no freedom that a split could use."""
+    found = problem(changed(HYBRID, "planets = 3", "planets = 3\nratio_split = 1.3"), sized=True)
+    assert found.path == "planetaries.first"
+    assert "tooth numbers that give z_r/z_s = " in found.message
+
+
 def test_clutches_that_leave_no_path_are_refused():
     """The only clutch transmits from the propeller's side to the turbine's."""
     text = changed(changed(PAIR, 'pinion = "fast"', 'pinion = "middle"'), '"slow"]', '"slow", "middle"]')

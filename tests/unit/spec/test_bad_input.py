@@ -38,9 +38,9 @@ def test_a_turbine_does_not_take_power():
 
 
 def test_a_motor_on_a_shaft_that_does_not_exist_is_refused():
-    found = problem(changed(HYBRID, 'shaft = "middle"', 'shaft = "midle"'))
+    found = problem(changed(HYBRID, 'shaft = "middle"', 'shaft = "muddle"'))
     assert (found.path, found.line) == ("motors.electric.shaft", 11)
-    assert found.message == "there is no shaft 'midle'; did you mean middle?"
+    assert found.message == "there is no shaft 'muddle'; did you mean middle?"
 
 
 @pytest.mark.parametrize("word", ["nan", "inf", "-inf", "9" * 400])
@@ -101,7 +101,7 @@ def test_a_table_that_is_a_number_is_refused():
 def test_all_problems_come_at_once_in_the_order_of_the_file():
     """Values, keys and references together, each with its line."""
     text = changed(HYBRID, "power_kw = 1046", "power_kw = -1046")
-    text = changed(text, 'shaft = "middle"', 'shaft = "midle"')
+    text = changed(text, 'shaft = "middle"', 'shaft = "muddle"')
     text = changed(text, "blades = 6", "blades = true")
     text = changed(text, 'ring = "ground"', 'ring = "grund"')
     text = changed(text, "planets = 5", "planetz = 5")
@@ -171,6 +171,14 @@ def test_a_windows_file_is_read(tmp_path):
     path = tmp_path / "design.toml"
     path.write_bytes(b"\xef\xbb\xbf" + PAIR.replace("\n", "\r\n").encode())
     assert read(path) == parse(PAIR)
+
+
+def test_a_helix_too_flat_for_its_overlap_is_refused():
+    """b/m_n = ε_β π / sin β: 1.15 π / 60 is sin 3.452°."""
+    found = problem(PAIR + "[gears]\nhelix_angle_deg = 0.001\n")
+    assert (found.path, found.line) == ("gears.helix_angle_deg", 19)
+    assert "wider than 60 modules for the overlap ratio 1.15; use 0, 3.452 ° or more" in found.message
+    parse(PAIR + "[gears]\nhelix_angle_deg = 0.001\nface_width_ratio = 10\n")
 
 
 def test_names_must_be_names():
