@@ -12,7 +12,7 @@ import numpy as np
 
 from gearwright.dynamics.energy import WORKS
 from gearwright.dynamics.generate import state_width, table_width
-from gearwright.dynamics.native import Compiled, compiled
+from gearwright.dynamics.native import Compiled, aligned, compiled
 from gearwright.dynamics.recorder import RUNAWAY
 from gearwright.dynamics.statics import statics
 from gearwright.dynamics.stepsize import check_duration, check_step, default_step
@@ -145,17 +145,19 @@ def _run(
     """March one vector of trajectories; missing ones repeat the last."""
     step, settled, steps, shared = clock
     lanes = [*group, *[group[-1]] * (LANES - len(group))]
-    numbers = np.array([parameters(arrays, step)[1] for arrays in lanes]).T.copy()
+    rows = np.array([parameters(arrays, step)[1] for arrays in lanes]).T
+    numbers = aligned(*rows.shape)
+    numbers[:] = rows
     alike = numbers[:, 0].copy()
-    state = np.zeros(state_width(shape, LANES))
+    state = aligned(state_width(shape, LANES))
     width = states.shape[1]
     state[: width * LANES] = np.vstack([states, np.repeat(states[-1:], LANES - len(group), axis=0)]).T.ravel()
-    table = np.zeros((2 * STEPS + 1, table_width(shape), 1 if shared else LANES))
+    table = aligned(2 * STEPS + 1, table_width(shape), 1 if shared else LANES)
     fill = _Clock(lanes, step, shared=shared)
     first, summary = 0, np.zeros(0)
     while first < steps:
         if first == 0 or first == settled:
-            summary = np.zeros((4, len(shape.lines), LANES))
+            summary = aligned(4, len(shape.lines), LANES)
             summary[0], summary[1] = np.inf, -np.inf
         stop = settled if first < settled else steps
         count = min(STEPS, stop - first)

@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import llvmlite.binding as llvm
+import numpy as np
 
 from gearwright.dynamics.energy import WORKS
 from gearwright.dynamics.generate import CHUNK, Writer, record_width, state_width, table_width
@@ -53,6 +54,18 @@ def compiled(shape: Topology, layout: Layout, lanes: int = 1, own: frozenset[str
         function(steps, *(array.ctypes.data for array in arrays))
 
     return Compiled(advance, engine, text)
+
+
+def aligned(*shape: int) -> Floats:
+    """Return zeros that begin at a whole vector of memory, so that no load straddles two cache lines.
+
+    Args:
+        shape: Of the array.
+    """
+    count = int(np.prod(shape))
+    room = np.zeros(count + CHUNK)
+    first = -(room.ctypes.data // 8) % CHUNK
+    return room[first : first + count].reshape(shape)
 
 
 def assembly(shape: Topology, layout: Layout, lanes: int, own: frozenset[str] = frozenset()) -> str:

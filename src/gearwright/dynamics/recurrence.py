@@ -11,10 +11,8 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
 
-import numpy as np
-
 from gearwright.dynamics.generate import CHUNK
-from gearwright.dynamics.native import machine_code, summary_update
+from gearwright.dynamics.native import aligned, machine_code, summary_update
 from gearwright.dynamics.system import Floats
 
 Run = Callable[[Floats, Floats, Floats], Floats]
@@ -55,11 +53,11 @@ def recurrence(step: Floats, output: Floats, size: Size) -> Run:
     """
     function = _compiled(size)[0]
     states, chunks = size.state_chunks * CHUNK, size.output_chunks * CHUNK
-    columns = np.zeros((size.states, states + chunks))
+    columns = aligned(size.states, states + chunks)
     columns[:, : size.states], columns[:, states : states + size.outputs] = step.T, output.T
 
     def run(state: Floats, record: Floats, summary: Floats) -> Floats:
-        filled = np.zeros(states)
+        filled = aligned(states)
         filled[: size.states] = state
         addresses = (array.ctypes.data for array in (columns, filled, record, summary))
         function(len(record), *addresses)

@@ -15,7 +15,7 @@ from gearwright.dynamics import exact
 from gearwright.dynamics.clock import clock
 from gearwright.dynamics.generate import record_width, table_width
 from gearwright.dynamics.linear import linear
-from gearwright.dynamics.native import compiled
+from gearwright.dynamics.native import aligned, compiled
 from gearwright.dynamics.recorder import BLOCK, summary_of
 from gearwright.dynamics.recurrence import Size, recurrence
 from gearwright.dynamics.system import Arrays, Floats
@@ -33,7 +33,7 @@ def blank_record(arrays: Arrays, steps: int) -> Floats:
         arrays: The system's numbers.
         steps: Rows.
     """
-    return np.zeros((steps, record_width(topology(arrays))))
+    return aligned(steps, record_width(topology(arrays)))
 
 
 def blank_summary(width: int) -> Floats:
@@ -42,7 +42,7 @@ def blank_summary(width: int) -> Floats:
     Args:
         width: Numbers in a row.
     """
-    summary = np.zeros((4, width))
+    summary = aligned(4, width)
     summary[0], summary[1] = np.inf, -np.inf
     return summary
 
