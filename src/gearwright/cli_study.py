@@ -55,6 +55,7 @@ def compare(
     changes: SetOption = None,
     csv: CsvOption = None,
     figure: FigureOption = None,
+    report: Annotated[Path | None, typer.Option(help="Write the comparison as one self-contained HTML page")] = None,
     json: JsonOption = False,
 ) -> None:
     """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
@@ -74,10 +75,12 @@ def compare(
         )
         for name in read.designs
     }
-    _show(read, fitted, csv=csv, figure=figure, json=json)
+    table = _show(read, fitted, csv=csv, figure=figure, json=json)
+    if report is not None:
+        _write_comparison(report, table, fitted, read.changes)
 
 
-def _show(read: Study, designs: dict[str, Design], *, csv: Path | None, figure: Path | None, json: bool) -> None:
+def _show(read: Study, designs: dict[str, Design], *, csv: Path | None, figure: Path | None, json: bool) -> Table:
     from rich.console import Console
 
     from gearwright.render.study_tables import study_csv, study_grid, study_json
@@ -92,6 +95,17 @@ def _show(read: Study, designs: dict[str, Design], *, csv: Path | None, figure: 
         csv.write_text(study_csv(table), encoding="utf-8")
     if figure is not None:
         _draw(table, figure)
+    return table
+
+
+def _write_comparison(path: Path, table: Table, designs: dict[str, Design], changes: dict[str, Value]) -> None:
+    from gearwright.render.comparison import comparison
+    from gearwright.sizing import size
+    from gearwright.spec.edit import edited
+
+    sizings = {row.design: size(edited(designs[row.design], changes)) for row in table.rows if not row.problem}
+    path.write_text(comparison(table, sizings), encoding="utf-8")
+    typer.echo(f"wrote {path}", err=True)
 
 
 def _draw(table: Table, path: Path) -> None:

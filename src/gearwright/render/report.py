@@ -50,7 +50,7 @@ def report(sizing: Sizing, *, modes: Modes | None = None, trace: Trace | None = 
         *([_dynamics(sizing, trace, case)] if trace else []),
     ]
     tables = [one for section in sections for one in section.tables]
-    return _environment().get_template("report.html.j2").render(
+    return environment().get_template("report.html.j2").render(
         design=sizing.design,
         numbers=key_numbers(sizing),
         sections=sections,
@@ -64,7 +64,8 @@ def report(sizing: Sizing, *, modes: Modes | None = None, trace: Trace | None = 
     )  # fmt: skip
 
 
-def _environment() -> Environment:
+def environment() -> Environment:
+    """Return where the templates are, with the filters that they use."""
     environment = Environment(
         loader=PackageLoader("gearwright.render"),
         autoescape=True,
@@ -122,7 +123,7 @@ def _parts(sizing: Sizing) -> tuple[Section, ...]:
 
 def _shafts(sizing: Sizing) -> Section:
     found = tables_of(sizing)
-    names = ("shafts", "bearings", "carriers", "machines")
+    names = ("shafts", "shaft_sizes", "bearings", "carriers", "machines")
     caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
     bent = any(shaft.bearings for shaft in sizing.shafts)
     figures = (_figure(shaft_figure(sizing), "shafts", caption),) if bent else ()
