@@ -23,6 +23,7 @@ _ORDER = (
     "meshes",
     "rating",
     "shafts",
+    "shaft_sizes",
     "bearings",
     "carriers",
     "machines",
@@ -160,10 +161,11 @@ def table_text(one: Table) -> RenderableType:
     Args:
         one: The table.
     """
-    shape = RichTable(title=one.title, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD, pad_edge=False)
+    shape = RichTable(title=one.title, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD,
+                      pad_edge=False, padding=(0, 1, 0, 0))  # fmt: skip
     for k, column in enumerate(one.columns):
         right = any(row[k].is_number for row in one.rows)
-        shape.add_column(_head(column), justify="right" if right else "left", no_wrap=right, overflow="fold")
+        shape.add_column(_head(column), justify="right" if right else "left", no_wrap=right or k == 0, overflow="fold")
     for row in one.rows:
         shape.add_row(*(_shown(cell) for cell in row))
     legend = [f"{MARKS[mark][0]} {MARKS[mark][1]}" for mark in one.marks]

@@ -17,12 +17,13 @@ NOT_IN_THE_MASS = "Not in the mass: housing, bearings, oil system, accessories, 
 _BEARINGS = "Positions from the shaft's first end; shafts that only torque acts on need none for it."
 _ENVELOPE = "Box around tip circles and shafts, without housing."
 _JUST_ENOUGH = (
-    "Margin: allowable over actual stress, the asked factor included; 1 is just enough. Equations of Pulvirenti 2023."
+    "Allowable over actual stress, the asked factor included; 1 is just enough. Bending (Lewis), contact (Hertz),"
+    " Tresca's stress; equations of Pulvirenti 2023."
 )
 KEPT = 1e-9
 """Deviation of a speed below which it counts as kept [-]; rounding is far below."""
 ROUNDING = 1e-9
-"""How far a margin may be below 1 through rounding [-]."""
+"""What counts as rounding, of a margin or beside the largest force [-]."""
 
 
 @dataclass(frozen=True)
@@ -104,13 +105,13 @@ def margins(sizing: Sizing) -> tuple[Margin, ...]:
 
 def _mesh_margins(mesh: MeshSizing) -> list[Margin]:
     return [
-        _margin(mesh.name, "tooth root bending", mesh.case, mesh.bending_stress, mesh.bending_margin, "Lewis; eq. 2.1"),
-        _margin(mesh.name, "flank contact", mesh.case, mesh.contact_stress, mesh.contact_margin, "Hertz; eq. 2.2"),
+        _margin(mesh.name, "bending", mesh.case, mesh.bending_stress, mesh.bending_margin, "eq. 2.1"),
+        _margin(mesh.name, "contact", mesh.case, mesh.contact_stress, mesh.contact_margin, "eq. 2.2"),
     ]  # fmt: skip
 
 
 def _shaft_margin(shaft: ShaftSizing) -> Margin:
-    return _margin(shaft.name, "shaft, Tresca", shaft.case, shaft.stress, shaft.margin, "eq. 2.47")
+    return _margin(shaft.name, "Tresca", shaft.case, shaft.stress, shaft.margin, "eq. 2.47")
 
 
 def _margin(part: str, check: str, case: str, stress: float, margin: float, source: str) -> Margin:
@@ -187,9 +188,11 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "rating": table("Mesh rating", sizing.meshes,
                         ("name", "module_bending", "module_contact", "bending_stress", "bending_margin",
                          "contact_stress", "contact_margin")),
-        "shafts": table("Shafts", sizing.shafts,
-                        ("name", "torque", "bending_moment", "axial_force", "length", "diameter", "bore", "stress",
-                         "margin", "stiffness", "mass", "inertia"), mark=mark),
+        "shafts": table("Shafts: loads and stresses", sizing.shafts,
+                        ("name", "case", "torque", "bending_moment", "axial_force", "diameter", "stress", "margin"),
+                        mark=mark),
+        "shaft_sizes": table("Shafts: sizes", sizing.shafts,
+                             ("name", "length", "diameter", "bore", "stiffness", "mass", "inertia"), mark=mark),
         "bearings": table("Bearings", bearings(sizing), ("shaft", "case", "position", "radial_force"),
                           note=_BEARINGS),
         "envelope": table("Envelope", [envelope(sizing)], ("width", "height", "length", "volume"),
@@ -211,11 +214,16 @@ def bearings(sizing: Sizing) -> tuple[Bearing, ...]:
     Args:
         sizing: As sized.
     """
+    largest = max((each.radial_force for shaft in sizing.shafts for each in shaft.bearings), default=0.0)
     return tuple(
-        Bearing(shaft.name, shaft.case, each.position, each.radial_force)
+        Bearing(shaft.name, shaft.case, each.position, _above_rounding(each.radial_force, largest))
         for shaft in sizing.shafts
         for each in shaft.bearings
     )
+
+
+def _above_rounding(value: float, largest: float) -> float:
+    return value if value > ROUNDING * largest else 0.0
 
 
 def _gear_fields(sizing: Sizing) -> tuple[str, ...]:
