@@ -21,7 +21,7 @@ from gearwright.train.flow import RATED
 from gearwright.units import Origin, Quantity
 
 _WHY = (
-    "By Lewis and by Hertz the module follows from the torque per tooth, so that m_n³, and with it the volume of a"
+    "By Lewis and by Hertz the module's cube, and with it the volume of a"
     " stage's gears, is in proportion to the torque of one mesh: a stage is light where many meshes share its torque,"
     " and where it turns fast. Planets share the torque of the slow last stage three to five ways, layshafts two ways;"
     " a solid wheel that carries the whole output torque is what makes the off-set gearboxes heavy. A motor on a fast"
