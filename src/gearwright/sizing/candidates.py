@@ -145,7 +145,9 @@ def _neighbours(wanted: Floats, small: Integers, given: int | None, reach: int) 
     """Return every choice of the front with every small gear and the integers around the wanted large one."""
     parent = np.arange(len(wanted))[:, None, None]
     low = _whole(wanted)[:, :, None]
-    large = low + np.arange(1 - reach, 1 + reach) if given is None else np.full((*low.shape[:2], 1), given)
+    large = (
+        np.maximum(low + np.arange(1 - reach, 1 + reach), 1) if given is None else np.full((*low.shape[:2], 1), given)
+    )
     parent, teeth, large = np.broadcast_arrays(parent, small[None, :, None], large)
     return parent.ravel(), teeth.ravel().astype(np.int64), large.ravel().astype(np.int64)
 
@@ -153,7 +155,7 @@ def _neighbours(wanted: Floats, small: Integers, given: int | None, reach: int) 
 def _around(wanted: Floats, large: Integers, given: int | None, reach: int) -> tuple[Integers, Integers, Integers]:
     """Return the integers around the wanted gear that meshes with one that is chosen already."""
     low = _whole(wanted)[:, None]
-    small = low + np.arange(1 - reach, 1 + reach) if given is None else np.full((len(low), 1), given)
+    small = np.maximum(low + np.arange(1 - reach, 1 + reach), 1) if given is None else np.full((len(low), 1), given)
     parent, teeth, shared = np.broadcast_arrays(np.arange(len(low))[:, None], small, large[:, None])
     return parent.ravel(), teeth.ravel(), shared.ravel()
 

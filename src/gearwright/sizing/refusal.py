@@ -99,7 +99,7 @@ def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
         Problem(
             f"layout.{shaft.name}.bore",
             f"the bore {text(shaft.bore, 'length')} leaves no wall in a shaft of {text(shaft.diameter, 'length')}, the"
-            " diameter that its load asks for; give a smaller bore, or bore_ratio, with which the shaft is sized hollow",
+            " diameter that its load asks for; give a smaller bore, or bore_ratio, which sizes the shaft hollow",
         )
         for shaft in shafts
         if shaft.diameter and shaft.bore >= shaft.diameter

@@ -13,6 +13,11 @@ from gearwright.train.graph import build_train
 CLOSURE = 1e-12
 """Of the largest power: what rounding leaves after at most five stages."""
 
+IDLE = 1e-9
+"""Part of the case's power below which the direction of a mesh is rounding."""
+LEAST_EFFICIENCY = 0.95
+"""Below those that the random trains draw."""
+
 
 def shaft_torques(train, flow):
     """Return the sum of all torques on every shaft, and the largest single one."""
@@ -45,7 +50,7 @@ def test_power_closes_and_every_shaft_is_in_balance(drawn, lossy):
     left_over, largest = shaft_torques(train, flow)
     assert max(abs(torque) for torque in left_over.values()) <= CLOSURE * max(largest, 1e-300)
     for mesh in flow.meshes.values():
-        assert mesh.loss >= -CLOSURE * largest_power(flow)
+        assert mesh.loss >= -IDLE * (1.0 - LEAST_EFFICIENCY) * largest_power(flow)
         assert sum(mesh.torques) == pytest.approx(0.0, abs=CLOSURE * max(largest, 1e-300))
     for name, shaft in train.machines.items():
         assert flow.machine_powers[name] == flow.machine_torques[name] * flow.speeds[shaft]
