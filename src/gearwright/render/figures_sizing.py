@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from gearwright.render import theme
-from gearwright.render.views import NOT_IN_THE_MASS, margins, mass_parts
-from gearwright.sizing.result import ShaftDiagram, Sizing
+from gearwright.render.views import NOT_IN_THE_MASS, ROUNDING, margins, mass_parts
+from gearwright.sizing.result import ShaftDiagram, ShaftSizing, Sizing
 
 Floats = NDArray[np.float64]
 _GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN}
@@ -88,14 +88,25 @@ def margin_figure(sizing: Sizing) -> Figure:
     return figure
 
 
-@theme.styled
-def shaft_figure(sizing: Sizing) -> Figure:
-    """Return shear, bending of both planes together and torsion along every shaft that carries more than torque.
+def bent_shafts(sizing: Sizing) -> list[ShaftSizing]:
+    """Return the shafts that carry more than torque; opposite forces that cancel leave only rounding.
 
     Args:
-        sizing: As sized; at least one shaft has bearings.
+        sizing: As sized.
     """
-    shafts = [shaft for shaft in sizing.shafts if shaft.bearings]
+    moments = {shaft.name: float(np.max(_along(shaft.diagram)[2])) for shaft in sizing.shafts if shaft.bearings}
+    largest = max(moments.values(), default=0.0)
+    return [shaft for shaft in sizing.shafts if moments.get(shaft.name, 0.0) > ROUNDING * largest]
+
+
+@theme.styled
+def shaft_figure(sizing: Sizing) -> Figure:
+    """Return shear, bending of both planes together and torsion along every shaft that is bent.
+
+    Args:
+        sizing: As sized; `bent_shafts` finds at least one.
+    """
+    shafts = bent_shafts(sizing)
     figure = theme.sheet(WIDTH, 12.0 + 34.0 * len(shafts))
     grid = figure.subplots(len(shafts), 3, squeeze=False)
     for row, shaft in zip(grid, shafts, strict=True):

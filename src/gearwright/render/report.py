@@ -14,7 +14,7 @@ from gearwright.dynamics.assemble import default_case
 from gearwright.render import theme
 from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
 from gearwright.render.figures_motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
-from gearwright.render.figures_sizing import margin_figure, mass_figure, shaft_figure
+from gearwright.render.figures_sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
 from gearwright.render.inputs import entries
 from gearwright.render.report_parts import (
     Figure,
@@ -125,8 +125,7 @@ def _shafts(sizing: Sizing) -> Section:
     found = tables_of(sizing)
     names = ("shafts", "shaft_sizes", "bearings", "carriers", "machines")
     caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
-    bent = any(shaft.bearings for shaft in sizing.shafts)
-    figures = (_figure(shaft_figure(sizing), "shafts", caption),) if bent else ()
+    figures = (_figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
     return Section("Shafts, carriers and machines", tables=_filled(*(found[name] for name in names)), figures=figures)
 
 
