@@ -23,8 +23,8 @@ from gearwright.errors import DesignError, Problem, SolveError
 
 LANES = 8
 """Trajectories in one vector."""
-STEPS = 64
-"""Steps between two settings of the clock: the clock table of eight lanes then stays in the second-level cache."""
+STEPS = 256
+"""Steps between two settings of the clock: even the clock table of eight speeds stays in the second-level cache."""
 
 
 @dataclass(frozen=True, eq=False)
