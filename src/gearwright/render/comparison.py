@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Annotated
 
 from gearwright import __version__
@@ -81,10 +81,10 @@ def comparison(found: Table, sizings: Mapping[str, Sizing]) -> str:
     """
     ranked = dict(sorted(sizings.items(), key=lambda each: each[1].mass + each[1].motor_mass))
     masses = Figure(theme.to_svg(comparison_figure(found), "masses"), "Masses, lightest first.")
-    wholes = table("Designs, lightest first", [_whole(name, each) for name, each in ranked.items()],
-                   ("design", "gearbox", "motors", "power_density", "width", "height", "length", "margin"))  # fmt: skip
-    stages = table("Stages", [stage for name, each in ranked.items() for stage in _stages(name, each)],
-                   ("design", "stage", "kind", "ratio", "meshes", "torque", "module", "face_width", "mass"))  # fmt: skip
+    designs = [_whole(name, each) for name, each in ranked.items()]
+    wholes = table("Designs, lightest first", designs, tuple(field.name for field in fields(DesignView)))
+    rows = [stage for name, each in ranked.items() for stage in _stages(name, each)]
+    stages = table("Stages", rows, tuple(field.name for field in fields(StageView)))
     failed = tuple(f"{row.design} cannot be had: {row.problem}" for row in found.failed)
     sections = [
         Section("Masses", tables=(wholes,), figures=(masses,), notes=failed),
