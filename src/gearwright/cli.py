@@ -72,8 +72,17 @@ def new(
 
 @app.command()
 def check(design: DesignArgument) -> None:
-    """Check a design file and say everything that is wrong with it."""
+    """Check a design file and say everything that is wrong with it; a margin below 1 ends with exit code 1."""
+    from gearwright.render.views import margins
+
     sizing = _size(design)
+    weak = [each for each in margins(sizing) if not each.holds]
+    for each in weak:
+        typer.echo(
+            f"margin {each.margin:.3f}: {each.part}, {each.check}, case {each.case}; it should be 1 or more", err=True
+        )
+    if weak:
+        raise typer.Exit(1)
     typer.echo(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")
 
 
