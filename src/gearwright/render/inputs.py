@@ -42,7 +42,7 @@ def _record(path: str, record: Record, given: set[str]) -> Iterator[Entry]:
     for name, info in type(record).model_fields.items():
         value = getattr(record, name)
         where = f"{path}.{name}" if path else name
-        if value is None or value in ({}, "") or where in _IN_THE_HEAD:
+        if value is None or value in ({}, "", []) or where in _IN_THE_HEAD:
             continue
         if isinstance(value, Record):
             yield from _record(where, value, value.model_fields_set)
