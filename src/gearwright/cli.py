@@ -29,6 +29,9 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 
+WINDOW = 0.005
+"""Last stretch of a run of which every step is kept, for spectra and close views [s]."""
+
 DesignArgument = Annotated[str, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of tables")]
 CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")]
@@ -164,7 +167,7 @@ def run(
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "sizing.json").write_text(sizing_json(sizing) + "\n", encoding="utf-8")
     save(folder / "run.nc", trace, design=sizing.design, case=case)
-    (folder / "report.html").write_text(make_report(sizing, modes=found, trace=trace), encoding="utf-8")
+    (folder / "report.html").write_text(make_report(sizing, modes=found, trace=trace, case=case), encoding="utf-8")
     typer.echo(f"wrote {folder / 'report.html'}, {folder / 'run.nc'} and {folder / 'sizing.json'}")
 
 
@@ -263,8 +266,9 @@ def _simulate(system: System, duration: float) -> Trace:
     from gearwright.dynamics import Outputs
     from gearwright.dynamics import simulate as run_system
 
+    window = (max(0.0, duration - WINDOW), duration)
     with _progress() as update:
-        return run_system(system, duration, outputs=Outputs(start=duration / 4.0), progress=update)
+        return run_system(system, duration, outputs=Outputs(start=duration / 4.0, windows=(window,)), progress=update)
 
 
 @contextmanager
