@@ -10,6 +10,7 @@ import numpy as np
 from gearwright.dynamics.energy import WORKS, Work, stored_energy
 from gearwright.dynamics.exact import is_exact
 from gearwright.dynamics.recorder import BLOCK, Outputs, Recorder
+from gearwright.dynamics.sensitivity import PARTED, parting
 from gearwright.dynamics.statics import statics
 from gearwright.dynamics.steppers import METHODS, Stepper, blank_record, stepper
 from gearwright.dynamics.stepsize import (
@@ -67,7 +68,8 @@ def simulate(
         progress: Called with the fraction done, from 0 to 1.
 
     Returns:
-        The trace; of what was done so far, with a note, if the user interrupts.
+        The trace; of what was done so far, with a note, if the user interrupts. Contact loss and motions that part from
+        their neighbours are noted.
 
     Raises:
         DesignError: Method, step, duration or outputs that cannot be.
@@ -81,9 +83,12 @@ def simulate(
     recorder = Recorder(system, outputs or Outputs(), step=step, steps=steps)
     error = _error(arrays, method, step, (min(steps, STRETCH), state))
     first = state.copy()
-    done = _run(stepper(arrays, method, step), recorder, state, progress)
-    notes = (reason, *_notes(recorder, done))
-    return _trace(recorder, (method, error, notes), (first, state), done)
+    advance = stepper(arrays, method, step)
+    done = _run(advance, recorder, state, progress)
+    notes = [reason, *_notes(recorder, done)]
+    if np.any(recorder.lost >= 0):
+        notes += _sensitivity(parting(arrays, advance, done, state))
+    return _trace(recorder, (method, error, tuple(notes)), (first, state), done)
 
 
 def replay(system: System, trace: Trace, start: float, end: float) -> Samples:
@@ -207,6 +212,12 @@ def _notes(recorder: Recorder, done: int) -> list[str]:
     if done < recorder.steps:
         notes.append(f"interrupted at {done * recorder.step:.6g} s of {recorder.steps * recorder.step:.6g} s")
     return notes
+
+
+def _sensitivity(growth: float) -> list[str]:
+    if growth < PARTED:
+        return []
+    return [f"neighbouring motions part (by a factor of {growth:.0e} after the run): judge it by its statistics only"]
 
 
 def _trace(

@@ -76,13 +76,13 @@ def test_a_cantilever_bends_and_shears_exactly_under_a_tip_force():
 def test_a_spinning_shaft_splits_into_backward_and_forward_whirl():
     """Forward and backward whirl of the first bending pair, from the exact quartic with its gyroscopic term.
 
-    Lumped masses of 30 segments leave 0.1 %.
+    Lumped masses of 12 segments leave 0.02 %; the two lie 9 % apart.
     """
-    count, length, speed = 30, 0.25, 20000.0
+    count, length, speed = 12, 0.25, 20000.0
     part = Segment(length / count, 0.05)
-    diagram = campbell(simply_supported(count, part, speed).build(), np.linspace(0.0, 1.0, 11))
+    diagram = campbell(simply_supported(count, part, speed).build(), np.linspace(0.0, 1.0, 5))
     backward, forward = sorted(diagram.frequency[-1, np.argsort(diagram.frequency[0])[:2]])
-    assert [backward, forward] == pytest.approx(whirl(part, length, speed), rel=3e-3)
+    assert [backward, forward] == pytest.approx(whirl(part, length, speed), rel=1e-3)
     assert diagram.frequency[0, 0] == pytest.approx(diagram.frequency[0, 1], rel=1e-6)
 
 
