@@ -16,6 +16,7 @@ from gearwright.render.dynamics_views import energy_table, mode_table, motion_ta
 from gearwright.render.figures_motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
 from gearwright.render.figures_sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
 from gearwright.render.inputs import entries
+from gearwright.render.paths import path_table
 from gearwright.render.report_parts import (
     Figure,
     Section,
@@ -103,7 +104,7 @@ def _power(sizing: Sizing, shown: str) -> Section:
     """Return the architecture, and the power flow of every case that the summary does not show."""
     skeleton = _figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")
     others = [_flow(sizing, case) for case in sizing.flows if case != shown]
-    tables = _filled(tables_of(sizing)["speeds"], *flow_tables(sizing))
+    tables = _filled(tables_of(sizing)["speeds"], *flow_tables(sizing), path_table(sizing))
     return Section("Architecture and power flow", tables=tables, figures=(skeleton, *others))
 
 

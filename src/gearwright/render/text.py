@@ -11,6 +11,7 @@ from rich.text import Text
 
 from gearwright.dynamics import Modes, Trace
 from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
+from gearwright.render.paths import path_table
 from gearwright.render.tables import MARKS, Cell, Column, Table, as_json
 from gearwright.render.views import flow_tables, tables_of
 from gearwright.sizing.result import Sizing
@@ -41,7 +42,7 @@ def sizing_text(sizing: Sizing) -> RenderableType:
     """
     tables = tables_of(sizing)
     parts: list[RenderableType] = [Text(sizing.design.name, style="bold"), Text(summary(sizing)), Text()]
-    parts += [table_text(each) for each in flow_tables(sizing)]
+    parts += [table_text(each) for each in (*flow_tables(sizing), path_table(sizing)) if each.rows]
     parts += [table_text(tables[name]) for name in _ORDER if tables[name].rows]
     return Group(*parts)
 
