@@ -16,6 +16,7 @@ from gearwright.dynamics.campbell import Campbell, Crossing, campbell
 from gearwright.dynamics.linear import Complexes, damped_modes, linear
 from gearwright.dynamics.statics import statics
 from gearwright.dynamics.system import Floats, Ints, System, Tone, line_matrix
+from gearwright.errors import DesignError, Problem, near
 from gearwright.sizing import Sizing
 from gearwright.units import Frequency, Ratio, Speed
 
@@ -76,18 +77,27 @@ class SpeedCase:
     """Excited ones first, then by distance to the operating speed."""
 
 
-def critical_speeds(sizing: Sizing, *, factors: Sequence[float] = FACTORS) -> tuple[SpeedCase, ...]:
+def critical_speeds(
+    sizing: Sizing, *, cases: Sequence[str] | None = None, factors: Sequence[float] = FACTORS
+) -> tuple[SpeedCase, ...]:
     """Return the Campbell diagrams of a sizing and the margins of every load case, cases of equal speeds together.
 
     Args:
         sizing: What was sized.
+        cases: Load cases; left out: all.
         factors: Rising speeds over the operating speed [-].
+
+    Raises:
+        DesignError: If there is no such case.
 
     Source: parametric excitation to first order: the mesh force amplitude k_n δ_0 of a stiffness harmonic at the static
         deflection, on a mode of damping ratio ζ: q = φᵀ f/(2 ζ ω²).
     """
     groups: dict[tuple[float, ...], list[str]] = {}
-    for case, flow in sizing.flows.items():
+    for case in cases or sizing.flows:
+        if case not in sizing.flows:
+            raise DesignError([Problem("case", f"there is no case {case!r}; {near(case, sizing.flows)}")])
+        flow = sizing.flows[case]
         groups.setdefault(tuple(round(speed, 6) for speed in flow.speeds.values()), []).append(case)
     return tuple(_speed_case(sizing, cases, factors) for cases in groups.values())
 

@@ -1,0 +1,176 @@
+"""The commands ``campbell``, ``response``, ``runup`` and ``validate``: how a train answers to what shakes it.
+
+Imports that cost time stand inside the commands, so that ``--help`` stays quick.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from gearwright.render.tables import Table
+    from gearwright.sizing import Sizing
+
+DesignArgument = Annotated[str, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")]
+CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")]
+FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of tables")]
+
+
+def campbell(
+    design: DesignArgument,
+    case: CaseOption = None,
+    figure: Annotated[Path | None, typer.Option(help="Figure to write; left out: NAME-campbell.svg here")] = None,
+    json: JsonOption = False,
+) -> None:
+    """Show critical speeds with their margins to the operating speed, worst first, and draw the Campbell diagram."""
+    from gearwright.dynamics.assumptions import assumptions
+    from gearwright.dynamics.critical_speeds import critical_speeds
+    from gearwright.render.dynamics_tables import assumption_table, critical_table
+    from gearwright.render.figures_dynamics import campbell_figure
+
+    sizing = _size(design)
+    found = critical_speeds(sizing, cases=None if case is None else [case])
+    tables = [critical_table(each) for each in found]
+    _show([*tables, assumption_table(assumptions(sizing, found[0].system))], json=json)
+    path = figure or Path(f"{Path(design).stem}-campbell.svg")
+    for number, each in enumerate(found, start=1):
+        target = path if number == 1 else path.with_stem(f"{path.stem}-{number}")
+        _draw(campbell_figure(sizing, each), target, quiet=json)
+
+
+def response(
+    design: DesignArgument,
+    case: CaseOption = None,
+    mesh: Annotated[str | None, typer.Option(help="Mesh row whose teeth err, such as first.sun-planet")] = None,
+    error_um: Annotated[float, typer.Option(help="Amplitude of the transmission error", min=0.0)] = 1.0,
+    top_khz: Annotated[float, typer.Option(help="Highest frequency", min=0.001)] = 10.0,
+    figure: FigureOption = None,
+    json: JsonOption = False,
+) -> None:
+    """Show how mesh forces answer to a transmission error of one mesh row, against frequency."""
+    from gearwright.dynamics.assemble import assemble
+    from gearwright.dynamics.transmission import answer, first_meshes
+    from gearwright.render.dynamics_tables import peak_table
+    from gearwright.render.figures_dynamics import response_figure
+
+    sizing = _size(design)
+    system = assemble(sizing, case)
+    row = mesh or sizing.train.meshes[0].name
+    found = answer(sizing, system, row, error=error_um * 1e-6, top=top_khz * 1e3)
+    lines = first_meshes(sizing, system)
+    _show([peak_table(found, lines)], json=json)
+    if figure is not None:
+        title = f"Answer to a transmission error of {error_um:g} µm in {row}"
+        _draw(response_figure(found, lines, title=title), figure, quiet=json)
+
+
+def runup(
+    design: DesignArgument,
+    case: CaseOption = None,
+    line: Annotated[str | None, typer.Option(help="Line that is drawn; left out: the loudest")] = None,
+    lowest: Annotated[float, typer.Option(help="Lowest speed over the operating speed", min=0.01)] = 0.3,
+    highest: Annotated[float, typer.Option(help="Highest speed over the operating speed", min=0.01)] = 1.3,
+    speeds: Annotated[int, typer.Option(help="Number of speeds", min=2, max=1000)] = 41,
+    figure: FigureOption = None,
+    json: JsonOption = False,
+) -> None:
+    """Run at many speeds and show where each mesh is loudest, and its waterfall with orders."""
+    import numpy as np
+
+    from gearwright.dynamics.assemble import assemble, default_case
+    from gearwright.dynamics.runup import run_up
+    from gearwright.dynamics.transmission import first_meshes
+    from gearwright.render.dynamics_tables import loudest_table
+    from gearwright.render.figures_dynamics_maps import waterfall_figure
+
+    sizing = _size(design)
+    system = assemble(sizing, case)
+    lines = [*first_meshes(sizing, system), *([line] if line is not None else [])]
+    with _progress() as update:
+        factors = [float(each) for each in np.linspace(lowest, highest, speeds)]
+        found = run_up(sizing, system, factors, lines=list(dict.fromkeys(lines)), progress=update)
+    machine = sizing.machines[0]
+    speed = abs(sizing.flows[case or default_case(sizing)].speeds[machine.shaft])
+    table = loudest_table(found, speed)
+    _show([table], json=json)
+    if figure is not None:
+        drawn = line or str(table.rows[0][0].value)
+        _draw(waterfall_figure(found, drawn, speed=speed, shaft=machine.shaft), figure, quiet=json)
+
+
+def validate(
+    pattern: Annotated[str | None, typer.Argument(help="Only cases whose name or source contains this")] = None,
+    json: JsonOption = False,
+) -> None:
+    """Compare gearwright with every published number that it knows: case, source, expected, got, error, verdict."""
+    from gearwright.errors import SolveError
+    from gearwright.render.validation import validation_table
+    from gearwright.validate import published
+
+    table, missed = validation_table(published(pattern or ""))
+    _show([table], json=json)
+    if missed:
+        raise SolveError(f"{missed} published numbers are missed; the table says which")
+
+
+def _size(design: str) -> Sizing:
+    from gearwright.errors import DesignError
+    from gearwright.shipped import shipped_design, shipped_designs
+    from gearwright.sizing import size
+    from gearwright.spec import read
+
+    path = Path(design)
+    try:
+        return size(read(shipped_design(design) if not path.exists() and design in shipped_designs() else path))
+    except DesignError as error:
+        raise DesignError(error.problems, design) from None
+
+
+def _show(tables: list[Table], *, json: bool) -> None:
+    import json as words
+
+    from rich.console import Console
+
+    from gearwright.render.tables import as_json
+    from gearwright.render.text import table_text
+
+    if json:
+        typer.echo(words.dumps([as_json(each) for each in tables], indent=2, ensure_ascii=False, allow_nan=False))
+        return
+    for each in tables:
+        Console().print(table_text(each))
+
+
+def _draw(drawing: Figure, path: Path, *, quiet: bool) -> None:
+    from gearwright.errors import DesignError, Problem
+    from gearwright.render.theme import to_png, to_svg
+
+    match path.suffix:
+        case ".svg":
+            path.write_text(to_svg(drawing), encoding="utf-8")
+        case ".png":
+            path.write_bytes(to_png(drawing))
+        case other:
+            raise DesignError([Problem("--figure", f"{other!r} is not drawn; end the name with .svg or .png")])
+    if not quiet:
+        typer.echo(f"wrote {path}")
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[float], None]]:
+    """Show a bar on a terminal; stay silent elsewhere."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with Progress(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as bar:
+        task = bar.add_task("running", total=1.0)
+        yield lambda done: bar.update(task, completed=done)

@@ -1,0 +1,80 @@
+"""Figures of many speeds: waterfall of a line's force with its orders, and how strong each order is at each speed."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.figure import Figure
+
+from gearwright.dynamics.runup import RunUp
+from gearwright.dynamics.system import Floats
+from gearwright.render import theme
+from gearwright.render.figures_sizing import WIDTH
+from gearwright.units import RPM
+
+DECADES = 3.0
+"""Range of amplitudes that a waterfall tells apart, below the largest [decades]."""
+MOST_ORDERS = 6
+"""Orders whose course is drawn."""
+_SHADES = LinearSegmentedColormap.from_list("gearwright", [theme.PAPER, "#c5dcec", theme.BLUE, "#0b2d4a", "#05121f"])
+
+
+@theme.styled
+def waterfall_figure(found: RunUp, line: str, *, speed: float, shaft: str) -> Figure:
+    """Return the waterfall of a line's force over speed, and below it the amplitudes of its strongest orders.
+
+    Args:
+        found: From `run_up`.
+        line: One of its lines.
+        speed: Operating speed of the shaft [rad/s].
+        shaft: Named at the speed axis.
+    """
+    figure = theme.sheet(WIDTH, 150.0)
+    above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1.6, 1.0))
+    rpm = found.factor * speed / RPM
+    _draw_map(figure, above, found, (line, rpm))
+    _draw_tracks(below, found, (line, rpm))
+    for axes in (above, below):
+        axes.axvline(speed / RPM, color=theme.ORANGE, lw=0.9)
+    above.annotate("operating", (speed / RPM, 1.0), (2, -2), xycoords=("data", "axes fraction"), fontsize=6.5,
+                   textcoords="offset points", va="top", color=theme.ORANGE)  # fmt: skip
+    below.set_xlabel(f"speed of {shaft} [rpm]")
+    return figure
+
+
+def _draw_map(figure: Figure, axes: Axes, found: RunUp, of: tuple[str, Floats]) -> None:
+    line, rpm = of
+    top = 1.05 * float(np.max(found.order_frequency)) * float(found.factor[-1])
+    shown = found.frequency <= top
+    amplitude = found.amplitude[:, found.lines.index(line)][:, shown]
+    largest = float(np.max(amplitude))
+    level = np.log10(np.maximum(amplitude / largest, 10.0**-DECADES))
+    image = axes.pcolormesh(rpm, found.frequency[shown] / 1e3, level.T, cmap=_SHADES, shading="nearest",
+                            vmin=-DECADES, vmax=0.0, rasterized=True)  # fmt: skip
+    bar = figure.colorbar(image, ax=axes, ticks=[-DECADES, -2.0, -1.0, 0.0], aspect=30.0, pad=0.11)
+    bar.ax.set_yticklabels([f"{largest * 10.0**power:.3g}" for power in (-DECADES, -2.0, -1.0, 0.0)])
+    bar.set_label("amplitude [N]")
+    axes.set(ylabel="frequency [kHz]", ylim=(0.0, top / 1e3), xlim=(rpm[0], rpm[-1]))
+    axes.set_title(f"Waterfall of the force in {line}")
+    axes.grid(visible=False)
+    free = -np.inf
+    for name, frequency in zip(found.orders, found.order_frequency, strict=True):
+        end = frequency * found.factor[-1] / 1e3
+        if end - free > 0.025 * top / 1e3:
+            axes.annotate(name.replace(" mesh", ""), (rpm[-1], end), (3, 0), textcoords="offset points", fontsize=6.0,
+                          va="center", color=theme.MUTED, annotation_clip=False)  # fmt: skip
+            free = end
+
+
+def _draw_tracks(axes: Axes, found: RunUp, of: tuple[str, Floats]) -> None:
+    line, rpm = of
+    number = found.lines.index(line)
+    tracks = found.order_amplitude[:, number]
+    strongest = np.argsort(-np.max(tracks, axis=0))[:MOST_ORDERS]
+    for place in sorted(strongest):
+        axes.plot(rpm, tracks[:, place], label=found.orders[place])
+    axes.plot(rpm, found.swing[:, number], color=theme.INK, lw=1.4, label="all, rms")
+    axes.set(ylabel="amplitude [N]", ylim=(0.0, None))
+    axes.set_title("Orders")
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
