@@ -228,7 +228,7 @@ def add_errors(model: Model, contacts: tuple[Contact, ...], parts: Mapping[str, 
         parts: Gear body, shaft or planet -> its errors.
 
     Raises:
-        DesignError: If a part does not exist, or has no such error.
+        DesignError: If a part does not exist, or a clocking angle at which teeth do not go together.
     """
     problems = list(_unknown(contacts, parts))
     if problems:
@@ -246,16 +246,10 @@ def add_errors(model: Model, contacts: tuple[Contact, ...], parts: Mapping[str, 
 
 
 def _unknown(contacts: tuple[Contact, ...], parts: Mapping[str, PartErrors]) -> Iterator[Problem]:
-    sides = [side for contact in contacts for side in contact.sides]
-    planets = {side.gear for side in sides if side.place is not None}
-    gears, shafts = {side.gear for side in sides}, {side.shaft for side in sides} - {GROUND}
-    for name, part in parts.items():
-        if name not in gears | shafts:
-            yield Problem(f"errors.{name}", f"there is no such gear, shaft or planet; {near(name, gears | shafts)}")
-        elif name not in planets and (part.pin_radial or part.pin_tangential):
-            yield Problem(f"errors.{name}", f"only planets have pins; {near(name, planets)}")
-        elif name in shafts and (part.tooth_thickness or part.clocking):
-            yield Problem(f"errors.{name}", f"tooth_thickness and clocking belong to a gear; {near(name, gears)}")
+    known = {name for contact in contacts for side in contact.sides for name in (side.gear, side.shaft)} - {GROUND}
+    for name in parts:
+        if name not in known:
+            yield Problem(f"errors.{name}", f"there is no such gear, shaft or planet; {near(name, known)}")
 
 
 def _jams(line: Line, contact: Contact, parts: Mapping[str, PartErrors]) -> Iterator[Problem]:

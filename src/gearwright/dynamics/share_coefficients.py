@@ -54,7 +54,7 @@ def tooth_cycle_shares(time: Floats, force: Floats, period: float) -> Floats:
         period: Of the mesh [s].
 
     Returns:
-        [-], shape (instants − window, n); the window is moved on by one instant at a time.
+        [-], shape (instants − window + 1, n); the window is moved on by one instant at a time.
 
     Source: Wang, Zhao, Tao, Jia & Guo, eq. 13, "for each tooth frequency cycle", read as the mean.
     """

@@ -27,7 +27,8 @@ from gearwright.dynamics.share_coefficients import (
 )
 from gearwright.dynamics.sidebands import steady_forces
 from gearwright.dynamics.simulate import simulate
-from gearwright.dynamics.system import Floats, System
+from gearwright.dynamics.stepsize import default_step
+from gearwright.dynamics.system import Floats, System, top_rate
 from gearwright.errors import DesignError, Problem, near
 
 Method = Literal["auto", "quasi-static", "frequency response", "sidebands", "dynamics"]
@@ -35,10 +36,12 @@ SIDEBANDS = 2
 """Order of the sidebands: sharing coefficients within 2e-3 of the integration (docs/theory/load-sharing.md)."""
 AGREE = 0.005
 """Largest difference of a sharing coefficient over a tooth cycle at which the cheaper solution is as good [-]."""
-INSTANTS = 40
-"""Instants in a mesh period of the steady solutions."""
-STEPS = 60
-"""Steps of the integration in a mesh period, at least."""
+INSTANTS = 24
+"""Instants in a period of the fastest harmonic that excites the train."""
+LEAST = 16
+"""Instants in a mesh period, at least."""
+FINE = 3.0
+"""Default steps of the integration over the one that is taken: shares near the parting of teeth within 1e-3."""
 TRANSIENT = 0.25
 """Time that the integration leaves for its start to die away [s]."""
 
@@ -111,9 +114,11 @@ class _Task:
     span: tuple[float, float]
     period: float
 
-    def times(self, spacing: float) -> Floats:
+    def times(self, longest: float = np.inf) -> Floats:
         """Return evenly spaced instants of the span, a whole number of them in a mesh period."""
-        step = self.period / max(round(self.period / spacing), INSTANTS)
+        fastest = top_rate(self.system.arrays)
+        spacing = min(2.0 * np.pi / (INSTANTS * fastest) if fastest else np.inf, longest, self.period / LEAST)
+        step = self.period / np.ceil(self.period / spacing)
         count = round((self.span[1] - self.span[0]) / step) + 1
         return np.asarray(self.span[0] + step * np.arange(count), dtype=np.float64)
 
@@ -140,19 +145,19 @@ def _period(system: System, lines: Sequence[str]) -> float:
 
 
 def _quasi_static(task: _Task) -> LoadSharing:
-    time = task.times(np.inf)
+    time = task.times()
     force = line_forces(redundancy(task.system), errors_at(task.system, time))
     return _result(task, "quasi-static", time, force)
 
 
 def _steady(task: _Task, sidebands: int) -> LoadSharing:
-    time = task.times(np.inf)
+    time = task.times()
     force = steady_forces(task.system, sidebands=sidebands).at(time)
     return _result(task, "sidebands" if sidebands else "frequency response", time, force)
 
 
 def _dynamics(task: _Task) -> LoadSharing:
-    step = float(task.times(task.period / STEPS)[1] - task.span[0])
+    step = float(task.times(default_step(task.system.arrays) / FINE)[1] - task.span[0])
     spans = (task.span,)
     outputs = Outputs(samples=2, windows=spans)
     trace = simulate(task.system, task.span[1] + step, step=step, outputs=outputs, method="runge-kutta")

@@ -9,6 +9,7 @@ from itertools import combinations
 from gearwright.catalogue.materials import materials
 from gearwright.errors import Problem, near
 from gearwright.parts.lewis import FEWEST_TEETH
+from gearwright.spec.check_motion import motion_problems
 from gearwright.spec.design import GROUND, Design, GearRules, Pair, Planetary
 from gearwright.units import text
 
@@ -27,7 +28,7 @@ def reference_problems(design: Design) -> list[Problem]:
         _shafts, _names, _machines, _speeds, _pairs, _planetaries, _clutches, _teeth, _layout, _cases, _keep,
         _materials, _widths, _overrides,
     )  # fmt: skip
-    return [problem for check in checks for problem in check(design)]
+    return [problem for check in checks for problem in check(design)] + list(motion_problems(design))
 
 
 def _shafts(design: Design) -> Iterator[Problem]:
