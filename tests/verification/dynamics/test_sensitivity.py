@@ -11,19 +11,19 @@ def rattling(ratio: float):
     model = Model()
     model.rotation("clock", inertia=1.0, speed=1e4 * ratio)
     model.rotation("rotor", inertia=1e-4, speed=0.0)
-    wave, error = Periodic({"clock": 1}, (0.3,)), Periodic({"clock": 1}, (2e-5,))
+    wave, error = Periodic({"clock": 1}, (0.3,)), Periodic({"clock": 1}, (6e-5,))
     damping = DampingRatio(0.02)
     model.mesh("mesh", {"rotor": 0.05}, stiffness=4e6, damping=damping, backlash=1e-4, variation=wave, errors=[error])
-    model.load("rotor", constant=2.0)
+    model.load("rotor", constant=3.0)
     return model.build()
 
 
-@pytest.mark.parametrize(("ratio", "parts"), [(0.8, True), (1.8, False)])
+@pytest.mark.parametrize(("ratio", "parts"), [(0.5, True), (1.3, False)])
 def test_the_note_says_whether_a_start_a_billionth_away_ends_elsewhere(ratio, parts):
-    """Two whole runs from starts 1e-9 apart: at 0.8 ω they end a tenth of the motion apart or more, at 1.8 ω not."""
-    system, last = rattling(ratio), Outputs(windows=((0.95, 1.0),))
+    """Two whole runs from starts 1e-9 apart: at 0.5 ω they end a tenth of the motion apart or more, at 1.3 ω not."""
+    system, last = rattling(ratio), Outputs(windows=((0.45, 0.5),))
     runs = [
-        simulate(system, 1.0, step=2e-5, start=(np.array([0.0, 1e-4 * (1.0 + shift)]), np.zeros(2)), outputs=last)
+        simulate(system, 0.5, step=2e-5, start=(np.array([0.0, 1e-4 * (1.0 + shift)]), np.zeros(2)), outputs=last)
         for shift in (0.0, 1e-9)
     ]
     one, other = (run.windows[0].deflection("mesh") for run in runs)
