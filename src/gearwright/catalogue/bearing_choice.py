@@ -142,8 +142,9 @@ def _no_bore(kind: BearingKind, bore: float) -> str:
 
 
 def _too_short(kind: BearingKind, best: BearingCheck, duty: BearingDuty) -> str:
+    wanted = f"{duty.life / _HOUR:.4g} h with s_0 = {duty.static_safety:g}"
+    load = f"{duty.radial:.4g} N and {abs(duty.axial):.4g} N"
     return (
-        f"no {kind} bearing lives {duty.life / _HOUR:.4g} h with s_0 = {duty.static_safety:g} under "
-        f"{duty.radial:.4g} N and {abs(duty.axial):.4g} N; the nearest, {best.bearing.designation}, gives {best.life / _HOUR:.4g} h and "
-        f"{best.static_safety:.3g}; take another kind, a larger bore or two bearings"
+        f"no {kind} bearing lives {wanted} under {load}; the nearest, {best.bearing.designation}, gives "
+        f"{best.life / _HOUR:.4g} h and {best.static_safety:.3g}; take another kind, a larger bore or two bearings"
     )

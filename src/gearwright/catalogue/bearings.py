@@ -22,7 +22,8 @@ from gearwright.parts.bearing_rating import dynamic_rating, fatigue_load_limit, 
 from gearwright.parts.rolling_bearing import BearingGeometry, BearingKind
 from gearwright.units import Force, Length, Mass
 
-_MM = 1e-3
+_MM = 1e3
+"""Millimetres in a metre."""
 FOUR_POINT_ANGLE = math.radians(35.0)
 """Nominal contact angle of four-point contact bearings [rad]."""
 STEEL_DENSITY = 7850.0
@@ -149,8 +150,8 @@ def _radial() -> Iterator[Bearing]:
     for series in _series():
         for row in sizes if series.outer_column else ():
             if row[series.outer_column]:
-                bore, outer = float(row["bore_mm"]) * _MM, float(row[series.outer_column]) * _MM
-                width = float(row[series.width_column]) * _MM
+                bore, outer = float(row["bore_mm"]) / _MM, float(row[series.outer_column]) / _MM
+                width = float(row[series.width_column]) / _MM
                 angle = FOUR_POINT_ANGLE if series.kind is BearingKind.FOUR_POINT else 0.0
                 inside = _inside(series, bore, outer, angle=angle, length=width)
                 yield _rated(f"{series.name}{row['code']}", inside, (bore, outer, width), source)
@@ -161,11 +162,11 @@ def _taper() -> Iterator[Bearing]:
     source = "dimensions ISO 355; contact angle from e as printed in catalogues; ratings ISO 281 and ISO 76"
     series = {each.name: each for each in _series()}
     for row in _rows("taper_bearing_sizes.csv"):
-        bore, outer = float(row["bore_mm"]) * _MM, float(row["outer_mm"]) * _MM
+        bore, outer = float(row["bore_mm"]) / _MM, float(row["outer_mm"]) / _MM
         angle = math.atan(float(row["axial_limit"]) / 1.5)
-        cup = float(row["cup_width_mm"]) * _MM
+        cup = float(row["cup_width_mm"]) / _MM
         inside = _inside(series[row["designation"][:3]], bore, outer, angle=angle, length=cup)
-        yield _rated(row["designation"], inside, (bore, outer, float(row["width_mm"]) * _MM), source)
+        yield _rated(row["designation"], inside, (bore, outer, float(row["width_mm"]) / _MM), source)
 
 
 def _inside(series: _Series, bore: float, outer: float, *, angle: float, length: float) -> BearingGeometry:

@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import root
 
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.parts.bearing_contact import ball_contacts, load_deflection_constant
@@ -22,6 +21,13 @@ Array = NDArray[np.float64]
 
 STEEL_MODULUS, STEEL_POISSON = 210e9, 0.3
 """Elastic constants of bearing steel [Pa, -]."""
+_SCHEDULES = tuple(
+    tuple(first * ratio**step for step in range(count))
+    for first, ratio, count in ((10.0, 0.1, 12), (10.0, 0.3, 26), (100.0, 0.4, 36))
+)
+"""Springs that hold the ring while its place is sought, share of the load per A moved; the next set if one fails."""
+_STEPS = 40
+"""Newton steps at most for each spring."""
 BALANCED = 1e-8
 """Unbalanced load over the load, above which equilibrium is not reached [-]."""
 
@@ -111,18 +117,53 @@ def load_distribution(geometry: BearingGeometry, load: RingLoad, *, clearance: f
     """
     _check(geometry, load, clearance)
     balls = _balls(geometry, clearance)
-    lengths = np.array([balls.distance, balls.distance, balls.distance, 1.0, 1.0])
     wanted = np.array(load) / np.array([1.0, 1.0, 1.0, balls.distance, balls.distance])
-    residual = np.full(5, math.inf)
-    for start in _starts(balls, wanted):
-        found = root(_unbalance, start, args=(balls, wanted), jac=True, method="hybr", tol=1e-13)
-        residual = np.abs(_unbalance(found.x, balls, wanted)[0])
-        if residual.max() < BALANCED:
-            squeeze, radial, axial = _squeeze(found.x, balls)
-            force = balls.stiffness * squeeze**1.5
-            return LoadDistribution(RingMotion(*(found.x * lengths).tolist()), force, np.arctan2(axial, radial))
-    message = f"no equilibrium of the bearing under {tuple(load)} N, N m"
-    raise SolveError(f"{message}: {residual.max():.2g} of the load is left over")
+    moved = _equilibrium(balls, wanted)
+    rest = float(np.abs(_unbalance(moved, balls, wanted)[0]).max())
+    if rest > BALANCED:
+        message = f"no equilibrium of the bearing under {tuple(map(float, load))} N, N m"
+        raise SolveError(f"{message}: {rest:.2g} of the load is left over")
+    squeeze, radial, axial = _squeeze(moved, balls)
+    lengths = np.array([balls.distance, balls.distance, balls.distance, 1.0, 1.0])
+    motion = RingMotion(*(moved * lengths).tolist())
+    return LoadDistribution(motion, balls.stiffness * squeeze**1.5, np.arctan2(axial, radial))
+
+
+def _equilibrium(balls: _Balls, wanted: Array) -> Array:
+    """Return the motion that balances the load, or the best found.
+
+    Clearance leaves the balls free, so that nothing holds the ring at first. Weak springs to the housing do, and are
+    slackened step by step until only the balls are left.
+    """
+    arms = np.array([1.0, 1.0, 1.0, balls.tilt_arm, balls.tilt_arm])
+    motion = np.zeros(5)
+    for schedule in _SCHEDULES:
+        motion = np.zeros(5)
+        for spring in (*schedule, 0.0):
+            motion = _settled(motion, balls, wanted, springs=np.diag(spring * arms**2))
+        if np.abs(_unbalance(motion, balls, wanted)[0]).max() < BALANCED:
+            break
+    return motion
+
+
+def _settled(motion: Array, balls: _Balls, wanted: Array, *, springs: Array) -> Array:
+    """Return a motion after Newton steps, each taken only as far as it lessens what is left over."""
+    rest, slope = _unbalance(motion, balls, wanted)
+    rest, slope = rest + springs @ motion, slope + springs
+    for _ in range(_STEPS):
+        if np.linalg.norm(rest) < 1e-3 * BALANCED:
+            break
+        step = np.linalg.lstsq(slope, -rest)[0]
+        for halving in range(14):
+            trial = motion + 0.5**halving * step
+            new, tangent = _unbalance(trial, balls, wanted)
+            new += springs @ trial
+            if np.linalg.norm(new) < np.linalg.norm(rest):
+                motion, rest, slope = trial, new, tangent + springs
+                break
+        else:
+            break
+    return motion
 
 
 def _check(geometry: BearingGeometry, load: RingLoad, clearance: float) -> None:
@@ -157,19 +198,6 @@ def _balls(geometry: BearingGeometry, clearance: float) -> _Balls:
         stiffness=stiffness * distance**1.5,
         distance=distance,
     )
-
-
-def _starts(balls: _Balls, wanted: Array) -> list[Array]:
-    """Return places to start from: the motion that each load alone would need, and shares of it."""
-    share = np.abs(wanted) / (balls.stiffness * len(balls.angle) * np.array([0.2, 0.2, 0.3, 0.1, 0.1]))
-    share[3:] /= balls.couple_arm
-    squeeze = np.cbrt(share) ** 2
-    radial = 1.0 - balls.radial + squeeze[:2]
-    axial = np.sqrt((1.0 + squeeze[2:]) ** 2 - balls.radial**2)
-    axial[1:] /= balls.tilt_arm
-    alone = np.sign(wanted) * np.concatenate([radial, axial])
-    tilted = alone - np.array([0.0, 0.0, 0.0, *(0.5 * np.sign(wanted[2]) * alone[:2])])
-    return [factor * start for factor in (1.0, 0.7, 1.5) for start in (alone, tilted)]
 
 
 def _squeeze(motion: Array, balls: _Balls) -> tuple[Array, Array, Array]:

@@ -1,0 +1,100 @@
+"""Parallel keys of DIN 6885-1, form A and B, high."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+
+from gearwright.errors import DesignError, Problem
+from gearwright.parts.key import LONGEST_BEARING, KeySection, bearing_length, key_length
+from gearwright.units import Length
+
+LENGTHS = tuple(
+    length / 1e3
+    for length in (
+        6, 8, 10, 12, 14, 16, 18, 20, 22, 25, 28, 32, 36, 40, 45, 50, 56, 63, 70, 80, 90, 100, 110, 125, 140, 160, 180,
+        200, 220, 250, 280, 320, 360, 400,
+    )
+)  # fmt: skip
+"""Lengths of keys [m] (DIN 6885-1:1968)."""
+
+
+@dataclass(frozen=True)
+class StandardKey:
+    """A key section with the shafts and lengths for which it is made."""
+
+    over: Length
+    """Shaft diameters above this [m]."""
+    to: Length
+    """Shaft diameters up to this [m]."""
+    section: KeySection
+    """b, h, t_1, t_2 [m]."""
+    shortest: Length
+    """Shortest length [m]."""
+    longest: Length
+    """Longest length [m]."""
+
+
+@cache
+def standard_keys() -> tuple[StandardKey, ...]:
+    """Return the sections of DIN 6885-1 by shaft diameter."""
+    text = files("gearwright.catalogue").joinpath("data/keys.csv").read_text(encoding="utf-8")
+    return tuple(
+        _key({name: float(value) / 1e3 for name, value in row.items()}) for row in csv.DictReader(text.splitlines())
+    )
+
+
+def _key(row: dict[str, float]) -> StandardKey:
+    section = KeySection(row["width_mm"], row["height_mm"], row["shaft_depth_mm"], row["hub_depth_mm"])
+    return StandardKey(row["over_mm"], row["to_mm"], section, row["shortest_mm"], row["longest_mm"])
+
+
+def key_for_shaft(diameter: float) -> StandardKey:
+    """Return the key of a shaft.
+
+    Args:
+        diameter: d [m].
+
+    Raises:
+        DesignError: If the standard has none for this diameter.
+    """
+    for key in standard_keys():
+        if key.over < diameter - 1e-9 and diameter <= key.to + 1e-9:
+            return key
+    keys = standard_keys()
+    message = (
+        f"{1e3 * diameter:g} mm given; DIN 6885-1 has keys above {1e3 * keys[0].over:g} to {1e3 * keys[-1].to:g} mm"
+    )
+    raise DesignError([Problem("diameter", message)])
+
+
+def choose_key_length(torque: float, diameter: float, *, allowable: float, hub_length: float, keys: int = 1) -> Length:
+    """Return the shortest standard key with round ends that bears a torque [m].
+
+    Args:
+        torque: T [N m].
+        diameter: d of the shaft [m].
+        allowable: Pressure on the flank [Pa].
+        hub_length: [m].
+        keys: One, or two opposite ones.
+
+    Raises:
+        DesignError: If none does within the hub, within 1.3 d, or within the lengths of the standard.
+    """
+    key = key_for_shaft(diameter)
+    needed = key_length(torque, diameter, key.section, allowable=allowable, keys=keys)
+    longest = min(hub_length, key.longest, LONGEST_BEARING * diameter + key.section.width)
+    for length in LENGTHS:
+        if (
+            key.shortest - 1e-9 <= length <= longest + 1e-9
+            and bearing_length(key.section, length, hub_length + 1e-9) >= needed
+        ):
+            return length
+    room = max(longest - key.section.width, 0.0)
+    message = (
+        f"{torque:.4g} N m need a flank of {1e3 * needed:.4g} mm at {allowable / 1e6:g} MPa; hub, standard and 1.3 d "
+        f"leave {1e3 * room:.4g} mm; take two keys, a spline, a press fit or an integral gear"
+    )
+    raise DesignError([Problem("key.length", message)])

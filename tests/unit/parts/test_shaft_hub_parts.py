@@ -1,0 +1,303 @@
+"""Keys, splines, press fits, notches, fatigue, bending lines: closed forms, limits, refusals."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gearwright.catalogue.keys import choose_key_length, key_for_shaft
+from gearwright.errors import DesignError
+from gearwright.parts.beam import PointLoads, diagram, supported
+from gearwright.parts.key import KeySection, bearing_length, key_pressure
+from gearwright.parts.notch import Concentration, Shoulder, stress_concentration
+from gearwright.parts.press_fit import (
+    FitPart,
+    fit_interference,
+    fit_pressure,
+    fit_torque,
+    hub_stress,
+    joining_temperature,
+    shaft_fit_stress,
+)
+from gearwright.parts.shaft_din743 import (
+    ShaftSection,
+    ShaftSteel,
+    SteelGroup,
+    blank_factor,
+    din743_safety,
+)
+from gearwright.parts.shaft_fatigue import (
+    FatigueStrength,
+    SectionLoad,
+    asme_safety,
+    endurance_limit,
+    goodman_diameter,
+    goodman_safety,
+    section_stress,
+)
+from gearwright.parts.shaft_stiffness import (
+    Sections,
+    at_place,
+    bent_line,
+    critical_speed,
+    critical_speed_dunkerley,
+    critical_speed_rayleigh,
+    influence,
+    lumped_shaft,
+    plain_shaft,
+)
+from gearwright.parts.spline import spline, spline_length, spline_pressure
+
+STEEL = 210e9
+KEY = KeySection(14e-3, 9e-3, 5.5e-3, 3.8e-3)
+
+
+def test_a_key_longer_than_its_hub_is_refused():
+    """And the hub's length is named."""
+    with pytest.raises(DesignError, match="70 mm is longer than its hub; allowed: up to 60 mm"):
+        bearing_length(KEY, 0.07, 0.06)
+    with pytest.raises(DesignError, match="allowed: above 14 mm"):
+        bearing_length(KEY, 0.014, 0.06)
+
+
+def test_two_keys_bear_one_and_a_half_times_one():
+    """DIN 6892, φ = 0.75."""
+    one, two = (key_pressure(500.0, 0.05, KEY, bearing_length=0.056, keys=keys) for keys in (1, 2))
+    assert one == pytest.approx(1.5 * two)
+    with pytest.raises(DesignError, match="3 given; allowed: 1 or 2"):
+        key_pressure(500.0, 0.05, KEY, bearing_length=0.056, keys=3)
+
+
+def test_chosen_key_is_standard_and_bears():
+    """200 N m on 50 mm at 100 MPa: 22.9 mm of flank, so 40 mm long is the first that holds (36 holds only 22)."""
+    length = choose_key_length(200.0, 0.05, allowable=100e6, hub_length=0.06)
+    assert length == 0.04
+    flank = bearing_length(key_for_shaft(0.05).section, length, 0.06)
+    assert key_pressure(200.0, 0.05, key_for_shaft(0.05).section, bearing_length=flank) <= 100e6
+
+
+def test_a_torque_beyond_any_key_names_what_would_do():
+    """As on the Colibri's mast."""
+    with pytest.raises(
+        DesignError, match=r"need a flank of 288.1 mm at 150 MPa; .* leave 60 mm; take two keys, a spline"
+    ):
+        choose_key_length(5185.4627, 0.06, allowable=150e6, hub_length=0.078)
+    with pytest.raises(DesignError, match="300 mm given; DIN 6885-1 has keys above 6 to 230 mm"):
+        key_for_shaft(0.3)
+
+
+@given(st.integers(20, 300), st.sampled_from([1.0, 1.25, 2.0, 3.0, 5.0]))
+def test_spline_geometry_closes(diameter, module):
+    """d_B = m (z + 2 x + 1.1), with the shift in range, wherever six teeth fit."""
+    if diameter / module < 9.0:
+        return
+    joint = spline(diameter / 1e3, module / 1e3)
+    assert joint.pitch_diameter + (2.0 * joint.profile_shift + 1.1) * joint.module == pytest.approx(diameter / 1e3)
+    assert -0.051 <= joint.profile_shift <= 0.451
+    assert joint.shaft_root < joint.hub_tip < joint.shaft_tip < joint.reference_diameter
+
+
+def test_spline_pressure_undoes_length():
+    """p of the length of p."""
+    joint = spline(0.06, 0.002)
+    length = spline_length(1000.0, joint, allowable=80e6)
+    assert spline_pressure(1000.0, joint, length) == pytest.approx(80e6)
+
+
+def test_splines_that_do_not_exist_are_refused():
+    """With the nearest module, or the number of teeth."""
+    with pytest.raises(DesignError, match=r"2.2 mm is not a module of DIN 5480; the nearest is 2 mm"):
+        spline(0.05, 0.0022)
+    with pytest.raises(DesignError, match="room for 4 teeth of 5 mm; 6 are needed"):
+        spline(0.03, 0.005)
+
+
+def test_solid_shaft_and_hub_of_one_steel_follow_the_short_form():
+    """Lamé for equal materials and a solid shaft: p = U E (1 − Q²)/(2 d)."""
+    pressure = fit_pressure(50e-6, 0.05, FitPart(0.0, STEEL), FitPart(0.5, STEEL))
+    assert pressure == pytest.approx(50e-6 * STEEL * (1.0 - 0.25) / (2.0 * 0.05))
+
+
+def test_fit_undoes_itself_and_roughness_takes_its_share():
+    """U of p of U; 0.8 of both R_z is lost."""
+    shaft, hub = FitPart(0.3, STEEL, roughness=4e-6), FitPart(0.6, STEEL, roughness=6e-6)
+    pressure = fit_pressure(60e-6, 0.05, shaft, hub)
+    assert fit_interference(pressure, 0.05, shaft, hub) == pytest.approx(60e-6)
+    assert fit_interference(0.0, 0.05, shaft, hub) == pytest.approx(8e-6)
+    assert fit_torque(pressure, 0.05, 0.04, friction=0.14) == pytest.approx(
+        0.025 * math.pi * 0.05 * 0.04 * 0.14 * pressure
+    )
+    assert hub_stress(pressure, hub) > shaft_fit_stress(pressure, FitPart(0.0, STEEL)) == pressure
+    assert shaft_fit_stress(pressure, shaft) == pytest.approx(2.0 * pressure / 0.91)
+    assert joining_temperature(60e-6, 50e-6, 0.05, expansion=11e-6) == pytest.approx(200.0)
+
+
+def test_loose_fits_and_parts_without_walls_are_refused():
+    """With what would hold."""
+    rough = FitPart(0.0, STEEL, roughness=6e-6)
+    with pytest.raises(DesignError, match=r"-5 µm given; the fit holds above 9.6 µm"):
+        fit_pressure(-5e-6, 0.05, rough, FitPart(0.5, STEEL, roughness=6e-6))
+    with pytest.raises(DesignError, match="1 given; allowed: 0 to below 1"):
+        FitPart(1.0, STEEL)
+
+
+@given(st.floats(0.03, 1.0), st.floats(1.05, 2.0))
+def test_sharper_shoulders_raise_more(share, ratio):
+    """A smaller fillet never lowers stress, and bending feels it more than torsion."""
+    step = 0.04 * (ratio - 1.0) / 2.0
+    sharp, round_one = (
+        stress_concentration(Shoulder(0.04, 0.04 * ratio, factor * share * step)) for factor in (0.9, 1.0)
+    )
+    assert sharp.bending > round_one.bending > 1.0
+    assert sharp.bending > sharp.torsion
+
+
+@pytest.mark.parametrize(
+    ("shoulder", "message"),
+    [
+        (Shoulder(0.05, 0.04, 0.001), "40 mm is not above the smaller diameter, 50 mm"),
+        (Shoulder(0.04, 0.05, 0.006), "6 mm given; allowed: above 0 to 5 mm"),
+        (Shoulder(0.04, 0.05, 0.0), "0 mm given"),
+    ],
+)
+def test_shoulders_that_cannot_be_made_are_refused(shoulder, message):
+    """With the range."""
+    with pytest.raises(DesignError, match=message):
+        stress_concentration(shoulder)
+
+
+STRENGTH = FatigueStrength(200e6, 700e6, 500e6)
+
+
+@given(st.floats(1.0, 1e3), st.floats(0.0, 1e3))
+def test_diameter_undoes_safety(bending, torque):
+    """n of the diameter of n; and a bore makes it worse."""
+    load, notch = SectionLoad(bending_amplitude=bending, torque_mean=torque), Concentration(1.7, 1.4)
+    diameter = goodman_diameter(load, STRENGTH, notch, safety=1.5)
+    assert goodman_safety(section_stress(load, diameter, notch), STRENGTH) == pytest.approx(1.5)
+    hollow = section_stress(load, diameter, notch, bore=0.6 * diameter)
+    assert goodman_safety(hollow, STRENGTH) < 1.5
+
+
+def test_without_mean_stress_goodman_and_asme_agree():
+    """Both are S_e/σ_a then."""
+    stress = section_stress(SectionLoad(bending_amplitude=500.0), 0.04)
+    assert goodman_safety(stress, STRENGTH) == pytest.approx(asme_safety(stress, STRENGTH))
+
+
+def test_unknown_surface_and_reliability_are_both_named():
+    """All problems at once."""
+    with pytest.raises(DesignError) as caught:
+        endurance_limit(700e6, 0.5, surface="polished", reliability=0.97)
+    assert [problem.path for problem in caught.value.problems] == ["surface", "reliability", "diameter"]
+
+
+STEEL_42CRMO4 = ShaftSteel(1100e6, 900e6, 550e6, 330e6, SteelGroup.TEMPERED)
+"""42CrMo4+QT at d_B = 16 mm (DIN 743-3)."""
+SECTION = ShaftSection(0.040, 0.050, Concentration(1.8, 1.4))
+
+
+def test_din_743_pure_bending_is_strength_over_stress():
+    """Fatigue: σ_bW K_1/K over M/W; K = (β/K_2 + 1/K_F − 1). Written out."""
+    load = SectionLoad(bending_amplitude=800.0)
+    safety = din743_safety(load, SECTION, STEEL_42CRMO4, greatest=load)
+    size = 1.0 - 0.26 * math.log10(50.0 / 16.0)
+    rough = 1.0 - 0.22 * (math.log10(1100.0 * size / 20.0) - 1.0)
+    total = 1.8 / (1.0 - 0.2 * math.log10(40.0 / 7.5) / math.log10(20.0)) + 1.0 / rough - 1.0
+    stress = 800.0 / (math.pi / 32.0 * 0.04**3)
+    assert safety.fatigue == pytest.approx(550e6 * size / total / stress)
+    assert safety.yielding == pytest.approx(900e6 * (1.0 - 0.34 * math.log10(50.0 / 16.0)) * 1.2 / stress)
+
+
+def test_din_743_mean_torque_lowers_fatigue_safety():
+    """And hardening raises it."""
+    bent, twisted = SectionLoad(bending_amplitude=800.0), SectionLoad(bending_amplitude=800.0, torque_mean=2000.0)
+    plain = din743_safety(bent, SECTION, STEEL_42CRMO4, greatest=twisted)
+    mean = din743_safety(twisted, SECTION, STEEL_42CRMO4, greatest=twisted)
+    hard = din743_safety(twisted, SECTION._replace(hardening=1.2), STEEL_42CRMO4, greatest=twisted)
+    assert mean.fatigue < plain.fatigue
+    assert hard.fatigue > mean.fatigue
+    assert mean.yielding == plain.yielding
+
+
+def test_din_743_refuses_a_mean_stress_beyond_strength():
+    """Nothing is left for the amplitude."""
+    load = SectionLoad(bending_amplitude=1.0, bending_mean=3e4)
+    with pytest.raises(DesignError, match="leaves no fatigue strength; take a larger diameter"):
+        din743_safety(load, SECTION, STEEL_42CRMO4, greatest=load)
+
+
+@pytest.mark.parametrize("group", SteelGroup)
+@pytest.mark.parametrize("yielding", [True, False])
+def test_larger_blanks_are_weaker_within_the_range(group, yielding):
+    """1 up to the reference, falling, and constant beyond the end."""
+    factors = [blank_factor(size, group, yielding=yielding) for size in (0.005, 0.12, 0.14, 0.3, 0.5)]
+    assert factors[0] == 1.0
+    assert factors[0] > factors[1] > factors[2] >= factors[3] == factors[4] > 0.4
+
+
+def bent(force, places, seats, shaft):
+    """Return the bent line of a shaft under forces in one plane."""
+    places = np.asarray(places, dtype=float)
+    none = np.zeros((1, len(places)))
+    loads = PointLoads(places, np.asarray([force], dtype=float), none, none)
+    whole = supported(loads, seats, length=float(shaft.edges[-1]))
+    return bent_line(diagram(whole), shaft, seats, elastic_modulus=STEEL)
+
+
+def test_load_in_the_middle_and_overhung():
+    """F L³/(48 E I) down with slopes F L²/(16 E I); and F a² (L + a)/(3 E I) at an overhung end."""
+    shaft, rigidity = plain_shaft(0.03, 0.8), STEEL * math.pi / 64.0 * 0.03**4
+    middle = bent([-1000.0], [0.3], [0.0, 0.6], shaft)
+    assert at_place(middle, 0.3)[0] == pytest.approx([-1000.0 * 0.6**3 / (48.0 * rigidity)])
+    assert at_place(middle, 0.0)[1] == pytest.approx([-1000.0 * 0.6**2 / (16.0 * rigidity)])
+    assert at_place(middle, 0.6)[1] == pytest.approx([1000.0 * 0.6**2 / (16.0 * rigidity)])
+    end = bent([-1000.0], [0.8], [0.0, 0.6], shaft)
+    assert at_place(end, 0.8)[0] == pytest.approx([-1000.0 * 0.2**2 * 0.8 / (3.0 * rigidity)])
+
+
+def test_steps_of_one_diameter_change_nothing_and_thicker_ones_stiffen():
+    """Edges alone do not bend a shaft."""
+    plain = plain_shaft(0.03, 0.6)
+    cut = Sections(np.array([0.0, 0.11, 0.4, 0.6]), np.full(3, 0.03), np.zeros(3))
+    thick = Sections(cut.edges, np.array([0.03, 0.06, 0.03]), np.zeros(3))
+    deep = [at_place(bent([-1000.0], [0.25], [0.0, 0.6], shaft), 0.25)[0][0] for shaft in (plain, cut, thick)]
+    assert deep[1] == pytest.approx(deep[0])
+    assert deep[0] < deep[2] < 0.0
+
+
+@given(st.lists(st.floats(0.02, 0.78), min_size=2, max_size=4, unique_by=lambda x: round(x, 3)))
+def test_influence_is_symmetric_and_bounds_hold(places):
+    """Maxwell; Dunkerley ≤ exact ≤ Rayleigh."""
+    shaft = Sections(np.array([0.0, 0.3, 0.8]), np.array([0.03, 0.04]), np.array([0.0, 0.02]))
+    found = influence(shaft, [0.0, 0.8], places, elastic_modulus=STEEL)
+    assert found == pytest.approx(found.T, rel=1e-6)
+    masses = np.arange(1.0, len(places) + 1.0)
+    exact = critical_speed(found, masses)
+    assert critical_speed_dunkerley(found, masses) <= exact * (1.0 + 1e-9)
+    assert exact <= critical_speed_rayleigh(found, masses) * (1.0 + 1e-9)
+
+
+def test_own_mass_of_a_plain_shaft_reaches_the_closed_form():
+    """ω = (π/L)² √(E I/(ρ A)); 40 lumps come within 0.1 %."""
+    shaft = plain_shaft(0.03, 0.6)
+    places, masses = lumped_shaft(shaft, 7850.0)
+    found = critical_speed(influence(shaft, [0.0, 0.6], places, elastic_modulus=STEEL), masses)
+    assert found == pytest.approx((math.pi / 0.6) ** 2 * 0.03 / 4.0 * math.sqrt(STEEL / 7850.0), rel=1e-3)
+    assert masses.sum() == pytest.approx(7850.0 * math.pi / 4.0 * 0.03**2 * 0.6)
+
+
+def test_loads_outside_the_shaft_are_refused():
+    """With its ends; and a place without a station has no deflection."""
+    drawn = diagram(
+        supported(
+            PointLoads(np.array([0.5]), np.array([[1.0]]), np.zeros((1, 1)), np.zeros((1, 1))), [0.0, 1.0], length=1.0
+        )
+    )
+    with pytest.raises(DesignError, match="1000 mm is outside the shaft; allowed: 0 to 600 mm"):
+        bent_line(drawn, plain_shaft(0.03, 0.6), [0.0, 1.0], elastic_modulus=STEEL)
+    line = bent([-1.0], [0.3], [0.0, 0.6], plain_shaft(0.03, 0.6))
+    with pytest.raises(DesignError, match="no load, bearing or edge stands at 100 mm"):
+        at_place(line, 0.1)
