@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from gearwright.parts.bearing_distribution import RingLoad, basic_reference_life, load_distribution
-from gearwright.parts.bearing_life import basic_life, life_modification, life_time, reference_viscosity
+from gearwright.parts.bearing_distribution import RingLoad, load_distribution
+from gearwright.parts.bearing_life import basic_life, life_time
 from gearwright.parts.bearing_load import (
     ISO_R281_1962,
     SHIGLEY_11_1,
@@ -13,6 +13,7 @@ from gearwright.parts.bearing_load import (
     equivalent_load,
     taper_factors,
 )
+from gearwright.parts.bearing_modified_life import life_modification, reference_viscosity
 from gearwright.parts.bearing_rating import (
     ball_dynamic_factor,
     ball_static_factor,
@@ -20,6 +21,7 @@ from gearwright.parts.bearing_rating import (
     roller_dynamic_factor,
     static_rating,
 )
+from gearwright.parts.bearing_reference_life import basic_reference_life
 from gearwright.parts.rolling_bearing import BearingGeometry, BearingKind
 from gearwright.units import RPM
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.catalogue.keys import key_for_shaft, standard_keys
+from gearwright.parts.critical_speed import critical_speed, critical_speed_dunkerley, critical_speed_rayleigh
 from gearwright.parts.key import (
     KeySection,
     key_length,
@@ -33,13 +34,7 @@ from gearwright.parts.shaft_fatigue import (
     section_stress,
     yield_safety,
 )
-from gearwright.parts.shaft_stiffness import (
-    critical_speed,
-    critical_speed_dunkerley,
-    critical_speed_rayleigh,
-    influence,
-    plain_shaft,
-)
+from gearwright.parts.shaft_stiffness import influence, plain_shaft
 from gearwright.parts.spline import spline, spline_length
 from gearwright.units import GRAVITY, INCH, POUND, POUND_FORCE
 

@@ -9,14 +9,9 @@ from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
 from gearwright.parts.bearing_contact import ball_contacts, ellipse_ratio, load_at_pressure, load_deflection_constant
-from gearwright.parts.bearing_distribution import RingLoad, basic_reference_life, load_distribution, reference_load
+from gearwright.parts.bearing_distribution import RingLoad, load_distribution
 from gearwright.parts.bearing_life import (
-    Cleanliness,
-    OilFilter,
     basic_life,
-    cleanliness_factor,
-    contamination_factor,
-    life_modification,
     life_time,
     rating_for_life,
     reliability_factor,
@@ -33,7 +28,15 @@ from gearwright.parts.bearing_load import (
     taper_pair_thrusts,
     taper_static_factors,
 )
+from gearwright.parts.bearing_modified_life import (
+    Cleanliness,
+    OilFilter,
+    cleanliness_factor,
+    contamination_factor,
+    life_modification,
+)
 from gearwright.parts.bearing_rating import dynamic_rating, fatigue_load_limit
+from gearwright.parts.bearing_reference_life import basic_reference_life, reference_load
 from gearwright.parts.rolling_bearing import BearingGeometry, BearingKind
 
 BALL = BearingGeometry(BearingKind.DEEP_GROOVE, 8, 17.462e-3, 72.5e-3)

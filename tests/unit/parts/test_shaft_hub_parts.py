@@ -10,6 +10,12 @@ from hypothesis import strategies as st
 from gearwright.catalogue.keys import choose_key_length, key_for_shaft
 from gearwright.errors import DesignError
 from gearwright.parts.beam import PointLoads, diagram, supported
+from gearwright.parts.critical_speed import (
+    critical_speed,
+    critical_speed_dunkerley,
+    critical_speed_rayleigh,
+    lumped_shaft,
+)
 from gearwright.parts.key import KeySection, bearing_length, key_pressure
 from gearwright.parts.notch import Concentration, Shoulder, stress_concentration
 from gearwright.parts.press_fit import (
@@ -37,17 +43,7 @@ from gearwright.parts.shaft_fatigue import (
     goodman_safety,
     section_stress,
 )
-from gearwright.parts.shaft_stiffness import (
-    Sections,
-    at_place,
-    bent_line,
-    critical_speed,
-    critical_speed_dunkerley,
-    critical_speed_rayleigh,
-    influence,
-    lumped_shaft,
-    plain_shaft,
-)
+from gearwright.parts.shaft_stiffness import Sections, at_place, bent_line, influence, plain_shaft
 from gearwright.parts.spline import spline, spline_length, spline_pressure
 
 STEEL = 210e9
