@@ -100,6 +100,19 @@ def load_sharing_factor(mesh: MeshGeometry) -> Value:
     return as_value(np.where(deep_spur, 0.7, share))
 
 
+def contact_ratio_factor_root(mesh: MeshGeometry) -> Value:
+    """Return the contact ratio factor Y_ε, which takes a load at the tip to the outer point of single contact.
+
+    Args:
+        mesh: The pair.
+
+    Source: ISO 6336-3:1996, clause 7 (method C), 0.25 + 0.75/ε_αn; method B puts the load where it acts instead.
+    Valid for: 1 ≤ ε_αn < 2.
+    """
+    ratio = mesh.transverse_contact_ratio / np.cos(mesh.base_helix_angle) ** 2
+    return as_value(0.25 + 0.75 / ratio)
+
+
 def helix_factor(mesh: MeshGeometry, edition: Edition) -> Value:
     """Return the helix angle factor Y_β of bending.
 

@@ -201,7 +201,7 @@ def _undercut(pair: GearPair) -> list[Problem]:
     return [
         Problem(
             f"{name}.profile_shift",
-            f"x = {gear.profile_shift:.4g} undercuts {gear.teeth} teeth; at least {gear.undercut_shift:.3f} or more teeth",
+            f"x = {gear.profile_shift:.4g} undercuts {gear.teeth} teeth; needs {gear.undercut_shift:.3f} or more teeth",
         )
         for name, gear in (("driver", pair.driver), ("driven", pair.driven))
         if gear.profile_shift < gear.undercut_shift - 1e-12

@@ -17,6 +17,7 @@ from gearwright.units import Origin, Quantity
 
 _PART3 = "ISO 6336-3:2019, clause 6"
 _STEPS = 25
+_NO_TOOTH = "tooth root: no tangent point on the fillet; check dedendum, fillet radius and profile shift"
 
 
 @dataclass(frozen=True)
@@ -108,7 +109,7 @@ def root_section(loaded: LoadedTooth) -> RootSection:
 
     >>> pinion = LoadedTooth(20.0, 22.0, np.radians(20.0), ToothProportions())
     >>> round(float(root_section(pinion).form), 3)
-    2.81
+    2.8
     """
     tooth, z_n, alpha = loaded.tooth, loaded.teeth, loaded.pressure_angle
     corner = _corner(loaded)
@@ -123,6 +124,8 @@ def root_section(loaded: LoadedTooth) -> RootSection:
     angle, gamma = _load_angle(loaded)
     arm = (np.cos(gamma) - np.sin(gamma) * np.tan(angle)) * loaded.load_diameter
     lever = 0.5 * (arm - z_n * np.cos(opening - theta) - np.where(internal, np.sqrt(3.0), 1.0) * offset)
+    if not np.all((chord > 0.0) & (lever > 0.0) & (fillet > 0.0)):
+        raise SolveError(_NO_TOOTH)
     force = alpha if loaded.force_angle is None else loaded.force_angle
     form = 6.0 * lever * np.cos(angle) / (chord**2 * np.cos(force))
     notch = chord / (2.0 * fillet)
@@ -151,7 +154,7 @@ def _tangent_angle(drop: Value, constant: Value, teeth: Value, *, start: Value) 
         if np.all(np.abs(step) < 1e-14):
             break
     if not np.all((theta > 0.0) & (theta < 0.5 * np.pi)):
-        raise SolveError("tooth root: no tangent point on the fillet; check dedendum, fillet radius and profile shift")
+        raise SolveError(_NO_TOOTH)
     return theta
 
 
