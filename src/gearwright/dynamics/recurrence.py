@@ -51,7 +51,7 @@ def recurrence(step: Floats, output: Floats, size: Size) -> Run:
         output: C, shape (outputs, states).
         size: Sizes.
     """
-    function = _compiled(size)[0]
+    code = _compiled(size)
     states, chunks = size.state_chunks * CHUNK, size.output_chunks * CHUNK
     columns = aligned(size.states, states + chunks)
     columns[:, : size.states], columns[:, states : states + size.outputs] = step.T, output.T
@@ -60,7 +60,7 @@ def recurrence(step: Floats, output: Floats, size: Size) -> Run:
         filled = aligned(states)
         filled[: size.states] = state
         addresses = (array.ctypes.data for array in (columns, filled, record, summary))
-        function(len(record), *addresses)
+        code[0](len(record), *addresses)
         return filled[: size.states]
 
     return run
@@ -68,6 +68,7 @@ def recurrence(step: Floats, output: Floats, size: Size) -> Run:
 
 @lru_cache(maxsize=64)
 def _compiled(size: Size) -> tuple[Callable[..., None], object]:
+    """Return the function and the engine that keeps it in memory."""
     engine = machine_code(_assembly(size))
     signature = ctypes.CFUNCTYPE(None, ctypes.c_int64, *[ctypes.c_void_p] * 4)
     return signature(engine.get_function_address("recur")), engine

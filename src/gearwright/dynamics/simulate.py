@@ -250,4 +250,4 @@ def _work(recorder: Recorder, ends: tuple[Floats, Floats], done: int) -> Work:
         for time, state in zip((0.0, done * recorder.step), ends, strict=True)
     )
     driven, braked, dissipated, stiffness, error, frame = (float(work) for work in ends[1][2 * size :])
-    return Work(driven, braked, dissipated, stiffness, error, frame, after - before)
+    return Work(driven, braked, dissipated, stiffness, error, frame, after - before, after)

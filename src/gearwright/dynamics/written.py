@@ -83,6 +83,8 @@ def problems(model: Written) -> list[Problem]:
 def _bodies(model: Written) -> Iterator[Problem]:
     if not model.bodies:
         yield Problem("bodies", "there is none; add rotations or translations")
+    if not model.lines:
+        yield Problem("lines", "there is none; join the bodies with meshes, shafts or supports")
     yield from _duplicates("bodies", [body.name for body in model.bodies])
     for body in model.bodies:
         if not 0.0 < body.mass < math.inf:

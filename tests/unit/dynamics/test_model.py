@@ -124,3 +124,9 @@ def test_every_problem_comes_at_once():
     model.support("s", "b", stiffness=0.0)
     model.load("a", schedule=((1.0, 0.0), (1.0, 2.0)))
     assert "4 problems" in problems_of(model)
+
+
+def test_bodies_that_nothing_joins_are_refused():
+    model = Model()
+    model.rotation("alone", inertia=1.0)
+    assert "lines: there is none" in problems_of(model)
