@@ -53,18 +53,6 @@ def test_willis_gives_seventy_kilograms_for_two_planetary_stages_and_223_for_a_d
     assert branch == pytest.approx(223.0, abs=PRINTED_KILOGRAM)
 
 
-def test_willis_in_kilograms_has_the_factor_of_the_thesis():
-    """Pulvirenti 2023, eq. 1.6: 0.2268 T[lb in]/K[psi]; the factor is printed to four digits."""
-    inch_pound = 0.112984829
-    psi = 6894.757293
-    assert willis.mass_willis(inch_pound, 1.0, k_factor=psi) == pytest.approx(0.2268, abs=5e-5)
-
-
-def test_afdd00_has_the_si_coefficient_of_the_thesis():
-    """Pulvirenti 2023, eq. 1.1: 54.6311 kg at 1 kW and 1 rpm; printed to 1e-4 of 54.6."""
-    assert mass_afdd00(1e3, RPM, RPM) == pytest.approx(54.6311, abs=2e-4)
-
-
 @pytest.mark.parametrize("row", CLASSES, ids=[row[0] for row in CLASSES])
 def test_the_class_rows_come_out(row):
     """Seven classes evaluated independently from the formulas in lb, hp and rpm; their tolerance is 1e-4.
@@ -82,23 +70,18 @@ def test_the_class_rows_come_out(row):
     assert mass_afdd00(*triple, rotors=rotors) / POUND == pytest.approx(afdd00, rel=1e-4)
 
 
-def test_the_refit_of_the_real_weights_has_the_published_coefficients():
-    """AeroSandbox, studies/GearboxMassFits: 1.0445171124733774 and 2.0083615496306910 through the same points.
+def test_the_refit_of_the_real_weights_scatters_as_published():
+    """AeroSandbox, studies/GearboxMassFits; slope and intercept are cases of `gearwright validate`.
 
-    The points are given to five decimals of log10, so the coefficients agree to about 1e-12 only with the same digits.
     R² of 0.967 is computed from the points; a value of 0.92 is sometimes quoted for them and is not theirs.
     """
     line = refit()
-    assert line.slope == pytest.approx(1.0445171124733774, rel=1e-12)
-    assert line.intercept == pytest.approx(2.0083615496306910, rel=1e-12)
     assert line.r_squared == pytest.approx(0.967, abs=5e-4)
     assert line.sigma_factor == pytest.approx(1.2339227808272764, rel=1e-9)
 
 
-def test_the_line_of_the_report_is_five_per_cent_light_on_its_own_weights():
-    """NASA/TM-2009-215680: line and weights share β, so this needs no assumption; three digits are given."""
+def test_the_line_of_the_report_is_scored_on_weights_that_need_only_beta():
+    """NASA/TM-2009-215680: line and weights share β; bias and scatter are cases of `gearwright validate`."""
     score = next(one for one in scores() if one.method.key == "tm215680")
     assert score.count == 61
     assert score.needs_only_beta
-    assert score.bias == pytest.approx(0.952, abs=1e-3)
-    assert score.scatter == pytest.approx(1.251, abs=1e-3)

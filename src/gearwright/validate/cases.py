@@ -1,0 +1,34 @@
+"""Every published case that gearwright knows."""
+
+from __future__ import annotations
+
+from gearwright.errors import DesignError, Problem
+from gearwright.validate import beams, gearbox_mass, mesh_stiffness, planetary_sets, shafts, torsional
+from gearwright.validate.case import Case
+
+ALL = (
+    *planetary_sets.CASES,
+    *torsional.CASES,
+    *beams.CASES,
+    *mesh_stiffness.CASES,
+    *shafts.CASES,
+    *gearbox_mass.CASES,
+)
+"""In the order of the table."""
+
+
+def published(pattern: str = "") -> tuple[Case, ...]:
+    """Return the cases whose name or source contains some words.
+
+    Args:
+        pattern: Words, in any case of letters; empty: all.
+
+    Raises:
+        DesignError: If no case does.
+    """
+    words = pattern.casefold()
+    found = tuple(case for case in ALL if words in f"{case.name} {case.source}".casefold())
+    if not found:
+        names = ", ".join(dict.fromkeys(case.source.partition(",")[0] for case in ALL))
+        raise DesignError([Problem("pattern", f"no case or source contains {pattern!r}; sources: {names}")])
+    return found

@@ -1,0 +1,33 @@
+"""Every published number that ``gearwright validate`` prints comes out."""
+
+from dataclasses import replace
+
+import pytest
+
+from gearwright.errors import DesignError, SolveError
+from gearwright.validate import check, published
+
+
+@pytest.mark.parametrize("case", published(), ids=lambda case: case.name)
+def test_a_published_case_comes_out(case):
+    """Source, numbers and the reason of the tolerance stand in the case itself."""
+    missed = [one for one in check(case) if not one.holds]
+    assert not missed, f"{case.source}, within {case.tolerance:g}: {case.reason}"
+
+
+def test_a_number_that_is_off_by_more_than_its_tolerance_is_missed():
+    case = published("five inertias")[0]
+    wrong = replace(case, expected=(*case.expected[:-1], case.expected[-1] + 0.02))
+    assert [one.holds for one in check(wrong)] == [True, True, True, True, False]
+
+
+def test_a_case_that_finds_another_count_of_numbers_is_refused():
+    case = published("five inertias")[0]
+    with pytest.raises(SolveError, match="4 numbers are printed, 5 found"):
+        check(replace(case, expected=case.expected[:-1]))
+
+
+def test_cases_are_chosen_by_name_or_source_and_unknown_words_list_the_sources():
+    assert {case.source.partition(" et")[0] for case in published("friswell")} == {"Friswell"}
+    with pytest.raises(DesignError, match="Timoshenko 1921"):
+        published("Leonardo da Vinci")
