@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
 from gearwright.dynamics.linear import Complexes, damped_modes, linear
 from gearwright.dynamics.system import Floats, System, Tone
@@ -98,6 +97,9 @@ def campbell(system: System, factors: Sequence[float]) -> Campbell:
 
 
 def _pairing(mass: Floats, before: Complexes, after: Complexes, values: tuple[Complexes, Complexes]) -> list[int]:
+    # Loaded here: it takes longer to load than the rest of this layer together.
+    from scipy.optimize import linear_sum_assignment
+
     if before.shape != after.shape:
         raise DesignError(
             [Problem("factors", "a mode stops oscillating in this range of speeds; choose a smaller one")]

@@ -89,12 +89,12 @@ class Emitter:
         return self.zero if self.zero in (a, b) else self.value(f"fmul {FLAGS} {self.type} {a}, {b}")
 
     def larger(self, a: str, b: str) -> str:
-        """Return the larger of two; the second if either is not a number."""
-        return self._chosen("ogt", a, b)
+        """Return the larger of two; the first if either is not a number."""
+        return self._chosen("ugt", a, b)
 
     def smaller(self, a: str, b: str) -> str:
-        """Return the smaller of two; the second if either is not a number."""
-        return self._chosen("olt", a, b)
+        """Return the smaller of two; the first if either is not a number."""
+        return self._chosen("ult", a, b)
 
     def _chosen(self, relation: str, a: str, b: str) -> str:
         truth = "i1" if self.lanes == 1 else f"<{self.lanes} x i1>"

@@ -182,9 +182,9 @@ def summary_update(width: int) -> str:
         for part, word in enumerate(("lo", "hi", "su", "sq")):
             lines.append(f"%{word}p{i} = getelementptr double, ptr %summary, i64 {part * width + i}")
             lines.append(f"%{word}{i} = load {vector}, ptr %{word}p{i}, align 8")
-        lines.append(f"%lm{i} = fcmp olt {vector} %row{i}v, %lo{i}")
+        lines.append(f"%lm{i} = fcmp ult {vector} %row{i}v, %lo{i}")
         lines.append(f"%lon{i} = select <8 x i1> %lm{i}, {vector} %row{i}v, {vector} %lo{i}")
-        lines.append(f"%hm{i} = fcmp ogt {vector} %row{i}v, %hi{i}")
+        lines.append(f"%hm{i} = fcmp ugt {vector} %row{i}v, %hi{i}")
         lines.append(f"%hin{i} = select <8 x i1> %hm{i}, {vector} %row{i}v, {vector} %hi{i}")
         lines.append(f"%sun{i} = fadd {vector} %su{i}, %row{i}v")
         lines.append(f"%sqm{i} = fmul contract {vector} %row{i}v, %row{i}v")
