@@ -130,14 +130,16 @@ class BevelForces:
 
     tangential: Annotated[float, Quantity("force"), Origin("F_mt = 2 T_1/d_m1", "ISO 10300-1:2023, eq. 1")]
     """Tangential force at the mean cone F_mt [N], on both gears."""
-    axial: tuple[
-        Annotated[float, Quantity("force"), Origin("F_ax1", "ISO 23509:2016")],
-        Annotated[float, Quantity("force"), Origin("F_ax2", "ISO 23509:2016")],
+    axial: Annotated[
+        tuple[float, float],
+        Quantity("force"),
+        Origin("F_a = F_mt/cos β_m (tan α_n sin δ ± sin β_m cos δ)", "ISO 23509:2016"),
     ]
     """Axial forces on pinion and wheel, away from the apex positive [N]."""
-    radial: tuple[
-        Annotated[float, Quantity("force"), Origin("F_rad1", "ISO 23509:2016")],
-        Annotated[float, Quantity("force"), Origin("F_rad2", "ISO 23509:2016")],
+    radial: Annotated[
+        tuple[float, float],
+        Quantity("force"),
+        Origin("F_r = F_mt/cos β_m (tan α_n cos δ ∓ sin β_m sin δ)", "ISO 23509:2016"),
     ]
     """Radial forces on pinion and wheel, towards their own axes positive [N]."""
 

@@ -70,7 +70,7 @@ class BevelPitting:
     """Load sharing factor Z_LS [-]."""
     elasticity: Annotated[float, Quantity("number"), Origin("Z_E", f"{_PART2}, eq. 51")]
     """Elasticity factor Z_E [√Pa]."""
-    film: tuple[float, float, float]
+    film: Annotated[tuple[float, float, float], Quantity("ratio"), Origin("Z_L, Z_v, Z_R", f"{_PART2}, eqs 54 to 60")]
     """Z_L, Z_v, Z_R [-]."""
     nominal_stress: Annotated[
         float, Quantity("stress"), Origin("σ_H0 = √(F_n/(l_bm ρ_rel)) Z_M-B Z_LS Z_E", f"{_PART2}, eq. 2")
@@ -78,9 +78,13 @@ class BevelPitting:
     """Nominal contact stress σ_H0 [Pa]."""
     stress: Annotated[float, Quantity("stress"), Origin("σ_H = σ_H0 √(K_A K_V K_Hβ K_Hα)", f"{_PART2}, eq. 1")]
     """Contact stress σ_H [Pa]."""
-    permissible: tuple[float, float]
-    """σ_HP = σ_Hlim Z_NT Z_X Z_L Z_v Z_R Z_W Z_KP of pinion and wheel [Pa]."""
-    safeties: tuple[float, float]
+    permissible: Annotated[
+        tuple[float, float],
+        Quantity("stress"),
+        Origin("σ_HP = σ_Hlim Z_NT Z_X Z_L Z_v Z_R Z_W Z_KP", f"{_PART2}, eq. 4"),
+    ]
+    """Permissible contact stress of pinion and wheel σ_HP [Pa]."""
+    safeties: Annotated[tuple[float, float], Quantity("ratio"), Origin("S_H = σ_HP/σ_H", f"{_PART2}, eq. 5")]
     """S_H of pinion and wheel [-]."""
 
 

@@ -74,10 +74,7 @@ class ContactGeometryFactors:
 
     zone: Annotated[Value, Quantity("ratio"), Origin("Z_H", f"{_PART2}, clause 6")]
     """Zone factor Z_H [-]."""
-    single_contact: tuple[
-        Annotated[Value, Quantity("ratio"), Origin("Z_B", f"{_PART2}, clause 6")],
-        Annotated[Value, Quantity("ratio"), Origin("Z_D", f"{_PART2}, clause 6")],
-    ]
+    single_contact: Annotated[tuple[Value, Value], Quantity("ratio"), Origin("Z_B, Z_D", f"{_PART2}, clause 6")]
     """Single pair contact factors Z_B of the pinion and Z_D of the wheel [-]."""
     elasticity: Annotated[Value, Quantity("number"), Origin("Z_E", f"{_PART2}, clause 7")]
     """Elasticity factor Z_E [√Pa]; 189.8 √(N/mm²) is 189.8e3 √Pa."""
@@ -97,20 +94,17 @@ class PittingRating:
         Value, Quantity("stress"), Origin("σ_H0 = Z_H Z_E Z_ε Z_β √(F_t/(d_1 b) (u+1)/u)", f"{_PART2}, clause 5")
     ]
     """Nominal contact stress at the pitch point σ_H0 [Pa]."""
-    stresses: tuple[
-        Annotated[Value, Quantity("stress"), Origin("σ_H1 = Z_B σ_H0 √(K)", f"{_PART2}, clause 5")],
-        Annotated[Value, Quantity("stress"), Origin("σ_H2 = Z_D σ_H0 √(K)", f"{_PART2}, clause 5")],
+    stresses: Annotated[
+        tuple[Value, Value],
+        Quantity("stress"),
+        Origin("σ_H = Z_B,D σ_H0 √(K_A K_γ K_V K_Hβ K_Hα)", f"{_PART2}, clause 5"),
     ]
     """Contact stress of pinion and wheel σ_H [Pa]."""
-    permissible: tuple[
-        Annotated[Value, Quantity("stress"), Origin("σ_HG = σ_Hlim Z_NT Z_L Z_v Z_R Z_W Z_X", f"{_PART2}, clause 5")],
-        Annotated[Value, Quantity("stress"), Origin("σ_HG = σ_Hlim Z_NT Z_L Z_v Z_R Z_W Z_X", f"{_PART2}, clause 5")],
+    permissible: Annotated[
+        tuple[Value, Value], Quantity("stress"), Origin("σ_HG = σ_Hlim Z_NT Z_L Z_v Z_R Z_W Z_X", f"{_PART2}, clause 5")
     ]
     """Pitting stress limit of pinion and wheel σ_HG [Pa]."""
-    safeties: tuple[
-        Annotated[Value, Quantity("ratio"), Origin("S_H1 = σ_HG1/σ_H1", f"{_PART2}, clause 5")],
-        Annotated[Value, Quantity("ratio"), Origin("S_H2 = σ_HG2/σ_H2", f"{_PART2}, clause 5")],
-    ]
+    safeties: Annotated[tuple[Value, Value], Quantity("ratio"), Origin("S_H = σ_HG/σ_H", f"{_PART2}, clause 5")]
     """Safety against pitting of pinion and wheel S_H [-]."""
 
 

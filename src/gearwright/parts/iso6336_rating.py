@@ -30,7 +30,13 @@ from gearwright.parts.iso6336_distribution import (
     transverse_load_factor,
 )
 from gearwright.parts.iso6336_dynamic import DynamicFactor, MeshDeviations, dynamic_factor, mean_allowance, reduced_mass
-from gearwright.parts.iso6336_film import contact_size_factor, lubricant_factor, roughness_factor, speed_factor
+from gearwright.parts.iso6336_film import (
+    contact_size_factor,
+    lubricant_factor,
+    roughness_factor,
+    speed_factor,
+    work_hardening_factor,
+)
 from gearwright.parts.iso6336_geometry import MeshGeometry, Value, mesh_geometry
 from gearwright.parts.iso6336_life import bending_life_curve, contact_life_curve, life_factor
 from gearwright.parts.iso6336_pitting import (
@@ -47,6 +53,7 @@ from gearwright.parts.mesh_stiffness_iso6336 import LINEAR_LOAD, mesh_stiffness_
 from gearwright.units import Origin, Quantity
 
 Steels = tuple[GearSteel, GearSteel]
+_BRINELL_PER_VICKERS = 0.95  # ISO 18265:2013, table A.1, steels up to 400 HV
 
 
 @dataclass(frozen=True)
@@ -85,6 +92,12 @@ class MeshQuality:
     """Where the pinion sits."""
     viscosity: float = 100e-6
     """Kinematic viscosity of the oil at 40 °C ν_40 [m²/s]."""
+    rims: tuple[float, float] = (1.0, 1.0)
+    """Rim factors Y_B of pinion and wheel [-], from `rim_factor`."""
+    mean_stresses: tuple[float, float] = (1.0, 1.0)
+    """Y_M of pinion and wheel [-]; 0.7 for gears loaded on both flanks."""
+    profile_factor: float = 1.0
+    """f_ZCa of helical gears [-], see `single_contact_factors`."""
 
 
 USUAL = MeshQuality()
@@ -156,12 +169,18 @@ def rate_pair(
     )
     cycles = load_cycles(mesh, duty)
     contact = _contact_strengths(mesh, steels, cycles, quality=quality, speed=speed)
-    pitting = pitting_rating(mesh, steels, force, loads=loads, strengths=contact)
+    pitting = pitting_rating(mesh, steels, force, loads=loads, strengths=contact, profile_factor=quality.profile_factor)
     roots = _root_strengths(mesh, steels, cycles, quality=quality)
-    body = (1.0, deep_tooth_factor(mesh, quality.grade), edition)
+    deep = deep_tooth_factor(mesh, quality.grade)
     bending = [
         bending_rating(
-            mesh, gear, steels[gear], specific_load=force / width, loads=loads, strength=roots[gear], body=body
+            mesh,
+            gear,
+            steels[gear],
+            specific_load=force / width,
+            loads=loads,
+            strength=roots[gear],
+            body=(quality.rims[gear], deep, edition),
         )
         for gear, width in enumerate((pair.driver.face_width, pair.driven.face_width))
     ]
@@ -254,11 +273,24 @@ def _contact_strengths(
             lubricant=lubricant_factor(quality.viscosity, softer),
             speed=speed_factor(speed, softer),
             roughness=roughness_factor(quality.flank_roughness, mesh.relative_curvature, softer),
+            work_hardening=_work_hardening(mesh, steels, gear, quality=quality),
             size=contact_size_factor(mesh.module, steel.treatment),
         )
-        for steel, count in zip(steels, cycles, strict=True)
+        for gear, (steel, count) in enumerate(zip(steels, cycles, strict=True))
     )
     return first, second
+
+
+def _work_hardening(mesh: MeshGeometry, steels: Steels, gear: int, *, quality: MeshQuality) -> float:
+    """Z_W of one gear by the Brinell hardness of both."""
+    own, mate = steels[gear], steels[1 - gear]
+    return work_hardening_factor(
+        own.hardness * _BRINELL_PER_VICKERS,
+        (own.treatment, mate.treatment),
+        mate_hardness=mate.hardness * _BRINELL_PER_VICKERS,
+        mate_roughness=quality.flank_roughness,
+        ratio=float(np.abs(mesh.ratio)),
+    )
 
 
 def _root_strengths(
@@ -271,6 +303,7 @@ def _root_strengths(
             notch_sensitivity=notch_sensitivity_factor(root_section(outer_single_contact(mesh, gear)).notch, steel),
             surface=surface_factor(quality.root_roughness, steel.treatment),
             size=bending_size_factor(mesh.module, steel.treatment),
+            mean_stress=quality.mean_stresses[gear],
         )
         for gear, (steel, count) in enumerate(zip(steels, cycles, strict=True))
     )
