@@ -1,0 +1,199 @@
+"""The page on validation: published numbers beside those that gearwright computes while the page is built.
+
+Each row names the test that holds it; below the table stand all tests against published numbers, in their own words.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import gearwright as gw
+from gearwright.parts.hertz import hertz_coefficient
+from gearwright.parts.planets import most_planets
+from gearwright.sizing import Sizing
+from gearwright.sizing.statistical.ndarc import mass_afdd00, mass_afdd83
+from gearwright.sizing.statistical.requirement import beta
+from gearwright.sizing.statistical.tm215680 import mass_tm215680
+from gearwright.sizing.statistical.wate2 import mass_wate2
+from gearwright.study.claims import claims
+from gearwright.units import RPM
+
+TESTS = Path(__file__).parents[1] / "tests"
+PW127 = (2051e3, 20204.0 * RPM, 1212.0 * RPM)
+"""Power, engine speed and propeller speed of table 1.3 of Pulvirenti (2023)."""
+
+
+@dataclass(frozen=True)
+class Checked:
+    """One published number."""
+
+    what: str
+    unit: str
+    source: str
+    expected: float
+    tolerance: float
+    """Largest allowed difference, in the unit."""
+    computed: Callable[[], float]
+    test: str
+    """File below ``tests``."""
+
+
+@cache
+def _sized(name: str) -> Sizing:
+    return gw.size(gw.read(gw.shipped_design(name)))
+
+
+def _torque(machine: str) -> Callable[[], float]:
+    return lambda: abs(_sized("in-line-h2").flows["rated"].machine_torques[machine])
+
+
+def _claim(key: str) -> Callable[[], float]:
+    return lambda: next(one.value for one in claims() if one.printed.key == key)
+
+
+_SIZING, _OFF_SET = "validation/test_turboprop_sizing.py", "validation/test_off_set_mass.py"
+_MASS, _CLAIMS = "validation/test_gearbox_mass_methods.py", "validation/test_thesis_claims.py"
+_ERRATA, _THESIS = "verification/test_thesis_errata.py", "Pulvirenti 2023"
+_APART = "calculated apart with the corrected equations of Pulvirenti 2023, chapter 2"
+
+CHECKED: Sequence[Checked] = (
+    Checked("Off-Set, gears", "kg", _APART, 176.7, 1.8, lambda: _sized("off-set").gear_mass, _OFF_SET),
+    Checked("In-Line, gears", "kg", _APART, 40.4, 0.4, lambda: _sized("in-line").gear_mass, _SIZING),
+    Checked("In-Line H2, gears", "kg", _APART, 34.0, 0.34, lambda: _sized("in-line-h2").gear_mass, _SIZING),
+    Checked("In-Line H2, T_GT", "N m", "P/ω, 1046 kW at 20 000 rpm", 499.4, 0.1, _torque("gas-turbine"), _SIZING),
+    Checked("In-Line H2, T_EM", "N m", "P/ω, 1005 kW at 4500 rpm", 2132.7, 0.1, _torque("electric"), _SIZING),
+    Checked(
+        "Off-Set, power density",
+        "kW/kg",
+        f"{_THESIS}, chapter 5: as today's turboprops, 10 to 11.5",
+        10.75,
+        0.75,
+        _claim("conventional-density"),
+        _CLAIMS,
+    ),
+    Checked("T_EM/T_GT in cruise", "", f"{_THESIS}, §4.1: about 2", 2.0, 0.2, _claim("torque-motor-turbine"), _CLAIMS),
+    Checked(
+        "T_c1/T_GT in cruise", "", f"{_THESIS}, §4.1: about 6", 6.0, 0.6, _claim("torque-carrier-turbine"), _CLAIMS
+    ),
+    Checked(
+        "optimum motor speed of In-Line H2",
+        "rpm",
+        f"{_THESIS}, figure 2.33: around 4100, flat",
+        4100.0,
+        200.0,
+        _claim("optimum-speed"),
+        _CLAIMS,
+    ),
+    Checked("PW127 gearbox by AFDD00", "kg", f"{_THESIS}, table 1.3", 183.5, 0.2, lambda: mass_afdd00(*PW127), _MASS),
+    Checked(
+        "PW127 gearbox by AFDD83",
+        "kg",
+        "formula of NASA/TP-2015-218751, calculated apart",
+        224.0,
+        1.0,
+        lambda: mass_afdd83(*PW127),
+        _MASS,
+    ),
+    Checked(
+        "PW127 gearbox by WATE-2",
+        "kg",
+        "NASA TM-83458, calculated apart",
+        160.6,
+        0.5,
+        lambda: mass_wate2(*PW127),
+        _MASS,
+    ),
+    Checked(
+        "PW127 gearbox by TM-2009-215680",
+        "kg",
+        "formula of the figure, calculated apart",
+        131.8,
+        0.1,
+        lambda: mass_tm215680(beta(*PW127)),
+        _MASS,
+    ),
+    Checked(
+        "coefficient of line contact, ν = 0.3",
+        "",
+        "Hertz 1882, 0.418",
+        0.418,
+        5e-4,
+        lambda: hertz_coefficient(0.3),
+        _ERRATA,
+    ),
+    Checked(
+        "planets that fit, z_s 18, z_p 27",
+        "",
+        "geometry: tips clear",
+        4.0,
+        0.0,
+        lambda: float(most_planets(18, 27)),
+        _ERRATA,
+    ),
+)
+"""Headline numbers; the tests hold many more."""
+
+
+def validation_markdown() -> str:
+    """Return the page."""
+    rows = "".join(_row(one) for one in CHECKED)
+    return f"{_HEAD}{rows}{_TESTS_HEAD}{''.join(_sections())}"
+
+
+def _row(one: Checked) -> str:
+    got = one.computed()
+    if not math.isclose(got, one.expected, rel_tol=0.0, abs_tol=one.tolerance + 1e-12):
+        raise ValueError(f"{one.what}: {got:g} is not {one.expected:g} ± {one.tolerance:g} {one.unit}")
+    cells = (one.what, f"{one.expected:g} {one.unit}", f"± {one.tolerance:g}", f"{got:.5g} {one.unit}", one.source)
+    return f"| {' | '.join(cells)} | `{one.test}` |\n"
+
+
+def _sections() -> Iterator[str]:
+    """Yield one section for each file of tests against published numbers."""
+    for path in sorted((TESTS / "validation").rglob("test_*.py")):
+        module = ast.parse(path.read_text(encoding="utf-8"))
+        rows = "".join(_test(node) for node in module.body if isinstance(node, ast.FunctionDef))
+        if rows:
+            about = " ".join((ast.get_docstring(module) or "").split())
+            yield f"\n### `{path.relative_to(TESTS)}`\n\n{_plain(about)}\n\n{_COLUMNS}{rows}"
+
+
+def _test(node: ast.FunctionDef) -> str:
+    if not node.name.startswith("test_"):
+        return ""
+    words = " ".join((ast.get_docstring(node) or "").split())
+    return f"| {node.name.removeprefix('test_').replace('_', ' ')} | {_plain(words)} |\n"
+
+
+def _plain(words: str) -> str:
+    """Return words in which Markdown finds nothing to do."""
+    for sign in "\\`*_|<":
+        words = words.replace(sign, f"\\{sign}" if sign != "<" else "&lt;")
+    return words
+
+
+_COLUMNS = "| test | reference and tolerance |\n| --- | --- |\n"
+_HEAD = """# Validation
+
+What gearwright computes beside what is published. The numbers of this table are computed while this page is built,
+and the build fails if one leaves its tolerance.
+
+| quantity | expected | tolerance | gearwright | source | test |
+| --- | --- | --- | --- | --- | --- |
+"""
+_TESTS_HEAD = """
+Not everything that is published holds: [the thesis](theory/thesis.md) makes claims that its own equations, once they
+are right, do not confirm, and [its tables of engines](reference/engines.md) have numbers that their own columns
+contradict. Where gearwright differs, it says by how much and why.
+
+## All tests against published numbers
+
+Each test is a sentence; its docstring says where the number comes from and why the tolerance is what it is.
+`pytest tests/validation` runs them. Whether equations are solved right (closed forms, conservation, order of
+convergence) is in `tests/verification`, whether anything moved in `tests/golden`.
+"""

@@ -1,0 +1,58 @@
+"""Draws every figure of the documentation with gearwright itself, from the shipped designs: python docs/figures.py."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from matplotlib.figure import Figure
+
+import gearwright as gw
+from gearwright.render.figures_sizing import margin_figure, mass_figure
+from gearwright.render.schematic import power_flow_figure, schematic_figure
+from gearwright.render.study_figures import study_figure
+from gearwright.render.theme import to_svg
+from gearwright.shipped import shipped_study
+from gearwright.sizing import Sizing
+from gearwright.spec.study import read_study
+from gearwright.study import run
+
+FOLDER = Path(__file__).parent / "figures"
+
+
+def _sized(name: str) -> Sizing:
+    return gw.size(gw.read(gw.shipped_design(name)))
+
+
+def _study(name: str) -> Figure:
+    study = read_study(shipped_study(name))
+    return study_figure(run(study, {each: gw.read(gw.shipped_design(each)) for each in study.designs}))
+
+
+FIGURES: Mapping[str, Callable[[], Figure]] = {
+    "in-line-h2-schematic": lambda: power_flow_figure(_sized("in-line-h2"), "rated"),
+    "off-set-schematic": lambda: schematic_figure(_sized("off-set")),
+    "off-set-h2-power": lambda: power_flow_figure(_sized("off-set-h2"), "rated"),
+    "differential-hybrid-power": lambda: power_flow_figure(_sized("differential-hybrid"), "rated"),
+    "in-line-h2-margins": lambda: margin_figure(_sized("in-line-h2")),
+    "in-line-h2-mass": lambda: mass_figure(_sized("in-line-h2")),
+    "motor-speed": lambda: _study("motor-speed"),
+    "architectures": lambda: _study("architectures"),
+}
+"""Name of the file -> what draws it."""
+
+
+def svg(name: str) -> str:
+    """Return one figure as it is kept."""
+    return to_svg(FIGURES[name]()) + "\n"
+
+
+def main() -> None:
+    """Write all figures."""
+    FOLDER.mkdir(exist_ok=True)
+    for name in FIGURES:
+        (FOLDER / f"{name}.svg").write_text(svg(name), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

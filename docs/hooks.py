@@ -1,0 +1,91 @@
+"""What the documentation's build adds: formulas as MathML, and the pages that are made from the package.
+
+Formulas are LaTeX between dollar signs and become MathML while the site is built, so that a reader's browser needs no
+script and no request for them. Code is left alone.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+import sys
+from pathlib import Path
+from typing import Any
+
+from latex2mathml.converter import convert
+from mkdocs.config.defaults import MkDocsConfig
+from mkdocs.structure.files import File, Files
+from mkdocs.structure.pages import Page
+
+from gearwright.render.design_file import design_file_markdown, study_file_markdown
+
+_CODE_OR_FORMULA = re.compile(
+    r"^(?P<fence> {0,3}(?:```|~~~)).*?^(?P=fence)[^\n]*$"  # fenced code
+    r"|^(?: {4}|\t)[^\n]*$"  # indented code
+    r"|(?P<ticks>`+)(?!`).*?(?<!`)(?P=ticks)(?!`)"  # code in a line
+    r"|\$\$(?P<block>[^$]+)\$\$"
+    r"|(?<![\\$\w])\$(?P<line>[^\s$](?:[^$\n]*[^\s$])?)\$(?![\w$])",
+    re.DOTALL | re.MULTILINE,
+)
+_formulas: dict[str, list[str]] = {}
+"""Page -> its formulas as MathML, in order; between the two events of a page only."""
+
+
+def on_files(files: Files, config: MkDocsConfig) -> Files:
+    """Add the pages that are made from the package."""
+    made = {
+        "reference/design-file.md": design_file_markdown(),
+        "reference/study-file.md": study_file_markdown(),
+        "validation.md": _validation(),
+        "changelog.md": Path(config.config_file_path).with_name("CHANGELOG.md").read_text(encoding="utf-8"),
+    }
+    for path, content in made.items():
+        files.append(File.generated(config, path, content=content))
+    return files
+
+
+def _validation() -> str:
+    """Return the page of `checked.py`, which lies beside this file and is no package."""
+    spec = importlib.util.spec_from_file_location("checked", Path(__file__).with_name("checked.py"))
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    page: str = module.validation_markdown()
+    return page
+
+
+def on_page_markdown(markdown: str, page: Page, **_: Any) -> str:
+    """Set a mark in the place of every formula, so that Markdown does not touch it."""
+    text, _formulas[page.file.src_uri] = taken_out(markdown)
+    return text
+
+
+def on_page_content(html: str, page: Page, **_: Any) -> str:
+    """Put the formulas in."""
+    return put_in(html, _formulas.pop(page.file.src_uri))
+
+
+def taken_out(markdown: str) -> tuple[str, list[str]]:
+    """Return a text with marks instead of its formulas, and the formulas as MathML."""
+    found: list[str] = []
+
+    def mark(match: re.Match[str]) -> str:
+        block, line = match["block"], match["line"]
+        if block is None and line is None:
+            return match[0]
+        found.append(convert(block or line, display="block" if block else "inline"))
+        return _mark(len(found) - 1)
+
+    return _CODE_OR_FORMULA.sub(mark, markdown), found
+
+
+def put_in(html: str, formulas: list[str]) -> str:
+    """Return a page with its formulas in the place of the marks."""
+    for number, formula in enumerate(formulas):
+        html = html.replace(_mark(number), formula)
+    return html
+
+
+def _mark(number: int) -> str:
+    return f"FORMULA{number}HERE"

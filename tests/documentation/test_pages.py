@@ -1,0 +1,75 @@
+"""What the tutorial and the how-to pages tell a reader to do is done, and what they show is what comes.
+
+Blocks titled with a file name are written, ``console`` blocks are run line by line in one folder for each page, and
+every line shown must come, in this order; ``…`` stands for lines that are left out. Python examples are doctests.
+"""
+
+import doctest
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from gearwright.cli import main
+
+DOCS = Path(__file__).parents[2] / "docs"
+PAGES = ["index.md", "tutorial.md", *(f"how-to/{path.name}" for path in sorted((DOCS / "how-to").glob("*.md")))]
+BLOCK = re.compile(r'^```(?P<kind>toml title="(?P<file>[^"]+)"|console)\n(?P<text>.*?)^```$', re.DOTALL | re.MULTILINE)
+EXAMPLES = ["how-to/python.md", "theory/power-flow.md", "theory/first-sizing.md"]
+
+
+def run(command, monkeypatch, capsys):
+    """Return what a command writes to both streams."""
+    monkeypatch.setattr("sys.argv", shlex.split(command))
+    try:
+        main()
+    except SystemExit as end:
+        assert end.code in (0, None, 1, 2), command
+    written = capsys.readouterr()
+    return (written.out + written.err).splitlines()
+
+
+def steps(text):
+    """Yield every command of a console block with the lines that are shown after it."""
+    for part in re.split(r"^\$ ", text, flags=re.MULTILINE)[1:]:
+        command, *shown = part.splitlines()
+        yield command, [line.rstrip() for line in shown if line != "…"]
+
+
+def missing(shown, written):
+    """Return the first line that is shown and does not come in its turn."""
+    rest = iter(line.rstrip() for line in written)
+    return next((line for line in shown if not any(line == each for each in rest)), None)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_the_commands_of_a_page_print_what_it_shows(page, tmp_path, monkeypatch, capsys):
+    """100 columns, as on the pages."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "100")
+    tried = 0
+    for block in BLOCK.finditer((DOCS / page).read_text(encoding="utf-8")):
+        if block["file"]:
+            (tmp_path / block["file"]).write_text(block["text"], encoding="utf-8")
+            continue
+        for command, shown in steps(block["text"]):
+            written = run(command, monkeypatch, capsys)
+            assert written, command
+            assert missing(shown, written) is None, "\n".join([f"$ {command}", *written])
+            tried += 1
+    assert tried or page in EXAMPLES
+
+
+@pytest.mark.parametrize("page", EXAMPLES)
+def test_the_python_of_a_page_gives_what_it_shows(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    failed, tried = doctest.testfile(str(DOCS / page), module_relative=False, encoding="utf-8")
+    assert tried > 3 and failed == 0
+
+
+def test_a_line_that_does_not_come_is_noticed():
+    """The comparison itself: order counts, lines between do not."""
+    assert missing(["a", "c"], ["a", "b", "c"]) is None
+    assert missing(["c", "a"], ["a", "b", "c"]) == "a"
+    assert missing(["a "], ["a"]) == "a "

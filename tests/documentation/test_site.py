@@ -1,0 +1,127 @@
+"""The documentation as a site: formulas, made pages, figures, numbers, and nothing from elsewhere."""
+
+import importlib.util
+import re
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from gearwright.render.design_file import design_file_markdown, study_file_markdown
+from gearwright.spec.design import Design
+from gearwright.spec.record import keys_of
+from gearwright.spec.schema import records
+from gearwright.spec.study import Study
+
+ROOT = Path(__file__).parents[2]
+
+
+def beside(name):
+    """Return a script of the documentation's folder, which is no package."""
+    spec = importlib.util.spec_from_file_location(f"docs_{name}", ROOT / "docs" / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module")
+def hooks():
+    pytest.importorskip("mkdocs")
+    pytest.importorskip("latex2mathml")
+    return beside("hooks")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "```sh\necho $A $B\n```",
+        "    $ gearwright size\n    $ gearwright run",
+        "`$x$`",
+        "5 $ and 6 $",
+        "a\\$b$",
+        "~~~\n$x$\n~~~",
+    ],
+)
+def test_code_and_prices_are_no_formulas(hooks, text):
+    assert hooks.taken_out(text) == (text, [])
+
+
+def test_formulas_become_mathml_in_their_places(hooks):
+    marked, formulas = hooks.taken_out("A $z_a$ and\n\n$$\\frac{1}{2}$$\n\nend")
+    assert "$" not in marked
+    html = hooks.put_in(marked, formulas)
+    assert html.startswith("A <math") and html.endswith("end")
+    assert re.search(r'<math[^>]*display="inline".*<msub>.*<math[^>]*display="block".*<mfrac>', html, re.DOTALL)
+
+
+@pytest.mark.parametrize(("model", "page"), [(Design, design_file_markdown()), (Study, study_file_markdown())])
+def test_every_key_of_a_file_is_on_its_page(model, page):
+    """One row for each field of each record, with the unit that is shown first and all others."""
+    for record in records(model, {}):
+        for name, info in record.model_fields.items():
+            keys = [key for key, (field, _, _) in keys_of(record).items() if field in (name, info.alias)]
+            rows = [line for line in page.splitlines() if line.startswith(f"| `{info.alias or name}")]
+            assert any(all(f"`{key}`" in row or f"`{key[len(name) :]}`" in row for key in keys) for row in rows), name
+            assert info.description.replace("|", "\\|") in page, f"{record.__name__}.{name}"
+
+
+def test_links_within_a_page_lead_to_a_title():
+    page = design_file_markdown()
+    titles = {re.sub(r"[^a-z_]", "", line.lower()) for line in page.splitlines() if line.startswith("## ")}
+    assert set(re.findall(r"\]\(#([a-z_]+)\)", page)) <= titles
+
+
+def test_defaults_and_bounds_are_in_the_unit_of_the_first_key():
+    """α_n of 20°, from 14° to 30°; a planet set of 3."""
+    page = design_file_markdown()
+    assert "| `pressure_angle_deg` (`_rad`) | 20 ° | number; ≥ 14 °; ≤ 30 ° |" in page
+    assert "| `planets` | `3` | whole number; ≥ 1; ≤ 12 |" in page
+    assert "| `shafts` | **required** | list; at least 1 |" in page
+
+
+@pytest.mark.parametrize("name", sorted(beside("figures").FIGURES))
+def test_a_figure_is_what_the_tool_draws(name):
+    """After a change of a figure: python docs/figures.py, and look at it."""
+    assert (ROOT / "docs" / "figures" / f"{name}.svg").read_text(encoding="utf-8") == beside("figures").svg(name)
+
+
+def test_the_numbers_of_the_validation_page_are_within_their_tolerances():
+    """The page refuses to be made otherwise; every test that it names exists."""
+    checked = beside("checked")
+    assert checked.validation_markdown().count("\n| ") > len(checked.CHECKED)
+    for one in checked.CHECKED:
+        assert (ROOT / "tests" / one.test).is_file(), one.test
+
+
+class Requests(HTMLParser):
+    """Collects what a browser fetches for a page."""
+
+    def __init__(self):
+        super().__init__()
+        self.found = []
+
+    def handle_starttag(self, tag, attributes):
+        given = dict(attributes)
+        if tag in ("img", "script", "iframe", "source"):
+            self.found.append(given.get("src") or "")
+        if tag == "link":
+            self.found.append(given.get("href") or "")
+
+
+def test_the_site_builds_without_warnings_and_asks_for_nothing_from_elsewhere(tmp_path, hooks, monkeypatch):
+    """As in continuous integration; mkdocs counts every warning."""
+    monkeypatch.setenv("NO_MKDOCS_2_WARNING", "1")
+    from mkdocs.commands.build import build
+    from mkdocs.config import load_config
+
+    monkeypatch.chdir(ROOT)
+    build(load_config(str(ROOT / "mkdocs.yml"), site_dir=str(tmp_path), strict=True))
+    pages = list(tmp_path.rglob("*.html"))
+    assert len(pages) > 20
+    for page in pages:
+        requests = Requests()
+        requests.feed(page.read_text(encoding="utf-8"))
+        assert not [each for each in requests.found if re.match(r"(https?:)?//", each)], page
+        assert "FORMULA0HERE" not in page.read_text(encoding="utf-8")
