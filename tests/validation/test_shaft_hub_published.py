@@ -22,7 +22,14 @@ from gearwright.parts.notch import (
     notch_sensitivity,
     stress_concentration,
 )
-from gearwright.parts.shaft_din743 import section_factor, surface_factors
+from gearwright.parts.shaft_din743 import (
+    ShaftSection,
+    ShaftSteel,
+    SteelGroup,
+    section_factor,
+    surface_factors,
+    yield_limits,
+)
 from gearwright.parts.shaft_fatigue import (
     FatigueStrength,
     SectionLoad,
@@ -160,6 +167,18 @@ def test_notch_and_size_factors_of_din_743():
     surface = surface_factors(10e-6, 700e6)
     assert surface.bending == pytest.approx(0.8803050302429394, rel=1e-6)
     assert surface.torsion == pytest.approx(0.575 * surface.bending + 0.425)
+
+
+def test_din_743_against_a_public_program():
+    """42CrMo4, d = 42, D = 50, r = 5 mm: β = 1.5286109, 1.2673985; σ_bFK = 943.2056256, τ_tFK = 518.6285923 MPa.
+
+    Printed by ME_Wellennachweis (Huss & Schulz 2023), which takes the larger diameter as the blank.
+    """
+    notch = fatigue_notch_factor(Shoulder(0.042, 0.050, 0.005), 900e6)
+    assert notch == pytest.approx((1.5286109, 1.2673985), abs=1e-6)
+    steel = ShaftSteel(1100e6, 900e6, 550e6, 330e6, SteelGroup.TEMPERED)
+    limits = yield_limits(ShaftSection(0.042, 0.050, notch), steel)
+    assert limits == pytest.approx((943.2056256e6, 518.6285923e6), rel=1e-8)
 
 
 @pytest.fixture

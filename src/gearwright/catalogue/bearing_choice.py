@@ -53,7 +53,7 @@ class BearingCheck:
     """Which one."""
     equivalent_load: Annotated[float, Quantity("force"), Origin("P = X F_r + Y F_a", "ISO 281:2007, 5.2 and 7.2")]
     """P [N]."""
-    life: Annotated[float, Quantity("time"), Origin("L_10h = (C/P)^p 10⁶/(60 n)", "ISO 281:2007, eqs (5), (21)")]
+    life: Annotated[float, Quantity("time"), Origin("L_10h = (C/P)^p 10⁶/(60 n)", "ISO 281:2007, 5.3 and 7.3")]
     """Basic rating life [s]."""
     static_safety: Annotated[float, Quantity("ratio"), Origin("s_0 = C_0/P_0", "ISO 76:2006, clause 9")]
     """At the limit load [-]."""

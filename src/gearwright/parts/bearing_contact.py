@@ -43,7 +43,7 @@ def ball_contacts(geometry: BearingGeometry) -> Contacts:
     Args:
         geometry: Of a ball bearing [m].
 
-    Source: ISO/TS 16281:2008, 4.2: Σρ_i = 2/D_w (2 + γ/(1−γ) − D_w/(2 r_i)), outer ring with −γ/(1+γ) and r_e.
+    Source: ISO/TS 16281:2008: Σρ_i = 2/D_w (2 + γ/(1−γ) − D_w/(2 r_i)), outer ring with −γ/(1+γ) and r_e.
     """
     gamma, ball = geometry.curvature_ratio, geometry.diameter
     return Contacts(
@@ -63,7 +63,7 @@ def ellipse_ratio(difference: float) -> float:
     Args:
         difference: Relative difference of the curvatures F(ρ) [-], 0 for a circle.
 
-    Source: ISO/TS 16281:2008, 4.2: 1 − 2/(χ²−1) (K(χ)/E(χ) − 1) = F(ρ), after Hertz 1882.
+    Source: ISO/TS 16281:2008: 1 − 2/(χ²−1) (K(χ)/E(χ) − 1) = F(ρ), after Hertz 1882.
 
     >>> round(ellipse_ratio(0.0), 3)
     1.0
@@ -92,7 +92,7 @@ def load_deflection_constant(contacts: Contacts, *, elastic_modulus: float, pois
         elastic_modulus: E of balls and rings [Pa].
         poisson_ratio: ν of balls and rings [-].
 
-    Source: ISO/TS 16281:2008, 4.2, with π √2 / 3 = 1.481 where the standard prints 1.48.
+    Source: ISO/TS 16281:2008, with π √2 / 3 = 1.481 where the standard prints 1.48.
     """
     approach = sum(_approach(contact) for contact in contacts)
     return math.pi * math.sqrt(2.0) / 3.0 * elastic_modulus / (1.0 - poisson_ratio**2) / math.sqrt(approach) ** 3

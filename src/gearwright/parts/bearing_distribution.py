@@ -107,7 +107,7 @@ def load_distribution(geometry: BearingGeometry, load: RingLoad, *, clearance: f
         load: On the inner ring [N, N m].
         clearance: Radial operating clearance s [m].
 
-    Source: ISO/TS 16281:2008, 4.3-4.5; equilibrium about D_pw/2, tilt about R_i, as the standard has them.
+    Source: ISO/TS 16281:2008; equilibrium about D_pw/2, tilt about R_i, as the standard has them.
 
     Valid for: rigid rings, slow turning (no centrifugal load of the balls).
 

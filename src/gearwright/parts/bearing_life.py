@@ -35,7 +35,7 @@ def basic_life(rating: float, load: float, kind: BearingKind) -> float:
         load: P [N].
         kind: Of bearing [-].
 
-    Source: ISO 281:2007, eqs (5) and (21).
+    Source: ISO 281:2007, 5.3 and 7.3: (C/P)^p.
 
     Raises:
         DesignError: If nothing loads the bearing.
@@ -72,7 +72,7 @@ def rating_for_life(load: float, life: float, kind: BearingKind) -> float:
         life: L_10 [10⁶ turns].
         kind: Of bearing [-].
 
-    Source: ISO 281:2007, eqs (5) and (21) solved for C.
+    Source: ISO 281:2007, 5.3 and 7.3, solved for C.
     """
     return load * math.pow(life, 1.0 / life_exponent(kind))
 
@@ -115,6 +115,6 @@ def system_life(lives: Sequence[float], slope: float = 10.0 / 9.0) -> float:
         lives: L_10 of every bearing, all in one unit of time [any].
         slope: Weibull slope e of all of them [-].
 
-    Source: product of Weibull's survival laws: (Σ L^-e)^(-1/e) (Harris 2001, eq. 18.214).
+    Source: product of Weibull's survival laws: (Σ L^-e)^(-1/e) (Harris, Rolling Bearing Analysis).
     """
     return float(np.sum(np.asarray(lives, dtype=float) ** -slope) ** (-1.0 / slope))

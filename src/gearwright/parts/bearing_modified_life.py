@@ -68,7 +68,7 @@ def reference_viscosity(speed: float, pitch_diameter: float) -> float:
         speed: [rad/s].
         pitch_diameter: D_pw [m].
 
-    Source: ISO 281:2007, eqs (28) and (29): 45000 n^-0.83 D_pw^-0.5, from 1000 rpm 4500 n^-0.5 D_pw^-0.5 (mm²/s, mm).
+    Source: ISO 281:2007, 9.3: 45000 n^-0.83 D_pw^-0.5, from 1000 rpm 4500 n^-0.5 D_pw^-0.5 (mm²/s, mm).
 
     >>> round(1e6 * reference_viscosity(3000 * RPM, 0.0725), 3)
     9.649

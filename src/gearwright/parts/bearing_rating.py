@@ -15,15 +15,15 @@ _MM = 1e3
 """Millimetres in a metre: the factors of ISO 281 and ISO 76 belong to N and mm."""
 
 BALL_CONSTANT = 0.41 * 98.0665
-"""Constant of f_c for radial ball bearings [N, mm] (ISO/TR 1281-1:2021, 5.3; ball bearing constant of ISO 281)."""
+"""Constant of f_c for radial ball bearings [N, mm] (ISO/TR 1281-1:2021; ball bearing constant of ISO 281)."""
 BALL_REDUCTION = 0.95
-"""λ: what a real bearing of one or two rows carries of the ideal one [-] (ISO/TR 1281-1:2021, 5.3)."""
+"""λ: what a real bearing of one or two rows carries of the ideal one [-] (ISO/TR 1281-1:2021)."""
 LARGE_BALL = 25.4
 """Ball diameter above which ratings grow less steeply [mm] (ISO 281:2007, 5.1)."""
 ROLLER_CONSTANT = 207.9
-"""Constant of f_c for radial roller bearings [N, mm] (Lundberg & Palmgren 1952; Harris 2001, eq. 18.151)."""
+"""Constant of f_c for radial roller bearings [N, mm] (Lundberg & Palmgren 1952; Harris, Rolling Bearing Analysis)."""
 ROLLER_REDUCTION = 0.83
-"""λν: share of the ideal line contact [-] (ISO/TR 1281-1:2021, 5.5)."""
+"""λν: share of the ideal line contact [-] (ISO/TR 1281-1:2021)."""
 MODERN_STEEL = {
     BearingKind.DEEP_GROOVE: 1.3,
     BearingKind.FOUR_POINT: 1.3,
@@ -48,7 +48,7 @@ def ball_dynamic_factor(geometry: BearingGeometry) -> float:
     Args:
         geometry: Rolling elements [m].
 
-    Source: ISO/TR 1281-1:2021, 5.3; table 2 of ISO 281:2007 with r_i = r_e = 0.52 D_w.
+    Source: ISO/TR 1281-1:2021; table 2 of ISO 281:2007 with r_i = r_e = 0.52 D_w.
     """
     gamma, inner = geometry.curvature_ratio, geometry.inner_conformity
     rings = 1.04 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72
@@ -63,7 +63,7 @@ def roller_dynamic_factor(geometry: BearingGeometry) -> float:
     Args:
         geometry: Rolling elements [m].
 
-    Source: ISO/TR 1281-1:2021, 5.5; table 7 of ISO 281:2007.
+    Source: ISO/TR 1281-1:2021; table 7 of ISO 281:2007.
     """
     gamma = geometry.curvature_ratio
     rings = 1.04 * ((1.0 - gamma) / (1.0 + gamma)) ** (143.0 / 108.0)
@@ -127,7 +127,7 @@ def fatigue_load_limit(static: float, geometry: BearingGeometry) -> float:
         static: C_0 [N].
         geometry: Kind and pitch diameter [m].
 
-    Source: ISO 281:2007, B.3.3 (simplified): C_0/22 (balls) and C_0/8.2 (rollers), above D_pw = 100 mm times
+    Source: ISO 281:2007, annex B (simplified): C_0/22 (balls) and C_0/8.2 (rollers), above D_pw = 100 mm times
         (100/D_pw)^0.5 and (100/D_pw)^0.3.
     """
     divisor, exponent = (22.0, 0.5) if geometry.kind.is_ball else (8.2, 0.3)

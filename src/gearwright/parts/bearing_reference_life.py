@@ -20,7 +20,7 @@ def basic_reference_life(geometry: BearingGeometry, rating: float, force: Array)
         rating: C_r [N].
         force: Loads of the balls [N], (Z,).
 
-    Source: ISO/TS 16281:2008, 4.6-4.8, eqs (19)-(20) and (25)-(29), inner ring turning.
+    Source: ISO/TS 16281:2008, eqs (19)-(20) and (25)-(29), inner ring turning.
     """
     gamma, count = geometry.curvature_ratio, geometry.elements
     rings = 1.044 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * geometry.conformity_ratio**0.41

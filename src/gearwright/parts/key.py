@@ -11,7 +11,7 @@ from gearwright.units import Length
 TWO_KEYS_SHARE = 0.75
 """φ: what each of two keys bears, because they do not fit alike [-] (DIN 6892:2012, method C)."""
 LONGEST_BEARING = 1.3
-"""l_tr/d beyond which more length does not bear more [-] (DIN 6892:2012, 4.1)."""
+"""l_tr/d beyond which more length does not bear more [-] (DIN 6892:2012)."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ def bearing_length(section: KeySection, length: float, hub_length: float) -> flo
         length: l, with the round ends [m].
         hub_length: [m].
 
-    Source: DIN 6892:2012, 4.1, form A: l_tr = l − b.
+    Source: DIN 6892:2012, form A: l_tr = l − b.
 
     Raises:
         DesignError: If the key is longer than its hub, or all round ends.

@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem
 
+LEAST_RADIUS = 0.03
+"""Fillet radius over height of the step from which on the formulas hold [-] (DIN 743-2:2012)."""
 _MM = 1e3
 _MPA = 1e6
 _INCH_ROOT_KSI = 25.4e-3
@@ -42,14 +44,15 @@ def check_shoulder(shoulder: Shoulder) -> None:
         shoulder: [m].
 
     Raises:
-        DesignError: If the diameters are in the wrong order, or the fillet does not fit the step.
+        DesignError: If the diameters are in the wrong order, or the fillet is too sharp.
     """
     step = (shoulder.larger - shoulder.diameter) / 2.0
     if step <= 0.0:
         message = f"{1e3 * shoulder.larger:g} mm is not above the smaller diameter, {1e3 * shoulder.diameter:g} mm"
         raise DesignError([Problem("shoulder.larger", message)])
-    if not 0.0 < shoulder.radius <= step + 1e-12:
-        message = f"{1e3 * shoulder.radius:g} mm given; allowed: above 0 to {1e3 * step:g} mm, the height of the step"
+    if shoulder.radius < LEAST_RADIUS * step:
+        least = 1e3 * LEAST_RADIUS * step
+        message = f"{1e3 * shoulder.radius:g} mm given; the formulas hold from {least:.3g} mm on, 0.03 of the step"
         raise DesignError([Problem("shoulder.radius", message)])
 
 
@@ -59,7 +62,7 @@ def stress_concentration(shoulder: Shoulder) -> Concentration:
     Args:
         shoulder: [m].
 
-    Source: DIN 743-2:2012, 5.2: 1 + 1/√(A r/t + 2 B r/d (1 + 2 r/d)² + C (r/t)^z d/D), bending A = 0.62, B = 5.8,
+    Source: DIN 743-2:2012: 1 + 1/√(A r/t + 2 B r/d (1 + 2 r/d)² + C (r/t)^z d/D), bending A = 0.62, B = 5.8,
         C = 0.2, z = 3; torsion A = 3.4, B = 19, C = 1, z = 2.
 
     Valid for: r/t ≥ 0.03, d/D ≤ 0.98.
@@ -86,7 +89,7 @@ def fatigue_notch_factor(shoulder: Shoulder, yield_strength: float) -> Concentra
         shoulder: [m].
         yield_strength: σ_S of the real section [Pa].
 
-    Source: DIN 743-2:2012, 5.1: β = α/n, n = 1 + √(G′ mm) 10^−(0.33 + σ_S/712 MPa); G′ = 2.3 (1 + φ)/r in bending and
+    Source: DIN 743-2:2012: β = α/n, n = 1 + √(G′ mm) 10^−(0.33 + σ_S/712 MPa); G′ = 2.3 (1 + φ)/r in bending and
         1.15/r in torsion, φ = 1/(4 √(t/r) + 2) for d/D > 0.67, else 0.
 
     Raises:

@@ -9,7 +9,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.units import Length, Ratio, Stress
 
 SMOOTHING = 0.8
-"""Share of both roughnesses R_z that pressing smooths away, each on both sides [-] (DIN 7190:2001, 4.2)."""
+"""Share of both roughnesses R_z that pressing smooths away, each on both sides [-] (DIN 7190:2001)."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ def fit_pressure(interference: float, diameter: float, shaft: FitPart, hub: FitP
         shaft: Inner part [Pa, m].
         hub: Outer part [Pa, m].
 
-    Source: Lamé 1852; DIN 7190:2001, 4.2: U − 0.8 (R_z,i + R_z,a) = p d (c_i/E_i + c_a/E_a),
+    Source: Lamé 1852; DIN 7190:2001: U − 0.8 (R_z,i + R_z,a) = p d (c_i/E_i + c_a/E_a),
         c_a = (1 + Q_a²)/(1 − Q_a²) + ν_a, c_i = (1 + Q_i²)/(1 − Q_i²) − ν_i.
 
     Valid for: elastic parts of equal length, at rest.
@@ -85,7 +85,7 @@ def fit_torque(pressure: float, diameter: float, length: float, *, friction: flo
         length: Of the joint l [m].
         friction: μ, 0.14 to 0.2 for steel on steel [-].
 
-    Source: DIN 7190:2001, 4.1: T = π/2 d² l μ p.
+    Source: DIN 7190:2001: T = π/2 d² l μ p.
     """
     return math.pi / 2.0 * diameter**2 * length * friction * pressure
 
@@ -123,6 +123,6 @@ def joining_temperature(interference: float, clearance: float, diameter: float, 
         diameter: d [m].
         expansion: α of the hub, 11e-6 for steel [1/K].
 
-    Source: DIN 7190:2001, 5.2: (U + S)/(α d).
+    Source: DIN 7190:2001: (U + S)/(α d).
     """
     return (interference + clearance) / (expansion * diameter)

@@ -25,13 +25,13 @@ MODULES = (
     8e-3,
     10e-3,
 )
-"""Modules of the standard [m] (DIN 5480-1:2006, table 1)."""
+"""Modules of the standard [m] (DIN 5480-1:2006)."""
 BEARING_SHARE = 0.75
 """Share of the teeth that bear in a first sizing [-] (usual for flank centred splines of grade 8)."""
 SHORTEST_RATIO = 0.6
 """l/d_B below which a hub rocks on its shaft [-] (usual for gears without another seat)."""
 _SHIFT = (-0.05, 0.45)
-"""Range of the profile shift x of shafts [-] (DIN 5480-1:2006, 4)."""
+"""Range of the profile shift x of shafts [-] (DIN 5480-1:2006)."""
 
 
 class Spline(NamedTuple):
@@ -76,7 +76,7 @@ def spline(reference_diameter: float, module: float) -> Spline:
         reference_diameter: d_B, that of the bearing or shaft [m].
         module: m [m].
 
-    Source: DIN 5480-1:2006, 4: d_B = m (z + 2 x + 1.1) with −0.05 ≤ x ≤ 0.45.
+    Source: DIN 5480-1:2006: d_B = m (z + 2 x + 1.1) with −0.05 ≤ x ≤ 0.45.
 
     Raises:
         DesignError: If the module is not standard or too few teeth fit.
@@ -106,7 +106,7 @@ def spline_pressure(torque: float, joint: Spline, length: float, *, share: float
         length: Bearing length l [m].
         share: Of the teeth that bear k [-].
 
-    Source: first sizing as in Roloff/Matek (eq. 12.4) with DIN 5480 heights: p = 2 T/(d_m h l z k),
+    Source: first sizing as in Roloff/Matek, Maschinenelemente, with DIN 5480 heights: p = 2 T/(d_m h l z k),
         h = (d_a1 − d_a2)/2 = 0.9 m, d_m = (d_a1 + d_a2)/2 = d_B − 1.1 m.
     """
     return spline_length(torque, joint, share=share, allowable=1.0) / length

@@ -139,7 +139,7 @@ def test_loose_fits_and_parts_without_walls_are_refused():
         FitPart(1.0, STEEL)
 
 
-@given(st.floats(0.03, 1.0), st.floats(1.05, 2.0))
+@given(st.floats(0.05, 1.0), st.floats(1.05, 2.0))
 def test_sharper_shoulders_raise_more(share, ratio):
     """A smaller fillet never lowers stress, and bending feels it more than torsion."""
     step = 0.04 * (ratio - 1.0) / 2.0
@@ -154,7 +154,7 @@ def test_sharper_shoulders_raise_more(share, ratio):
     ("shoulder", "message"),
     [
         (Shoulder(0.05, 0.04, 0.001), "40 mm is not above the smaller diameter, 50 mm"),
-        (Shoulder(0.04, 0.05, 0.006), "6 mm given; allowed: above 0 to 5 mm"),
+        (Shoulder(0.04, 0.05, 0.0001), "0.1 mm given; the formulas hold from 0.15 mm on"),
         (Shoulder(0.04, 0.05, 0.0), "0 mm given"),
     ],
 )
@@ -204,7 +204,7 @@ def test_din_743_pure_bending_is_strength_over_stress():
     total = 1.8 / (1.0 - 0.2 * math.log10(40.0 / 7.5) / math.log10(20.0)) + 1.0 / rough - 1.0
     stress = 800.0 / (math.pi / 32.0 * 0.04**3)
     assert safety.fatigue == pytest.approx(550e6 * size / total / stress)
-    assert safety.yielding == pytest.approx(900e6 * (1.0 - 0.34 * math.log10(50.0 / 16.0)) * 1.2 / stress)
+    assert safety.yielding == pytest.approx(900e6 * (1.0 - 0.34 * math.log10(50.0 / 16.0)) * 1.2 * 1.05 / stress)
 
 
 def test_din_743_mean_torque_lowers_fatigue_safety():
