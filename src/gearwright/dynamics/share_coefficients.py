@@ -45,6 +45,29 @@ def mesh_load_factor(force: Floats) -> float:
     return float(np.max(share_coefficients(force)))
 
 
+def tooth_cycle_means(time: Floats, force: Floats, period: float) -> Floats:
+    """Return the forces over each tooth cycle: their means in a window of one mesh period [N].
+
+    Args:
+        time: Evenly spaced [s], shape (instants,).
+        force: Of the n lines [N], shape (instants, n).
+        period: Of the mesh [s].
+
+    Returns:
+        Shape (instants − window + 1, n); the window is moved on by one instant at a time.
+
+    Raises:
+        DesignError: If the period does not fit the instants.
+    """
+    spacing = (time[-1] - time[0]) / (len(time) - 1)
+    window = round(period / spacing)
+    if not 1 < window < len(time):
+        message = f"a mesh period of {period:.3g} s does not fit {len(time)} instants {spacing:.3g} s apart"
+        raise DesignError([Problem("period", message)])
+    total = np.cumsum(np.vstack([np.zeros(force.shape[1]), force]), axis=0)
+    return np.asarray((total[window:] - total[:-window]) / window)
+
+
 def tooth_cycle_shares(time: Floats, force: Floats, period: float) -> Floats:
     """Return the coefficients over each tooth cycle: of the means of the forces in a window of one mesh period.
 
@@ -54,17 +77,11 @@ def tooth_cycle_shares(time: Floats, force: Floats, period: float) -> Floats:
         period: Of the mesh [s].
 
     Returns:
-        [-], shape (instants − window + 1, n); the window is moved on by one instant at a time.
+        [-], shape (instants − window + 1, n).
 
     Source: Wang, Zhao, Tao, Jia & Guo, eq. 13, "for each tooth frequency cycle", read as the mean.
     """
-    spacing = (time[-1] - time[0]) / (len(time) - 1)
-    window = round(period / spacing)
-    if not 1 < window < len(time):
-        message = f"a mesh period of {period:.3g} s does not fit {len(time)} instants {spacing:.3g} s apart"
-        raise DesignError([Problem("period", message)])
-    total = np.cumsum(np.vstack([np.zeros(force.shape[1]), force]), axis=0)
-    return share_coefficients(total[window:] - total[:-window])
+    return share_coefficients(tooth_cycle_means(time, force, period))
 
 
 def elastic_forces(system: System, samples: Samples) -> Floats:

@@ -67,7 +67,7 @@ class SharingProblem:
 
     @property
     def clockable(self) -> bool:
-        """True if gears can be turned on their shafts to shift load: not planets, whose teeth stand where others are."""
+        """True if gears turned on their shafts shift load: not planets, whose teeth stand where others put them."""
         sides = [side for contact in self.contacts if contact.line in self.lines for side in contact.sides]
         return self.shifts and all(side.place is None for side in sides)
 
@@ -240,13 +240,20 @@ def _turn(system: System) -> Floats:
     return np.linspace(0.0, turn, 64 * int(np.ceil(np.max(rates) / np.min(rates))) + 1)
 
 
-def single_error_sharing(problem: SharingProblem, source: ErrorSource, *, method: Method = "sidebands") -> LoadSharing:
+def single_error_sharing(
+    problem: SharingProblem,
+    source: ErrorSource,
+    *,
+    method: Method = "sidebands",
+    span: tuple[float, float] | None = None,
+) -> LoadSharing:
     """Return the sharing with one error alone, as the design gives it.
 
     Args:
         problem: From `sharing_problem`.
         source: One of its sources.
         method: As `load_sharing` takes it.
+        span: (from, to) [s]; left out: one turn of the error.
     """
     (alone,) = with_errors(problem.system, drawn_set([source]))
-    return load_sharing(alone, problem.lines, method=method)
+    return load_sharing(alone, problem.lines, method=method, span=span)
