@@ -1,6 +1,6 @@
 """Scuffing methods put to the test that calibrates them: the FZG A/8.3/90 gears at the load stage they scuff at.
 
-FZG type A (ISO 14635-1): a 91.5 mm, z 16/24, m 4.5 mm, b 20 mm, tips 82.45/118.35 mm, 8.3 m/s, oil from 90 °C; torque
+FZG type A (ISO 14635-1): a 91.5 mm, z 16/24, m 4.5 mm, b 20 mm, tips 88.77/112.5 mm, 8.3 m/s, oil from 90 °C; torque
 3.726 S² N m on the pinion; mineral oil ν_40 = 100 mm²/s, about 12 mPa s at 90 °C; R_a 0.35 µm.
 """
 

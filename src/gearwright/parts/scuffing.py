@@ -163,7 +163,7 @@ def flash_temperature(mesh: ScuffingMesh, oil: Oil) -> FlashTemperature:
         mesh: The mesh.
         oil: The oil.
 
-    Source: ISO/TS 6336-20:2017, eqs 1 to 5 (Blok): ϑ_fl = 2.52 μ_m X_M/50 X_J (X_Γ w_Bt)^¾ √(n_1/60)
+    Source: ISO/TS 6336-20:2017, eqs 1 to 5: ϑ_fl = 2.52 μ_m X_M/50 X_J (X_Γ w_Bt)^¾ √(n_1/60)
         |√ρ_1 − √(ρ_2/u)|/ρ_rel^¼, in N, mm, 1/min.
     Valid for: external pairs, unmodified profiles or tip relief that enters by X_J, steady load.
     """
