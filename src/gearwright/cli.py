@@ -15,7 +15,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from gearwright import __version__
+from gearwright.cli_dynamics import campbell, response, runup, validate
 from gearwright.cli_study import compare, study
+from gearwright.cli_thesis import thesis
 from gearwright.cli_weights import engines, show_mass, stated_mass
 
 if TYPE_CHECKING:
@@ -191,6 +193,11 @@ def report(
 app.command()(engines)
 app.command()(study)
 app.command()(compare)
+app.command()(campbell)
+app.command()(response)
+app.command()(runup)
+app.command()(validate)
+app.command()(thesis)
 
 
 @app.command()
