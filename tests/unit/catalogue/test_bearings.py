@@ -26,20 +26,20 @@ PUBLISHED = {
 
 @pytest.mark.parametrize("name", PUBLISHED)
 def test_sizes_are_standard_and_ratings_are_near_a_makers(name):
-    """ISO 15 and ISO 355 exactly; ratings within 20 %, which is what makers differ by."""
+    """ISO 15 and ISO 355 exactly; ratings within 12 %, less than two makers may differ by."""
     found, (bore, outer, width, dynamic, static) = bearing(name), PUBLISHED[name]
     assert (1e3 * found.bore, 1e3 * found.outer_diameter, 1e3 * found.width) == pytest.approx((bore, outer, width))
-    assert found.dynamic_rating / 1e3 == pytest.approx(dynamic, rel=0.2)
-    assert found.static_rating / 1e3 == pytest.approx(static, rel=0.2)
+    assert found.dynamic_rating / 1e3 == pytest.approx(dynamic, rel=0.12)
+    assert found.static_rating / 1e3 == pytest.approx(static, rel=0.12)
 
 
 def test_ratings_are_right_in_the_mean():
-    """Over the list above the mean differs by less than 3 % and the scatter is below 9 %."""
+    """Over the list above the mean differs by less than 1 % and the scatter is below 6 % (measured: 4.1 and 5.3 %)."""
     for column, rating in ((3, "dynamic_rating"), (4, "static_rating")):
         off = [math.log(getattr(bearing(name), rating) / 1e3 / row[column]) for name, row in PUBLISHED.items()]
         mean = sum(off) / len(off)
-        assert abs(mean) < 0.03
-        assert math.sqrt(sum((each - mean) ** 2 for each in off) / len(off)) < 0.09
+        assert abs(mean) < 0.01
+        assert math.sqrt(sum((each - mean) ** 2 for each in off) / len(off)) < 0.06
 
 
 def test_inside_of_a_6309_is_the_known_one():
