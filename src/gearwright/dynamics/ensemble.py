@@ -17,14 +17,14 @@ from gearwright.dynamics.recorder import RUNAWAY
 from gearwright.dynamics.statics import statics
 from gearwright.dynamics.stepsize import check_duration, check_step, default_step
 from gearwright.dynamics.system import Arrays, Floats, Labels, System
-from gearwright.dynamics.topology import Topology, parameters, topology
+from gearwright.dynamics.topology import Topology, fingerprint, parameters, topology
 from gearwright.dynamics.trace import index_of
 from gearwright.errors import DesignError, Problem, SolveError
 
 LANES = 8
 """Trajectories in one vector."""
-STEPS = 256
-"""Steps between two settings of the clock: even the clock table of eight speeds stays in the second-level cache."""
+STEPS = 1024
+"""Steps between two settings of the clock: long enough that threads seldom wait for each other to leave Python."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,12 +110,12 @@ def simulate_many(
 def _shape(systems: Sequence[System]) -> Topology:
     if not systems:
         raise DesignError([Problem("systems", "there is none")])
-    shape = topology(systems[0].arrays)
+    first = fingerprint(systems[0].arrays)
     for number, system in enumerate(systems):
-        if topology(system.arrays) != shape:
+        if fingerprint(system.arrays) != first:
             message = "its structure differs from the first one's: lines, backlash or none, tones, kinds of loads"
             raise DesignError([Problem(f"systems.{number}", message)])
-    return shape
+    return topology(systems[0].arrays)
 
 
 def _states(systems: Sequence[System], start: Floats | None) -> Floats:

@@ -74,6 +74,28 @@ def topology(arrays: Arrays) -> Topology:
     )
 
 
+def fingerprint(arrays: Arrays) -> tuple[bytes, ...]:
+    """Return what decides the structure, quick to take and to compare: equal for systems of one structure.
+
+    Args:
+        arrays: The system's numbers.
+    """
+    loads = arrays.loads
+    signs = np.where(np.abs(arrays.line_weight) == 1.0, arrays.line_weight, 0.0)
+    parts = [
+        arrays.line_start,
+        arrays.line_dof,
+        signs,
+        arrays.backlash > 0.0,
+        arrays.damping > 0.0,
+        arrays.speed != 0.0,
+    ]
+    parts += [loads.constant != 0.0, loads.damping != 0.0, loads.quadratic != 0.0, loads.schedules.dof]
+    parts += [arrays.variation.start, arrays.variation.tone, arrays.error.start, arrays.error.tone]
+    parts += [arrays.gyroscopic.row, arrays.gyroscopic.column, arrays.centripetal.row, arrays.centripetal.column]
+    return (*(part.tobytes() for part in parts), repr((len(arrays.tone_rate), steady)).encode())
+
+
 def _line(arrays: Arrays, j: int) -> LineShape:
     part = slice(arrays.line_start[j], arrays.line_start[j + 1])
     weights = arrays.line_weight[part]

@@ -9,7 +9,7 @@ from gearwright.dynamics import reference
 from gearwright.dynamics.energy import WORKS
 from gearwright.dynamics.native import compiled
 from gearwright.dynamics.steppers import blank_record, stepper
-from gearwright.dynamics.topology import parameters, topology
+from gearwright.dynamics.topology import fingerprint, parameters, topology
 
 
 def random_state(seed: int, size: int):
@@ -66,6 +66,16 @@ def test_generated_and_generic_code_agree_over_a_run_with_works(seed):
             advance(first, record, state)
         ends.append(state)
     np.testing.assert_allclose(ends[0], ends[1], rtol=1e-9, atol=1e-9 * np.max(np.abs(ends[1])))
+
+
+@settings(max_examples=30, deadline=None)
+@given(seed=st.integers(0, 40), other=st.integers(0, 40), lines=st.integers(1, 2))
+def test_fingerprints_tell_the_same_structures_apart_as_topologies_do(seed, other, lines):
+    """Few lines, so that equal structures occur; numbers alone never matter."""
+    arrays, second = (random_system(each, 4, lines).arrays for each in (seed, other))
+    assert (fingerprint(arrays) == fingerprint(second)) is (topology(arrays) == topology(second))
+    scaled = arrays._replace(mass=2.0 * arrays.mass, tone_rate=3.0 * arrays.tone_rate)
+    assert fingerprint(scaled) == fingerprint(arrays)
 
 
 def test_systems_of_one_structure_share_one_code():
