@@ -150,7 +150,7 @@ def _row(one: Checked) -> str:
     if not math.isclose(got, one.expected, rel_tol=0.0, abs_tol=one.tolerance + 1e-12):
         raise ValueError(f"{one.what}: {got:g} is not {one.expected:g} ± {one.tolerance:g} {one.unit}")
     cells = (one.what, f"{one.expected:g} {one.unit}", f"± {one.tolerance:g}", f"{got:.5g} {one.unit}", one.source)
-    return f"| {' | '.join(cells)} | `{one.test}` |\n"
+    return f"| {' | '.join(cells)} | `{Path(one.test).stem}` |\n"
 
 
 def _sections() -> Iterator[str]:
