@@ -42,7 +42,7 @@ class CriticalSpeed:
     order: str
     """What excites: mesh and multiple of its frequency, or a shaft's turning."""
     mode: str
-    """Which natural frequencies, counted from 1 without the rigid ones, by frequency at the lowest speed."""
+    """Which natural frequencies, counted from 1 with the rigid ones first, by frequency at the lowest speed."""
     frequency: Frequency
     """[Hz]"""
     speed: Speed
@@ -107,11 +107,12 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
     diagram = campbell(systems[0], factors)
     speed = abs(sizing.flows[cases[0]].speeds[sizing.machines[0].shaft])
     shakers = [Shaker(system) for system in systems]
+    before = 1 + len(systems[0].labels.coordinates) - diagram.frequency.shape[1]
     found = [
         CriticalSpeed(
             ", ".join(cases),
             order_name(sizing, first.order.tone),
-            "–".join(dict.fromkeys((str(first.mode + 1), str(last.mode + 1)))),
+            "–".join(dict.fromkeys((str(first.mode + before), str(last.mode + before)))),
             first.frequency,
             first.factor * speed,
             first.factor - 1.0,

@@ -15,6 +15,8 @@ from gearwright.sizing import Sizing
 
 POINTS = 2000
 """Frequencies of a response."""
+RANGE = 1000.0
+"""Highest over lowest frequency of a response [-]."""
 
 
 def answer(sizing: Sizing, system: System, row: str, *, error: float, top: float) -> Response:
@@ -41,7 +43,7 @@ def answer(sizing: Sizing, system: System, row: str, *, error: float, top: float
         both = planet_phases(pairs[f"{stage}.sun-planet"], pairs[f"{stage}.planet-ring"], even_positions(count))
         phases = both.sun if row.endswith("sun-planet") else both.ring
         errors = {f"{row}-{k}": cmath.rect(error, 2.0 * cmath.pi * phase) for k, phase in enumerate(phases, start=1)}
-    frequency = [float(each) for each in np.linspace(top / POINTS, top, POINTS)]
+    frequency = [float(each) for each in np.geomspace(top / RANGE, top, POINTS)]
     return frequency_response(system, frequency, errors=errors)
 
 

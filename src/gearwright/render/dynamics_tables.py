@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from gearwright.dynamics.critical_speeds import CriticalSpeed, SpeedCase
 from gearwright.dynamics.response import Response
 from gearwright.dynamics.runup import RunUp
 from gearwright.render.tables import Table, table
-from gearwright.units import Force, Frequency, Ratio, Speed
+from gearwright.units import Force, Frequency, Origin, Quantity, Speed
 
 
 @dataclass(frozen=True)
@@ -23,11 +24,11 @@ class Critical:
     mode: str
     frequency: Frequency
     """[Hz]"""
-    critical_speed: Speed
+    speed: Speed
     """Of the first machine's shaft [rad/s]."""
-    margin: Ratio
+    margin: Annotated[float, Quantity("percent"), Origin("n_crit/n − 1", "definition")]
     """[-]"""
-    dynamic_force: Ratio
+    dynamic_force: Annotated[float, Quantity("percent"), Origin("q = φᵀf/(2 ζ ω²)", "first order, at resonance")]
     """Amplitude over mean [-]."""
     verdict: str
 
@@ -71,10 +72,11 @@ def critical_table(found: SpeedCase, *, most: int = 25) -> Table:
     ]
     left = f" {len(found.critical) - most} more are left out." if len(found.critical) > most else ""
     note = (
-        "Margin: critical over operating speed, less 1. Dynamic force: estimated amplitude of the worst mesh force at"
-        f" the resonance over its mean, from the stiffness variation and errors of the design.{left}"
+        "n: critical speed of the first machine's shaft. Margin: over the operating speed, less 1. Dynamic force:"
+        " estimated amplitude of the worst mesh force at the resonance over its mean, from the stiffness variation and"
+        f" errors of the design.{left}"
     )
-    fields = ("order", "mode", "frequency", "critical_speed", "margin", "dynamic_force", "verdict")
+    fields = ("order", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
     return table(f"Critical speeds, case {found.cases}", rows, fields, note=note)
 
 

@@ -138,8 +138,8 @@ def response_figure(response: Response, lines: Sequence[str], *, title: str) -> 
     top, below = figure.subplots(2, 1, sharex=True, height_ratios=(3.0, 1.3))
     for line in lines:
         force = response.force(line)
-        top.semilogy(response.frequency / 1e3, np.abs(force), label=line)
-        below.plot(response.frequency / 1e3, np.degrees(np.angle(force)), lw=0.8)
+        top.loglog(response.frequency / 1e3, np.abs(force), label=line)
+        below.semilogx(response.frequency / 1e3, np.degrees(np.angle(force)), lw=0.8)
     top.set(title=title, ylabel="force amplitude [N]")
     top.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     below.set(ylabel="phase [°]", xlabel="frequency [kHz]", ylim=(-190.0, 190.0))
