@@ -82,14 +82,9 @@ def fingerprint(arrays: Arrays) -> tuple[bytes, ...]:
     """
     loads = arrays.loads
     signs = np.where(np.abs(arrays.line_weight) == 1.0, arrays.line_weight, 0.0)
-    parts = [
-        arrays.line_start,
-        arrays.line_dof,
-        signs,
-        arrays.backlash > 0.0,
-        arrays.damping > 0.0,
-        arrays.speed != 0.0,
-    ]
+    steady = bool(np.all(arrays.profile.factor == arrays.profile.factor[0]))
+    parts = [arrays.line_start, arrays.line_dof, signs, arrays.backlash > 0.0, arrays.damping > 0.0]
+    parts += [] if steady else [arrays.speed != 0.0]
     parts += [loads.constant != 0.0, loads.damping != 0.0, loads.quadratic != 0.0, loads.schedules.dof]
     parts += [arrays.variation.start, arrays.variation.tone, arrays.error.start, arrays.error.tone]
     parts += [arrays.gyroscopic.row, arrays.gyroscopic.column, arrays.centripetal.row, arrays.centripetal.column]
