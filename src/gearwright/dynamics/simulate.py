@@ -11,7 +11,7 @@ from gearwright.dynamics.energy import WORKS, Work, stored_energy
 from gearwright.dynamics.exact import is_exact
 from gearwright.dynamics.recorder import BLOCK, Outputs, Recorder
 from gearwright.dynamics.sensitivity import PARTED, parting
-from gearwright.dynamics.statics import statics
+from gearwright.dynamics.statics import statics, unbalanced
 from gearwright.dynamics.steppers import METHODS, Stepper, blank_record, stepper
 from gearwright.dynamics.stepsize import (
     Accuracy,
@@ -85,7 +85,9 @@ def simulate(
     first = state.copy()
     advance = stepper(arrays, method, step)
     done = _run(advance, recorder, state, progress)
-    notes = [reason, *_notes(recorder, done)]
+    left = unbalanced(system)
+    notes = [reason, *([f"at the start {left}; the train speeds up or slows down"] if left else [])]
+    notes += _notes(recorder, done)
     if np.any(recorder.lost >= 0):
         notes += _sensitivity(parting(arrays, advance, done, state))
     return _trace(recorder, (method, error, tuple(notes)), (first, state), done)

@@ -50,27 +50,35 @@ def statics(system: System, *, time: float = 0.0, balance: Balance = "required")
         SolveError: If loads do not balance on a motion that no line holds, or contact does not settle.
     """
     arrays = system.arrays
-    rigid, elastic = split_rigid(arrays)
+    elastic = split_rigid(arrays)[1]
     rest = np.zeros(len(arrays.mass))
     load = external_load(arrays, time, rest)
-    if balance == "required":
-        _check_balance(system, rigid, load)
+    left = unbalanced(system, time=time) if balance == "required" else ""
+    if left:
+        raise SolveError(f"{left}; balance the loads or add a support")
     position = _settle(arrays, time, elastic, load)
     return Equilibrium(position, line_state(arrays, time, position, rest).force, system.labels)
 
 
-def _check_balance(system: System, rigid: Floats, load: Floats) -> None:
-    for motion in rigid.T:
+def unbalanced(system: System, *, time: float = 0.0) -> str:
+    """Return what the loads leave over on a motion that nothing holds, in words; empty if they balance.
+
+    Args:
+        system: Bodies, lines, loads.
+        time: Instant [s].
+    """
+    arrays = system.arrays
+    load = external_load(arrays, time, np.zeros(len(arrays.mass)))
+    for motion in split_rigid(arrays)[0].T:
         parts = motion * load
         if abs(np.sum(parts)) > BALANCE_TOLERANCE * np.sum(np.abs(parts)):
             scale = motion[np.argmax(np.abs(motion))]
             shape = motion / scale
             names = system.labels.coordinates
             moving = ", ".join(f"{names[i]} {shape[i]:.3g}" for i in np.flatnonzero(np.abs(shape) > 1e-9))
-            raise SolveError(
-                f"nothing holds the motion ({moving}) and the loads on it do not balance: they leave "
-                f"{np.sum(parts) / scale:.4g} N m; balance the loads or add a support"
-            )
+            left = np.sum(parts) / scale
+            return f"nothing holds the motion ({moving}) and the loads on it do not balance: they leave {left:.4g} N m"
+    return ""
 
 
 def _settle(arrays: Arrays, time: float, elastic: Floats, load: Floats) -> Floats:

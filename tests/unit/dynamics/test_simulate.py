@@ -96,6 +96,16 @@ def test_auto_says_what_it_picked():
     assert "constant stiffness" in exact.notes[0]
 
 
+def test_loads_that_do_not_balance_are_noted():
+    """100 N m on the wheel stand against 2 × 50 N m on the pinion; 90 N m do not."""
+    system = driven_pair()
+    constant = system.arrays.loads.constant * np.array([1.0, 0.9])
+    loads = system.arrays.loads._replace(constant=constant)
+    unequal = replace(system, arrays=system.arrays._replace(loads=loads))
+    assert any("do not balance: they leave" in note for note in simulate(unequal, 0.001).notes)
+    assert not any("balance" in note for note in simulate(system, 0.001).notes)
+
+
 def test_an_unknown_output_names_the_nearest():
     trace = simulate(driven_pair(), 0.001)
     with pytest.raises(DesignError, match="no such line; did you mean mesh"):
