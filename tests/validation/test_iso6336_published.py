@@ -13,8 +13,9 @@ from gearwright.parts.cylindrical_gear import ISO53_D, CylindricalGear
 from gearwright.parts.gear_pair import GearPair
 from gearwright.parts.iso6336_distribution import face_load_factor
 from gearwright.parts.iso6336_geometry import mesh_geometry
+from gearwright.parts.iso6336_loads import MeshDuty, MeshQuality
 from gearwright.parts.iso6336_pitting import LoadFactors, pitting_rating
-from gearwright.parts.iso6336_rating import MeshDuty, MeshQuality, rate_pair
+from gearwright.parts.iso6336_rating import rate_pair
 from gearwright.parts.mesh_stiffness_iso6336 import mesh_stiffness_iso6336
 from gearwright.units import RPM
 

@@ -71,8 +71,8 @@ def work_hardening_factor(
     *,
     mate_hardness: float,
     mate_roughness: float,
-    ratio: float,
-) -> float:
+    ratio: Value,
+) -> Value:
     """Return the work hardening factor Z_W of a gear.
 
     Args:
@@ -98,7 +98,7 @@ def work_hardening_factor(
     if harder < 1.2:
         return 1.0
     slope = 0.00698 if harder > 1.7 else 0.00898 * harder - 0.00829
-    return 1.0 + slope * (min(ratio, 20.0) - 1.0)
+    return 1.0 + slope * (np.minimum(ratio, 20.0) - 1.0)
 
 
 def contact_size_factor(module: Value, treatment: Treatment) -> Value:

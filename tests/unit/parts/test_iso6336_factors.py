@@ -39,8 +39,9 @@ from gearwright.parts.iso6336_dynamic import (
 from gearwright.parts.iso6336_film import contact_size_factor, work_hardening_factor
 from gearwright.parts.iso6336_geometry import MeshGeometry, mesh_geometry
 from gearwright.parts.iso6336_life import bending_life_curve, contact_life_curve, endurable_cycles, life_factor
-from gearwright.parts.iso6336_pitting import single_contact_factors, zone_factor
-from gearwright.parts.iso6336_rating import MeshDuty, rate_pair
+from gearwright.parts.iso6336_loads import MeshDuty
+from gearwright.parts.iso6336_pitting import single_contact_factors
+from gearwright.parts.iso6336_rating import rate_mesh, rate_pair
 from gearwright.parts.iso6336_root import (
     LoadedTooth,
     ToothProportions,
@@ -48,7 +49,9 @@ from gearwright.parts.iso6336_root import (
     root_section,
     shaped_fillet_radius,
 )
+from gearwright.parts.iso6336_stiffness import mesh_springs
 from gearwright.parts.iso6336_strength import GearSteel, Treatment
+from gearwright.parts.mesh_stiffness_iso6336 import mesh_stiffness_iso6336
 from gearwright.parts.tooth_form import load_point, tooth_form
 
 HARD = GearSteel("hard", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 461e6)
@@ -143,10 +146,19 @@ def test_undercut_and_interference_are_refused_with_the_remedy():
         mesh_geometry(GearPair(CylindricalGear(18, 2e-3, 20e-3), long_teeth))
 
 
+@pytest.mark.parametrize("case", [PAIR, pair(30, -90, 0.0, (0.3, 0.3)), pair(20, 41, 25.0, (0.4, -0.1), ISO53_D)])
+@pytest.mark.parametrize("load", [30e3, 400e3])
+def test_the_stiffness_over_arrays_is_that_of_one_pair(case, load):
+    """`mesh_springs` beside `mesh_stiffness_iso6336`: one formula, written twice; 1e-12."""
+    many, one = mesh_springs(mesh_geometry(case), load), mesh_stiffness_iso6336(case, specific_load=min(load, 1e5))
+    assert (many.single, many.mesh, many.face) == pytest.approx((one.single, one.mesh, one.face), rel=1e-12)
+
+
 def test_arrays_rate_as_single_pairs_do():
-    """One call for many variants, equal to rounding (1e-12)."""
-    teeth = np.array([21.0, 27.0, 35.0])
-    one = [mesh_geometry(pair(int(z), 107)) for z in teeth]
+    """One call for four variants of pinion and torque, factor by factor; equal to rounding, 1e-11."""
+    teeth, torques = np.array([21.0, 27.0, 35.0, 52.0]), np.array([200.0, 512.5, 700.0, 40.0])
+    cases = [pair(int(z), 107) for z in teeth]
+    one = [mesh_geometry(case) for case in cases]
     many = MeshGeometry(
         (teeth, 107.0),
         2.5e-3,
@@ -157,12 +169,22 @@ def test_arrays_rate_as_single_pairs_do():
         MESH.pressure_angle,
         MESH.proportions,
     )
-    np.testing.assert_allclose(zone_factor(many), [zone_factor(mesh) for mesh in one], rtol=1e-12)
-    for gear in (0, 1):
-        together = root_section(outer_single_contact(many, gear))
-        alone = [root_section(outer_single_contact(mesh, gear)) for mesh in one]
-        np.testing.assert_allclose(together.form, [each.form for each in alone], rtol=1e-12)
-        np.testing.assert_allclose(together.stress_correction, [each.stress_correction for each in alone], rtol=1e-12)
+    together = rate_mesh(many, (HARD, HARD), MeshDuty(torques, 628.3, 1.26e7, 1.25))
+    alone = [
+        rate_pair(case, (HARD, HARD), MeshDuty(float(torque), 628.3, 1.26e7, 1.25))
+        for case, torque in zip(cases, torques, strict=True)
+    ]
+    for value in (
+        lambda each: each.loads.dynamic,
+        lambda each: each.loads.face_bending,
+        lambda each: each.loads.transverse_contact,
+        lambda each: each.pitting.safeties[0],
+        lambda each: each.pitting.safeties[1],
+        lambda each: each.bending[0].safety,
+        lambda each: each.bending[1].safety,
+        lambda each: each.root_strength[1].notch_sensitivity,
+    ):
+        np.testing.assert_allclose(value(together), [value(each) for each in alone], rtol=1e-11)
 
 
 def kv(ratio, load=4e5, mesh=MESH):
