@@ -44,6 +44,19 @@ class BearingDuty:
     limit_factor: Ratio = 1.0
     """Limit load over mean load [-]."""
 
+    def __post_init__(self) -> None:
+        """Refuse what no bearing can be asked."""
+        problems = []
+        if self.radial < 0.0:
+            problems.append(Problem("radial", f"{self.radial:g} N given; allowed: 0 or more"))
+        for name, value in {"life": self.life, "static_safety": self.static_safety}.items():
+            if value <= 0.0:
+                problems.append(Problem(name, f"{value:g} given; allowed: above 0"))
+        if not (self.radial or self.axial):
+            problems.append(Problem("radial", "nothing loads the bearing; give a radial or an axial force"))
+        if problems:
+            raise DesignError(problems)
+
 
 @dataclass(frozen=True)
 class BearingCheck:

@@ -175,8 +175,13 @@ def mean_load(loads: Sequence[float], turns: Sequence[float], exponent: float = 
         exponent: p of the life, 3 for balls and 10/3 for rollers [-].
 
     Source: Palmgren 1924, linear damage: (Σ P^p N / Σ N)^(1/p).
+
+    Raises:
+        DesignError: If the spectrum does not turn.
     """
     weights = np.asarray(turns, dtype=float)
+    if weights.min(initial=0.0) < 0.0 or weights.sum() <= 0.0:
+        raise DesignError([Problem("turns", f"{list(turns)} given; none is below 0, and some are above")])
     return float((np.asarray(loads, dtype=float) ** exponent @ weights / weights.sum()) ** (1.0 / exponent))
 
 

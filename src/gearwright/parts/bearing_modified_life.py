@@ -70,10 +70,15 @@ def reference_viscosity(speed: float, pitch_diameter: float) -> float:
 
     Source: ISO 281:2007, 9.3: 45000 n^-0.83 D_pw^-0.5, from 1000 rpm 4500 n^-0.5 D_pw^-0.5 (mm²/s, mm).
 
+    Raises:
+        DesignError: If the bearing stands still: no film forms then.
+
     >>> round(1e6 * reference_viscosity(3000 * RPM, 0.0725), 3)
     9.649
     """
     rpm, diameter = abs(speed) / RPM, 1e3 * pitch_diameter
+    if rpm == 0.0:
+        raise DesignError([Problem("speed", "0 rpm given; no oil film forms in a bearing at rest")])
     law = 45000.0 * math.pow(rpm, -0.83) if rpm < 1000.0 else 4500.0 / math.sqrt(rpm)
     return 1e-6 * law / math.sqrt(diameter)
 

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from gearwright.errors import DesignError, Problem
 from gearwright.parts.shaft_stiffness import Sections
 
 Array = NDArray[np.float64]
@@ -21,7 +22,7 @@ def critical_speed(coefficients: Array, masses: ArrayLike) -> float:
 
     Source: largest root of |δ_ij m_j − I/ω²| = 0 (Budynas & Nisbett, Shigley, eqs (7-26) to (7-28)).
     """
-    roots = np.sqrt(np.asarray(masses, dtype=float))
+    roots = np.sqrt(_weighty(masses))
     return float(1.0 / math.sqrt(np.linalg.eigvalsh(roots[:, None] * coefficients * roots)[-1]))
 
 
@@ -34,7 +35,7 @@ def critical_speed_rayleigh(coefficients: Array, masses: ArrayLike) -> float:
 
     Source: Rayleigh 1877; Shigley, eq. (7-23): ω² = g Σ w y/Σ w y²; gravity cancels.
     """
-    weights = np.asarray(masses, dtype=float)
+    weights = _weighty(masses)
     shape = coefficients @ weights
     return math.sqrt(float(weights @ shape) / float(weights @ shape**2))
 
@@ -48,7 +49,15 @@ def critical_speed_dunkerley(coefficients: Array, masses: ArrayLike) -> float:
 
     Source: Dunkerley 1894; Shigley, eq. (7-32): 1/ω² = Σ m_i δ_ii.
     """
-    return 1.0 / math.sqrt(float(np.asarray(masses, dtype=float) @ np.diag(coefficients)))
+    return 1.0 / math.sqrt(float(_weighty(masses) @ np.diag(coefficients)))
+
+
+def _weighty(masses: ArrayLike) -> Array:
+    """Return masses as an array, or refuse those that nothing can swing."""
+    found = np.asarray(masses, dtype=float)
+    if found.min(initial=0.0) < 0.0 or found.sum() <= 0.0:
+        raise DesignError([Problem("masses", f"{found.tolist()} kg given; none is below 0, and some are above")])
+    return found
 
 
 def lumped_shaft(sections: Sections, density: float, *, pieces: int = 40) -> tuple[Array, Array]:

@@ -6,14 +6,13 @@ import math
 from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem
+from gearwright.units import INCH, POUND_FORCE
 
 LEAST_RADIUS = 0.03
 """Fillet radius over height of the step from which on the formulas hold [-] (DIN 743-2:2012)."""
 _MM = 1e3
 _MPA = 1e6
-_INCH_ROOT_KSI = 25.4e-3
-"""One inch in m: Neuber's constant below is in √in."""
-_KSI = 6.894757293168e6
+_KSI = 1000.0 * POUND_FORCE / INCH**2
 """One ksi in Pa."""
 
 
@@ -122,7 +121,7 @@ def notch_sensitivity(radius: float, ultimate_strength: float) -> Concentration:
     ksi = ultimate_strength / _KSI
     bending = 0.246 - 3.08e-3 * ksi + 1.51e-5 * ksi**2 - 2.67e-8 * ksi**3
     torsion = 0.190 - 2.51e-3 * ksi + 1.35e-5 * ksi**2 - 2.67e-8 * ksi**3
-    root = math.sqrt(radius / _INCH_ROOT_KSI)
+    root = math.sqrt(radius / INCH)
     return Concentration(1.0 / (1.0 + bending / root), 1.0 / (1.0 + torsion / root))
 
 

@@ -56,6 +56,9 @@ class BearingGeometry:
             problems.append(Problem("diameter", message))
         if not self.kind.is_ball and self.roller_length <= 0.0:
             problems.append(Problem("roller_length", f"{1e3 * self.roller_length:g} mm given; rollers need a length"))
+        if self.kind is BearingKind.TAPER and not 0.0 < self.contact_angle < math.pi / 4.0:
+            message = f"{math.degrees(self.contact_angle):g}° given; a taper bearing has more than 0° and less than 45°"
+            problems.append(Problem("contact_angle", message))
         if min(self.inner_conformity, self.outer_conformity) <= 0.5:
             message = (
                 f"{min(self.inner_conformity, self.outer_conformity):g} given; a groove is wider than its ball: > 0.5"

@@ -131,7 +131,7 @@ def goodman_safety(stress: SectionStress, strength: FatigueStrength) -> float:
 
     Source: Budynas & Nisbett, Shigley's Mechanical Engineering Design, eq. (7-7): 1/n = σ_a′/S_e + σ_m′/S_ut.
     """
-    return 1.0 / (stress.amplitude / strength.endurance + stress.mean / strength.ultimate)
+    return _inverse(stress.amplitude / strength.endurance + stress.mean / strength.ultimate)
 
 
 def asme_safety(stress: SectionStress, strength: FatigueStrength) -> float:
@@ -143,7 +143,7 @@ def asme_safety(stress: SectionStress, strength: FatigueStrength) -> float:
 
     Source: Budynas & Nisbett, Shigley's Mechanical Engineering Design, eq. (7-11): 1/n² = (σ_a′/S_e)² + (σ_m′/S_y)².
     """
-    return 1.0 / math.hypot(stress.amplitude / strength.endurance, stress.mean / strength.yielding)
+    return _inverse(math.hypot(stress.amplitude / strength.endurance, stress.mean / strength.yielding))
 
 
 def yield_safety(stress: SectionStress, strength: FatigueStrength) -> float:
@@ -155,7 +155,12 @@ def yield_safety(stress: SectionStress, strength: FatigueStrength) -> float:
 
     Source: Budynas & Nisbett, Shigley's Mechanical Engineering Design, eqs (7-15) and (7-16).
     """
-    return strength.yielding / stress.greatest
+    return _inverse(stress.greatest / strength.yielding)
+
+
+def _inverse(use: float) -> float:
+    """Return the safety of what uses a share of its strength: without load, without end."""
+    return 1.0 / use if use else math.inf
 
 
 def goodman_diameter(

@@ -79,9 +79,12 @@ def bent_line(drawn: Diagram, sections: Sections, bearings: ArrayLike, *, elasti
     Valid for: slender shafts; shear is left out.
 
     Raises:
-        DesignError: If a load or bearing stands outside the shaft.
+        DesignError: If a load or bearing stands outside the shaft, or there are not two bearings.
     """
     seats = np.asarray(bearings, dtype=float)
+    if seats.size != 2 or seats[0] == seats[1]:
+        message = f"{seats.tolist()} given; a bent line rests on two bearings at two places"
+        raise DesignError([Problem("bearings", message)])
     places = np.unique(np.concatenate([drawn.position, sections.edges, seats]))
     _check_inside(sections, np.concatenate([drawn.position, seats]))
     steps = np.diff(places)

@@ -123,6 +123,15 @@ def test_thrust_on_a_bearing_without_ribs_is_refused():
         check_bearing(bearing("NU 212"), BearingDuty(1e3, 10.0, RPM, HOUR))
 
 
+def test_impossible_duties_are_refused():
+    """All problems at once."""
+    with pytest.raises(DesignError) as caught:
+        BearingDuty(-1.0, 0.0, RPM, -1.0)
+    assert [problem.path for problem in caught.value.problems] == ["radial", "life"]
+    with pytest.raises(DesignError, match="nothing loads the bearing"):
+        BearingDuty(0.0, 0.0, RPM, HOUR)
+
+
 def test_an_unknown_designation_names_a_near_one():
     """NU 2122 looks like NU 2212."""
     with pytest.raises(DesignError, match="did you mean NU 2"):

@@ -8,7 +8,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
-from gearwright.parts.bearing_contact import ball_contacts, ellipse_ratio, load_at_pressure, load_deflection_constant
+from gearwright.parts.bearing_contact import (
+    Curvature,
+    ball_contacts,
+    ellipse_ratio,
+    load_at_pressure,
+    load_deflection_constant,
+)
 from gearwright.parts.bearing_distribution import RingLoad, load_distribution
 from gearwright.parts.bearing_life import (
     basic_life,
@@ -19,7 +25,10 @@ from gearwright.parts.bearing_life import (
     weibull_slope,
 )
 from gearwright.parts.bearing_load import (
+    CYLINDRICAL_STATIC,
     FOUR_POINT,
+    RIBBED_NARROW,
+    RIBBED_WIDE,
     equivalent_load,
     mean_load,
     static_equivalent_load,
@@ -34,6 +43,7 @@ from gearwright.parts.bearing_modified_life import (
     cleanliness_factor,
     contamination_factor,
     life_modification,
+    reference_viscosity,
 )
 from gearwright.parts.bearing_rating import dynamic_rating, fatigue_load_limit
 from gearwright.parts.bearing_reference_life import basic_reference_life, reference_load
@@ -53,8 +63,6 @@ def test_ellipse_ratio_solves_its_equation(difference):
 
 def test_a_sphere_on_a_plane_is_hertz():
     """Contact of circle: p = (6 Q E*²/(π³ R²))^(1/3) with 1/E* = 2 (1−ν²)/E; here Σρ = 2/R, F(ρ) = 0."""
-    from gearwright.parts.bearing_contact import Curvature
-
     radius, modulus, pressure = 0.01, 210e9, 1e9
     reduced = modulus / (2.0 * (1.0 - 0.3**2))
     expected = math.pi**3 * radius**2 * pressure**3 / (6.0 * reduced**2)
@@ -125,6 +133,20 @@ def test_impossible_insides_are_all_named_at_once():
     with pytest.raises(DesignError) as caught:
         BearingGeometry(BearingKind.DEEP_GROOVE, 2, 0.08, 0.07, inner_conformity=0.5)
     assert [problem.path for problem in caught.value.problems] == ["elements", "diameter", "conformity"]
+
+
+def test_taper_bearings_need_an_angle():
+    """Without one they bear no thrust, and Y has no end."""
+    with pytest.raises(DesignError, match="0° given; a taper bearing has more than 0°"):
+        BearingGeometry(BearingKind.TAPER, 20, 0.01, 0.065, roller_length=0.012)
+
+
+def test_ribs_of_cylindrical_bearings_bear_some_thrust():
+    """Narrow series: e = 0.2, Y = 0.6; wide series: e = 0.3, Y = 0.4; X = 0.92 (manufacturers' catalogues)."""
+    assert equivalent_load(10e3, 1e3, RIBBED_NARROW) == 10e3
+    assert equivalent_load(10e3, 4e3, RIBBED_NARROW) == pytest.approx(9.2e3 + 2.4e3)
+    assert equivalent_load(10e3, 4e3, RIBBED_WIDE) == pytest.approx(9.2e3 + 1.6e3)
+    assert static_equivalent_load(10e3, 4e3, CYLINDRICAL_STATIC) == 10e3
 
 
 def test_rollers_need_a_length():
@@ -217,6 +239,8 @@ def test_life_modification_is_continuous(kind, kappa):
         (lambda: life_modification(0.1, 0.05, BearingKind.TAPER), "below 0.1"),
         (lambda: basic_life(1e4, 0.0, BearingKind.TAPER), "above 0 N"),
         (lambda: static_safety(1e4, 0.0), "above 0 N"),
+        (lambda: mean_load([1.0], [0.0]), "turns: .* some are above"),
+        (lambda: reference_viscosity(0.0, 0.07), "no oil film forms"),
     ],
 )
 def test_what_the_standard_does_not_cover_is_refused(call, message):

@@ -42,6 +42,7 @@ from gearwright.parts.shaft_fatigue import (
     goodman_diameter,
     goodman_safety,
     section_stress,
+    yield_safety,
 )
 from gearwright.parts.shaft_stiffness import Sections, at_place, bent_line, influence, plain_shaft
 from gearwright.parts.spline import spline, spline_length, spline_pressure
@@ -183,6 +184,14 @@ def test_without_mean_stress_goodman_and_asme_agree():
     assert goodman_safety(stress, STRENGTH) == pytest.approx(asme_safety(stress, STRENGTH))
 
 
+def test_a_shaft_without_load_is_safe_without_end():
+    """And not a division by zero."""
+    stress = section_stress(SectionLoad(), 0.04)
+    assert (
+        goodman_safety(stress, STRENGTH) == asme_safety(stress, STRENGTH) == yield_safety(stress, STRENGTH) == math.inf
+    )
+
+
 def test_unknown_surface_and_reliability_are_both_named():
     """All problems at once."""
     with pytest.raises(DesignError) as caught:
@@ -294,6 +303,10 @@ def test_loads_outside_the_shaft_are_refused():
     )
     with pytest.raises(DesignError, match="1000 mm is outside the shaft; allowed: 0 to 600 mm"):
         bent_line(drawn, plain_shaft(0.03, 0.6), [0.0, 1.0], elastic_modulus=STEEL)
+    with pytest.raises(DesignError, match="rests on two bearings at two places"):
+        bent_line(drawn, plain_shaft(0.03, 1.0), [0.5, 0.5], elastic_modulus=STEEL)
+    with pytest.raises(DesignError, match=r"masses: .* some are above"):
+        critical_speed(np.eye(2), [0.0, 0.0])
     line = bent([-1.0], [0.3], [0.0, 0.6], plain_shaft(0.03, 0.6))
     with pytest.raises(DesignError, match="no load, bearing or edge stands at 100 mm"):
         at_place(line, 0.1)
