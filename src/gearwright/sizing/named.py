@@ -9,6 +9,7 @@ from typing import NamedTuple, get_args, get_type_hints
 from gearwright.errors import DesignError, Problem, near
 from gearwright.sizing.envelope import envelope
 from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, MeshSizing, ShaftSizing, Sizing
+from gearwright.train.flow import RATED, PowerFlow
 from gearwright.units import Quantity
 
 
@@ -36,11 +37,17 @@ def named_results(sizing: Sizing) -> dict[str, Named]:
         "total_mass": Named(sizing.mass + sizing.motor_mass, "mass"),
         "power_density": Named(sizing.power_density, "specific_power"),
         "worst_margin": Named(sizing.worst_margin, "ratio"),
+        "efficiency": Named(_efficiency(sizing.flows[RATED]), "ratio"),
     }
     box = envelope(sizing)
     totals |= {f"envelope.{side}": Named(getattr(box, side), "length") for side in ("width", "height", "length")}
     totals["envelope.volume"] = Named(box.volume, "volume")
     return {**totals, **dict(_parts(sizing))}
+
+
+def _efficiency(flow: PowerFlow) -> float:
+    """Return power out over power in, of mesh losses alone [-]."""
+    return 1.0 - flow.loss / sum(power for power in flow.machine_powers.values() if power > 0.0)
 
 
 def pick(results: dict[str, Named], name: str) -> Named:

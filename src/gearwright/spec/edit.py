@@ -43,6 +43,16 @@ def edited(design: Design, changes: Mapping[str, Value]) -> Design:
     return changed
 
 
+def path_problem(design: Design, path: str) -> Problem | None:
+    """Return why a path has no place in a design, or None if it has.
+
+    Args:
+        design: The design.
+        path: Dotted path with the unit in its last part.
+    """
+    return _set(design.model_dump(by_alias=True, exclude_unset=True), path, 0.0)
+
+
 def _set(data: dict[str, Any], path: str, value: Value) -> Problem | None:
     """Put one value into a dumped design, or say why it has no place there."""
     annotation: Any = Design

@@ -13,19 +13,52 @@ from gearwright.errors import DesignError, Problem
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.read import file_text
 from gearwright.spec.record import Record, build
+from gearwright.units import Time
 
 Value = float | int | str | bool
 MOST_CASES = 10_000_000
-"""More cases than this are refused: at 2 ms each they would take half a day."""
+"""More cases than this are refused: at 1 ms each they would take three hours of one core, at 10 ms more than a day."""
+MOST_SAMPLES = 1_000_000
+"""Most samples that are drawn at once."""
+Method = Literal["grid", "list", "random", "sobol", "latin-hypercube", "saltelli", "nsga2"]
 
 
 class Axis(Record):
-    """The values that one entry of the design takes: a list, or equal steps from a first to a last one."""
+    """The values that one entry of the design takes: a list, equal steps, a range, or a distribution."""
 
     values: list[Value] | None = Field(None, min_length=1, description="The values themselves")
-    first: float | None = Field(None, alias="from", description="First value of equal steps")
-    last: float | None = Field(None, alias="to", description="Last value of equal steps")
-    step: float | None = Field(None, gt=0, description="Step between values")
+    first: int | float | None = Field(None, alias="from", description="First value of equal steps, or of a range")
+    last: int | float | None = Field(None, alias="to", description="Last value of equal steps, or of a range")
+    step: int | float | None = Field(None, gt=0, description="Step between values; left out: a range for samples")
+    distribution: Literal["uniform", "log-uniform", "triangular", "normal"] = Field(
+        "uniform", description="How samples are spread: over the range, or normally about the mean"
+    )
+    likeliest: float | None = Field(None, description="Likeliest value of a triangular distribution")
+    mean: float | None = Field(None, description="Mean of a normal distribution")
+    deviation: float | None = Field(None, gt=0, description="Standard deviation of a normal distribution")
+
+
+class Sampling(Record):
+    """How cases are taken from the axes."""
+
+    method: Method = Field("grid", description="grid: every combination; list: the k-th values of all axes together")
+    count: int | None = Field(None, ge=1, le=MOST_SAMPLES, description="Samples of each design; evaluations of nsga2")
+    seed: int = Field(1, ge=0, description="Start of the random numbers: the same seed, the same cases")
+    population: int = Field(40, ge=4, le=10_000, description="Designs of one generation of nsga2")
+
+
+class Bound(Record):
+    """What a result must keep, in the unit in which tables show it."""
+
+    least: float | None = Field(None, description="Lowest value allowed")
+    most: float | None = Field(None, description="Highest value allowed")
+
+
+class Simulated(Record):
+    """How the results named ``simulate.…`` are had."""
+
+    case: str | None = Field(None, description="Load case; left out: the design's first one, or 'rated'")
+    duration: Time = Field(0.05, gt=0, le=1000, description="Simulated time; its last three quarters are looked at")
 
 
 class Study(Record):
@@ -38,6 +71,17 @@ class Study(Record):
     axes: dict[str, Axis] = Field(default_factory=dict, description="Dotted path with unit -> values")
     changes: dict[str, Value] = Field(default_factory=dict, description="Dotted path with unit -> value, for all cases")
     results: list[str] = Field(default_factory=lambda: ["mass"], min_length=1, description="Results by name")
+    sampling: Sampling = Field(default_factory=Sampling, description="How cases are taken from the axes")
+    objectives: dict[str, Literal["least", "most"]] = Field(
+        default_factory=dict, description="Result -> whether the least or the most of it is wanted"
+    )
+    constraints: dict[str, Bound] = Field(default_factory=dict, description="Result -> what it must keep")
+    simulate: Simulated = Field(default_factory=Simulated, description="How results named simulate.… are had")
+
+    @property
+    def asked(self) -> tuple[str, ...]:
+        """Every result that a case computes: those asked for, then those of objectives and constraints."""
+        return tuple(dict.fromkeys([*self.results, *self.objectives, *self.constraints]))
 
 
 def axis_values(path: str, axis: Axis) -> list[Value]:
@@ -53,7 +97,7 @@ def axis_values(path: str, axis: Axis) -> list[Value]:
     length = axis_length(path, axis)
     if axis.values is not None:
         return axis.values
-    return [(axis.first or 0.0) + (axis.step or 0.0) * k for k in range(length)]
+    return [(axis.first or 0) + (axis.step or 0) * k for k in range(length)]
 
 
 def axis_length(path: str, axis: Axis) -> int:
@@ -69,7 +113,8 @@ def axis_length(path: str, axis: Axis) -> int:
     if axis.values is not None:
         return len(axis.values)
     if axis.first is None or axis.last is None or axis.step is None:
-        raise DesignError([Problem(f"axes.{path}", "give a list of values, or all of from, to and step")])
+        message = 'give a list of values, or all of from, to and step; a range needs [sampling] method = "sobol"'
+        raise DesignError([Problem(f"axes.{path}", message)])
     steps = (axis.last - axis.first) / axis.step
     if steps < 0 or not math.isfinite(steps):
         message = f"there is nothing from {axis.first:g} up to {axis.last:g}; exchange them"
@@ -84,13 +129,46 @@ def case_count(study: Study) -> int:
         study: As read.
 
     Raises:
-        DesignError: If there are more than can be run.
+        DesignError: If there are more than can be run, or what the method needs is not given.
     """
-    count = len(study.designs) * math.prod(axis_length(path, axis) for path, axis in study.axes.items())
+    count = len(study.designs) * _each(study) if study.sampling.method != "nsga2" else _sampled(study)
     if count > MOST_CASES:
-        message = f"{count:,} cases; at most {MOST_CASES:,} are run: take larger steps, or fewer axes"
+        message = (
+            f"{count:,} cases; at most {MOST_CASES:,} are run: take larger steps or fewer axes, or draw samples of"
+            ' them: [sampling] method = "sobol", count = 4096'
+        )
         raise DesignError([Problem("axes", message)])
     return count
+
+
+def _each(study: Study) -> int:
+    """Return the number of cases of each design."""
+    match study.sampling.method:
+        case "grid":
+            return math.prod(axis_length(path, axis) for path, axis in study.axes.items())
+        case "list":
+            lengths = {path: axis_length(path, axis) for path, axis in study.axes.items()}
+            if len(set(lengths.values())) > 1:
+                written = ", ".join(f"{path}: {length}" for path, length in lengths.items())
+                raise DesignError([Problem("axes", f"a list needs axes of equal length; these have {written}")])
+            return max(lengths.values(), default=1)
+        case "saltelli":
+            return _sampled(study) * (len(study.axes) + 2)
+        case _:
+            return _sampled(study)
+
+
+def _sampled(study: Study) -> int:
+    sampling = study.sampling
+    if sampling.count is None:
+        message = f"{sampling.method!r} draws samples: say how many, such as count = 1024"
+        raise DesignError([Problem("sampling.count", message)])
+    if sampling.method == "nsga2" and not study.objectives:
+        message = 'a search needs at least one: [objectives] mass = "least"'
+        raise DesignError([Problem("objectives", message)])
+    if not study.axes and not (sampling.method == "nsga2" and len(study.designs) > 1):
+        raise DesignError([Problem("axes", f"{sampling.method!r} has nothing to vary; give an axis")])
+    return sampling.count
 
 
 def read_study(path: str | Path) -> Study:
@@ -102,15 +180,27 @@ def read_study(path: str | Path) -> Study:
     Raises:
         DesignError: With every problem of the file.
     """
-    text = file_text(Path(path))
+    return parse_study(file_text(Path(path)), source=str(path))
+
+
+def parse_study(text: str, *, source: str = "") -> Study:
+    """Return the study that a TOML text describes.
+
+    Args:
+        text: The file's content.
+        source: Name of the file, for messages.
+
+    Raises:
+        DesignError: With every problem of the text.
+    """
     try:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise DesignError([Problem("", f"this is not TOML: {error}")], str(path)) from None
+        raise DesignError([Problem("", f"this is not TOML: {error}")], source) from None
     record, written = build(Study, raw)
     if written.problems:
         lines = key_lines(text)
         raise DesignError(
-            (Problem(each.path, each.message, line_of(each.path, lines)) for each in written.problems), str(path)
+            (Problem(each.path, each.message, line_of(each.path, lines)) for each in written.problems), source
         )
     return cast(Study, record)

@@ -68,7 +68,8 @@ def _force(stage: str, case: str) -> float:
 def _mesh_forces() -> Found:
     """Return the ratio of forces, and the motor's share of the power that would give the printed one.
 
-    The ratio is (1 + p) times what the turbine alone gives, p the motor's power over the turbine's.
+    The ratio is (1 + p) times what the turbine alone gives, p the motor's power over the turbine's. A torque τ times as
+    large asks for a radius ∛τ times as large, so that the force grows with τ^(2/3).
     """
     cruise, rated = (_force("second", case) / _force("first", case) for case in (CRUISE, RATED))
     sun = {gear.name: gear.pitch_diameter for gear in sized(_DESIGN).gears}
@@ -79,7 +80,7 @@ def _mesh_forces() -> Found:
         "cruise": cruise,
         "rated": rated,
         "share": 100.0 * (1.0 - turbine_alone / _PRINTED_RATIO),
-        "printed": cruise * _stage_ratio("second"),
+        "printed": cruise * _stage_ratio("second") ** (2.0 / 3.0),
     }
     return Found(cruise, rated, numbers)
 

@@ -1,21 +1,20 @@
-"""Run a study: every design along every axis, one after the other."""
+"""Run a small study here and now: every case, one after the other."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from itertools import product
 
 from gearwright.errors import DesignError
-from gearwright.sizing import size
-from gearwright.sizing.named import named_results, pick
 from gearwright.spec import Design
-from gearwright.spec.edit import edited
-from gearwright.spec.study import Study, Value, axis_values, case_count
+from gearwright.spec.study import Study, case_count
+from gearwright.study.evaluate import evaluate
+from gearwright.study.sampling import Case, cases
+from gearwright.study.search import generations
 from gearwright.study.table import Row, Table
 
 
 def run(study: Study, designs: Mapping[str, Design], *, progress: Callable[[float], None] | None = None) -> Table:
-    """Return the table of a study.
+    """Return the table of a study, computed in this process.
 
     Args:
         study: Axes, changes and results.
@@ -25,29 +24,49 @@ def run(study: Study, designs: Mapping[str, Design], *, progress: Callable[[floa
     Raises:
         DesignError: If there are too many cases, or all of them fail. A variant that fails is a row with its reason.
     """
-    count = case_count(study)
-    rows = []
-    for done, (name, inputs) in enumerate(_cases(study), start=1):
-        rows.append(_row(name, designs[name], inputs, study))
+    count, rows = case_count(study), list[Row]()
+
+    def computed(case: Case) -> Row:
+        rows.append(evaluate(study, designs[case.design], case))
         if progress is not None:
-            progress(done / count)
+            progress(len(rows) / count)
+        return rows[-1]
+
+    for batch, answer in batches(study):
+        answer([computed(case) for case in batch])
+    return table_of(study, rows)
+
+
+def batches(study: Study) -> Iterator[tuple[Iterator[Case], Callable[[list[Row]], None]]]:
+    """Yield batches of cases, each with the function that takes its rows: one batch, or a search's generations.
+
+    Args:
+        study: Axes and method.
+    """
+    if study.sampling.method != "nsga2":
+        yield cases(study), lambda rows: None
+        return
+    search = generations(study)
+    batch = next(search, None)
+    while batch is not None:
+        answers: list[Row] = []
+        yield iter(batch), answers.extend
+        try:
+            batch = search.send(answers)
+        except StopIteration:
+            batch = None
+
+
+def table_of(study: Study, rows: list[Row]) -> Table:
+    """Return the table of rows.
+
+    Args:
+        study: That they belong to.
+        rows: In the order of the cases.
+
+    Raises:
+        DesignError: If all of them failed.
+    """
     if rows and all(row.problem for row in rows):
         raise DesignError([], f"{study.name}: every case failed, the first with\n{rows[0].problem}")
-    return Table(study.name, study.description, tuple(study.results), tuple(rows))
-
-
-def _cases(study: Study) -> Iterator[tuple[str, dict[str, Value]]]:
-    """Yield design and inputs of every case."""
-    paths = list(study.axes)
-    grids = [axis_values(path, axis) for path, axis in study.axes.items()]
-    for name in study.designs:
-        for values in product(*grids):
-            yield name, dict(zip(paths, values, strict=True))
-
-
-def _row(name: str, design: Design, inputs: dict[str, Value], study: Study) -> Row:
-    try:
-        found = named_results(size(edited(design, {**study.changes, **inputs})))
-        return Row(name, inputs, {result: pick(found, result) for result in study.results})
-    except DesignError as error:
-        return Row(name, inputs, {}, "; ".join(str(problem) for problem in error.problems))
+    return Table(study.name, study.description, study.asked, tuple(rows))

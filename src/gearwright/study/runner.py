@@ -1,0 +1,174 @@
+"""Run a study of any size: cases to workers, finished ones to the journal; continue where it stopped."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+from gearwright import __version__
+from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.spec import Design
+from gearwright.spec.study import Study, case_count
+from gearwright.study.evaluate import refuse_unknown_paths
+from gearwright.study.journal import Journal, Recorded, begin, in_memory, opened, recorded
+from gearwright.study.run import batches, table_of
+from gearwright.study.sampling import Case
+from gearwright.study.table import Row, Table
+from gearwright.study.workers import Finished, computed
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a run is."""
+
+    done: int
+    """Finished cases, those of earlier runs included."""
+    total: int
+    """All cases."""
+    failed: int
+    """Finished cases that are a reason instead of results."""
+    rate: float
+    """Cases a second since this run began [1/s]."""
+
+    @property
+    def remaining(self) -> float:
+        """Estimated time until all are done [s]."""
+        return (self.total - self.done) / self.rate if self.rate else float("inf")
+
+
+class Compute(Protocol):
+    """What computes cases: processes here, or a cluster."""
+
+    def __call__(
+        self, study: Study, designs: Mapping[str, Design], cases: Iterable[Case], *, workers: int, count: int
+    ) -> Iterator[Finished]:
+        """Yield finished cases, several at a time, in any order."""
+
+
+Watch = Callable[[Progress], None]
+
+
+def run_study(
+    study: Study, designs: Mapping[str, Design], *, workers: int = 0, journal: Path | None = None, origin: str = "",
+    watch: Watch | None = None, compute: Compute = computed,
+) -> Table:  # fmt: skip
+    """Return the table of a study; the same for one seed, bit for bit, whatever computes it.
+
+    Args:
+        study: Axes, method and results.
+        designs: Name -> design.
+        workers: Processes that compute; 0 computes in this one.
+        journal: File that keeps every finished case at once, for `resume`; left out: nothing is kept.
+        origin: Folder in which the names of designs were looked up.
+        watch: Called with the progress each time that cases are finished.
+        compute: What computes cases; left out: processes of this machine.
+
+    Raises:
+        DesignError: If paths do not exist, cases are too many, all of them fail, or the journal is there already.
+        SolveError: If the journal cannot be written, or no worker starts.
+    """
+    case_count(study)
+    refuse_unknown_paths(study, designs)
+    if journal is None:
+        return _run(in_memory(study, designs), study, designs, workers, watch, compute)
+    begin(journal, study, designs, origin=origin)
+    with opened(journal) as book:
+        return _run(book, study, designs, workers, watch, compute)
+
+
+def resume(
+    journal: Path, *, workers: int = 0, designs: Mapping[str, Design] | None = None, anyway: bool = False,
+    watch: Watch | None = None, compute: Compute = computed,
+) -> Table:  # fmt: skip
+    """Return the table of a study that was stopped, after computing what is missing, from the journal alone.
+
+    Args:
+        journal: Its file.
+        workers: Processes that compute; 0 computes in this one.
+        designs: The designs as they are now, to compare; left out: not compared.
+        anyway: Continue with the designs in the journal even if they, or gearwright's version, have changed since.
+        watch: Called with the progress each time that cases are finished.
+        compute: What computes cases; left out: processes of this machine.
+
+    Raises:
+        DesignError: If it is no journal, another runner is at it, or designs or version have changed.
+        SolveError: If the journal cannot be written, or no worker starts.
+    """
+    known = recorded(journal)
+    if not anyway:
+        refuse_changes(journal, known, designs or {})
+    with opened(journal) as book:
+        return _run(book, known.study, known.designs, workers, watch, compute)
+
+
+def refuse_changes(journal: Path, known: Recorded, designs: Mapping[str, Design]) -> None:
+    """Raise if a study would be continued with anything but what it was begun with.
+
+    Args:
+        journal: Its file.
+        known: What it says.
+        designs: The designs as they are now.
+
+    Raises:
+        DesignError: With what has changed.
+    """
+    fix = "begin a new journal, or continue --anyway with the designs in the journal"
+    problems = [
+        Problem(f"designs.{name}", f"has changed since the study was begun; {fix}")
+        for name, design in designs.items()
+        if design != known.designs[name]
+    ]
+    if known.version != __version__:
+        message = f"the study was begun with {known.version}, this is {__version__}; results may differ: {fix}"
+        problems.append(Problem("gearwright", message))
+    if problems:
+        raise DesignError(problems, str(journal))
+
+
+def _run(
+    book: Journal, study: Study, designs: Mapping[str, Design], workers: int, watch: Watch | None, compute: Compute
+) -> Table:
+    """Compute what the journal lacks, batch after batch."""
+    done = book.finished()
+    meter = _Meter(case_count(study), len(done), sum(done.values()), watch)
+    book.begin_run(workers)
+    for batch, answer in batches(study):
+        wanted: list[int] = []
+        missing = _missing(batch, done, wanted)
+        for finished in compute(study, designs, missing, workers=workers, count=meter.total - len(done)):
+            book.append(finished)
+            meter.count(row for _, row in finished)
+        answer(book.rows(wanted) if study.sampling.method == "nsga2" else [])
+    rows = book.rows(range(meter.total))
+    if len(rows) < meter.total:
+        raise SolveError(
+            f"{meter.total - len(rows)} of {meter.total} cases were not computed; `gearwright resume` does"
+        )
+    return table_of(study, rows)
+
+
+def _missing(batch: Iterator[Case], done: Mapping[int, bool], wanted: list[int]) -> Iterator[Case]:
+    for case in batch:
+        wanted.append(case.number)
+        if case.number not in done:
+            yield case
+
+
+class _Meter:
+    """Counts finished cases and tells who watches."""
+
+    def __init__(self, total: int, done: int, failed: int, watch: Watch | None) -> None:
+        self.total, self.earlier, self.done, self.failed, self.watch = total, done, done, failed, watch
+        self.start = time.monotonic()
+
+    def count(self, rows: Iterable[Row]) -> None:
+        for row in rows:
+            self.done += 1
+            self.failed += bool(row.problem)
+        if self.watch is not None:
+            elapsed = time.monotonic() - self.start
+            rate = (self.done - self.earlier) / elapsed if elapsed > 0.0 else 0.0
+            self.watch(Progress(self.done, self.total, self.failed, rate))
