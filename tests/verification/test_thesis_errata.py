@@ -285,7 +285,7 @@ def test_2_65_is_the_torque_of_the_propeller(in_line_h2):
 
 
 def test_2_66_as_printed_loses_torque(mixed_h1):
-    """Option 1, a motor as fast as the turbine on a pinion of its own: the wheel has P/ω; the print has 36 % less."""
+    """Option 1, a motor as fast as the turbine on a pinion of its own: the wheel has P/ω; the print has 37 % less."""
     flow = mixed_h1.flows["rated"]
     turbine, motor = flow.machine_torques["gas-turbine"], flow.machine_torques["electric"]
     wheel = abs(flow.speeds["intermediate"])
