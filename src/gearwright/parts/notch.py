@@ -36,15 +36,8 @@ class Shoulder(NamedTuple):
     """Of the fillet r [m]."""
 
 
-def check_shoulder(shoulder: Shoulder) -> None:
-    """Refuse a shoulder that cannot be made.
-
-    Args:
-        shoulder: [m].
-
-    Raises:
-        DesignError: If the diameters are in the wrong order, or the fillet is too sharp.
-    """
+def _check_shoulder(shoulder: Shoulder) -> None:
+    """Refuse diameters in the wrong order and a fillet that is too sharp."""
     step = (shoulder.larger - shoulder.diameter) / 2.0
     if step <= 0.0:
         message = f"{1e3 * shoulder.larger:g} mm is not above the smaller diameter, {1e3 * shoulder.diameter:g} mm"
@@ -69,7 +62,7 @@ def stress_concentration(shoulder: Shoulder) -> Concentration:
     Raises:
         DesignError: If the shoulder cannot be made.
     """
-    check_shoulder(shoulder)
+    _check_shoulder(shoulder)
     return Concentration(_alpha(shoulder, (0.62, 5.8, 0.2), 3.0), _alpha(shoulder, (3.4, 19.0, 1.0), 2.0))
 
 
