@@ -1,0 +1,1 @@
+"""The air around the aircraft: standard atmosphere and airspeeds."""

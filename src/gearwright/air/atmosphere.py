@@ -1,0 +1,106 @@
+"""The International Standard Atmosphere from sea level to 20 km, with a temperature offset."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from gearwright.errors import DesignError, Problem
+from gearwright.units import GRAVITY
+
+SEA_LEVEL_TEMPERATURE = 288.15
+"""T_0 [K]; ISO 2533:1975."""
+SEA_LEVEL_PRESSURE = 101_325.0
+"""p_0 [Pa]; ISO 2533:1975."""
+LAPSE_RATE = 0.0065
+"""-dT/dH of the troposphere [K/m]; ISO 2533:1975."""
+TROPOPAUSE = 11_000.0
+"""Geopotential altitude where the temperature stops falling [m]; ISO 2533:1975."""
+CEILING = 20_000.0
+"""Top of the isothermal layer, where this model ends [m]; ISO 2533:1975."""
+GAS_CONSTANT = 287.05287
+"""Specific gas constant of air R [J/(kg K)]; ISO 2533:1975."""
+HEAT_RATIO = 1.4
+"""κ of air [-]; ISO 2533:1975."""
+
+_EXPONENT = GRAVITY / (LAPSE_RATE * GAS_CONSTANT)
+_STRATOSPHERE_TEMPERATURE = SEA_LEVEL_TEMPERATURE - LAPSE_RATE * TROPOPAUSE
+
+
+class Air(NamedTuple):
+    """State of still air at one altitude."""
+
+    temperature: float
+    """T [K]."""
+    pressure: float
+    """p [Pa]."""
+    density: float
+    """ρ [kg/m³]."""
+    sound_speed: float
+    """a [m/s]."""
+
+
+def air_at(altitude: float, offset: float = 0.0) -> Air:
+    """Return the state of the air at a pressure altitude.
+
+    The offset warms the air at every pressure, and leaves the pressure at a pressure altitude as it is: this is what
+    "ISA + 15" means on a performance chart.
+
+    Args:
+        altitude: Geopotential pressure altitude H [m].
+        offset: Temperature above the standard one [K].
+
+    Source: ISO 2533:1975, equations for the layers of -6.5 K/km and 0 K/km.
+
+    Valid for: 0 to 20 km.
+
+    Raises:
+        DesignError: An altitude outside the two layers, or an offset that leaves no temperature.
+
+    >>> round(air_at(5000.0).pressure, 1)
+    54019.9
+    """
+    if not 0.0 <= altitude <= CEILING:
+        message = f"{altitude:g} m; the standard atmosphere is given from 0 to {CEILING:g} m"
+        raise DesignError([Problem("altitude", message)])
+    standard = standard_temperature(altitude)
+    if not -100.0 <= offset <= 100.0:
+        raise DesignError([Problem("isa_offset", f"{offset:g} K from the standard atmosphere; give -100 to 100 K")])
+    temperature, pressure = standard + offset, standard_pressure(altitude)
+    density = pressure / (GAS_CONSTANT * temperature)
+    return Air(temperature, pressure, density, math.sqrt(HEAT_RATIO * GAS_CONSTANT * temperature))
+
+
+def standard_temperature(altitude: float) -> float:
+    """Return the temperature of the standard atmosphere [K].
+
+    Args:
+        altitude: Geopotential altitude H [m].
+
+    Source: ISO 2533:1975.
+
+    Valid for: 0 to 20 km; not checked, so that a compiled kernel can use it.
+
+    >>> round(standard_temperature(11000.0), 2)
+    216.65
+    """
+    return SEA_LEVEL_TEMPERATURE - LAPSE_RATE * min(altitude, TROPOPAUSE)
+
+
+def standard_pressure(altitude: float) -> float:
+    """Return the pressure of the standard atmosphere [Pa].
+
+    Args:
+        altitude: Geopotential altitude H [m].
+
+    Source: ISO 2533:1975: p_0 (T/T_0)^(g/(L R)) in the troposphere, exponential above it.
+
+    Valid for: 0 to 20 km; not checked, so that a compiled kernel can use it.
+
+    >>> round(standard_pressure(20000.0), 2)
+    5474.88
+    """
+    temperature = SEA_LEVEL_TEMPERATURE - LAPSE_RATE * min(altitude, TROPOPAUSE)
+    pressure = SEA_LEVEL_PRESSURE * math.pow(temperature / SEA_LEVEL_TEMPERATURE, _EXPONENT)
+    above = max(altitude - TROPOPAUSE, 0.0)
+    return pressure * math.exp(-GRAVITY * above / (GAS_CONSTANT * _STRATOSPHERE_TEMPERATURE))

@@ -1,0 +1,215 @@
+"""Propeller charts and maps: the Hamilton Standard charts, maps made from them, and a reader of the user's own."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+from collections.abc import Iterable, Mapping
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq
+
+from gearwright.errors import DesignError, Problem, SolveError, near
+from gearwright.machines.hamilton_standard import Blades, Charts, performance
+from gearwright.machines.propeller_map import PropellerMap
+
+MAPS: Mapping[str, Blades] = {
+    "6-blades-af115": Blades(6, 115.0, 0.5),
+    "4-blades-af114": Blades(4, 114.0, 0.5),
+}
+"""Shipped maps by name -> blades; activity factor and lift are assumptions for a propeller of the ATR 72's class."""
+COLUMNS = ("advance_ratio", "blade_angle_deg", "power_coefficient", "thrust_coefficient")
+"""What a map's CSV file has: every advance ratio with a run of blade angles from one common list."""
+
+
+@cache
+def hamilton_standard_charts() -> Charts:
+    """Return the charts of NASA CR-114399, with two misprints read as their file says."""
+    raw = json.loads(_data("hamilton_standard.json"))
+    for each in raw["corrections"]:
+        *path, last = each["place"]
+        table = raw
+        for part in path:
+            table = table[part]
+        table[last] = each["read_as"]
+    return _charts(raw)
+
+
+def _charts(raw: Mapping[str, Any]) -> Charts:
+    number, lift, squeeze, activity = raw["blade_number"], raw["lift"], raw["compressibility"], raw["activity_factor"]
+    return Charts(
+        blade_counts=np.array(raw["blade_counts"], dtype=float),
+        advance_ratio=np.array(raw["advance_ratio"], dtype=float),
+        blade_angle=_rows(raw["blade_angle_deg"]),
+        power=tuple(_rows(each) for each in raw["power_coefficient"]),
+        thrust=tuple(_rows(each) for each in raw["thrust_coefficient"]),
+        activity_factor=np.array(activity["activity_factor"]),
+        activity_power=np.array(activity["power_at_J0_and_J_half_and_above"]),
+        activity_thrust=np.array(activity["thrust_at_J0_and_J_half_and_above"]),
+        number_power=(
+            np.array(number["effective_power_coefficient"]),
+            np.array(number["power_factor_by_blade_count"]),
+        ),
+        number_thrust=(
+            np.array(number["effective_thrust_coefficient"]),
+            np.array(number["thrust_factor_by_blade_count"]),
+        ),
+        lift=np.array(lift["integrated_design_lift"]),
+        lift_power=(_rows(lift["power_coefficient"]), _rows(lift["power_factor"])),
+        lift_thrust=(_rows(lift["thrust_coefficient"]), _rows(lift["thrust_factor"])),
+        lift_scale=np.array([lift["power_scale_by_advance_ratio"], lift["thrust_scale_by_advance_ratio"]]),
+        critical_mach=(
+            np.array(squeeze["advance_ratio"]),
+            np.array(squeeze["critical_flight_mach_by_lift"]),
+            np.array(squeeze["critical_tip_mach_static_by_lift"]),
+        ),
+        compressibility=(
+            np.array(squeeze["excess_mach"]),
+            np.array(squeeze["effective_thrust_coefficient"]),
+            np.array(squeeze["factor"]),
+        ),
+    )
+
+
+def _rows(lists: Iterable[list[float]]) -> tuple[np.ndarray[Any, np.dtype[np.float64]], ...]:
+    return tuple(np.array(each, dtype=float) for each in lists)
+
+
+@cache
+def propeller_map(name: str) -> PropellerMap:
+    """Return a shipped propeller map.
+
+    Args:
+        name: Such as ``6-blades-af115``.
+
+    Raises:
+        DesignError: There is none of this name; with the nearest one.
+    """
+    if name not in MAPS:
+        raise DesignError([Problem("propeller.map", f"there is no shipped map {name!r}; {near(name, MAPS)}")])
+    return map_of(_data(f"propeller_{name}.csv"), name)
+
+
+def read_propeller_map(path: str | Path) -> PropellerMap:
+    """Return a propeller map from a CSV file.
+
+    Args:
+        path: Of the file, with the columns advance_ratio, blade_angle_deg, power_coefficient, thrust_coefficient.
+
+    Raises:
+        DesignError: The file is missing or is no such map; with the line.
+    """
+    try:
+        text = Path(path).read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError):
+        raise DesignError([Problem("propeller.map", f"{str(path)!r} is no text file that can be read")]) from None
+    return map_of(text, str(path))
+
+
+def map_of(text: str, source: str) -> PropellerMap:
+    """Return the propeller map of a CSV text.
+
+    Args:
+        text: Lines of J, β [deg], C_P, C_T under their names, in any order.
+        source: Name for messages.
+
+    Raises:
+        DesignError: Columns are missing, a number is none, a row has gaps, or fewer than two by two points.
+    """
+    points = _points(text, source)
+    ratios = np.array(sorted({point[0] for point in points}))
+    angles = np.array(sorted({point[1] for point in points}))
+    if len(ratios) < 2 or len(angles) < 2:
+        raise _unusable(source, "it needs at least two advance ratios and two blade angles")
+    shape = (len(ratios), len(angles))
+    power, thrust, given = np.zeros(shape), np.zeros(shape), np.zeros(shape, dtype=bool)
+    for ratio, angle, *values in points:
+        place = (int(np.searchsorted(ratios, ratio)), int(np.searchsorted(angles, angle)))
+        if given[place]:
+            raise _unusable(source, f"advance ratio {ratio:g}, blade angle {angle:g}° is given twice")
+        (power[place], thrust[place]), given[place] = values, True
+    first, last = given.argmax(axis=1), shape[1] - 1 - given[:, ::-1].argmax(axis=1)
+    for k, ratio in enumerate(ratios):
+        if given[k].sum() != last[k] - first[k] + 1:
+            raise _unusable(source, f"advance ratio {ratio:g} has a gap between its blade angles")
+        if k and min(last[k], last[k - 1]) <= max(first[k], first[k - 1]):
+            raise _unusable(source, f"advance ratio {ratio:g} shares less than two blade angles with the one before")
+    return PropellerMap(ratios, np.radians(angles), power, thrust, first, last)
+
+
+def _points(text: str, source: str) -> list[list[float]]:
+    reader = csv.DictReader(text.splitlines())
+    missing = [name for name in COLUMNS if name not in (reader.fieldnames or ())]
+    if missing:
+        raise _unusable(source, f"the column {missing[0]} is missing; the first line names {', '.join(COLUMNS)}")
+    points = []
+    for number, row in enumerate(reader, start=2):
+        try:
+            points.append([float(row[name]) for name in COLUMNS])
+        except (TypeError, ValueError):
+            raise _unusable(source, f"line {number} is not four numbers") from None
+        if not all(math.isfinite(value) for value in points[-1]):
+            raise _unusable(source, f"line {number} has a number that is not finite")
+    return points
+
+
+def _unusable(source: str, reason: str) -> DesignError:
+    return DesignError([Problem("propeller.map", f"{source}: {reason}")])
+
+
+def charted_point(blades: Blades, advance_ratio: float, blade_angle: float) -> tuple[float, float] | None:
+    """Return C_P and C_T by the Hamilton Standard method at a blade angle, without compressibility.
+
+    Args:
+        blades: The propeller.
+        advance_ratio: J [-].
+        blade_angle: β at three quarters of the radius [rad].
+
+    Returns:
+        C_P and C_T [-], or None where the charts do not hold the point.
+    """
+    charts = hamilton_standard_charts()
+
+    def excess(power: float) -> float:
+        return performance(charts, blades, advance_ratio, power_coefficient=power).blade_angle - blade_angle
+
+    low, high = 0.005, 3.0
+    try:
+        if excess(low) > 0.0 or excess(high) < 0.0:
+            return None
+        power = float(brentq(excess, low, high, xtol=1e-10))
+        found = performance(charts, blades, advance_ratio, power_coefficient=power)
+    except SolveError:
+        return None
+    if found.held or found.thrust_coefficient <= 0.0 or abs(excess(power)) > 1e-7:
+        return None
+    return power, found.thrust_coefficient
+
+
+def charted_map(blades: Blades, advance_ratios: Iterable[float], blade_angles: Iterable[float]) -> str:
+    """Return a propeller map by the Hamilton Standard method as the text of a CSV file.
+
+    Args:
+        blades: The propeller.
+        advance_ratios: J [-].
+        blade_angles: β at three quarters of the radius [deg].
+
+    Source: Worobel and Mayo, NASA CR-114399 (1971); points that the charts do not hold are left out.
+    """
+    angles = list(blade_angles)
+    lines = [",".join(COLUMNS)]
+    for ratio in advance_ratios:
+        for angle in angles:
+            found = charted_point(blades, ratio, math.radians(angle))
+            if found is not None:
+                lines.append(f"{ratio:g},{angle:g},{found[0]:.6f},{found[1]:.6f}")
+    return "\n".join(lines) + "\n"
+
+
+def _data(name: str) -> str:
+    return files("gearwright.catalogue").joinpath(f"data/{name}").read_text(encoding="utf-8")

@@ -1,0 +1,262 @@
+"""Blade angle and thrust of a propeller by the Hamilton Standard method, from its charts.
+
+The charts hold for an activity factor of 150 and an integrated design lift coefficient of 0.5; factors carry them to
+other blades. The charts themselves are data and are read by the catalogue.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from gearwright.errors import SolveError
+
+Array = NDArray[np.float64]
+Rows = tuple[Array, ...]
+
+STATIC_FADE = 0.5
+"""Advance ratio at which the static tip Mach number no longer counts [-]: the next chart's advance ratio."""
+_MOST_THRUST = 3.0
+"""Upper end of the search for C_T; the charts end at 0.8 for twice the base activity factor."""
+
+
+class Charts(NamedTuple):
+    """The charts of NASA CR-114399 as arrays; the first index is the blade count, the second the advance ratio."""
+
+    blade_counts: Array
+    """Shape (4,) [-]."""
+    advance_ratio: Array
+    """J of the charts, shape (7,) [-]."""
+    blade_angle: Rows
+    """β at three quarters of the radius, one row per J [deg]."""
+    power: tuple[Rows, ...]
+    """C_P over the blade angles, by blade count and J [-]."""
+    thrust: tuple[Rows, ...]
+    """C_T over the blade angles, by blade count and J [-]."""
+    activity_factor: Array
+    """Shape (6,) [-]."""
+    activity_power: Array
+    """Factor on C_P at J = 0 and from J = 0.5 on, shape (2, 6) [-]."""
+    activity_thrust: Array
+    """Factor on C_T, likewise, shape (2, 6) [-]."""
+    number_power: tuple[Array, Array]
+    """Effective C_P (14,) and the blade-number factor (4, 14) [-]."""
+    number_thrust: tuple[Array, Array]
+    """Effective C_T (14,) and the blade-number factor (4, 14) [-]."""
+    lift: Array
+    """Integrated design lift coefficients of the lift tables, shape (6,) [-]."""
+    lift_power: tuple[Rows, Rows]
+    """C_P and its factor by lift coefficient [-]."""
+    lift_thrust: tuple[Rows, Rows]
+    """C_T and its factor by lift coefficient [-]."""
+    lift_scale: Array
+    """Scale of C_P and of C_T in the lift tables at the charts' J, shape (2, 7) [-]."""
+    critical_mach: tuple[Array, Array, Array]
+    """J (11,), critical flight Mach number by lift and J (6, 11), static critical tip Mach number by lift (6,) [-]."""
+    compressibility: tuple[Array, Array, Array]
+    """Excess Mach number (9,), effective C_T (12,) and the thrust factor (9, 12) [-]."""
+
+
+class Blades(NamedTuple):
+    """What the method knows of a propeller."""
+
+    number: int
+    """Number of blades, 2 to 8 [-]."""
+    activity_factor: float
+    """Of one blade, 80 to 200 [-]."""
+    design_lift: float
+    """Integrated design lift coefficient C_Li, 0.3 to 0.8 [-]."""
+
+
+@dataclass
+class Look:
+    """Reads tables by four points and remembers where it was held at an end."""
+
+    held: set[str] = field(default_factory=set)
+    """Names of the tables that were left; a table that is flat at its end is not left there."""
+
+    def at(self, x: float, table: tuple[Array, Array], name: str) -> float:
+        """Return y(x): the mean of two parabolas, weighted linearly between the two middle points.
+
+        Args:
+            x: Where.
+            table: x (n,), rising, and y (n,).
+            name: Of the table, for `held`.
+        """
+        xs, ys = table
+        inside = min(max(x, float(xs[0])), float(xs[-1]))
+        if inside != x and ys[0 if x < xs[0] else -1] != ys[1 if x < xs[0] else -2]:
+            self.held.add(name)
+        k = min(max(int(np.searchsorted(xs, inside, side="right")) - 1, 0), len(xs) - 2)
+        if k == 0 or k == len(xs) - 2:
+            first = 0 if k == 0 else len(xs) - 3
+            return _parabola(inside, xs[first : first + 3], ys[first : first + 3])
+        weight = float((inside - xs[k]) / (xs[k + 1] - xs[k]))
+        left = _parabola(inside, xs[k - 1 : k + 2], ys[k - 1 : k + 2])
+        return (1.0 - weight) * left + weight * _parabola(inside, xs[k : k + 3], ys[k : k + 3])
+
+
+def _parabola(x: float, xs: Array, ys: Array) -> float:
+    a, b, c = xs
+    return float(
+        ys[0] * (x - b) * (x - c) / ((a - b) * (a - c))
+        + ys[1] * (x - a) * (x - c) / ((b - a) * (b - c))
+        + ys[2] * (x - a) * (x - b) / ((c - a) * (c - b))
+    )
+
+
+class Performance(NamedTuple):
+    """A propeller at one advance ratio and power coefficient."""
+
+    blade_angle: float
+    """β at three quarters of the radius [rad]."""
+    thrust_coefficient: float
+    """C_T with compressibility [-]."""
+    compressibility: float
+    """Factor on the incompressible C_T [-]."""
+    held: tuple[str, ...]
+    """Tables that were left and held at their end; empty for a point inside the charts."""
+
+
+def performance(
+    charts: Charts, blades: Blades, advance_ratio: float, *, power_coefficient: float, mach: float = 0.0,
+    tip_mach: float = 0.0,
+) -> Performance:  # fmt: skip
+    """Return blade angle and thrust coefficient of a propeller that takes a power.
+
+    Args:
+        charts: From the catalogue.
+        blades: The propeller.
+        advance_ratio: J = V/(n D) [-].
+        power_coefficient: C_P = P/(ρ n³ D⁵) [-].
+        mach: Flight Mach number [-].
+        tip_mach: π n D over the speed of sound [-].
+
+    Source: Worobel and Mayo, NASA CR-114399 (1971). The jump of the critical Mach number between standstill and
+        motion is smoothed: the static excess fades out linearly until J = 0.5.
+
+    Valid for: where `held` of the result is empty.
+
+    Raises:
+        SolveError: No thrust coefficient answers to the chart's value.
+    """
+    look = Look()
+    if not 0.0 <= advance_ratio <= charts.advance_ratio[-1]:
+        look.held.add("advance ratio")
+        advance_ratio = min(max(advance_ratio, 0.0), float(charts.advance_ratio[-1]))
+    counts = _around(charts.blade_counts, blades.number)
+    found = [_incompressible(look, charts, blades, (k, advance_ratio, power_coefficient)) for k in counts]
+    angle, thrust = (_over(look, charts.blade_counts, blades.number, [each[i] for each in found]) for i in (0, 1))
+    factor = _compressibility(look, charts, blades, (advance_ratio, mach, tip_mach, thrust))
+    return Performance(math.radians(angle), float(thrust * factor), float(factor), tuple(sorted(look.held)))
+
+
+def _around(nodes: Array, x: float) -> range:
+    """The nodes that count at a point: itself, or the three or four around it."""
+    k = int(np.searchsorted(nodes, x, side="right")) - 1
+    if k >= 0 and nodes[k] == x:
+        return range(k, k + 1)
+    return range(max(k - 1, 0), min(k + 3, len(nodes)))
+
+
+def _over(look: Look, nodes: Array, x: float, values: list[float]) -> float:
+    """Return the value at a point from those at the nodes around it."""
+    if len(values) == 1:
+        return values[0]
+    around = _around(nodes, x)
+    return look.at(x, (nodes[around.start : around.stop], np.array(values)), "blade count or advance ratio")
+
+
+def _incompressible(look: Look, charts: Charts, blades: Blades, where: tuple[int, float, float]) -> tuple[float, float]:
+    """Return blade angle [deg] and C_T for one of the charts' blade counts."""
+    count, advance_ratio, power = where
+    angles, thrusts = [], []
+    for j in _around(charts.advance_ratio, advance_ratio):
+        # The factor belongs to the chart: one row for standstill, the other for every chart in motion.
+        activity = (charts.activity_factor, charts.activity_power[min(j, 1)])
+        effective = power * look.at(blades.activity_factor, activity, "activity factor")
+        number = look.at(effective, (charts.number_power[0], charts.number_power[1][count]), "blade-number power")
+        at = effective * number * charts.lift_scale[0, j]
+        lift = _by_lift(look, charts, blades.design_lift, at, charts.lift_power, "lift power")
+        chart = (charts.power[count][j], charts.blade_angle[j])
+        angles.append(look.at(effective * lift, _rising(chart), f"power chart J = {charts.advance_ratio[j]:g}"))
+        thrusts.append(look.at(angles[-1], (charts.blade_angle[j], charts.thrust[count][j]), "thrust chart"))
+    angle, thrust = (_over(look, charts.advance_ratio, advance_ratio, each) for each in (angles, thrusts))
+    return angle, _thrust(look, charts, blades, (count, advance_ratio, thrust))
+
+
+def _rising(chart: tuple[Array, Array]) -> tuple[Array, Array]:
+    """The chart from its smallest C_P on: below it the blade angle over C_P is not unique."""
+    low = int(np.argmin(chart[0]))
+    return chart[0][low:], chart[1][low:]
+
+
+def _by_lift(look: Look, charts: Charts, lift: float, at: float, tables: tuple[Rows, Rows], name: str) -> float:
+    """Return a lift factor at a coefficient; only the tables of the four nearest lift coefficients are read."""
+    rows = _around(charts.lift, lift)
+    return _over(look, charts.lift, lift, [look.at(at, (tables[0][row], tables[1][row]), name) for row in rows])
+
+
+def _thrust(look: Look, charts: Charts, blades: Blades, where: tuple[int, float, float]) -> float:
+    """Return the C_T whose effective value, with its lift factor, is the chart's."""
+    count, advance_ratio, chart = where
+    factor = _activity_thrust(look, charts, blades.activity_factor, advance_ratio)
+    scale = look.at(advance_ratio, (charts.advance_ratio, charts.lift_scale[1]), "advance ratio")
+
+    def excess(thrust: float) -> float:
+        return thrust * factor * _lift_thrust(Look(), charts, blades, (count, scale, thrust * factor)) - chart
+
+    if chart <= 0.0:
+        look.held.add("positive thrust")
+        return chart / factor
+    thrust = _root(excess, chart)
+    _lift_thrust(look, charts, blades, (count, scale, thrust * factor))
+    return thrust
+
+
+def _root(excess: Callable[[float], float], chart: float) -> float:
+    if excess(_MOST_THRUST) <= 0.0:
+        raise SolveError(f"propeller: no thrust coefficient up to {_MOST_THRUST:g} gives the chart's {chart:.4g}")
+    return float(brentq(excess, 0.0, _MOST_THRUST, xtol=1e-12))
+
+
+def _activity_thrust(look: Look, charts: Charts, factor: float, advance_ratio: float) -> float:
+    ends = [look.at(factor, (charts.activity_factor, each), "activity factor") for each in charts.activity_thrust]
+    return ends[0] + (ends[1] - ends[0]) * min(advance_ratio / 0.5, 1.0)
+
+
+def _lift_thrust(look: Look, charts: Charts, blades: Blades, where: tuple[int, float, float]) -> float:
+    count, scale, effective = where
+    number = look.at(effective, (charts.number_thrust[0], charts.number_thrust[1][count]), "blade-number thrust")
+    at = effective * number * scale
+    return _by_lift(look, charts, blades.design_lift, at, charts.lift_thrust, "lift thrust")
+
+
+def _compressibility(look: Look, charts: Charts, blades: Blades, where: tuple[float, float, float, float]) -> float:
+    """Return the thrust factor of the excess over the critical Mach number."""
+    advance_ratio, mach, tip_mach, thrust = where
+    ratio, flight, static = charts.critical_mach
+    moving = look.at(advance_ratio, (ratio, _at_lift(look, charts, blades, flight)), "critical Mach number")
+    standing = float(_at_lift(look, charts, blades, static[:, None])[0])
+    fade = max(1.0 - advance_ratio / STATIC_FADE, 0.0)
+    excess = max(mach - moving if advance_ratio > 0.0 else 0.0, fade * (tip_mach - standing))
+    if excess <= 0.0 or thrust <= 0.0:
+        return 1.0
+    count = _around(charts.blade_counts, blades.number)[0]
+    effective = thrust * _activity_thrust(look, charts, blades.activity_factor, advance_ratio)
+    number = look.at(effective, (charts.number_thrust[0], charts.number_thrust[1][count]), "blade-number thrust")
+    scale = look.at(advance_ratio, (charts.advance_ratio, charts.lift_scale[1]), "advance ratio")
+    lifted = effective * number * _lift_thrust(look, charts, blades, (count, scale, effective))
+    machs, thrusts, factors = charts.compressibility
+    rows = np.array([look.at(lifted, (thrusts, row), "compressibility") for row in factors])
+    return look.at(excess, (machs, rows), "compressibility")
+
+
+def _at_lift(look: Look, charts: Charts, blades: Blades, table: Array) -> Array:
+    return np.array([look.at(blades.design_lift, (charts.lift, column), "design lift") for column in table.T])

@@ -1,0 +1,155 @@
+"""A propeller as a map: power and thrust coefficient over advance ratio and blade angle."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.errors import DesignError, Problem
+
+Array = NDArray[np.float64]
+
+INSIDE, OUTSIDE = 0, 1
+"""Status of a look-up."""
+
+
+class PropellerMap(NamedTuple):
+    """C_P and C_T on a grid; a compiled kernel reads the same record."""
+
+    advance_ratio: Array
+    """J = V/(n D), rising, shape (n,) [-]."""
+    blade_angle: Array
+    """β, rising, shape (m,) [rad]."""
+    power: Array
+    """C_P = P/(ρ n³ D⁵), shape (n, m) [-]; what lies outside `first` and `last` is never read."""
+    thrust: Array
+    """C_T = T/(ρ n² D⁴), shape (n, m) [-]."""
+    first: NDArray[np.int64]
+    """Index of the smallest blade angle that is given at each J, shape (n,) [-]."""
+    last: NDArray[np.int64]
+    """Index of the largest one, shape (n,) [-]."""
+
+
+class Coefficients(NamedTuple):
+    """What a map says at one point."""
+
+    power: float
+    """C_P [-]."""
+    thrust: float
+    """C_T [-]."""
+    status: int
+    """INSIDE, or OUTSIDE: then both numbers are those of the nearest cell's edge and must not be used unseen."""
+
+
+def look_up(chart: PropellerMap, advance_ratio: float, blade_angle: float) -> Coefficients:
+    """Return C_P and C_T by bilinear interpolation, with a status; it raises nothing, for compiled kernels.
+
+    Args:
+        chart: The map.
+        advance_ratio: J [-].
+        blade_angle: β [rad].
+
+    Source: definition of the map; every one of the four corners must be given.
+    """
+    ratio, angle = chart.advance_ratio, chart.blade_angle
+    i = min(max(int(np.searchsorted(ratio, advance_ratio)) - 1, 0), len(ratio) - 2)
+    k = min(max(int(np.searchsorted(angle, blade_angle)) - 1, 0), len(angle) - 2)
+    low = max(chart.first[i], chart.first[i + 1])
+    high = min(chart.last[i], chart.last[i + 1])
+    held = min(max(k, int(low)), int(high) - 1)
+    u = (advance_ratio - ratio[i]) / (ratio[i + 1] - ratio[i])
+    v = (blade_angle - angle[held]) / (angle[held + 1] - angle[held])
+    slack = 1e-9  # a point on the edge, but for rounding, is inside
+    status = 0 if -slack <= u <= 1.0 + slack and -slack <= v <= 1.0 + slack else 1
+    u, v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
+    a, b, c, d = (1.0 - u) * (1.0 - v), (1.0 - u) * v, u * (1.0 - v), u * v
+    cp, ct = chart.power, chart.thrust
+    power = a * cp[i, held] + b * cp[i, held + 1] + c * cp[i + 1, held] + d * cp[i + 1, held + 1]
+    thrust = a * ct[i, held] + b * ct[i, held + 1] + c * ct[i + 1, held] + d * ct[i + 1, held + 1]
+    return Coefficients(power, thrust, status)
+
+
+def coefficients(chart: PropellerMap, advance_ratio: float, blade_angle: float) -> Coefficients:
+    """Return C_P and C_T at a point of the map.
+
+    Args:
+        chart: The map.
+        advance_ratio: J [-].
+        blade_angle: β [rad].
+
+    Source: as `look_up`.
+
+    Raises:
+        DesignError: The point lies outside the map; with the point and what is given.
+    """
+    found = look_up(chart, advance_ratio, blade_angle)
+    if found.status != INSIDE:
+        raise _outside(chart, advance_ratio, f"blade angle {np.degrees(blade_angle):.4g}°")
+    return found
+
+
+def angle_for_power(chart: PropellerMap, advance_ratio: float, power: float) -> float:
+    """Return the blade angle at which the propeller takes a power [rad].
+
+    Args:
+        chart: The map.
+        advance_ratio: J [-].
+        power: C_P [-].
+
+    Source: the map's row at J, inverted; exact for `look_up`.
+
+    Raises:
+        DesignError: No blade angle of the map does.
+    """
+    return _inverted(chart, advance_ratio, (power, chart.power, "power coefficient"))
+
+
+def angle_for_thrust(chart: PropellerMap, advance_ratio: float, thrust: float) -> float:
+    """Return the blade angle at which the propeller gives a thrust [rad].
+
+    Args:
+        chart: The map.
+        advance_ratio: J [-].
+        thrust: C_T [-].
+
+    Source: the map's row at J, inverted; exact for `look_up`.
+
+    Raises:
+        DesignError: No blade angle of the map does.
+    """
+    return _inverted(chart, advance_ratio, (thrust, chart.thrust, "thrust coefficient"))
+
+
+def _inverted(chart: PropellerMap, advance_ratio: float, wanted: tuple[float, Array, str]) -> float:
+    value, table, name = wanted
+    angles, row = _row(chart, advance_ratio, table)
+    # Beyond the first fall the blade stalls, and an angle there is not what a governor would find.
+    falls = np.flatnonzero(np.diff(row) <= 0.0)
+    end = int(falls[0]) + 1 if len(falls) else len(row)
+    if not row[0] <= value <= row[end - 1]:
+        given = f"{name} {value:.4g}, of {row[0]:.4g} to {row[end - 1]:.4g}"
+        raise _outside(chart, advance_ratio, given)
+    return float(np.interp(value, row[:end], angles[:end]))
+
+
+def _row(chart: PropellerMap, advance_ratio: float, table: Array) -> tuple[Array, Array]:
+    """Return blade angles and values at an advance ratio between two rows of the map."""
+    ratio = chart.advance_ratio
+    if not ratio[0] <= advance_ratio <= ratio[-1]:
+        raise _outside(chart, advance_ratio, "no blade angle")
+    i = min(max(int(np.searchsorted(ratio, advance_ratio)) - 1, 0), len(ratio) - 2)
+    own = slice(max(chart.first[i], chart.first[i + 1]), min(chart.last[i], chart.last[i + 1]) + 1)
+    u = (advance_ratio - ratio[i]) / (ratio[i + 1] - ratio[i])
+    return chart.blade_angle[own], (1.0 - u) * table[i, own] + u * table[i + 1, own]
+
+
+def _outside(chart: PropellerMap, advance_ratio: float, given: str) -> DesignError:
+    ratio, angle = chart.advance_ratio, np.degrees(chart.blade_angle)
+    message = (
+        f"advance ratio {advance_ratio:.4g}, {given}: outside the map, which spans advance ratios {ratio[0]:.4g} to"
+        f" {ratio[-1]:.4g} and blade angles {angle[0]:.4g} to {angle[-1]:.4g}°, not all of them together;"
+        " change speed, power or propeller speed, or give a map that covers the point"
+    )
+    return DesignError([Problem("propeller.map", message)])

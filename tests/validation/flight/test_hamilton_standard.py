@@ -1,0 +1,144 @@
+"""The Hamilton Standard method against independent programs and a measured propeller."""
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+
+from gearwright.air.atmosphere import air_at
+from gearwright.catalogue.propellers import MAPS, charted_point, hamilton_standard_charts
+from gearwright.machines.hamilton_standard import Blades, performance
+from gearwright.units import FOOT, HORSEPOWER
+
+KNOT = 1852.0 / 3600.0
+AVIARY_6_BLADES = [
+    # activity factor, C_P, J, tip Mach, C_T
+    (100, 0.20089, 0.00065, 0.72563, 0.30328),
+    (120, 0.20089, 0.00065, 0.72563, 0.31429),
+    (100, 0.20089, 0.39271, 0.72563, 0.24851),
+    (120, 0.20089, 0.39271, 0.72563, 0.25352),
+    (100, 0.20089, 0.75269, 0.72563, 0.1973),
+    (120, 0.20089, 0.75269, 0.72563, 0.19869),
+    (100, 0.33231, 1.38655, 0.59811, 0.20185),
+    (120, 0.33231, 1.38655, 0.59811, 0.20139),
+    (100, 0.39868, 1.57325, 0.6166, 0.2149),
+    (120, 0.39868, 1.57325, 0.6166, 0.21487),
+    (100, 0.44973, 2.195, 0.63317, 0.18087),
+    (120, 0.44348, 2.195, 0.65386, 0.17715),
+    (100, 0.55846, 2.49831, 0.65386, 0.19801),
+    (120, 0.55846, 2.49831, 0.65386, 0.19568),
+]
+
+
+@pytest.mark.parametrize("row", AVIARY_6_BLADES, ids=str)
+def test_six_blades_give_the_thrust_of_an_independent_program(row):
+    """NASA Aviary's Hamilton Standard code run for D = 3.93 m; 1e-4 is four times the rounding of its inputs."""
+    factor, power, ratio, tip_mach, thrust = row
+    found = performance(
+        hamilton_standard_charts(),
+        Blades(6, factor, 0.5),
+        ratio,
+        power_coefficient=power,
+        mach=ratio * tip_mach / math.pi,
+        tip_mach=tip_mach,
+    )
+    assert found.thrust_coefficient == pytest.approx(thrust, rel=1e-4)
+    assert found.held == ()
+
+
+@pytest.mark.parametrize(
+    ("ratio", "power", "mach", "thrust", "factor"),
+    [
+        (0.0066, 0.2352, 0.001509, 0.2763, 1.0),
+        (0.8295, 0.2352, 0.1887, 0.2052, 1.0),
+        (1.9908, 0.2553, 0.4976, 0.1158, 0.9818),
+    ],
+)
+def test_four_blades_give_thrust_and_compressibility_of_an_independent_program(ratio, power, mach, thrust, factor):
+    """NASA Aviary, test_hamilton_standard.py: C_T before compressibility; 5e-4 is its printed digit.
+
+    The tip Mach number is that of the advance ratio; the one in that test, 1.2, contradicts its own flight speed.
+    """
+    found = performance(
+        hamilton_standard_charts(),
+        Blades(4, 114.0, 0.5),
+        ratio,
+        power_coefficient=power,
+        mach=mach,
+        tip_mach=math.pi * mach / ratio,
+    )
+    assert found.compressibility == pytest.approx(factor, abs=5e-5)
+    assert found.thrust_coefficient / found.compressibility == pytest.approx(thrust, rel=5e-4)
+
+
+@pytest.mark.parametrize(
+    ("factor", "lift", "feet", "altitude", "knots", "horsepower", "tip", "thrust"),
+    [
+        (114, 0.5, 10.5, 0, 0.1, 1850, 800.0, 0.27651),
+        (114, 0.5, 10.5, 0, 125, 1850, 800.0, 0.20518),
+        (150, 0.65, 12, 10000, 200, 750, 750.0, 0.06463),
+        (150, 0.5, 12, 10000, 200, 1000, 769.7, 0.09694),
+    ],
+)
+def test_gasp_flies_the_same_propellers(factor, lift, feet, altitude, knots, horsepower, tip, thrust):
+    """GASP's values in NASA Aviary's test_propeller_performance.py; 0.6 % as the two codes differ in atmosphere."""
+    air, diameter = air_at(altitude * FOOT), feet * FOOT
+    turns = tip * FOOT / (math.pi * diameter)
+    found = performance(
+        hamilton_standard_charts(),
+        Blades(4, factor, lift),
+        knots * KNOT / (turns * diameter),
+        power_coefficient=horsepower * HORSEPOWER / (air.density * turns**3 * diameter**5),
+        mach=knots * KNOT / air.sound_speed,
+        tip_mach=tip * FOOT / air.sound_speed,
+    )
+    assert found.thrust_coefficient == pytest.approx(thrust, rel=0.006)
+
+
+def test_a_point_beyond_the_tables_says_so():
+    """C_Li 0.8 at C_P 0.02 and J 1 leaves the lift table, where an unguarded code gives C_T = -0.74."""
+    found = performance(hamilton_standard_charts(), Blades(4, 150.0, 0.8), 1.0, power_coefficient=0.02)
+    assert found.held
+
+
+def test_odd_blade_counts_lie_between_the_charts_of_even_ones():
+    charts = hamilton_standard_charts()
+    four, five, six = (
+        performance(charts, Blades(count, 110.0, 0.5), 1.2, power_coefficient=0.25).blade_angle for count in (4, 5, 6)
+    )
+    assert six < five < four
+
+
+@pytest.mark.parametrize("name", MAPS)
+def test_the_shipped_maps_are_the_methods(name):
+    """Every twelfth row made again; half a unit of the sixth decimal that the file holds."""
+    import gearwright.catalogue as catalogue
+
+    path = Path(catalogue.__file__).parent / f"data/propeller_{name}.csv"
+    rows = path.read_text(encoding="utf-8").splitlines()[1::12]
+    assert len(rows) > 20
+    for row in rows:
+        ratio, angle, power, thrust = map(float, row.split(","))
+        found = charted_point(MAPS[name], ratio, math.radians(angle))
+        assert found == pytest.approx((power, thrust), abs=5.1e-7)
+
+
+def test_the_measured_5868_9_lies_near_the_charts():
+    """Hartman and Biermann, NACA TR-640: three blades, 10 ft, Clark Y, C_P at J and blade angle.
+
+    15 %: another blade (an activity factor of 90 is assumed for it) in front of a nacelle.
+    """
+    measured = {(0.5, 20): 0.0797, (0.8, 25): 0.0994, (1.0, 30): 0.135, (1.2, 30): 0.0998, (1.6, 40): 0.1857}
+    for (ratio, angle), power in measured.items():
+        found = charted_point(Blades(3, 90.0, 0.5), ratio, math.radians(angle))
+        assert found is not None
+        assert found[0] == pytest.approx(power, rel=0.15)
+
+
+def test_the_charts_name_their_misprints():
+    import gearwright.catalogue as catalogue
+
+    raw = json.loads((Path(catalogue.__file__).parent / "data/hamilton_standard.json").read_text(encoding="utf-8"))
+    assert [each["printed"] for each in raw["corrections"]] == [0.9, 0.9]
+    assert hamilton_standard_charts().compressibility[2][3, 10] == raw["corrections"][0]["read_as"]
