@@ -102,7 +102,7 @@ def phase_figure(samples: Samples, lines: Sequence[str]) -> Figure:
 
 @theme.styled
 def transmission_error_figure(
-    samples: Samples, lines: Sequence[str], *, cycles: float, mesh_frequency: float
+    samples: Samples, lines: Sequence[str], *, mesh_frequency: float, cycles: float = 6.0
 ) -> Figure:
     """Return the dynamic transmission error of meshes along the line of action: over time, and its spectrum.
 
