@@ -64,6 +64,19 @@ def test_the_whole_table_at_once_gives_the_same_numbers():
     np.testing.assert_allclose(together, alone, rtol=1e-12)
 
 
+def test_helical_pitting_factor_of_shigleys_example_14_5():
+    """17/52 teeth, 30° helix, F = 15 modules: I = 0.195 by Shigley's eq. 14-23 at the pitch point, m_N = p_N/(0.95 Z).
+
+    AGMA 908 takes the mean point and the least length of the contact lines: 1 % apart.
+    """
+    pair = HobbedPair((17, 52), helix_angle=np.radians(30.0), face_width=15.0)
+    angle = pair.transverse_angle
+    share = np.pi * np.cos(np.radians(20.0)) / (0.95 * pair.contact_length)
+    shigley = np.sin(angle) * np.cos(angle) / (2.0 * share) * RATIO / (RATIO + 1.0)
+    assert shigley == pytest.approx(0.195, abs=5e-4)
+    assert pitting_geometry_factor(pair) == pytest.approx(shigley, rel=0.01)
+
+
 # Shigley's Mechanical Engineering Design, 9th ed., example 14-4: 17/52 teeth, P = 10, F = 1.5 in, 4 hp at 1800 rpm.
 WIDTH, MODULE, DIAMETER = 1.5 * INCH, INCH / 10.0, 1.7 * INCH
 SPEED = 1800.0 * RPM * DIAMETER / 2.0

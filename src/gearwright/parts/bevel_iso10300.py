@@ -8,6 +8,7 @@ from typing import Annotated
 
 import numpy as np
 
+from gearwright.errors import DesignError, Problem
 from gearwright.parts.bevel_geometry import BevelPair
 from gearwright.parts.bevel_virtual import VirtualPair
 from gearwright.parts.iso6336_film import lubricant_factor, roughness_factor, speed_factor
@@ -44,6 +45,22 @@ class BevelDuty:
     """Cutter radius r_c0 [m]; matters below the mean cone distance."""
     density: float = 7860.0
     """ρ of the gears [kg/m³]."""
+
+    def __post_init__(self) -> None:
+        problems = [
+            Problem(name, f"{value:.6g} given; must be above 0")
+            for name, value in (
+                ("pinion_torque", self.pinion_torque),
+                ("pinion_speed", abs(self.pinion_speed)),
+                ("pitch_deviation", self.pitch_deviation),
+                ("application_factor", self.application_factor),
+                ("mounting", self.mounting),
+                ("cutter_radius", self.cutter_radius),
+            )
+            if not value > 0.0
+        ]
+        if problems:
+            raise DesignError(problems)
 
 
 @dataclass(frozen=True)

@@ -27,30 +27,28 @@ class LifeCurve:
     """Life factors there [-], decreasing."""
 
 
-def _contact_corners(treatment: Treatment, pitting_permitted: str) -> LifeCurve:
+def _contact_corners(treatment: Treatment, *, some_pitting: bool) -> LifeCurve:
     """Corners of Z_NT up to the reference, ISO 6336-2:2019, table 2."""
     if treatment is Treatment.NITROCARBURISED:
         return LifeCurve((1e5, 2e6), (1.1, 1.0))
     if treatment.is_nitrided:
         return LifeCurve((1e5, 2e6), (1.3, 1.0))
-    if pitting_permitted == "some":
+    if some_pitting:
         return LifeCurve((6e5, 1e7, 1e9), (1.6, 1.3, 1.0))
     return LifeCurve((1e5, 5e7), (1.6, 1.0))
 
 
-def contact_life_curve(
-    treatment: Treatment, *, pitting_permitted: str = "none", at_1e10: float = STANDARD
-) -> LifeCurve:
+def contact_life_curve(treatment: Treatment, *, some_pitting: bool = False, at_1e10: float = STANDARD) -> LifeCurve:
     """Return the S-N curve of the flank.
 
     Args:
         treatment: Material group.
-        pitting_permitted: ``"none"``, or ``"some"`` where a little pitting may be left on the flanks.
+        some_pitting: A little pitting may be left on the flanks, which moves the corner from 5e7 to 1e9 cycles.
         at_1e10: Z_NT at 1e10 cycles, 0.85 to 1 [-].
 
     Source: ISO 6336-2:2019, clause 11, table 2.
     """
-    corners = _contact_corners(treatment, pitting_permitted)
+    corners = _contact_corners(treatment, some_pitting=some_pitting)
     return LifeCurve((*corners.cycles, 1e10), (*corners.factors, at_1e10))
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gearwright.errors import DesignError, Problem
 from gearwright.parts.iso6336_distribution import (
     CENTRED,
     UNMODIFIED,
@@ -43,6 +44,21 @@ class MeshDuty:
     """K_γ of parallel paths [-]."""
     meshes_per_turn: tuple[float, float] = (1.0, 1.0)
     """Load cycles per turn of pinion and wheel [-]; for a sun the number of planets."""
+
+    def __post_init__(self) -> None:
+        problems = [
+            Problem(name, f"{np.min(np.asarray(value)):.6g} given; must be above 0")
+            for name, value in (
+                ("pinion_torque", self.pinion_torque),
+                ("pinion_speed", np.abs(self.pinion_speed)),
+                ("life", self.life),
+                ("application_factor", self.application_factor),
+                ("mesh_load_factor", self.mesh_load_factor),
+            )
+            if not np.all(np.asarray(value) > 0.0)
+        ]
+        if problems:
+            raise DesignError(problems)
 
 
 @dataclass(frozen=True)

@@ -112,6 +112,12 @@ def test_straight_teeth_rate_as_the_limit_of_small_spirals():
     assert spiral_angle_factor(straight) == 1.0
 
 
+def test_a_duty_without_load_is_refused():
+    with pytest.raises(DesignError, match="pinion_torque: 0 given") as caught:
+        BevelDuty(0.0, 0.0, 10e-6)
+    assert len(caught.value.problems) == 2
+
+
 def test_a_small_cutter_relieves_the_root():
     """K_F0 lies between 1 and 1.15 (ISO 10300-1, eqs 33 to 35)."""
     virtual = VirtualPair(SPIRAL)

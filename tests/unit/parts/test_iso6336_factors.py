@@ -187,6 +187,12 @@ def test_arrays_rate_as_single_pairs_do():
         np.testing.assert_allclose(value(together), [value(each) for each in alone], rtol=1e-11)
 
 
+def test_a_duty_without_load_or_life_is_refused():
+    with pytest.raises(DesignError, match="pinion_torque: 0 given") as caught:
+        MeshDuty(np.array([100.0, 0.0]), 10.0, -1.0)
+    assert [each.path for each in caught.value.problems] == ["pinion_torque", "life"]
+
+
 def kv(ratio, load=4e5, mesh=MESH):
     """K_V at a reference speed N."""
     resonance = math.sqrt(20e9 / 5.0) / 27.0
@@ -309,7 +315,7 @@ def test_no_damage_below_a_flat_curve_and_no_life_above_the_static_limit():
     flat = contact_life_curve(Treatment.CASE_HARDENED, at_1e10=1.0)
     assert endurable_cycles(flat, 0.99) == math.inf
     assert endurable_cycles(flat, 1.61) == 0.0
-    assert contact_life_curve(Treatment.CASE_HARDENED, pitting_permitted="some").cycles[2] == 1e9
+    assert contact_life_curve(Treatment.CASE_HARDENED, some_pitting=True).cycles[2] == 1e9
 
 
 def test_damage_adds_up_and_its_safety_brings_the_sum_to_one():
