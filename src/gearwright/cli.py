@@ -16,6 +16,7 @@ import typer
 
 from gearwright import __version__
 from gearwright.cli_dynamics import campbell, response, runup, validate
+from gearwright.cli_runs import cluster, resume, status
 from gearwright.cli_study import compare, study
 from gearwright.cli_thesis import thesis
 from gearwright.cli_weights import engines, show_mass, stated_mass
@@ -193,6 +194,9 @@ def report(
 app.command()(engines)
 app.command()(study)
 app.command()(compare)
+app.command()(status)
+app.command()(resume)
+app.command()(cluster)
 app.command()(campbell)
 app.command()(response)
 app.command()(runup)

@@ -10,14 +10,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli_runs import ClusterOption, WorkersOption, design_of, run_shown, show_table
+
 if TYPE_CHECKING:
     from gearwright.spec import Design
-    from gearwright.spec.study import Study, Value
+    from gearwright.spec.study import Value
     from gearwright.study import Table
 
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table")]
 CsvOption = Annotated[Path | None, typer.Option(help="Write the table as CSV")]
 FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
+JournalOption = Annotated[Path | None, typer.Option(help="Keep every finished case in this file, for `resume`")]
 SetOption = Annotated[
     list[str] | None, typer.Option("--set", help="PATH=VALUE for all cases, such as gears.material=…")
 ]
@@ -28,11 +31,14 @@ def study(
         str | None, typer.Argument(help="Study file, or name of a shipped study; left out: list them")
     ] = None,
     changes: SetOption = None,
+    journal: JournalOption = None,
+    workers: WorkersOption = None,
+    cluster: ClusterOption = None,
     csv: CsvOption = None,
     figure: FigureOption = None,
     json: JsonOption = False,
 ) -> None:
-    """Run a study: designs along axes, one row per variant."""
+    """Run a study: designs along axes or over samples, one row per variant."""
     from gearwright.shipped import shipped_studies, shipped_study
     from gearwright.spec.study import read_study
 
@@ -43,8 +49,9 @@ def study(
     path = Path(name)
     read = read_study(shipped_study(name) if not path.exists() and name in shipped_studies() else path)
     read = read.model_copy(update={"changes": {**read.changes, **_changes(changes)}})
-    designs = {each: _design(each, path.parent) for each in read.designs}
-    _show(read, designs, csv=csv, figure=figure, json=json)
+    designs = {each: design_of(each, path.parent) for each in read.designs}
+    table = run_shown(read, designs, journal=journal, workers=workers, cluster=cluster, origin=str(path.parent))
+    _show(table, csv=csv, figure=figure, json=json)
 
 
 def compare(
@@ -61,41 +68,30 @@ def compare(
     """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
     from gearwright.shipped import shipped_study
     from gearwright.spec.study import read_study
-    from gearwright.study import for_engine
+    from gearwright.study import for_engine, run
     from gearwright.units import RPM
 
     read = read_study(shipped_study("architectures"))
     read = read.model_copy(update={"designs": designs or read.designs, "changes": _changes(changes)})
     fitted = {
         name: for_engine(
-            _design(name, Path()),
+            design_of(name, Path()),
             power=power_kw * 1e3 if power_kw else None,
             engine_speed=engine_rpm * RPM if engine_rpm else None,
             propeller_speed=propeller_rpm * RPM if propeller_rpm else None,
         )
         for name in read.designs
     }
-    table = _show(read, fitted, csv=csv, figure=figure, json=json)
+    table = run(read, fitted)
+    _show(table, csv=csv, figure=figure, json=json)
     if report is not None:
         _write_comparison(report, table, fitted, read.changes)
 
 
-def _show(read: Study, designs: dict[str, Design], *, csv: Path | None, figure: Path | None, json: bool) -> Table:
-    from rich.console import Console
-
-    from gearwright.render.study_tables import study_csv, study_grid, study_json
-    from gearwright.study import run
-
-    table = run(read, designs)
-    if json:
-        typer.echo(study_json(table))
-    else:
-        Console().print(study_grid(table))
-    if csv is not None:
-        csv.write_text(study_csv(table), encoding="utf-8")
+def _show(table: Table, *, csv: Path | None, figure: Path | None, json: bool) -> None:
+    show_table(table, csv=csv, json=json)
     if figure is not None:
         _draw(table, figure)
-    return table
 
 
 def _write_comparison(path: Path, table: Table, designs: dict[str, Design], changes: dict[str, Value]) -> None:
@@ -120,15 +116,6 @@ def _draw(table: Table, path: Path) -> None:
             path.write_bytes(to_png(study_figure(table)))
         case other:
             raise DesignError([Problem("--figure", f"{other!r} is not drawn; end the name with .svg or .png")])
-
-
-def _design(name: str, folder: Path) -> Design:
-    """Return a design from a file beside the study, or a shipped one by its name."""
-    from gearwright.shipped import shipped_design, shipped_designs
-    from gearwright.spec import read
-
-    path = folder / name
-    return read(shipped_design(name) if not path.exists() and name in shipped_designs() else path)
 
 
 def _changes(written: list[str] | None) -> dict[str, Value]:

@@ -5,7 +5,10 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
+from collections import Counter
 
+import numpy as np
 from rich.table import Table as Grid
 
 from gearwright.render.tables import written
@@ -61,6 +64,29 @@ def study_grid(table: Table) -> Grid:
         if not row.problem:
             grid.add_row(row.design, *_inputs(row), *(_shown(row, result) for result in table.results))
     return grid
+
+
+def summary_grid(table: Table) -> Grid:
+    """Return the spread of every result, for studies of more cases than a reader looks through.
+
+    Args:
+        table: Of the study.
+    """
+    title = f"{table.name}: {len(table.rows):,} cases, {len(table.failed):,} cannot be had"
+    grid = Grid(title=title, title_justify="left", caption=_reasons(table), caption_justify="left", box=None)
+    for name in ("result", "", "least", "5 %", "median", "95 %", "most"):
+        grid.add_column(name, justify="left" if name in ("result", "") else "right")
+    for result in table.results:
+        dimension = next(row for row in table.rows if not row.problem).results[result].dimension
+        spread = np.quantile(table.column(result), (0.0, 0.05, 0.5, 0.95, 1.0))
+        grid.add_row(heading(result), unit(dimension), *(written(shown(float(value), dimension)) for value in spread))
+    return grid
+
+
+def _reasons(table: Table) -> str:
+    """Return the commonest reasons of failed cases, digits left out so that like ones count together."""
+    counts = Counter(re.sub(r"[-\d.]+", "…", row.problem) for row in table.failed)
+    return "\n".join(["", *(f"{count:,} × {reason}" for reason, count in counts.most_common(3))]) if counts else ""
 
 
 def _caption(table: Table) -> str:

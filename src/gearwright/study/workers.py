@@ -68,7 +68,6 @@ def computed(
 
 def _serve(pipe: Connection, study: Study, designs: Mapping[str, Design]) -> None:
     """Answer chunks with their rows until the pipe closes: the life of a worker."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C goes to the whole group; the runner decides
     try:
         pipe.send(None)
         while True:
@@ -115,7 +114,7 @@ class _Crew:
         context = multiprocessing.get_context("spawn")
         here, there = context.Pipe()
         process = context.Process(target=_serve, args=(there, self.study, self.designs), daemon=True)
-        with _one_thread():
+        with _inherited():
             process.start()
         there.close()
         return _Worker(process, here)
@@ -199,13 +198,17 @@ class _Crew:
 
 
 @contextmanager
-def _one_thread() -> Iterator[None]:
-    """Let new processes compute on one thread each: the workers are what shares the cores."""
+def _inherited() -> Iterator[None]:
+    """Let new processes compute on one thread each, as the workers share the cores, and leave Ctrl-C to the runner."""
     before = {name: os.environ.get(name) for name in _THREADS}
     os.environ.update(dict.fromkeys(_THREADS, "1"))
+    masked = hasattr(signal, "pthread_sigmask")  # a terminal sends Ctrl-C to the whole group, also while it starts
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if masked else set()
     try:
         yield
     finally:
+        if masked:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         for name, value in before.items():
             if value is None:
                 del os.environ[name]

@@ -1,0 +1,184 @@
+"""How the command line runs, watches and resumes studies: ``status``, ``resume`` and what ``study`` shares with them.
+
+Imports that cost time stand inside the commands, so that ``--help`` stays quick.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from gearwright.spec import Design
+    from gearwright.spec.study import Study
+    from gearwright.study import Table
+    from gearwright.study.runner import Compute, Progress
+
+JournalArgument = Annotated[Path, typer.Argument(help="Journal that a study writes", metavar="JOURNAL")]
+WorkersOption = Annotated[
+    int | None, typer.Option(help="Processes that compute; 0: none beside this one; left out: as many as cores", min=0)
+]
+ClusterOption = Annotated[str | None, typer.Option(help="Address of a Dask scheduler, such as tcp://10.0.0.1:8786")]
+SMALL = 200
+"""Cases that are not worth the start of other processes."""
+INTERRUPTED = 130
+"""Exit code after Ctrl-C, as shells have it."""
+
+
+def run_shown(
+    study: Study, designs: Mapping[str, Design], *, journal: Path | None, workers: int | None, cluster: str | None,
+    origin: str,
+) -> Table:  # fmt: skip
+    """Run a study and show its progress on a terminal."""
+    from gearwright.spec.study import case_count
+    from gearwright.study.runner import run_study
+
+    count = _workers(workers, case_count(study))
+    with _stopped_cleanly(journal), _watched() as watch, _computing(cluster) as compute:
+        return run_study(
+            study, designs, workers=count, journal=journal, origin=origin, watch=watch, compute=compute
+        )  # fmt: skip
+
+
+def status(journal: JournalArgument) -> None:
+    """Show how far a study is: also while it runs, from another terminal."""
+    from gearwright.study.journal import status as look
+
+    found = look(journal)
+    known = found.recorded
+    typer.echo(f"{known.study.name}: {found.done:,} of {known.total:,} cases, {found.failed:,} cannot be had")
+    if found.done == known.total:
+        typer.echo("complete")
+    elif found.running:
+        typer.echo(f"running, {found.rate:.1f} cases/s, {_duration(found.remaining)} to go")
+    else:
+        typer.echo(f"stopped; next: gearwright resume {journal}")
+
+
+def resume(
+    journal: JournalArgument,
+    workers: WorkersOption = None,
+    cluster: ClusterOption = None,
+    anyway: Annotated[
+        bool, typer.Option("--anyway", help="Go on although designs or gearwright have changed since")
+    ] = False,
+    csv: Annotated[Path | None, typer.Option(help="Write the table as CSV")] = None,
+    json: Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table")] = False,
+) -> None:
+    """Continue a study that was stopped, or show a complete one: no finished case is computed again."""
+    from gearwright.study.journal import recorded
+    from gearwright.study.runner import resume as go_on
+
+    known = recorded(journal)
+    present = {} if anyway else present_designs(known.designs, Path(known.origin))
+    count = _workers(workers, known.total)
+    with _stopped_cleanly(journal), _watched() as watch, _computing(cluster) as compute:
+        table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, compute=compute)
+    show_table(table, csv=csv, json=json)
+
+
+def cluster(
+    host: Annotated[str, typer.Option(help="Name or address of the machine of the scheduler")] = "127.0.0.1",
+    processes: Annotated[int, typer.Option(help="Workers on one machine: its cores", min=1)] = os.cpu_count() or 1,
+) -> None:
+    """Print the commands that start a Dask cluster for studies; every machine needs gearwright[cluster] only."""
+    from gearwright.study.cluster import commands
+
+    scheduler, workers, start = commands(host, processes)
+    typer.echo(f"once:              {scheduler}\non every machine:  {workers}\nthen:              {start}")
+
+
+def show_table(table: Table, *, csv: Path | None, json: bool) -> None:
+    """Print the table of a study (its spread if it is long) or JSON, and write it as CSV if asked to."""
+    from rich.console import Console
+
+    from gearwright.render.study_tables import study_csv, study_grid, study_json, summary_grid
+
+    if json:
+        typer.echo(study_json(table))
+    else:
+        Console().print(study_grid(table) if len(table.rows) <= SMALL else summary_grid(table))
+    if csv is not None:
+        csv.write_text(study_csv(table), encoding="utf-8")
+
+
+def present_designs(names: Mapping[str, Design], folder: Path) -> dict[str, Design]:
+    """Return those designs of a study whose file is still there, as it is now."""
+    from gearwright.shipped import shipped_designs
+
+    there = [name for name in names if (folder / name).exists() or name in shipped_designs()]
+    return {name: design_of(name, folder) for name in there}
+
+
+def design_of(name: str, folder: Path) -> Design:
+    """Return a design from a file beside the study, or a shipped one by its name."""
+    from gearwright.shipped import shipped_design, shipped_designs
+    from gearwright.spec import read
+
+    path = folder / name
+    return read(shipped_design(name) if not path.exists() and name in shipped_designs() else path)
+
+
+def _workers(asked: int | None, cases: int) -> int:
+    if asked is not None:
+        return asked
+    return 0 if cases <= SMALL else os.cpu_count() or 1
+
+
+@contextmanager
+def _computing(cluster: str | None) -> Iterator[Compute]:
+    """Hold what computes: processes here, or a cluster."""
+    from gearwright.study.workers import computed
+
+    if cluster is None:
+        yield computed
+        return
+    from gearwright.study.cluster import connected
+
+    with connected(cluster) as compute:
+        yield compute
+
+
+@contextmanager
+def _stopped_cleanly(journal: Path | None) -> Iterator[None]:
+    try:
+        yield
+    except KeyboardInterrupt:
+        kept = f"what is finished is kept; next: gearwright resume {journal}" if journal else "nothing was kept"
+        typer.echo(f"stopped: {kept}", err=True)
+        raise typer.Exit(INTERRUPTED) from None
+
+
+@contextmanager
+def _watched() -> Iterator[Callable[[Progress], None]]:
+    """Show cases, rate, remaining time and failures on a terminal; stay silent elsewhere."""
+    from rich.console import Console
+    from rich.progress import BarColumn, TextColumn
+    from rich.progress import Progress as Bar
+
+    columns = (TextColumn("{task.completed:,.0f} of {task.total:,.0f}"), BarColumn(), TextColumn("{task.description}"))
+    with Bar(*columns, console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as bar:
+        task = bar.add_task("starting workers", total=None)
+
+        def update(now: Progress) -> None:
+            words = f"{now.rate:.1f}/s, {_duration(now.remaining)} to go, {now.failed:,} cannot be had"
+            bar.update(task, completed=now.done, total=now.total, description=words)
+
+        yield update
+
+
+def _duration(seconds: float) -> str:
+    """Return a time as a reader of clocks says it."""
+    if seconds == float("inf"):
+        return "unknown time"
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours} h {minutes:02d} min" if hours else f"{minutes} min {rest:02d} s" if minutes else f"{rest} s"
