@@ -1,0 +1,66 @@
+"""The commands campbell, response, runup and validate, as a shell calls them."""
+
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+from gearwright.cli import app
+from gearwright.errors import DesignError
+
+
+def run(*words):
+    """Return what a command prints; what it raises, raises."""
+    result = CliRunner().invoke(app, list(words), catch_exceptions=False)
+    assert result.exit_code == 0
+    return result.stdout
+
+
+def test_campbell_prints_critical_speeds_and_assumptions_and_writes_the_figure(tmp_path):
+    figure = tmp_path / "campbell.svg"
+    text = run("campbell", "in-line-h2", "--figure", str(figure))
+    assert "Critical speeds, case rated, cruise" in text and "Assumptions of the dynamic model" in text
+    assert "in resonance" in text
+    assert figure.read_text(encoding="utf-8").startswith("<svg")
+
+
+def test_campbell_as_json_has_units_in_its_keys(tmp_path):
+    tables = json.loads(run("campbell", "star", "--json", "--figure", str(tmp_path / "c.svg")))
+    first = tables[0]["rows"][0]
+    assert {"order", "mode", "frequency_hz", "speed_rpm", "margin", "dynamic_force", "verdict"} == set(first)
+
+
+def test_response_prints_peaks_and_writes_the_figure(tmp_path):
+    figure = tmp_path / "response.png"
+    text = run("response", "off-set", "--mesh", "second.left", "--figure", str(figure))
+    assert "Peaks" in text and "second.left" in text
+    assert figure.read_bytes().startswith(b"\x89PNG")
+
+
+def test_runup_prints_the_loudest_speeds_and_writes_the_waterfall(tmp_path):
+    figure = tmp_path / "runup.svg"
+    words = ("--speeds", "3", "--lowest", "0.9", "--highest", "1.1", "--line", "first.left", "--figure", str(figure))
+    assert "first.left" in run("runup", "off-set", *words)
+    assert figure.exists()
+
+
+def test_validate_prints_case_source_and_verdict_and_chooses_by_words():
+    rows = json.loads(run("validate", "Friswell", "--json"))[0]["rows"]
+    assert len(rows) == 9
+    assert {row["verdict"] for row in rows} == {"holds"}
+    assert all("Friswell" in row["source"] for row in rows)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("campbell", "in-line-h2", "--case", "climb"), "no case 'climb'"),
+        (("campbell", "in-line-h2", "--figure", "campbell.doc"), "is not drawn"),
+        (("response", "in-line-h2", "--mesh", "third"), "no mesh 'third'"),
+        (("runup", "off-set", "--line", "nothing"), "no such line"),
+        (("validate", "nobody"), "no case or source contains 'nobody'"),
+    ],
+)
+def test_a_call_that_is_wrong_says_so(words, message):
+    with pytest.raises(DesignError, match=message):
+        CliRunner().invoke(app, list(words), catch_exceptions=False)
