@@ -166,7 +166,8 @@ def cell(value: object, column: Column, mark: Mark = "") -> Cell:
     if value is None:
         return Cell(None, "–", mark)
     if isinstance(value, tuple):
-        return Cell(list(value), ", ".join(map(str, value)), mark)
+        cells = [cell(each, column) for each in value]
+        return Cell([each.value for each in cells], ", ".join(each.text for each in cells), mark)
     return Cell(value, str(value), mark)
 
 

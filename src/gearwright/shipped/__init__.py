@@ -29,6 +29,20 @@ def shipped_design(name: str) -> Path:
     return _DESIGNS / f"{name}.toml"
 
 
+def find_design(name: str, folder: Path = Path()) -> Path:
+    """Return the path of a design file, or of the shipped design of that name.
+
+    Args:
+        name: A path, or a name such as ``in-line-h2``; a file of that name comes first.
+        folder: Where paths start.
+
+    Raises:
+        DesignError: If it looks like the name of a shipped design and is none; with the nearest one.
+    """
+    path = folder / name
+    return path if path.exists() or path.suffix or len(Path(name).parts) != 1 else shipped_design(name)
+
+
 def shipped_studies() -> tuple[str, ...]:
     """Return the names of all shipped studies."""
     return tuple(sorted(path.stem for path in _STUDIES.glob("*.toml")))
