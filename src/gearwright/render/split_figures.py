@@ -27,6 +27,8 @@ MICROMETRE = 1e-6
 ROW = 5.0
 """Height of one bar [mm of paper]."""
 PERCENTILES = (50.0, 95.0, 99.0)
+POINTS = 1200
+"""Points of a curve: closer than a printer can tell apart."""
 
 
 @theme.styled
@@ -48,12 +50,15 @@ def sharing_figure(sharings: Mapping[str, LoadSharing]) -> Figure:
 
 
 def _draw_sharing(axes: Axes, sharing: LoadSharing) -> None:
-    cycle = sharing.tooth_cycle
+    cycle, instants = sharing.tooth_cycle, sharing.instantaneous
     middle = sharing.time[: len(cycle)] + 0.5 * sharing.period
+    stride = max(1, len(cycle) // POINTS)
+    bins = np.linspace(0, len(instants) - 1, POINTS // 2 + 1).astype(int)[:-1]
     for column, name in enumerate(sharing.lines):
         colour = theme.CYCLE[column % len(theme.CYCLE)]
-        axes.plot(sharing.time, sharing.instantaneous[:, column], color=colour, lw=0.3, alpha=0.25, zorder=1)
-        axes.plot(middle, cycle[:, column], color=colour, label=name, zorder=2)
+        low, high = (each.reduceat(instants[:, column], bins) for each in (np.minimum, np.maximum))
+        axes.fill_between(sharing.time[bins], low, high, color=colour, alpha=0.2, lw=0.0, zorder=1)
+        axes.plot(middle[::stride], cycle[::stride, column], color=colour, label=name, zorder=2)
     axes.axhline(1.0, color=theme.MUTED, lw=0.6)
     axes.margins(x=0.0)
 
@@ -217,14 +222,19 @@ def single_error_figure(problem: SharingProblem, span: tuple[float, float]) -> F
         problem: From `sharing_problem`, with its errors.
         span: (from, to) [s].
     """
-    found = {source.name: single_error_sharing(problem, source, span=span) for source in problem.sources}
+    # Over a tooth cycle the ripple is gone, so that mean stiffness is enough.
+    found = {
+        source.name: single_error_sharing(problem, source, method="frequency response", span=span)
+        for source in problem.sources
+    }
     columns = 3
     rows = -(-len(found) // columns)
     figure = theme.sheet(WIDTH, 14.0 + 30.0 * rows)
     grid = figure.subplots(rows, columns, squeeze=False, sharey=True)
     for axes, (name, sharing) in zip(grid.flat, found.items(), strict=False):
         cycle = sharing.tooth_cycle
-        axes.plot(sharing.time[: len(cycle)], cycle, lw=0.8)
+        stride = max(1, len(cycle) // POINTS)
+        axes.plot(sharing.time[: len(cycle) : stride], cycle[::stride], lw=0.8)
         axes.set_title(name, fontsize=7.5)
         axes.axhline(1.0, color=theme.MUTED, lw=0.5)
         axes.margins(x=0.0)

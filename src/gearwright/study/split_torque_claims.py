@@ -7,6 +7,7 @@ hand of the layout open, so that some of its claims hold only under a condition.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -54,9 +55,10 @@ def split_torque_claims(sizing: Sizing) -> tuple[SplitClaim, ...]:
         system", case study and conclusion.
     """
     effects = _effects(sharing_problem(sizing, "second"))
+    sharings = {each: _sharing(sizing, each, "second") for each in (RIGID, HALF, FLOATING)}
     return (
-        _unequal(sizing),
-        _improves(sizing),
+        _unequal(sharings[RIGID]),
+        _improves(sharings),
         _moves_more(sizing),
         _calmer(sizing),
         _gears(effects),
@@ -98,17 +100,17 @@ def _verdict(*, always: bool, partly: bool = False) -> Verdict:
     return Verdict.HOLDS if always else Verdict.CONDITION if partly else Verdict.FAILS
 
 
-def _unequal(sizing: Sizing) -> SplitClaim:
-    worst = _worst(_sharing(sizing, RIGID, "second"))
+def _unequal(rigid: LoadSharing) -> SplitClaim:
+    worst = _worst(rigid)
     why = f"b leaves 1 by {worst:.0%} over a tooth cycle at {RIGID:.0e} N/m"
     return SplitClaim(
         "Without floating, the paths are obviously unequal", "figure 3", _verdict(always=worst > ACCEPTED), why
     )
 
 
-def _improves(sizing: Sizing) -> SplitClaim:
-    slow = [_worst(_sharing(sizing, each, "second")) for each in (RIGID, HALF, FLOATING)]
-    fast = [float(np.ptp(_sharing(sizing, each, "second").instantaneous)) for each in (HALF, FLOATING)]
+def _improves(sharings: Mapping[float, LoadSharing]) -> SplitClaim:
+    slow = [_worst(sharings[each]) for each in (RIGID, HALF, FLOATING)]
+    fast = [float(np.ptp(sharings[each].instantaneous)) for each in (HALF, FLOATING)]
     falls = slow[0] > slow[1] > slow[2]
     why = (
         f"over a tooth cycle b leaves 1 by {slow[0]:.1%}, {slow[1]:.1%}, {slow[2]:.1%} at 2e9, 5e7, 1e7 N/m; at every "

@@ -1,0 +1,118 @@
+"""The command ``sharing``: how parallel paths share their load, which errors matter, how tight tolerances must be.
+
+Imports that cost time stand inside the command, so that ``--help`` stays quick.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+if TYPE_CHECKING:
+    from gearwright.dynamics.sharing_study import SharingStudy
+    from gearwright.sizing import Sizing
+
+SPLIT_TORQUE = "face-gear-split-torque"
+"""Shipped design whose page carries the paper's figures and claims."""
+
+
+def sharing(
+    design: Annotated[str, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")],
+    stage: Annotated[str | None, typer.Option(help="Stage with parallel meshes; left out: the last one")] = None,
+    case: Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")] = None,
+    method: Annotated[
+        Literal["auto", "quasi-static", "frequency response", "sidebands", "dynamics"],
+        typer.Option(help="Solution for the errors as given"),
+    ] = "auto",
+    target: Annotated[
+        str | None, typer.Option(help="Sharing that is asked for, such as 52/48: says how tight tolerances must be")
+    ] = None,
+    percent: Annotated[float, typer.Option(help="Gearboxes that must keep the target [%]", min=1.0, max=99.9)] = 95.0,
+    seed: Annotated[int, typer.Option(help="Of the random errors", min=0)] = 1,
+    figure: Annotated[Path | None, typer.Option(help="Write the main figure (.svg or .png)")] = None,
+    report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page")] = None,
+    json: Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of tables")] = False,
+) -> None:
+    """Say how parallel paths share their load, what each error does, and which tolerance to tighten."""
+    from rich.console import Console
+
+    from gearwright.dynamics.sharing_study import sharing_problem, sharing_study
+    from gearwright.render.sharing_text import sharing_json, sharing_text
+
+    share = asked_share(target)
+    sizing = _sized(design)
+    problem = sharing_problem(sizing, stage, case=case)
+    study = sharing_study(problem, method=method, target=share, percent=percent, seed=seed)
+    if json:
+        typer.echo(sharing_json(study))
+    else:
+        Console().print(sharing_text(study))
+    if figure is not None:
+        _draw(study, figure)
+    if report is not None:
+        _write(design, sizing, study, report=report, target=share)
+
+
+def asked_share(target: str | None) -> float | None:
+    """Return the share of the most loaded path that ``52/48`` or ``0.52`` asks for [-].
+
+    Args:
+        target: As written.
+
+    Raises:
+        DesignError: If it is no share.
+    """
+    from gearwright.errors import DesignError, Problem
+
+    if target is None:
+        return None
+    parts = target.split("/")
+    try:
+        numbers = [float(part) for part in parts]
+    except ValueError:
+        numbers = []
+    share = numbers[0] if len(numbers) == 1 else max(numbers) / sum(numbers) if numbers and sum(numbers) > 0.0 else 0.0
+    if not 0.0 < share < 1.0:
+        message = f"{target!r} is no sharing; write parts such as 52/48, or the largest share such as 0.52"
+        raise DesignError([Problem("--target", message)])
+    return share
+
+
+def _sized(design: str) -> Sizing:
+    from gearwright.shipped import shipped_design, shipped_designs
+    from gearwright.sizing import size
+    from gearwright.spec import read
+
+    path = Path(design)
+    return size(read(shipped_design(design) if not path.exists() and design in shipped_designs() else path))
+
+
+def _draw(study: SharingStudy, path: Path) -> None:
+    from gearwright.errors import DesignError, Problem
+    from gearwright.render.split_figures import allocation_figure, sharing_figure, tornado_figure
+    from gearwright.render.theme import to_png, to_svg
+
+    if study.allocation is not None:
+        drawn = allocation_figure(study.allocation)
+    elif study.influences:
+        drawn = tornado_figure(study)
+    else:
+        drawn = sharing_figure({study.problem.stage: study.sharing})
+    match path.suffix:
+        case ".svg":
+            path.write_text(to_svg(drawn), encoding="utf-8")
+        case ".png":
+            path.write_bytes(to_png(drawn))
+        case other:
+            raise DesignError([Problem("--figure", f"{other!r} is not drawn; end the name with .svg or .png")])
+    typer.echo(f"wrote {path}", err=True)
+
+
+def _write(design: str, sizing: Sizing, study: SharingStudy, *, report: Path, target: float | None) -> None:
+    from gearwright.render.sharing_page import sharing_page, split_torque_page
+
+    page = split_torque_page if Path(design).stem == SPLIT_TORQUE else sharing_page
+    report.write_text(page(sizing, [study], target=target), encoding="utf-8")
+    typer.echo(f"wrote {report}", err=True)

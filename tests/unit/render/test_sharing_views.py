@@ -1,0 +1,107 @@
+"""What a load-sharing study shows: words, JSON, figures, page."""
+
+from __future__ import annotations
+
+import functools
+import json
+
+import numpy as np
+import pytest
+
+from gearwright.dynamics.sharing_study import (
+    SharingStudy,
+    parallel_meshes,
+    sharing_problem,
+    sharing_study,
+    support_sweep,
+)
+from gearwright.errors import DesignError
+from gearwright.render.sharing_page import sharing_page
+from gearwright.render.sharing_text import sharing_json, summary
+from gearwright.render.split_figures import (
+    allocation_figure,
+    displacement_figure,
+    distribution_figure,
+    orbit_figure,
+    sharing_figure,
+    support_figure,
+    tornado_figure,
+)
+from gearwright.render.theme import to_svg
+from gearwright.shipped import shipped_design
+from gearwright.sizing import Sizing, size
+from gearwright.spec import read
+
+
+@functools.cache
+def sized(name="face-gear-split-torque") -> Sizing:
+    return size(read(shipped_design(name)))
+
+
+@functools.cache
+def studied() -> SharingStudy:
+    return sharing_study(sharing_problem(sized()), target=0.52)
+
+
+def test_summary_answers_the_question():
+    words = " ".join(summary(studied()))
+    for part in ("loops of the load in the train: 1", "second.left 49.80%", "95 % below 53.5", "+0.305 mrad"):
+        assert part in words
+
+
+def test_json_holds_what_the_tables_show():
+    content = json.loads(sharing_json(studied()))
+    sizes = content["allocation"]["sizes"]
+    assert content["paths"] == ["second.left", "second.right"]
+    assert content["allocation"]["reached"] == pytest.approx(0.52, abs=1e-6)
+    assert sizes["left eccentricity"]["given"] == pytest.approx(25e-6)
+    assert sizes["left eccentricity"]["allowed"] < 15e-6
+    assert content["influences"][0]["effect"] == pytest.approx(0.01054, rel=1e-3)
+
+
+def test_every_figure_is_drawn_and_the_same_twice():
+    study, time = studied(), np.linspace(0.0, 0.02, 50)
+    sweep = support_sweep(sized(), "input", [1e7, 1e9])
+    draw = {
+        "load sharing": lambda: sharing_figure({"load sharing": study.sharing}),
+        "tornado": lambda: tornado_figure(study),
+        "distribution": lambda: distribution_figure(study, 0.52),
+        "allocation": lambda: allocation_figure(study.allocation),
+        "support": lambda: support_figure(sweep, {1e7: "design"}),
+        "displacement": lambda: displacement_figure({"design": study.problem}, "input", time),
+        "orbit": lambda: orbit_figure(study.problem, ["input", "left"], time),
+    }
+    for one in draw.values():
+        svg = to_svg(one())
+        assert svg.count("<path") > 10
+        assert svg == to_svg(one())
+
+
+def test_page_stands_alone():
+    page = sharing_page(sized(), [studied()], target=0.52)
+    assert "Stage second" in page
+    assert page.count("<svg") == 6
+    assert 'src="http' not in page
+    assert 'href="http' not in page.replace('xlink:href="#', "").replace("http://www.w3.org", "")
+
+
+def test_planets_have_no_clocking_and_share_equally_without_errors():
+    study = sharing_study(sharing_problem(sized("single-planetary")))
+    assert study.clocking is None
+    assert study.sharing.load_factor == pytest.approx(1.0, abs=1e-6)
+
+
+def test_stage_without_parallel_meshes_is_refused_with_those_that_have_some():
+    assert set(parallel_meshes(sized())) == {"first", "second"}
+    with pytest.raises(DesignError, match="did you mean first"):
+        sharing_problem(sized(), "firstt")
+
+
+def test_target_without_errors_is_refused():
+    with pytest.raises(DesignError, match="gives no error to tighten"):
+        sharing_study(sharing_problem(sized("off-set")), target=0.52)
+
+
+def test_sweep_of_a_shaft_in_rigid_bearings_is_refused():
+    with pytest.raises(DesignError, match=r"add \[supports.input\]"):
+        support_sweep(sized("off-set"), "input", [1e7])

@@ -1,0 +1,45 @@
+"""The paper's claims: which hold, which hold under a condition, which do not, and the page that shows them."""
+
+from __future__ import annotations
+
+import pytest
+from split_torque import shipped
+
+from gearwright.dynamics.sharing_study import sharing_problem, sharing_study
+from gearwright.render.sharing_page import split_torque_page
+from gearwright.sizing import size
+from gearwright.study.claims import Verdict
+from gearwright.study.split_torque_claims import split_torque_claims
+
+VERDICTS = {
+    "Without floating": Verdict.HOLDS,
+    "Sharing becomes better": Verdict.CONDITION,
+    "The displacement": Verdict.HOLDS,
+    "Vibration decreases": Verdict.FAILS,
+    "Eccentric gears 4 and 5": Verdict.CONDITION,
+    "Of the shafts": Verdict.CONDITION,
+    "One error can make": Verdict.FAILS,
+    "Axial errors": Verdict.CONDITION,
+    "An eccentric shaft 1": Verdict.HOLDS,
+    "Cutting one error": Verdict.HOLDS,
+}
+
+
+@pytest.fixture(scope="module")
+def sizing():
+    return size(shipped())
+
+
+def test_verdicts_are_those_of_the_independent_reproduction(sizing):
+    """Each from its own numbers; an independent program for the same equations came to the same ten."""
+    found = {claim.printed: claim.verdict for claim in split_torque_claims(sizing)}
+    assert len(found) == len(VERDICTS)
+    for start, verdict in VERDICTS.items():
+        assert next(each for words, each in found.items() if words.startswith(start)) is verdict
+
+
+def test_page_has_every_figure_of_the_paper(sizing):
+    page = split_torque_page(sizing, [sharing_study(sharing_problem(sizing))])
+    for caption in ("Figure 3:", "Figure 4:", "Figure 6:", "Figures 5 and 7:", "Figures 8 to 18:"):
+        assert caption in page
+    assert page.count('class="verdict') == len(VERDICTS)
