@@ -40,6 +40,23 @@ def mach_of_impact(ratio: float) -> float:
     return math.sqrt(2.0 / (HEAT_RATIO - 1.0) * ((ratio + 1.0) ** (1.0 / _POWER) - 1.0))
 
 
+def stagnation_ratios(air: Air, mach: float) -> tuple[float, float]:
+    """Return θ_t and δ_t: stagnation temperature and pressure over those of the standard sea level [-].
+
+    Args:
+        air: Where it is flown.
+        mach: Flight Mach number M [-].
+
+    Source: isentropic stagnation of a perfect gas, κ = 1.4.
+
+    >>> from gearwright.air.atmosphere import air_at
+    >>> stagnation_ratios(air_at(0.0), 0.0)
+    (1.0, 1.0)
+    """
+    theta = air.temperature / SEA_LEVEL_TEMPERATURE * (1.0 + 0.5 * (HEAT_RATIO - 1.0) * mach**2)
+    return theta, air.pressure / SEA_LEVEL_PRESSURE * (1.0 + impact_pressure_ratio(mach))
+
+
 def true_of_calibrated(calibrated: float, air: Air) -> float:
     """Return the true airspeed of a calibrated one [m/s].
 

@@ -1,0 +1,58 @@
+"""A free-turbine engine in flight: power that is left at altitude, fuel that it burns, limits that it keeps."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+HEATING_VALUE = 42.8e6
+"""Least net heat of combustion of Jet A-1 [J/kg]; ASTM D1655."""
+
+
+class Engine(NamedTuple):
+    """What the mission knows of an engine."""
+
+    rated_power: float
+    """Flat rating: what gearbox and shaft may carry [W]."""
+    thermal_power: float
+    """What the core gives at sea level on a standard day without the flat rating [W]."""
+    rated_torque: float
+    """Torque limit of its shaft [N m]."""
+    fuel_per_energy: float
+    """Specific fuel consumption at the thermal power [kg/J]."""
+    idle_fuel: float
+    """Part of the fuel flow that burns without any power, 0.1 to 0.3 [-]."""
+    temperature_exponent: float
+    """n of P ∝ δ_t θ_t^n: -0.5 for a constant turbine temperature and corrected mass flow [-]."""
+
+
+def available_power(engine: Engine, theta: float, delta: float, speed: float) -> float:
+    """Return the most power that an engine gives [W].
+
+    Args:
+        engine: The engine.
+        theta: Stagnation temperature over that of the standard sea level θ_t [-].
+        delta: Stagnation pressure, likewise δ_t [-].
+        speed: Of its output shaft [rad/s].
+
+    Source: P = P_0 δ_t θ_t^n: mass flow ∝ p_t/√T_t through a choked turbine at a constant turbine temperature gives
+        n = -0.5 (Saravanamuttoo et al., Gas Turbine Theory, ch. 8); at most the flat rating and the torque limit.
+
+    Valid for: first estimates; hot days cost a real engine more.
+    """
+    core = engine.thermal_power * delta * theta**engine.temperature_exponent
+    return float(min(core, engine.rated_power, engine.rated_torque * speed))
+
+
+def fuel_flow(engine: Engine, theta: float, delta: float, power: float) -> float:
+    """Return the fuel that an engine burns [kg/s].
+
+    Args:
+        engine: The engine.
+        theta: Stagnation temperature over that of the standard sea level θ_t [-].
+        delta: Stagnation pressure, likewise δ_t [-].
+        power: At its output shaft [W].
+
+    Source: Willans line: idle fuel, which falls with δ_t √θ_t as the core's air does, and a part ∝ power.
+    """
+    idle = engine.idle_fuel * engine.thermal_power * delta * theta**0.5
+    return float(engine.fuel_per_energy * (idle + (1.0 - engine.idle_fuel) * power))
