@@ -136,6 +136,21 @@ def test_factors_of_the_colibri_report():
     assert deep_groove_factors(0.25, ISO_R281_1962).limit == 0.37
 
 
+def test_factors_of_iso_r_281():
+    """The six printed nodes: F_a/C_0, e, Y."""
+    printed = [
+        (0.025, 0.22, 2.0),
+        (0.04, 0.24, 1.8),
+        (0.07, 0.27, 1.6),
+        (0.13, 0.31, 1.4),
+        (0.25, 0.37, 1.2),
+        (0.5, 0.44, 1),
+    ]
+    for relative, limit, axial in printed:
+        factors = deep_groove_factors(relative, ISO_R281_1962)
+        assert (factors.limit, factors.axial) == (limit, axial)
+
+
 @pytest.mark.parametrize(
     ("relative", "limit", "axial"), [(0.172, 0.19, 2.30), (1.38, 0.30, 1.45), (6.89, 0.44, 1.00), (9.0, 0.44, 1.00)]
 )

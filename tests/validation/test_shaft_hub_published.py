@@ -42,7 +42,7 @@ from gearwright.parts.shaft_fatigue import (
     yield_safety,
 )
 from gearwright.parts.shaft_stiffness import influence, plain_shaft
-from gearwright.parts.spline import spline, spline_length
+from gearwright.parts.spline import MODULES, spline, spline_length
 from gearwright.units import GRAVITY, INCH, POUND, POUND_FORCE
 
 POUND_INCH = POUND_FORCE * INCH
@@ -107,6 +107,12 @@ def test_spline_teeth_of_din_5480(diameter, module, teeth):
     assert spline(diameter / 1e3, module / 1e3).teeth == teeth
 
 
+def test_modules_of_din_5480():
+    """DIN 5480-1, 0.5 to 10 mm."""
+    printed = [0.5, 0.6, 0.75, 0.8, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4, 5, 6, 8, 10]
+    assert [1e3 * module for module in MODULES] == pytest.approx(printed)
+
+
 def test_spline_of_the_rotor_mast_is_short():
     """5137 N m on 80 mm with module 2 at 100 MPa: some 26 mm, a tenth of the key's 288 mm."""
     length = spline_length(5137.4, spline(0.08, 0.002), allowable=100e6)
@@ -122,6 +128,13 @@ def test_endurance_limit_of_shigley_example_7_1():
     """k_a = 0.787, k_b = 0.870, k_e = 0.814 (99 %): 29.3 ksi by the printed factors' product, 0.5 % of rounding."""
     limit = endurance_limit(105.0 * KSI, 1.1 * INCH, surface="machined", reliability=0.99)
     assert limit / KSI == pytest.approx(0.787 * 0.870 * 0.814 * 52.5, rel=0.005)
+
+
+def test_endurance_limits_of_shigley_problems():
+    """Problem 7-2: machined, 1226 MPa, 22 mm: 375 MPa (1.24 is rounded by 0.2 %). Ground, 690 MPa: k_a = 0.9065."""
+    assert endurance_limit(1226e6, 0.022, surface="machined") == pytest.approx(375e6, rel=4e-3)
+    ground = endurance_limit(690e6, 0.032, surface="ground") / (1.24 * 32.0**-0.107 * 345e6)
+    assert ground == pytest.approx(0.906473, rel=1e-5)
 
 
 def test_safeties_of_shigley_example_7_1():

@@ -58,6 +58,8 @@ def test_every_bearing_can_be_built():
         assert inside.pitch_diameter + inside.diameter < each.outer_diameter
         assert inside.elements * math.asin(inside.diameter / inside.pitch_diameter) < math.pi
         assert inside.roller_length < each.width
+        assert (inside.contact_angle == 0.0) == (each.kind in (BearingKind.DEEP_GROOVE, BearingKind.CYLINDRICAL))
+        assert (inside.roller_length == 0.0) == each.kind.is_ball
         assert each.source
 
 
@@ -78,7 +80,17 @@ def test_choice_is_the_lightest_that_lives():
         if each.kind is BearingKind.CYLINDRICAL and each.bore >= 0.045 and each.mass < chosen.bearing.mass
     ]
     assert lighter
+    assert chosen.static_margin == pytest.approx(chosen.bearing.static_rating / 8.4e3 / 1.5)
     assert all(check_bearing(each, duty).life_margin < 1.0 for each in lighter)
+
+
+def test_room_for_a_bearing_is_kept():
+    """The smallest bore is the shaft's, the largest its shoulder's, and the housing ends somewhere."""
+    duty = BearingDuty(8.4e3, 0.0, 6000 * RPM, 5000 * HOUR)
+    same = choose_bearing(BearingKind.CYLINDRICAL, duty, bore=0.045, largest_bore=0.045)
+    assert same.bearing.bore == pytest.approx(0.045)
+    slim = choose_bearing(BearingKind.CYLINDRICAL, duty, bore=0.045, largest_outer=0.09)
+    assert slim.bearing.outer_diameter <= 0.09 + 1e-9
 
 
 def test_a_makers_rating_takes_the_place():

@@ -26,7 +26,9 @@ from gearwright.parts.bearing_life import (
 )
 from gearwright.parts.bearing_load import (
     CYLINDRICAL_STATIC,
+    DEEP_GROOVE_STATIC,
     FOUR_POINT,
+    FOUR_POINT_STATIC,
     RIBBED_NARROW,
     RIBBED_WIDE,
     equivalent_load,
@@ -149,6 +151,12 @@ def test_ribs_of_cylindrical_bearings_bear_some_thrust():
     assert static_equivalent_load(10e3, 4e3, CYLINDRICAL_STATIC) == 10e3
 
 
+def test_static_load_of_deep_groove_and_four_point_bearings():
+    """ISO 76: 0.6 F_r + 0.5 F_a, and F_r + 0.58 F_a."""
+    assert static_equivalent_load(1e3, 4e3, DEEP_GROOVE_STATIC) == pytest.approx(2.6e3)
+    assert static_equivalent_load(1e3, 4e3, FOUR_POINT_STATIC) == pytest.approx(3.32e3)
+
+
 def test_rollers_need_a_length():
     """Line contact has one."""
     with pytest.raises(DesignError, match="rollers need a length"):
@@ -164,10 +172,12 @@ def test_large_balls_join_the_small_ones():
 
 
 def test_fatigue_limit_shrinks_above_100_mm():
-    """C_0/22 below, and times (100/D_pw)^0.5 above."""
+    """C_0/22 (rollers 8.2) below, and times (100/D_pw)^0.5 (rollers 0.3) above."""
     large = BearingGeometry(BearingKind.DEEP_GROOVE, 8, 0.04, 0.4)
+    rollers = BearingGeometry(BearingKind.CYLINDRICAL, 20, 0.04, 0.4, roller_length=0.04)
     assert fatigue_load_limit(22e3, BALL) == pytest.approx(1e3)
     assert fatigue_load_limit(22e3, large) == pytest.approx(500.0)
+    assert fatigue_load_limit(8.2e3, rollers) == pytest.approx(1e3 * 0.25**0.3)
 
 
 @given(st.floats(0.0, 2e4), st.floats(-2e4, 2e4))
@@ -188,9 +198,10 @@ def test_two_taper_bearings_balance_the_shaft():
 
 
 def test_mean_load_of_a_constant_load_is_that_load():
-    """And a mix lies between, nearer to the larger."""
-    assert mean_load([5.0, 5.0], [0.3, 0.7]) == pytest.approx(5.0)
-    assert 7.5 < mean_load([5.0, 10.0], [0.5, 0.5]) < 10.0
+    """And of a mix the cubes count: ((5³ + 3 · 10³)/4)^(1/3)."""
+    assert mean_load([5.0, 5.0], [0.3, 0.9]) == pytest.approx(5.0)
+    assert mean_load([5.0, 10.0], [2.0, 6.0]) == pytest.approx((3125.0 / 4.0) ** (1.0 / 3.0))
+    assert mean_load([5.0, 10.0], [1.0, 1.0], 10.0 / 3.0) > mean_load([5.0, 10.0], [1.0, 1.0])
 
 
 def test_rating_for_life_undoes_life():
@@ -218,6 +229,11 @@ def test_cleaner_oil_and_thicker_film_give_longer_life():
     assert contamination_factor(OilFilter.BETA_40_75, 1.0, 0.0725) < contamination_factor(
         OilFilter.BETA_6_200, 1.0, 0.0725
     )
+    assert contamination_factor(OilFilter.BETA_12_200, 1.0, 0.064) == pytest.approx(
+        0.0432 * 64.0**0.55 * (1 - 0.9987 / 4)
+    )
+    assert [each.value for each in Cleanliness] == sorted((each.value for each in Cleanliness), reverse=True)
+    assert cleanliness_factor(Cleanliness.EXTREME, 0.05) == 1.0
     assert cleanliness_factor(Cleanliness.HIGH, 0.09) < cleanliness_factor(Cleanliness.HIGH, 0.11)
     for kind in BearingKind:
         lives = [life_modification(0.1, kappa, kind) for kappa in (0.1, 0.4, 1.0, 4.0, 9.0)]

@@ -33,6 +33,7 @@ from gearwright.parts.shaft_din743 import (
     SteelGroup,
     blank_factor,
     din743_safety,
+    yield_limits,
 )
 from gearwright.parts.shaft_fatigue import (
     FatigueStrength,
@@ -73,6 +74,7 @@ def test_chosen_key_is_standard_and_bears():
     assert length == 0.04
     flank = bearing_length(key_for_shaft(0.05).section, length, 0.06)
     assert key_pressure(200.0, 0.05, key_for_shaft(0.05).section, bearing_length=flank) <= 100e6
+    assert choose_key_length(200.0, 0.05, allowable=100e6, hub_length=0.04) == 0.04
 
 
 def test_a_torque_beyond_any_key_names_what_would_do():
@@ -81,6 +83,8 @@ def test_a_torque_beyond_any_key_names_what_would_do():
         DesignError, match=r"need a flank of 288.1 mm at 150 MPa; .* leave 60 mm; take two keys, a spline"
     ):
         choose_key_length(5185.4627, 0.06, allowable=150e6, hub_length=0.078)
+    with pytest.raises(DesignError, match="leave 78 mm; take two keys"):
+        choose_key_length(5185.4627, 0.06, allowable=150e6, hub_length=0.3)
     with pytest.raises(DesignError, match="300 mm given; DIN 6885-1 has keys above 6 to 230 mm"):
         key_for_shaft(0.3)
 
@@ -227,6 +231,17 @@ def test_din_743_mean_torque_lowers_fatigue_safety():
     assert mean.yielding == plain.yielding
 
 
+def test_din_743_yield_limits_of_hollow_and_hard_sections():
+    """K_2F: 1.2 full, 1.1 and 1.0 hollow, 1.0 with a hard surface; γ_F = 1 for a mild notch and 1.15 for a sharp one."""
+    mild, sharp = SECTION._replace(notch=Concentration(1.2, 1.1)), SECTION._replace(notch=Concentration(3.5, 2.0))
+    full = yield_limits(mild, STEEL_42CRMO4)
+    hollow = yield_limits(mild._replace(bore=0.02), STEEL_42CRMO4)
+    hard = STEEL_42CRMO4._replace(group=SteelGroup.CASE_HARDENED)
+    assert hollow == pytest.approx((full.bending * 1.1 / 1.2, full.torsion / 1.2))
+    assert yield_limits(mild, hard).bending == pytest.approx(math.sqrt(3.0) * yield_limits(mild, hard).torsion)
+    assert yield_limits(sharp, STEEL_42CRMO4) == pytest.approx((1.15 * full.bending, full.torsion))
+
+
 def test_din_743_refuses_a_mean_stress_beyond_strength():
     """Nothing is left for the amplitude."""
     load = SectionLoad(bending_amplitude=1.0, bending_mean=3e4)
@@ -259,6 +274,8 @@ def test_load_in_the_middle_and_overhung():
     assert at_place(middle, 0.3)[0] == pytest.approx([-1000.0 * 0.6**3 / (48.0 * rigidity)])
     assert at_place(middle, 0.0)[1] == pytest.approx([-1000.0 * 0.6**2 / (16.0 * rigidity)])
     assert at_place(middle, 0.6)[1] == pytest.approx([1000.0 * 0.6**2 / (16.0 * rigidity)])
+    front = bent([-1000.0], [0.0], [0.2, 0.8], shaft)
+    assert at_place(front, 0.0)[0] == pytest.approx([-1000.0 * 0.2**2 * 0.8 / (3.0 * rigidity)])
     end = bent([-1000.0], [0.8], [0.0, 0.6], shaft)
     assert at_place(end, 0.8)[0] == pytest.approx([-1000.0 * 0.2**2 * 0.8 / (3.0 * rigidity)])
 
