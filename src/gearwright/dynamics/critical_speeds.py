@@ -106,7 +106,9 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
     systems = [assemble(sizing, case) for case in cases]
     diagram = campbell(systems[0], factors)
     speed = abs(sizing.flows[cases[0]].speeds[sizing.machines[0].shaft])
-    shakers = [Shaker(system) for system in systems]
+    # Cases of equal speeds differ in their loads alone, so they share their modes.
+    shared: dict[float, tuple[Complexes, Complexes]] = {}
+    shakers = [Shaker(system, shared) for system in systems]
     before = 1 + len(systems[0].labels.coordinates) - diagram.frequency.shape[1]
     found = [
         CriticalSpeed(
@@ -160,12 +162,11 @@ def _gear(sizing: Sizing, body: str) -> str:
 class Shaker:
     """What each order does at its resonances in one load case."""
 
-    def __init__(self, system: System) -> None:
-        self.system, self.matrix = system, line_matrix(system.arrays)
+    def __init__(self, system: System, modes: dict[float, tuple[Complexes, Complexes]]) -> None:
+        self.system, self.matrix, self.modes = system, line_matrix(system.arrays), modes
         self.mean = statics(system, balance="accelerate").force
         arrays = system.arrays
         self.changes = bool(len(arrays.gyroscopic.value) or np.any(arrays.loads.quadratic))
-        self.modes: dict[float, tuple[Complexes, Complexes]] = {}
 
     def force(self, crossing: Crossing) -> float:
         """Return the estimated amplitude of the worst mesh force at a resonance over its mean force [-].
