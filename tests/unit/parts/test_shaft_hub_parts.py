@@ -232,7 +232,7 @@ def test_din_743_mean_torque_lowers_fatigue_safety():
 
 
 def test_din_743_yield_limits_of_hollow_and_hard_sections():
-    """K_2F: 1.2 full, 1.1 and 1.0 hollow, 1.0 with a hard surface; γ_F = 1 for a mild notch and 1.15 for a sharp one."""
+    """K_2F: 1.2 full, 1.1 and 1.0 hollow, 1.0 with a hard surface; γ_F: 1 for a mild notch, 1.15 for a sharp one."""
     mild, sharp = SECTION._replace(notch=Concentration(1.2, 1.1)), SECTION._replace(notch=Concentration(3.5, 2.0))
     full = yield_limits(mild, STEEL_42CRMO4)
     hollow = yield_limits(mild._replace(bore=0.02), STEEL_42CRMO4)
