@@ -28,7 +28,19 @@ def named_results(sizing: Sizing) -> dict[str, Named]:
     Args:
         sizing: What was sized.
     """
-    totals = {
+    box = envelope(sizing)
+    sides = {f"envelope.{side}": Named(getattr(box, side), "length") for side in ("width", "height", "length")}
+    sides["envelope.volume"] = Named(box.volume, "volume")
+    return {**total_results(sizing), **sides, **dict(_parts(sizing))}
+
+
+def total_results(sizing: Sizing) -> dict[str, Named]:
+    """Return what a sizing amounts to, by name.
+
+    Args:
+        sizing: What was sized.
+    """
+    return {
         "mass": Named(sizing.mass, "mass"),
         "gear_mass": Named(sizing.gear_mass, "mass"),
         "shaft_mass": Named(sizing.shaft_mass, "mass"),
@@ -39,10 +51,6 @@ def named_results(sizing: Sizing) -> dict[str, Named]:
         "worst_margin": Named(sizing.worst_margin, "ratio"),
         "efficiency": Named(_efficiency(sizing.flows[RATED]), "ratio"),
     }
-    box = envelope(sizing)
-    totals |= {f"envelope.{side}": Named(getattr(box, side), "length") for side in ("width", "height", "length")}
-    totals["envelope.volume"] = Named(box.volume, "volume")
-    return {**totals, **dict(_parts(sizing))}
 
 
 def _efficiency(flow: PowerFlow) -> float:

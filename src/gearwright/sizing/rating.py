@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -82,7 +83,16 @@ def form_factor(teeth: ArrayLike, rating: Rating) -> Array:
         teeth: z [-].
         rating: Resolved rules.
     """
+    number = np.asarray(teeth, dtype=float)
+    if number.ndim == 0:
+        return _form_factor(float(number), rating.helix_angle, rating.rules.pressure_angle)
     return lewis_form_factor(virtual_teeth(teeth, rating.helix_angle, rating.rules.pressure_angle))
+
+
+@lru_cache(maxsize=4096)
+def _form_factor(teeth: float, helix: float, pressure_angle: float) -> Array:
+    """Return the form factor of one gear; those of a study repeat."""
+    return lewis_form_factor(virtual_teeth(teeth, helix, pressure_angle))
 
 
 def modules(

@@ -37,6 +37,8 @@ class Overrides:
             dimension: Of the value; ``ratio`` has no unit in the key.
             computed: In SI.
         """
+        if not self.given:
+            return computed
         keys = {path: 1.0} if dimension not in SUFFIXES else {
             f"{path}_{suffix}": factor for suffix, factor in SUFFIXES[dimension].items()
         }  # fmt: skip

@@ -11,7 +11,8 @@ import math
 import reprlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from types import UnionType
+from functools import cache
+from types import MappingProxyType, UnionType
 from typing import Any, ClassVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, ValidationError
@@ -70,7 +71,8 @@ def _parts(annotation: Any) -> Iterator[Any]:
         yield annotation
 
 
-def keys_of(model: type[Record]) -> dict[str, tuple[str, float, str]]:
+@cache
+def keys_of(model: type[Record]) -> Mapping[str, tuple[str, float, str]]:
     """Return the keys that a table of this record may have.
 
     Args:
@@ -87,7 +89,7 @@ def keys_of(model: type[Record]) -> dict[str, tuple[str, float, str]]:
             continue
         for suffix, factor in SUFFIXES[quantity.dimension].items():
             keys[f"{name}_{suffix}"] = (name, factor, suffix)
-    return keys
+    return MappingProxyType(keys)
 
 
 def convert(raw: Mapping[str, object], model: type[Record], written: Written, at: Location = ()) -> dict[str, object]:

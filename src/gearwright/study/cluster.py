@@ -106,7 +106,8 @@ class _Tasks:
             raise SolveError(GONE)
 
     def _room(self) -> int:
-        return AHEAD * max(1, sum(self.client.nthreads().values()))
+        threads: Mapping[str, int] = self.client.nthreads()
+        return AHEAD * max(1, sum(threads.values()))
 
     def _fly(self) -> Any:
         chunk = self.again.popleft() if self.again else list(islice(self.cases, CHUNK))

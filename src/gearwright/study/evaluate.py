@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from gearwright.errors import DesignError, GearwrightError
 from gearwright.sizing import size
-from gearwright.sizing.named import Named, named_results, pick
+from gearwright.sizing.named import Named, named_results, pick, total_results
 from gearwright.spec import Design
 from gearwright.spec.edit import edited, path_problem
 from gearwright.spec.study import Study
@@ -38,7 +38,9 @@ def _results(study: Study, design: Design) -> dict[str, Named]:
     """Return the results of every verb that a name asks for."""
     verbs = {name.partition(".")[0] for name in study.asked}
     sizing = size(design)
-    results = named_results(sizing)
+    results = total_results(sizing)
+    if not results.keys() >= set(study.asked):
+        results = named_results(sizing)
     if verbs & {"modes", "simulate"}:  # the compiled kernel takes a second to load: only for those who ask for it
         from gearwright.study.motion import modal_results, simulated_results
     if "modes" in verbs:

@@ -6,6 +6,7 @@ worker died is done again case by case; a case that kills its worker a second ti
 
 from __future__ import annotations
 
+import gc
 import multiprocessing
 import os
 import signal
@@ -68,6 +69,7 @@ def computed(
 
 def _serve(pipe: Connection, study: Study, designs: Mapping[str, Design]) -> None:
     """Answer chunks with their rows until the pipe closes: the life of a worker."""
+    gc.freeze()  # what is loaded now stays: the collector need not look at it after every few cases
     try:
         pipe.send(None)
         while True:

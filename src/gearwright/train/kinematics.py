@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import GROUND
 from gearwright.train.graph import Joint, Train
+from gearwright.train.memory import remembered
 
 Array = NDArray[np.float64]
 RANK_TOLERANCE = 1e-9
@@ -85,12 +86,15 @@ def solve_speeds(train: Train, matrix: Array, asked: Mapping[str, float]) -> tup
     kept: list[str] = []
     for machine, speed in asked.items():
         motion = free[column[train.machines[machine]]]
-        if np.linalg.norm(motion) < RANK_TOLERANCE:
+        length = np.linalg.norm(motion)
+        if length < RANK_TOLERANCE:
             raise _locked(train, matrix, machine)
-        extended = np.vstack([motions, motion / np.linalg.norm(motion)])
-        if np.linalg.matrix_rank(extended, tol=RANK_TOLERANCE) > len(motions):
+        if len(kept) == free.shape[1]:
+            continue  # every freedom is determined
+        extended = np.vstack([motions, motion / length])
+        if not kept or np.linalg.matrix_rank(extended, tol=RANK_TOLERANCE) > len(motions):
             motions = extended
-            speeds.append(speed / float(np.linalg.norm(motion)))
+            speeds.append(speed / float(length))
             kept.append(machine)
     if len(kept) < free.shape[1]:
         raise _free(train, free, motions, len(kept))
@@ -103,6 +107,7 @@ def solve_speeds(train: Train, matrix: Array, asked: Mapping[str, float]) -> tup
     return omega, yielded
 
 
+@remembered
 def _null_space(matrix: Array) -> Array:
     """Return an orthonormal basis (nodes, freedoms) of the motions that the rows allow."""
     if not len(matrix):

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.train.memory import remembered
+
 Array = NDArray[np.float64]
 BALANCE_TOLERANCE = 1e-9
 """Largest torque left over, as a part of the largest applied, in a train that can balance."""
@@ -61,10 +63,15 @@ def _solve(system: Array, right: Array) -> Array:
     """Return the least solution, columns scaled to unit length and refined once, so that powers close to rounding."""
     scale = np.maximum(np.linalg.norm(system, axis=0), 1e-300)
     scaled = system / scale
-    inverse = np.linalg.pinv(scaled, rcond=1e-12)
+    inverse = _inverse(scaled)
     first = inverse @ right
     solution: Array = (first + inverse @ (right - scaled @ first)) / scale
     return solution
+
+
+@remembered
+def _inverse(matrix: Array) -> Array:
+    return np.asarray(np.linalg.pinv(matrix, rcond=1e-12), dtype=np.float64)
 
 
 def _share(solution: Array, free: Array, sharing: Sequence[Sharing]) -> Array:
@@ -90,6 +97,7 @@ def _equal(group: Sharing, size: int) -> list[Array]:
     return equations
 
 
+@remembered
 def _null_space(matrix: Array) -> Array:
     _, values, right = np.linalg.svd(matrix)
     rank = int(np.sum(values > 1e-10 * max(values[0], 1e-300))) if len(values) else 0

@@ -17,6 +17,7 @@ from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of, members_of, willis_ratio, willis_speed
 from gearwright.train.flow import asked_speeds
 from gearwright.train.kinematics import Array
+from gearwright.train.memory import remembered
 
 # Weights of what holds first, in log speeds: the kept speed, given teeth and ratios, other machines, equal ratios.
 _KEPT, _GIVEN, _ASKED, _EQUAL = 1e9, 1e6, 1e3, 1.0
@@ -160,15 +161,22 @@ def _edge_ratio(stage: Pair | Planetary, edge: Edge, fixed: float | None) -> tup
 
 def _require_connected(matrix: Array, design: Design) -> None:
     """Raise where a shaft's speed has no equation that leads to a machine."""
-    _, values, right = np.linalg.svd(matrix / np.maximum(np.abs(matrix).max(axis=1, keepdims=True), 1e-300))
-    rank = int(np.sum(values > 1e-10 * values[0]))
-    loose = [name for k, name in enumerate(design.shafts) if np.abs(right[rank:, k]).max(initial=0.0) > 1e-8]
+    swing = _undetermined(matrix)
+    loose = [name for k, name in enumerate(design.shafts) if swing[k] > 1e-8]
     if loose:
         message = (
             f"the speeds of {', '.join(loose)} are not determined: no machine gives them, and no stage with a grounded"
             " member leads to a machine; put a machine with a speed on one of them, or ground a member"
         )
         raise DesignError([Problem("shafts", message)])
+
+
+@remembered
+def _undetermined(matrix: Array) -> Array:
+    """Return how far each unknown may move without any equation noticing, of a motion of unit length."""
+    _, values, right = np.linalg.svd(matrix / np.maximum(np.abs(matrix).max(axis=1, keepdims=True), 1e-300))
+    rank = int(np.sum(values > 1e-10 * values[0]))
+    return np.asarray(np.abs(right[rank:]).max(axis=0, initial=0.0))
 
 
 def _differential(name: str, stage: Planetary, speeds: Mapping[str, float]) -> float:
