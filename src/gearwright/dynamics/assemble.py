@@ -19,7 +19,7 @@ from gearwright.dynamics.line import DampingRatio, Periodic
 from gearwright.dynamics.meshes import gear_pairs, mesh_curve
 from gearwright.dynamics.model import Model
 from gearwright.dynamics.system import System
-from gearwright.dynamics.translational import MEMBERS, add_stage, with_preload
+from gearwright.dynamics.translational import add_stage, with_preload
 from gearwright.errors import DesignError, Problem, near
 from gearwright.parts.gear_pair import GearPair
 from gearwright.parts.planet_phasing import even_positions, planet_phases
@@ -103,19 +103,7 @@ def assemble(sizing: Sizing, case: str | None = None, *, stiffness: str | None =
 
 def _moving(sizing: Sizing) -> list[str]:
     """Return the planetary sets whose members also move across."""
-    if sizing.design.dynamics.fidelity == "rotational":
-        return []
-    problems = [
-        Problem(
-            f"supports.{shaft}", f"{name}.{member} has bearings in planetaries.{name}.bearings; keep one of the two"
-        )
-        for name, planetary in sizing.design.planetaries.items()
-        for member in MEMBERS
-        if (shaft := getattr(planetary, member)) in sizing.design.supports
-    ]
-    if problems:
-        raise DesignError(problems)
-    return list(sizing.design.planetaries)
+    return list(sizing.design.planetaries) if sizing.design.dynamics.fidelity == "translational" else []
 
 
 def _add_moving(assembly: _Assembly, stage: str) -> None:

@@ -18,10 +18,8 @@ from gearwright.parts.planet_phasing import even_positions, planet_phases
 from gearwright.parts.stiffness_curve import StiffnessCurve
 from gearwright.sizing import Sizing
 from gearwright.spec import GROUND, Planetary
+from gearwright.spec.check_bearings import MEMBERS
 from gearwright.train.flow import PowerFlow
-
-MEMBERS = ("sun", "ring", "carrier")
-"""The three central members."""
 
 
 def add_stage(

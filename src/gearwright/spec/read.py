@@ -9,6 +9,7 @@ from typing import cast
 
 from gearwright.errors import DesignError, Problem
 from gearwright.spec.check import reference_problems
+from gearwright.spec.check_bearings import bearing_problems
 from gearwright.spec.curves import with_curves
 from gearwright.spec.design import Design
 from gearwright.spec.lines import key_lines, line_of
@@ -59,6 +60,7 @@ def parse(text: str, *, source: str = "", folder: Path | None = None) -> Design:
     if problems:
         raise DesignError(placed(problems, text), source)
     design, problems = with_curves(cast(Design, record), folder or Path())
+    problems += bearing_problems(design)
     if problems:
         raise DesignError(placed(problems, text), source)
     return design
