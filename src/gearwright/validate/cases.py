@@ -3,7 +3,16 @@
 from __future__ import annotations
 
 from gearwright.errors import DesignError, Problem
-from gearwright.validate import beams, gearbox_mass, mesh_stiffness, planetary_sets, shafts, torsional
+from gearwright.validate import (
+    beams,
+    bearings,
+    gear_rating,
+    gearbox_mass,
+    mesh_stiffness,
+    planetary_sets,
+    shafts,
+    torsional,
+)
 from gearwright.validate.case import Case
 
 ALL = (
@@ -11,6 +20,8 @@ ALL = (
     *torsional.CASES,
     *beams.CASES,
     *mesh_stiffness.CASES,
+    *gear_rating.CASES,
+    *bearings.CASES,
     *shafts.CASES,
     *gearbox_mass.CASES,
 )
