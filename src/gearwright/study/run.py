@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
-from gearwright.errors import DesignError
+from gearwright.errors import DesignError, Problem
 from gearwright.spec import Design
 from gearwright.spec.study import Study, case_count
 from gearwright.study.evaluate import evaluate
@@ -68,5 +68,5 @@ def table_of(study: Study, rows: list[Row]) -> Table:
         DesignError: If all of them failed.
     """
     if rows and all(row.problem for row in rows):
-        raise DesignError([], f"{study.name}: every case failed, the first with\n{rows[0].problem}")
+        raise DesignError([Problem("", f"every case failed, the first with {rows[0].problem}")], study.name)
     return Table(study.name, study.description, study.asked, tuple(rows))

@@ -12,7 +12,7 @@ import os
 import signal
 import time
 from collections import Counter, deque
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from itertools import islice
@@ -39,11 +39,13 @@ _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA
 
 Chunk = list[Case]
 Finished = list[tuple[int, Row]]
+Function = Callable[[Study, Design, Case], Row]
 
 
 def computed(
-    study: Study, designs: Mapping[str, Design], cases: Iterable[Case], *, workers: int, count: int
-) -> Iterator[Finished]:
+    study: Study, designs: Mapping[str, Design], cases: Iterable[Case], *, workers: int, count: int,
+    function: Function = evaluate,
+) -> Iterator[Finished]:  # fmt: skip
     """Yield finished cases, several at a time, in the order in which they are done.
 
     Args:
@@ -52,22 +54,23 @@ def computed(
         cases: To be computed.
         workers: Processes; 0 computes in this one.
         count: Number of cases, or an upper bound: no more workers than that are started.
+        function: What computes a case; it must be importable by name.
 
     Raises:
         SolveError: If workers die before they are ready.
     """
     if workers == 0:
         for case in cases:
-            yield [(case.number, evaluate(study, designs[case.design], case))]
+            yield [(case.number, function(study, designs[case.design], case))]
         return
-    crew = _Crew(study, designs, iter(cases))
+    crew = _Crew((study, designs, function), iter(cases))
     try:
         yield from crew.work(max(1, min(workers, count)))
     finally:
         crew.dismiss()
 
 
-def _serve(pipe: Connection, study: Study, designs: Mapping[str, Design]) -> None:
+def _serve(pipe: Connection, study: Study, designs: Mapping[str, Design], function: Function) -> None:
     """Answer chunks with their rows until the pipe closes: the life of a worker."""
     gc.freeze()  # what is loaded now stays: the collector need not look at it after every few cases
     try:
@@ -75,7 +78,7 @@ def _serve(pipe: Connection, study: Study, designs: Mapping[str, Design]) -> Non
         while True:
             chunk: Chunk = pipe.recv()
             start = time.perf_counter()
-            rows = [(case.number, evaluate(study, designs[case.design], case)) for case in chunk]
+            rows = [(case.number, function(study, designs[case.design], case)) for case in chunk]
             pipe.send((rows, time.perf_counter() - start))
     except (EOFError, BrokenPipeError):
         return
@@ -94,8 +97,8 @@ class _Worker:
 class _Crew:
     """The workers of one run."""
 
-    def __init__(self, study: Study, designs: Mapping[str, Design], cases: Iterator[Case]) -> None:
-        self.study, self.designs, self.cases = study, designs, cases
+    def __init__(self, given: tuple[Study, Mapping[str, Design], Function], cases: Iterator[Case]) -> None:
+        self.given, self.cases = given, cases
         self.again: deque[Chunk] = deque()
         self.deaths: Counter[int] = Counter()
         self.members: list[_Worker] = []
@@ -115,7 +118,7 @@ class _Crew:
         """Start a process; `spawn` gives it no pipe but its own, so that it ends when this process does."""
         context = multiprocessing.get_context("spawn")
         here, there = context.Pipe()
-        process = context.Process(target=_serve, args=(there, self.study, self.designs), daemon=True)
+        process = context.Process(target=_serve, args=(there, *self.given), daemon=True)
         with _inherited():
             process.start()
         there.close()

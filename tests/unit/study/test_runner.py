@@ -1,0 +1,213 @@
+"""Runners, workers and journals under what happens at night: killed workers, killed runners, full disks, changes."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import resource
+import signal
+import subprocess
+import sys
+import time
+from contextlib import closing
+from pathlib import Path
+
+import deadly
+import pytest
+
+import gearwright.study.runner as runner_module
+from gearwright.errors import DesignError, SolveError
+from gearwright.shipped import shipped_design
+from gearwright.spec import read
+from gearwright.spec.edit import edited
+from gearwright.spec.study import Study, parse_study
+from gearwright.study import run
+from gearwright.study.journal import begin, opened, recorded, rows_of, status
+from gearwright.study.runner import resume, run_study
+from gearwright.study.sampling import cases
+from gearwright.study.workers import computed
+
+NAME = "in-line-h2"
+DESIGNS = {NAME: read(shipped_design(NAME))}
+SCRIPT = """
+import sys
+from pathlib import Path
+from gearwright.shipped import shipped_design
+from gearwright.spec import read
+from gearwright.spec.study import parse_study
+from gearwright.study.runner import run_study
+
+if __name__ == "__main__":
+    study = parse_study(Path(sys.argv[1]).read_text())
+    designs = {name: read(shipped_design(name)) for name in study.designs}
+    run_study(study, designs, workers=int(sys.argv[3]), journal=Path(sys.argv[2]))
+"""
+
+
+def study_of(count: int, *, name: str = "s", description: str = "") -> Study:
+    return parse_study(text_of(count, name=name, description=description))
+
+
+def text_of(count: int, *, name: str = "s", description: str = "") -> str:
+    return f"""
+schema = 1
+name = "{name}"
+description = "{description}"
+designs = ["{NAME}"]
+results = ["mass", "gears.first.sun.module"]
+[axes]
+"motors.electric.speed_rpm" = {{from = 2000, to = 5500}}
+"planetaries.second.planets" = {{values = [4, 5, 9]}}
+[sampling]
+method = "sobol"
+count = {count}
+seed = 7
+"""
+
+
+def test_a_journal_gives_the_rows_of_the_plain_run_bit_for_bit(tmp_path: Path) -> None:
+    study = study_of(24)
+    table = run_study(study, DESIGNS, journal=tmp_path / "j")
+    assert table == run(study, DESIGNS)
+    assert table.failed and len(table.failed) < 24, "9 planets do not fit"
+    assert rows_of(tmp_path / "j") == list(table.rows)
+
+
+def test_workers_give_the_same_rows_though_one_is_killed(tmp_path: Path) -> None:
+    study, seen = study_of(64), []
+
+    def kill_one(progress: object) -> None:
+        seen.append(progress)
+        if len(seen) == 3:
+            os.kill(multiprocessing.active_children()[0].pid or 0, signal.SIGKILL)
+
+    table = run_study(study, DESIGNS, workers=2, journal=tmp_path / "j", watch=kill_one)
+    assert table == run(study, DESIGNS)
+    assert len(seen) >= 3
+
+
+@pytest.mark.parametrize(("how", "problem"), [("once", ""), ("always", "its worker died 2 times")])
+def test_a_case_that_kills_its_worker_is_tried_twice(tmp_path: Path, how: str, problem: str) -> None:
+    study = study_of(40, name=str(tmp_path / "mark"), description=f"{how} 17")
+    found = dict(
+        row
+        for finished in computed(study, DESIGNS, cases(study), workers=1, count=40, function=deadly.sized_at_once)
+        for row in finished
+    )
+    assert sorted(found) == list(range(40))
+    assert found.pop(17).problem.startswith(problem)
+    assert not any(row.problem for row in found.values())
+
+
+def test_a_runner_that_was_killed_goes_on_where_it_stopped(tmp_path: Path) -> None:
+    study, journal = study_of(400), tmp_path / "j"
+    with started(tmp_path, 400, workers=1) as process:
+        done = rows_when(journal, at_least=5, process=process)
+        process.kill()
+    assert 5 <= done < 400, "the runner was killed in the middle"
+    before = rows_of(journal)
+    assert not status(journal).running
+    table = resume(journal, designs=DESIGNS)
+    assert table == run(study, DESIGNS)
+    assert [row for row in table.rows if row in before] == before
+
+
+def started(folder: Path, count: int, *, workers: int, limit: int | None = None) -> subprocess.Popen[str]:
+    """Start a run of the study in another process."""
+    (folder / "run.py").write_text(SCRIPT, encoding="utf-8")
+    (folder / "study.toml").write_text(text_of(count), encoding="utf-8")
+    command = [sys.executable, "run.py", "study.toml", "j", str(workers)]
+
+    def bounded() -> None:
+        if limit is not None:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+    return subprocess.Popen(command, cwd=folder, stderr=subprocess.PIPE, text=True, preexec_fn=bounded)
+
+
+def rows_when(journal: Path, *, at_least: int, process: subprocess.Popen[str]) -> int:
+    """Wait until a journal has some rows, or its runner has ended."""
+    until = time.monotonic() + 30.0
+    while time.monotonic() < until and process.poll() is None:
+        if journal.exists() and journal.with_name("j-lock").exists():
+            done = status(journal).done
+            if done >= at_least:
+                return done
+        time.sleep(0.01)
+    return 0
+
+
+def test_a_full_disk_is_said_and_loses_nothing(tmp_path: Path) -> None:
+    process = started(tmp_path, 400, workers=0, limit=100_000)
+    _, said = process.communicate(timeout=60.0)
+    assert process.returncode == 1
+    assert "SolveError: the journal cannot be written" in said
+    done = status(tmp_path / "j").done
+    assert 0 < done < 400
+    assert resume(tmp_path / "j") == run(study_of(400), DESIGNS)
+
+
+def test_a_second_runner_is_refused(tmp_path: Path) -> None:
+    begin(tmp_path / "j", study_of(2), DESIGNS)
+    with opened(tmp_path / "j"):
+        assert status(tmp_path / "j").running
+        with pytest.raises(DesignError, match="another runner is at this journal"):
+            resume(tmp_path / "j")
+    assert not status(tmp_path / "j").running
+
+
+def test_a_journal_that_is_there_is_not_written_over(tmp_path: Path) -> None:
+    begin(tmp_path / "j", study_of(2), DESIGNS)
+    with pytest.raises(DesignError, match="there is a journal already"):
+        run_study(study_of(2), DESIGNS, journal=tmp_path / "j")
+
+
+@pytest.mark.parametrize("content", [None, "", "no database"])
+def test_what_is_no_journal_is_said(tmp_path: Path, content: str | None) -> None:
+    if content is not None:
+        (tmp_path / "j").write_text(content, encoding="utf-8")
+    with pytest.raises(DesignError, match=r"no journal of a study|no such journal"):
+        resume(tmp_path / "j")
+
+
+def test_a_changed_design_is_noticed_and_the_recorded_one_is_used(tmp_path: Path) -> None:
+    begin(tmp_path / "j", study_of(3), DESIGNS)
+    changed = {NAME: edited(DESIGNS[NAME], {"carriers.fill": 0.9})}
+    with pytest.raises(DesignError, match=r"designs\.in-line-h2: has changed"):
+        resume(tmp_path / "j", designs=changed)
+    assert resume(tmp_path / "j", designs=changed, anyway=True) == run(study_of(3), DESIGNS)
+
+
+def test_another_version_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    begin(tmp_path / "j", study_of(3), DESIGNS)
+    monkeypatch.setattr(runner_module, "__version__", "99.0")
+    with pytest.raises(DesignError, match=r"this is 99\.0; results may differ"):
+        resume(tmp_path / "j", designs=DESIGNS)
+    assert len(resume(tmp_path / "j", anyway=True).rows) == 3
+
+
+def test_the_journal_holds_study_and_designs(tmp_path: Path) -> None:
+    begin(tmp_path / "j", study_of(3), DESIGNS, origin="here")
+    known = recorded(tmp_path / "j")
+    assert (known.study, dict(known.designs), known.origin, known.total) == (study_of(3), DESIGNS, "here", 3)
+
+
+def test_a_case_is_kept_once_though_it_comes_twice(tmp_path: Path) -> None:
+    table = run(study_of(4), DESIGNS)
+    begin(tmp_path / "j", study_of(4), DESIGNS)
+    with opened(tmp_path / "j") as book:
+        book.append([(1, table.rows[1])])
+        book.append([(0, table.rows[0]), (1, table.rows[0])])
+    assert rows_of(tmp_path / "j") == list(table.rows[:2])
+
+
+def test_what_cannot_be_written_leaves_no_half_batch(tmp_path: Path) -> None:
+    table = run(study_of(4), DESIGNS)
+    begin(tmp_path / "j", study_of(4), DESIGNS)
+    with opened(tmp_path / "j") as book:
+        book.append([(0, table.rows[0])])
+        book.database.execute("PRAGMA max_page_count = 1")
+        with pytest.raises(SolveError, match="free some space"):
+            book.append((number, table.rows[1]) for number in range(1, 2000))
+        with closing(book.database.execute("SELECT COUNT(*) FROM rows")) as found:
+            assert found.fetchone() == (1,)
