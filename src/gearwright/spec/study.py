@@ -163,6 +163,11 @@ def _sampled(study: Study) -> int:
     if sampling.count is None:
         message = f"{sampling.method!r} draws samples: say how many, such as count = 1024"
         raise DesignError([Problem("sampling.count", message)])
+    if sampling.method == "saltelli" and sampling.count & (sampling.count - 1):
+        message = (
+            f"{sampling.count} is no power of two, which Sobol' points need; take {1 << sampling.count.bit_length()}"
+        )
+        raise DesignError([Problem("sampling.count", message)])
     if sampling.method == "nsga2" and not study.objectives:
         message = 'a search needs at least one: [objectives] mass = "least"'
         raise DesignError([Problem("objectives", message)])

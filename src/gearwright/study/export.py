@@ -1,0 +1,86 @@
+"""Tables of studies for other programs: netCDF-4 and Parquet, one variable a column."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from gearwright.errors import DesignError, Problem
+from gearwright.study.table import Table
+from gearwright.units import shown, unit
+
+Column = tuple[list[float] | list[str], str]
+
+
+def columns(table: Table) -> dict[str, Column]:
+    """Return the columns of a table by name: values and unit; what failed is not a number there and has its problem.
+
+    Args:
+        table: Of a study; inputs are in the unit of their path, results in the unit in which they are shown.
+    """
+    paths = tuple(table.rows[0].inputs)
+    found: dict[str, Column] = {"design": ([row.design for row in table.rows], "")}
+    for path in paths:
+        given = [row.inputs[path] for row in table.rows]
+        if all(isinstance(value, int | float) for value in given):
+            found[path] = ([float(value) for value in given], "")
+        else:
+            found[path] = ([str(value) for value in given], "")
+    good = next(row for row in table.rows if not row.problem)
+    for name in table.results:
+        dimension = good.results[name].dimension
+        values = [np.nan if row.problem else shown(row.results[name].value, dimension) for row in table.rows]
+        found[name] = (values, unit(dimension))
+    return {**found, "problem": ([row.problem for row in table.rows], "")}
+
+
+def write_table(path: Path, table: Table) -> None:
+    """Write a table as netCDF-4 (``.nc``) or Parquet (``.parquet``), with its units.
+
+    Args:
+        path: Of the file.
+        table: Of a study.
+
+    Raises:
+        DesignError: If the name ends otherwise, or Parquet is not installed.
+    """
+    match path.suffix:
+        case ".nc":
+            _write_netcdf(path, table)
+        case ".parquet":
+            _write_parquet(path, table)
+        case other:
+            raise DesignError([Problem("--export", f"{other!r} is not written; end the name with .nc or .parquet")])
+
+
+def _write_netcdf(path: Path, table: Table) -> None:
+    import h5netcdf
+    import h5py
+
+    with h5netcdf.File(path, "w") as file:
+        file.attrs.update({"title": table.name, "comment": table.description})
+        file.dimensions = {"case": len(table.rows)}
+        for name, (values, written) in columns(table).items():
+            numbers = bool(values) and isinstance(values[0], float)
+            data = np.array(values) if numbers else np.array(values, dtype=object)
+            kind = "f8" if numbers else h5py.string_dtype()
+            variable = file.create_variable(name, ("case",), kind, data=data)
+            variable.attrs["units"] = written or "1"
+
+
+def _write_parquet(path: Path, table: Table) -> None:
+    try:
+        import pyarrow
+        from pyarrow import parquet
+    except ImportError:
+        message = "Parquet is not installed; install gearwright[parquet]"
+        raise DesignError([Problem("--export", message)]) from None
+    found = columns(table)
+    fields = [
+        pyarrow.field(
+            name, pyarrow.float64() if isinstance(values[0], float) else pyarrow.string(), metadata={"unit": u}
+        )
+        for name, (values, u) in found.items()
+    ]
+    parquet.write_table(pyarrow.table([values for values, _ in found.values()], schema=pyarrow.schema(fields)), path)
