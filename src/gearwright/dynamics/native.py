@@ -28,6 +28,8 @@ class Compiled(NamedTuple):
 
     advance: Advance
     """Runs a block of steps."""
+    derivative: int
+    """Address of the right-hand side alone, (parameters, clock row, state, slope, output); 0 for lanes."""
     engine: Any
     """Keeps the machine code in memory."""
     assembly: str
@@ -53,7 +55,8 @@ def compiled(shape: Topology, layout: Layout, lanes: int = 1, own: frozenset[str
     def advance(steps: int, *arrays: Floats) -> None:
         function(steps, *(array.ctypes.data for array in arrays))
 
-    return Compiled(advance, engine, text)
+    alone = int(engine.get_function_address("derivative")) if lanes == 1 else 0
+    return Compiled(advance, alone, engine, text)
 
 
 def aligned(*shape: int) -> Floats:
@@ -79,7 +82,19 @@ def assembly(shape: Topology, layout: Layout, lanes: int, own: frozenset[str] = 
     """
     writer = Writer(shape, layout, lanes, own)
     look = writer.slope("look", "record" if lanes == 1 else "statistics")
-    return "\n\n".join([_DECLARATIONS, writer.instant(), look, writer.slope("slope", ""), _loop(shape, lanes, own)])
+    parts = [_DECLARATIONS, writer.instant(), look, writer.slope("slope", ""), _loop(shape, lanes, own)]
+    return "\n\n".join([*parts, *([_alone(len(shape.lines))] if lanes == 1 else [])])
+
+
+def _alone(lines: int) -> str:
+    """Return the function that works out one derivative, for steps of any length."""
+    pointers = ", ".join(f"ptr noalias %{name}" for name in ("p", "row", "y", "dy", "out"))
+    return f"""define void @derivative({pointers}) {{
+  %now = alloca [{4 * lines} x double], align 64
+  call void @instant(ptr %p, ptr %p, ptr %row, ptr %now)
+  call void @look(ptr %p, ptr %p, ptr %row, ptr %now, ptr %y, ptr %dy, ptr %out)
+  ret void
+}}"""
 
 
 _DECLARATIONS = """declare double @llvm.fabs.f64(double)

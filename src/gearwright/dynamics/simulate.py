@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Literal
 
 import numpy as np
 
 from gearwright.dynamics.energy import WORKS, Work, stored_energy
 from gearwright.dynamics.exact import is_exact
+from gearwright.dynamics.pacing import STRETCH, estimated_error, pace_of
 from gearwright.dynamics.recorder import BLOCK, Outputs, Recorder
 from gearwright.dynamics.sensitivity import PARTED, parting
 from gearwright.dynamics.statics import statics, unbalanced
 from gearwright.dynamics.steppers import METHODS, Stepper, blank_record, stepper
 from gearwright.dynamics.stepsize import (
     Accuracy,
-    accurate_step,
+    Pace,
     check_duration,
-    check_step,
     default_step,
     excited_step,
     fastest_rate,
@@ -26,24 +26,16 @@ from gearwright.dynamics.system import Arrays, Floats, System
 from gearwright.dynamics.trace import Samples, Trace
 from gearwright.errors import DesignError, Problem, near
 
-ATTEMPTS = 4
-"""Times that the step is shortened for an accuracy; contact that comes and goes converges slowly."""
-STRETCH = 1000
-"""Steps of the first stretch, repeated at half the step for the error estimate."""
 LARGEST_GENERATED = 250
 """Lines up to which code is generated for the structure: beyond, generating it takes seconds."""
-SECOND_ORDER = 4.0 / 3.0
-"""The same for the implicit step."""
 STIFF = 2.5e6
 """Fastest rate above which implicit steps may pay [rad/s]."""
 STIFF_GAIN = 40.0
 """How much longer an implicit step must be, since it costs so much more than an explicit one [-]."""
-RICHARDSON = 16.0 / 15.0
-"""Error of a fourth-order step from the difference to two half steps."""
 
 Start = Literal["static", "rigid"] | tuple[Floats, Floats]
-Ran = tuple[str, float, tuple[str, ...]]
-"""Method, error estimate and notes of a run."""
+Ran = tuple[str, Pace, float, tuple[str, ...]]
+"""Method, pace, error estimate and notes of a run."""
 
 
 def simulate(
@@ -62,7 +54,8 @@ def simulate(
         system: Bodies, lines, loads.
         duration: [s].
         method: One of `METHODS`, or ``"auto"``, which says in the notes what it picked and why.
-        step: [s], or an `Accuracy`; left out, from the highest harmonic and the fastest mode.
+        step: [s], or an `Accuracy`; left out, from the highest harmonic and the fastest mode. Adaptive methods take
+            it as the spacing of the instants that statistics and windows look at.
         start: ``"static"`` equilibrium, the ``"rigid"`` motion itself, or (q, q̇).
         outputs: What to keep.
         progress: Called with the fraction done, from 0 to 1.
@@ -78,19 +71,19 @@ def simulate(
     arrays = system.arrays
     method, reason = _method(arrays, method)
     state = _start(system, start)
-    step = _step(arrays, method, step, state)
-    steps = check_duration(duration, step)
-    recorder = Recorder(system, outputs or Outputs(), step=step, steps=steps)
-    error = _error(arrays, method, step, (min(steps, STRETCH), state))
+    pace = pace_of(system, method, step, state)
+    steps = check_duration(duration, pace.step)
+    recorder = Recorder(system, outputs or Outputs(), step=pace.step, steps=steps)
+    error = estimated_error(arrays, method, pace, (min(steps, STRETCH), state))
     first = state.copy()
-    advance = stepper(arrays, method, step)
+    advance = stepper(arrays, method, pace.step, tolerance=pace.tolerance)
     done = _run(advance, recorder, state, progress)
     left = unbalanced(system)
     notes = [reason, *([f"at the start {left}; the train speeds up or slows down"] if left else [])]
     notes += _notes(recorder, done)
     if np.any(recorder.lost >= 0):
         notes += _sensitivity(parting(arrays, advance, done, state))
-    return _trace(recorder, (method, error, tuple(notes)), (first, state), done)
+    return _trace(recorder, (method, pace, error, tuple(notes)), (first, state), done)
 
 
 def replay(system: System, trace: Trace, start: float, end: float) -> Samples:
@@ -103,19 +96,33 @@ def replay(system: System, trace: Trace, start: float, end: float) -> Samples:
         end: [s].
 
     Raises:
-        DesignError: If the part lies outside the run.
+        DesignError: If the part lies outside the run, or a run of adaptive steps has lost its tolerance.
     """
+    if trace.method.startswith("tsit5") and not trace.tolerance > 0.0:
+        message = f"{trace.tolerance:g} √J; a run of {trace.method} can only be repeated at the tolerance that it had"
+        raise DesignError([Problem("trace.tolerance", message)])
     steps = round(trace.duration / trace.step)
     recorder = Recorder(system, Outputs(windows=((start, end),)), step=trace.step, steps=steps)
     low, high = recorder.spans[0]
     place = int(np.searchsorted(trace.checkpoints.step, low, side="right")) - 1
     state = trace.checkpoints.state[place].copy()
-    advance = stepper(system.arrays, trace.method, trace.step)
+    advance = stepper(system.arrays, trace.method, trace.step, tolerance=trace.tolerance)
     record = blank_record(system.arrays, BLOCK)
-    for first in range(int(trace.checkpoints.step[place]), high, BLOCK):
-        rows = record[: min(BLOCK, high - first)]
-        recorder.take(first, rows, advance(first, rows, state))
+    for first, count in _blocks(int(trace.checkpoints.step[place]), steps):
+        if first >= high:
+            break
+        recorder.take(first, record[:count], advance(first, record[:count], state))
     return recorder.samples(1)
+
+
+def _blocks(first: int, steps: int) -> Iterator[tuple[int, int]]:
+    """Return first step and number of rows of each block, the last instant by itself.
+
+    Blocks are the same for whoever takes a run up: adaptive steps end where their block does.
+    """
+    for start in range(first, steps, BLOCK):
+        yield start, min(BLOCK, steps - start)
+    yield steps, 1
 
 
 def _method(arrays: Arrays, method: str) -> tuple[str, str]:
@@ -135,24 +142,6 @@ def _method(arrays: Arrays, method: str) -> tuple[str, str]:
     return method, f"{method}: asked for"
 
 
-def _step(arrays: Arrays, method: str, step: float | Accuracy | None, state: Floats) -> float:
-    if isinstance(step, Accuracy):
-        tried = _step(arrays, method, None, state)
-        for _ in range(ATTEMPTS):
-            error = _error(arrays, method, tried, (STRETCH, state))
-            if error <= step.value:
-                break
-            tried = accurate_step(tried, error, step)
-        return tried
-    if step is None:
-        return excited_step(arrays) if method == "implicit" else default_step(arrays)
-    if method.startswith("runge-kutta"):
-        check_step(arrays, step)
-    elif not 0.0 < step < np.inf:
-        raise DesignError([Problem("step", f"{step:g} s; it must be positive and finite")])
-    return step
-
-
 def _start(system: System, start: Start) -> Floats:
     size = len(system.arrays.mass)
     state = np.zeros(2 * size + WORKS)
@@ -167,37 +156,21 @@ def _start(system: System, start: Start) -> Floats:
     return state
 
 
-def _error(arrays: Arrays, method: str, step: float, stretch: tuple[int, Floats]) -> float:
-    """Return the difference of line forces between step and half step over the largest force."""
-    steps, start = stretch
-    forces = []
-    for pieces in (1, 2):
-        advance, state = stepper(arrays, method, step / pieces), start.copy()
-        record = blank_record(arrays, pieces * steps)
-        for first in range(0, len(record), BLOCK):
-            advance(first, record[first : first + BLOCK], state)
-        columns = slice(2 * len(arrays.mass), 2 * len(arrays.mass) + len(arrays.stiffness))
-        forces.append(record[::pieces, columns])
-    largest = float(np.max(np.abs(forces[1]), initial=0.0))
-    share = SECOND_ORDER if method == "implicit" else RICHARDSON
-    return share * float(np.max(np.abs(forces[0] - forces[1]), initial=0.0)) / largest if largest else 0.0
-
-
 def _run(advance: Stepper, recorder: Recorder, state: Floats, progress: Callable[[float], None] | None) -> int:
     """March block by block; return the number of steps done."""
     record = blank_record(recorder.system.arrays, BLOCK)
     # The state moves on only when its block has been taken, so that an interruption leaves the two together.
     done, ahead = 0, state.copy()
     try:
-        while done < recorder.steps:
-            rows = record[: min(BLOCK, recorder.steps - done)]
-            recorder.checkpoint(done, state)
-            recorder.take(done, rows, advance(done, rows, ahead))
-            done += len(rows)
+        for first, count in _blocks(0, recorder.steps):
+            recorder.checkpoint(first, state)
+            recorder.take(first, record[:count], advance(first, record[:count], ahead))
+            if first == recorder.steps:
+                break
+            done += count
             state[:] = ahead
             if progress is not None:
                 progress(done / recorder.steps)
-        recorder.take(done, record[:1], advance(done, record[:1], ahead))
     except KeyboardInterrupt:
         if done == 0:
             raise
@@ -222,10 +195,8 @@ def _sensitivity(growth: float) -> list[str]:
     return [f"neighbouring motions part (by a factor of {growth:.0e} after the run): judge it by its statistics only"]
 
 
-def _trace(
-    recorder: Recorder, ran: tuple[str, float, tuple[str, ...]], ends: tuple[Floats, Floats], done: int
-) -> Trace:
-    method, error, notes = ran
+def _trace(recorder: Recorder, ran: Ran, ends: tuple[Floats, Floats], done: int) -> Trace:
+    method, pace, error, notes = ran
     size, labels = recorder.size, recorder.system.labels
     lines = len(labels.lines)
     return Trace(
@@ -242,6 +213,7 @@ def _trace(
         checkpoints=recorder.checkpoints(),
         notes=notes,
         labels=labels,
+        tolerance=pace.tolerance,
     )
 
 

@@ -20,10 +20,11 @@ from gearwright.dynamics.recorder import BLOCK, summary_of
 from gearwright.dynamics.recurrence import Size, recurrence
 from gearwright.dynamics.system import Arrays, Floats
 from gearwright.dynamics.topology import parameters, topology
+from gearwright.errors import SolveError
 
 Stepper = Callable[[int, Floats, Floats], Floats]
-METHODS = ("exact", "runge-kutta", "runge-kutta generic", "implicit")
-"""Names of the methods; the plain ``"runge-kutta"`` runs code that is generated for the system's structure."""
+METHODS = ("exact", "runge-kutta", "runge-kutta generic", "tsit5", "tsit5 generic", "implicit")
+"""Names of the methods; those without ``generic`` run code that is generated for the system's structure."""
 
 
 def blank_record(arrays: Arrays, steps: int) -> Floats:
@@ -47,14 +48,17 @@ def blank_summary(width: int) -> Floats:
     return summary
 
 
-def stepper(arrays: Arrays, method: str, h: float) -> Stepper:
+def stepper(arrays: Arrays, method: str, h: float, *, tolerance: float = 0.0) -> Stepper:
     """Return the stepper of a method.
 
     Args:
         arrays: The system's numbers.
         method: One of `METHODS`.
-        h: Step [s].
+        h: Step [s]; for adaptive methods the spacing of the record's rows.
+        tolerance: Root of the energy that the error of one adaptive step may hold [√J].
     """
+    if method.startswith("tsit5"):
+        return _adaptive(arrays, method, (h, tolerance))
     builders = {"exact": _exact, "runge-kutta": _generated, "runge-kutta generic": _generic, "implicit": _implicit}
     return builders[method](arrays, h)
 
@@ -85,6 +89,25 @@ def _generic(arrays: Arrays, h: float) -> Stepper:
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
         kernel.runge_kutta(arrays, instants, (first, h), record, state)
+        return summary_of(record)
+
+    return advance
+
+
+def _adaptive(arrays: Arrays, method: str, pace: tuple[float, float]) -> Stepper:
+    from gearwright.dynamics import kernel, tsit5
+
+    (h, tolerance), shape = pace, topology(arrays)
+    layout, numbers = parameters(arrays, h)
+    code = None if method.endswith("generic") else compiled(shape, layout)
+    row, now = np.zeros(table_width(shape)), kernel.empty_instant(arrays)
+    limit = tsit5.limits(arrays, tolerance)
+
+    def advance(first: int, record: Floats, state: Floats) -> Floats:
+        right = tsit5.Right(code.derivative if code else 0, numbers, row, now)
+        _, done, reached = tsit5.march(arrays, right, (first, h), limit, record, state)
+        if not done:
+            raise SolveError(f"the run diverged at {reached:.6g} s: no step is short enough; it needs more damping")
         return summary_of(record)
 
     return advance

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,6 +28,19 @@ ROUNDING = 1e-11
 """Accuracy that rounding allows [-]."""
 LARGEST_RUN = 1e10
 """Steps that one run may take: about an hour for a small train."""
+
+
+class Pace(NamedTuple):
+    """How finely a run goes."""
+
+    step: float
+    """Time step; for adaptive methods the spacing of the rows [s]."""
+    tolerance: float = 0.0
+    """Root of the energy that the error of one adaptive step may hold; 0 for fixed steps [√J]."""
+
+    def finer(self) -> Pace:
+        """Return the pace at which a fourth-order method makes a sixteenth of the error."""
+        return self._replace(tolerance=self.tolerance / 16.0) if self.tolerance else Pace(0.5 * self.step)
 
 
 @dataclass(frozen=True)
@@ -108,11 +122,13 @@ def check_step(arrays: Arrays, step: float) -> None:
         raise DesignError([Problem("step", message)])
 
 
-def accurate_step(step: float, error: float, asked: Accuracy) -> float:
-    """Return the step that brings the error of a fourth-order method down to what is asked, never a longer one [s].
+def accurate_pace(pace: Pace, error: float, asked: Accuracy) -> Pace:
+    """Return the pace that brings the error down to what is asked, never a coarser one.
+
+    The error grows with the fourth power of a fixed step and in proportion to the tolerance of adaptive ones.
 
     Args:
-        step: Step that was tried [s].
+        pace: That was tried.
         error: Its error [-].
         asked: Accuracy.
 
@@ -121,7 +137,10 @@ def accurate_step(step: float, error: float, asked: Accuracy) -> float:
     """
     if not ROUNDING < asked.value < 1.0:
         raise DesignError([Problem("step", f"accuracy {asked.value:g}; it must lie between {ROUNDING:g} and 1")])
-    return step * min(1.0, MARGIN * float(np.sqrt(np.sqrt(asked.value / max(error, 1e-6 * asked.value)))))
+    room = asked.value / max(error, 1e-6 * asked.value)
+    if pace.tolerance:
+        return pace._replace(tolerance=pace.tolerance * min(1.0, MARGIN * room))
+    return Pace(pace.step * min(1.0, MARGIN * float(np.sqrt(np.sqrt(room)))))
 
 
 def check_duration(duration: float, step: float) -> int:

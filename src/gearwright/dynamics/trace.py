@@ -122,7 +122,7 @@ class Trace:
     method: str
     """Method that was used."""
     step: float
-    """Time step [s]."""
+    """Time step; of adaptive methods the spacing of the instants that statistics and windows look at [s]."""
     duration: float
     """Time that was simulated [s]: less than asked if it was interrupted."""
     error: float
@@ -145,3 +145,5 @@ class Trace:
     """What a reader must know: contact losses with line and time, interruption."""
     labels: Labels
     """Names and units."""
+    tolerance: float = 0.0
+    """Root of the energy that the error of one adaptive step might hold; 0 for fixed steps [√J]."""
