@@ -191,7 +191,8 @@ def peak_shares(perfect: Floats, forces: ErrorSets) -> Floats:
     Returns:
         b [-], shape (sets, n), at most n: then the line carries all.
 
-    Valid for: slow errors with frequencies that have no common multiple, and a total force that does not change.
+    Valid for: slow errors with frequencies that have no common multiple, and a total force that does not change. Where
+        other lines part it is an upper bound, as they can take no less than nothing.
     """
     still = perfect + forces.still
     swing = np.sum(np.abs(forces.turning), axis=0)

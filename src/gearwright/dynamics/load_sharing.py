@@ -18,6 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.dynamics.modes import RANK_TOLERANCE, split_rigid, stiffness_matrix
+from gearwright.dynamics.share_coefficients import errors_at, stiffness_at
 from gearwright.dynamics.system import Floats, Labels, System, line_matrix
 from gearwright.errors import SolveError
 
@@ -93,12 +94,37 @@ def line_forces(train: Redundancy, errors: Floats) -> Floats:
     Raises:
         SolveError: If contact does not settle, because the load closes no line.
     """
-    sets = np.atleast_2d(errors)
-    force = train.perfect + sets @ train.gain
+    return _settled(train, np.atleast_2d(errors))[0].reshape(np.shape(errors))
+
+
+def _settled(train: Redundancy, sets: Floats) -> tuple[Floats, Floats]:
+    """Return line forces and how far lines stand open, shape (sets, lines) each."""
+    force, gap = train.perfect + sets @ train.gain, np.zeros_like(sets)
     parted = np.any(force[:, train.backlash > 0.0] < 0.0, axis=1)
     if np.any(parted):
-        force[parted] -= _gaps(train, force[parted]) @ train.gain
-    return force.reshape(np.shape(errors))
+        gap[parted] = _gaps(train, force[parted])
+        force[parted] -= gap[parted] @ train.gain
+    return force, gap
+
+
+def slow_position(system: System, time: float = 0.0) -> Floats:
+    """Return where the coordinates stand if everything is slow, teeth that part included: a start for integration.
+
+    Args:
+        system: With loads that balance.
+        time: Instant, whose stiffnesses and errors count [s].
+
+    Returns:
+        q [rad or m], shape (coordinates,), of least kinetic norm where rigid motions leave it open.
+    """
+    instant = np.array([time])
+    stiffness, errors = stiffness_at(system, instant)[0], errors_at(system, instant)
+    force, gap = _settled(redundancy(system, stiffness=stiffness), errors)
+    root = np.sqrt(system.arrays.mass)
+    matrix = line_matrix(system.arrays) / root
+    scale = 1.0 / np.linalg.norm(matrix, axis=1)
+    stretch = force[0] / stiffness - gap[0] + errors[0]
+    return np.asarray(np.linalg.lstsq(scale[:, None] * matrix, scale * stretch, rcond=RANK_TOLERANCE)[0] / root)
 
 
 def _gaps(train: Redundancy, force: Floats) -> Floats:

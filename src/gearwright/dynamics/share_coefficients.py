@@ -91,10 +91,20 @@ def elastic_forces(system: System, samples: Samples) -> Floats:
         system: Whose motion it is.
         samples: Instants of a trace.
     """
+    stiffness = stiffness_at(system, samples.time)
+    return np.asarray(stiffness * dead_zone(samples.line_deflection, system.arrays.backlash))
+
+
+def stiffness_at(system: System, time: Floats) -> Floats:
+    """Return the stiffnesses of all lines at some instants [N/m or N m/rad], shape (instants, lines).
+
+    Args:
+        system: Whose lines.
+        time: [s], shape (instants,).
+    """
     arrays = system.arrays
-    _, _, travel = speed_factors(arrays.profile, samples.time)
-    stiffness = arrays.stiffness * (1.0 + _series(arrays, arrays.variation, travel))
-    return np.asarray(stiffness * dead_zone(samples.line_deflection, arrays.backlash))
+    _, _, travel = speed_factors(arrays.profile, time)
+    return np.asarray(arrays.stiffness * (1.0 + _series(arrays, arrays.variation, travel)))
 
 
 def errors_at(system: System, time: Floats) -> Floats:

@@ -16,7 +16,7 @@ from typing import Literal
 
 import numpy as np
 
-from gearwright.dynamics.load_sharing import line_forces, redundancy
+from gearwright.dynamics.load_sharing import line_forces, redundancy, slow_position
 from gearwright.dynamics.recorder import Outputs
 from gearwright.dynamics.share_coefficients import (
     elastic_forces,
@@ -160,7 +160,8 @@ def _dynamics(task: _Task) -> LoadSharing:
     step = float(task.times(default_step(task.system.arrays) / FINE)[1] - task.span[0])
     spans = (task.span,)
     outputs = Outputs(samples=2, windows=spans)
-    trace = simulate(task.system, task.span[1] + step, step=step, outputs=outputs, method="runge-kutta")
+    start = (slow_position(task.system), np.zeros(len(task.system.arrays.mass)))
+    trace = simulate(task.system, task.span[1] + step, step=step, start=start, outputs=outputs, method="runge-kutta")
     samples = trace.windows[0]
     return _result(task, "dynamics", samples.time, elastic_forces(task.system, samples))
 

@@ -92,7 +92,7 @@ def sharing_problem(sizing: Sizing, stage: str | None = None, *, case: str | Non
     """Return the parallel meshes of a stage, ready for every study.
 
     Args:
-        sizing: What was sized; its design's errors count.
+        sizing: What was sized; its design's errors count. Teeth that errors pull apart carry nothing.
         stage: Left out: the last stage with parallel meshes, where the paths join.
         case: Load case; left out: the design's first one, or ``rated``.
 
@@ -106,9 +106,21 @@ def sharing_problem(sizing: Sizing, stage: str | None = None, *, case: str | Non
         raise DesignError([Problem("stage", f"{stage!r} has no parallel meshes; {near(stage, groups)}")])
     name = stage or list(groups)[-1]
     case = case or default_case(sizing)
-    system, contacts = assemble(sizing, case), contacts_of(sizing, sizing.flows[case])
+    system, contacts = one_sided(assemble(sizing, case)), contacts_of(sizing, sizing.flows[case])
     sources = error_sources(system, contacts, sizing.design.errors)
     return SharingProblem(name, groups[name], system, contacts, redundancy(system), sources)
+
+
+def one_sided(system: System) -> System:
+    """Return a system whose teeth can part: meshes without a given backlash have one without end.
+
+    Args:
+        system: Whose meshes may carry on both flanks, as a linear model has them.
+    """
+    mesh = np.array([kind == "mesh" for kind in system.labels.line_kinds])
+    backlash = system.arrays.backlash
+    free = np.where(mesh & (backlash == 0.0), np.inf, backlash)
+    return replace(system, arrays=system.arrays._replace(backlash=free))
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,9 +12,10 @@ from gearwright.dynamics import DampingRatio, Model, Periodic, statics
 from gearwright.dynamics.assemble import assemble
 from gearwright.dynamics.error_sources import drawn_set, error_sources, random_sets, with_errors
 from gearwright.dynamics.geometry import contacts_of
-from gearwright.dynamics.load_sharing import line_forces, redundancy
+from gearwright.dynamics.load_sharing import line_forces, redundancy, slow_position
 from gearwright.dynamics.planetary import add_planetary
 from gearwright.dynamics.planetary_set import Member, PlanetarySet, PlanetError
+from gearwright.dynamics.reference import acceleration
 from gearwright.dynamics.share_coefficients import (
     errors_at,
     mesh_load_factor,
@@ -23,6 +24,7 @@ from gearwright.dynamics.share_coefficients import (
 )
 from gearwright.dynamics.sharing import load_sharing
 from gearwright.dynamics.sharing_studies import influences
+from gearwright.dynamics.sharing_study import sharing_problem
 from gearwright.dynamics.tolerance_allocation import allocate
 from gearwright.errors import DesignError, SolveError
 from gearwright.parts.planet_phasing import even_positions
@@ -261,3 +263,33 @@ def test_unknown_method_and_line_are_refused():
         load_sharing(paths(2), ["mesh-1", "mesh-2"], method="exact")
     with pytest.raises(DesignError, match="no such line; did you mean mesh-1"):
         load_sharing(paths(2), ["mesh-11"])
+
+
+def test_planets_that_errors_pull_off_carry_nothing_and_the_others_all():
+    """Tolerances far too wide: no share below nothing, and together one."""
+    design = read(shipped_design("in-line"))
+    errors = {f"second.planet-{k}": PartErrors(pin_tangential=2e-4 * (-1) ** k) for k in range(1, 6)}
+    problem = sharing_problem(size(design.model_copy(update={"errors": errors})), "second")
+    force = line_forces(problem.train, errors_at(problem.system, np.zeros(1)))[0, problem.places]
+    total = np.sum(problem.train.perfect[problem.places])
+    assert np.min(force) == pytest.approx(0.0, abs=1e-6 * total)
+    assert np.sum(force) == pytest.approx(total, rel=1e-6)
+    assert np.count_nonzero(force < 1e-6 * total) >= 2
+
+
+def test_shaft_with_gears_of_two_frames_cannot_float():
+    """The intermediate shaft carries one set's carrier and the next one's sun."""
+    design = read(shipped_design("in-line"))
+    sizing = size(design.model_copy(update={"supports": {"intermediate": Support(radial=1e7)}}))
+    with pytest.raises(DesignError, match="gears of a planetary set and of another frame"):
+        assemble(sizing)
+
+
+@pytest.mark.parametrize("errors", [(2e-6, -1e-6, 0.0, 1e-6), (4e-5, -1e-5, 3e-5, -2e-5)])
+def test_slow_position_balances_the_loads(errors):
+    """Line forces at that place, from the plain right-hand side, carry the torque; also where teeth part."""
+    system = paths(4, backlash=1e-3, errors=errors)
+    rest = np.zeros(2)
+    assert acceleration(system.arrays, 0.0, slow_position(system), rest) * system.arrays.mass == pytest.approx(
+        rest, abs=1e-6
+    )

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from gearwright.dynamics.assemble import assemble
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
+from gearwright.sizing import size
 from gearwright.spec import parse
 
 TEXT = shipped_design("face-gear-split-torque").read_text(encoding="utf-8")
@@ -34,3 +36,21 @@ def test_bad_input_is_named_with_its_cure(place):
     with pytest.raises(DesignError) as caught:
         parse(TEXT.replace(place, written, 1))
     assert words in str(caught.value)
+
+
+def test_face_gear_that_stands_askew_is_refused_with_the_angles_that_do():
+    """Its pinion has to lie along an axis of the drawing."""
+    design = parse(TEXT.replace("angle_deg = -90", "angle_deg = -80").replace("angle_deg = 90\n", "angle_deg = 100\n"))
+    with pytest.raises(DesignError, match="give 0, 90, 180 or -90"):
+        assemble(size(design))
+
+
+def test_given_bodies_and_machines_without_inertia_leave_what_is_written():
+    """Six rotations with the file's inertias, no machine beside them."""
+    design = parse(TEXT)
+    system = assemble(size(design))
+    inertia = dict(zip(system.labels.coordinates, system.arrays.mass, strict=True))
+    assert inertia["first.pinion"] == pytest.approx(5e-4)
+    assert inertia["second.wheel"] == pytest.approx(1.10)
+    assert inertia["output.y"] == pytest.approx(45.0)
+    assert system.labels.coordinate_units.count("rad") == 6
