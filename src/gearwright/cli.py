@@ -24,6 +24,7 @@ from gearwright.cli_weights import engines, show_mass, stated_mass
 if TYPE_CHECKING:
     from gearwright.dynamics import System, Trace
     from gearwright.sizing import Sizing
+    from gearwright.store import StoredRun
 
 app = typer.Typer(
     help="Design aircraft transmissions and see how they behave.",
@@ -155,6 +156,7 @@ def run(
     """Do everything: size, find modes, simulate, and write the report and the results."""
     from gearwright.dynamics import modes as find_modes
     from gearwright.dynamics.assemble import default_case
+    from gearwright.dynamics.critical_speeds import critical_speeds
     from gearwright.render.report import report as make_report
     from gearwright.render.text import print_modes, print_sizing, print_trace, sizing_json
     from gearwright.store import save
@@ -162,15 +164,18 @@ def run(
     sizing = _size(design)
     print_sizing(sizing)
     case = case or default_case(sizing)
-    found = find_modes(_assemble(sizing, case, stiffness))
+    system = _assemble(sizing, case, stiffness)
+    found = find_modes(system)
     print_modes(found)
-    trace = _simulate(_assemble(sizing, case, stiffness), duration)
+    trace = _simulate(system, duration)
     print_trace(trace)
     folder = folder or Path(f"{Path(design).stem}-results")
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "sizing.json").write_text(sizing_json(sizing) + "\n", encoding="utf-8")
     save(folder / "run.nc", trace, design=sizing.design, case=case)
-    (folder / "report.html").write_text(make_report(sizing, modes=found, trace=trace, case=case), encoding="utf-8")
+    campbell = critical_speeds(sizing)
+    page = make_report(sizing, modes=found, trace=trace, case=case, system=system, campbell=campbell)
+    (folder / "report.html").write_text(page, encoding="utf-8")
     typer.echo(f"wrote {folder / 'report.html'}, {folder / 'run.nc'} and {folder / 'sizing.json'}")
 
 
@@ -182,12 +187,23 @@ def report(
 ) -> None:
     """Write the report of a design as one self-contained HTML file that also prints well."""
     from gearwright.dynamics import modes as find_modes
+    from gearwright.dynamics.assemble import default_case
+    from gearwright.dynamics.critical_speeds import critical_speeds
     from gearwright.render.report import report as make_report
 
     sizing = _size(design)
-    trace = _run_of(sizing, results) if results is not None else None
-    found = find_modes(_assemble(sizing, None))
-    file.write_text(make_report(sizing, modes=found, trace=trace), encoding="utf-8")
+    stored = _run_of(sizing, results) if results is not None else None
+    case = stored.case if stored else default_case(sizing)
+    system = _assemble(sizing, case)
+    page = make_report(
+        sizing,
+        modes=find_modes(system),
+        trace=stored.trace if stored else None,
+        case=case,
+        system=system,
+        campbell=critical_speeds(sizing),
+    )
+    file.write_text(page, encoding="utf-8")
     typer.echo(f"wrote {file}")
 
 
@@ -253,7 +269,7 @@ def _size(design: str) -> Sizing:
         raise DesignError(placed(error.problems, path.read_text(encoding="utf-8-sig")), design) from None
 
 
-def _run_of(sizing: Sizing, results: Path) -> Trace:
+def _run_of(sizing: Sizing, results: Path) -> StoredRun:
     """Return a stored run, if it is one of this design."""
     from gearwright.errors import DesignError, Problem
     from gearwright.store import load
@@ -264,7 +280,7 @@ def _run_of(sizing: Sizing, results: Path) -> Trace:
             f"this is a run of another design, {stored.design.name!r}, or of an earlier state of it; simulate again"
         )
         raise DesignError([Problem("", message)], str(results))
-    return stored.trace
+    return stored
 
 
 def _assemble(sizing: Sizing, case: str | None, stiffness: str | None = None) -> System:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 from matplotlib.figure import Figure as Drawing
 
 from gearwright import __version__
-from gearwright.dynamics import Modes, Trace
+from gearwright.dynamics import Modes, System, Trace
 from gearwright.dynamics.assemble import default_case
+from gearwright.dynamics.critical_speeds import SpeedCase
 from gearwright.render import theme
+from gearwright.render.dynamics_sections import dynamics_sections
 from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
 from gearwright.render.figures_motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
 from gearwright.render.figures_sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
@@ -33,7 +36,15 @@ from gearwright.sizing.result import Sizing
 _SUBSCRIPT = re.compile(r"_([A-Za-z0-9α-ω.]*[A-Za-z0-9α-ω])")
 
 
-def report(sizing: Sizing, *, modes: Modes | None = None, trace: Trace | None = None, case: str | None = None) -> str:
+def report(
+    sizing: Sizing,
+    *,
+    modes: Modes | None = None,
+    trace: Trace | None = None,
+    case: str | None = None,
+    system: System | None = None,
+    campbell: Sequence[SpeedCase] = (),
+) -> str:
     """Return the report of a sizing as one self-contained HTML page; the same input gives the same bytes.
 
     Args:
@@ -41,15 +52,19 @@ def report(sizing: Sizing, *, modes: Modes | None = None, trace: Trace | None = 
         modes: Natural modes, if they are to be in it.
         trace: A run, if it is to be in it.
         case: Load case of the summary, of modes and run; left out: the design's first one, or ``rated``.
+        system: Assembled for that case; with it mode shapes are drawn on the train and the model's assumptions listed.
+        campbell: Critical speeds, if they are to be in it.
     """
     case = case or default_case(sizing)
     sections = [
         _summary(sizing, case),
         _power(sizing, case),
         *_parts(sizing),
-        *([_modes(modes)] if modes else []),
+        *([_modes(modes, drawn=system is not None)] if modes else []),
         *([_dynamics(sizing, trace, case)] if trace else []),
     ]
+    if system is not None:
+        sections += dynamics_sections(sizing, system, case=case, modes=modes, trace=trace, campbell=campbell)
     tables = [one for section in sections for one in section.tables]
     return environment().get_template("report.html.j2").render(
         design=sizing.design,
@@ -134,7 +149,10 @@ def _filled(*tables: Table) -> tuple[Table, ...]:
     return tuple(one for one in tables if one.rows)
 
 
-def _modes(modes: Modes) -> Section:
+def _modes(modes: Modes, *, drawn: bool) -> Section:
+    """Return the table of modes, with bars per coordinate where their shapes are not drawn on the train."""
+    if drawn:
+        return Section("Natural modes", tables=(mode_table(modes),))
     caption = "Lowest elastic modes; each coordinate over the largest of its kind."
     return Section(
         "Natural modes", tables=(mode_table(modes),), figures=(_figure(mode_figure(modes), "modes", caption),)
