@@ -58,7 +58,7 @@ TWO = '[objectives]\nf = "least"\ng = "least"\n[sampling]\nmethod = "nsga2"\ncou
 
 def test_the_search_finds_schaffers_front() -> None:
     """√f + √g = 2 on the front (Deb et al. 2002, table I: SCH); a hundredth off in x is 0.5 % of its length."""
-    study = study_of(TWO.format(1200), axes=1, low=-1000.0, high=1000.0)
+    study = study_of(TWO.format(1200), axes=1, low=-10.0, high=10.0)
     rows = searched(study, schaffer)
     front = pareto_front(study, table_of(study, rows))
     f, g = (np.array([row.results[name].value for row in front]) for name in ("f", "g"))
