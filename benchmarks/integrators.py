@@ -6,10 +6,13 @@ python benchmarks/integrators.py [--rounds 7] [--write docs/benchmarks.md]
 from __future__ import annotations
 
 import argparse
+import os
 import platform
 import statistics
 import time
 from collections.abc import Callable
+from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +26,7 @@ from gearwright.dynamics.reference import line_state
 DURATION, INTERVALS = 0.02, 400
 HEAD = "| solver | setting | error | time for 20 ms [ms] | times slower |"
 TARGETS = (1e-3, 1e-5)
+PACKAGES = ("numpy", "scipy", "numba", "jax", "diffrax", "casadi")
 
 
 def prepare(system: System) -> Case:
@@ -83,15 +87,22 @@ def table(rounds: int) -> list[str]:
             found = loosest(system, case, wanted, target)
             times = timings({name: run for name, (_, _, run) in found.items()}, rounds)
             lines += ["", f"### {title}, mesh-force error at most {target:g}", ""]
-            lines += [
-                "| solver | setting | error | time for 20 ms [ms] | times slower |",
-                "| --- | --- | --- | --- | --- |",
-            ]
+            lines += [HEAD, "| --- | --- | --- | --- | --- |"]
             for name, seconds in sorted(times.items(), key=lambda item: item[1]):
                 setting, error, _ = found[name]
                 ratio = seconds / times["gearwright RK4"]
                 lines.append(f"| {name} | {setting:g} | {error:.1e} | {seconds * 1e3:.2f} | {ratio:.1f} |")
     return lines
+
+
+def machine() -> str:
+    """Return the line that says what the numbers were taken on."""
+    facts = Path("/proc/cpuinfo").read_text(encoding="utf-8") if Path("/proc/cpuinfo").exists() else ""
+    model = next((line.split(":")[1].strip() for line in facts.splitlines() if line.startswith("model name")), "")
+    vectors = "AVX-512" if "avx512f" in facts else "no AVX-512"
+    versions = [f"{name} {version(name)}" for name in PACKAGES if find_spec(name)]
+    cores = f"{os.cpu_count()} cores {model or platform.machine()}, {vectors}"
+    return f"Machine: {cores}; {platform.system()}, Python {platform.python_version()}, {', '.join(versions)}."
 
 
 def main() -> None:
@@ -100,10 +111,7 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=7)
     parser.add_argument("--write", type=Path)
     chosen = parser.parse_args()
-    head = [
-        f"Machine: {platform.machine()}, {platform.system()}, Python {platform.python_version()}, peers as installed."
-    ]
-    text = "\n".join([*head, *table(chosen.rounds)]) + "\n"
+    text = "\n".join([machine(), *table(chosen.rounds)]) + "\n"
     print(text)
     if chosen.write:
         chosen.write.write_text("# Integrators compared\n\n`python benchmarks/integrators.py`\n\n" + text)

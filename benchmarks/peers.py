@@ -78,14 +78,25 @@ def array_slope(arrays: Arrays, module) -> Callable:
 
 def numba_slope(arrays: Arrays) -> Callable:
     """Return dy/dt(t, y) as a compiled loop over the sparse lines."""
+    slope, stiffness = numba_slope_of(arrays), arrays.stiffness
+
+    @njit(error_model="numpy", fastmath=True)
+    def alone(t, y):
+        return slope(t, y, stiffness)
+
+    return alone
+
+
+def numba_slope_of(arrays: Arrays) -> Callable:
+    """Return dy/dt(t, y, k) as a compiled loop over the sparse lines; k: mean stiffnesses."""
     start, dof, weight = arrays.line_start, arrays.line_dof, arrays.line_weight
-    mean, damping, backlash, rate = arrays.stiffness, arrays.damping, arrays.backlash, arrays.tone_rate
+    damping, backlash, rate = arrays.damping, arrays.backlash, arrays.tone_rate
     vs, vt, vc, vn = arrays.variation
     es, et, ec, en = arrays.error
     mass, constant, size = arrays.mass, arrays.loads.constant, len(arrays.mass)
 
     @njit(error_model="numpy", fastmath=True)
-    def slope(t, y):
+    def slope(t, y, mean):
         out = np.empty(2 * size)
         cos, sin = np.cos(rate * t), np.sin(rate * t)
         out[:size], out[size:] = y[size:], constant

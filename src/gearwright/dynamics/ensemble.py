@@ -15,7 +15,7 @@ from gearwright.dynamics.generate import state_width, table_width
 from gearwright.dynamics.native import Compiled, aligned, compiled
 from gearwright.dynamics.recorder import RUNAWAY
 from gearwright.dynamics.statics import statics
-from gearwright.dynamics.stepsize import check_duration, check_step, default_step
+from gearwright.dynamics.stepsize import STABLE, check_duration, check_step, default_step, fastest_rate
 from gearwright.dynamics.system import Arrays, Floats, Labels, System
 from gearwright.dynamics.topology import Topology, fingerprint, parameters, topology
 from gearwright.dynamics.trace import index_of
@@ -83,20 +83,22 @@ def simulate_many(
     """
     shape = _shape(systems)
     step = min(default_step(system.arrays) for system in systems) if step is None else step
-    for system in systems:
-        check_step(system.arrays, step)
     steps, first = check_duration(duration, step), round(settle / step)
     if not 0 <= first < steps:
         raise DesignError([Problem("settle", f"{settle:g} s; it must lie within the duration of {duration:g} s")])
     states = _states(systems, start)
-    groups = [range(low, min(low + LANES, len(systems))) for low in range(0, len(systems), LANES)]
-    own = _own(systems)
+    groups = [slice(low, low + LANES) for low in range(0, len(systems), LANES)]
+    numbers = np.array([parameters(system.arrays, step)[1] for system in systems])
+    own = _own(systems, numbers)
+    _check(systems, step, own)
     code = compiled(shape, parameters(systems[0].arrays, step)[0], LANES, own)
-    results = []
+    results, members = [], [system.arrays for system in systems]
     clock = _Timing(step, first, steps, "clock" not in own)
     with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
         runs = [
-            pool.submit(_run, code, shape, [systems[i].arrays for i in group], states[list(group)], clock)
+            pool.submit(
+                _run, code, shape, [system.arrays for system in systems[group]], (numbers[group], states[group]), clock
+            )
             for group in groups
         ]
         for number, run in enumerate(runs, start=1):
@@ -140,18 +142,18 @@ class _Timing(NamedTuple):
 
 
 def _run(
-    code: Compiled, shape: Topology, group: Sequence[Arrays], states: Floats, clock: _Timing
+    code: Compiled, shape: Topology, group: Sequence[Arrays], rows: tuple[Floats, Floats], clock: _Timing
 ) -> tuple[Floats, Floats]:
-    """March one vector of trajectories; missing ones repeat the last."""
+    """March one vector of trajectories from their numbers and states; missing ones repeat the last."""
     step, settled, steps, shared = clock
+    own, states = (np.vstack([each, np.repeat(each[-1:], LANES - len(group), axis=0)]) for each in rows)
     lanes = [*group, *[group[-1]] * (LANES - len(group))]
-    rows = np.array([parameters(arrays, step)[1] for arrays in lanes]).T
-    numbers = aligned(*rows.shape)
-    numbers[:] = rows
+    numbers = aligned(*own.T.shape)
+    numbers[:] = own.T
     alike = numbers[:, 0].copy()
     state = aligned(state_width(shape, LANES))
     width = states.shape[1]
-    state[: width * LANES] = np.vstack([states, np.repeat(states[-1:], LANES - len(group), axis=0)]).T.ravel()
+    state[: width * LANES] = states.T.ravel()
     table = aligned(2 * STEPS + 1, table_width(shape), 1 if shared else LANES)
     fill = _Clock(lanes, step, shared=shared)
     first, summary = 0, np.zeros(0)
@@ -187,22 +189,44 @@ class _Clock:
         table[:, tones] = self.factor
 
 
-def _own(systems: Sequence[System]) -> frozenset[str]:
+def _own(systems: Sequence[System], numbers: Floats) -> frozenset[str]:
     """Return which groups of numbers differ from system to system."""
-    layout, first = parameters(systems[0].arrays, 1.0)
-    differs = np.zeros(len(first), dtype=bool)
     clocks = set()
     for system in systems:
         arrays = system.arrays
         if np.any(arrays.profile.factor != arrays.profile.factor[0]) or len(arrays.loads.schedules.dof):
             message = "ensembles run at constant speed, without schedules; use simulate"
             raise DesignError([Problem("systems", message)])
-        differs |= parameters(arrays, 1.0)[1] != first
         clocks.add((float(arrays.profile.factor[0]), arrays.tone_rate.tobytes()))
-    ends = [*layout[1:], len(first)]
+    layout = parameters(systems[0].arrays, 1.0)[0]
+    differs = np.any(numbers != numbers[0], axis=0)
+    ends = [*layout[1:], len(differs)]
     groups = zip(layout._fields, layout, ends, strict=True)
     own = {name for name, start, end in groups if np.any(differs[start:end])}
     return frozenset(own | {"clock"} if len(clocks) > 1 else own)
+
+
+def _check(systems: Sequence[System], step: float, own: frozenset[str]) -> None:
+    """Refuse a step that is too large for any; one envelope over all spares most an eigenvalue problem for each."""
+    if not own & _SHAPING and 0.0 < step * fastest_rate(_envelope([system.arrays for system in systems])) <= STABLE:
+        return
+    for system in systems:
+        check_step(system.arrays, step)
+
+
+_SHAPING = frozenset({"weight", "mobility", "speed", "loss", "quadratic", "gyroscopic", "clock"})
+"""Numbers for which no envelope is taken; the fastest rate rises with all others that it depends on."""
+
+
+def _envelope(group: Sequence[Arrays]) -> Arrays:
+    """Return arrays with the largest stiffness, swing and damping of each line."""
+    first = group[0]
+    swing = np.max([np.hypot(arrays.variation.cosine, arrays.variation.sine) for arrays in group], axis=0)
+    return first._replace(
+        stiffness=np.max([arrays.stiffness for arrays in group], axis=0),
+        damping=np.max([arrays.damping for arrays in group], axis=0),
+        variation=first.variation._replace(cosine=swing, sine=np.zeros_like(swing)),
+    )
 
 
 def _ensemble(labels: Labels, summary: Floats, ends: Floats, clock: tuple[float, int]) -> Ensemble:

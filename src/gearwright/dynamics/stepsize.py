@@ -70,9 +70,15 @@ def fastest_rate(arrays: Arrays) -> float:
     top = float(np.max(np.abs(arrays.profile.factor)))
     damping = matrix.T @ (arrays.damping[:, None] * matrix)
     damping += np.diag((arrays.loads.damping + 2.0 * arrays.loads.quadratic * np.abs(arrays.speed) * top) / arrays.mass)
-    spin = entry_matrix(arrays.gyroscopic, len(root)) / np.outer(root, root) * top
-    half = 0.5 * (_largest(damping) + float(np.linalg.norm(spin, 2)))
+    half = 0.5 * (_largest(damping) + _spin(arrays, root) * top)
     return float(half + np.sqrt(half**2 + max(square, 0.0)))
+
+
+def _spin(arrays: Arrays, root: Floats) -> float:
+    """Return the norm of the gyroscopic terms at the reference speeds [rad/s]."""
+    if len(arrays.gyroscopic.value) == 0:
+        return 0.0
+    return float(np.linalg.norm(entry_matrix(arrays.gyroscopic, len(root)) / np.outer(root, root), 2))
 
 
 def _largest(matrix: Floats) -> float:

@@ -7,6 +7,7 @@ import pytest
 from random_systems import random_system
 
 from gearwright.dynamics import Outputs, simulate, simulate_many
+from gearwright.dynamics.stepsize import STABLE, fastest_rate
 from gearwright.errors import DesignError, SolveError
 
 
@@ -77,3 +78,16 @@ def test_a_trajectory_that_diverges_is_named():
     systems[1] = replace(systems[1], arrays=arrays._replace(loads=wild))
     with pytest.raises(SolveError, match="trajectory 1 diverged on line"):
         simulate_many(systems, 2.0, step=1e-4, start=rest(systems))
+
+
+@pytest.mark.parametrize("number", ["stiffness", "mass"])
+def test_a_step_that_is_too_large_for_one_of_many_is_refused(number):
+    """One member a hundred times stiffer or lighter: its fastest mode is ten times as fast."""
+    systems = family(3)
+    arrays = systems[2].arrays
+    scale = 100.0 if number == "stiffness" else 0.01
+    systems[2] = replace(systems[2], arrays=arrays._replace(**{number: getattr(arrays, number) * scale}))
+    step = 0.5 * STABLE / fastest_rate(systems[0].arrays)
+    simulate_many(systems[:2], 10 * step, step=step, start=rest(systems[:2]))
+    with pytest.raises(DesignError, match="a step of .* would do"):
+        simulate_many(systems, 10 * step, step=step, start=rest(systems))
