@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from gearwright.dynamics.load_sharing import line_forces
+from gearwright.dynamics.planet_sharing import PlanetSharing
 from gearwright.dynamics.share_coefficients import errors_at
 from gearwright.dynamics.sharing import LoadSharing
 from gearwright.dynamics.sharing_study import (
@@ -244,4 +245,26 @@ def single_error_figure(problem: SharingProblem, span: tuple[float, float]) -> F
         axes.set_ylabel("b [-]")
     for axes in grid[-1]:
         axes.set_xlabel("time [s]")
+    return figure
+
+
+@theme.styled
+def load_factor_figure(found: Mapping[str, PlanetSharing]) -> Figure:
+    """Return K_γ of random planetary sets against the number of planets: median, and where 90 % of the sets lie.
+
+    Args:
+        found: Label, such as ``"floating sun"`` -> sets.
+    """
+    figure = theme.sheet(WIDTH, 65.0)
+    axes = figure.subplots()
+    for number, (label, sharing) in enumerate(found.items()):
+        low, middle, high = (list(sharing.percentile(percent).values()) for percent in (5.0, 50.0, 95.0))
+        place = np.array(sharing.planets) + 0.12 * (number - 0.5 * (len(found) - 1))
+        spread = [np.subtract(middle, low), np.subtract(high, middle)]
+        axes.errorbar(place, middle, yerr=spread, fmt="o", ms=3.5, lw=1.2, capsize=2.5, label=label)
+    axes.set(
+        xlabel="planets", ylabel="mesh load factor K_γ [-]", title="Load factor of random sets: median, 5 and 95 %"
+    )
+    axes.set_xticks(sorted({count for sharing in found.values() for count in sharing.planets}))
+    axes.legend(loc="upper left")
     return figure

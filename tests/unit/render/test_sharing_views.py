@@ -8,6 +8,7 @@ import json
 import numpy as np
 import pytest
 
+from gearwright.dynamics.planet_sharing import PlanetSharing
 from gearwright.dynamics.sharing_study import (
     SharingStudy,
     parallel_meshes,
@@ -22,6 +23,7 @@ from gearwright.render.split_figures import (
     allocation_figure,
     displacement_figure,
     distribution_figure,
+    load_factor_figure,
     orbit_figure,
     sharing_figure,
     support_figure,
@@ -69,6 +71,7 @@ def test_every_figure_is_drawn_and_the_same_twice():
         "allocation": lambda: allocation_figure(study.allocation),
         "support": lambda: support_figure(sweep, {1e7: "design"}),
         "displacement": lambda: displacement_figure({"design": study.problem}, "input", time),
+        "load factor": lambda: load_factor_figure({"three and four": PlanetSharing((3, 4), np.ones((2, 9)) * 1.2, 1)}),
         "orbit": lambda: orbit_figure(study.problem, ["input", "left"], time),
     }
     for one in draw.values():
