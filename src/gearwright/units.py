@@ -42,7 +42,7 @@ _SUFFIXES: Mapping[str, Mapping[str, float]] = {
     "time": {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
     "torque": {"nm": 1.0, "knm": 1e3, "lbf_ft": POUND_FORCE * FOOT},
     "torsional_stiffness": {"nm_rad": 1.0, "knm_rad": 1e3},
-    "velocity": {"m_s": 1.0, "km_h": 1.0 / 3.6, "kt": 1852.0 / 3600.0},
+    "velocity": {"m_s": 1.0, "km_h": 1.0 / 3.6, "kt": 1852.0 / 3600.0, "ft_min": FOOT / 60.0},
     "volume": {"m3": 1.0, "l": 1e-3, "mm3": 1e-9},
 }
 SUFFIXES: Mapping[str, Mapping[str, float]] = MappingProxyType(_SUFFIXES)

@@ -1,4 +1,4 @@
-"""Design and study files that come with gearwright; `gearwright new` copies the designs."""
+"""Design, mission and study files that come with gearwright; `gearwright new` copies the designs."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from pathlib import Path
 from gearwright.errors import DesignError, Problem, near
 
 _DESIGNS = Path(__file__).parent / "designs"
+_MISSIONS = Path(__file__).parent / "missions"
 _STUDIES = Path(__file__).parent / "studies"
 
 
@@ -60,3 +61,22 @@ def shipped_study(name: str) -> Path:
     if name not in shipped_studies():
         raise DesignError([Problem("name", f"there is no shipped study {name!r}; {near(name, shipped_studies())}")])
     return _STUDIES / f"{name}.toml"
+
+
+def shipped_missions() -> tuple[str, ...]:
+    """Return the names of all shipped missions."""
+    return tuple(sorted(path.stem for path in _MISSIONS.glob("*.toml")))
+
+
+def shipped_mission(name: str) -> Path:
+    """Return the path of a shipped mission file.
+
+    Args:
+        name: Such as ``thesis``.
+
+    Raises:
+        DesignError: If there is none of this name; with the nearest one.
+    """
+    if name not in shipped_missions():
+        raise DesignError([Problem("name", f"there is no shipped mission {name!r}; {near(name, shipped_missions())}")])
+    return _MISSIONS / f"{name}.toml"

@@ -1,0 +1,103 @@
+"""Intervals become a flight: histories by name, oil, and the balance of energies."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.machines.battery import stored_energy
+from gearwright.mission.flight import Balance, Flight, fuel_energy
+from gearwright.mission.gearbox import Array, Gearbox, Point
+from gearwright.mission.supply import Supply
+from gearwright.parts.losses_oil import cooler_conductance, oil_flow
+from gearwright.spec.mission import Mission
+
+
+class Interval(NamedTuple):
+    """One flown interval."""
+
+    phase: str
+    """Name of its phase."""
+    values: Mapping[str, float]
+    """What is recorded, by name."""
+    point: Point
+    """Of the gearbox."""
+
+
+class Flown(NamedTuple):
+    """What flew."""
+
+    gearbox: Gearbox
+    mission: Mission
+    supply: Supply
+
+
+def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
+    """Return the flight of its intervals.
+
+    Args:
+        flown: Gearbox, mission and machines.
+        intervals: In their order.
+    """
+    gearbox, mission, _ = flown
+    history = {name: np.array([each.values[name] for each in intervals]) for name in intervals[0].values}
+    powers = {name: history.pop(f"power.{name}") for name in gearbox.machines}
+    heat = history["mesh_loss"] + history["drag_loss"]
+    history["oil_outlet"] = mission.oil.inlet_temperature_k + mission.oil.rise_k * heat / heat.max()
+    train = gearbox.sizing.train
+    speeds, shafts, meshes = (
+        np.array([getattr(each.point, name) for each in intervals])
+        for name in ("speeds", "shaft_torques", "mesh_torques")
+    )
+    return Flight(
+        mission=mission,
+        sizing=gearbox.sizing,
+        phase=tuple(each.phase for each in intervals),
+        history=history,
+        speeds=dict(zip(train.nodes, speeds.T, strict=True)),
+        shaft_torques=dict(zip(train.nodes, shafts.T, strict=True)),
+        machine_powers=powers,
+        mesh_torques={mesh.name: row for mesh, row in zip(train.meshes, meshes.T, strict=True)},
+        mesh_forces={mesh.name: row for mesh, row in zip(train.meshes, meshes.T / gearbox.radii[:, None], strict=True)},
+        balance=_balance(flown, history),
+        oil_flow=oil_flow(float(heat.max()), mission.oil.rise_k),
+        cooler_conductance=_cooler(mission, history, heat),
+    )
+
+
+def _cooler(mission: Mission, history: Mapping[str, Array], heat: Array) -> float:
+    """The largest conductance that any interval needs [W/K]."""
+    oil = 0.5 * (mission.oil.inlet_temperature_k + history["oil_outlet"])
+    rows = zip(heat, oil, history["air_temperature"], strict=True)
+    return max(cooler_conductance(float(power), float(warm), float(cold)) for power, warm, cold in rows)
+
+
+def _balance(flown: Flown, history: Mapping[str, Array]) -> Balance:
+    gearbox, mission, supply = flown
+
+    def total(name: str) -> float:
+        return float((history[name] * history["duration"]).sum())
+
+    first = next(iter(mission.phases.values())).propeller_speed
+    last = float(history["propeller_speed"][-1] + 0.5 * history["propeller_gain"][-1])
+    fuel = fuel_energy(total("fuel_flow"))
+    return Balance(
+        fuel=fuel,
+        battery=_drawn(mission, supply, float(history["state_of_charge"][-1])),
+        propeller=total("propeller_power"),
+        turbine_heat=fuel - total("turbine_power"),
+        mesh_loss=total("mesh_loss"),
+        drag_loss=total("drag_loss"),
+        motor_loss=total("motor_loss"),
+        battery_loss=total("battery_loss"),
+        stored=0.5 * gearbox.inertia * (last**2 - first**2),
+    )
+
+
+def _drawn(mission: Mission, supply: Supply, end: float) -> float:
+    """What the battery's store has lost [J]: its state, and not the sum of what it gave."""
+    if supply.battery is None or mission.battery is None:
+        return 0.0
+    return stored_energy(supply.battery, mission.battery.start_charge) - stored_energy(supply.battery, end)

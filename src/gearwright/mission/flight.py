@@ -1,0 +1,140 @@
+"""A flown mission: histories over its intervals, and the energies that they add up to."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.machines.gas_turbine import HEATING_VALUE
+from gearwright.sizing import Sizing
+from gearwright.spec.mission import Mission
+from gearwright.units import Energy, Mass, Ratio, Time
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Balance:
+    """Where the energy of one gearbox came from and where it went."""
+
+    fuel: Energy
+    """Chemical energy of the fuel [J]."""
+    battery: Energy
+    """Taken from the battery's store, by its state of charge [J]."""
+    propeller: Energy
+    """Work of the propeller's shaft [J]."""
+    turbine_heat: Energy
+    """Of the fuel, what does not reach the shaft [J]."""
+    mesh_loss: Energy
+    """[J]"""
+    drag_loss: Energy
+    """Bearings and windage [J]."""
+    motor_loss: Energy
+    """Motors and inverters, and motors that are dragged without current [J]."""
+    battery_loss: Energy
+    """[J]"""
+    stored: Energy
+    """Gain of kinetic energy of everything that turns, by the speeds at start and end [J]."""
+
+    @property
+    def residual(self) -> Ratio:
+        """What is missing, as a part of what came in [-]."""
+        spent = self.propeller + self.turbine_heat + self.mesh_loss + self.drag_loss
+        spent += self.motor_loss + self.battery_loss + self.stored
+        return abs(self.fuel + self.battery - spent) / (self.fuel + abs(self.battery))
+
+
+@dataclass(frozen=True)
+class Flight:
+    """Histories of one gearbox over a mission; every array has one value per interval, shape (n,)."""
+
+    mission: Mission
+    sizing: Sizing
+    phase: tuple[str, ...]
+    """Phase of each interval."""
+    history: Mapping[str, Array]
+    """Name -> values in SI: time, duration, altitude, true_airspeed, mach, advance_ratio, pitch, thrust,
+    propeller_power, propeller_speed, fuel_flow, turbine_available, state_of_charge (at the end of the interval),
+    battery_current, battery_voltage, mesh_loss, drag_loss, motor_loss, battery_loss, oil_outlet."""
+    speeds: Mapping[str, Array]
+    """Node of the train -> speed [rad/s]."""
+    shaft_torques: Mapping[str, Array]
+    """Node of the train -> torque that it transmits [N m]."""
+    machine_powers: Mapping[str, Array]
+    """Machine -> power into the train, with drag and spin-up [W]."""
+    mesh_torques: Mapping[str, Array]
+    """Mesh row -> torque on gear a of one single mesh [N m]."""
+    mesh_forces: Mapping[str, Array]
+    """Mesh row -> tangential force of one single mesh, signed as its torque [N]."""
+    balance: Balance
+    oil_flow: float
+    """Through the gearbox [m³/s]."""
+    cooler_conductance: float
+    """U A that cools the oil at its hottest [W/K]."""
+
+    @property
+    def duration(self) -> Time:
+        """Of the whole mission [s]."""
+        return float(self.history["duration"].sum())
+
+    @property
+    def fuel(self) -> Mass:
+        """Burnt by one gearbox's turbines [kg]."""
+        return float((self.history["fuel_flow"] * self.history["duration"]).sum())
+
+
+@dataclass(frozen=True)
+class PhaseSummary:
+    """One phase of a flight."""
+
+    name: str
+    duration: Time
+    """[s]"""
+    fuel: Mass
+    """[kg]"""
+    battery: Energy
+    """From the battery's terminals and its own loss [J]; negative charges it."""
+    propeller: Energy
+    """Work of the propeller's shaft [J]."""
+    loss: Energy
+    """Of the gearbox: meshes, bearings, windage [J]."""
+    efficiency: Ratio
+    """Of the gearbox: propeller over propeller and loss [-]."""
+
+
+def phase_summaries(flight: Flight) -> tuple[PhaseSummary, ...]:
+    """Return fuel, energies and efficiency of each phase.
+
+    Args:
+        flight: As flown.
+    """
+    names = np.array(flight.phase)
+    return tuple(_summary(flight, name, names == name) for name in flight.mission.phases)
+
+
+def _summary(flight: Flight, name: str, own: NDArray[np.bool_]) -> PhaseSummary:
+    def total(key: str) -> float:
+        return float((flight.history[key] * flight.history["duration"])[own].sum())
+
+    work, loss = total("propeller_power"), total("mesh_loss") + total("drag_loss")
+    return PhaseSummary(
+        name=name,
+        duration=float(flight.history["duration"][own].sum()),
+        fuel=total("fuel_flow"),
+        battery=total("battery_power"),
+        propeller=work,
+        loss=loss,
+        efficiency=work / (work + loss),
+    )
+
+
+def fuel_energy(mass: float) -> float:
+    """Return the chemical energy of fuel [J].
+
+    Args:
+        mass: [kg].
+    """
+    return mass * HEATING_VALUE

@@ -1,0 +1,266 @@
+"""The sized gearbox as the mission sees it: torques, forces and losses of one operating point."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.parts.losses_bearing import bearing_torque_constant
+from gearwright.parts.losses_mesh import ToothContact, mesh_efficiency, mesh_friction, tooth_contact
+from gearwright.parts.losses_oil import oil_viscosity, windage_power
+from gearwright.sizing import Sizing
+from gearwright.sizing.result import GearSizing
+from gearwright.spec import Design, Drive
+from gearwright.train.flow import PowerFlow, power_flow
+from gearwright.train.graph import INTERNAL
+
+Array = NDArray[np.float64]
+OIL_DENSITY = 950.0
+"""Of a turbine oil at 80 to 100 °C [kg/m³]."""
+_CASE = "mission"
+
+
+class Oil(NamedTuple):
+    """What losses need of oil and flanks."""
+
+    temperature: float
+    """Into the gearbox [K]."""
+    roughness: float
+    """R_a of the flanks [m]."""
+
+
+class Point(NamedTuple):
+    """One operating point of the gearbox."""
+
+    speeds: Array
+    """Of the train's nodes, shape (nodes,) [rad/s]."""
+    shaft_torques: Array
+    """Transmitted by each node: half the sum of what acts on it, shape (nodes,) [N m]."""
+    machine_powers: Array
+    """Into the train without drag, shape (machines,) [W]."""
+    mesh_torques: Array
+    """On gear a of one single mesh of each row, shape (meshes,) [N m]."""
+    mesh_losses: Array
+    """Of all equal meshes of a row, shape (meshes,) [W]."""
+
+    def scaled(self, factor: float) -> Point:
+        """Return the point with all torques and powers changed by one factor; the balance is homogeneous.
+
+        Args:
+            factor: [-].
+        """
+        return Point(self.speeds, *(factor * each for each in self[1:]))
+
+
+@dataclass(frozen=True)
+class Gearbox:
+    """A sizing with everything that does not change in flight worked out."""
+
+    sizing: Sizing
+    propeller: str
+    """Name of its propeller."""
+    oil: Oil
+    contacts: tuple[ToothContact, ...]
+    """Of each mesh row."""
+    radii: Array
+    """Pitch radius of gear a of each mesh row, shape (meshes,) [m]."""
+    widths: Array
+    """Narrower face of each mesh row, shape (meshes,) [m]."""
+    inertia: float
+    """Of everything that turns, at the propeller [kg m²]."""
+    bearing_loads: Array
+    """Force of all bearings of a node over the torque that it transmits, shape (nodes,) [N/(N m)]."""
+
+    @property
+    def machines(self) -> tuple[str, ...]:
+        """Machines without the propeller, in the order of a point's powers."""
+        return tuple(name for name in self.sizing.train.machines if name != self.propeller)
+
+
+def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
+    """Return a sizing made ready to fly.
+
+    Args:
+        sizing: The sized transmission.
+        propeller: Name of the propeller that flies.
+        oil: Its oil.
+    """
+    gears = {gear.name: gear for gear in sizing.gears}
+    pairs = [(gears[mesh.gears[0]], gears[mesh.gears[1]]) for mesh in sizing.train.meshes]
+    return Gearbox(
+        sizing=sizing,
+        propeller=propeller,
+        oil=oil,
+        contacts=tuple(
+            _contact(sizing.design, pair, mesh.sign) for pair, mesh in zip(pairs, sizing.train.meshes, strict=True)
+        ),
+        radii=np.array([one.pitch_diameter / 2.0 for one, _ in pairs]),
+        widths=np.array([min(one.face_width, other.face_width) for one, other in pairs]),
+        inertia=_inertia(sizing, propeller),
+        bearing_loads=_bearing_loads(sizing),
+    )
+
+
+def _bearing_loads(sizing: Sizing) -> Array:
+    """The bearings' forces follow the torque of their shaft, as in the case that sized it."""
+    column = {node: k for k, node in enumerate(sizing.train.nodes)}
+    loads = np.zeros(len(column))
+    for shaft in sizing.shafts:
+        torque = float(transmitted(sizing, sizing.flows[shaft.case])[column[shaft.name]])
+        if torque:
+            loads[column[shaft.name]] = sum(each.radial_force for each in shaft.bearings) / torque
+    return loads
+
+
+def _contact(design: Design, pair: tuple[GearSizing, GearSizing], sign: int) -> ToothContact:
+    one, other = pair
+    return tooth_contact(
+        (one.teeth, -other.teeth if sign == INTERNAL else other.teeth),
+        one.module,
+        pressure_angle=design.rules(one.stage).pressure_angle,
+        helix_angle=one.helix_angle,
+    )
+
+
+def _inertia(sizing: Sizing, propeller: str) -> float:
+    """Everything that turns, reduced to the propeller by the speeds of the rated case."""
+    speeds = sizing.flows["rated"].speeds
+    carriers = {carrier.stage: carrier for carrier in sizing.carriers}
+    energy = 0.0
+    for gear in sizing.gears:
+        planet = gear.role == "planet"
+        nodes = (f"{gear.stage}.planet",) if planet else gear.shafts
+        energy += gear.inertia * gear.bodies * float(np.mean([speeds[node] ** 2 for node in nodes]))
+        if planet:
+            carrier = carriers[gear.stage]
+            energy += gear.mass * gear.bodies * (carrier.radius * speeds[carrier.shaft]) ** 2
+    energy += sum(shaft.inertia * speeds[shaft.name] ** 2 for shaft in sizing.shafts)
+    energy += sum(carrier.inertia * speeds[carrier.shaft] ** 2 for carrier in sizing.carriers)
+    energy += sum(machine.inertia * speeds[machine.shaft] ** 2 for machine in sizing.machines)
+    return float(energy / speeds[sizing.train.machines[propeller]] ** 2)
+
+
+def operate(
+    gearbox: Gearbox, powers: Mapping[str, float], propeller_speed: float, efficiency: Mapping[str, float]
+) -> Point:
+    """Return the operating point at which machines give their powers and the propeller takes what is left.
+
+    Args:
+        gearbox: The gearbox.
+        powers: Machine -> power into the train [W]; one left out idles.
+        propeller_speed: [rad/s].
+        efficiency: Stage -> efficiency of each of its meshes [-].
+
+    Raises:
+        DesignError: The train does not balance, or one speed does not set all others.
+    """
+    drives = {name: Drive(power=power) for name, power in powers.items()}
+    drives[gearbox.propeller] = Drive(speed=propeller_speed)
+    sizing = gearbox.sizing
+    design = sizing.design.model_copy(update={"cases": {_CASE: drives}})
+    return _point(gearbox, power_flow(design, sizing.train, sizing.teeth, _CASE, efficiency=efficiency))
+
+
+def _point(gearbox: Gearbox, flow: PowerFlow) -> Point:
+    train = gearbox.sizing.train
+    meshes = [flow.meshes[mesh.name] for mesh in train.meshes]
+    return Point(
+        speeds=np.array([flow.speeds[node] for node in train.nodes]),
+        shaft_torques=transmitted(gearbox.sizing, flow),
+        machine_powers=np.array([flow.machine_powers[name] for name in gearbox.machines]),
+        mesh_torques=np.array([own.torques[0] / mesh.count for own, mesh in zip(meshes, train.meshes, strict=True)]),
+        mesh_losses=np.array([own.loss for own in meshes]),
+    )
+
+
+def transmitted(sizing: Sizing, flow: PowerFlow) -> Array:
+    """Return what each node of the train transmits: half the sum of the torques on it, shape (nodes,) [N m].
+
+    Args:
+        sizing: With the train.
+        flow: A balanced case of it.
+    """
+    column = {node: k for k, node in enumerate(sizing.train.nodes)}
+    total = np.zeros(len(column))
+    for mesh in sizing.train.meshes:
+        for node, torque in zip(mesh.nodes, flow.meshes[mesh.name].torques, strict=True):
+            if node in column:
+                total[column[node]] += abs(torque)
+    for name, torque in flow.machine_torques.items():
+        total[column[sizing.train.machines[name]]] += abs(torque)
+    for joint in sizing.train.joints:
+        for node in (joint.driving, joint.driven):
+            total[column[node]] += abs(flow.joints.get(joint.name, 0.0))
+    return 0.5 * total
+
+
+def efficiencies(gearbox: Gearbox, point: Point) -> dict[str, float]:
+    """Return the mesh efficiency of each stage at an operating point: of its meshes the mean loss.
+
+    Args:
+        gearbox: The gearbox.
+        point: Its loads and speeds.
+    """
+    train, viscosity = gearbox.sizing.train, oil_viscosity(gearbox.oil.temperature) * OIL_DENSITY
+    speed = {**dict(zip(train.nodes, point.speeds, strict=True)), "ground": 0.0}
+    found: dict[str, list[float]] = {}
+    for k, mesh in enumerate(train.meshes):
+        contact = gearbox.contacts[k]
+        normal = abs(point.mesh_torques[k]) / (gearbox.radii[k] * np.cos(contact.pressure_angle))
+        friction = mesh_friction(
+            contact,
+            float(normal / gearbox.widths[k]),
+            float((speed[mesh.nodes[0]] - speed[mesh.nodes[2]]) * gearbox.radii[k]),
+            viscosity=viscosity,
+            roughness=gearbox.oil.roughness,
+        )
+        found.setdefault(mesh.stage, []).append(mesh_efficiency(contact, friction))
+    return {stage: float(np.mean(values)) for stage, values in found.items()}
+
+
+def drag(gearbox: Gearbox, point: Point) -> float:
+    """Return what bearings and windage take from the machines [W].
+
+    Args:
+        gearbox: The gearbox.
+        point: Its loads and speeds.
+    """
+    return _bearing_drag(gearbox, point) + _windage(gearbox, point)
+
+
+def _windage(gearbox: Gearbox, point: Point) -> float:
+    speed = dict(zip(gearbox.sizing.train.nodes, point.speeds, strict=True))
+    viscosity = oil_viscosity(gearbox.oil.temperature) * OIL_DENSITY
+    total = 0.0
+    for gear in gearbox.sizing.gears:
+        node = f"{gear.stage}.planet" if gear.role == "planet" else gear.shafts[0]
+        radius = gear.pitch_diameter / 2.0
+        total += gear.bodies * windage_power(radius, gear.face_width, speed.get(node, 0.0), viscosity=viscosity)
+    return total
+
+
+def _bearing_drag(gearbox: Gearbox, point: Point) -> float:
+    """Shaft bearings carry in proportion to the torque of their shaft, planet pins to that of their carrier."""
+    sizing = gearbox.sizing
+    column = {node: k for k, node in enumerate(sizing.train.nodes)}
+    total = 0.0
+    for shaft in sizing.shafts:
+        k = column[shaft.name]
+        load = gearbox.bearing_loads[k] * point.shaft_torques[k]
+        total += bearing_torque_constant(load, shaft.diameter) * abs(point.speeds[k])
+    for k, mesh in enumerate(sizing.train.meshes):
+        carrier = next((each for each in sizing.carriers if each.stage == mesh.stage), None)
+        if carrier is not None and mesh.sign != INTERNAL:
+            # A planet's pin carries the tangential forces of its two meshes, which are equal.
+            load = mesh.count * 2.0 * abs(point.mesh_torques[k]) / gearbox.radii[k]
+            turning = abs(point.speeds[column[mesh.nodes[1]]] - _speed(point, column, carrier.shaft))
+            total += bearing_torque_constant(load, carrier.pin_diameter) * turning
+    return float(total)
+
+
+def _speed(point: Point, column: Mapping[str, int], node: str) -> float:
+    return float(point.speeds[column[node]]) if node in column else 0.0

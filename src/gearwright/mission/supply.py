@@ -1,0 +1,189 @@
+"""What drives the gearbox in flight: turbines with their fuel, motors with their battery, and the limits of all."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from gearwright.air.airspeed import stagnation_ratios
+from gearwright.errors import DesignError, Problem
+from gearwright.machines.battery import Battery, BatteryStep, battery_step
+from gearwright.machines.gas_turbine import Engine, available_power, fuel_flow
+from gearwright.machines.motor_efficiency import MotorLosses, motor_loss, rated_losses
+from gearwright.mission.gearbox import Array, Gearbox, Point
+from gearwright.mission.profile import Moment
+from gearwright.sizing import Sizing
+from gearwright.spec.mission import BatteryRules, Mission, Phase
+
+_SECONDS = 3600.0
+_SLACK = 1e-9
+"""Part by which a limit may be passed: rounding."""
+
+
+@dataclass(frozen=True)
+class Supply:
+    """The machines of one gearbox and their battery."""
+
+    engines: Mapping[str, Engine]
+    motors: Mapping[str, MotorLosses]
+    battery: Battery | None
+
+    def parts(self, phase: Phase) -> dict[str, float]:
+        """Return machine -> part of the power of all machines in a phase [-].
+
+        Args:
+            phase: With mode and electric share.
+
+        Raises:
+            DesignError: The mode needs a machine that the design lacks.
+        """
+        share = {"conventional": 0.0, "electric": 1.0, "hybrid": phase.electric_share or 0.0}[phase.mode]
+        if share != 0.0 and not self.motors:
+            raise DesignError([Problem("mode", f"{phase.mode}, but the design has no motor; write conventional")])
+        if share != 1.0 and not self.engines:
+            raise DesignError([Problem("mode", f"{phase.mode}, but the design has no turbine; write electric")])
+        turbines = {name: engine.rated_power for name, engine in self.engines.items()}
+        motors = {name: motor.peak_power for name, motor in self.motors.items()}
+        return {**_divided(1.0 - share, turbines), **_divided(share, motors)}
+
+    def drive(self, gearbox: Gearbox, moment: Moment, now: tuple[Point, Array], charge: float) -> dict[str, float]:
+        """Return fuel, charge and losses of an interval.
+
+        Args:
+            gearbox: With the machines' names.
+            moment: Where it is flown.
+            now: The operating point, and the machines' powers [W].
+            charge: State of charge at the start [-].
+
+        Raises:
+            DesignError: A machine or the battery cannot give its power.
+        """
+        point, values = now
+        speeds = _machine_speeds(gearbox, point)
+        powers = dict(zip(gearbox.machines, (float(each) for each in values), strict=True))
+        fuel, available = self._burn(moment, powers, speeds)
+        lost = sum(self._heat(name, powers[name], speeds[name]) for name in self.motors if powers[name])
+        electric = sum(powers[name] for name in self.motors) + lost
+        step = self._discharge(charge, electric, moment)
+        return {
+            **{f"power.{name}": power for name, power in powers.items()},
+            "fuel_flow": fuel,
+            "turbine_power": sum(powers[name] for name in self.engines),
+            "turbine_available": available,
+            "motor_loss": lost,
+            "battery_power": step.open_power,
+            "battery_loss": step.loss,
+            "battery_current": step.current,
+            "battery_voltage": step.terminal_voltage,
+            "state_of_charge": step.state_of_charge,
+            "propeller_gain": moment.propeller_gain,
+        }
+
+    def dragged(self, gearbox: Gearbox, point: Point, parts: Mapping[str, float]) -> float:
+        """Return what motors without current take from the shafts that drag them [W].
+
+        Args:
+            gearbox: With the machines' names.
+            point: With the speeds.
+            parts: The machines that give power.
+        """
+        speeds = _machine_speeds(gearbox, point)
+        return sum(motor_loss(motor, 0.0, speeds[name]) for name, motor in self.motors.items() if name not in parts)
+
+    def _burn(self, moment: Moment, powers: Mapping[str, float], speeds: Mapping[str, float]) -> tuple[float, float]:
+        """Return fuel flow [kg/s] and available power [W] of all turbines; one that idles in electric mode is off."""
+        fuel = available = 0.0
+        for name, engine in self.engines.items():
+            ratios = stagnation_ratios(moment.air, moment.mach)
+            most = available_power(engine, *ratios, speeds[name])
+            available += most
+            if powers[name] > most * (1.0 + _SLACK):
+                message = f"needs {powers[name] / 1e3:.0f} kW at {moment.altitude:.0f} m, and gives {most / 1e3:.0f} kW"
+                fix = "; climb slower, fly slower, or give the motors a larger electric_share"
+                raise DesignError([Problem(name, message + fix)])
+            if powers[name] > 0.0:
+                fuel += fuel_flow(engine, *ratios, powers[name])
+        return fuel, available
+
+    def _heat(self, name: str, power: float, speed: float) -> float:
+        motor = self.motors[name]
+        torque = power / speed if speed else 0.0
+        if abs(torque) > motor.peak_torque * (1.0 + _SLACK) or abs(power) > motor.peak_power * (1.0 + _SLACK):
+            message = (
+                f"needs {power / 1e3:.0f} kW and {torque:.0f} N m; its limits are {motor.peak_power / 1e3:.0f} kW and"
+                f" {motor.peak_torque:.0f} N m; lower electric_share or power, or raise motor.overload"
+            )
+            raise DesignError([Problem(name, message)])
+        return motor_loss(motor, torque, speed)
+
+    def _discharge(self, charge: float, power: float, moment: Moment) -> BatteryStep:
+        if self.battery is None:
+            if power > 0.0:
+                message = (
+                    f"the motors turn with {power / 1e3:.3g} kW of losses and there is no battery; give a [battery]"
+                )
+                raise DesignError([Problem("battery", message)])
+            return BatteryStep(0.0, 0.0, 0.0, 0.0, 0.0, "")
+        step = battery_step(self.battery, charge, power, moment.duration)
+        if step.fault:
+            message = (
+                f"{step.fault}: {power / 1e3:.0f} kW at a state of charge of {charge:.3f}"
+                f" (least {self.battery.least:g}, {abs(step.current):.0f} A); lower electric_share, or give more"
+                " energy_kwh"
+            )
+            raise DesignError([Problem("battery", message)])
+        return step
+
+
+def _machine_speeds(gearbox: Gearbox, point: Point) -> dict[str, float]:
+    """Machine -> speed without its sense [rad/s]."""
+    train = gearbox.sizing.train
+    return {name: abs(float(point.speeds[train.nodes.index(train.machines[name])])) for name in gearbox.machines}
+
+
+def _divided(share: float, weights: Mapping[str, float]) -> dict[str, float]:
+    """Divide a share in proportion to weights; without a share nothing is in it."""
+    whole = sum(weights.values())
+    return {name: share * weight / whole for name, weight in weights.items()} if share else {}
+
+
+def supply_of(sizing: Sizing, mission: Mission) -> Supply:
+    """Return the machines of a design as the mission's rules make them fly.
+
+    Args:
+        sizing: With its design.
+        mission: With the rules of engine, motor and battery.
+    """
+    rules, motor = mission.engine, mission.motor
+    engines = {
+        name: Engine(
+            turbine.power,
+            rules.thermal_power or turbine.power,
+            turbine.power / turbine.speed * (1.0 + _TOLERANCE),
+            rules.fuel_kg_kwh / 3.6e6,
+            rules.idle_fuel,
+            rules.temperature_exponent,
+        )
+        for name, turbine in sizing.design.turbines.items()
+    }
+    motors = {
+        name: rated_losses(own.power, own.speed, efficiency=motor.efficiency, overload=motor.overload)
+        for name, own in sizing.design.motors.items()
+    }
+    return Supply(engines, motors, _pack(mission.battery) if mission.battery and motors else None)
+
+
+_TOLERANCE = 0.05
+"""Part by which a torque may exceed power over rated speed, as teeth let a speed yield by so much [-]."""
+
+
+def _pack(rules: BatteryRules) -> Battery:
+    mean = 0.5 * (rules.full_voltage_v + rules.empty_voltage_v)
+    return Battery(
+        rules.energy / mean,
+        rules.full_voltage_v,
+        rules.empty_voltage_v,
+        rules.resistance_ohm,
+        rules.highest_c_rate,
+        rules.least_charge,
+    )

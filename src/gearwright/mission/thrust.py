@@ -1,0 +1,88 @@
+"""What flight asks of one propeller, and what the propeller makes of the power that reaches it."""
+
+from __future__ import annotations
+
+import math
+
+from gearwright.errors import DesignError, Problem
+from gearwright.machines.propeller_map import PropellerMap, angle_for_power, angle_for_thrust, coefficients
+from gearwright.mission.gearbox import Gearbox
+from gearwright.mission.profile import Moment
+from gearwright.spec.mission import Mission, Phase
+from gearwright.units import GRAVITY
+
+
+def propeller_power(
+    chart: PropellerMap, gearbox: Gearbox, mission: Mission, *, now: tuple[Moment, float]
+) -> float | None:
+    """Return the power of the propeller's shaft [W], or None where the machines' power is given.
+
+    Args:
+        chart: Map of the propeller.
+        gearbox: With the propeller's diameter.
+        mission: With phases and aircraft.
+        now: The moment, and the fuel that all engines have burnt so far [kg].
+
+    Raises:
+        DesignError: Pitch or thrust lie outside the map.
+    """
+    moment, burnt = now
+    phase = mission.phases[moment.phase]
+    if moment.power is not None:
+        return None
+    diameter, turns, ratio = _advance(gearbox, moment)
+    angle = phase.pitch
+    if angle is None:
+        thrust = _needed_thrust(mission, moment, phase, burnt)
+        angle = angle_for_thrust(chart, ratio, thrust / (moment.air.density * turns**2 * diameter**4))
+    return coefficients(chart, ratio, angle).power * moment.air.density * turns**3 * diameter**5
+
+
+def _advance(gearbox: Gearbox, moment: Moment) -> tuple[float, float, float]:
+    """Return diameter [m], turns per second [1/s] and advance ratio [-]."""
+    diameter = gearbox.sizing.design.propellers[gearbox.propeller].diameter
+    turns = moment.propeller_speed / (2.0 * math.pi)
+    return diameter, turns, moment.true_airspeed / (turns * diameter)
+
+
+def _needed_thrust(mission: Mission, moment: Moment, phase: Phase, burnt: float) -> float:
+    """Return the thrust of one propeller in steady flight: (D + m g sin γ)/engines with D = q S (C_D0 + k C_L²)."""
+    aircraft = mission.aircraft
+    if aircraft is None:  # `mission_problems` refuses it
+        raise DesignError([Problem("aircraft", "a phase needs a thrust; give an [aircraft]")])
+    weight = (aircraft.mass - burnt) * GRAVITY
+    slope = moment.climb / moment.true_airspeed
+    dynamic = 0.5 * moment.air.density * moment.true_airspeed**2 * aircraft.wing_area
+    lift = weight * math.sqrt(max(1.0 - slope**2, 0.0)) / dynamic
+    drag_force = dynamic * (aircraft.zero_lift_drag + aircraft.induced_drag * lift**2)
+    return (drag_force + weight * slope) / (phase.engines or mission.engines)
+
+
+def performed(chart: PropellerMap, gearbox: Gearbox, moment: Moment, work: float) -> dict[str, float]:
+    """Return where the aircraft is and what its propeller does with a power.
+
+    Args:
+        chart: Map of the propeller.
+        gearbox: With the propeller's diameter.
+        moment: Where it is flown.
+        work: Power that reaches the propeller [W].
+
+    Raises:
+        DesignError: The power lies outside the map.
+    """
+    diameter, turns, ratio = _advance(gearbox, moment)
+    density = moment.air.density
+    angle = angle_for_power(chart, ratio, work / (density * turns**3 * diameter**5))
+    return {
+        "time": moment.time,
+        "duration": moment.duration,
+        "altitude": moment.altitude,
+        "true_airspeed": moment.true_airspeed,
+        "mach": moment.mach,
+        "air_temperature": moment.air.temperature,
+        "propeller_speed": moment.propeller_speed,
+        "propeller_power": work,
+        "advance_ratio": ratio,
+        "pitch": angle,
+        "thrust": coefficients(chart, ratio, angle).thrust * density * turns**2 * diameter**4,
+    }

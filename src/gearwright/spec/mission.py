@@ -1,0 +1,204 @@
+"""The mission file: what the aircraft does with one gearbox, phase by phase."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Literal, cast
+
+from pydantic import Field
+
+from gearwright.errors import DesignError, Problem
+from gearwright.spec.read import file_text, placed
+from gearwright.spec.record import Record, build
+from gearwright.units import Angle, Area, Energy, Length, Mass, Power, Ratio, Speed, Time, Velocity
+
+_SAME_ALTITUDE = 0.1
+"""Altitudes nearer than this are the same [m]."""
+
+
+class Phase(Record):
+    """One stretch of the mission: a speed law from the altitude of the last phase to its own."""
+
+    altitude: Length = Field(ge=0, le=20e3, description="Pressure altitude at its end")
+    from_altitude: Length | None = Field(
+        None, ge=0, le=20e3, description="Pressure altitude at its start; left out: where the last phase ended"
+    )
+    cas: Velocity | None = Field(None, ge=0, le=340, description="Calibrated airspeed; one of cas, tas, mach")
+    tas: Velocity | None = Field(None, ge=0, le=340, description="True airspeed; one of cas, tas, mach")
+    mach: Ratio | None = Field(None, ge=0, lt=1, description="Mach number; one of cas, tas, mach")
+    duration: Time | None = Field(None, gt=0, le=1e6, description="Duration; or rate_of_climb")
+    rate_of_climb: Velocity | None = Field(
+        None, ge=-100, le=100, description="Rate of climb, negative in descent; or duration"
+    )
+    mode: Literal["conventional", "hybrid", "electric"] = Field(
+        "conventional", description="Who drives: turbines, both, or motors"
+    )
+    electric_share: Ratio | None = Field(
+        None, ge=-0.9, le=1, description="Motors' part of the machines' power in hybrid mode; negative charges"
+    )
+    power: Power | None = Field(
+        None, gt=0, le=1e9, description="Power of all machines of a gearbox; or pitch, or the aircraft's need"
+    )
+    end_power: Power | None = Field(None, gt=0, le=1e9, description="The same at its end, where it changes linearly")
+    pitch: Angle | None = Field(None, ge=-0.5, le=1.6, description="Blade angle that is held, as at a stop")
+    propeller_speed: Speed = Field(gt=0.1, le=2e4, description="Speed of the propeller")
+    ramp: Time = Field(10.0, gt=0, le=1e4, description="Time in which the propeller comes to this speed")
+    engines: int | None = Field(None, ge=1, le=20, description="Gearboxes that work; left out: all of them")
+
+
+class EngineRules(Record):
+    """The turbine in flight, where it is more than its rating; all turbines of a gearbox are alike."""
+
+    thermal_power: Power | None = Field(
+        None, gt=0, le=1e9, description="Sea-level power of the core; left out: the rated power"
+    )
+    fuel_kg_kwh: float = Field(0.28, gt=0, le=2, description="Specific fuel consumption at thermal power")
+    idle_fuel: Ratio = Field(0.2, ge=0, lt=1, description="Part of that fuel flow that burns without power")
+    temperature_exponent: float = Field(-0.5, ge=-5, le=2, description="n of P ∝ δ_t θ_t^n")
+
+
+class MotorRules(Record):
+    """The motors in flight."""
+
+    efficiency: Ratio = Field(0.95, gt=0.5, lt=1, description="At the rated point, with inverter")
+    overload: Ratio = Field(1.0, ge=1, le=3, description="Torque and power limits over the ratings")
+
+
+class BatteryRules(Record):
+    """The battery of one gearbox's motors."""
+
+    energy: Energy = Field(gt=0, le=1e12, description="Open-circuit energy from full to no charge")
+    full_voltage_v: float = Field(840.0, gt=0, le=1e5, description="Open-circuit voltage when full")
+    empty_voltage_v: float = Field(620.0, gt=0, le=1e5, description="Open-circuit voltage at no charge")
+    resistance_ohm: float = Field(0.01, ge=0, le=100, description="Internal resistance")
+    highest_c_rate: float = Field(4.0, gt=0, le=100, description="Highest current over capacity, 1/h")
+    start_charge: Ratio = Field(0.95, ge=0, le=1, description="State of charge at the start")
+    least_charge: Ratio = Field(0.1, ge=0, lt=1, description="State of charge that must remain")
+
+
+class Aircraft(Record):
+    """The aircraft, where phases ask for the thrust that flight needs."""
+
+    mass: Mass = Field(gt=0, le=1e6, description="At the start")
+    wing_area: Area = Field(gt=0, le=1e4, description="Reference area S")
+    zero_lift_drag: Ratio = Field(gt=0, le=1, description="C_D0")
+    induced_drag: Ratio = Field(ge=0, le=1, description="k of C_D = C_D0 + k C_L²")
+
+
+class OilRules(Record):
+    """The oil that the losses heat."""
+
+    inlet_temperature_k: float = Field(353.15, ge=233, le=450, description="Of the oil into the gearbox")
+    rise_k: float = Field(25.0, gt=0, le=150, description="Of its temperature at the greatest heat: sets the flow")
+    roughness: Length = Field(0.4e-6, gt=0, le=1e-4, description="R_a of the flanks")
+
+
+class Mission(Record):
+    """A mission as its user wrote it."""
+
+    schema_version: Literal[1] = Field(1, alias="schema", description="Version of this file format")
+    name: str = Field(description="Name of the mission")
+    description: str = Field("", description="Where it comes from")
+    engines: int = Field(1, ge=1, le=20, description="Number of gearboxes with propellers on the aircraft")
+    isa_offset_k: float = Field(0.0, ge=-60, le=60, description="Temperature above the standard atmosphere")
+    step: Time = Field(10.0, gt=0, le=600, description="Longest interval")
+    propeller_map: str = Field("6-blades-af115", description="Shipped map, or a CSV file")
+    engine: EngineRules = Field(default_factory=EngineRules, description="Turbine in flight")
+    motor: MotorRules = Field(default_factory=MotorRules, description="Motors in flight")
+    battery: BatteryRules | None = Field(None, description="Battery of one gearbox")
+    aircraft: Aircraft | None = Field(None, description="For phases without power and pitch")
+    oil: OilRules = Field(default_factory=OilRules, description="Oil of one gearbox")
+    phases: dict[str, Phase] = Field(min_length=1, description="Phases in their order")
+
+
+def read_mission(path: str | Path) -> Mission:
+    """Return the mission that a file describes.
+
+    Args:
+        path: A TOML file.
+
+    Raises:
+        DesignError: With every problem of the file.
+    """
+    return parse_mission(file_text(Path(path)), source=str(path))
+
+
+def parse_mission(text: str, *, source: str = "") -> Mission:
+    """Return the mission that a TOML text describes.
+
+    Args:
+        text: The file's content.
+        source: Name of the file, for messages.
+
+    Raises:
+        DesignError: With every problem of the text.
+    """
+    try:
+        raw = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise DesignError([Problem("", f"this is not TOML: {error}")], source) from None
+    record, written = build(Mission, raw)
+    problems = list(written.problems)
+    if record is not None and not problems:
+        problems += mission_problems(cast(Mission, record))
+    if problems:
+        raise DesignError(placed(problems, text), source)
+    return cast(Mission, record)
+
+
+def mission_problems(mission: Mission) -> list[Problem]:
+    """Return what does not fit together in a mission.
+
+    Args:
+        mission: Typed, but not yet checked.
+    """
+    problems: list[Problem] = []
+    last: float | None = None
+    for name, phase in mission.phases.items():
+        at = f"phases.{name}"
+        problems += [Problem(at, message) for message in (*_speed(phase), *_power(phase, mission))]
+        problems += [Problem(at, message) for message in _altitude(phase, last)]
+        last = phase.altitude
+    return problems
+
+
+def _speed(phase: Phase) -> Iterator[str]:
+    given = [name for name in ("cas", "tas", "mach") if getattr(phase, name) is not None]
+    if len(given) != 1:
+        yield f"{' and '.join(given) or 'no speed'} given; give one of cas, tas and mach"
+
+
+def _power(phase: Phase, mission: Mission) -> Iterator[str]:
+    given = [name for name in ("power", "pitch") if getattr(phase, name) is not None]
+    if len(given) > 1:
+        yield "power and pitch given; the propeller's speed allows only one of them"
+    if not given and mission.aircraft is None:
+        yield "nothing sets its power; give power or pitch, or an [aircraft] that needs a thrust"
+    if phase.end_power is not None and phase.power is None:
+        yield "end_power without power; give both, or only power"
+    if phase.mode == "hybrid" and phase.electric_share is None:
+        yield "hybrid without electric_share; give the motors' part of the power, such as 0.3"
+    if phase.mode != "hybrid" and phase.electric_share is not None:
+        yield f'electric_share in {phase.mode} mode; write mode = "hybrid", or leave it out'
+    if phase.mode != "conventional" and mission.battery is None:
+        yield f"{phase.mode} mode without a [battery]; give one with energy_kwh"
+    if phase.engines is not None and phase.engines > mission.engines:
+        yield f"{phase.engines} engines work of {mission.engines}; give at most those"
+
+
+def _altitude(phase: Phase, last: float | None) -> Iterator[str]:
+    start = phase.from_altitude if phase.from_altitude is not None else last
+    if start is None:
+        start = phase.altitude
+    if last is not None and abs(start - last) > _SAME_ALTITUDE:
+        yield f"it starts at {start:.0f} m, but the phase before ended at {last:.0f} m; make them equal"
+    climb = phase.altitude - start
+    if (phase.duration is None) == (phase.rate_of_climb is None):
+        yield "give one of duration and rate_of_climb"
+    elif phase.rate_of_climb is not None and not phase.rate_of_climb * climb > 0.0:
+        yield (
+            f"a rate of climb of {phase.rate_of_climb:.3g} m/s never leads from {start:.0f} m to"
+            f" {phase.altitude:.0f} m; turn its sign, or give a duration"
+        )
