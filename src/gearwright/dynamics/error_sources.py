@@ -16,6 +16,7 @@ from gearwright.dynamics.linear import Complexes
 from gearwright.dynamics.load_sharing import Redundancy
 from gearwright.dynamics.system import Floats, Ints, Series, System
 from gearwright.dynamics.trace import index_of
+from gearwright.errors import SolveError
 from gearwright.spec.tolerance import PartErrors
 
 VECTORS = {"eccentricity": "phase", "radial": "radial_angle"}
@@ -42,9 +43,9 @@ class ErrorSource:
     still: Floats
     """Error of each line for each unit along two directions across [m/m or m/rad], shape (2, lines)."""
     turning: Complexes
-    """Amplitude of each line for each unit, shape (lines,); nothing for what stands."""
+    """Amplitude of each line for each unit, to e^(i|rate|t), shape (lines,); nothing for what stands."""
     rate: float
-    """Circular frequency with which it turns [rad/s]; 0 for what stands."""
+    """Circular frequency with which it turns [rad/s], negative if backwards; 0 for what stands."""
 
     @property
     def name(self) -> str:
@@ -111,7 +112,7 @@ def _source(
                     signed = float(sum(count * speed[name] for name, count in error.phase.items()))
                     amplitude = complex(error.cosine[0], -error.sine[0])
                     turning[line] += amplitude if signed > 0.0 else amplitude.conjugate()
-                    rate = abs(signed)
+                    rate = signed
     return ErrorSource(part, kind, size, angle, still, turning, rate)
 
 
@@ -163,7 +164,9 @@ def _combine(sources: Sequence[ErrorSource], weights: Floats) -> ErrorSets:
     lines, count = len(sources[0].turning) if sources else 0, weights.shape[2]
     basis = np.array([source.still for source in sources]).reshape(-1, lines)
     still = weights.reshape(-1, count).T @ basis
-    phasor = weights[:, 0] + 1j * weights[:, 1]
+    # Where a part turns backwards, so does the angle from which it starts.
+    sense = np.array([1.0 if source.rate >= 0.0 else -1.0 for source in sources])
+    phasor = weights[:, 0] + 1j * sense[:, None] * weights[:, 1]
     groups = _groups(sources)
     turning = np.zeros((len(groups), count, lines), dtype=np.complex128)
     for number, own in enumerate(groups.values()):
@@ -176,7 +179,8 @@ def _groups(sources: Sequence[ErrorSource]) -> dict[float, list[int]]:
     found: dict[float, list[int]] = {}
     for number, source in enumerate(sources):
         if source.rate:
-            rate = next((each for each in found if abs(each / source.rate - 1.0) < SAME), source.rate)
+            own = abs(source.rate)
+            rate = next((each for each in found if abs(each / own - 1.0) < SAME), own)
             found.setdefault(rate, []).append(number)
     return found
 
@@ -206,10 +210,17 @@ def with_errors(system: System, sets: ErrorSets) -> list[System]:
     Args:
         system: Whose own errors are replaced; it has all tones that the sets need.
         sets: Sets of errors.
+
+    Raises:
+        SolveError: If no tone of the system turns as fast as an error.
     """
     arrays, lines = system.arrays, len(system.labels.lines)
     rates = np.concatenate([[0.0], sets.rate])
     tones = np.array([int(np.argmin(np.abs(np.abs(arrays.tone_rate) - rate))) for rate in rates], dtype=np.int64)
+    missing = rates[np.abs(np.abs(arrays.tone_rate[tones]) - rates) > SAME * rates]
+    if np.any(missing) or (len(missing) and np.any(sets.still)):
+        fastest = float(np.max(missing))
+        raise SolveError(f"no tone of the system turns at {fastest:.6g} rad/s; build it with errors of these parts")
     sense = np.where(arrays.tone_rate[tones] < 0.0, -1.0, 1.0)[:, None]
     used = np.flatnonzero(np.any(sets.still != 0.0, axis=0) | np.any(sets.turning != 0.0, axis=(0, 1)))
     start = np.zeros(lines + 1, dtype=np.int64)

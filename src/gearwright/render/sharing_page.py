@@ -121,7 +121,7 @@ def _solved(problems: dict[str, SharingProblem]) -> dict[str, LoadSharing]:
 
 def _turn(problems: dict[str, SharingProblem]) -> Floats:
     """Return instants over one turn of the slowest part that turns."""
-    rates = [source.rate for each in problems.values() for source in each.sources if source.rate]
+    rates = [abs(source.rate) for each in problems.values() for source in each.sources if source.rate]
     return np.linspace(0.0, 2.0 * np.pi / min(rates), INSTANTS) if rates else np.zeros(1)
 
 

@@ -262,9 +262,7 @@ def load_factor_figure(found: Mapping[str, PlanetSharing]) -> Figure:
         place = np.array(sharing.planets) + 0.12 * (number - 0.5 * (len(found) - 1))
         spread = [np.subtract(middle, low), np.subtract(high, middle)]
         axes.errorbar(place, middle, yerr=spread, fmt="o", ms=3.5, lw=1.2, capsize=2.5, label=label)
-    axes.set(
-        xlabel="planets", ylabel="mesh load factor K_γ [-]", title="Load factor of random sets: median, 5 and 95 %"
-    )
+    axes.set(xlabel="planets", ylabel="mesh load factor K_γ [-]", title="Random sets: median, 5 and 95 %")
     axes.set_xticks(sorted({count for sharing in found.values() for count in sharing.planets}))
     axes.legend(loc="upper left")
     return figure

@@ -194,7 +194,7 @@ def test_sources_add_up_to_the_errors_of_the_system():
     """Rounding only: the same projections, taken apart and put together."""
     errors = {
         "first.pinion": PartErrors(eccentricity=1e-5, phase=0.7, tooth_thickness=4e-6),
-        "left": PartErrors(radial=2e-5, radial_angle=-1.1, axial=3e-6, eccentricity=1e-5),
+        "left": PartErrors(radial=2e-5, radial_angle=-1.1, axial=3e-6, eccentricity=1e-5, phase=0.4),
         "second.pinion.left": PartErrors(clocking=2e-4),
     }
     system, contacts, parts = split(errors)
@@ -293,3 +293,10 @@ def test_slow_position_balances_the_loads(errors):
     assert acceleration(system.arrays, 0.0, slow_position(system), rest) * system.arrays.mass == pytest.approx(
         rest, abs=1e-6
     )
+
+
+def test_errors_that_turn_as_nothing_in_the_system_does_are_refused():
+    with_sources = error_sources(*split({"left": PartErrors(eccentricity=1e-5)}))
+    without, _, _ = split({})
+    with pytest.raises(SolveError, match=r"no tone of the system turns at 216\.196 rad/s"):
+        with_errors(without, drawn_set(with_sources))
