@@ -27,6 +27,12 @@ WorkersOption = Annotated[
     int | None, typer.Option(help="Processes that compute; 0: none beside this one; left out: as many as cores", min=0)
 ]
 ClusterOption = Annotated[str | None, typer.Option(help="Address of a Dask scheduler, such as tcp://10.0.0.1:8786")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table")]
+CsvOption = Annotated[Path | None, typer.Option(help="Write the table as CSV")]
+ExportOption = Annotated[Path | None, typer.Option(help="Write the table for other programs (.nc or .parquet)")]
+StudyReportOption = Annotated[Path | None, typer.Option("--report", help="Write one page that says what comes out")]
+LISTED = 60
+"""Cases that are printed one by one; of more the spread is shown."""
 SMALL = 200
 """Cases that are not worth the start of other processes."""
 INTERRUPTED = 130
@@ -70,8 +76,10 @@ def resume(
     anyway: Annotated[
         bool, typer.Option("--anyway", help="Go on although designs or gearwright have changed since")
     ] = False,
-    csv: Annotated[Path | None, typer.Option(help="Write the table as CSV")] = None,
-    json: Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table")] = False,
+    csv: CsvOption = None,
+    export: ExportOption = None,
+    report: StudyReportOption = None,
+    json: JsonOption = False,
 ) -> None:
     """Continue a study that was stopped, or show a complete one: no finished case is computed again."""
     from gearwright.study.journal import recorded
@@ -82,7 +90,8 @@ def resume(
     count = _workers(workers, known.total)
     with _stopped_cleanly(journal), _watched() as watch, _computing(cluster) as compute:
         table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, compute=compute)
-    show_table(table, csv=csv, json=json)
+    show_table(table, known.study, csv=csv, json=json)
+    write_files(known.study, table, export=export, report=report)
 
 
 def cluster(
@@ -96,8 +105,8 @@ def cluster(
     typer.echo(f"once:              {scheduler}\non every machine:  {workers}\nthen:              {start}")
 
 
-def show_table(table: Table, *, csv: Path | None, json: bool) -> None:
-    """Print the table of a study (its spread if it is long) or JSON, and write it as CSV if asked to."""
+def show_table(table: Table, study: Study | None = None, *, csv: Path | None, json: bool) -> None:
+    """Print the table of a study (its spread if it is long, then the front if it has one) or JSON; write it as CSV."""
     from rich.console import Console
 
     from gearwright.render.study_tables import study_csv, study_grid, study_json, summary_grid
@@ -105,9 +114,27 @@ def show_table(table: Table, *, csv: Path | None, json: bool) -> None:
     if json:
         typer.echo(study_json(table))
     else:
-        Console().print(study_grid(table) if len(table.rows) <= SMALL else summary_grid(table))
+        Console().print(study_grid(table) if len(table.rows) <= LISTED else summary_grid(table))
+        if study is not None and study.objectives:
+            from gearwright.study.pareto import front_table
+
+            Console().print(study_grid(front_table(study, table)))
     if csv is not None:
         csv.write_text(study_csv(table), encoding="utf-8")
+
+
+def write_files(study: Study, table: Table, *, export: Path | None, report: Path | None) -> None:
+    """Write the table for other programs and the page of a study, where they are asked for."""
+    if export is not None:
+        from gearwright.study.export import write_table
+
+        write_table(export, table)
+        typer.echo(f"wrote {export}", err=True)
+    if report is not None:
+        from gearwright.render.study_page import study_page
+
+        report.write_text(study_page(study, table), encoding="utf-8")
+        typer.echo(f"wrote {report}", err=True)
 
 
 def present_designs(names: Mapping[str, Design], folder: Path) -> dict[str, Design]:

@@ -10,15 +10,24 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearwright.cli_runs import ClusterOption, WorkersOption, design_of, run_shown, show_table
+from gearwright.cli_runs import (
+    ClusterOption,
+    CsvOption,
+    ExportOption,
+    JsonOption,
+    StudyReportOption,
+    WorkersOption,
+    design_of,
+    run_shown,
+    show_table,
+    write_files,
+)
 
 if TYPE_CHECKING:
     from gearwright.spec import Design
     from gearwright.spec.study import Value
     from gearwright.study import Table
 
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table")]
-CsvOption = Annotated[Path | None, typer.Option(help="Write the table as CSV")]
 FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
 JournalOption = Annotated[Path | None, typer.Option(help="Keep every finished case in this file, for `resume`")]
 SetOption = Annotated[
@@ -35,7 +44,9 @@ def study(
     workers: WorkersOption = None,
     cluster: ClusterOption = None,
     csv: CsvOption = None,
+    export: ExportOption = None,
     figure: FigureOption = None,
+    report: StudyReportOption = None,
     json: JsonOption = False,
 ) -> None:
     """Run a study: designs along axes or over samples, one row per variant."""
@@ -51,7 +62,10 @@ def study(
     read = read.model_copy(update={"changes": {**read.changes, **_changes(changes)}})
     designs = {each: design_of(each, path.parent) for each in read.designs}
     table = run_shown(read, designs, journal=journal, workers=workers, cluster=cluster, origin=str(path.parent))
-    _show(table, csv=csv, figure=figure, json=json)
+    show_table(table, read, csv=csv, json=json)
+    if figure is not None:
+        _draw(table, figure)
+    write_files(read, table, export=export, report=report)
 
 
 def compare(
@@ -83,15 +97,11 @@ def compare(
         for name in read.designs
     }
     table = run(read, fitted)
-    _show(table, csv=csv, figure=figure, json=json)
-    if report is not None:
-        _write_comparison(report, table, fitted, read.changes)
-
-
-def _show(table: Table, *, csv: Path | None, figure: Path | None, json: bool) -> None:
     show_table(table, csv=csv, json=json)
     if figure is not None:
         _draw(table, figure)
+    if report is not None:
+        _write_comparison(report, table, fitted, read.changes)
 
 
 def _write_comparison(path: Path, table: Table, designs: dict[str, Design], changes: dict[str, Value]) -> None:

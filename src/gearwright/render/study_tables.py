@@ -7,6 +7,7 @@ import io
 import json
 import re
 from collections import Counter
+from typing import NamedTuple
 
 import numpy as np
 from rich.table import Table as Grid
@@ -73,20 +74,49 @@ def summary_grid(table: Table) -> Grid:
         table: Of the study.
     """
     title = f"{table.name}: {len(table.rows):,} cases, {len(table.failed):,} cannot be had"
-    grid = Grid(title=title, title_justify="left", caption=_reasons(table), caption_justify="left", box=None)
+    caption = "\n".join(["", *reasons(table)]) if table.failed else ""
+    grid = Grid(title=title, title_justify="left", caption=caption, caption_justify="left", box=None)
     for name in ("result", "", "least", "5 %", "median", "95 %", "most"):
         grid.add_column(name, justify="left" if name in ("result", "") else "right")
-    for result in table.results:
-        dimension = next(row for row in table.rows if not row.problem).results[result].dimension
-        spread = np.quantile(table.column(result), (0.0, 0.05, 0.5, 0.95, 1.0))
-        grid.add_row(heading(result), unit(dimension), *(written(shown(float(value), dimension)) for value in spread))
+    for line in spread(table):
+        grid.add_row(heading(line.result), line.unit, *line.values)
     return grid
 
 
-def _reasons(table: Table) -> str:
-    """Return the commonest reasons of failed cases, digits left out so that like ones count together."""
+class Spread(NamedTuple):
+    """How one result is spread over the cases, as written."""
+
+    result: str
+    """Its name."""
+    unit: str
+    """In which it is shown."""
+    values: tuple[str, ...]
+    """Least, 5 %, median, 95 % and most."""
+
+
+def spread(table: Table) -> list[Spread]:
+    """Return how every result is spread.
+
+    Args:
+        table: Of the study.
+    """
+    lines = []
+    for result in table.results:
+        dimension = next(row for row in table.rows if not row.problem).results[result].dimension
+        found = np.quantile(table.column(result), (0.0, 0.05, 0.5, 0.95, 1.0))
+        values = tuple(written(shown(float(value), dimension)) for value in found)
+        lines.append(Spread(result, unit(dimension), values))
+    return lines
+
+
+def reasons(table: Table) -> list[str]:
+    """Return the commonest reasons of failed cases, digits left out so that like ones count together.
+
+    Args:
+        table: Of the study.
+    """
     counts = Counter(re.sub(r"[-\d.]+", "…", row.problem) for row in table.failed)
-    return "\n".join(["", *(f"{count:,} × {reason}" for reason, count in counts.most_common(3))]) if counts else ""
+    return [f"{count:,} × {reason}" for reason, count in counts.most_common(3)]
 
 
 def _caption(table: Table) -> str:

@@ -163,6 +163,8 @@ def _sampled(study: Study) -> int:
     if sampling.count is None:
         message = f"{sampling.method!r} draws samples: say how many, such as count = 1024"
         raise DesignError([Problem("sampling.count", message)])
+    if sampling.method == "saltelli" and len(study.axes) < 2:
+        raise DesignError([Problem("axes", "'saltelli' compares the influences of axes; give two or more")])
     if sampling.method == "saltelli" and sampling.count & (sampling.count - 1):
         message = (
             f"{sampling.count} is no power of two, which Sobol' points need; take {1 << sampling.count.bit_length()}"

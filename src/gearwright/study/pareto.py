@@ -38,6 +38,26 @@ def pareto_front(study: Study, table: Table) -> tuple[Row, ...]:
     return tuple(good[k] for k in best[distinct])
 
 
+FEW = 12
+"""Designs of a front that are listed."""
+
+
+def front_table(study: Study, table: Table) -> Table:
+    """Return the front as a table: all of it, or evenly spaced ones of a long one.
+
+    Args:
+        study: With objectives and constraints.
+        table: Its rows.
+
+    Raises:
+        DesignError: As `pareto_front`.
+    """
+    front = pareto_front(study, table)
+    kept = np.unique(np.linspace(0, len(front) - 1, FEW).astype(int))
+    name = f"No other beats these in all objectives ({len(kept)} of {len(front)})"
+    return Table(name, "", table.results, tuple(front[k] for k in kept))
+
+
 def wanted(study: Study, rows: Sequence[Row]) -> Floats:
     """Return the objectives as numbers to be made small [SI], shape (rows, objectives).
 

@@ -100,9 +100,10 @@ def _crossed(one: Floats, other: Floats, generator: np.random.Generator) -> Floa
 
 
 def _mutated(genes: Floats, generator: np.random.Generator) -> Floats:
-    """Return genes of which one in each child, on average, is moved by polynomial mutation."""
+    """Return genes of which one in each child or more is moved by polynomial mutation: no child repeats a parent."""
     draw = generator.random(genes.shape)
     power = 1.0 / (SPREAD_OF_MUTATION + 1.0)
     move = np.where(draw < 0.5, (2.0 * draw) ** power - 1.0, 1.0 - (2.0 * (1.0 - draw)) ** power)
     hit = generator.random(genes.shape) < 1.0 / genes.shape[1]
+    hit[np.arange(len(genes)), generator.integers(genes.shape[1], size=len(genes))] = True
     return np.clip(genes + np.where(hit, move, 0.0), 0.0, 1.0)

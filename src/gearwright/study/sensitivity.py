@@ -12,6 +12,8 @@ from gearwright.study.table import Table
 
 CONFIDENCE = 0.95
 """Of the intervals [-]."""
+ROUNDING = 1e-9
+"""Relative spread below which a result counts as the same in every case [-]."""
 RESAMPLES = 400
 """Bootstrap resamples: their interval ends then scatter by some 5 % of its width."""
 
@@ -56,9 +58,18 @@ def sensitivity(study: Study, table: Table, result: str, *, design: str | None =
     if failed:
         raise SolveError(f"{failed} of {len(rows)} cases cannot be had; narrow the axes until all can")
     values = np.array([row.results[result].value for row in rows])
-    if not np.isfinite(values).all() or np.ptp(values) == 0.0:
+    if not varies(values):
         raise SolveError(f"{result} does not vary, or is not finite everywhere: nothing has an influence on it")
     return _influences(study, values)
+
+
+def varies(values: np.ndarray) -> bool:
+    """Tell whether finite values differ by more than rounding.
+
+    Args:
+        values: Of one result, shape (cases,).
+    """
+    return bool(np.isfinite(values).all() and np.ptp(values) > ROUNDING * np.abs(values).max())
 
 
 def _influences(study: Study, values: np.ndarray) -> tuple[Influence, ...]:

@@ -96,6 +96,7 @@ def test_the_ends_of_the_unit_interval_have_values() -> None:
         ("grid", '"a.b" = {from = 0, to = 1e12, step = 1}', "1,000,000,000,001 cases; at most"),
         ("grid", '"a.b" = {from = 0, to = 1}', "a range needs"),
         ("nsga2", '"a.b" = {from = 0, to = 1}', "a search needs at least one"),
+        ("saltelli", '"a.b" = {from = 0, to = 1}', "give two or more"),
         ("sobl", '"a.b" = {from = 0, to = 1}', "'sobl' is not known"),
     ],
 )

@@ -144,12 +144,12 @@ def test_no_sensitivity_without_its_sample_or_with_failed_cases() -> None:
     grid = study_of("", axes=1)
     with pytest.raises(DesignError, match="saltelli"):
         sensitivity(grid, Table("s", "", ("f",), ()), "f")
-    study = study_of('[sampling]\nmethod = "saltelli"\ncount = 4\n', axes=1)
+    study = study_of('[sampling]\nmethod = "saltelli"\ncount = 4\n', axes=2)
     rows = [row_of(case, {"mass": 1.0}) for case in cases(study)]
     with pytest.raises(SolveError, match="does not vary"):
         sensitivity(study, Table("s", "", ("mass",), tuple(rows)), "mass")
     rows[3] = Row("d", {}, {}, "why")
-    with pytest.raises(SolveError, match="1 of 12 cases"):
+    with pytest.raises(SolveError, match="1 of 16 cases"):
         sensitivity(study, Table("s", "", ("mass",), tuple(rows)), "mass")
 
 

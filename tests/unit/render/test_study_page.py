@@ -1,0 +1,88 @@
+"""The page of a study answers first, and draws what its method gives."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from gearwright.render import theme
+from gearwright.render.study_page import study_page
+from gearwright.render.study_spread import contour_figure, parallel_figure
+from gearwright.render.study_tables import reasons, spread
+from gearwright.shipped import shipped_design
+from gearwright.spec import read
+from gearwright.spec.study import Study, parse_study
+from gearwright.study import Table, run
+
+HEAD = 'schema = 1\nname = "s"\ndesigns = ["in-line-h1", "in-line-h2"]\nresults = ["mass", "efficiency"]\n'
+FILL = '[axes]\n"carriers.fill" = {from = 0.4, to = 0.8}\n"planetaries.second.planets" = {values = [3, 4, 9]}\n'
+
+
+def page_of(text: str) -> tuple[Study, Table, str]:
+    study = parse_study(text)
+    table = run(study, {name: read(shipped_design(name)) for name in study.designs})
+    page = study_page(study, table)
+    return study, table, re.sub(r"<svg.*?</svg>", "<svg/>", page, flags=re.DOTALL)
+
+
+def test_the_page_says_which_design_wins_by_how_much_and_how_surely() -> None:
+    sampling = '[sampling]\nmethod = "sobol"\ncount = 16\n'
+    _, table, page = page_of(HEAD + FILL + sampling)
+    best = {name: min(r.results["mass"].value for r in good(table, name)) for name in ("in-line-h1", "in-line-h2")}
+    assert best["in-line-h2"] < best["in-line-h1"]
+    assert f"{best['in-line-h1'] / best['in-line-h2'] - 1.0:.1%} off" in page
+    assert "in-line-h2 at carriers.fill" in page
+    pairs = len(good(table, "in-line-h2"))
+    assert f"best in {pairs} of {pairs} cases, 100.0%" in page
+    assert "9 planets do not fit" not in page and "… planets do not fit" in page, "like reasons count together"
+    assert page.count("<svg/>") == 1
+
+
+def good(table: Table, design: str) -> list:  # type: ignore[type-arg]
+    return [row for row in table.rows if row.design == design and not row.problem]
+
+
+@pytest.mark.parametrize(
+    ("more", "figures"),
+    [
+        (
+            '[sampling]\nmethod = "nsga2"\ncount = 24\npopulation = 8\n'
+            '[objectives]\nmass = "least"\nmotor_mass = "least"',
+            3,
+        ),
+        ("", 1),
+    ],
+)
+def test_every_method_has_its_figures(more: str, figures: int) -> None:
+    axes = '[axes]\n"carriers.fill" = {values = [0.5, 0.6]}\n'
+    _, _, page = page_of(HEAD + axes + more)
+    assert page.count("<svg/>") == figures
+
+
+def test_a_sensitivity_study_has_a_tornado_and_says_what_does_not_vary() -> None:
+    axes = '[axes]\n"carriers.fill" = {from = 0.4, to = 0.8}\n"gears.bending_safety" = {from = 2.4, to = 2.6}\n'
+    text = HEAD.replace('"in-line-h1", ', "") + axes
+    _, _, page = page_of(text + '[sampling]\nmethod = "saltelli"\ncount = 8\n')
+    assert "efficiency: efficiency does not vary" in page
+    assert page.count("<svg/>") == 2
+
+
+def test_figures_are_the_same_each_time_and_leave_out_what_is_constant() -> None:
+    _, table, _ = page_of(
+        HEAD.replace('"in-line-h1", ', "") + '[axes]\n"carriers.fill" = {from = 0.4, to = 0.8}\n'
+        '"motors.electric.speed_rpm" = {from = 4000, to = 5000}\n[sampling]\nmethod = "sobol"\ncount = 16\n'
+    )
+    drawn = parallel_figure(table)
+    assert [label.get_text() for label in drawn.axes[0].get_xticklabels()][-1] == "gearbox\n[kg]"
+    assert theme.to_svg(contour_figure(table, "mass")) == theme.to_svg(contour_figure(table, "mass"))
+    assert contour_figure(table, "mass").axes[0].get_xlabel() == "carriers.fill"
+
+
+def test_the_spread_is_that_of_the_numbers() -> None:
+    _, table, _ = page_of(HEAD + FILL + '[sampling]\nmethod = "random"\ncount = 6\n')
+    mass = [row.results["mass"].value for row in table.rows if not row.problem]
+    line = spread(table)[0]
+    assert (line.result, line.unit) == ("mass", "kg")
+    assert line.values[0] == f"{min(mass):.2f}" and line.values[-1] == f"{max(mass):.2f}"
+    assert len(reasons(table)) <= 3
