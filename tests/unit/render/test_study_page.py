@@ -65,7 +65,7 @@ def test_a_sensitivity_study_has_a_tornado_and_says_what_does_not_vary() -> None
     text = HEAD.replace('"in-line-h1", ', "") + axes
     _, _, page = page_of(text + '[sampling]\nmethod = "saltelli"\ncount = 8\n')
     assert "efficiency: efficiency does not vary" in page
-    assert page.count("<svg/>") == 2
+    assert page.count("<svg/>") == 3, "tornado, distributions, contour"
 
 
 def test_figures_are_the_same_each_time_and_leave_out_what_is_constant() -> None:
