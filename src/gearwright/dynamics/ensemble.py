@@ -96,10 +96,7 @@ def simulate_many(
     clock = _Timing(step, first, steps, "clock" not in own)
     with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
         runs = [
-            pool.submit(
-                _run, code, shape, [system.arrays for system in systems[group]], (numbers[group], states[group]), clock
-            )
-            for group in groups
+            pool.submit(_run, code, shape, members[group], (numbers[group], states[group]), clock) for group in groups
         ]
         for number, run in enumerate(runs, start=1):
             results.append(run.result())

@@ -85,7 +85,7 @@ def works_during(carry: Propagator, start: Floats, steps: int) -> Floats:
     total = np.zeros(len(carry.works[0]))
     for i, (power, works) in enumerate(zip(carry.powers, carry.works, strict=True)):
         if steps >> i & 1:
-            total += works @ start @ start
+            total += (works.reshape(-1, len(start)) @ start).reshape(len(total), -1) @ start
             start = power @ start
     return total
 

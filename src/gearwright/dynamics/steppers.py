@@ -15,8 +15,8 @@ from gearwright.dynamics import exact
 from gearwright.dynamics.clock import clock
 from gearwright.dynamics.generate import record_width, table_width
 from gearwright.dynamics.linear import linear
-from gearwright.dynamics.native import aligned, compiled
-from gearwright.dynamics.recorder import BLOCK, summary_of
+from gearwright.dynamics.native import aligned, compiled, summariser
+from gearwright.dynamics.recorder import BLOCK
 from gearwright.dynamics.recurrence import Size, recurrence
 from gearwright.dynamics.system import Arrays, Floats
 from gearwright.dynamics.topology import parameters, topology
@@ -45,6 +45,13 @@ def blank_summary(width: int) -> Floats:
     """
     summary = aligned(4, width)
     summary[0], summary[1] = np.inf, -np.inf
+    return summary
+
+
+def _summary(record: Floats, width: int) -> Floats:
+    """Return what `summary_of` returns of a record that is as wide as `blank_record` makes it."""
+    summary = blank_summary(width)
+    summariser(width)(record, summary)
     return summary
 
 
@@ -85,11 +92,11 @@ def _generic(arrays: Arrays, h: float) -> Stepper:
     # Loaded here because the generated code does without it, and compiling it the first time takes seconds.
     from gearwright.dynamics import kernel
 
-    instants = kernel.empty_instant(arrays), kernel.empty_instant(arrays)
+    instants, width = (kernel.empty_instant(arrays), kernel.empty_instant(arrays)), record_width(topology(arrays))
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
         kernel.runge_kutta(arrays, instants, (first, h), record, state)
-        return summary_of(record)
+        return _summary(record, width)
 
     return advance
 
@@ -101,14 +108,14 @@ def _adaptive(arrays: Arrays, method: str, pace: tuple[float, float]) -> Stepper
     layout, numbers = parameters(arrays, h)
     code = None if method.endswith("generic") else compiled(shape, layout)
     row, now = np.zeros(table_width(shape)), kernel.empty_instant(arrays)
-    limit = tsit5.limits(arrays, tolerance)
+    limit, width = tsit5.limits(arrays, tolerance), record_width(shape)
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
         right = tsit5.Right(code.derivative if code else 0, numbers, row, now)
         _, done, reached = tsit5.march(arrays, right, (first, h), limit, record, state)
         if not done:
             raise SolveError(f"the run diverged at {reached:.6g} s: no step is short enough; it needs more damping")
-        return summary_of(record)
+        return _summary(record, width)
 
     return advance
 
@@ -117,10 +124,11 @@ def _implicit(arrays: Arrays, h: float) -> Stepper:
     from gearwright.dynamics import implicit, kernel
 
     now, damping = kernel.empty_instant(arrays), linear(arrays, float(arrays.profile.factor[0])).damping
+    width = record_width(topology(arrays))
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
         implicit.march(arrays, now, (first, h), damping, record, state)
-        return summary_of(record)
+        return _summary(record, width)
 
     return advance
 

@@ -89,5 +89,5 @@ def test_a_step_that_is_too_large_for_one_of_many_is_refused(number):
     systems[2] = replace(systems[2], arrays=arrays._replace(**{number: getattr(arrays, number) * scale}))
     step = 0.5 * STABLE / fastest_rate(systems[0].arrays)
     simulate_many(systems[:2], 10 * step, step=step, start=rest(systems[:2]))
-    with pytest.raises(DesignError, match="a step of .* would do"):
+    with pytest.raises(DesignError, match="would do"):
         simulate_many(systems, 10 * step, step=step, start=rest(systems))
