@@ -115,9 +115,12 @@ def power_flow(
     """
     drives = drives_of(design, case)
     joints = list(train.joints)
+    senses = _senses(design, train, teeth)
     while True:
         matrix = rows(train, teeth, joints)
-        speeds, yielded = solve_speeds(train, matrix, _asked_of_turning(design, train, drives, joints))
+        asked = _asked_of_turning(design, train, drives, joints)
+        turning = {name: abs(speed) * senses[train.machines[name]] for name, speed in asked.items()}
+        speeds, yielded = solve_speeds(train, matrix, turning)
         losses = np.array([(efficiency or {}).get(mesh.stage, 1.0) for mesh in train.meshes] + [1.0] * len(joints))
         torques, multipliers, effective = _balance(design, train, (matrix, speeds, losses), drives, case)
         slipping = [
@@ -131,6 +134,12 @@ def power_flow(
     return _collect(train, case, (speeds, torques, multipliers, effective), joints, tuple(yielded))
 
 
+def _senses(design: Design, train: Train, teeth: Mapping[str, float]) -> dict[str, float]:
+    """Return the sense in which every shaft turns, ±1: that of the rated speeds, whatever drives in a case."""
+    speeds, _ = solve_speeds(train, rows(train, teeth, train.joints), asked_speeds(design, {}))
+    return {node: -1.0 if speed < 0.0 else 1.0 for node, speed in zip(train.nodes, speeds, strict=True)}
+
+
 def _asked_of_turning(
     design: Design, train: Train, drives: Mapping[str, Drive], joints: list[Joint]
 ) -> dict[str, float]:
@@ -138,7 +147,10 @@ def _asked_of_turning(
     asked = asked_speeds(design, drives)
     opened = [joint for joint in train.joints if joint not in joints]
     idle = {
-        name for name in asked if name not in drives and any(train.machines[name] == joint.driving for joint in opened)
+        name
+        for name in asked
+        if (name not in drives or drives[name].power == 0.0)
+        and any(train.machines[name] == joint.driving for joint in opened)
     }
     return {name: 0.0 if name in idle else speed for name, speed in asked.items()}
 
