@@ -1,6 +1,19 @@
 """A mission flown by a sized gearbox: Mission x Sizing becomes a Flight."""
 
+from gearwright.mission.damage import GearDamage, gear_damage
 from gearwright.mission.flight import Balance, Flight, PhaseSummary, phase_summaries
 from gearwright.mission.fly import fly
+from gearwright.mission.spectrum import DutyBin, mesh_spectrum, shaft_spectrum
 
-__all__ = ["Balance", "Flight", "PhaseSummary", "fly", "phase_summaries"]
+__all__ = [
+    "Balance",
+    "DutyBin",
+    "Flight",
+    "GearDamage",
+    "PhaseSummary",
+    "fly",
+    "gear_damage",
+    "mesh_spectrum",
+    "phase_summaries",
+    "shaft_spectrum",
+]

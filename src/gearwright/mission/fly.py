@@ -12,7 +12,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.machines.propeller_map import PropellerMap
 from gearwright.mission.collect import Flown, Interval, collect
 from gearwright.mission.flight import Flight
-from gearwright.mission.gearbox import Gearbox, Oil, Point, drag, efficiencies, gearbox_of, operate
+from gearwright.mission.gearbox import Oil, Point, drag, efficiencies, gearbox_of, operate
 from gearwright.mission.profile import Moment, moments
 from gearwright.mission.supply import supply_of
 from gearwright.mission.thrust import performed, propeller_power
@@ -86,9 +86,9 @@ def _interval(
     wanted = propeller_power(chart, gearbox, mission, now=(moment, burnt))
     spin_up = gearbox.inertia * moment.propeller_speed * moment.propeller_gain / moment.duration
     # Losses are those of the last interval's loads; where the loads change at once, they are found twice.
-    point = _operating(gearbox, parts, moment, asked=(wanted, last, spin_up))
+    point = _operating(flown, parts, moment, asked=(wanted, last, spin_up))
     if last is None or moment.starts_phase:
-        point = _operating(gearbox, parts, moment, asked=(wanted, point, spin_up))
+        point = _operating(flown, parts, moment, asked=(wanted, point, spin_up))
     friction, dragged = drag(gearbox, point), supply.dragged(gearbox, point, parts)
     carried = np.array([parts.get(name, 0.0) for name in gearbox.machines]) * (friction + dragged + spin_up)
     powers = point.machine_powers + carried
@@ -106,17 +106,18 @@ def _interval(
 
 
 def _operating(
-    gearbox: Gearbox, parts: Mapping[str, float], moment: Moment, *, asked: tuple[float | None, Point | None, float]
+    flown: Flown, parts: Mapping[str, float], moment: Moment, *, asked: tuple[float | None, Point | None, float]
 ) -> Point:
     """Return the operating point for a propeller power, or for the machines' power where that is given."""
-    wanted, last, overhead = asked
+    gearbox, _, supply = flown
+    wanted, last, spin_up = asked
     efficiency = efficiencies(gearbox, last) if last is not None else {}
     trial = {name: part * TRIAL_POWER for name, part in parts.items()}
     point = operate(gearbox, trial, moment.propeller_speed, efficiency)
     if wanted is not None:
         return point.scaled(wanted / float(point.machine_powers.sum() - point.mesh_losses.sum()))
     before = point.scaled((moment.power or 0.0) / TRIAL_POWER)
-    left = (moment.power or 0.0) - overhead - drag(gearbox, before)
+    left = (moment.power or 0.0) - spin_up - drag(gearbox, before) - supply.dragged(gearbox, point, parts)
     if left <= 0.0:
         message = f"{(moment.power or 0.0) / 1e3:.4g} kW only spin the train up; give more, or a longer ramp_s"
         raise DesignError([Problem("power", message)])

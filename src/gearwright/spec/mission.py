@@ -95,6 +95,15 @@ class OilRules(Record):
     roughness: Length = Field(0.4e-6, gt=0, le=1e-4, description="R_a of the flanks")
 
 
+class GearLifeRules(Record):
+    """The steel of all gears as ISO 6336 rates it, for the damage of a flight."""
+
+    steel: str = Field("nitrided", description="Name in the table of ISO 6336-5")
+    grade: Literal["ML", "MQ", "ME"] = Field("MQ", description="Material quality")
+    hardness_hv: float = Field(700.0, ge=100, le=1000, description="Surface hardness")
+    flank_class: int = Field(5, ge=1, le=11, description="Flank tolerance class of ISO 1328-1")
+
+
 class Mission(Record):
     """A mission as its user wrote it."""
 
@@ -110,6 +119,7 @@ class Mission(Record):
     battery: BatteryRules | None = Field(None, description="Battery of one gearbox")
     aircraft: Aircraft | None = Field(None, description="For phases without power and pitch")
     oil: OilRules = Field(default_factory=OilRules, description="Oil of one gearbox")
+    gears: GearLifeRules = Field(default_factory=GearLifeRules, description="Steel, for damage and life")
     phases: dict[str, Phase] = Field(min_length=1, description="Phases in their order")
 
 

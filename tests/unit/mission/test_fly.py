@@ -1,0 +1,165 @@
+"""Flying: balances, limits, spectra and damage."""
+
+import math
+
+import numpy as np
+import pytest
+
+from gearwright.errors import DesignError
+from gearwright.mission import fly, gear_damage, mesh_spectrum, phase_summaries, shaft_spectrum
+from gearwright.render.flight_text import flight_csv, flight_json, flight_text
+from gearwright.shipped import shipped_design, shipped_mission
+from gearwright.sizing import size
+from gearwright.spec import read
+from gearwright.spec.mission import parse_mission, read_mission
+
+HYBRID = size(read(shipped_design("in-line-h2")))
+CONVENTIONAL = size(read(shipped_design("in-line")))
+THESIS = fly(HYBRID, read_mission(shipped_mission("thesis")))
+BASE = """
+schema = 1
+name = "test"
+[engine]
+thermal_power_kw = 2600
+[battery]
+energy_kwh = 100
+[phases.one]
+altitude_ft = 5000
+cas_kt = 170
+duration_min = 2
+power_kw = 900
+propeller_speed_rpm = 1212
+"""
+
+
+def flown(text, sizing=HYBRID):
+    """Return a flight of a mission text."""
+    return fly(sizing, parse_mission(text))
+
+
+def test_energy_closes_over_a_mission_with_every_mode():
+    """Charge and speeds at the ends against powers summed over the way; 1e-9 is rounding of 533 intervals."""
+    assert THESIS.balance.residual < 1e-9
+    assert THESIS.balance.battery > 0.1 * THESIS.balance.fuel
+
+
+def test_energy_closes_while_the_propeller_spins_up():
+    two = BASE + BASE[BASE.index("[phases.one]") :].replace("one", "two").replace("1212", "1100")
+    flight = flown(two)
+    assert flight.balance.stored < 0.0
+    assert flight.balance.residual < 1e-9
+
+
+def test_powers_balance_in_every_interval():
+    """Machines = propeller + meshes + bearings and windage + spin-up + dragged motors; 1e-9 of the power."""
+    h = THESIS.history
+    whole = sum(THESIS.machine_powers.values())
+    out = h["propeller_power"] + h["mesh_loss"] + h["drag_loss"] + h["spin_up"]
+    dragged = np.array([phase in ("descent", "approach") for phase in THESIS.phase])
+    assert whole[~dragged] == pytest.approx(out[~dragged], rel=1e-9)
+    assert whole[dragged] == pytest.approx((out + h["motor_loss"])[dragged], rel=1e-9)
+
+
+def test_a_loss_free_torque_follows_the_teeth():
+    """The shaft torques of a lossless planetary train are in the ratio of its speeds; 2 % for the mesh losses."""
+    flight = flown(BASE.replace("power_kw = 900", "power_kw = 1000"), CONVENTIONAL)
+    propeller = flight.history["propeller_power"] / flight.history["propeller_speed"]
+    turbine = flight.machine_powers["gas-turbine"] / flight.speeds["input"]
+    ratio = flight.speeds["input"] / flight.history["propeller_speed"]
+    assert propeller == pytest.approx(turbine * ratio, rel=0.02)
+
+
+def test_the_propeller_holds_its_pitch_on_taxi():
+    taxi = np.array([phase == "taxi-out" for phase in THESIS.phase])
+    assert np.degrees(THESIS.history["pitch"][taxi]) == pytest.approx(10.0, abs=1e-6)
+    assert THESIS.history["fuel_flow"][taxi] == pytest.approx(0.0)
+
+
+def test_regeneration_charges_the_battery():
+    text = BASE.replace("power_kw = 900", 'power_kw = 700\nmode = "hybrid"\nelectric_share = -0.2')
+    flight = flown(text)
+    assert flight.history["state_of_charge"][-1] > 0.95
+    assert flight.balance.battery < 0.0
+    assert flight.balance.residual < 1e-9
+
+
+def test_thrust_carries_the_weight_up_the_slope():
+    """T = D + m g sin γ with C_D = C_D0 + k C_L², by hand in the middle of the phase; 1e-3 for the fuel burnt."""
+    aircraft = "[aircraft]\nmass_kg = 9000\nwing_area_m2 = 61\nzero_lift_drag = 0.028\ninduced_drag = 0.034\n"
+    text = BASE.replace("power_kw = 900\n", "from_altitude_ft = 4000\n").replace("[engine]", aircraft + "[engine]")
+    flight = flown(text, CONVENTIONAL)
+    k, h = len(flight.phase) // 2, flight.history
+    speed, slope = h["true_airspeed"][k], 1000 * 0.3048 / 120 / h["true_airspeed"][k]
+    from gearwright.air.atmosphere import air_at
+
+    dynamic = 0.5 * air_at(h["altitude"][k]).density * speed**2 * 61
+    lift = 9000 * 9.80665 * math.sqrt(1 - slope**2) / dynamic
+    thrust = dynamic * (0.028 + 0.034 * lift**2) + 9000 * 9.80665 * slope
+    assert h["thrust"][k] == pytest.approx(thrust, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("power_kw = 900", "power_kw = 1500", "gas-turbine: needs 1500 kW at 1524 m, and gives 1046 kW"),
+        ("thermal_power_kw = 2600", "thermal_power_kw = 800", "needs 900 kW at 1524 m, and gives"),
+        ("power_kw = 900", 'power_kw = 2000\nmode = "electric"', "electric: needs 2000 kW"),
+        ("duration_min = 2", 'duration_min = 20\nmode = "electric"', "empty"),
+        ("energy_kwh = 100", "energy_kwh = 10\nstart_charge = 1", "overloaded"),
+        ("power_kw = 900", "pitch_deg = 12", "blade angle 12°: outside the map"),
+        ("cas_kt = 170", "cas_kt = 650", "Mach"),
+        ("power_kw = 900", "power_kw = 0.1", "only spin the train up"),
+        ('name = "test"', 'name = "test"\npropeller_map = "none"', "no shipped map"),
+    ],
+)
+def test_what_cannot_be_flown_is_refused_with_phase_and_value(old, new, expected):
+    text = BASE.replace(old, new)
+    if expected == "overloaded":
+        text = text.replace("power_kw = 900", 'power_kw = 900\nmode = "electric"')
+    if expected == "empty":
+        text = text.replace("power_kw = 900", "power_kw = 700").replace("duration_min = 10", "duration_min = 20")
+        text = text.replace("energy_kwh = 100", "energy_kwh = 200\nhighest_c_rate = 20")
+    with pytest.raises(DesignError, match=expected):
+        flown(text)
+
+
+def test_an_electric_phase_needs_a_motor():
+    with pytest.raises(DesignError, match="the design has no motor"):
+        flown(BASE.replace("power_kw = 900", 'power_kw = 900\nmode = "electric"'), CONVENTIONAL)
+
+
+def test_a_spectrum_keeps_every_second_and_every_turn():
+    """Classes sort the flight and lose nothing; 1e-12 is rounding."""
+    for mesh in HYBRID.train.meshes:
+        bins = mesh_spectrum(THESIS, mesh.name)
+        assert sum(each.time for each in bins) == pytest.approx(THESIS.duration, rel=1e-12)
+    bins = shaft_spectrum(THESIS, "output", classes=10)
+    turns = (THESIS.speeds["output"] * THESIS.history["duration"]).sum() / (2 * np.pi)
+    assert sum(each.turns for each in bins) == pytest.approx(turns, rel=1e-12)
+    assert len(bins) <= 10
+
+
+def test_damage_grows_with_the_time_under_load():
+    """Miner's sum is linear in the cycles: twice the time, twice the damage; 1e-3 for the spin of the last class."""
+    text = BASE.replace("power_kw = 900", 'power_kw = 2040\nmode = "hybrid"\nelectric_share = 0.49')
+    text = text.replace("energy_kwh = 100", "energy_kwh = 900").replace("[phases", "[motor]\noverload = 1.05\n[phases")
+    once = {(row.gear, row.mode): row.damage for row in gear_damage(flown(text))}
+    twice = gear_damage(flown(text.replace("duration_min = 2", "duration_min = 4")))
+    assert twice[0].damage > 0.0
+    assert twice[0].damage == pytest.approx(2.0 * once[twice[0].gear, twice[0].mode], rel=1e-3)
+    assert twice[0].flights == pytest.approx(1.0 / twice[0].damage)
+
+
+def test_the_worst_gear_comes_first():
+    rows = gear_damage(THESIS)
+    assert [row.damage for row in rows] == sorted((row.damage for row in rows), reverse=True)
+    assert len(rows) == 2 * len(HYBRID.gears)
+
+
+def test_a_flight_is_told_in_words_numbers_and_histories():
+    damages = gear_damage(THESIS)
+    told = flight_text(THESIS, damages)
+    assert f"First to fail: {damages[0].gear}" in told
+    assert all(row.name in told for row in phase_summaries(THESIS))
+    assert len(flight_csv(THESIS).splitlines()) == len(THESIS.phase) + 1
+    assert '"fuel"' in flight_json(THESIS, damages)
