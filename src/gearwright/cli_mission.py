@@ -46,6 +46,7 @@ def _list(names: tuple[str, ...]) -> None:
 
 
 def _flown(design: str, mission: str) -> tuple[Flight, tuple[GearDamage, ...]]:
+    from gearwright.errors import DesignError
     from gearwright.mission import fly as flown_by
     from gearwright.mission import gear_damage
     from gearwright.shipped import shipped_design, shipped_designs, shipped_mission, shipped_missions
@@ -57,4 +58,8 @@ def _flown(design: str, mission: str) -> tuple[Flight, tuple[GearDamage, ...]]:
     sizing = size(read(shipped_design(design) if not own.exists() and design in shipped_designs() else own))
     read_from = shipped_mission(mission) if not asked.exists() and mission in shipped_missions() else asked
     flight = flown_by(sizing, read_mission(read_from), folder=read_from.parent)
-    return flight, gear_damage(flight)
+    try:
+        return flight, gear_damage(flight)
+    except DesignError as error:  # the flight is good without a rating; say why there is none
+        typer.echo(f"No damage: {error}", err=True)
+        return flight, ()

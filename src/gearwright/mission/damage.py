@@ -70,6 +70,7 @@ def gear_damage(flight: Flight) -> tuple[GearDamage, ...]:
     pairs = gear_pairs(flight.sizing)
     sums: dict[tuple[str, str], list[float]] = {}
     for mesh in flight.sizing.train.meshes:
+        _refuse_face(flight, mesh.stage)
         try:
             found = _mesh_damage(flight, mesh.name, pairs[mesh.name], steel)
         except DesignError as error:
@@ -80,6 +81,13 @@ def gear_damage(flight: Flight) -> tuple[GearDamage, ...]:
     hours = flight.duration / 3600.0
     rows = [GearDamage(gear, mode, _joined(flight, gear, parts), hours) for (gear, mode), parts in sums.items()]
     return tuple(sorted(rows, key=lambda row: -row.damage))
+
+
+def _refuse_face(flight: Flight, stage: str) -> None:
+    pair = flight.sizing.design.pairs.get(stage)
+    if pair is not None and pair.kind == "face":
+        message = "a face gear; ISO 6336 rates cylindrical gears only, so that its damage is not known"
+        raise DesignError([Problem(f"pairs.{stage}", message)])
 
 
 def _joined(flight: Flight, gear: str, parts: Sequence[float]) -> float:

@@ -17,7 +17,7 @@ from gearwright.mission.profile import Moment, moments
 from gearwright.mission.supply import supply_of
 from gearwright.mission.thrust import performed, propeller_power
 from gearwright.sizing import Sizing
-from gearwright.spec.mission import Mission, mission_problems
+from gearwright.spec.mission import NO_MAP, Mission, mission_problems
 
 TRIAL_POWER = 1e5
 """Power at which an operating point is found before it is scaled [W]; torques and powers are proportional."""
@@ -66,8 +66,10 @@ def _only_propeller(sizing: Sizing) -> str:
     return names[0]
 
 
-def _chart(mission: Mission, folder: Path | None) -> PropellerMap:
+def _chart(mission: Mission, folder: Path | None) -> PropellerMap | None:
     name = mission.propeller_map
+    if name == NO_MAP:
+        return None
     return read_propeller_map((folder or Path()) / name) if name.endswith(".csv") else propeller_map(name)
 
 
@@ -77,7 +79,7 @@ def _placed(error: DesignError, moment: Moment) -> DesignError:
 
 
 def _interval(
-    flown: Flown, chart: PropellerMap, moment: Moment, *, before: tuple[Point | None, float, float]
+    flown: Flown, chart: PropellerMap | None, moment: Moment, *, before: tuple[Point | None, float, float]
 ) -> tuple[dict[str, float], Point]:
     """Return what is recorded of an interval, and the gearbox's operating point."""
     gearbox, mission, supply = flown

@@ -13,12 +13,12 @@ from gearwright.units import GRAVITY
 
 
 def propeller_power(
-    chart: PropellerMap, gearbox: Gearbox, mission: Mission, *, now: tuple[Moment, float]
+    chart: PropellerMap | None, gearbox: Gearbox, mission: Mission, *, now: tuple[Moment, float]
 ) -> float | None:
     """Return the power of the propeller's shaft [W], or None where the machines' power is given.
 
     Args:
-        chart: Map of the propeller.
+        chart: Map of the propeller; None: powers are schedules.
         gearbox: With the propeller's diameter.
         mission: With phases and aircraft.
         now: The moment, and the fuel that all engines have burnt so far [kg].
@@ -28,7 +28,7 @@ def propeller_power(
     """
     moment, burnt = now
     phase = mission.phases[moment.phase]
-    if moment.power is not None:
+    if moment.power is not None or chart is None:
         return None
     diameter, turns, ratio = _advance(gearbox, moment)
     angle = phase.pitch
@@ -58,11 +58,11 @@ def _needed_thrust(mission: Mission, moment: Moment, phase: Phase, burnt: float)
     return (drag_force + weight * slope) / (phase.engines or mission.engines)
 
 
-def performed(chart: PropellerMap, gearbox: Gearbox, moment: Moment, work: float) -> dict[str, float]:
+def performed(chart: PropellerMap | None, gearbox: Gearbox, moment: Moment, work: float) -> dict[str, float]:
     """Return where the aircraft is and what its propeller does with a power.
 
     Args:
-        chart: Map of the propeller.
+        chart: Map of the propeller; None: powers are schedules.
         gearbox: With the propeller's diameter.
         moment: Where it is flown.
         work: Power that reaches the propeller [W].
@@ -71,8 +71,6 @@ def performed(chart: PropellerMap, gearbox: Gearbox, moment: Moment, work: float
         DesignError: The power lies outside the map.
     """
     diameter, turns, ratio = _advance(gearbox, moment)
-    density = moment.air.density
-    angle = angle_for_power(chart, ratio, work / (density * turns**3 * diameter**5))
     return {
         "time": moment.time,
         "duration": moment.duration,
@@ -83,6 +81,11 @@ def performed(chart: PropellerMap, gearbox: Gearbox, moment: Moment, work: float
         "propeller_speed": moment.propeller_speed,
         "propeller_power": work,
         "advance_ratio": ratio,
-        "pitch": angle,
-        "thrust": coefficients(chart, ratio, angle).thrust * density * turns**2 * diameter**4,
+        **(_pulled(chart, (diameter, turns, ratio), moment.air.density, work) if chart is not None else {}),
     }
+
+
+def _pulled(chart: PropellerMap, advance: tuple[float, float, float], density: float, work: float) -> dict[str, float]:
+    diameter, turns, ratio = advance
+    angle = angle_for_power(chart, ratio, work / (density * turns**3 * diameter**5))
+    return {"pitch": angle, "thrust": coefficients(chart, ratio, angle).thrust * density * turns**2 * diameter**4}

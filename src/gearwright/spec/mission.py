@@ -14,6 +14,8 @@ from gearwright.spec.read import file_text, placed
 from gearwright.spec.record import Record, build
 from gearwright.units import Angle, Area, Energy, Length, Mass, Power, Ratio, Speed, Time, Velocity
 
+NO_MAP = "none"
+"""Name that stands for no propeller map."""
 _SAME_ALTITUDE = 0.1
 """Altitudes nearer than this are the same [m]."""
 
@@ -113,7 +115,7 @@ class Mission(Record):
     engines: int = Field(1, ge=1, le=20, description="Number of gearboxes with propellers on the aircraft")
     isa_offset_k: float = Field(0.0, ge=-60, le=60, description="Temperature above the standard atmosphere")
     step: Time = Field(10.0, gt=0, le=600, description="Longest interval")
-    propeller_map: str = Field("6-blades-af115", description="Shipped map, or a CSV file")
+    propeller_map: str = Field("6-blades-af115", description="Shipped map, a CSV file, or none: powers are schedules")
     engine: EngineRules = Field(default_factory=EngineRules, description="Turbine in flight")
     motor: MotorRules = Field(default_factory=MotorRules, description="Motors in flight")
     battery: BatteryRules | None = Field(None, description="Battery of one gearbox")
@@ -186,6 +188,8 @@ def _power(phase: Phase, mission: Mission) -> Iterator[str]:
         yield "power and pitch given; the propeller's speed allows only one of them"
     if not given and mission.aircraft is None:
         yield "nothing sets its power; give power or pitch, or an [aircraft] that needs a thrust"
+    if phase.power is None and mission.propeller_map == NO_MAP:
+        yield "without a propeller map only a power can be flown; give power, or a propeller_map"
     if phase.end_power is not None and phase.power is None:
         yield "end_power without power; give both, or only power"
     if phase.mode == "hybrid" and phase.electric_share is None:

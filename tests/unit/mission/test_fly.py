@@ -109,7 +109,7 @@ def test_thrust_carries_the_weight_up_the_slope():
         ("power_kw = 900", "pitch_deg = 12", "blade angle 12°: outside the map"),
         ("cas_kt = 170", "cas_kt = 650", "Mach"),
         ("power_kw = 900", "power_kw = 0.1", "only spin the train up"),
-        ('name = "test"', 'name = "test"\npropeller_map = "none"', "no shipped map"),
+        ('name = "test"', 'name = "test"\npropeller_map = "nonsense"', "no shipped map"),
     ],
 )
 def test_what_cannot_be_flown_is_refused_with_phase_and_value(old, new, expected):
@@ -163,3 +163,11 @@ def test_a_flight_is_told_in_words_numbers_and_histories():
     assert all(row.name in told for row in phase_summaries(THESIS))
     assert len(flight_csv(THESIS).splitlines()) == len(THESIS.phase) + 1
     assert '"fuel"' in flight_json(THESIS, damages)
+
+
+def test_a_rotor_flies_by_its_schedules_and_a_face_gear_has_no_damage_by_iso_6336():
+    flight = fly(size(read(shipped_design("face-gear-split-torque"))), read_mission(shipped_mission("rotor-schedule")))
+    assert "thrust" not in flight.history
+    assert flight.balance.residual < 1e-9
+    with pytest.raises(DesignError, match="a face gear"):
+        gear_damage(flight)

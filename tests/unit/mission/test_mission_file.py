@@ -19,7 +19,7 @@ def message(text):
 
 @pytest.mark.parametrize("name", shipped_missions())
 def test_a_shipped_mission_reads(name):
-    assert len(read_mission(shipped_mission(name)).phases) > 5
+    assert len(read_mission(shipped_mission(name)).phases) >= 5
 
 
 def test_two_kinds_of_speed_at_once_are_refused():
@@ -71,3 +71,8 @@ def test_every_problem_comes_at_once():
 
 def test_a_text_that_is_no_toml_is_refused():
     assert "not TOML" in message("[phases")
+
+
+def test_a_mission_without_a_propeller_map_needs_powers():
+    text = 'propeller_map = "none"\n[phases.a]\npitch_deg = 12\n' + PHASE.replace("power_kw = 500\n", "")
+    assert "without a propeller map" in message(text)
