@@ -15,7 +15,7 @@ from gearwright.dynamics.statics import Equilibrium, statics
 from gearwright.dynamics.steady import Orbit, periodic
 from gearwright.dynamics.stepsize import Accuracy
 from gearwright.dynamics.system import Arrays, Labels, System
-from gearwright.dynamics.trace import Samples, Statistics, Trace
+from gearwright.dynamics.trace import Orders, Samples, Statistics, Trace
 
 __all__ = [
     "Accuracy",
@@ -29,6 +29,7 @@ __all__ = [
     "Model",
     "Modes",
     "Orbit",
+    "Orders",
     "Outputs",
     "Periodic",
     "Response",

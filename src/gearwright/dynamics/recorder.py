@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gearwright.dynamics.orders import OrderSums
 from gearwright.dynamics.system import Floats, Ints, System
 from gearwright.dynamics.trace import Checkpoints, Samples, Statistics
 from gearwright.errors import DesignError, Problem, SolveError
@@ -30,6 +31,8 @@ class Outputs:
     """Time before which the statistics do not look [s]: leave out the transient."""
     windows: tuple[tuple[float, float], ...] = ()
     """Stretches of time of which every step is kept, (from, to) [s]."""
+    orders: tuple[str, ...] = ()
+    """Lines whose force is split into the amplitudes of the tones, in each bin."""
 
 
 class Recorder:
@@ -50,6 +53,7 @@ class Recorder:
         self.spacing = BLOCK * max(1, -(-steps // (BLOCK * CHECKPOINTS)))
         self.gaps = np.flatnonzero(system.arrays.backlash > 0.0)
         self.lost = np.full(len(self.gaps), -1)
+        self.orders = OrderSums(system, outputs.orders, step=step, bins=bins) if outputs.orders else None
 
     def checkpoint(self, first: int, state: Floats) -> None:
         """Keep the state before a step, if it is time to.
@@ -84,7 +88,10 @@ class Recorder:
             if low >= high:
                 break
             whole = high - low == len(record)
-            self._count(place, summary if whole else summary_of(record[low - first : high - first]))
+            part = record[low - first : high - first]
+            self._count(place, summary if whole else summary_of(part))
+            if self.orders is not None:
+                self.orders.add(place, low, part[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
         self._watch(first, record)
 
     def _diverged(self, first: int, record: Floats) -> None:

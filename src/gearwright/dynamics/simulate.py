@@ -214,6 +214,7 @@ def _trace(recorder: Recorder, ran: Ran, ends: tuple[Floats, Floats], done: int)
         notes=notes,
         labels=labels,
         tolerance=pace.tolerance,
+        orders=recorder.orders.result(recorder.edges) if recorder.orders else None,
     )
 
 

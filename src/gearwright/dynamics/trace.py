@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from gearwright.dynamics.energy import Work
-from gearwright.dynamics.system import Floats, Ints, Labels
+from gearwright.dynamics.system import Floats, Ints, Labels, Tone
 from gearwright.errors import DesignError, Problem, near
 
 
@@ -106,6 +109,28 @@ class Statistics:
 
 
 @dataclass(frozen=True, eq=False)
+class Orders:
+    """Complex amplitudes of line forces at every turning tone: the real part times e^(iφ) is the tone's share."""
+
+    names: tuple[str, ...]
+    """Lines."""
+    tones: tuple[Tone, ...]
+    """Which angle each tone is."""
+    edges: Floats
+    """Bin edges [s], shape (bins + 1,)."""
+    amplitude: NDArray[np.complex128]
+    """Peak amplitudes [N or N m], shape (bins, lines, tones)."""
+
+    def of(self, line: str) -> NDArray[np.complex128]:
+        """Return the amplitudes of one line's force [N or N m], shape (bins, tones).
+
+        Args:
+            line: Its name.
+        """
+        return self.amplitude[:, index_of(line, self.names, "line")]
+
+
+@dataclass(frozen=True, eq=False)
 class Checkpoints:
     """States from which any part of the run can be repeated bit for bit."""
 
@@ -147,3 +172,5 @@ class Trace:
     """Names and units."""
     tolerance: float = 0.0
     """Root of the energy that the error of one adaptive step might hold; 0 for fixed steps [√J]."""
+    orders: Orders | None = None
+    """Amplitudes of line forces at the tones, if they were asked for."""

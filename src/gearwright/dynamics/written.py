@@ -162,7 +162,7 @@ def _phase(path: str, series: Periodic, units: dict[str, str]) -> Iterator[Probl
         if units.get(name) != "rad":
             rotations = [other for other, unit in units.items() if unit == "rad"]
             yield Problem(path, f"the phase names {name}, which is no rotation; {near(name, rotations)}")
-        if count != int(count):
+        if not float(count).is_integer():
             yield Problem(path, f"the phase takes {count:g} times {name}; it must be a whole number (of teeth)")
     if (len(series.cosine) or len(series.sine)) and not series.phase:
         yield Problem(path, "harmonics need a phase, such as {'sun': 28}")

@@ -56,6 +56,13 @@ def test_meshes_of_one_stage_share_their_tones():
     assert len(model.build().labels.tones) == 2
 
 
+@pytest.mark.parametrize("mass", [0.0, -1e-3, math.nan])
+def test_a_mass_that_is_not_positive_is_named(mass):
+    model = pair()
+    model.translation("case", mass=mass)
+    assert f"bodies.case: mass is {mass:g}; it must be positive and finite" in problems_of(model)
+
+
 @pytest.mark.parametrize("inertia", [0.0, -1e-3, math.nan, math.inf])
 def test_an_inertia_that_is_not_positive_and_finite_is_named(inertia):
     model = pair()
@@ -81,11 +88,14 @@ def test_duplicate_names_are_named():
     assert "lines.mesh: the name is used 2 times" in message
 
 
-def test_a_phase_that_is_no_whole_number_of_teeth_is_refused():
+@pytest.mark.parametrize("count", [20.5, math.nan, math.inf])
+@pytest.mark.parametrize("of", ["variation", "errors"])
+def test_a_phase_that_is_no_whole_number_of_teeth_is_refused(count, of):
     model = pair()
-    model.support("x", "wheel", stiffness=1.0)
-    model.mesh("odd", {"pinion": 0.025, "wheel": 0.05}, stiffness=1.0, variation=Periodic({"pinion": 20.5}, (0.1,)))
-    assert "takes 20.5 times pinion; it must be a whole number" in problems_of(model)
+    wave = Periodic({"pinion": count}, (0.1,))
+    parts = {"variation": wave} if of == "variation" else {"errors": [wave]}
+    model.mesh("odd", {"pinion": 0.025, "wheel": 0.05}, stiffness=1.0, **parts)
+    assert f"lines.odd: the phase takes {count:g} times pinion; it must be a whole number" in problems_of(model)
 
 
 def test_a_phase_of_a_translation_is_refused():

@@ -7,7 +7,19 @@ import numpy as np
 import pytest
 from random_systems import random_system
 
-from gearwright.dynamics import Accuracy, DampingRatio, Model, Outputs, Periodic, replay, simulate
+from gearwright.dynamics import (
+    Accuracy,
+    DampingRatio,
+    Line,
+    Model,
+    Outputs,
+    Periodic,
+    replay,
+    simulate,
+    statics,
+    tone_amplitudes,
+)
+from gearwright.dynamics.recorder import CHECKPOINTS
 from gearwright.errors import DesignError, SolveError
 
 
@@ -176,3 +188,84 @@ def test_every_run_says_where_its_energy_went(seed):
     assert simulate(system, 0.38, start="rigid", step=2e-4).work.imbalance < 1e-3
     linear = replace(system, arrays=system.arrays._replace(backlash=np.zeros_like(system.arrays.backlash)))
     assert simulate(linear, 0.38, start="rigid", step=2e-4).work.imbalance < 1e-6
+
+
+@pytest.mark.parametrize("bins", [1, 3])
+def test_order_amplitudes_are_those_of_every_step(bins):
+    """Summed up block by block they are the least squares of the whole record: to rounding of the normal equations."""
+    system = driven_pair()
+    asked = Outputs(bins=bins, windows=((0.0, 0.05),), orders=("mesh",))
+    trace = simulate(system, 0.05, outputs=asked, start="rigid")
+    every = trace.windows[0]
+    force = every.force("mesh")
+    for number in range(bins):
+        part = slice(*(round(edge / trace.step) for edge in trace.orders.edges[number : number + 2]))
+        wanted = dict(tone_amplitudes(system, replace(every, time=every.time[part]), force[part]))
+        found = dict(zip(trace.orders.tones, trace.orders.of("mesh")[number], strict=True))
+        assert set(found) == set(wanted)
+        for tone, amplitude in wanted.items():
+            assert found[tone] == pytest.approx(amplitude, abs=1e-8 * np.max(np.abs(force)))
+
+
+def test_a_known_wave_has_its_own_amplitude():
+    """A rotor is shaken by E cos φ through a spring and a damper: its closed form, with f = ω² q for a mass of one."""
+    model = Model()
+    model.rotation("rotor", inertia=1.0)
+    model.rotation("clock", inertia=1.0, speed=10.0)
+    model.add(Line("spring", {"rotor": 1.0}, 1e4, damping=40.0, errors=(Periodic({"clock": 1}, (1e-3,)),)))
+    trace = simulate(model.build(), 10.0, outputs=Outputs(start=5.0, orders=("spring",)), start="rigid")
+    k, c, w = 1e4, 40.0, 10.0
+    response = (k + 1j * w * c) / (k - w * w + 1j * w * c)
+    wanted = w * w * response * 1e-3
+    # After 5 s the start has decayed by e^-100; a line's force is −m q̈ where nothing else acts.
+    assert trace.orders.of("spring")[0, 0] == pytest.approx(wanted, rel=1e-9)
+
+
+def test_an_order_of_an_unknown_line_names_the_nearest_before_anything_runs():
+    with pytest.raises(DesignError, match=r"outputs\.mehs: no such line; did you mean mesh"):
+        simulate(driven_pair(), 10.0, outputs=Outputs(orders=("mehs",)))
+
+
+def kept(trace) -> int:
+    """Return how many numbers a trace holds."""
+    parts = [trace.samples, trace.force, trace.deflection, trace.velocity, trace.checkpoints, trace.orders]
+    return sum(np.size(value) for part in parts for value in vars(part).values() if isinstance(value, np.ndarray))
+
+
+def test_what_is_kept_does_not_grow_with_the_duration():
+    """Samples thin out and checkpoints spread: forty times the time keeps no more than the limits of both allow."""
+    asked = Outputs(samples=200, bins=4, orders=("mesh",))
+    short, long = (simulate(driven_pair(), duration, outputs=asked) for duration in (0.5, 20.0))
+    states, row = 2 * 2 + 6, 2 * 2 + 2 * 1 + 1
+    fixed = kept(short) - np.size(short.samples.time) * row - np.size(short.checkpoints.step) * (states + 1)
+    assert np.size(short.checkpoints.step) < 100
+    assert kept(long) <= fixed + 200 * row + (CHECKPOINTS + 1) * (states + 1)
+    assert np.size(long.samples.time) <= 200
+
+
+@pytest.mark.parametrize("method", ["statics", "simulate"])
+def test_a_body_that_nothing_holds_is_named_with_its_motion(method):
+    """An idler that no line touches, under a load: statics refuses it, a run says that it speeds up."""
+    model = Model()
+    model.rotation("rotor", inertia=1.0)
+    model.rotation("idler", inertia=1.0)
+    model.support("anchor", "rotor", stiffness=1e4, damping=1.0)
+    model.load("idler", constant=3.0)
+    system = model.build()
+    if method == "statics":
+        with pytest.raises(SolveError, match=r"nothing holds the motion \(idler 1\)"):
+            statics(system)
+    else:
+        assert any("idler 1" in note and "speeds up" in note for note in simulate(system, 0.01).notes)
+
+
+def test_a_billion_seconds_are_refused_with_the_longest_run_at_that_step():
+    with pytest.raises(DesignError, match=r"duration: 1e\+09 s takes .* steps; at most .* s at this step"):
+        simulate(driven_pair(), 1e9)
+
+
+@pytest.mark.parametrize("step", [0.0, -1e-6, math.nan, math.inf])
+@pytest.mark.parametrize("method", ["runge-kutta", "tsit5"])
+def test_a_step_that_is_no_length_of_time_is_refused(step, method):
+    with pytest.raises(DesignError, match="step"):
+        simulate(driven_pair(), 0.01, step=step, method=method)
