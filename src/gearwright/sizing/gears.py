@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from gearwright.parts.gear_body import disc_inertia, disc_mass, ring_inertia, ring_mass
 from gearwright.parts.hertz import contact_stress
@@ -16,6 +17,19 @@ from gearwright.spec import Design, Pair
 from gearwright.spec.overrides import Overrides
 from gearwright.train.flow import PowerFlow
 from gearwright.train.graph import INTERNAL, Gear, Mesh, Train
+
+
+class Demand(NamedTuple):
+    """What a mesh row asks for at its worst case."""
+
+    case: str
+    """That case."""
+    per_tooth: float
+    """Torque per tooth of one mesh, load factor included [N m]."""
+    bending: float
+    """Module that bending asks for [m]."""
+    contact: float
+    """Module that contact asks for [m]."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +45,8 @@ class Context:
     overrides: Overrides
     ratings: Mapping[str, Rating]
     """Stage -> resolved rules."""
+    demands: Mapping[str, Demand]
+    """Mesh row -> what it asks for."""
 
 
 def context(
@@ -48,7 +64,8 @@ def context(
     ratings = {
         name: rating_of(design.rules(name), helical=isinstance(stage, Pair)) for name, stage in design.stages.items()
     }
-    return Context(design, train, teeth, flows, overrides, ratings)
+    given = Context(design, train, teeth, flows, overrides, ratings, {})
+    return replace(given, demands={mesh.name: _demand(given, mesh) for mesh in train.meshes})
 
 
 def stage_modules(given: Context) -> dict[str, float]:
@@ -61,7 +78,7 @@ def stage_modules(given: Context) -> dict[str, float]:
     needed: dict[str, float] = {}
     for mesh in given.train.meshes:
         owner = group[mesh.stage]
-        needed[owner] = max(needed.get(owner, 0.0), *_mesh_modules(given, mesh))
+        needed[owner] = max(needed.get(owner, 0.0), *given.demands[mesh.name][2:])
     _align(given, needed, group)
     taken = {owner: given.overrides.take(f"{owner}.module", "length", value) for owner, value in needed.items()}
     return {stage: taken[owner] for stage, owner in group.items()}
@@ -97,13 +114,13 @@ def worst_case(given: Context, mesh: Mesh) -> tuple[str, float]:
     return case, loads[case] / mesh.count * given.ratings[mesh.stage].load_factor
 
 
-def _mesh_modules(given: Context, mesh: Mesh) -> tuple[float, float]:
+def _demand(given: Context, mesh: Mesh) -> Demand:
     rating = given.ratings[mesh.stage]
-    _, per_tooth = worst_case(given, mesh)
+    case, per_tooth = worst_case(given, mesh)
     teeth = (given.teeth[mesh.gears[0]], given.teeth[mesh.gears[1]])
     idler = any(given.train.gear(gear).role == "planet" for gear in mesh.gears)
     bending, contact = modules(per_tooth, teeth, rating, internal=mesh.sign == INTERNAL, idler=idler)
-    return float(bending), float(contact)
+    return Demand(case, per_tooth, float(bending), float(contact))
 
 
 def size_gears(given: Context, module: Mapping[str, float]) -> tuple[GearSizing, ...]:
@@ -159,7 +176,7 @@ def size_meshes(given: Context, gears: tuple[GearSizing, ...]) -> tuple[MeshSizi
 
 def _mesh(given: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing]) -> MeshSizing:
     rating, (one, other) = given.ratings[mesh.stage], pair
-    case, per_tooth = worst_case(given, mesh)
+    case, per_tooth, module_bending, module_contact = given.demands[mesh.name]
     internal = mesh.sign == INTERNAL
     width = min(one.face_width, other.face_width)
     force = 2.0 * per_tooth * one.teeth / one.pitch_diameter
@@ -171,7 +188,6 @@ def _mesh(given: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing]) -> Me
     )
     flow = given.flows[case]
     rolling = abs(flow.speeds[mesh.nodes[0]] - flow.speeds[mesh.nodes[2]])
-    module_bending, module_contact = _mesh_modules(given, mesh)
     idler = "planet" in (one.role, other.role)
     allowable = rating.bending_allowable * (rating.rules.idler_factor if idler else 1.0)
     return MeshSizing(
