@@ -7,6 +7,7 @@ matrices are used where a peer is made for arrays (numpy, JAX, CasADi), loops wh
 from __future__ import annotations
 
 import importlib.util
+import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -14,6 +15,7 @@ import numpy as np
 from numba import njit
 from scipy.integrate import solve_ivp
 
+from gearwright.dynamics.reference import line_state
 from gearwright.dynamics.steppers import blank_record, stepper
 from gearwright.dynamics.system import Arrays, line_matrix
 
@@ -140,6 +142,21 @@ def gearwright(case: Case, setting: float) -> Callable[[], np.ndarray]:
     return run
 
 
+def gearwright_adaptive(case: Case, setting: float) -> Callable[[], np.ndarray]:
+    """Our adaptive steps, rows on the grid; setting: tolerance over the root of the energy at the start."""
+    h, size = case.duration / case.intervals, len(case.arrays.mass)
+    lines = line_state(case.arrays, 0.0, case.start[:size], case.start[size:])
+    held = 0.5 * float(np.sum(lines.stiffness * lines.contact**2))
+    advance, width = stepper(case.arrays, "tsit5", h, tolerance=setting * held**0.5), len(case.start)
+    record = blank_record(case.arrays, case.intervals + 1)
+
+    def run() -> np.ndarray:
+        advance(0, record, np.concatenate([case.start, np.zeros(6)]))
+        return record[:, :width].copy()
+
+    return run
+
+
 def scipy_run(slope: Callable, method: str) -> Callable:
     """A method of scipy's solve_ivp; setting: relative tolerance."""
 
@@ -211,11 +228,11 @@ def diffrax_run(name: str) -> Callable:
     return make
 
 
-def casadi_cvodes(case: Case, setting: float) -> Callable[[], np.ndarray]:
-    """CVODES through CasADi's virtual machine; setting: relative tolerance."""
+def casadi_slope(arrays: Arrays):
+    """Return the function (t, y) → dy/dt in CasADi's words, sparse."""
     import casadi
 
-    form, arrays, size = dense(case.arrays), case.arrays, len(case.arrays.mass)
+    form, size = dense(arrays), len(arrays.mass)
     t, y = casadi.SX.sym("t"), casadi.SX.sym("y", 2 * size)
     weights, rate = casadi.sparsify(casadi.DM(form.weights)), arrays.tone_rate
     cos, sin = casadi.cos(rate * t), casadi.sin(rate * t)
@@ -226,10 +243,27 @@ def casadi_cvodes(case: Case, setting: float) -> Callable[[], np.ndarray]:
     contact = casadi.if_else(arrays.backlash > 0.0, gap, deflection)
     force = (arrays.stiffness + kc @ cos + ks @ sin) * contact + arrays.damping * speed
     slope = casadi.vertcat(y[size:], (arrays.loads.constant - weights.T @ force) / arrays.mass)
-    options = {"reltol": setting, "abstol": setting * float(np.max(np.abs(case.start)))}
-    options |= {"linear_multistep_method": "adams", "nonlinear_solver_iteration": "functional", "max_num_steps": 10**6}
-    solver = casadi.integrator("f", "cvodes", {"x": y, "t": t, "ode": slope}, 0.0, list(case.grid[1:]), options)
-    return lambda: np.vstack([case.start, np.asarray(solver(x0=case.start)["xf"]).T])
+    return casadi.Function("slope", [t, y], [slope])
+
+
+def casadi_cvodes(jit: dict[str, object]) -> Callable:
+    """CVODES through CasADi, Adams with functional iteration; setting: relative tolerance."""
+
+    def make(case: Case, setting: float) -> Callable[[], np.ndarray]:
+        import casadi
+
+        t, y = casadi.SX.sym("t"), casadi.SX.sym("y", len(case.start))
+        options = {"reltol": setting, "abstol": setting * float(np.max(np.abs(case.start))), "max_num_steps": 10**6}
+        options |= {"linear_multistep_method": "adams", "nonlinear_solver_iteration": "functional", **jit}
+        equations = {"x": y, "t": t, "ode": casadi_slope(case.arrays)(t, y)}
+        solver = casadi.integrator("f", "cvodes", equations, 0.0, list(case.grid[1:]), options)
+        return lambda: np.vstack([case.start, np.asarray(solver(x0=case.start)["xf"]).T])
+
+    return make
+
+
+IN_C = {"jit": True, "compiler": "shell", "jit_options": {"compiler": "gcc", "flags": ["-O3", "-march=native"]}}
+"""Makes CasADi write its functions as C, compile and load them."""
 
 
 def has(module: str) -> bool:
@@ -240,6 +274,7 @@ def has(module: str) -> bool:
 LOOSE, STEPS = [10.0 ** (-power / 3) for power in range(6, 37)], [2, 3, 4, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64]
 PEERS: dict[str, tuple[Callable, list[float]]] = {
     "gearwright RK4": (gearwright, STEPS),
+    "gearwright Tsit5": (gearwright_adaptive, LOOSE),
     "scipy RK45, numba slope": (scipy_run(numba_slope, "RK45"), LOOSE),
     "scipy DOP853, numba slope": (scipy_run(numba_slope, "DOP853"), LOOSE),
     "scipy RK45, numpy slope": (scipy_run(lambda arrays: array_slope(arrays, np), "RK45"), LOOSE),
@@ -249,4 +284,6 @@ if has("jax"):
 if has("diffrax"):
     PEERS |= {f"diffrax {name}": (diffrax_run(name), LOOSE) for name in ("Tsit5", "Dopri8")}
 if has("casadi"):
-    PEERS["CasADi CVODES Adams"] = (casadi_cvodes, LOOSE)
+    PEERS["CasADi CVODES Adams, virtual machine"] = (casadi_cvodes({}), LOOSE)
+    if shutil.which("gcc"):
+        PEERS["CasADi CVODES Adams, C"] = (casadi_cvodes(IN_C), LOOSE)
