@@ -3,6 +3,7 @@
 from gearwright.mission.damage import GearDamage, gear_damage
 from gearwright.mission.flight import Balance, Flight, PhaseSummary, phase_summaries
 from gearwright.mission.fly import fly
+from gearwright.mission.governed import Window, governed_window, rotor_at, trim_at
 from gearwright.mission.spectrum import DutyBin, mesh_spectrum, shaft_spectrum
 
 __all__ = [
@@ -11,9 +12,13 @@ __all__ = [
     "Flight",
     "GearDamage",
     "PhaseSummary",
+    "Window",
     "fly",
     "gear_damage",
+    "governed_window",
     "mesh_spectrum",
     "phase_summaries",
+    "rotor_at",
     "shaft_spectrum",
+    "trim_at",
 ]

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.machines.battery import stored_energy
+from gearwright.machines.propeller_map import PropellerMap
 from gearwright.mission.flight import Balance, Flight, fuel_energy
 from gearwright.mission.gearbox import Array, Gearbox, Point
 from gearwright.mission.supply import Supply
@@ -34,12 +35,13 @@ class Flown(NamedTuple):
     supply: Supply
 
 
-def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
+def collect(flown: Flown, intervals: Sequence[Interval], chart: PropellerMap | None) -> Flight:
     """Return the flight of its intervals.
 
     Args:
         flown: Gearbox, mission and machines.
         intervals: In their order.
+        chart: Map of the propeller.
     """
     gearbox, mission, _ = flown
     history = {name: np.array([each.values[name] for each in intervals]) for name in intervals[0].values}
@@ -64,6 +66,8 @@ def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
         balance=_balance(flown, history),
         oil_flow=oil_flow(float(heat.max()), mission.oil.rise_k),
         cooler_conductance=_cooler(mission, history, heat),
+        inertia=gearbox.inertia,
+        propeller_map=chart,
     )
 
 

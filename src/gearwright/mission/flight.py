@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.machines.gas_turbine import HEATING_VALUE
+from gearwright.machines.propeller_map import PropellerMap
 from gearwright.sizing import Sizing
 from gearwright.spec.mission import Mission
 from gearwright.units import Energy, Mass, Ratio, Time
@@ -56,9 +57,10 @@ class Flight:
     phase: tuple[str, ...]
     """Phase of each interval."""
     history: Mapping[str, Array]
-    """Name -> values in SI: time, duration, altitude, true_airspeed, mach, advance_ratio, pitch, thrust,
-    propeller_power, propeller_speed, fuel_flow, turbine_available, state_of_charge (at the end of the interval),
-    battery_current, battery_voltage, mesh_loss, drag_loss, motor_loss, battery_loss, oil_outlet."""
+    """Name -> values in SI: time, duration, altitude, air_temperature, air_density, true_airspeed, mach,
+    advance_ratio, pitch, thrust, propeller_power, propeller_speed, fuel_flow, turbine_available, state_of_charge (at
+    the end of the interval), battery_current, battery_voltage, mesh_loss, drag_loss, motor_loss, battery_loss,
+    oil_outlet."""
     speeds: Mapping[str, Array]
     """Node of the train -> speed [rad/s]."""
     shaft_torques: Mapping[str, Array]
@@ -74,6 +76,10 @@ class Flight:
     """Through the gearbox [m³/s]."""
     cooler_conductance: float
     """U A that cools the oil at its hottest [W/K]."""
+    inertia: float
+    """Of everything that turns, at the propeller [kg m²]."""
+    propeller_map: PropellerMap | None
+    """As read; None where powers are schedules."""
 
     @property
     def duration(self) -> Time:

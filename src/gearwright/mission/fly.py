@@ -56,7 +56,7 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
         intervals.append(Interval(moment.phase, values, point))
         charge = values["state_of_charge"]
         burnt += values["fuel_flow"] * moment.duration * (mission.phases[moment.phase].engines or mission.engines)
-    return collect(flown, intervals)
+    return collect(flown, intervals, chart)
 
 
 def _only_propeller(sizing: Sizing) -> str:

@@ -78,6 +78,7 @@ def performed(chart: PropellerMap | None, gearbox: Gearbox, moment: Moment, work
         "true_airspeed": moment.true_airspeed,
         "mach": moment.mach,
         "air_temperature": moment.air.temperature,
+        "air_density": moment.air.density,
         "propeller_speed": moment.propeller_speed,
         "propeller_power": work,
         "advance_ratio": ratio,
