@@ -56,18 +56,22 @@ def path_problem(design: Design, path: str) -> Problem | None:
 def _set(data: dict[str, Any], path: str, value: Value) -> Problem | None:
     """Put one value into a dumped design, or say why it has no place there."""
     annotation: Any = Design
-    table, parts = data, path.split(".")
-    for depth, part in enumerate(parts):
-        last = depth == len(parts) - 1
+    table, parts, depth = data, path.split("."), 0
+    while depth < len(parts):
+        part, last = parts[depth], depth == len(parts) - 1
         record = _record(annotation)
         if record is None:
             inner = get_args(annotation)[1]
             if not _holds_tables(inner):
                 table[".".join(parts[depth:])] = value
                 return None
-            if part not in table:
-                return Problem(path, f"there is no {'.'.join(parts[: depth + 1])}; {near(part, table)}")
-            annotation, table = inner, table[part]
+            entry = _entry(table, parts[depth:])
+            if entry is None:
+                return Problem(
+                    path,
+                    f"there is no {'.'.join(parts[: depth + 1])}; {near('.'.join(parts[depth:-1]) or part, table)}",
+                )
+            annotation, table, depth = inner, table[entry], depth + entry.count(".") + 1
             continue
         keys = keys_of(record)
         if part not in keys:
@@ -81,8 +85,14 @@ def _set(data: dict[str, Any], path: str, value: Value) -> Problem | None:
         annotation = _plain(record.model_fields[name].annotation)
         if not _holds_tables(annotation):
             return Problem(path, f"{'.'.join(parts[: depth + 1])} has no entries")
-        table = table.setdefault(name, {})
+        table, depth = table.setdefault(name, {}), depth + 1
     return Problem(path, "this is a table; name one of its entries")
+
+
+def _entry(table: dict[str, Any], parts: list[str]) -> str | None:
+    """Return the entry that a path goes on with; the name of a gear, such as ``first.pinion``, has dots itself."""
+    names = [".".join(parts[:count]) for count in range(len(parts), 0, -1)]
+    return next((name for name in names if name in table), None)
 
 
 def _plain(annotation: Any) -> Any:

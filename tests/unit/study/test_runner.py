@@ -100,11 +100,11 @@ def test_a_case_that_kills_its_worker_is_tried_twice(tmp_path: Path, how: str, p
 
 
 def test_a_runner_that_was_killed_goes_on_where_it_stopped(tmp_path: Path) -> None:
-    study, journal = study_of(400), tmp_path / "j"
-    with started(tmp_path, 400, workers=1) as process:
+    study, journal = study_of(250), tmp_path / "j"
+    with started(tmp_path, 250, workers=1) as process:
         done = rows_when(journal, at_least=5, process=process)
         process.kill()
-    assert 5 <= done < 400, "the runner was killed in the middle"
+    assert 5 <= done < 250, "the runner was killed in the middle"
     before = rows_of(journal)
     assert not status(journal).running
     table = resume(journal, designs=DESIGNS)
@@ -138,13 +138,13 @@ def rows_when(journal: Path, *, at_least: int, process: subprocess.Popen[str]) -
 
 
 def test_a_full_disk_is_said_and_loses_nothing(tmp_path: Path) -> None:
-    process = started(tmp_path, 400, workers=0, limit=100_000)
+    process = started(tmp_path, 250, workers=0, limit=80_000)
     _, said = process.communicate(timeout=60.0)
     assert process.returncode == 1
     assert "SolveError: the journal cannot be written" in said
     done = status(tmp_path / "j").done
-    assert 0 < done < 400
-    assert resume(tmp_path / "j") == run(study_of(400), DESIGNS)
+    assert 0 < done < 250
+    assert resume(tmp_path / "j") == run(study_of(250), DESIGNS)
 
 
 def test_a_second_runner_is_refused(tmp_path: Path) -> None:

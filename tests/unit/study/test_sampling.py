@@ -8,6 +8,7 @@ import pytest
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.spec import read
+from gearwright.spec.edit import edited
 from gearwright.spec.study import Axis, Study, case_count, parse_study
 from gearwright.study.evaluate import refuse_unknown_paths
 from gearwright.study.sampling import cases, unit_sample, value_at
@@ -112,3 +113,12 @@ def test_a_path_that_no_design_has_is_refused_with_the_nearest() -> None:
     study = study_of("sobol", axes='"motors.electric.sped_rpm" = {from = 1, to = 3}')
     with pytest.raises(DesignError, match="did you mean speed_rpm"):
         refuse_unknown_paths(study, {"d": read(shipped_design("in-line-h2"))})
+
+
+def test_the_name_of_a_gear_with_a_dot_is_found_in_a_path() -> None:
+    design = read(shipped_design("face-gear-split-torque"))
+    changed = edited(design, {"errors.first.pinion.eccentricity_um": 40})
+    assert changed.errors["first.pinion"].eccentricity == pytest.approx(40e-6)
+    assert changed.errors["first.wheel.left"] == design.errors["first.wheel.left"]
+    with pytest.raises(DesignError, match=r"did you mean first\.pinion"):
+        edited(design, {"errors.first.pinon.eccentricity_um": 40})

@@ -1,0 +1,104 @@
+"""The commands status, resume and cluster, and what study writes beside its table."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import re
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import gearwright.cli_runs as runs
+from gearwright.cli import app
+from gearwright.errors import DesignError
+from gearwright.shipped import shipped_design
+from gearwright.spec import read
+from gearwright.spec.study import read_study
+from gearwright.study.journal import begin
+from gearwright.study.runner import Progress
+
+TEXT = """schema = 1
+name = "fill"
+designs = ["mine.toml"]
+results = ["mass"]
+[axes]
+"carriers.fill" = {from = 0.4, to = 0.8}
+[sampling]
+method = "sobol"
+count = 8
+[objectives]
+mass = "least"
+"""
+
+
+def call(*arguments: object, code: int = 0) -> str:
+    found = CliRunner().invoke(app, [str(each) for each in arguments])
+    assert found.exit_code == code, found.output
+    return found.output
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "study.toml").write_text(TEXT, encoding="utf-8")
+    design = shipped_design("in-line-h2").read_text(encoding="utf-8")
+    (tmp_path / "mine.toml").write_text(design, encoding="utf-8")
+    return tmp_path
+
+
+def test_a_study_with_a_journal_is_complete_and_shown_again(folder: Path) -> None:
+    journal = folder / "j"
+    first = call("study", folder / "study.toml", "--journal", journal, "--workers", 0, "--report", folder / "p.html")
+    assert "(1 of 1)" in " ".join(first.split())
+    assert "Least gearbox: mine.toml at carriers.fill" in (folder / "p.html").read_text(encoding="utf-8")
+    assert call("status", journal).splitlines()[-2:] == ["fill: 8 of 8 cases, 0 cannot be had", "complete"]
+    again = call("resume", journal, "--workers", 0, "--json", "--export", folder / "t.nc")
+    assert len(json.loads(again[: again.rindex("}") + 1])["rows"]) == 8
+    assert (folder / "t.nc").stat().st_size > 0
+
+
+def test_a_stopped_study_says_what_to_do_next(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stopped(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("gearwright.study.runner._missing", stopped)
+    said = call("study", folder / "study.toml", "--journal", folder / "j", "--workers", 0, code=130)
+    assert "what is finished is kept; next: gearwright resume" in said
+    assert "stopped; next: gearwright resume" in call("status", folder / "j")
+
+
+def test_a_design_file_that_changed_is_noticed_by_resume(folder: Path) -> None:
+    study = read_study(folder / "study.toml")
+    begin(folder / "j", study, {"mine.toml": read(folder / "mine.toml")}, origin=str(folder))
+    text = (folder / "mine.toml").read_text(encoding="utf-8").replace("planets = 5", "planets = 4")
+    (folder / "mine.toml").write_text(text, encoding="utf-8")
+    found = CliRunner().invoke(app, ["resume", str(folder / "j"), "--workers", "0"])
+    assert isinstance(found.exception, DesignError)
+    assert "has changed since the study was begun" in str(found.exception)
+    call("resume", folder / "j", "--workers", 0, "--anyway")
+
+
+def test_cluster_prints_commands_that_name_the_host() -> None:
+    said = call("cluster", "--host", "node1", "--processes", 4)
+    assert "dask scheduler --host node1" in said
+    assert "dask worker tcp://node1:8786 --nworkers 4 --nthreads 1" in said
+    assert "--cluster tcp://node1:8786" in said
+
+
+def test_a_cluster_that_is_not_there_is_said(folder: Path) -> None:
+    installed = importlib.util.find_spec("distributed") is not None
+    found = CliRunner().invoke(app, ["study", str(folder / "study.toml"), "--cluster", "tcp://127.0.0.1:1"])
+    assert isinstance(found.exception, DesignError)
+    assert ("no scheduler answers" if installed else "install gearwright[cluster]") in str(found.exception)
+
+
+@pytest.mark.parametrize(("seconds", "words"), [(4.4, "4 s"), (75.0, "1 min 15 s"), (7380.0, "2 h 03 min")])
+def test_times_are_said_as_clocks_say_them(seconds: float, words: str) -> None:
+    assert runs._duration(seconds) == words
+
+
+def test_progress_counts_what_is_left() -> None:
+    assert Progress(250, 1000, 3, 50.0).remaining == pytest.approx(15.0)
+    assert Progress(0, 1000, 0, 0.0).remaining == float("inf")
+    assert re.fullmatch("unknown time", runs._duration(Progress(0, 1, 0, 0.0).remaining))
