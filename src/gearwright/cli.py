@@ -140,7 +140,7 @@ def simulate(
     if json:
         typer.echo(trace_json(trace))
     else:
-        print_trace(trace)
+        print_trace(trace, sizing)
 
 
 @app.command()
@@ -162,13 +162,13 @@ def run(
     from gearwright.store import save
 
     sizing = _size(design)
-    print_sizing(sizing)
     case = case or default_case(sizing)
     system = _assemble(sizing, case, stiffness)
+    print_sizing(sizing)
     found = find_modes(system)
     print_modes(found)
     trace = _simulate(system, duration)
-    print_trace(trace)
+    print_trace(trace, sizing)
     folder = folder or Path(f"{Path(design).stem}-results")
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "sizing.json").write_text(sizing_json(sizing) + "\n", encoding="utf-8")
@@ -249,10 +249,9 @@ def schema() -> None:
 
 def _path(design: str) -> Path:
     """Return the file that is meant: the user's own, or a shipped one by its name."""
-    from gearwright.shipped import shipped_design, shipped_designs
+    from gearwright.shipped import find_design
 
-    path = Path(design)
-    return shipped_design(design) if not path.exists() and design in shipped_designs() else path
+    return find_design(design)
 
 
 def _size(design: str) -> Sizing:

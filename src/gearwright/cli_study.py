@@ -86,7 +86,9 @@ def compare(
     from gearwright.units import RPM
 
     read = read_study(shipped_study("architectures"))
-    read = read.model_copy(update={"designs": designs or read.designs, "changes": _changes(changes)})
+    if designs:
+        read = read.model_copy(update={"designs": designs, "name": f"{len(designs)} designs for one engine"})
+    read = read.model_copy(update={"changes": _changes(changes)})
     fitted = {
         name: for_engine(
             design_of(name, Path()),

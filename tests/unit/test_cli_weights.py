@@ -44,7 +44,8 @@ def test_a_mass_without_origin_and_an_origin_without_mass_are_refused():
 
 def test_the_mass_of_a_design_is_a_row_of_its_own(capsys):
     found = cli_weights.show_mass(2051.0, 20204.0, 1212.0, bottom_up=150.0)
-    assert found.taken.mass == 150.0
+    assert found.bottom_up.mass == 150.0
+    assert found.taken.mass != 150.0
     assert "This design" in capsys.readouterr().out
 
 

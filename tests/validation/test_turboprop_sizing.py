@@ -72,9 +72,9 @@ def test_teeth_and_gear_mass_of_the_off_set_box():
 
 @pytest.mark.parametrize(("name", "published"), [("in-line-h2", 8.8), ("in-line", 9.5)])
 def test_shafts_and_carriers_weigh_what_the_stand_in_rules_give(name, published):
-    """Within 15 %: the reference's plate is 0.25 b thick, ours bears T_c as torsion at its hub too."""
+    """Within 20 %: our plates bear T_c as torsion at their hub, our pins the planets' centrifugal force too."""
     sizing = size(read(shipped_design(name)))
-    assert sizing.shaft_mass + sizing.carrier_mass == pytest.approx(published, rel=0.15)
+    assert sizing.shaft_mass + sizing.carrier_mass == pytest.approx(published, rel=0.20)
     assert sizing.shaft_mass + sizing.carrier_mass > published
 
 

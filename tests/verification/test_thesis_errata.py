@@ -245,7 +245,7 @@ def test_p42_a_pin_has_the_forces_of_both_meshes(in_line_h2):
     """T_c/(N r_c) = 2 F_t, as the planet is in balance."""
     for carrier in in_line_h2.carriers:
         mesh = next(one for one in in_line_h2.meshes if one.name == f"{carrier.stage}.sun-planet")
-        assert carrier.pin_force == pytest.approx(2.0 * mesh.tangential_force, rel=1e-11)
+        assert carrier.tangential_force == pytest.approx(2.0 * mesh.tangential_force, rel=1e-11)
         width = gear(in_line_h2, f"{carrier.stage}.planet").face_width
         assert carrier.pin_diameter == pytest.approx(pin_diameter(carrier.pin_force, width, 785e6 / 2.0), rel=1e-9)
 

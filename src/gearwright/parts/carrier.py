@@ -9,13 +9,26 @@ def pin_diameter(force: float, face_width: float, allowable: float) -> float:
     """Return the diameter of a cantilever planet pin [m].
 
     Args:
-        force: Tangential force of one planet on its pin, T_c/(N r_c) [N].
+        force: Of one planet on its pin: T_c/(N r_c) from the teeth and m r_c ω_c² from the planet, at right angles [N].
         face_width: Planet face width; the force acts at its middle [m].
         allowable: Allowable bending stress [Pa].
 
     Source: cantilever beam, d³ = 32 M/(π σ) with M = F b/2; Pulvirenti 2023, §2.4 (model), with the force 2 F_t.
     """
     return math.cbrt(32.0 * force * face_width / 2.0 / (math.pi * allowable))
+
+
+def pin_stress(force: float, face_width: float, diameter: float) -> float:
+    """Return the bending stress of a cantilever planet pin at its root [Pa].
+
+    Args:
+        force: Of one planet on its pin, at the middle of the face width [N].
+        face_width: Planet face width [m].
+        diameter: Of the pin [m].
+
+    Source: cantilever beam, σ = 32 (F b/2) / (π d³).
+    """
+    return 32.0 * force * face_width / 2.0 / (math.pi * diameter**3)
 
 
 def pin_mass(diameter: float, face_width: float, density: float) -> float:

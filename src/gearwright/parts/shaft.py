@@ -38,6 +38,30 @@ def shaft_diameter(bending_moment: float, torque: float, allowable: float, *, bo
     return math.cbrt(load)
 
 
+def shaft_diameter_around(bore: float, bending_moment: float, torque: float, *, allowable: float) -> float:
+    """Return the smallest outer diameter around a given bore that bears bending and torsion [m].
+
+    Args:
+        bore: Inner diameter [m].
+        bending_moment: [N m].
+        torque: [N m].
+        allowable: Allowable stress [Pa].
+
+    Source: Pulvirenti 2023, eq. (2.47) for a ring: d⁴ − 32 √(M² + T²) d / (π σ) − d_i⁴ = 0, by Newton from above.
+
+    >>> round(1e3 * shaft_diameter_around(15e-3, 0.0, 499.43, allowable=785e6 / 2), 2)
+    24.67
+    """
+    solid = 32.0 * math.hypot(bending_moment, torque) / (math.pi * allowable)
+    diameter = math.cbrt(solid) + bore
+    for _ in range(50):
+        step = (diameter**4 - solid * diameter - bore**4) / (4.0 * diameter**3 - solid) if diameter else 0.0
+        diameter -= step
+        if step <= 1e-15 * diameter:
+            break
+    return diameter
+
+
 def shaft_mass(diameter: float, length: float, density: float, *, bore: float = 0.0) -> float:
     """Return the mass of a shaft of one diameter [kg].
 

@@ -72,9 +72,9 @@ def critical_table(found: SpeedCase, *, most: int = 25) -> Table:
     ]
     left = f" {len(found.critical) - most} more are left out." if len(found.critical) > most else ""
     note = (
-        "n: critical speed of the first machine's shaft. Margin: over the operating speed, less 1. Dynamic force:"
-        " estimated amplitude of the worst mesh force at the resonance over its mean, from the stiffness variation and"
-        f" errors of the design.{left}"
+        "n: critical speed of the first machine's shaft; f: damped frequency there. Margin: over the operating speed, less"
+        " 1. Dynamic force: estimated amplitude of the worst mesh force at the resonance over its mean, from the"
+        f" stiffness variation and errors of the design.{left}"
     )
     fields = ("order", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
     return table(f"Critical speeds, case {found.cases}", rows, fields, note=note)

@@ -11,6 +11,9 @@ from gearwright.dynamics import Modes, Trace
 from gearwright.render.tables import Table, table
 from gearwright.units import Energy, Force, Frequency, Origin, Quantity, Torque
 
+ALONG = "Mesh forces act along the line of action; F_t = F cos α_t."
+"""What tells simulated mesh forces from the tangential ones of the sizing."""
+
 
 @dataclass(frozen=True)
 class Mode:
@@ -124,7 +127,10 @@ def motion_tables(trace: Trace) -> tuple[Table, ...]:
             torques.append(LineTorque(name, mean, least, most, rms, most - least))
     fields = ("name", "mean", "least", "most", "rms", "peak_to_peak")
     span = f"From every step between {trace.force.edges[0]:.4g} and {trace.force.edges[-1]:.4g} s."
-    found = (table("Forces", forces, fields, note=span), table("Shaft torques", torques, fields, note=span))
+    found = (
+        table("Forces", forces, fields, note=f"{span} {ALONG}"),
+        table("Shaft torques", torques, fields, note=span),
+    )
     return tuple(each for each in found if each.rows)
 
 

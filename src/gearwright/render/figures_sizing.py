@@ -21,7 +21,8 @@ _FRAME = 22.0
 """Height of title and axis [mm]."""
 WIDTH = 180.0
 """Of a figure on an A4 page [mm]."""
-_CHECK_COLOURS = {"bending": theme.BLUE, "contact": theme.SKY, "Tresca": theme.GREEN}
+_CHECK_COLOURS = {"bending": theme.BLUE, "contact": theme.SKY, "Tresca": theme.GREEN,
+                 "pin bending": theme.AMBER, "plate shear": theme.ORANGE}  # fmt: skip
 STEPS = 12
 """Places between two loads at which a shaft's diagram is drawn."""
 LARGEST_MARGIN = 4.0

@@ -14,6 +14,7 @@ from gearwright.dynamics import Modes, System, Trace
 from gearwright.dynamics.assemble import default_case
 from gearwright.dynamics.critical_speeds import SpeedCase
 from gearwright.render import theme
+from gearwright.render.dynamic_load import dynamic_table
 from gearwright.render.dynamics_sections import dynamics_sections
 from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
 from gearwright.render.figures_motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
@@ -170,7 +171,7 @@ def _dynamics(sizing: Sizing, trace: Trace, case: str) -> Section:
         figures.append(_figure(drawing, "spectrum", "Amplitude spectra with mesh frequencies and their multiples."))
     else:
         notes.append("No spectrum: no stretch of the run was kept at every step.")
-    tables = (*motion_tables(trace), energy_table(trace))
+    tables = (*motion_tables(trace), dynamic_table(sizing, trace), energy_table(trace))
     return Section("Dynamic response", tables=tables, figures=tuple(figures), notes=(*notes, *trace.notes))
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from gearwright.dynamics import Trace
+from gearwright.render.dynamic_load import dynamic_loads
 from gearwright.render.tables import Table
 from gearwright.render.views import asked_speeds, margins
 from gearwright.sizing.result import Sizing
@@ -84,6 +85,12 @@ def warnings(sizing: Sizing, trace: Trace | None) -> tuple[str, ...]:
     ]
     found += [f"{path} is given in place of its computed value ({origin})." for path, origin in sizing.origins.items()]
     if trace is not None:
+        found += [
+            f"{load.mesh}: with the simulated peak force, {load.peak_over_mean:.2f} times the mean, the margins are"
+            f" {load.bending_margin:.2f} (bending) and {load.contact_margin:.2f} (contact)."
+            for load in dynamic_loads(sizing, trace)
+            if min(load.bending_margin, load.contact_margin) < 1.0
+        ]
         found += [f"{note[0].upper()}{note[1:]}." for note in trace.notes if "contact" in note or "interrupted" in note]
         if trace.error > LARGE_ERROR:
             found.append(f"The run's estimated force error is {trace.error:.1%}; take a smaller step.")
@@ -115,6 +122,7 @@ def assumptions(sizing: Sizing) -> tuple[str, ...]:
         found.append("Power flow without losses in the meshes.")
     if all(each.load_factor == 1.0 for each in sizing.meshes):
         found.append("Parallel meshes share the load equally: K_γ = 1.")
+    found.append("Gears are sized without application and dynamic factor (K_A = K_v = 1); see the peaks of a run.")
     if any(each.idler_factor == 1.0 for each in rules) and design.planetaries:
         found.append("Planets, loaded on both flanks, keep the full bending allowable; ISO 6336-3 takes 0.7 of it.")
     if all(shaft.bending_moment == 0.0 for shaft in sizing.shafts):

@@ -25,13 +25,17 @@ SYMBOLS: Mapping[str, str] = MappingProxyType({
     "inertia": "I", "speed": "n", "torque": "T", "power": "P", "load_factor": "K_γ", "tangential_force": "F_t",
     "radial_force": "F_r", "axial_force": "F_a", "pitch_line_velocity": "v", "bending_stress": "σ_F",
     "contact_stress": "σ_H", "stiffness": "k", "bending_moment": "M_b", "diameter": "d", "bore": "d_i",
-    "length": "L", "pin_force": "F_p", "radius": "r_c", "pin_diameter": "d_p", "plate_thickness": "t",
+    "length": "L", "pin_force": "F_p", "centrifugal_force": "F_c",
+    "peak_over_mean": "F_max/F_m", "peak_force": "F_t,max", "rated_force": "F_t",
+    "radius": "r_c", "pin_diameter": "d_p", "plate_thickness": "t",
     "frequency": "f", "bodies": "N", "count": "N",
     "module_bending": "m_n (σ_F)", "module_contact": "m_n (σ_H)", "bending_margin": "margin σ_F",
     "contact_margin": "margin σ_H",
 })  # fmt: skip
 """Field -> symbol of the trade."""
 _HEADERS = {"name": "", "count": "meshes"}
+NOISE = 1e-9
+"""Magnitude, in the unit that is shown, below which a number is rounding."""
 SMALLEST_PLAIN = 1e-3
 """Magnitude below which a number is written with a power of ten."""
 
@@ -185,7 +189,7 @@ def written(number: float, digits: int = 4) -> str:
         return f"−{written(-number, digits)}"
     if math.isinf(number):
         return "∞"
-    if number == 0.0:
+    if number < NOISE:
         return "0"
     if abs(number) >= 10 ** (digits - 1):
         return f"{number:.0f}"

@@ -10,6 +10,7 @@ from rich.table import Table as RichTable
 from rich.text import Text
 
 from gearwright.dynamics import Modes, Trace
+from gearwright.render.dynamic_load import dynamic_table
 from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
 from gearwright.render.paths import path_table
 from gearwright.render.tables import MARKS, Cell, Column, Table, as_json
@@ -136,13 +137,16 @@ def trace_text(trace: Trace) -> RenderableType:
     return Group(head, *notes, Text(), *(table_text(each) for each in (*motion_tables(trace), energy_table(trace))))
 
 
-def print_trace(trace: Trace) -> None:
-    """Print the summary of a run.
+def print_trace(trace: Trace, sizing: Sizing | None = None) -> None:
+    """Print the summary of a run, and its peaks beside the rated loads where the sizing is known.
 
     Args:
         trace: As simulated.
+        sizing: That it is a run of.
     """
     Console().print(trace_text(trace))
+    if sizing is not None:
+        Console().print(table_text(dynamic_table(sizing, trace)))
 
 
 def trace_json(trace: Trace) -> str:

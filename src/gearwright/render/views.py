@@ -10,7 +10,7 @@ from gearwright.render.branches import Branch, branches
 from gearwright.render.given import given_by_user, overrides_table
 from gearwright.render.tables import Mark, Table, table
 from gearwright.sizing.envelope import envelope
-from gearwright.sizing.result import MeshSizing, ShaftSizing, Sizing
+from gearwright.sizing.result import CarrierSizing, MeshSizing, ShaftSizing, Sizing
 from gearwright.units import Length, Mass, Origin, Quantity, Ratio, Speed, Stress
 
 NOT_IN_THE_MASS = "Not in the mass: housing, bearings, oil system, accessories, motors."
@@ -100,6 +100,7 @@ def margins(sizing: Sizing) -> tuple[Margin, ...]:
     """
     found = [each for mesh in sizing.meshes for each in _mesh_margins(mesh)]
     found += [_shaft_margin(shaft) for shaft in sizing.shafts]
+    found += [each for carrier in sizing.carriers for each in _carrier_margins(carrier)]
     return tuple(sorted(found, key=lambda each: (round(each.margin, 9), each.part)))
 
 
@@ -112,6 +113,14 @@ def _mesh_margins(mesh: MeshSizing) -> list[Margin]:
 
 def _shaft_margin(shaft: ShaftSizing) -> Margin:
     return _margin(shaft.name, "Tresca", shaft.case, shaft.stress, shaft.margin, "eq. 2.47")
+
+
+def _carrier_margins(carrier: CarrierSizing) -> list[Margin]:
+    part = f"{carrier.stage}.carrier"
+    pins = _margin(part, "pin bending", carrier.case, carrier.pin_stress, carrier.pin_margin, "cantilever")
+    if carrier.plate_margin is None:
+        return [pins]
+    return [pins, _margin(part, "plate shear", carrier.case, carrier.plate_stress, carrier.plate_margin, "Tresca")]
 
 
 def _margin(part: str, check: str, case: str, stress: float, margin: float, source: str) -> Margin:
@@ -199,8 +208,8 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
                           note=_ENVELOPE),
         "overrides": overrides_table(sizing),
         "carriers": table("Carriers", sizing.carriers,
-                          ("stage", "shaft", "torque", "pin_force", "radius", "pin_diameter", "plate_thickness",
-                           "mass", "inertia"), mark=mark),
+                          ("stage", "torque", "tangential_force", "centrifugal_force", "radius", "pin_diameter",
+                           "plate_thickness", "mass", "inertia"), mark=mark),
         "machines": table("Machines", sizing.machines, ("name", "kind", "shaft", "torque", "mass", "inertia"),
                           mark=mark),
         "mass": table("Mass", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),

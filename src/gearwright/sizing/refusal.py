@@ -86,8 +86,12 @@ def refuse_contradictions(design: Design, flows: Mapping[str, PowerFlow]) -> Non
         raise DesignError(problems.values())
 
 
+MOST_HOLLOW = 0.95
+"""Largest bore over diameter, as for bore_ratio [-]."""
+
+
 def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
-    """Raise where a given bore leaves no wall in a shaft.
+    """Raise where a given bore leaves too thin a wall in a shaft.
 
     Args:
         shafts: As sized.
@@ -98,11 +102,11 @@ def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
     problems = [
         Problem(
             f"layout.{shaft.name}.bore",
-            f"the bore {text(shaft.bore, 'length')} leaves no wall in a shaft of {text(shaft.diameter, 'length')}, the"
-            " diameter that its load asks for; give a smaller bore, or bore_ratio, which sizes the shaft hollow",
+            f"the bore {text(shaft.bore, 'length')} leaves too thin a wall in a shaft of"
+            f" {text(shaft.diameter, 'length')}; it may be {MOST_HOLLOW:.0%} of the diameter: give a smaller bore",
         )
         for shaft in shafts
-        if shaft.diameter and shaft.bore >= shaft.diameter
+        if shaft.diameter and shaft.bore > MOST_HOLLOW * shaft.diameter
     ]
     if problems:
         raise DesignError(problems)

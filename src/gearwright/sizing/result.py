@@ -170,9 +170,15 @@ class CarrierSizing:
     stage: str
     shaft: str
     """Shaft that it is part of, or ``ground``."""
+    case: str
+    """Load case that governs the pins."""
     torque: Torque
     """Largest torque T_c [N m]."""
-    pin_force: Annotated[float, Quantity("force"), Origin("F = T_c K_γ / (N r_c)", f"{_THESIS}, §2.4")]
+    tangential_force: Annotated[float, Quantity("force"), Origin("F_t = T_c K_γ / (N r_c)", f"{_THESIS}, §2.4")]
+    """Force of the teeth of one planet on its pin [N]."""
+    centrifugal_force: Annotated[float, Quantity("force"), Origin("F_c = m_p r_c ω_c²", "kinematics")]
+    """Centrifugal force of one planet on its pin [N]."""
+    pin_force: Annotated[float, Quantity("force"), Origin("F = √(F_t² + F_c²)", "equilibrium of a planet")]
     """Force of one planet on its pin [N]."""
     radius: Annotated[float, Quantity("length"), Origin("r_c = m (z_s + z_p)/2", "geometry")]
     """Radius of the pin circle [m]."""
@@ -180,10 +186,18 @@ class CarrierSizing:
         float, Quantity("length"), Origin("d³ = 32 (F b/2) / (π σ)", f"{_THESIS}, §2.4, cantilever")
     ]
     """Diameter of a pin [m]."""
+    pin_stress: Annotated[float, Quantity("stress"), Origin("σ = 32 (F b/2) / (π d³)", f"{_THESIS}, §2.4, cantilever")]
+    """Bending stress at the root of a pin [Pa]."""
+    pin_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", "first sizing")]
+    """Allowable over actual stress of the pins [-]."""
     plate_thickness: Annotated[
         float, Quantity("length"), Origin("share of b, or by τ = 2 T_c/(π d² t)", "first sizing")
     ]
     """Thickness of the plate [m]."""
+    plate_stress: Annotated[float, Quantity("stress"), Origin("τ = 2 T_c / (π d² t)", "equilibrium at the hub")]
+    """Shear stress of the plate at its hub [Pa]; zero on a carrier that stands still."""
+    plate_margin: Annotated[float | None, Quantity("ratio"), Origin("R_p0.2 / (2 S) over the stress", "Tresca")]
+    """Allowable over actual shear stress of the plate [-]; None on a carrier that stands still."""
     mass: Annotated[float, Quantity("mass"), Origin("pins and plate", "geometry")]
     """Pins and plate, without planets [kg]."""
     inertia: Annotated[float, Quantity("inertia"), Origin("pins and plate", "geometry")]
@@ -271,4 +285,6 @@ class Sizing:
     def worst_margin(self) -> Number:
         """Smallest margin of all checks [-]."""
         margins = [margin for mesh in self.meshes for margin in (mesh.bending_margin, mesh.contact_margin)]
+        margins += [each.pin_margin for each in self.carriers]
+        margins += [each.plate_margin for each in self.carriers if each.plate_margin is not None]
         return min([*margins, *(shaft.margin for shaft in self.shafts)])

@@ -10,15 +10,20 @@ import numpy as np
 
 from gearwright.catalogue.materials import materials
 from gearwright.parts.beam import Diagram, diagram, supported
-from gearwright.parts.carrier import pin_diameter, pin_mass, plate_mass, plate_shear_stress
 from gearwright.parts.material import Material
-from gearwright.parts.shaft import shaft_diameter, shaft_inertia, shaft_mass, shaft_stress, torsional_stiffness
+from gearwright.parts.shaft import (
+    shaft_diameter,
+    shaft_diameter_around,
+    shaft_inertia,
+    shaft_mass,
+    shaft_stress,
+    torsional_stiffness,
+)
 from gearwright.sizing.axes import axes_of
 from gearwright.sizing.gears import Context
 from gearwright.sizing.layout import ShaftPlan, plan_of
 from gearwright.sizing.loads import shaft_loads
-from gearwright.sizing.result import BearingLoad, CarrierSizing, GearSizing, ShaftDiagram, ShaftSizing
-from gearwright.spec import GROUND
+from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram, ShaftSizing
 from gearwright.spec.design import ShaftLayout
 from gearwright.train.flow import RATED
 
@@ -64,7 +69,11 @@ def _shaft(
     material, load = shaft_material(given), _governing(given, plan, axes, gears, name=name)
     allowable = (material.yield_strength or 0.0) / rules.safety
     ratio = layout.bore_ratio if layout.bore_ratio is not None else rules.bore_ratio
-    diameter = layout.diameter or shaft_diameter(load.bending_moment, load.torque, allowable, bore_ratio=ratio)
+    if layout.bore is not None:
+        needed = shaft_diameter_around(layout.bore, load.bending_moment, load.torque, allowable=allowable)
+    else:
+        needed = shaft_diameter(load.bending_moment, load.torque, allowable, bore_ratio=ratio)
+    diameter = layout.diameter or needed
     diameter = take(f"{name}.diameter", "length", diameter)
     bore = layout.bore if layout.bore is not None else ratio * diameter
     mass = take(f"{name}.mass", "mass", shaft_mass(diameter, plan.length, material.density, bore=bore))
@@ -119,54 +128,4 @@ def _diagram(drawn: Diagram, case: int) -> ShaftDiagram:
         shear=(tuple(shear[0]), tuple(shear[1])),
         bending=(tuple(bending[0]), tuple(bending[1])),
         torsion=tuple(drawn.torsion[case].tolist()),
-    )
-
-
-def size_carriers(
-    given: Context, gears: tuple[GearSizing, ...], shafts: tuple[ShaftSizing, ...]
-) -> tuple[CarrierSizing, ...]:
-    """Return the carrier of every planetary set.
-
-    Args:
-        given: What sizing reads.
-        gears: From `size_gears`.
-        shafts: From `size_shafts`.
-    """
-    by_name = {gear.name: gear for gear in gears}
-    diameters = {shaft.name: shaft.diameter for shaft in shafts}
-    return tuple(_carrier(given, name, by_name, diameters) for name in given.design.planetaries)
-
-
-def _carrier(
-    given: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float]
-) -> CarrierSizing:
-    stage, rules, take = given.design.planetaries[name], given.design.carriers, given.overrides.take
-    material = shaft_material(given)
-    allowable = (material.yield_strength or 0.0) / rules.safety
-    torque = max(
-        abs(sum(flow.meshes[mesh.name].torques[2] for mesh in given.train.meshes if mesh.stage == name))
-        for flow in given.flows.values()
-    )
-    sun, planet = gears[f"{name}.sun"], gears[f"{name}.planet"]
-    radius = (sun.pitch_diameter + planet.pitch_diameter) / 2.0
-    force = torque * given.ratings[name].load_factor / (stage.planets * radius)
-    pin = take(f"{name}.pin_diameter", "length", pin_diameter(force, planet.face_width, allowable))
-    thickness = rules.plate_ratio * planet.face_width
-    hub = diameters.get(stage.carrier, 0.0)
-    if hub and stage.carrier != GROUND:
-        thickness *= max(1.0, plate_shear_stress(torque, hub, thickness) / (allowable / 2.0))
-    thickness = take(f"{name}.plate_thickness", "length", thickness)
-    pins = stage.planets * pin_mass(pin, planet.face_width, material.density)
-    plate = plate_mass(radius + pin / 2.0, thickness, material.density, fill=rules.fill)
-    inertia = pins * radius**2 + plate * (radius + pin / 2.0) ** 2 / 2.0
-    return CarrierSizing(
-        stage=name,
-        shaft=stage.carrier,
-        torque=torque,
-        pin_force=force,
-        radius=radius,
-        pin_diameter=pin,
-        plate_thickness=thickness,
-        mass=take(f"{name}.carrier.mass", "mass", pins + plate),
-        inertia=take(f"{name}.carrier.inertia", "inertia", inertia),
     )

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from gearwright.sizing.carriers import size_carriers
 from gearwright.sizing.gears import context, size_gears, size_meshes, stage_modules
 from gearwright.sizing.machines import size_machines
 from gearwright.sizing.refusal import refuse_bores, refuse_contradictions
 from gearwright.sizing.result import Sizing
-from gearwright.sizing.shafts import size_carriers, size_shafts
+from gearwright.sizing.shafts import size_shafts
 from gearwright.sizing.teeth import choose_teeth
 from gearwright.spec import Design
 from gearwright.spec.overrides import Overrides

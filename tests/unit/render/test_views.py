@@ -28,7 +28,8 @@ def test_the_ground_takes_the_reaction_of_the_rings(in_line_h2) -> None:
 
 def test_margins_come_worst_first_with_every_check(in_line_h2) -> None:
     found = margins(in_line_h2)
-    assert len(found) == 2 * len(in_line_h2.meshes) + len(in_line_h2.shafts)
+    checks = 2 * len(in_line_h2.meshes) + len(in_line_h2.shafts) + 2 * len(in_line_h2.carriers)
+    assert len(found) == checks
     assert [each.margin for each in found] == sorted((each.margin for each in found), key=lambda value: round(value, 9))
     assert found[0].margin == pytest.approx(in_line_h2.worst_margin, abs=1e-9)
     assert all(each.holds for each in found)

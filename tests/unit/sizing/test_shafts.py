@@ -111,3 +111,10 @@ def test_everything_that_does_not_fit_on_a_shaft_is_named():
         sized(OFF_SET + wrong)
     paths = {problem.path.removeprefix("layout.output.") for problem in caught.value.problems}
     assert paths == {"length_mm", "first_bearing_mm", "places.fan"}
+
+
+def test_a_shaft_is_sized_around_its_given_bore():
+    """The ring section bears what its load asks, just enough."""
+    shaft = sized(SPUR + "[layout.input]\nbore_mm = 12\n").shafts[0]
+    assert shaft.bore == 0.012
+    assert shaft.margin == pytest.approx(1.0, abs=1e-12)

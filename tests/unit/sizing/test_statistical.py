@@ -176,9 +176,10 @@ def test_the_users_mass_wins_and_keeps_its_origin():
     assert found.taken.overridden
 
 
-def test_without_a_stated_mass_the_designs_own_is_taken_and_then_the_refit():
-    assert compare(PW127, bottom_up=150.0).taken.mass == 150.0
-    assert "10^2.0084" in compare(PW127).taken.origin
+def test_without_a_stated_mass_the_refit_is_taken_not_a_sum_of_parts_without_housing():
+    found = compare(PW127, bottom_up=150.0)
+    assert found.bottom_up.mass == 150.0
+    assert "10^2.0084" in found.taken.origin
 
 
 def test_outside_the_real_weights_no_mass_is_taken():

@@ -13,6 +13,9 @@ from gearwright.sizing.statistical.refit import Band, bands
 from gearwright.sizing.statistical.requirement import Requirement
 from gearwright.units import Mass
 
+PARTS = "sum of gears, shafts and carriers of the sized design, without housing, bearings and oil"
+"""Origin of a bottom-up mass."""
+
 
 @dataclass(frozen=True)
 class StatedMass:
@@ -53,8 +56,8 @@ class Comparison:
 
     @property
     def taken(self) -> StatedMass | None:
-        """The mass for every later result: the user's own, else the design's, else the refit's median."""
-        return self.stated or self.bottom_up or self._from_refit()
+        """The mass for every later result: the user's own, else the refit's median; a sum of parts has no housing."""
+        return self.stated or self._from_refit()
 
     @property
     def spread(self) -> tuple[float, float]:
@@ -96,6 +99,6 @@ def compare(
         estimates=estimates,
         bands=bands(requirement) if has_refit else (),
         engines=nearest(requirement.power, requirement.engine_speed, requirement.propeller_speed, count=count),
-        bottom_up=None if bottom_up is None else StatedMass(bottom_up, "sum of the parts of the sized design"),
+        bottom_up=None if bottom_up is None else StatedMass(bottom_up, PARTS),
         stated=stated,
     )

@@ -1,0 +1,111 @@
+"""Carriers of planetary sets: cantilever pins under tooth forces and the planets' centrifugal force, and the plate."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from gearwright.parts.carrier import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
+from gearwright.parts.material import Material
+from gearwright.sizing.gears import Context
+from gearwright.sizing.result import CarrierSizing, GearSizing, ShaftSizing
+from gearwright.sizing.shafts import shaft_material
+from gearwright.spec import GROUND, Planetary
+
+
+class _Load(NamedTuple):
+    """What one case puts on a carrier."""
+
+    case: str
+    torque: float
+    """T_c [N m]."""
+    tangential: float
+    """On one pin, from the teeth [N]."""
+    centrifugal: float
+    """On one pin, from its planet [N]."""
+
+    @property
+    def pin(self) -> float:
+        return math.hypot(self.tangential, self.centrifugal)
+
+
+def size_carriers(
+    given: Context, gears: tuple[GearSizing, ...], shafts: tuple[ShaftSizing, ...]
+) -> tuple[CarrierSizing, ...]:
+    """Return the carrier of every planetary set.
+
+    Args:
+        given: What sizing reads.
+        gears: From `size_gears`.
+        shafts: From `size_shafts`.
+    """
+    by_name = {gear.name: gear for gear in gears}
+    diameters = {shaft.name: shaft.diameter for shaft in shafts}
+    return tuple(_carrier(given, name, by_name, diameters) for name in given.design.planetaries)
+
+
+def _carrier(
+    given: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float]
+) -> CarrierSizing:
+    stage, rules, take = given.design.planetaries[name], given.design.carriers, given.overrides.take
+    material = shaft_material(given)
+    allowable = (material.yield_strength or 0.0) / rules.safety
+    sun, planet = gears[f"{name}.sun"], gears[f"{name}.planet"]
+    radius = (sun.pitch_diameter + planet.pitch_diameter) / 2.0
+    loads = _loads(given, name, planet, radius)
+    worst = max(loads, key=lambda load: load.pin)
+    torque = max(load.torque for load in loads)
+    pin = take(f"{name}.pin_diameter", "length", pin_diameter(worst.pin, planet.face_width, allowable))
+    hub = diameters.get(stage.carrier, 0.0) if stage.carrier != GROUND else 0.0
+    thickness = _thickness(rules.plate_ratio * planet.face_width, torque, hub, allowable=allowable)
+    thickness = take(f"{name}.plate_thickness", "length", thickness)
+    bending = pin_stress(worst.pin, planet.face_width, pin)
+    shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
+    mass, inertia = _body(stage, (radius, pin, thickness), planet, material, fill=rules.fill)
+    return CarrierSizing(
+        stage=name,
+        shaft=stage.carrier,
+        case=worst.case,
+        torque=torque,
+        tangential_force=worst.tangential,
+        centrifugal_force=worst.centrifugal,
+        pin_force=worst.pin,
+        radius=radius,
+        pin_diameter=pin,
+        pin_stress=bending,
+        pin_margin=allowable / bending if bending else math.inf,
+        plate_thickness=thickness,
+        plate_stress=shear,
+        plate_margin=allowable / 2.0 / shear if shear else None,
+        mass=take(f"{name}.carrier.mass", "mass", mass),
+        inertia=take(f"{name}.carrier.inertia", "inertia", inertia),
+    )
+
+
+def _loads(given: Context, name: str, planet: GearSizing, radius: float) -> list[_Load]:
+    stage = given.design.planetaries[name]
+    factor = given.ratings[name].load_factor
+    loads = []
+    for case, flow in given.flows.items():
+        torque = abs(sum(flow.meshes[mesh.name].torques[2] for mesh in given.train.meshes if mesh.stage == name))
+        centrifugal = planet.mass * radius * flow.speeds[stage.carrier] ** 2
+        loads.append(_Load(case, torque, torque * factor / (stage.planets * radius), centrifugal))
+    return loads
+
+
+def _thickness(least: float, torque: float, hub: float, *, allowable: float) -> float:
+    """Return the plate's thickness: its share of the face width, or what its hub needs in shear (Tresca) [m]."""
+    if not hub:
+        return least
+    return least * max(1.0, plate_shear_stress(torque, hub, least) / (allowable / 2.0))
+
+
+def _body(
+    stage: Planetary, sizes: tuple[float, float, float], planet: GearSizing, material: Material, *, fill: float
+) -> tuple[float, float]:
+    """Return mass [kg] and polar inertia [kg m²] of pins and plate."""
+    radius, pin, thickness = sizes
+    pins = stage.planets * pin_mass(pin, planet.face_width, material.density)
+    plate = plate_mass(radius + pin / 2.0, thickness, material.density, fill=fill)
+    return pins + plate, pins * radius**2 + plate * (radius + pin / 2.0) ** 2 / 2.0
