@@ -46,8 +46,11 @@ def extended_state(arrays: Arrays, time: float, state: Floats) -> Floats:
         time: [s].
         state: q and q̇ (and anything after them), shape (at least 2 coordinates,).
     """
-    angle = arrays.tone_rate[_tones(arrays)] * arrays.profile.factor[0] * time
-    return np.concatenate([state[: 2 * len(arrays.mass)], [1.0], np.cos(angle), np.sin(angle)])
+    parts = [state[: 2 * len(arrays.mass)], np.ones(1)]
+    if len(arrays.error.tone):
+        angle = arrays.tone_rate[_tones(arrays)] * arrays.profile.factor[0] * time
+        parts += [np.cos(angle), np.sin(angle)]
+    return np.concatenate(parts)
 
 
 def propagator(arrays: Arrays, h: float, doublings: int) -> Propagator:
@@ -74,8 +77,8 @@ def _twice(works: Floats, carry: Floats) -> Floats:
     return both
 
 
-def works_during(carry: Propagator, start: Floats, steps: int) -> Floats:
-    """Return the works during a number of steps [J], shape (6,): powers of two at a time.
+def works_during(carry: Propagator, start: Floats, steps: int) -> tuple[Floats, Floats]:
+    """Return the works during a number of steps [J], shape (6,), and z after them: powers of two at a time.
 
     Args:
         carry: Step, powers and works.
@@ -87,7 +90,20 @@ def works_during(carry: Propagator, start: Floats, steps: int) -> Floats:
         if steps >> i & 1:
             total += (works.reshape(-1, len(start)) @ start).reshape(len(total), -1) @ start
             start = power @ start
-    return total
+    return total, start
+
+
+def first_powers(carry: Propagator, count: int) -> Floats:
+    """Return what carries z to each of the first steps, expm(A h i) for i = 0, 1, … below each other.
+
+    Args:
+        carry: Step, powers and works.
+        count: How many.
+    """
+    powers = [np.eye(len(carry.step))]
+    for _ in range(1, count):
+        powers.append(carry.step @ powers[-1])
+    return np.vstack(powers)
 
 
 class _Rows(NamedTuple):

@@ -1,7 +1,7 @@
 """Recurrence: z(k + 1) = Φ z(k) with outputs C z(k), generated for its size and run in one compiled loop.
 
-One pass over the columns of Φ and C gives both the next state and this step's outputs, all of it in vector registers,
-so that a step costs one multiplication for each entry and no call.
+Eight steps go side by side: their eight successors are Φ⁸ times them. Each column of Φ⁸ and C is then read once for
+eight steps, and sums for a strip of rows stay in vector registers, so that the multiplications set the time.
 """
 
 from __future__ import annotations
@@ -12,12 +12,16 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from gearwright.dynamics.generate import CHUNK
-from gearwright.dynamics.native import aligned, machine_code, summary_update
+from gearwright.dynamics.native import aligned, machine_code
 from gearwright.dynamics.system import Floats
 
-Run = Callable[[Floats, Floats, Floats], Floats]
-"""(state, record, summary): fills the record's rows and its summary, returns the state after them."""
+Run = Callable[[Floats, Floats], None]
+"""(eight states, record): fills the record's rows, a whole number of times eight."""
 VECTOR = "<8 x double>"
+SIDE = 8
+"""Steps that go side by side."""
+STRIP = 3
+"""Vectors of rows in a strip: three times eight sums fill the registers."""
 
 
 class Size(NamedTuple):
@@ -47,7 +51,7 @@ def recurrence(step: Floats, output: Floats, size: Size) -> Run:
     """Return the runner of a recurrence.
 
     Args:
-        step: Φ, shape (states, states).
+        step: Φ⁸, shape (states, states).
         output: C, shape (outputs, states).
         size: Sizes.
     """
@@ -55,13 +59,12 @@ def recurrence(step: Floats, output: Floats, size: Size) -> Run:
     states, chunks = size.state_chunks * CHUNK, size.output_chunks * CHUNK
     columns = aligned(size.states, states + chunks)
     columns[:, : size.states], columns[:, states : states + size.outputs] = step.T, output.T
+    buffers = aligned(2, SIDE, states)
 
-    def run(state: Floats, record: Floats, summary: Floats) -> Floats:
-        filled = aligned(states)
-        filled[: size.states] = state
-        addresses = (array.ctypes.data for array in (columns, filled, record, summary))
-        code[0](len(record), *addresses)
-        return filled[: size.states]
+    def run(start: Floats, record: Floats) -> None:
+        buffers[0, :, : size.states] = start
+        addresses = (array.ctypes.data for array in (columns, buffers[0], buffers[1], record))
+        code[0](len(record) // SIDE, *addresses)
 
     return run
 
@@ -75,69 +78,89 @@ def _compiled(size: Size) -> tuple[Callable[..., None], object]:
 
 
 def _assembly(size: Size) -> str:
-    accumulators = range(size.state_chunks + size.output_chunks)
-    starts = "\n".join(f"  %a{i} = phi {VECTOR} [zeroinitializer, %step], [%b{i}, %column]" for i in accumulators)
-    sums = "\n".join(
-        f"  %m{i} = getelementptr double, ptr %here, i64 {CHUNK * i}\n"
-        f"  %l{i} = load {VECTOR}, ptr %m{i}, align 8\n"
-        f"  %f{i} = fmul contract {VECTOR} %l{i}, %z\n"
-        f"  %b{i} = fadd contract {VECTOR} %a{i}, %f{i}"
-        for i in accumulators
-    )
+    chunks = size.state_chunks + size.output_chunks
+    strips = [range(first, min(first + STRIP, chunks)) for first in range(0, chunks, STRIP)]
+    body = "\n".join(_strip(number, strip, size) for number, strip in enumerate(strips))
+    pointers = ", ".join(f"ptr noalias %{name}" for name in ("columns", "one", "other", "record"))
     return f"""declare void @llvm.masked.store.v8f64.p0({VECTOR}, ptr, i32, <8 x i1>)
 
-define void @recur(i64 %steps, ptr noalias %columns, ptr noalias %state, ptr noalias %record, ptr noalias %summary) {{
+define void @recur(i64 %groups, {pointers}) {{
 entry:
-  br label %step
-step:
-  %k = phi i64 [0, %entry], [%next, %done]
-  %offset = mul i64 %k, {size.width}
-  %place = getelementptr double, ptr %record, i64 %offset
-  br label %column
-column:
-  %j = phi i64 [0, %step], [%after, %column]
-{starts}
-  %zp = getelementptr double, ptr %state, i64 %j
-  %one = load double, ptr %zp, align 8
-  %lone = insertelement {VECTOR} poison, double %one, i64 0
-  %z = shufflevector {VECTOR} %lone, {VECTOR} poison, <8 x i32> zeroinitializer
-  %row = mul i64 %j, {CHUNK * len(accumulators)}
-  %here = getelementptr double, ptr %columns, i64 %row
-{sums}
-  %after = add i64 %j, 1
-  %more = icmp slt i64 %after, {size.states}
-  br i1 %more, label %column, label %done
-done:
-{_stores(size)}
-{summary_update(size.width)}
+  br label %group
+group:
+  %k = phi i64 [0, %entry], [%next, %before{len(strips)}]
+  %here = phi ptr [%one, %entry], [%there, %before{len(strips)}]
+  %there = phi ptr [%other, %entry], [%here, %before{len(strips)}]
+  %offset = mul i64 %k, {SIDE * size.width}
+  %rows = getelementptr double, ptr %record, i64 %offset
+{_copies(size)}
+  br label %before0
+{body}
+before{len(strips)}:
   %next = add i64 %k, 1
-  %again = icmp slt i64 %next, %steps
-  br i1 %again, label %step, label %end
+  %again = icmp slt i64 %next, %groups
+  br i1 %again, label %group, label %end
 end:
   ret void
 }}"""
 
 
-def _stores(size: Size) -> str:
-    """Return the stores of a row (the state as it was, then the outputs) and of the next state."""
+def _strip(number: int, strip: range, size: Size) -> str:
+    """Return the sums of a strip of rows of Φ⁸ or C for all eight steps, and their stores."""
+    width = CHUNK * (size.state_chunks + size.output_chunks)
+    tags = [(step, chunk) for step in range(SIDE) for chunk in strip]
+    start, loop = f"%before{number}", f"%column{number}"
+    lines = [f"before{number}:", f"  br label {loop}", f"column{number}:"]
+    lines.append(f"  %j{number} = phi i64 [0, {start}], [%n{number}, {loop}]")
+    lines += [f"  %a{s}.{c} = phi {VECTOR} [zeroinitializer, {start}], [%b{s}.{c}, {loop}]" for s, c in tags]
+    lines.append(f"  %row{number} = mul i64 %j{number}, {width}")
+    for c in strip:
+        lines.append(f"  %at{c} = add i64 %row{number}, {CHUNK * c}")
+        lines.append(f"  %cp{c} = getelementptr double, ptr %columns, i64 %at{c}")
+        lines.append(f"  %c{c} = load {VECTOR}, ptr %cp{c}, align 64")
+    for s in range(SIDE):
+        z = f"{number}.{s}"
+        lines.append(f"  %zi{z} = add i64 %j{number}, {s * size.state_chunks * CHUNK}")
+        lines.append(f"  %zp{z} = getelementptr double, ptr %here, i64 %zi{z}")
+        lines.append(f"  %zs{z} = load double, ptr %zp{z}, align 8")
+        lines.append(f"  %zl{z} = insertelement {VECTOR} poison, double %zs{z}, i64 0")
+        lines.append(f"  %z{z} = shufflevector {VECTOR} %zl{z}, {VECTOR} poison, <8 x i32> zeroinitializer")
+        for c in strip:
+            lines.append(f"  %f{s}.{c} = fmul contract {VECTOR} %c{c}, %z{z}")
+            lines.append(f"  %b{s}.{c} = fadd contract {VECTOR} %a{s}.{c}, %f{s}.{c}")
+    lines += [f"  %n{number} = add i64 %j{number}, 1", f"  %m{number} = icmp slt i64 %n{number}, {size.states}"]
+    lines += [f"  br i1 %m{number}, label {loop}, label %after{number}", f"after{number}:"]
+    lines += [_store(f"%b{s}.{c}", *_place(s, c, size), f"r{s}.{c}") for s, c in tags]
+    return "\n".join([*lines, f"  br label %before{number + 1}"])
+
+
+def _place(step: int, chunk: int, size: Size) -> tuple[tuple[str, int], int]:
+    """Return where a vector of sums goes, and how many of it."""
+    if chunk < size.state_chunks:
+        return ("%there", CHUNK * (step * size.state_chunks + chunk)), CHUNK
+    first = CHUNK * (chunk - size.state_chunks)
+    return ("%rows", step * size.width + size.kept + first), min(CHUNK, size.outputs - first)
+
+
+def _copies(size: Size) -> str:
+    """Return the copies of the states as they are into their rows."""
     lines = []
-    for i in range(-(-size.kept // CHUNK)):
-        lines.append(f"%op{i} = getelementptr double, ptr %state, i64 {CHUNK * i}")
-        lines.append(f"%ol{i} = load {VECTOR}, ptr %op{i}, align 8")
-        lines.append(_store(f"%ol{i}", ("%place", CHUNK * i), min(CHUNK, size.kept - CHUNK * i), f"o{i}"))
-    for i in range(size.output_chunks):
-        value = f"%b{size.state_chunks + i}"
-        place = ("%place", size.kept + CHUNK * i)
-        lines.append(_store(value, place, min(CHUNK, size.outputs - CHUNK * i), f"u{i}"))
-    for i in range(size.state_chunks):
-        lines.append(_store(f"%b{i}", ("%state", CHUNK * i), CHUNK, f"s{i}"))
-    return "\n".join(f"  {line}" for line in lines)
+    for s in range(SIDE):
+        for i in range(-(-size.kept // CHUNK)):
+            tag = f"{s}.{i}"
+            lines.append(f"  %op{tag} = getelementptr double, ptr %here, i64 {CHUNK * (s * size.state_chunks + i)}")
+            lines.append(f"  %ol{tag} = load {VECTOR}, ptr %op{tag}, align 64")
+            place = ("%rows", s * size.width + CHUNK * i)
+            lines.append(_store(f"%ol{tag}", place, min(CHUNK, size.kept - CHUNK * i), f"o{tag}"))
+    return "\n".join(lines)
 
 
 def _store(value: str, place: tuple[str, int], count: int, tag: str) -> str:
     """Return a store of the first `count` numbers of a vector."""
     pointer, index = place
+    address = f"  %t{tag} = getelementptr double, ptr {pointer}, i64 {index}"
+    if count == CHUNK:
+        return f"{address}\n  store {VECTOR} {value}, ptr %t{tag}, align 8"
     mask = ", ".join(f"i1 {'true' if number < count else 'false'}" for number in range(CHUNK))
-    address = f"%t{tag} = getelementptr double, ptr {pointer}, i64 {index}"
     call = f"call void @llvm.masked.store.v8f64.p0({VECTOR} {value}, ptr %t{tag}, i32 8, <8 x i1> <{mask}>)"
     return f"{address}\n  {call}"

@@ -17,7 +17,7 @@ from gearwright.dynamics.generate import record_width, table_width
 from gearwright.dynamics.linear import linear
 from gearwright.dynamics.native import aligned, compiled, summariser
 from gearwright.dynamics.recorder import BLOCK
-from gearwright.dynamics.recurrence import Size, recurrence
+from gearwright.dynamics.recurrence import SIDE, Size, recurrence
 from gearwright.dynamics.system import Arrays, Floats
 from gearwright.dynamics.topology import parameters, topology
 from gearwright.errors import SolveError
@@ -136,12 +136,19 @@ def _implicit(arrays: Arrays, h: float) -> Stepper:
 def _exact(arrays: Arrays, h: float) -> Stepper:
     carry = exact.propagator(arrays, h, int(np.log2(BLOCK)))
     kept, width = 2 * len(arrays.mass), record_width(topology(arrays))
-    run = recurrence(carry.step, carry.output, Size(len(carry.step), kept, len(carry.output), width))
+    size = Size(len(carry.step), kept, len(carry.output), width)
+    run, block = recurrence(carry.powers[SIDE.bit_length() - 1], carry.output, size), aligned(BLOCK, width)
+    eight = exact.first_powers(carry, SIDE)
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
-        start, summary = exact.extended_state(arrays, first * h, state), blank_summary(width)
-        state[:kept] = run(start, record, summary)[:kept]
-        state[kept:] += exact.works_during(carry, start, len(record))
-        return summary
+        start = exact.extended_state(arrays, first * h, state)
+        whole = record if len(record) % SIDE == 0 else block[: -(-len(record) // SIDE) * SIDE]
+        run((eight @ start).reshape(SIDE, -1), whole)
+        if whole is not record:
+            record[:] = whole[: len(record)]
+        works, end = exact.works_during(carry, start, len(record))
+        state[:kept] = end[:kept]
+        state[kept:] += works
+        return _summary(record, width)
 
     return advance
