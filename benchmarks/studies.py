@@ -30,7 +30,7 @@ from gearwright.study.journal import begin, opened, rows_of, status
 from gearwright.study.runner import Progress, resume, run_study
 from gearwright.study.sampling import Case, cases
 from gearwright.study.table import Row
-from gearwright.study.workers import computed
+from gearwright.study.workers import local
 
 NAME = "in-line-h2"
 DESIGNS = {NAME: read(shipped_design(NAME))}
@@ -108,11 +108,12 @@ def overhead(count: int = 500) -> None:
             book.begin_run(1)
             start, first = 0.0, 0
             done = 0
-            for rows in computed(study, DESIGNS, cases(study), workers=1, count=count, function=waiting):
-                book.append(rows)
-                done += len(rows)
-                if not start:
-                    start, first = time.perf_counter(), done
+            with local(study, DESIGNS, 1, function=waiting) as compute:
+                for rows in compute(cases(study), count):
+                    book.append(rows)
+                    done += len(rows)
+                    if not start:
+                        start, first = time.perf_counter(), done
             elapsed = time.perf_counter() - start
     each = elapsed / (count - first)
     print(f"{count} cases of 10 ms, one worker: {1e3 * each:.2f} ms each, overhead {each / CASE_TIME - 1.0:.1%}")

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from gearwright.spec import Design
     from gearwright.spec.study import Study
     from gearwright.study import Table
-    from gearwright.study.runner import Compute, Progress
+    from gearwright.study.runner import Progress, Start
 
 JournalArgument = Annotated[Path, typer.Argument(help="Journal that a study writes", metavar="JOURNAL")]
 WorkersOption = Annotated[
@@ -48,9 +48,9 @@ def run_shown(
     from gearwright.study.runner import run_study
 
     count = _workers(workers, case_count(study))
-    with _stopped_cleanly(journal), _watched() as watch, _computing(cluster) as compute:
+    with _stopped_cleanly(journal), _watched() as watch:
         return run_study(
-            study, designs, workers=count, journal=journal, origin=origin, watch=watch, compute=compute
+            study, designs, workers=count, journal=journal, origin=origin, watch=watch, start=_start(cluster)
         )  # fmt: skip
 
 
@@ -88,8 +88,8 @@ def resume(
     known = recorded(journal)
     present = {} if anyway else present_designs(known.designs, Path(known.origin))
     count = _workers(workers, known.total)
-    with _stopped_cleanly(journal), _watched() as watch, _computing(cluster) as compute:
-        table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, compute=compute)
+    with _stopped_cleanly(journal), _watched() as watch:
+        table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, start=_start(cluster))
     show_table(table, known.study, csv=csv, json=json)
     write_files(known.study, table, export=export, report=report)
 
@@ -160,18 +160,15 @@ def _workers(asked: int | None, cases: int) -> int:
     return 0 if cases <= SMALL else os.cpu_count() or 1
 
 
-@contextmanager
-def _computing(cluster: str | None) -> Iterator[Compute]:
-    """Hold what computes: processes here, or a cluster."""
-    from gearwright.study.workers import computed
+def _start(cluster: str | None) -> Start:
+    """Return what holds workers: processes here, or a cluster."""
+    if cluster is not None:
+        from gearwright.study.cluster import Cluster
 
-    if cluster is None:
-        yield computed
-        return
-    from gearwright.study.cluster import connected
+        return Cluster(cluster)
+    from gearwright.study.workers import local
 
-    with connected(cluster) as compute:
-        yield compute
+    return local
 
 
 @contextmanager

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import json
 from collections import deque
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from gearwright import __version__
 from gearwright.errors import DesignError, Problem, SolveError
@@ -22,10 +23,7 @@ from gearwright.spec.study import Study
 from gearwright.study.evaluate import evaluate
 from gearwright.study.sampling import Case
 from gearwright.study.table import Row
-from gearwright.study.workers import Finished
-
-if TYPE_CHECKING:
-    from gearwright.study.runner import Compute
+from gearwright.study.workers import Compute, Finished
 
 CHUNK = 32
 """Cases of one task: some 50 ms of first sizings, long beside the scheduler's 1 ms a task."""
@@ -52,34 +50,35 @@ def commands(host: str, processes: int) -> tuple[str, str, str]:
     )
 
 
-@contextmanager
-def connected(address: str) -> Iterator[Compute]:
-    """Hold a connection to a cluster as what computes cases.
+@dataclass(frozen=True)
+class Cluster:
+    """A Dask cluster; called with study, designs and workers it holds a connection as `local` holds processes."""
 
-    Args:
-        address: Of its scheduler, such as ``tcp://10.0.0.1:8786``.
+    address: str
+    """Of its scheduler, such as ``tcp://10.0.0.1:8786``."""
 
-    Raises:
-        DesignError: If Dask is not installed, or no scheduler answers.
-    """
+    @contextmanager
+    def __call__(self, study: Study, designs: Mapping[str, Design], workers: int) -> Iterator[Compute]:
+        """Hold a connection; the cluster has its own number of workers.
+
+        Raises:
+            DesignError: If Dask is not installed, or no scheduler answers.
+        """
+        with _client(self.address) as client:
+            yield lambda cases, count: _Tasks(client, study, designs, cases).work()
+
+
+def _client(address: str) -> Any:
     try:
         from distributed import Client
     except ImportError:
         message = "Dask is not installed; install gearwright[cluster]"
         raise DesignError([Problem("--cluster", message)]) from None
     try:
-        client = Client(address, timeout=PATIENCE)
+        return Client(address, timeout=PATIENCE)
     except (OSError, ValueError):
         message = f"no scheduler answers at {address}; `gearwright cluster` prints how to start one"
         raise DesignError([Problem("--cluster", message)]) from None
-    with client:
-
-        def compute(
-            study: Study, designs: Mapping[str, Design], cases: Iterable[Case], *, workers: int, count: int
-        ) -> Iterator[Finished]:
-            yield from _Tasks(client, study, designs, iter(cases)).work()
-
-        yield compute
 
 
 class _Tasks:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
 
 from gearwright import __version__
 from gearwright.errors import DesignError, Problem, SolveError
@@ -17,7 +17,7 @@ from gearwright.study.journal import Journal, Recorded, begin, in_memory, opened
 from gearwright.study.run import batches, table_of
 from gearwright.study.sampling import Case
 from gearwright.study.table import Row, Table
-from gearwright.study.workers import Finished, computed
+from gearwright.study.workers import Compute, local
 
 
 @dataclass(frozen=True)
@@ -39,21 +39,14 @@ class Progress:
         return (self.total - self.done) / self.rate if self.rate else float("inf")
 
 
-class Compute(Protocol):
-    """What computes cases: processes here, or a cluster."""
-
-    def __call__(
-        self, study: Study, designs: Mapping[str, Design], cases: Iterable[Case], *, workers: int, count: int
-    ) -> Iterator[Finished]:
-        """Yield finished cases, several at a time, in any order."""
-
-
+Start = Callable[[Study, Mapping[str, Design], int], AbstractContextManager[Compute]]
+"""What holds workers for a study: `local`, or a cluster."""
 Watch = Callable[[Progress], None]
 
 
 def run_study(
     study: Study, designs: Mapping[str, Design], *, workers: int = 0, journal: Path | None = None, origin: str = "",
-    watch: Watch | None = None, compute: Compute = computed,
+    watch: Watch | None = None, start: Start = local,
 ) -> Table:  # fmt: skip
     """Return the table of a study; the same for one seed, bit for bit, whatever computes it.
 
@@ -64,7 +57,7 @@ def run_study(
         journal: File that keeps every finished case at once, for `resume`; left out: nothing is kept.
         origin: Folder in which the names of designs were looked up.
         watch: Called with the progress each time that cases are finished.
-        compute: What computes cases; left out: processes of this machine.
+        start: What holds workers; left out: processes of this machine.
 
     Raises:
         DesignError: If paths do not exist, cases are too many, all of them fail, or the journal is there already.
@@ -73,15 +66,16 @@ def run_study(
     case_count(study)
     refuse_unknown_paths(study, designs)
     if journal is None:
-        return _run(in_memory(study, designs), study, designs, workers, watch, compute)
+        with closing(in_memory(study, designs).database) as database, start(study, designs, workers) as compute:
+            return _run(Journal(database), study, workers, watch, compute)
     begin(journal, study, designs, origin=origin)
-    with opened(journal) as book:
-        return _run(book, study, designs, workers, watch, compute)
+    with opened(journal) as book, start(study, designs, workers) as compute:
+        return _run(book, study, workers, watch, compute)
 
 
 def resume(
     journal: Path, *, workers: int = 0, designs: Mapping[str, Design] | None = None, anyway: bool = False,
-    watch: Watch | None = None, compute: Compute = computed,
+    watch: Watch | None = None, start: Start = local,
 ) -> Table:  # fmt: skip
     """Return the table of a study that was stopped, after computing what is missing, from the journal alone.
 
@@ -91,7 +85,7 @@ def resume(
         designs: The designs as they are now, to compare; left out: not compared.
         anyway: Continue with the designs in the journal even if they, or gearwright's version, have changed since.
         watch: Called with the progress each time that cases are finished.
-        compute: What computes cases; left out: processes of this machine.
+        start: What holds workers; left out: processes of this machine.
 
     Raises:
         DesignError: If it is no journal, another runner is at it, or designs or version have changed.
@@ -100,8 +94,8 @@ def resume(
     known = recorded(journal)
     if not anyway:
         refuse_changes(journal, known, designs or {})
-    with opened(journal) as book:
-        return _run(book, known.study, known.designs, workers, watch, compute)
+    with opened(journal) as book, start(known.study, known.designs, workers) as compute:
+        return _run(book, known.study, workers, watch, compute)
 
 
 def refuse_changes(journal: Path, known: Recorded, designs: Mapping[str, Design]) -> None:
@@ -128,9 +122,7 @@ def refuse_changes(journal: Path, known: Recorded, designs: Mapping[str, Design]
         raise DesignError(problems, str(journal))
 
 
-def _run(
-    book: Journal, study: Study, designs: Mapping[str, Design], workers: int, watch: Watch | None, compute: Compute
-) -> Table:
+def _run(book: Journal, study: Study, workers: int, watch: Watch | None, compute: Compute) -> Table:
     """Compute what the journal lacks, batch after batch."""
     done = book.finished()
     meter = _Meter(case_count(study), len(done), sum(done.values()), watch)
@@ -138,7 +130,7 @@ def _run(
     for batch, answer in batches(study):
         wanted: list[int] = []
         missing = _missing(batch, done, wanted)
-        for finished in compute(study, designs, missing, workers=workers, count=meter.total - len(done)):
+        for finished in compute(missing, meter.total - len(done)):
             book.append(finished)
             meter.count(row for _, row in finished)
         answer(book.rows(wanted) if study.sampling.method == "nsga2" else [])

@@ -12,9 +12,10 @@ import os
 import signal
 import time
 from collections import Counter, deque
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import islice
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
@@ -40,34 +41,40 @@ _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA
 Chunk = list[Case]
 Finished = list[tuple[int, Row]]
 Function = Callable[[Study, Design, Case], Row]
+"""What computes a case."""
+Given = tuple[Study, Mapping[str, Design], Function]
+"""What a worker needs to know."""
+Compute = Callable[[Iterator[Case], int], Iterator[Finished]]
+"""What takes cases and their number, and yields finished ones, several at a time, in any order."""
 
 
-def computed(
-    study: Study, designs: Mapping[str, Design], cases: Iterable[Case], *, workers: int, count: int,
-    function: Function = evaluate,
-) -> Iterator[Finished]:  # fmt: skip
-    """Yield finished cases, several at a time, in the order in which they are done.
+@contextmanager
+def local(
+    study: Study, designs: Mapping[str, Design], workers: int, *, function: Function = evaluate
+) -> Iterator[Compute]:
+    """Hold worker processes of this machine; they start with the first cases and serve until the end.
 
     Args:
         study: Results that are asked for.
         designs: Name -> design.
-        cases: To be computed.
         workers: Processes; 0 computes in this one.
-        count: Number of cases, or an upper bound: no more workers than that are started.
         function: What computes a case; it must be importable by name.
 
-    Raises:
-        SolveError: If workers die before they are ready.
+    Yields:
+        A function of cases and their number, which yields finished ones, several at a time, as they are done. It
+        raises `SolveError` if workers die before they are ready.
     """
-    if workers == 0:
-        for case in cases:
-            yield [(case.number, function(study, designs[case.design], case))]
-        return
-    crew = _Crew((study, designs, function), iter(cases))
+    crew = _Crew((study, designs, function), workers)
     try:
-        yield from crew.work(max(1, min(workers, count)))
+        yield crew.work if workers else partial(_here, (study, designs, function))
     finally:
         crew.dismiss()
+
+
+def _here(given: Given, cases: Iterator[Case], count: int) -> Iterator[Finished]:
+    study, designs, function = given
+    for case in cases:
+        yield [(case.number, function(study, designs[case.design], case))]
 
 
 def _serve(pipe: Connection, study: Study, designs: Mapping[str, Design], function: Function) -> None:
@@ -97,16 +104,20 @@ class _Worker:
 class _Crew:
     """The workers of one run."""
 
-    def __init__(self, given: tuple[Study, Mapping[str, Design], Function], cases: Iterator[Case]) -> None:
-        self.given, self.cases = given, cases
+    def __init__(self, given: Given, workers: int) -> None:
+        self.given, self.workers = given, workers
+        self.cases: Iterator[Case] = iter(())
         self.again: deque[Chunk] = deque()
         self.deaths: Counter[int] = Counter()
         self.members: list[_Worker] = []
         self.failed_starts = 0
         self.chunk = 1
 
-    def work(self, workers: int) -> Iterator[Finished]:
-        self.members = [self._hire() for _ in range(workers)]
+    def work(self, cases: Iterator[Case], count: int) -> Iterator[Finished]:
+        """Yield finished cases; of no more workers than cases."""
+        self.cases = cases
+        for _ in range(len(self.members), min(self.workers, count)):
+            self.members.append(self._hire())
         while self._give():
             for pipe in wait([worker.pipe for worker in self.members]):
                 worker = next(each for each in self.members if each.pipe is pipe)

@@ -25,7 +25,7 @@ from gearwright.study import run
 from gearwright.study.journal import begin, opened, recorded, rows_of, status
 from gearwright.study.runner import resume, run_study
 from gearwright.study.sampling import cases
-from gearwright.study.workers import computed
+from gearwright.study.workers import local
 
 NAME = "in-line-h2"
 DESIGNS = {NAME: read(shipped_design(NAME))}
@@ -89,11 +89,8 @@ def test_workers_give_the_same_rows_though_one_is_killed(tmp_path: Path) -> None
 @pytest.mark.parametrize(("how", "problem"), [("once", ""), ("always", "its worker died 2 times")])
 def test_a_case_that_kills_its_worker_is_tried_twice(tmp_path: Path, how: str, problem: str) -> None:
     study = study_of(40, name=str(tmp_path / "mark"), description=f"{how} 17")
-    found = dict(
-        row
-        for finished in computed(study, DESIGNS, cases(study), workers=1, count=40, function=deadly.sized_at_once)
-        for row in finished
-    )
+    with local(study, DESIGNS, 1, function=deadly.sized_at_once) as compute:
+        found = dict(row for finished in compute(cases(study), 40) for row in finished)
     assert sorted(found) == list(range(40))
     assert found.pop(17).problem.startswith(problem)
     assert not any(row.problem for row in found.values())
