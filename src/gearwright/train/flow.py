@@ -16,6 +16,8 @@ from gearwright.train.statics import MAX_REVERSALS, Sharing, lossy, solve_torque
 
 RATED = "rated"
 """Name of the case that every design has: each machine at its rated power."""
+STANDSTILL = 1e-12
+"""Speed below this part of the largest one is rounding of a shaft that stands still."""
 
 
 @dataclass(frozen=True)
@@ -297,7 +299,9 @@ def _collect(
     yielded: tuple[Yielded, ...],
 ) -> PowerFlow:  # fmt: skip
     speeds, torques, multipliers, effective = solved
-    speed = {**{name: float(value) for name, value in zip(train.nodes, speeds, strict=True)}, GROUND: 0.0}
+    noise = STANDSTILL * float(np.abs(speeds).max(initial=0.0))
+    turning = np.where(np.abs(speeds) > noise, speeds, 0.0)
+    speed = {**{name: float(value) for name, value in zip(train.nodes, turning, strict=True)}, GROUND: 0.0}
     meshes = {mesh.name: _mesh_flow(train, k, speed, multipliers, effective) for k, mesh in enumerate(train.meshes)}
     start = len(train.meshes)
     return PowerFlow(
