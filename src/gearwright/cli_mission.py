@@ -12,6 +12,8 @@ import typer
 
 if TYPE_CHECKING:
     from gearwright.mission import Flight, GearDamage
+    from gearwright.spec import Design
+    from gearwright.spec.mission import Mission
 
 
 def fly(
@@ -19,16 +21,17 @@ def fly(
         str | None, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")
     ] = None,
     mission: Annotated[str, typer.Argument(help="Mission file, or the name of a shipped mission")] = "thesis",
+    life_h: Annotated[
+        float | None, typer.Option(help="Strengthen the gears until all live so many flight hours", min=0.0)
+    ] = None,
     csv: Annotated[Path | None, typer.Option(help="Write the histories as CSV, in SI")] = None,
     json: Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of words")] = False,
 ) -> None:
     """Fly a mission: fuel, charge, heat and the gear that dies first; without a design, list the shipped missions."""
-    from gearwright.shipped import shipped_missions
-
     if design is None:
-        _list(shipped_missions())
+        _list()
         return
-    flight, damages = _flown(design, mission)
+    flight, damages = _flown(_design(design), *_mission(mission), life_h=life_h)
     from gearwright.render.flight_text import flight_csv, flight_json, flight_text
 
     typer.echo(flight_json(flight, damages) if json else flight_text(flight, damages))
@@ -37,27 +40,45 @@ def fly(
         typer.echo(f"wrote {csv}", err=True)
 
 
-def _list(names: tuple[str, ...]) -> None:
-    from gearwright.shipped import shipped_mission
+def _list() -> None:
+    from gearwright.shipped import shipped_mission, shipped_missions
     from gearwright.spec.mission import read_mission
 
-    for each in names:
+    for each in shipped_missions():
         typer.echo(f"{each:20} {read_mission(shipped_mission(each)).name}")
 
 
-def _flown(design: str, mission: str) -> tuple[Flight, tuple[GearDamage, ...]]:
-    from gearwright.errors import DesignError
-    from gearwright.mission import fly as flown_by
-    from gearwright.mission import gear_damage
-    from gearwright.shipped import shipped_design, shipped_designs, shipped_mission, shipped_missions
-    from gearwright.sizing import size
+def _design(name: str) -> Design:
+    from gearwright.shipped import shipped_design, shipped_designs
     from gearwright.spec import read
+
+    path = Path(name)
+    return read(shipped_design(name) if not path.exists() and name in shipped_designs() else path)
+
+
+def _mission(name: str) -> tuple[Mission, Path]:
+    """Return a mission, and the folder in which its propeller map may lie."""
+    from gearwright.shipped import shipped_mission, shipped_missions
     from gearwright.spec.mission import read_mission
 
-    own, asked = Path(design), Path(mission)
-    sizing = size(read(shipped_design(design) if not own.exists() and design in shipped_designs() else own))
-    read_from = shipped_mission(mission) if not asked.exists() and mission in shipped_missions() else asked
-    flight = flown_by(sizing, read_mission(read_from), folder=read_from.parent)
+    path = Path(name)
+    path = shipped_mission(name) if not path.exists() and name in shipped_missions() else path
+    return read_mission(path), path.parent
+
+
+def _flown(
+    design: Design, mission: Mission, folder: Path, *, life_h: float | None
+) -> tuple[Flight, tuple[GearDamage, ...]]:
+    from gearwright.errors import DesignError
+    from gearwright.mission import fly as flown_by
+    from gearwright.mission import gear_damage, size_for_life
+    from gearwright.sizing import size
+
+    if life_h is not None:
+        found = size_for_life(design, mission, life_h, folder=folder)
+        typer.echo(f"A life of {life_h:g} h costs {found.mass_of_life:.2f} kg in {found.rounds} rounds", err=True)
+        return found.flight, found.damages
+    flight = flown_by(size(design), mission, folder=folder)
     try:
         return flight, gear_damage(flight)
     except DesignError as error:  # the flight is good without a rating; say why there is none

@@ -1,0 +1,37 @@
+"""Size, fly, resize until the life is met."""
+
+import pytest
+
+from gearwright.errors import SolveError
+from gearwright.mission import life as life_module
+from gearwright.mission.life import size_for_life
+from gearwright.shipped import shipped_design, shipped_mission
+from gearwright.spec import read
+from gearwright.spec.mission import read_mission
+
+DESIGN = read(shipped_design("in-line-h2"))
+MISSION = read_mission(shipped_mission("thesis"))
+
+
+def test_a_longer_life_costs_mass_and_is_met():
+    short = size_for_life(DESIGN, MISSION, 100.0)
+    long = size_for_life(DESIGN, MISSION, 20_000.0)
+    assert short.rounds == 0
+    assert short.mass_of_life == 0.0
+    assert long.damages[0].life >= 20_000.0
+    assert 0.0 < long.mass_of_life < long.mass_before
+    assert long.flight.sizing is long.sizing
+
+
+def test_only_the_stage_that_fails_is_strengthened():
+    """The second stage fails first in this mission at 2000 h; the first one keeps its rules."""
+    found = size_for_life(DESIGN, MISSION, 2000.0)
+    assert found.rounds > 0
+    assert found.sizing.design.planetaries["first"].gears is None
+    assert found.sizing.design.rules("second").bending_safety > DESIGN.rules("second").bending_safety
+
+
+def test_a_life_out_of_reach_is_refused(monkeypatch):
+    monkeypatch.setattr(life_module, "MOST_ROUNDS", 2)
+    with pytest.raises(SolveError, match="after 2 rounds"):
+        size_for_life(DESIGN, MISSION, 1e6)
