@@ -15,9 +15,10 @@ from gearwright.dynamics import exact
 from gearwright.dynamics.clock import clock
 from gearwright.dynamics.generate import record_width, table_width
 from gearwright.dynamics.linear import linear
-from gearwright.dynamics.native import aligned, compiled, summariser
+from gearwright.dynamics.native import aligned, compiled
 from gearwright.dynamics.recorder import BLOCK
 from gearwright.dynamics.recurrence import SIDE, Size, recurrence
+from gearwright.dynamics.summary import summariser
 from gearwright.dynamics.system import Arrays, Floats
 from gearwright.dynamics.topology import parameters, topology
 from gearwright.errors import SolveError
