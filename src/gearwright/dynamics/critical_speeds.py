@@ -183,9 +183,12 @@ class Shaker:
         rate = 2.0 * math.pi * crossing.frequency
         apart = np.abs(values.imag / rate - 1.0)
         near = apart < max(SAME, 1.01 * float(np.min(apart)))
-        push = shapes[:, near].conj().T @ (self.matrix.T @ exciting)
-        # At its peak a mode moves by 1/(2 ζ ω²) = 1/(2 |Re λ| ω) of what pushes it.
-        moved = shapes[:, near] @ (push / (2.0 * np.abs(values[near].real) * rate))
+        found = shapes[:, near]
+        push = found.conj().T @ (self.matrix.T @ exciting)
+        # At its peak a mode moves by 1/(2 ζ ω²) = 1/(2 |Re λ| ω) of what pushes it. The shapes of a repeated frequency
+        # are any basis of their space: its mass matrix makes the answer independent of which one the solver gave.
+        together = found.conj().T @ (self.system.arrays.mass[:, None] * found)
+        moved = found @ (np.linalg.pinv(together) @ push) / (2.0 * np.mean(np.abs(values[near].real)) * rate)
         return self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
 
     def _modes(self, factor: float) -> tuple[Complexes, Complexes]:
