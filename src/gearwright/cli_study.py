@@ -25,7 +25,7 @@ from gearwright.cli_runs import (
 
 if TYPE_CHECKING:
     from gearwright.spec import Design
-    from gearwright.spec.study import Value
+    from gearwright.spec.study import Study, Value
     from gearwright.study import Table
 
 FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
@@ -64,7 +64,7 @@ def study(
     table = run_shown(read, designs, journal=journal, workers=workers, cluster=cluster, origin=str(path.parent))
     show_table(table, read, csv=csv, json=json)
     if figure is not None:
-        _draw(table, figure)
+        _draw(read, table, figure)
     write_files(read, table, export=export, report=report)
 
 
@@ -101,7 +101,7 @@ def compare(
     table = run(read, fitted)
     show_table(table, csv=csv, json=json)
     if figure is not None:
-        _draw(table, figure)
+        _draw(read, table, figure)
     if report is not None:
         _write_comparison(report, table, fitted, read.changes)
 
@@ -116,16 +116,16 @@ def _write_comparison(path: Path, table: Table, designs: dict[str, Design], chan
     typer.echo(f"wrote {path}", err=True)
 
 
-def _draw(table: Table, path: Path) -> None:
+def _draw(study: Study, table: Table, path: Path) -> None:
     from gearwright.errors import DesignError, Problem
-    from gearwright.render.study_figures import study_figure
+    from gearwright.render.study_spread import figure_of
     from gearwright.render.theme import to_png, to_svg
 
     match path.suffix:
         case ".svg":
-            path.write_text(to_svg(study_figure(table)), encoding="utf-8")
+            path.write_text(to_svg(figure_of(study, table)), encoding="utf-8")
         case ".png":
-            path.write_bytes(to_png(study_figure(table)))
+            path.write_bytes(to_png(figure_of(study, table)))
         case other:
             raise DesignError([Problem("--figure", f"{other!r} is not drawn; end the name with .svg or .png")])
 

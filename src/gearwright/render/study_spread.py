@@ -9,15 +9,31 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from gearwright.render import theme
+from gearwright.render.study_figures import study_figure
 from gearwright.render.study_tables import heading, inputs_of, result_unit
 from gearwright.spec.study import Study
 from gearwright.study import Row, Table
+from gearwright.study.pareto import pareto_front
 from gearwright.study.sensitivity import CONFIDENCE, Influence, varies
 from gearwright.units import shown
 
 Floats = NDArray[np.float64]
 MOST_LINES = 400
 """Cases drawn as parallel coordinates; more would be a wall of ink: evenly spaced ones are taken."""
+
+
+def figure_of(study: Study, table: Table) -> Figure:
+    """Return the figure that suits a study: its front, lines or bars of a grid, or the distributions of samples.
+
+    Args:
+        study: As run.
+        table: Its rows.
+    """
+    if len(study.objectives) > 1:
+        return pareto_figure(study, table, pareto_front(study, table))
+    if study.sampling.method in ("grid", "list"):
+        return study_figure(table)
+    return distribution_figure(table)
 
 
 @theme.styled

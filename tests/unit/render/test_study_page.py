@@ -8,7 +8,7 @@ import pytest
 
 from gearwright.render import theme
 from gearwright.render.study_page import study_page
-from gearwright.render.study_spread import contour_figure, parallel_figure
+from gearwright.render.study_spread import contour_figure, figure_of, parallel_figure
 from gearwright.render.study_tables import reasons, spread
 from gearwright.shipped import shipped_design
 from gearwright.spec import read
@@ -86,3 +86,15 @@ def test_the_spread_is_that_of_the_numbers() -> None:
     assert (line.result, line.unit) == ("mass", "kg")
     assert line.values[0] == f"{min(mass):.2f}" and line.values[-1] == f"{max(mass):.2f}"
     assert len(reasons(table)) <= 3
+
+
+@pytest.mark.parametrize(
+    ("more", "label"),
+    [
+        ('[sampling]\nmethod = "sobol"\ncount = 8\n', "gearbox [kg]"),
+        ('[sampling]\nmethod = "sobol"\ncount = 8\n[objectives]\nmass = "least"\nmotor_mass = "most"\n', "gearbox [kg]: least"),
+    ],
+)  # fmt: skip
+def test_the_figure_suits_the_method(more: str, label: str) -> None:
+    study, table, _ = page_of(HEAD + FILL + more)
+    assert figure_of(study, table).axes[0].get_xlabel() == label
