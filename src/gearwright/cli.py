@@ -16,7 +16,9 @@ import typer
 
 from gearwright import __version__
 from gearwright.cli_dynamics import campbell, response, runup, validate
+from gearwright.cli_mission import fly
 from gearwright.cli_runs import cluster, resume, status
+from gearwright.cli_sharing import sharing
 from gearwright.cli_study import compare, study
 from gearwright.cli_thesis import thesis
 from gearwright.cli_weights import engines, show_mass, stated_mass
@@ -218,6 +220,8 @@ app.command()(response)
 app.command()(runup)
 app.command()(validate)
 app.command()(thesis)
+app.command()(sharing)
+app.command()(fly)
 
 
 @app.command()
