@@ -10,7 +10,9 @@ from gearwright.errors import DesignError
 from gearwright.render.study_tables import study_csv, study_records
 from gearwright.shipped import shipped_design, shipped_studies, shipped_study
 from gearwright.sizing import size
+from gearwright.sizing.named import named_results
 from gearwright.spec import read
+from gearwright.spec.edit import edited
 from gearwright.spec.study import Study, axis_values, case_count, read_study
 from gearwright.study import for_engine, run
 from gearwright.units import RPM
@@ -92,3 +94,14 @@ def test_a_design_is_fitted_to_another_engine() -> None:
 def test_a_motor_as_fast_as_the_turbine_stays_so() -> None:
     design = for_engine(read(shipped_design("in-line-h1")), engine_speed=33000 * RPM)
     assert design.motors["electric"].speed == pytest.approx(33000 * RPM)
+
+
+def test_efficiency_is_power_out_over_power_in() -> None:
+    """Two planetary stages in line: each mesh loses 1 % of its tooth power, so 1 − η is some 2 %."""
+    design = edited(read(shipped_design("in-line-h2")), {"gears.mesh_efficiency": 0.99})
+    sizing = size(design)
+    flow = sizing.flows["rated"]
+    given = sum(power for power in flow.machine_powers.values() if power > 0.0)
+    taken = -sum(power for power in flow.machine_powers.values() if power < 0.0)
+    assert named_results(sizing)["efficiency"].value == pytest.approx(taken / given, rel=1e-12)
+    assert 0.96 < taken / given < 0.99
