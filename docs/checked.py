@@ -1,4 +1,4 @@
-"""The page on validation: published numbers beside those that gearwright computes while the page is built.
+"""The page on validation: published numbers beside those that gearwright computes while the page is made.
 
 Each row names the test that holds it; below the table stand all tests against published numbers, in their own words.
 """
@@ -180,8 +180,8 @@ def _plain(words: str) -> str:
 _COLUMNS = "| test | reference and tolerance |\n| --- | --- |\n"
 _HEAD = """# Validation
 
-What gearwright computes beside what is published. The numbers of this table are computed while this page is built,
-and the build fails if one leaves its tolerance.
+What gearwright computes beside what is published. `python docs/generate.py` computes the numbers of this table and
+refuses to write it if one leaves its tolerance; a test fails if the page is not what it writes.
 
 | quantity | expected | tolerance | gearwright | source | test |
 | --- | --- | --- | --- | --- | --- |

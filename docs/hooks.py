@@ -1,4 +1,4 @@
-"""What the documentation's build adds: formulas as MathML, and the pages that are made from the package.
+"""What the documentation's build adds: formulas as MathML, and the changelog.
 
 Formulas are LaTeX between dollar signs and become MathML while the site is built, so that a reader's browser needs no
 script and no request for them. Code is left alone.
@@ -6,9 +6,7 @@ script and no request for them. Code is left alone.
 
 from __future__ import annotations
 
-import importlib.util
 import re
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +14,6 @@ from latex2mathml.converter import convert
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
-
-from gearwright.render.design_file import design_file_markdown, study_file_markdown
 
 _CODE_OR_FORMULA = re.compile(
     r"^(?P<fence> {0,3}(?:```|~~~)).*?^(?P=fence)[^\n]*$"  # fenced code
@@ -32,27 +28,10 @@ _formulas: dict[str, list[str]] = {}
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
-    """Add the pages that are made from the package."""
-    made = {
-        "reference/design-file.md": design_file_markdown(),
-        "reference/study-file.md": study_file_markdown(),
-        "validation.md": _validation(),
-        "changelog.md": Path(config.config_file_path).with_name("CHANGELOG.md").read_text(encoding="utf-8"),
-    }
-    for path, content in made.items():
-        files.append(File.generated(config, path, content=content))
+    """Add the changelog, which lies beside the documentation's folder."""
+    changelog = Path(config.config_file_path).with_name("CHANGELOG.md").read_text(encoding="utf-8")
+    files.append(File.generated(config, "changelog.md", content=changelog))
     return files
-
-
-def _validation() -> str:
-    """Return the page of `checked.py`, which lies beside this file and is no package."""
-    spec = importlib.util.spec_from_file_location("checked", Path(__file__).with_name("checked.py"))
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    page: str = module.validation_markdown()
-    return page
 
 
 def on_page_markdown(markdown: str, page: Page, **_: Any) -> str:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from gearwright.catalogue.materials import materials
 from gearwright.render.design_file import design_file_markdown, study_file_markdown
 from gearwright.spec.design import Design
 from gearwright.spec.record import keys_of
@@ -85,6 +86,20 @@ def test_defaults_and_bounds_are_in_the_unit_of_the_first_key():
 def test_a_figure_is_what_the_tool_draws(name):
     """After a change of a figure: python docs/figures.py, and look at it."""
     assert (ROOT / "docs" / "figures" / f"{name}.svg").read_text(encoding="utf-8") == beside("figures").svg(name)
+
+
+@pytest.mark.parametrize("name", sorted(beside("generate").PAGES))
+def test_a_made_page_is_up_to_date(name):
+    """After a change of a key, a material or a validation test: python docs/generate.py."""
+    assert (ROOT / "docs" / name).read_text(encoding="utf-8") == beside("generate").PAGES[name]()
+
+
+def test_every_material_stands_in_the_table_with_its_source():
+    page = beside("generate").materials_markdown()
+    for name, material in materials().items():
+        assert any(line.startswith(f"| `{name}` |") and material.source in line for line in page.splitlines()), name
+    assert "| `nitriding-steel-785` | 210 | 0.3 | 7850 | 785 | 600 |" in page
+    assert "| `structural-steel` | 210 | 0.3 | 7850 | 355 | – |" in page
 
 
 def test_the_numbers_of_the_validation_page_are_within_their_tolerances():
