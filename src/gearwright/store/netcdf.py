@@ -18,7 +18,7 @@ from gearwright import __version__
 from gearwright.dynamics import Labels, Samples, Statistics, Trace
 from gearwright.dynamics.energy import Work
 from gearwright.dynamics.system import Tone
-from gearwright.dynamics.trace import Checkpoints
+from gearwright.dynamics.trace import Checkpoints, Orders
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import Design
 
@@ -44,7 +44,7 @@ _DIMENSIONS: Mapping[type, Mapping[str, tuple[tuple[str, ...], str]]] = {
 """Array fields of each part: dimensions and unit."""
 
 _STATISTICS = ("force", "deflection", "velocity")
-_SCALARS = ("method", "step", "duration", "error")
+_SCALARS = ("method", "step", "duration", "error", "tolerance")
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,6 +102,8 @@ def _write_trace(file: Any, trace: Trace) -> None:
         group.attrs["names"] = "\n".join(statistics.names)
         _write_part(group, statistics)
     _write_part(file.create_group("checkpoints"), trace.checkpoints)
+    if trace.orders is not None:
+        _write_orders(file.create_group("orders"), trace.orders)
 
 
 def load(path: str | Path) -> StoredRun:
@@ -143,6 +145,8 @@ def _read(file: Any) -> StoredRun:
         checkpoints=Checkpoints(**_read_part(file.groups["checkpoints"], Checkpoints)),
         notes=_lines(file.attrs["notes"]),
         labels=labels,
+        tolerance=float(file.attrs["tolerance"]),
+        orders=_read_orders(file.groups["orders"]) if "orders" in file.groups else None,
     )
     design = Design.model_validate_json(str(file.attrs["design"]))
     return StoredRun(design, str(file.attrs["case"]), trace)
@@ -162,6 +166,23 @@ def _read_part(group: Any, kind: type) -> dict[str, Any]:
     return {name: np.asarray(group.variables[name][...]) for name in _DIMENSIONS[kind]}
 
 
+def _write_orders(group: Any, orders: Orders) -> None:
+    """Write complex amplitudes as real and imaginary part, which every reader knows."""
+    group.attrs["names"], group.attrs["tones"] = _joined(orders.names), _joined(map(_written_tone, orders.tones))
+    group.dimensions.update(dict(zip(("bin", "name", "tone"), orders.amplitude.shape, strict=True)))
+    group.dimensions["edge"] = len(orders.edges)
+    group.create_variable("edges", ("edge",), float, data=orders.edges).attrs["units"] = "s"
+    for part in ("real", "imag"):
+        variable = group.create_variable(part, ("bin", "name", "tone"), float, data=getattr(orders.amplitude, part))
+        variable.attrs["units"] = "N or N m, see line_unit"
+
+
+def _read_orders(group: Any) -> Orders:
+    edges, real, imag = (np.asarray(group.variables[name][...]) for name in ("edges", "real", "imag"))
+    tones = tuple(map(_read_tone, _lines(group.attrs["tones"])))
+    return Orders(_lines(group.attrs["names"]), tones, edges, real + 1j * imag)
+
+
 def _read_statistics(group: Any) -> Statistics:
     names = _lines(group.attrs["names"])
     return Statistics(names=names, what=str(group.attrs["what"]), **_read_part(group, Statistics))
@@ -175,22 +196,27 @@ def _write_labels(file: Any, labels: Labels) -> None:
     )
     file.attrs["lines"], file.attrs["line_unit"] = _joined(labels.lines), _joined(labels.line_units)
     file.attrs["line_kinds"] = _joined(labels.line_kinds)
-    file.attrs["tones"] = _joined("\t".join(f"{count} {name}" for name, count in tone.counts) for tone in labels.tones)
+    file.attrs["tones"] = _joined(map(_written_tone, labels.tones))
 
 
 def _read_labels(file: Any) -> Labels:
-    tones = [
-        Tone(tuple((name, int(count)) for count, _, name in (part.partition(" ") for part in line.split("\t") if part)))
-        for line in _lines(file.attrs["tones"])
-    ]
     return Labels(
         coordinates=_lines(file.attrs["coordinates"]),
         coordinate_units=_lines(file.attrs["coordinate_unit"]),
         lines=_lines(file.attrs["lines"]),
         line_units=_lines(file.attrs["line_unit"]),
         line_kinds=_lines(file.attrs["line_kinds"]),
-        tones=tuple(tones),
+        tones=tuple(map(_read_tone, _lines(file.attrs["tones"]))),
     )
+
+
+def _written_tone(tone: Tone) -> str:
+    return "\t".join(f"{count} {name}" for name, count in tone.counts)
+
+
+def _read_tone(line: str) -> Tone:
+    parts = (part.partition(" ") for part in line.split("\t") if part)
+    return Tone(tuple((name, int(count)) for count, _, name in parts))
 
 
 def _joined(names: Any) -> str:

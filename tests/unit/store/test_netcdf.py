@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from designs import HYBRID
-from gearwright.dynamics import Outputs, simulate
+from gearwright.dynamics import Outputs, replay, simulate
 from gearwright.dynamics.assemble import assemble
 from gearwright.errors import DesignError
 from gearwright.sizing import size
@@ -124,3 +124,18 @@ def test_an_interrupted_write_leaves_the_old_file(tmp_path, trace, design, monke
         save(path, trace, design=design, case="rated")
     assert path.read_bytes() == before
     assert [each.name for each in tmp_path.iterdir()] == ["run.nc"]
+
+
+def test_orders_and_the_tolerance_of_adaptive_steps_are_kept(tmp_path):
+    """A stored Tsit5 run can be replayed, and streamed order amplitudes come back complex."""
+    sizing = size(parse(HYBRID))
+    system = assemble(sizing, "cruise")
+    trace = simulate(system, 0.002, method="tsit5", outputs=Outputs(orders=("mesh",)))
+    save(tmp_path / "run.nc", trace, design=sizing.design, case="cruise")
+    found = load(tmp_path / "run.nc").trace
+    assert found.tolerance == trace.tolerance > 0.0
+    assert found.orders.names == trace.orders.names
+    assert found.orders.tones == trace.orders.tones
+    assert np.array_equal(found.orders.amplitude, trace.orders.amplitude)
+    part = replay(system, found, 0.0005, 0.001)
+    assert np.array_equal(part.position, replay(system, trace, 0.0005, 0.001).position)
