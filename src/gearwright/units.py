@@ -150,8 +150,5 @@ def text(value: float, dimension: str, digits: int = 4) -> str:
     '20000 rpm'
     """
     number = shown(value, dimension)
-    if number != 0.0 and abs(number) >= 10 ** (digits - 1):
-        written = f"{number:.0f}"
-    else:
-        written = f"{number:.{digits}g}"
+    written = f"{number:.0f}" if abs(number) >= 10 ** (digits - 1) else f"{number:.{digits}g}"
     return f"{written} {unit(dimension)}".rstrip()

@@ -72,8 +72,8 @@ def critical_table(found: SpeedCase, *, most: int = 25) -> Table:
     ]
     left = f" {len(found.critical) - most} more are left out." if len(found.critical) > most else ""
     note = (
-        "n: critical speed of the first machine's shaft; f: damped frequency there. Margin: over the operating speed, less"
-        " 1. Dynamic force: estimated amplitude of the worst mesh force at the resonance over its mean, from the"
+        "n: critical speed of the first machine's shaft; f: damped frequency there. Margin: over the operating speed,"
+        " less 1. Dynamic force: estimated amplitude of the worst mesh force at the resonance over its mean, from the"
         f" stiffness variation and errors of the design.{left}"
     )
     fields = ("order", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
