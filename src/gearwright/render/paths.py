@@ -15,6 +15,8 @@ NOTE = (
     "Sizing uses the train's shares. The elastic ones follow from shaft and mesh stiffness alone, without errors and"
     " clocking; K_γ is the largest elastic share over the train's."
 )
+IDLE = 1e-9
+"""Share of the load below which a path idles and is not listed [-]."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,8 @@ def path_table(sizing: Sizing) -> Table:
             total = sum(flow.meshes[mesh].multiplier for mesh in _rows(sizing, stage))
             for mesh, elastic in shares.items():
                 train = flow.meshes[mesh].multiplier / total
-                rows.append(PathShare(mesh, case, train, elastic, elastic / train if train else 0.0))
+                if abs(train) > IDLE:
+                    rows.append(PathShare(mesh, case, train, elastic, elastic / train))
     return table("Parallel paths", rows, tuple(field.name for field in fields(PathShare)), note=NOTE)
 
 
