@@ -38,7 +38,9 @@ def sharing(
     """Say how parallel paths share their load, what each error does, and which tolerance to tighten."""
     from rich.console import Console
 
+    from gearwright.dynamics.planet_counts import planet_counts
     from gearwright.dynamics.sharing_study import sharing_problem, sharing_study
+    from gearwright.render.sharing_planets import planets_text
     from gearwright.render.sharing_text import sharing_json, sharing_text
 
     share = asked_share(target)
@@ -49,6 +51,9 @@ def sharing(
         typer.echo(sharing_json(study))
     else:
         Console().print(sharing_text(study))
+        counts = planet_counts(sizing, problem, seed=seed)
+        if counts is not None:
+            Console().print(planets_text(counts))
     if figure is not None:
         _draw(study, figure)
     if report is not None:

@@ -146,4 +146,6 @@ def _gaps(train: Redundancy, force: Floats) -> Floats:
             largest = max(largest, float(np.max(np.abs(change))) * stiffness[line, line])
         if largest <= SETTLED * float(np.max(np.abs(force))):
             return gap
-    raise SolveError(f"contact did not settle in {ROUNDS} rounds: the load closes no line; turn its flanks or the load")
+    names = ", ".join(train.labels.lines[line] for line in np.flatnonzero(np.all(gap > 0.0, axis=0)))
+    message = f"contact did not settle in {ROUNDS} rounds: the load closes no line; turn its flanks or the load"
+    raise SolveError(f"{message} ({names or 'no line'} open in every set)")

@@ -29,6 +29,7 @@ from gearwright.dynamics.sidebands import steady_forces
 from gearwright.dynamics.simulate import simulate
 from gearwright.dynamics.stepsize import default_step
 from gearwright.dynamics.system import Floats, System, top_rate
+from gearwright.dynamics.touching import check_shared_load
 from gearwright.errors import DesignError, Problem, near
 
 Method = Literal["auto", "quasi-static", "frequency response", "sidebands", "dynamics"]
@@ -91,7 +92,7 @@ def load_sharing(
         span: (from, to) [s]; left out: one turn of the slowest error, after the transient.
 
     Raises:
-        DesignError: For names that do not exist, or a method that does not.
+        DesignError: For names that do not exist, a method that does not, or lines that carry nothing at the start.
     """
     solutions: Mapping[str, Callable[[_Task], LoadSharing]] = {
         "quasi-static": _quasi_static,
@@ -102,6 +103,7 @@ def load_sharing(
     }
     if method not in solutions:
         raise DesignError([Problem("method", f"no such method: {method}; {near(method, solutions)}")])
+    check_shared_load(system, lines)
     return solutions[method](_Task(system, tuple(lines), span or _span(system), _period(system, lines)))
 
 

@@ -23,6 +23,7 @@ from gearwright.dynamics.stepsize import (
     fastest_rate,
 )
 from gearwright.dynamics.system import Arrays, Floats, System
+from gearwright.dynamics.touching import slack_lines
 from gearwright.dynamics.trace import Samples, Trace
 from gearwright.errors import DesignError, Problem, near
 
@@ -80,6 +81,8 @@ def simulate(
     done = _run(advance, recorder, state, progress)
     left = unbalanced(system)
     notes = [reason, *([f"at the start {left}; the train speeds up or slows down"] if left else [])]
+    slack = slack_lines(system, first[: len(arrays.mass)])
+    notes += [f"at the start no tooth touches: {', '.join(slack)} stand between their flanks"] if slack else []
     notes += _notes(recorder, done)
     if np.any(recorder.lost >= 0):
         notes += _sensitivity(parting(arrays, advance, done, state))

@@ -11,6 +11,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, Template
 from matplotlib.figure import Figure
 
 from gearwright import __version__
+from gearwright.dynamics.planet_counts import planet_counts
 from gearwright.dynamics.sharing import TRANSIENT, LoadSharing, load_sharing
 from gearwright.dynamics.sharing_study import (
     SharingProblem,
@@ -21,6 +22,7 @@ from gearwright.dynamics.sharing_study import (
 )
 from gearwright.dynamics.system import Floats
 from gearwright.render import theme
+from gearwright.render.sharing_planets import LIMIT, planets_figure, published_notes
 from gearwright.render.sharing_text import summary
 from gearwright.render.split_figures import (
     allocation_figure,
@@ -39,6 +41,20 @@ from gearwright.study.split_torque_claims import FLOATING, HALF, RIGID, SplitCla
 SPREAD = tuple(float(each) for each in np.geomspace(1e-2, 1e2, 41))
 """Stiffnesses of a support that are shown, over the design's [-]."""
 INSTANTS = 4000
+SINGLE_ERRORS = {
+    "first.pinion eccentricity": "Fig. 8",
+    "first.wheel.left eccentricity": "Fig. 9",
+    "first.wheel.right eccentricity": "Fig. 10",
+    "second.pinion.left eccentricity": "Fig. 11",
+    "second.pinion.right eccentricity": "Fig. 12",
+    "second.wheel eccentricity": "Fig. 13",
+    "input eccentricity": "Fig. 14",
+    "left eccentricity": "Fig. 15",
+    "right eccentricity": "Fig. 16",
+    "left axial": "Fig. 17",
+    "right axial": "Fig. 18",
+}
+"""Error -> the paper's figure on it alone."""
 _SIGNS = {Verdict.HOLDS: "yes", Verdict.CONDITION: "partly", Verdict.FAILS: "no"}
 _Drawn = tuple[str, Figure]
 
@@ -80,8 +96,18 @@ def _chapters(sizing: Sizing, studies: Sequence[SharingStudy], target: float | N
         _Chapter(f"Stage {study.problem.stage}", tuple(summary(study)), tuple(_figures(study, target)))
         for study in studies
     ]
+    stages += list(_planets(sizing, studies))
     floating = tuple(_supports(sizing))
     return [*stages, _Chapter("Floating", (), floating)] if floating else stages
+
+
+def _planets(sizing: Sizing, studies: Sequence[SharingStudy]) -> Iterator[_Chapter]:
+    """Yield K_γ against the number of planets, for sets whose planets have errors."""
+    for study in studies:
+        counts = planet_counts(sizing, study.problem)
+        if counts is not None:
+            drawn = (f"K_γ against planets; {LIMIT}", planets_figure(counts))
+            yield _Chapter(f"Planets of stage {counts.stage}", tuple(published_notes()), (drawn,))
 
 
 def _page(sizing: Sizing, chapters: Sequence[_Chapter], claims: Sequence[SplitClaim]) -> str:
@@ -112,7 +138,8 @@ def paper_figures(sizing: Sizing) -> Iterator[_Drawn]:
     yield "Figures 5 and 7: displacement of shaft 1", displacement_figure(problems, "input", _turn(problems))
     alone = sharing_problem(sizing)
     span = (TRANSIENT, TRANSIENT + float(_turn({"": alone})[-1]))
-    yield "Figures 8 to 18: one error at a time, and those that the paper leaves out", single_error_figure(alone, span)
+    words = "Figures 8 to 18: one error at a time, and those that the paper leaves out"
+    yield words, single_error_figure(alone, span, SINGLE_ERRORS)
 
 
 def _solved(problems: dict[str, SharingProblem]) -> dict[str, LoadSharing]:

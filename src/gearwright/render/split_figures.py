@@ -216,12 +216,15 @@ def allocation_figure(allocation: Allocation) -> Figure:
 
 
 @theme.styled
-def single_error_figure(problem: SharingProblem, span: tuple[float, float]) -> Figure:
+def single_error_figure(
+    problem: SharingProblem, span: tuple[float, float], names: Mapping[str, str] | None = None
+) -> Figure:
     """Return the tooth-cycle sharing against time for every error alone, as in the paper's figures 8 to 18.
 
     Args:
         problem: From `sharing_problem`, with its errors.
         span: (from, to) [s].
+        names: Error -> what its panel is called besides.
     """
     # Over a tooth cycle the ripple is gone, so that mean stiffness is enough.
     found = {
@@ -236,7 +239,7 @@ def single_error_figure(problem: SharingProblem, span: tuple[float, float]) -> F
         cycle = sharing.tooth_cycle
         stride = max(1, len(cycle) // POINTS)
         axes.plot(sharing.time[: len(cycle) : stride], cycle[::stride], lw=0.8)
-        axes.set_title(name, fontsize=7.5)
+        axes.set_title(": ".join(filter(None, ((names or {}).get(name), name))), fontsize=7.0)
         axes.axhline(1.0, color=theme.MUTED, lw=0.5)
         axes.margins(x=0.0)
     for axes in grid.flat[len(found) :]:
@@ -249,20 +252,25 @@ def single_error_figure(problem: SharingProblem, span: tuple[float, float]) -> F
 
 
 @theme.styled
-def load_factor_figure(found: Mapping[str, PlanetSharing]) -> Figure:
+def load_factor_figure(found: Mapping[str, PlanetSharing], curves: Mapping[str, Mapping[int, float]]) -> Figure:
     """Return K_γ of random planetary sets against the number of planets: median, and where 90 % of the sets lie.
 
     Args:
         found: Label, such as ``"floating sun"`` -> sets.
+        curves: Label -> number of planets -> K_γ to lay beside them [-]: closed form, tables of standards.
     """
-    figure = theme.sheet(WIDTH, 65.0)
+    figure = theme.sheet(WIDTH, 80.0)
     axes = figure.subplots()
     for number, (label, sharing) in enumerate(found.items()):
         low, middle, high = (list(sharing.percentile(percent).values()) for percent in (5.0, 50.0, 95.0))
         place = np.array(sharing.planets) + 0.12 * (number - 0.5 * (len(found) - 1))
         spread = [np.subtract(middle, low), np.subtract(high, middle)]
         axes.errorbar(place, middle, yerr=spread, fmt="o", ms=3.5, lw=1.2, capsize=2.5, label=label)
+    for number, (label, curve) in enumerate(curves.items()):
+        colour = theme.CYCLE[(number + len(found)) % len(theme.CYCLE)]
+        axes.plot(list(curve), list(curve.values()), "--", lw=0.9, marker=".", color=colour, label=label, zorder=1)
     axes.set(xlabel="planets", ylabel="mesh load factor K_γ [-]", title="Random sets: median, 5 and 95 %")
-    axes.set_xticks(sorted({count for sharing in found.values() for count in sharing.planets}))
-    axes.legend(loc="upper left")
+    counts = {count for sharing in found.values() for count in sharing.planets}
+    axes.set_xticks(sorted(counts.union(*curves.values())))
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=6.5)
     return figure

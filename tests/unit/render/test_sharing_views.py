@@ -17,7 +17,7 @@ from gearwright.dynamics.sharing_study import (
     support_sweep,
 )
 from gearwright.errors import DesignError
-from gearwright.render.sharing_page import sharing_page
+from gearwright.render.sharing_page import SINGLE_ERRORS, sharing_page
 from gearwright.render.sharing_text import sharing_json, summary
 from gearwright.render.split_figures import (
     allocation_figure,
@@ -33,6 +33,8 @@ from gearwright.render.theme import to_svg
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size
 from gearwright.spec import read
+
+TABLES = {"a table": {3: 1.1, 4: 1.25}}
 
 
 @functools.cache
@@ -71,7 +73,9 @@ def test_every_figure_is_drawn_and_the_same_twice():
         "allocation": lambda: allocation_figure(study.allocation),
         "support": lambda: support_figure(sweep, {1e7: "design"}),
         "displacement": lambda: displacement_figure({"design": study.problem}, "input", time),
-        "load factor": lambda: load_factor_figure({"three and four": PlanetSharing((3, 4), np.ones((2, 9)) * 1.2, 1)}),
+        "load factor": lambda: load_factor_figure(
+            {"three and four": PlanetSharing((3, 4), np.ones((2, 9)) * 1.2, 1)}, TABLES
+        ),
         "orbit": lambda: orbit_figure(study.problem, ["input", "left"], time),
     }
     for one in draw.values():
@@ -86,6 +90,13 @@ def test_page_stands_alone():
     assert page.count("<svg") == 6
     assert 'src="http' not in page
     assert 'href="http' not in page.replace('xlink:href="#', "").replace("http://www.w3.org", "")
+
+
+def test_every_error_that_the_paper_shows_alone_is_one_of_the_design():
+    """Figures 8 to 18 of the paper, one error each."""
+    names = {source.name for source in studied().problem.sources}
+    assert set(SINGLE_ERRORS) <= names
+    assert sorted(int(word.split()[1]) for word in SINGLE_ERRORS.values()) == list(range(8, 19))
 
 
 def test_planets_have_no_clocking_and_share_equally_without_errors():
