@@ -239,7 +239,7 @@ def single_error_figure(
         cycle = sharing.tooth_cycle
         stride = max(1, len(cycle) // POINTS)
         axes.plot(sharing.time[: len(cycle) : stride], cycle[::stride], lw=0.8)
-        axes.set_title(": ".join(filter(None, ((names or {}).get(name), name))), fontsize=7.0)
+        axes.set_title(": ".join(filter(None, ((names or {}).get(name), name))), fontsize=6.0)
         axes.axhline(1.0, color=theme.MUTED, lw=0.5)
         axes.margins(x=0.0)
     for axes in grid.flat[len(found) :]:
@@ -267,8 +267,9 @@ def load_factor_figure(found: Mapping[str, PlanetSharing], curves: Mapping[str, 
         spread = [np.subtract(middle, low), np.subtract(high, middle)]
         axes.errorbar(place, middle, yerr=spread, fmt="o", ms=3.5, lw=1.2, capsize=2.5, label=label)
     for number, (label, curve) in enumerate(curves.items()):
-        colour = theme.CYCLE[(number + len(found)) % len(theme.CYCLE)]
-        axes.plot(list(curve), list(curve.values()), "--", lw=0.9, marker=".", color=colour, label=label, zorder=1)
+        order = number + len(found)
+        colour, style = theme.CYCLE[order % len(theme.CYCLE)], "--" if order < len(theme.CYCLE) else ":"
+        axes.plot(list(curve), list(curve.values()), style, lw=0.9, marker=".", color=colour, label=label, zorder=1)
     axes.set(xlabel="planets", ylabel="mesh load factor K_γ [-]", title="Random sets: median, 5 and 95 %")
     counts = {count for sharing in found.values() for count in sharing.planets}
     axes.set_xticks(sorted(counts.union(*curves.values())))
