@@ -5,7 +5,7 @@ import json
 import typer
 from typer.testing import CliRunner
 
-from gearwright.cli_mission import fly
+from gearwright.cli.mission import fly
 
 APP = typer.Typer()
 APP.command()(fly)

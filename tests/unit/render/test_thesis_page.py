@@ -8,7 +8,7 @@ import typer
 from typer.testing import CliRunner
 
 from gearwright.catalogue.errata import errata, printed_claims
-from gearwright.cli_thesis import thesis
+from gearwright.cli.thesis import thesis
 from gearwright.render.thesis_page import thesis_markdown, thesis_page
 
 DOCS = Path(__file__).parents[3] / "docs" / "theory" / "thesis.md"

@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.designs import design_of
+
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
@@ -143,15 +145,6 @@ def present_designs(names: Mapping[str, Design], folder: Path) -> dict[str, Desi
 
     there = [name for name in names if (folder / name).exists() or name in shipped_designs()]
     return {name: design_of(name, folder) for name in there}
-
-
-def design_of(name: str, folder: Path) -> Design:
-    """Return a design from a file beside the study, or a shipped one by its name."""
-    from gearwright.shipped import shipped_design, shipped_designs
-    from gearwright.spec import read
-
-    path = folder / name
-    return read(shipped_design(name) if not path.exists() and name in shipped_designs() else path)
 
 
 def _workers(asked: int | None, cases: int) -> int:

@@ -5,19 +5,18 @@ Imports that cost time stand inside the commands, so that ``--help`` stays quick
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.designs import sized
+from gearwright.cli.output import progress, write_figure
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from gearwright.render.tables import Table
-    from gearwright.sizing import Sizing
 
 DesignArgument = Annotated[str, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")]
 CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")]
@@ -37,7 +36,7 @@ def campbell(
     from gearwright.render.dynamics_tables import assumption_table, critical_table
     from gearwright.render.figures_dynamics import campbell_figure
 
-    sizing = _size(design)
+    sizing = sized(design)
     found = critical_speeds(sizing, cases=None if case is None else [case])
     tables = [critical_table(each) for each in found]
     _show([*tables, assumption_table(assumptions(sizing, found[0].system))], json=json)
@@ -62,7 +61,7 @@ def response(
     from gearwright.render.dynamics_tables import peak_table
     from gearwright.render.figures_dynamics import response_figure
 
-    sizing = _size(design)
+    sizing = sized(design)
     system = assemble(sizing, case)
     row = mesh or sizing.train.meshes[0].name
     found = answer(sizing, system, row, error=error_um * 1e-6, top=top_khz * 1e3)
@@ -92,10 +91,10 @@ def runup(
     from gearwright.render.dynamics_tables import loudest_table
     from gearwright.render.figures_dynamics_maps import waterfall_figure
 
-    sizing = _size(design)
+    sizing = sized(design)
     system = assemble(sizing, case)
     lines = [*first_meshes(sizing, system), *([line] if line is not None else [])]
-    with _progress() as update:
+    with progress("running") as update:
         factors = [float(each) for each in np.linspace(lowest, highest, speeds)]
         found = run_up(sizing, system, factors, lines=list(dict.fromkeys(lines)), progress=update)
     machine = sizing.machines[0]
@@ -122,19 +121,6 @@ def validate(
         raise SolveError(f"{missed} published numbers are missed; the table says which")
 
 
-def _size(design: str) -> Sizing:
-    from gearwright.errors import DesignError
-    from gearwright.shipped import shipped_design, shipped_designs
-    from gearwright.sizing import size
-    from gearwright.spec import read
-
-    path = Path(design)
-    try:
-        return size(read(shipped_design(design) if not path.exists() and design in shipped_designs() else path))
-    except DesignError as error:
-        raise DesignError(error.problems, design) from None
-
-
 def _show(tables: list[Table], *, json: bool) -> None:
     import json as words
 
@@ -151,26 +137,6 @@ def _show(tables: list[Table], *, json: bool) -> None:
 
 
 def _draw(drawing: Figure, path: Path, *, quiet: bool) -> None:
-    from gearwright.errors import DesignError, Problem
-    from gearwright.render.theme import to_png, to_svg
-
-    match path.suffix:
-        case ".svg":
-            path.write_text(to_svg(drawing), encoding="utf-8")
-        case ".png":
-            path.write_bytes(to_png(drawing))
-        case other:
-            raise DesignError([Problem("--figure", f"{other!r} is not drawn; end the name with .svg or .png")])
+    write_figure(drawing, path)
     if not quiet:
         typer.echo(f"wrote {path}")
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[float], None]]:
-    """Show a bar on a terminal; stay silent elsewhere."""
-    from rich.console import Console
-    from rich.progress import Progress
-
-    with Progress(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as bar:
-        task = bar.add_task("running", total=1.0)
-        yield lambda done: bar.update(task, completed=done)

@@ -10,6 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from gearwright.cli.designs import sized
+from gearwright.cli.output import write_figure
+
 if TYPE_CHECKING:
     from gearwright.dynamics.sharing_study import SharingStudy
     from gearwright.sizing import Sizing
@@ -44,7 +47,7 @@ def sharing(
     from gearwright.render.sharing_text import sharing_json, sharing_text
 
     share = asked_share(target)
-    sizing = _sized(design)
+    sizing = sized(design)
     problem = sharing_problem(sizing, stage, case=case)
     study = sharing_study(problem, method=method, target=share, percent=percent, seed=seed)
     if json:
@@ -85,19 +88,8 @@ def asked_share(target: str | None) -> float | None:
     return share
 
 
-def _sized(design: str) -> Sizing:
-    from gearwright.shipped import shipped_design, shipped_designs
-    from gearwright.sizing import size
-    from gearwright.spec import read
-
-    path = Path(design)
-    return size(read(shipped_design(design) if not path.exists() and design in shipped_designs() else path))
-
-
 def _draw(study: SharingStudy, path: Path) -> None:
-    from gearwright.errors import DesignError, Problem
     from gearwright.render.split_figures import allocation_figure, sharing_figure, tornado_figure
-    from gearwright.render.theme import to_png, to_svg
 
     if study.allocation is not None:
         drawn = allocation_figure(study.allocation)
@@ -105,13 +97,7 @@ def _draw(study: SharingStudy, path: Path) -> None:
         drawn = tornado_figure(study)
     else:
         drawn = sharing_figure({study.problem.stage: study.sharing})
-    match path.suffix:
-        case ".svg":
-            path.write_text(to_svg(drawn), encoding="utf-8")
-        case ".png":
-            path.write_bytes(to_png(drawn))
-        case other:
-            raise DesignError([Problem("--figure", f"{other!r} is not drawn; end the name with .svg or .png")])
+    write_figure(drawn, path)
     typer.echo(f"wrote {path}", err=True)
 
 

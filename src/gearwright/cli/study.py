@@ -10,14 +10,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearwright.cli_runs import (
+from gearwright.cli.designs import design_of
+from gearwright.cli.output import write_figure
+from gearwright.cli.runs import (
     ClusterOption,
     CsvOption,
     ExportOption,
     JsonOption,
     StudyReportOption,
     WorkersOption,
-    design_of,
     run_shown,
     show_table,
     write_files,
@@ -117,17 +118,9 @@ def _write_comparison(path: Path, table: Table, designs: dict[str, Design], chan
 
 
 def _draw(study: Study, table: Table, path: Path) -> None:
-    from gearwright.errors import DesignError, Problem
     from gearwright.render.study_spread import figure_of
-    from gearwright.render.theme import to_png, to_svg
 
-    match path.suffix:
-        case ".svg":
-            path.write_text(to_svg(figure_of(study, table)), encoding="utf-8")
-        case ".png":
-            path.write_bytes(to_png(figure_of(study, table)))
-        case other:
-            raise DesignError([Problem("--figure", f"{other!r} is not drawn; end the name with .svg or .png")])
+    write_figure(figure_of(study, table), path)
 
 
 def _changes(written: list[str] | None) -> dict[str, Value]:

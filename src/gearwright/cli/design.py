@@ -1,39 +1,20 @@
-"""The command line: each command calls the verb of its name and adds nothing.
-
-Exit codes: 0 done, 1 a computation did not succeed, 2 the design or the call is wrong.
-Heavy modules load inside the commands, so that ``--help`` answers at once.
-"""
+"""Commands of one design: new, check, size, modes, simulate, run, report, mass, schema."""
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from gearwright import __version__
-from gearwright.cli_dynamics import campbell, response, runup, validate
-from gearwright.cli_mission import fly
-from gearwright.cli_runs import cluster, resume, status
-from gearwright.cli_sharing import sharing
-from gearwright.cli_study import compare, study
-from gearwright.cli_thesis import thesis
-from gearwright.cli_weights import engines, show_mass, stated_mass
+from gearwright.cli.designs import sized
+from gearwright.cli.output import progress
+from gearwright.cli.weights import show_mass, stated_mass
 
 if TYPE_CHECKING:
     from gearwright.dynamics import System, Trace
     from gearwright.sizing import Sizing
     from gearwright.store import StoredRun
-
-app = typer.Typer(
-    help="Design aircraft transmissions and see how they behave.",
-    no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-)
 
 WINDOW = 0.005
 """Last stretch of a run of which every step is kept, for spectra and close views [s]."""
@@ -47,14 +28,6 @@ StiffnessOption = Annotated[
 DurationOption = Annotated[float, typer.Option(help="Time to simulate [s]", min=0.0)]
 
 
-@app.callback(invoke_without_command=True)
-def _main(version: Annotated[bool, typer.Option("--version", help="Print the version")] = False) -> None:
-    if version:
-        typer.echo(f"gearwright {__version__}")
-        raise typer.Exit
-
-
-@app.command()
 def new(
     name: Annotated[str | None, typer.Argument(help="Name of a shipped design; left out: list them")] = None,
     file: Annotated[Path | None, typer.Argument(help="File to write; left out: NAME.toml here")] = None,
@@ -79,12 +52,11 @@ def new(
     typer.echo(f"wrote {target}; next: gearwright run {target}")
 
 
-@app.command()
 def check(design: DesignArgument) -> None:
     """Check a design file and say everything that is wrong with it; a margin below 1 ends with exit code 1."""
     from gearwright.render.views import margins
 
-    sizing = _size(design)
+    sizing = sized(design)
     weak = [each for each in margins(sizing) if not each.holds]
     for each in weak:
         typer.echo(
@@ -95,32 +67,29 @@ def check(design: DesignArgument) -> None:
     typer.echo(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")
 
 
-@app.command()
 def size(design: DesignArgument, json: JsonOption = False) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
     from gearwright.render.text import print_sizing, sizing_json
 
-    sizing = _size(design)
+    sizing = sized(design)
     if json:
         typer.echo(sizing_json(sizing))
     else:
         print_sizing(sizing)
 
 
-@app.command()
 def modes(design: DesignArgument, case: CaseOption = None, json: JsonOption = False) -> None:
     """Natural frequencies and mode shapes of a design's drive train."""
     from gearwright.dynamics import modes as find_modes
     from gearwright.render.text import modes_json, print_modes
 
-    found = find_modes(_assemble(_size(design), case))
+    found = find_modes(_assemble(sized(design), case))
     if json:
         typer.echo(modes_json(found))
     else:
         print_modes(found)
 
 
-@app.command()
 def simulate(
     design: DesignArgument,
     case: CaseOption = None,
@@ -134,7 +103,7 @@ def simulate(
     from gearwright.render.text import print_trace, trace_json
     from gearwright.store import save
 
-    sizing = _size(design)
+    sizing = sized(design)
     system = _assemble(sizing, case, stiffness)
     trace = _simulate(system, duration)
     if output is not None:
@@ -145,7 +114,6 @@ def simulate(
         print_trace(trace, sizing)
 
 
-@app.command()
 def run(
     design: DesignArgument,
     case: CaseOption = None,
@@ -163,7 +131,7 @@ def run(
     from gearwright.render.text import print_modes, print_sizing, print_trace, sizing_json
     from gearwright.store import save
 
-    sizing = _size(design)
+    sizing = sized(design)
     case = case or default_case(sizing)
     system = _assemble(sizing, case, stiffness)
     print_sizing(sizing)
@@ -181,7 +149,6 @@ def run(
     typer.echo(f"wrote {folder / 'report.html'}, {folder / 'run.nc'} and {folder / 'sizing.json'}")
 
 
-@app.command()
 def report(
     design: DesignArgument,
     file: Annotated[Path, typer.Option("--out", help="HTML file to write")] = Path("report.html"),
@@ -193,7 +160,7 @@ def report(
     from gearwright.dynamics.critical_speeds import critical_speeds
     from gearwright.render.report import report as make_report
 
-    sizing = _size(design)
+    sizing = sized(design)
     stored = _run_of(sizing, results) if results is not None else None
     case = stored.case if stored else default_case(sizing)
     system = _assemble(sizing, case)
@@ -209,22 +176,6 @@ def report(
     typer.echo(f"wrote {file}")
 
 
-app.command()(engines)
-app.command()(study)
-app.command()(compare)
-app.command()(status)
-app.command()(resume)
-app.command()(cluster)
-app.command()(campbell)
-app.command()(response)
-app.command()(runup)
-app.command()(validate)
-app.command()(thesis)
-app.command()(sharing)
-app.command()(fly)
-
-
-@app.command()
 def mass(
     power_kw: Annotated[float, typer.Option(help="Power at the rating that sizes the gearbox")],
     engine_rpm: Annotated[float, typer.Option(help="Speed of the input")],
@@ -236,12 +187,11 @@ def mass(
     report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page")] = None,
 ) -> None:
     """Show what a gearbox weighs by every public method, with the band of the real weights."""
-    bottom_up = _size(design).mass if design is not None else None
+    bottom_up = sized(design).mass if design is not None else None
     stated = stated_mass(mass_kg, origin)
     show_mass(power_kw, engine_rpm, propeller_rpm, bottom_up=bottom_up, stated=stated, json=json, report=report)
 
 
-@app.command()
 def schema() -> None:
     """Print the JSON Schema of the design file, for editors."""
     import json
@@ -249,27 +199,6 @@ def schema() -> None:
     from gearwright.spec import schema as make_schema
 
     typer.echo(json.dumps(make_schema(), indent=2, ensure_ascii=False))
-
-
-def _path(design: str) -> Path:
-    """Return the file that is meant: the user's own, or a shipped one by its name."""
-    from gearwright.shipped import find_design
-
-    return find_design(design)
-
-
-def _size(design: str) -> Sizing:
-    from gearwright.errors import DesignError
-    from gearwright.sizing import size as make_sizing
-    from gearwright.spec import read
-    from gearwright.spec.read import placed
-
-    path = _path(design)
-    made = read(path)
-    try:
-        return make_sizing(made)
-    except DesignError as error:
-        raise DesignError(placed(error.problems, path.read_text(encoding="utf-8-sig")), design) from None
 
 
 def _run_of(sizing: Sizing, results: Path) -> StoredRun:
@@ -297,33 +226,5 @@ def _simulate(system: System, duration: float) -> Trace:
     from gearwright.dynamics import simulate as run_system
 
     window = (max(0.0, duration - WINDOW), duration)
-    with _progress() as update:
+    with progress("simulating") as update:
         return run_system(system, duration, outputs=Outputs(start=duration / 4.0, windows=(window,)), progress=update)
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[float], None]]:
-    """Show a bar on a terminal; stay silent elsewhere."""
-    from rich.console import Console
-    from rich.progress import Progress
-
-    with Progress(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as bar:
-        task = bar.add_task("simulating", total=1.0)
-        yield lambda done: bar.update(task, completed=done)
-
-
-def main() -> None:
-    """Run the command line; design problems and failed computations become messages and exit codes."""
-    from gearwright.errors import DesignError, GearwrightError
-
-    try:
-        app()
-    except DesignError as error:
-        typer.echo(str(error), err=True)
-        sys.exit(2)
-    except GearwrightError as error:
-        typer.echo(str(error), err=True)
-        sys.exit(1)
-    except OSError as error:
-        typer.echo(f"{error.filename}: {error.strerror}; name another file or folder", err=True)
-        sys.exit(2)

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.designs import design_of
+
 if TYPE_CHECKING:
     from gearwright.mission import Flight, GearDamage
     from gearwright.spec import Design
@@ -31,7 +33,7 @@ def fly(
     if design is None:
         _list()
         return
-    flight, damages = _flown(_design(design), *_mission(mission), life_h=life_h)
+    flight, damages = _flown(design_of(design), *_mission(mission), life_h=life_h)
     from gearwright.render.flight_text import flight_csv, flight_json, flight_text
 
     typer.echo(flight_json(flight, damages) if json else flight_text(flight, damages))
@@ -46,14 +48,6 @@ def _list() -> None:
 
     for each in shipped_missions():
         typer.echo(f"{each:20} {read_mission(shipped_mission(each)).name}")
-
-
-def _design(name: str) -> Design:
-    from gearwright.shipped import shipped_design, shipped_designs
-    from gearwright.spec import read
-
-    path = Path(name)
-    return read(shipped_design(name) if not path.exists() and name in shipped_designs() else path)
 
 
 def _mission(name: str) -> tuple[Mission, Path]:

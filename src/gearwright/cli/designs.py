@@ -1,0 +1,44 @@
+"""Find, read and size the design that a command names."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from gearwright.sizing import Sizing
+    from gearwright.spec import Design
+
+
+def design_of(name: str, folder: Path = Path()) -> Design:
+    """Return a design from a file, or a shipped one by its name.
+
+    Args:
+        name: Path or name.
+        folder: Where paths start.
+    """
+    from gearwright.shipped import find_design
+    from gearwright.spec import read
+
+    return read(find_design(name, folder))
+
+
+def sized(name: str) -> Sizing:
+    """Return the sizing of a design; what sizing finds wrong is placed at its line in the file.
+
+    Args:
+        name: Path or name of the design.
+
+    Raises:
+        DesignError: If the design cannot be read or sized.
+    """
+    from gearwright.errors import DesignError
+    from gearwright.shipped import find_design
+    from gearwright.sizing import size
+    from gearwright.spec.read import placed
+
+    design = design_of(name)
+    try:
+        return size(design)
+    except DesignError as error:
+        raise DesignError(placed(error.problems, find_design(name).read_text(encoding="utf-8-sig")), name) from None
