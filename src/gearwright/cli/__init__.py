@@ -11,7 +11,6 @@ from typing import Annotated
 
 import typer
 
-from gearwright import __version__
 from gearwright.cli.design import check, mass, modes, new, report, run, schema, simulate, size
 from gearwright.cli.dynamics import campbell, response, runup, validate
 from gearwright.cli.mission import fly
@@ -20,6 +19,7 @@ from gearwright.cli.sharing import sharing
 from gearwright.cli.study import compare, study
 from gearwright.cli.thesis import thesis
 from gearwright.cli.weights import engines
+from gearwright.version import __version__
 
 app = typer.Typer(
     help="Design aircraft transmissions and see how they behave.",

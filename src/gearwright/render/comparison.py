@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from typing import Annotated
 
-from gearwright import __version__
 from gearwright.render import theme
 from gearwright.render.report import environment
 from gearwright.render.report_parts import Figure, Section
@@ -19,6 +18,7 @@ from gearwright.spec import Planetary
 from gearwright.study import Table
 from gearwright.train.flow import RATED
 from gearwright.units import Origin, Quantity
+from gearwright.version import __version__
 
 _WHY = (
     "By Lewis and by Hertz the module's cube, and with it the volume of a"

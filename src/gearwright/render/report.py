@@ -9,7 +9,6 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 from matplotlib.figure import Figure as Drawing
 
-from gearwright import __version__
 from gearwright.dynamics import Modes, System, Trace
 from gearwright.dynamics.assemble import default_case
 from gearwright.dynamics.critical_speeds import SpeedCase
@@ -33,6 +32,7 @@ from gearwright.render.schematic import power_flow_figure, schematic_figure
 from gearwright.render.tables import MARKS, Table
 from gearwright.render.views import flow_tables, tables_of
 from gearwright.sizing.result import Sizing
+from gearwright.version import __version__
 
 _SUBSCRIPT = re.compile(r"_([A-Za-z0-9α-ω.]*[A-Za-z0-9α-ω])")
 

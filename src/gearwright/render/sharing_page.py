@@ -10,7 +10,6 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined, Template
 from matplotlib.figure import Figure
 
-from gearwright import __version__
 from gearwright.dynamics.planet_counts import planet_counts
 from gearwright.dynamics.sharing import TRANSIENT, LoadSharing, load_sharing
 from gearwright.dynamics.sharing_study import (
@@ -37,6 +36,7 @@ from gearwright.render.split_figures import (
 from gearwright.sizing import Sizing
 from gearwright.study.claims import Verdict
 from gearwright.study.split_torque_claims import FLOATING, HALF, RIGID, SplitClaim, split_torque_claims, with_support
+from gearwright.version import __version__
 
 SPREAD = tuple(float(each) for each in np.geomspace(1e-2, 1e2, 41))
 """Stiffnesses of a support that are shown, over the design's [-]."""

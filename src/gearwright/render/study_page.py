@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gearwright import __version__
 from gearwright.errors import SolveError
 from gearwright.render import theme
 from gearwright.render.report import environment
@@ -24,6 +23,7 @@ from gearwright.study import Row, Table
 from gearwright.study.pareto import front_table, pareto_front
 from gearwright.study.sensitivity import sensitivity
 from gearwright.units import shown
+from gearwright.version import __version__
 
 FEW = 60
 """Cases up to which every one is drawn; the spread says more about more of them."""

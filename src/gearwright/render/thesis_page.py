@@ -10,11 +10,11 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from rich.table import Table
 from rich.text import Text
 
-from gearwright import __version__
 from gearwright.catalogue.errata import Erratum, errata
 from gearwright.render.tables import written
 from gearwright.study.claims import Claim, Verdict, claims
 from gearwright.units import unit
+from gearwright.version import __version__
 
 _DIGITS = 3
 _STYLES = {Verdict.HOLDS: "green", Verdict.CONDITION: "yellow", Verdict.FAILS: "red"}

@@ -14,13 +14,13 @@ from typing import Any
 import h5netcdf
 import numpy as np
 
-from gearwright import __version__
 from gearwright.dynamics import Labels, Samples, Statistics, Trace
 from gearwright.dynamics.energy import Work
 from gearwright.dynamics.system import Tone
 from gearwright.dynamics.trace import Checkpoints, Orders
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import Design
+from gearwright.version import __version__
 
 FORMAT = "gearwright trace 1"
 

@@ -16,7 +16,6 @@ from functools import lru_cache
 from itertools import islice
 from typing import Any
 
-from gearwright import __version__
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.spec import Design
 from gearwright.spec.study import Study
@@ -24,6 +23,7 @@ from gearwright.study.evaluate import evaluate
 from gearwright.study.sampling import Case
 from gearwright.study.table import Row
 from gearwright.study.workers import Compute, Finished
+from gearwright.version import __version__
 
 CHUNK = 32
 """Cases of one task: some 50 ms of first sizings, long beside the scheduler's 1 ms a task."""

@@ -14,12 +14,12 @@ from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from gearwright import __version__
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.sizing.named import Named
 from gearwright.spec import Design
 from gearwright.spec.study import Study, case_count
 from gearwright.study.table import Row
+from gearwright.version import __version__
 
 FORMAT = 1
 """Version of the tables below."""

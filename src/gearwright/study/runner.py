@@ -8,7 +8,6 @@ from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass
 from pathlib import Path
 
-from gearwright import __version__
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.spec import Design
 from gearwright.spec.study import Study, case_count
@@ -18,6 +17,7 @@ from gearwright.study.run import batches, table_of
 from gearwright.study.sampling import Case
 from gearwright.study.table import Row, Table
 from gearwright.study.workers import Compute, local
+from gearwright.version import __version__
 
 
 @dataclass(frozen=True)
