@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Literal, cast
@@ -10,7 +9,7 @@ from typing import Literal, cast
 from pydantic import Field
 
 from gearwright.errors import DesignError, Problem
-from gearwright.spec.read import file_text, placed
+from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.units import Angle, Area, Energy, Length, Mass, Power, Ratio, Speed, Time, Velocity
 
@@ -147,11 +146,7 @@ def parse_mission(text: str, *, source: str = "") -> Mission:
     Raises:
         DesignError: With every problem of the text.
     """
-    try:
-        raw = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise DesignError([Problem("", f"this is not TOML: {error}")], source) from None
-    record, written = build(Mission, raw)
+    record, written = build(Mission, toml_tables(text, source))
     problems = list(written.problems)
     if record is not None and not problems:
         problems += mission_problems(cast(Mission, record))

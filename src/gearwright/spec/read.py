@@ -5,7 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import cast
+from typing import Any, cast
 
 from gearwright.errors import DesignError, Problem
 from gearwright.spec.check import reference_problems
@@ -46,14 +46,7 @@ def parse(text: str, *, source: str = "", folder: Path | None = None) -> Design:
         raise DesignError(
             [Problem("", "the file is empty; `gearwright new` writes a complete one to start from")], source
         )
-    try:
-        raw = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:  # ValueError also for whole numbers of thousands of digits
-        reason = "its brackets nest too deeply" if isinstance(error, RecursionError) else error
-        raise DesignError(
-            [Problem("", f"this is not TOML: {reason}; a line reads  key = value  or  [table]")], source
-        ) from None
-    record, written = build(Design, raw)
+    record, written = build(Design, toml_tables(text, source))
     problems = list(written.problems)
     if record is not None:
         problems += _in_written_keys(reference_problems(cast(Design, record)), written.keys)
@@ -64,6 +57,25 @@ def parse(text: str, *, source: str = "", folder: Path | None = None) -> Design:
     if problems:
         raise DesignError(placed(problems, text), source)
     return design
+
+
+def toml_tables(text: str, source: str) -> dict[str, Any]:
+    """Return the tables of a TOML text that a user wrote.
+
+    Args:
+        text: The file's content.
+        source: Name of the file, for messages.
+
+    Raises:
+        DesignError: If it is not TOML.
+    """
+    try:
+        return tomllib.loads(text)
+    except (ValueError, RecursionError) as error:  # ValueError also for whole numbers of thousands of digits
+        reason = "its brackets nest too deeply" if isinstance(error, RecursionError) else error
+        raise DesignError(
+            [Problem("", f"this is not TOML: {reason}; a line reads  key = value  or  [table]")], source
+        ) from None
 
 
 def placed(problems: Iterable[Problem], text: str) -> list[Problem]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from pathlib import Path
 from typing import Literal, cast
 
@@ -11,7 +10,7 @@ from pydantic import Field
 
 from gearwright.errors import DesignError, Problem
 from gearwright.spec.lines import key_lines, line_of
-from gearwright.spec.read import file_text
+from gearwright.spec.read import file_text, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.units import Time
 
@@ -200,11 +199,7 @@ def parse_study(text: str, *, source: str = "") -> Study:
     Raises:
         DesignError: With every problem of the text.
     """
-    try:
-        raw = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise DesignError([Problem("", f"this is not TOML: {error}")], source) from None
-    record, written = build(Study, raw)
+    record, written = build(Study, toml_tables(text, source))
     if written.problems:
         lines = key_lines(text)
         raise DesignError(

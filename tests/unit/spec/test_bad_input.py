@@ -5,7 +5,9 @@ import pytest
 from designs import HYBRID, PAIR, changed, problem, problems
 from gearwright.errors import DesignError
 from gearwright.spec import parse, read
+from gearwright.spec.mission import parse_mission
 from gearwright.spec.read import LARGEST_FILE
+from gearwright.spec.study import parse_study
 
 
 def test_an_unknown_key_names_the_nearest_one():
@@ -134,6 +136,13 @@ def test_what_is_not_toml_is_told_with_its_reason(text):
     assert found.path == ""
     assert found.message.startswith("this is not TOML: ")
     assert found.message.endswith("a line reads  key = value  or  [table]")
+
+
+@pytest.mark.parametrize("reader", [parse_mission, parse_study])
+@pytest.mark.parametrize("text", ["[a", "a = " + "[" * 5000, "a = " + "9" * 5000])
+def test_missions_and_studies_are_told_alike(reader, text):
+    with pytest.raises(DesignError, match="this is not TOML: "):
+        reader(text)
 
 
 @pytest.mark.parametrize("text", ['"" = 3', '[""]\na = 1', "a." * 2000 + "b = 1", "overrides." + "a." * 2000 + "b = 1"])
