@@ -15,7 +15,6 @@ from gearwright.cli.output import write_figure
 
 if TYPE_CHECKING:
     from gearwright.dynamics.sharing_study import SharingStudy
-    from gearwright.sizing import Sizing
 
 SPLIT_TORQUE = "face-gear-split-torque"
 """Shipped design whose page carries the paper's figures and claims."""
@@ -50,17 +49,22 @@ def sharing(
     sizing = sized(design)
     problem = sharing_problem(sizing, stage, case=case)
     study = sharing_study(problem, method=method, target=share, percent=percent, seed=seed)
+    counts = planet_counts(sizing, problem, seed=seed) if report is not None or not json else None
     if json:
         typer.echo(sharing_json(study))
     else:
         Console().print(sharing_text(study))
-        counts = planet_counts(sizing, problem, seed=seed)
         if counts is not None:
             Console().print(planets_text(counts))
     if figure is not None:
         _draw(study, figure)
     if report is not None:
-        _write(design, sizing, study, report=report, target=share)
+        from gearwright.render.sharing_page import sharing_page, split_torque_page
+
+        page = split_torque_page if Path(design).stem == SPLIT_TORQUE else sharing_page
+        drawn = page(sizing, [study], counts=[] if counts is None else [counts], target=share)
+        report.write_text(drawn, encoding="utf-8")
+        typer.echo(f"wrote {report}", err=True)
 
 
 def asked_share(target: str | None) -> float | None:
@@ -99,11 +103,3 @@ def _draw(study: SharingStudy, path: Path) -> None:
         drawn = sharing_figure({study.problem.stage: study.sharing})
     write_figure(drawn, path)
     typer.echo(f"wrote {path}", err=True)
-
-
-def _write(design: str, sizing: Sizing, study: SharingStudy, *, report: Path, target: float | None) -> None:
-    from gearwright.render.sharing_page import sharing_page, split_torque_page
-
-    page = split_torque_page if Path(design).stem == SPLIT_TORQUE else sharing_page
-    report.write_text(page(sizing, [study], target=target), encoding="utf-8")
-    typer.echo(f"wrote {report}", err=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -107,6 +108,33 @@ class LimitCycle(NamedTuple):
     """Of the propeller speed, half of its swing [rad/s]."""
 
 
+def marched(
+    rates: Callable[[Array], Array], start: tuple[float, ...], *, duration: float, step: float
+) -> tuple[Array, Array]:
+    """Return time and states of a governed propeller, by the Runge-Kutta method of fourth order.
+
+    Args:
+        rates: State -> its derivative.
+        start: State at time 0.
+        duration: [s].
+        step: [s].
+
+    Returns:
+        Time [s], shape (steps + 1,), and states, shape (steps + 1, of the state).
+    """
+    count = round(duration / step)
+    states = np.zeros((count + 1, len(start)))
+    states[0] = start
+    for k in range(count):
+        now = states[k]
+        a = rates(now)
+        b = rates(now + 0.5 * step * a)
+        c = rates(now + 0.5 * step * b)
+        d = rates(now + step * c)
+        states[k + 1] = now + step / 6.0 * (a + 2.0 * b + 2.0 * c + d)
+    return np.linspace(0.0, duration, count + 1), states
+
+
 def governed_response(
     governor: Governor, rotor: Rotor, kick: float, *, duration: float, step: float = 1e-3
 ) -> tuple[Array, Array, Array]:
@@ -124,10 +152,7 @@ def governed_response(
 
     Source: I ω̇ = s (ω - ω_0) - q (β - β_0) with `governor_rates`.
     """
-    count = round(duration / step)
-    states = np.zeros((count + 1, 4))
     trim = (governor.reference - rotor.pitch) / governor.integral if governor.integral else 0.0
-    states[0] = (kick, rotor.pitch, 0.0, trim)
 
     def rates(state: Array) -> Array:
         speed, pitch, pitch_rate, error_sum = (float(each) for each in state)
@@ -135,14 +160,8 @@ def governed_response(
         moved = governor_rates(governor, GovernorState(pitch, pitch_rate, error_sum), -speed)
         return np.array([torque / rotor.inertia, *moved])
 
-    for k in range(count):
-        now = states[k]
-        a = rates(now)
-        b = rates(now + 0.5 * step * a)
-        c = rates(now + 0.5 * step * b)
-        d = rates(now + step * c)
-        states[k + 1] = now + step / 6.0 * (a + 2.0 * b + 2.0 * c + d)
-    return np.linspace(0.0, duration, count + 1), states[:, 0], states[:, 1]
+    time, states = marched(rates, (kick, rotor.pitch, 0.0, trim), duration=duration, step=step)
+    return time, states[:, 0], states[:, 1]
 
 
 def limit_cycle(time: Array, speed: Array) -> LimitCycle | None:

@@ -11,7 +11,15 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
-from gearwright.machines.governor import Governor, GovernorState, LimitCycle, Rotor, governor_rates, limit_cycle
+from gearwright.machines.governor import (
+    Governor,
+    GovernorState,
+    LimitCycle,
+    Rotor,
+    governor_rates,
+    limit_cycle,
+    marched,
+)
 from gearwright.machines.propeller_map import INSIDE, PropellerMap, look_up
 from gearwright.mission.flight import Array, Flight
 
@@ -140,23 +148,14 @@ def governed_window(
     """
     drive = trim.torque(trim.speed, trim.pitch) * (1.0 + torque_step)
     target = trim.speed + speed_step
-    count = round(duration / step)
-    states = np.zeros((count + 1, 4))
-    states[0] = trim.speed, trim.pitch, 0.0, _settled_sum(trim, governor)
 
     def rates(state: Array) -> Array:
         speed, pitch, pitch_rate, error_sum = (float(each) for each in state)
         moved = governor_rates(governor, GovernorState(pitch, pitch_rate, error_sum), target - speed)
         return np.array([(drive - trim.torque(speed, pitch)) / trim.inertia, *moved])
 
-    for k in range(count):
-        now = states[k]
-        a = rates(now)
-        b = rates(now + 0.5 * step * a)
-        c = rates(now + 0.5 * step * b)
-        d = rates(now + step * c)
-        states[k + 1] = now + step / 6.0 * (a + 2.0 * b + 2.0 * c + d)
-    time = np.linspace(0.0, duration, count + 1)
+    start = (trim.speed, trim.pitch, 0.0, _settled_sum(trim, governor))
+    time, states = marched(rates, start, duration=duration, step=step)
     torque = np.array([trim.torque(float(speed), float(pitch)) for speed, pitch in states[:, :2]])
     return Window(time, states[:, 0], states[:, 1], torque, limit_cycle(time, states[:, 0]))
 

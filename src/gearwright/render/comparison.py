@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 from typing import Annotated
 
 from gearwright.render import theme
-from gearwright.render.report import environment
+from gearwright.render.pages import environment
 from gearwright.render.report_parts import Figure, Section
 from gearwright.render.schematic import power_flow_figure
 from gearwright.render.study_figures import comparison_figure

@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup, escape
 from matplotlib.figure import Figure as Drawing
 
 from gearwright.dynamics import Modes, System, Trace
@@ -19,6 +17,7 @@ from gearwright.render.dynamics_views import energy_table, mode_table, motion_ta
 from gearwright.render.figures_motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
 from gearwright.render.figures_sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
 from gearwright.render.inputs import entries
+from gearwright.render.pages import environment
 from gearwright.render.paths import path_table
 from gearwright.render.report_parts import (
     Figure,
@@ -33,8 +32,6 @@ from gearwright.render.tables import MARKS, Table
 from gearwright.render.views import flow_tables, tables_of
 from gearwright.sizing.result import Sizing
 from gearwright.version import __version__
-
-_SUBSCRIPT = re.compile(r"_([A-Za-z0-9α-ω.]*[A-Za-z0-9α-ω])")
 
 
 def report(
@@ -79,28 +76,6 @@ def report(
         marks=MARKS,
         version=__version__,
     )  # fmt: skip
-
-
-def environment() -> Environment:
-    """Return where the templates are, with the filters that they use."""
-    environment = Environment(
-        loader=PackageLoader("gearwright.render"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters["symbols"] = symbols
-    return environment
-
-
-def symbols(words: str) -> Markup:
-    """Return words whose ``m_n`` and the like are set with a subscript.
-
-    Args:
-        words: An equation or a symbol.
-    """
-    return Markup(_SUBSCRIPT.sub(r"<sub>\1</sub>", str(escape(words))))
 
 
 def _figure(drawing: Drawing, name: str, caption: str) -> Figure:

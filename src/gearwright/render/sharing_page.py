@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from jinja2 import Environment, PackageLoader, StrictUndefined, Template
 from matplotlib.figure import Figure
 
-from gearwright.dynamics.planet_counts import planet_counts
+from gearwright.dynamics.planet_counts import PlanetCounts
 from gearwright.dynamics.sharing import TRANSIENT, LoadSharing, load_sharing
 from gearwright.dynamics.sharing_study import (
     SharingProblem,
@@ -21,6 +19,7 @@ from gearwright.dynamics.sharing_study import (
 )
 from gearwright.dynamics.system import Floats
 from gearwright.render import theme
+from gearwright.render.pages import environment
 from gearwright.render.sharing_planets import LIMIT, planets_figure, published_notes
 from gearwright.render.sharing_text import summary
 from gearwright.render.split_figures import (
@@ -68,52 +67,57 @@ class _Chapter(NamedTuple):
     """Captions and figures."""
 
 
-def sharing_page(sizing: Sizing, studies: Sequence[SharingStudy], *, target: float | None = None) -> str:
+def sharing_page(
+    sizing: Sizing, studies: Sequence[SharingStudy], *, counts: Sequence[PlanetCounts] = (), target: float | None = None
+) -> str:
     """Return the page; it makes no request to anywhere.
 
     Args:
         sizing: What was sized.
         studies: One for each stage that is shown.
+        counts: K_γ against planets, of the sets that have it.
         target: Share that was asked for [-].
     """
-    return _page(sizing, _chapters(sizing, studies, target), ())
+    return _page(sizing, _chapters(sizing, studies, counts, target), ())
 
 
-def split_torque_page(sizing: Sizing, studies: Sequence[SharingStudy], *, target: float | None = None) -> str:
+def split_torque_page(
+    sizing: Sizing, studies: Sequence[SharingStudy], *, counts: Sequence[PlanetCounts] = (), target: float | None = None
+) -> str:
     """Return the page of the face-gear split torque: with the counterparts of the paper's figures and its claims.
 
     Args:
         sizing: Of the shipped design, or of a variant with the same names.
         studies: One for each stage that is shown.
+        counts: K_γ against planets, of the sets that have it.
         target: Share that was asked for [-].
     """
     paper = _Chapter("Figures of the paper", (), tuple(paper_figures(sizing)))
-    return _page(sizing, [*_chapters(sizing, studies, target), paper], split_torque_claims(sizing))
+    return _page(sizing, [*_chapters(sizing, studies, counts, target), paper], split_torque_claims(sizing))
 
 
-def _chapters(sizing: Sizing, studies: Sequence[SharingStudy], target: float | None) -> list[_Chapter]:
+def _chapters(
+    sizing: Sizing, studies: Sequence[SharingStudy], counts: Sequence[PlanetCounts], target: float | None
+) -> list[_Chapter]:
     stages = [
         _Chapter(f"Stage {study.problem.stage}", tuple(summary(study)), tuple(_figures(study, target)))
         for study in studies
     ]
-    stages += list(_planets(sizing, studies))
+    stages += [_planets(each) for each in counts]
     floating = tuple(_supports(sizing))
     return [*stages, _Chapter("Floating", (), floating)] if floating else stages
 
 
-def _planets(sizing: Sizing, studies: Sequence[SharingStudy]) -> Iterator[_Chapter]:
-    """Yield K_γ against the number of planets, for sets whose planets have errors."""
-    for study in studies:
-        counts = planet_counts(sizing, study.problem)
-        if counts is not None:
-            drawn = (f"K_γ against planets; {LIMIT}", planets_figure(counts))
-            yield _Chapter(f"Planets of stage {counts.stage}", tuple(published_notes()), (drawn,))
+def _planets(counts: PlanetCounts) -> _Chapter:
+    """Return K_γ against the number of planets of one set."""
+    drawn = (f"K_γ against planets; {LIMIT}", planets_figure(counts))
+    return _Chapter(f"Planets of stage {counts.stage}", tuple(published_notes()), (drawn,))
 
 
 def _page(sizing: Sizing, chapters: Sequence[_Chapter], claims: Sequence[SplitClaim]) -> str:
     # Numbers in the page keep the ids of its figures apart and the same each time.
     shown = [(each.title, each.sentences, _drawn(each.figures, f"f{i}")) for i, each in enumerate(chapters)]
-    page = _template("sharing_page.html.j2")
+    page = environment().get_template("sharing_page.html.j2")
     return page.render(name=sizing.design.name, chapters=shown, claims=claims, version=__version__, sign=_SIGNS)
 
 
@@ -172,10 +176,3 @@ def _supports(sizing: Sizing) -> Iterator[_Drawn]:
     yield f"Support of shaft {shaft}", support_figure(sweep, {own: "design"})
     problem = sharing_problem(sizing)
     yield "Orbits of the shafts", orbit_figure(problem, list(supports)[:4], _turn({"": problem}))
-
-
-@cache
-def _template(name: str) -> Template:
-    loader = PackageLoader("gearwright.render", "templates")
-    environment = Environment(loader=loader, autoescape=True, undefined=StrictUndefined, trim_blocks=True)
-    return environment.get_template(name)

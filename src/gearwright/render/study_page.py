@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from gearwright.errors import SolveError
 from gearwright.render import theme
-from gearwright.render.report import environment
+from gearwright.render.pages import environment
 from gearwright.render.report_parts import Figure, Section
 from gearwright.render.study_figures import study_figure
 from gearwright.render.study_spread import (

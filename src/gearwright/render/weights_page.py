@@ -5,14 +5,13 @@ from __future__ import annotations
 import io
 from base64 import b64encode
 from collections import Counter
-from functools import cache
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from gearwright.catalogue.engines import Engine, Series, all_series
 from gearwright.render import weights
+from gearwright.render.pages import environment
 from gearwright.render.weights_figures import figure_densities, figure_mass_over_power, figure_methods
 from gearwright.sizing.statistical.comparison import Comparison
 from gearwright.sizing.statistical.engine_check import (
@@ -38,7 +37,7 @@ def weights_page(found: Comparison) -> str:
     Args:
         found: Of `compare`.
     """
-    return _environment().get_template("weights_page.html.j2").render(_context(found))
+    return environment().get_template("weights_page.html.j2").render(_context(found))
 
 
 def weights_sections(found: Comparison) -> str:
@@ -47,13 +46,7 @@ def weights_sections(found: Comparison) -> str:
     Args:
         found: Of `compare`.
     """
-    return _environment().get_template("weights_sections.html.j2").render(_context(found))
-
-
-@cache
-def _environment() -> Environment:
-    loader = PackageLoader("gearwright.render", "templates")
-    return Environment(loader=loader, autoescape=True, undefined=StrictUndefined, trim_blocks=True)
+    return environment().get_template("weights_sections.html.j2").render(_context(found))
 
 
 def _context(found: Comparison) -> _Cells:

@@ -5,7 +5,8 @@ import pytest
 from drawn_designs import MIXED, sized
 
 from gearwright.render.inputs import entries
-from gearwright.render.report import report, symbols
+from gearwright.render.pages import symbols
+from gearwright.render.report import report
 
 VOID = {"meta", "br", "hr", "img", "link", "input"}
 
