@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from gearwright.cli.designs import sized
+from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
 from gearwright.cli.output import progress
 from gearwright.cli.weights import show_mass, stated_mass
 
@@ -19,9 +20,6 @@ if TYPE_CHECKING:
 WINDOW = 0.005
 """Last stretch of a run of which every step is kept, for spectra and close views [s]."""
 
-DesignArgument = Annotated[str, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of tables")]
-CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")]
 StiffnessOption = Annotated[
     Literal["constant", "varying"] | None, typer.Option(help="Mesh stiffness; left out: as the design says")
 ]

@@ -11,17 +11,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.designs import sized
+from gearwright.cli.options import CaseOption, DesignArgument, FigureOption, JsonOption
 from gearwright.cli.output import progress, write_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from gearwright.render.tables import Table
-
-DesignArgument = Annotated[str, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")]
-CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")]
-FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of tables")]
 
 
 def campbell(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from gearwright.cli.designs import sized
+from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
 from gearwright.cli.output import write_figure
 
 if TYPE_CHECKING:
@@ -21,9 +22,9 @@ SPLIT_TORQUE = "face-gear-split-torque"
 
 
 def sharing(
-    design: Annotated[str, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")],
+    design: DesignArgument,
     stage: Annotated[str | None, typer.Option(help="Stage with parallel meshes; left out: the last one")] = None,
-    case: Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")] = None,
+    case: CaseOption = None,
     method: Annotated[
         Literal["auto", "quasi-static", "frequency response", "sidebands", "dynamics"],
         typer.Option(help="Solution for the errors as given"),
@@ -35,7 +36,7 @@ def sharing(
     seed: Annotated[int, typer.Option(help="Of the random errors", min=0)] = 1,
     figure: Annotated[Path | None, typer.Option(help="Write the main figure (.svg or .png)")] = None,
     report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page")] = None,
-    json: Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of tables")] = False,
+    json: JsonOption = False,
 ) -> None:
     """Say how parallel paths share their load, what each error does, and which tolerance to tighten."""
     from rich.console import Console

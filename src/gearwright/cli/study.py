@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.designs import design_of
+from gearwright.cli.options import FigureOption
 from gearwright.cli.output import write_figure
 from gearwright.cli.runs import (
     ClusterOption,
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
     from gearwright.spec.study import Study, Value
     from gearwright.study import Table
 
-FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
 JournalOption = Annotated[Path | None, typer.Option(help="Keep every finished case in this file, for `resume`")]
 SetOption = Annotated[
     list[str] | None, typer.Option("--set", help="PATH=VALUE for all cases, such as gears.material=…")

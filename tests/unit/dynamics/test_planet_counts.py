@@ -8,7 +8,8 @@ import pytest
 
 from gearwright.dynamics.planet_counts import planet_counts
 from gearwright.dynamics.sharing_studies import influences
-from gearwright.dynamics.sharing_study import sharing_problem
+from gearwright.dynamics.sharing_study import sharing_problem, sharing_study
+from gearwright.render.sharing_page import sharing_page
 from gearwright.render.sharing_planets import planets_figure, planets_text
 from gearwright.render.theme import to_svg
 from gearwright.shipped import shipped_design
@@ -61,3 +62,10 @@ def test_tables_of_standards_stand_beside_the_computed_factors(misplaced):
     assert columns[0] == "planets"
     assert {"one pin, floating", "IEC 61400-4:2012, wind turbine", "AGMA 6123-B06, level 4"} < set(columns)
     assert "IEC 61400-4:2012" in to_svg(planets_figure(found))
+
+
+def test_the_page_shows_the_counts_that_it_is_given(misplaced):
+    problem = sharing_problem(misplaced)
+    study, found = sharing_study(problem), planet_counts(misplaced, problem, seed=2)
+    assert "Planets of stage first" in sharing_page(misplaced, [study], counts=[found])
+    assert "Planets of stage" not in sharing_page(misplaced, [study])

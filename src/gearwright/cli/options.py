@@ -1,0 +1,13 @@
+"""Arguments and options that several commands take, each written once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+DesignArgument = Annotated[str, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")]
+CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")]
+FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of tables")]
