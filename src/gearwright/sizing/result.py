@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
+from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing
 from gearwright.spec import Design
 from gearwright.train.flow import PowerFlow
 from gearwright.train.graph import Train
@@ -241,6 +242,12 @@ class Sizing:
     shafts: tuple[ShaftSizing, ...]
     carriers: tuple[CarrierSizing, ...]
     machines: tuple[MachineSizing, ...]
+    built_shafts: tuple[BuiltShaft, ...] = ()
+    """Shafts that the design gives bearings, as they are built."""
+    bearings: tuple[BearingSizing, ...] = ()
+    joints: tuple[JointSizing, ...] = ()
+    checks: tuple[Check, ...] = ()
+    """Every check of rated gears, built shafts, bearings and joints, the worst first."""
     overrides: Mapping[str, float] = field(default_factory=dict)
     """Path -> value that the user gave instead of the computed one [SI]."""
     origins: Mapping[str, str] = field(default_factory=dict)

@@ -11,10 +11,24 @@ from typing import Literal
 from pydantic import Field
 
 from gearwright.spec.dynamics import DynamicsRules, PlanetaryBearings
+from gearwright.spec.mounting import BearingSeat, Joint
 from gearwright.spec.record import Record
+from gearwright.spec.service import Iso6336Rules, Service
 from gearwright.spec.support import Support
 from gearwright.spec.tolerance import PartErrors
-from gearwright.units import Angle, Inertia, Length, Mass, Power, Ratio, Speed, Stiffness, TorsionalStiffness
+from gearwright.units import (
+    Angle,
+    Force,
+    Inertia,
+    Length,
+    Mass,
+    Power,
+    Ratio,
+    Speed,
+    Stiffness,
+    Torque,
+    TorsionalStiffness,
+)
 
 GROUND = "ground"
 """The shaft that stands still."""
@@ -52,20 +66,27 @@ class Motor(Record):
 
 
 class Propeller(Record):
-    """A propeller; it takes the power that the machines give."""
+    """A propeller or rotor; it takes the power that the machines give."""
 
     shaft: str = Field(description="Shaft that carries it")
     speed: Speed = Field(ge=0.1, le=2e4, description="Asked speed; the teeth may let it yield")
     diameter: Length = Field(gt=0, le=100, description="Diameter")
     blades: int = Field(4, ge=2, le=12, description="Number of blades")
     inertia: Inertia | None = Field(None, gt=0, description="Polar inertia; estimated if left out")
+    thrust: Force = Field(0.0, description="Along its shaft, positive away from the gears")
+    in_plane_force: Force = Field(0.0, ge=0, description="Across its shaft, turning with the flow, not with the shaft")
+    hub_moment: Torque = Field(0.0, ge=0, description="Bending moment at its hub, in the plane of the force across")
 
 
 class GearRules(Record):
     """How gears are rated and proportioned; a stage may state its own under ``gears``."""
 
     material: str = Field("nitriding-steel-785", description="Name in the catalogue of materials")
-    rating: Literal["lewis-hertz"] = Field("lewis-hertz", description="First-sizing method")
+    rating: Literal["lewis-hertz", "iso6336"] = Field(
+        "lewis-hertz",
+        description="First sizing by Lewis and Hertz, or ISO 6336 and ISO 10300 with the rules of iso6336",
+    )
+    iso6336: Iso6336Rules = Field(default_factory=Iso6336Rules, description='Rules with rating = "iso6336"')
     pressure_angle: Angle = Field(
         20 * _DEGREE, ge=14 * _DEGREE, le=30 * _DEGREE, description="Normal pressure angle α_n"
     )
@@ -142,10 +163,20 @@ class Pair(Record):
         1, description="2 for a double-helical gear: two halves of opposite hand share the load"
     )
     internal: bool = Field(False, description="The wheel is an internal gear")
-    kind: Literal["cylindrical", "face"] = Field(
-        "cylindrical", description="face: the wheel's teeth stand on its face and the pinion lies across"
+    kind: Literal["cylindrical", "face", "bevel"] = Field(
+        "cylindrical",
+        description="face: the wheel's teeth stand on its face and the pinion lies across; bevel: the axes meet",
     )
-    axis_angle: Angle | None = Field(None, description="Angle between the axes of a face-gear pair: 90°")
+    axis_angle: Angle | None = Field(None, description="Angle between the axes of a face-gear or bevel pair: 90°")
+    spiral_angle: Angle = Field(
+        0.0, ge=0, le=45 * _DEGREE, description="Mean spiral angle β_m of bevel gears; 0 is straight"
+    )
+    pinion_apex: Literal["first", "second"] = Field(
+        "second", description="End of the pinion's shaft towards which the apex of a bevel pair lies"
+    )
+    wheel_apex: Literal["first", "second"] = Field(
+        "second", description="End of the wheel's shaft towards which the apex of a bevel pair lies"
+    )
     mesh_stiffness: Stiffness | None = Field(
         None, gt=0, description="Known mean stiffness of one mesh along its line of action; left out: ISO 6336-1"
     )
@@ -289,6 +320,9 @@ class Design(Record):
         default_factory=dict, description="What is not as drawn, by gear, shaft or planet"
     )
     dynamics: DynamicsRules = Field(default_factory=DynamicsRules, description="Assumptions of the dynamic model")
+    service: Service = Field(default_factory=Service, description="The life that is asked, and the loads in it")
+    bearings: dict[str, BearingSeat] = Field(default_factory=dict, description="Bearings of shafts by name")
+    joints: dict[str, Joint] = Field(default_factory=dict, description="Shaft-hub joints by gear or machine")
     speeds: SpeedRules = Field(default_factory=SpeedRules, description="Which speeds are kept")
     cases: dict[str, dict[str, Drive]] = Field(
         default_factory=dict, description="Load cases: what each machine does; a machine left out idles"
@@ -319,6 +353,11 @@ class Design(Record):
             stage: Name of a pair or planetary set.
         """
         own = self.stages[stage].gears
-        if own is None:
-            return self.gears
-        return self.gears.model_copy(update={name: getattr(own, name) for name in own.model_fields_set})
+        return self.gears if own is None else _overlaid(self.gears, own)
+
+
+def _overlaid(rules: GearRules, own: GearRules) -> GearRules:
+    """Return rules with what a stage says of its own, in the table of ISO 6336 too."""
+    update = {name: getattr(own, name) for name in own.model_fields_set - {"iso6336"}}
+    deeper = {name: getattr(own.iso6336, name) for name in own.iso6336.model_fields_set}
+    return rules.model_copy(update={**update, "iso6336": rules.iso6336.model_copy(update=deeper)})

@@ -1,0 +1,148 @@
+"""What sizing yields of shafts as they are built: steps, seats, bearings, joints, and every check against its limit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from gearwright.catalogue.bearings import Bearing
+from gearwright.units import Angle, Force, Length, Number, Origin, Quantity, Ratio, Speed, Stress, Time, Torque
+
+
+@dataclass(frozen=True)
+class Check:
+    """One property of one part against its limit."""
+
+    part: str
+    """Such as ``helical.pinion``, ``mast`` or a bearing."""
+    check: str
+    """Such as ``pitting S_H``."""
+    clause: str
+    """Standard and clause, or source."""
+    value: Number
+    """As computed, in SI."""
+    limit: Number
+    """What is allowed, in SI."""
+    dimension: str = "ratio"
+    """Dimension of value and limit."""
+    at_most: bool = False
+    """True where the limit is the largest allowed value, False where it is the least."""
+
+    @property
+    def margin(self) -> Ratio:
+        """1 is just enough; value over limit, or limit over value [-]."""
+        over, under = (self.limit, self.value) if self.at_most else (self.value, self.limit)
+        return over / under if under else float("inf")
+
+
+@dataclass(frozen=True)
+class ShaftStep:
+    """A cylinder of a stepped shaft."""
+
+    start: Length
+    """From the shaft's first end [m]."""
+    end: Length
+    """From the shaft's first end [m]."""
+    diameter: Length
+    """Outer diameter [m]."""
+    seat: str = ""
+    """Bearing, gear or machine that sits on it; empty between seats."""
+
+
+@dataclass(frozen=True)
+class SectionStrength:
+    """A section of a shaft where something notches it."""
+
+    place: str
+    """What notches it, such as ``shoulder at bearing 1a``."""
+    position: Length
+    """From the shaft's first end [m]."""
+    diameter: Length
+    """Outer diameter [m]."""
+    bending_moment: Torque
+    """Turning with respect to the shaft, hence fully reversed [N m]."""
+    torque: Torque
+    """Mean [N m]."""
+    fatigue_safety: Annotated[
+        float, Quantity("ratio"), Origin("DE-ASME elliptic or DE-Goodman", "Shigley, 10th ed., ch. 7")
+    ]
+    """n_f [-]."""
+    yield_safety: Annotated[float, Quantity("ratio"), Origin("R_p0.2/σ_vM,max", "Shigley, 10th ed., eq. 7-16")]
+    """n_y [-]."""
+
+
+@dataclass(frozen=True)
+class BuiltShaft:
+    """A shaft with its steps, its strength at every notch, its stiffness and its critical speed."""
+
+    name: str
+    steps: tuple[ShaftStep, ...]
+    """From the first end on, without gaps."""
+    bore: Length
+    """[m]; zero where it is solid."""
+    sections: tuple[SectionStrength, ...]
+    """Every notch, in order along the shaft."""
+    slopes: tuple[tuple[str, Angle], ...]
+    """Gear or bearing -> slope of the bent shaft there [rad]."""
+    deflections: tuple[tuple[str, Length], ...]
+    """Gear -> deflection of the bent shaft there [m]."""
+    critical_speed: Annotated[
+        Speed | None, Origin("lowest bending mode on rigid bearings", "Stodola, influence numbers")
+    ]
+    """First critical speed in bending [rad/s]; None where nothing bends it."""
+
+
+@dataclass(frozen=True)
+class BearingSizing:
+    """One bearing in its seat."""
+
+    name: str
+    """As the design calls it."""
+    shaft: str
+    position: Length
+    """From the shaft's first end [m]."""
+    bearing: Bearing
+    """From the catalogue."""
+    case: str
+    """Load case with the largest load."""
+    radial: Force
+    """F_r in that case [N]."""
+    axial: Force
+    """F_a in that case, induced thrust of taper bearings included [N]."""
+    equivalent_load: Annotated[
+        float, Quantity("force"), Origin("P = X F_r + Y F_a, mean over the service", "ISO 281:2007")
+    ]
+    """P [N]."""
+    life: Annotated[Time, Origin("L_10h = (C/P)^p 10⁶/(60 n)", "ISO 281:2007")]
+    """Basic rating life [s]."""
+    wanted_life: Time
+    """[s]"""
+    static_safety: Annotated[float, Quantity("ratio"), Origin("s_0 = C_0/P_0", "ISO 76:2006")]
+    """At the largest load [-]."""
+    wanted_static_safety: Ratio
+    """[-]"""
+
+
+@dataclass(frozen=True)
+class JointSizing:
+    """What joins a gear or a machine to its shaft."""
+
+    part: str
+    """Gear or machine."""
+    shaft: str
+    position: Length
+    """Middle, from the shaft's first end [m]."""
+    kind: str
+    """integral, key, spline or press-fit."""
+    designation: str
+    """Such as ``DIN 6885 - A 18 x 11 x 100`` or ``DIN 5480 - W 55 x 2 x 26``; empty for one piece."""
+    torque: Torque
+    """Largest of all cases, application factor included [N m]."""
+    diameter: Length
+    """Shaft, or reference diameter of the spline [m]."""
+    length: Length
+    """Bearing length [m]."""
+    pressure: Stress
+    """On flank or fit [Pa]; zero for one piece."""
+    allowed_pressure: Stress
+    """[Pa]"""
