@@ -10,7 +10,7 @@ from gearwright.spec.record import Record
 from gearwright.units import Force, Length, Ratio, Stress, Time
 
 LOCATES = {"none": (), "both": (-1, 1), "first": (-1,), "second": (1,)}
-"""What a bearing locates -> signs of the axial forces that it takes: −1 towards the shaft's first end, +1 its second."""
+"""What a bearing locates -> signs of the axial forces that it takes: −1 towards the first end, +1 the second."""
 
 
 class BearingSeat(Record):

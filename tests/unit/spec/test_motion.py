@@ -15,7 +15,7 @@ TEXT = shipped_design("face-gear-split-torque").read_text(encoding="utf-8")
 BAD = {
     "axis_angle_deg = 90                 # *\n": ("", "pairs.first.axis_angle_deg: a face-gear pair needs the angle"),
     "axis_angle_deg = 90": ("axis_angle_deg = 80", "80 deg is not understood"),
-    'kind = "face"\n': ("", "only face gears have one"),
+    'kind = "face"\n': ("", "only face and bevel gears have one"),
     "radial_n_m = 1e7": (
         "radial_n_m = 0",
         "supports.input.radial_n_m: 0 n_m is not allowed; give a value greater than 0",
