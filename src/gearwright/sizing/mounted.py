@@ -87,7 +87,9 @@ class BuiltShaft:
     deflections: tuple[tuple[str, Length], ...]
     """Gear -> deflection of the bent shaft there [m]."""
     critical_speed: Annotated[
-        Speed | None, Origin("lowest bending mode on rigid bearings", "Stodola, influence numbers")
+        float | None,
+        Quantity("speed"),
+        Origin("lowest bending mode on rigid bearings", "influence numbers, Stodola 1927"),
     ]
     """First critical speed in bending [rad/s]; None where nothing bends it."""
 
@@ -113,7 +115,7 @@ class BearingSizing:
         float, Quantity("force"), Origin("P = X F_r + Y F_a, mean over the service", "ISO 281:2007")
     ]
     """P [N]."""
-    life: Annotated[Time, Origin("L_10h = (C/P)^p 10⁶/(60 n)", "ISO 281:2007")]
+    life: Annotated[float, Quantity("time"), Origin("L_10h = (C/P)^p 10⁶/(60 n)", "ISO 281:2007")]
     """Basic rating life [s]."""
     wanted_life: Time
     """[s]"""
