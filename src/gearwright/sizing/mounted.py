@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.catalogue.bearings import Bearing
-from gearwright.units import Angle, Force, Length, Number, Origin, Quantity, Ratio, Speed, Stress, Time, Torque
+from gearwright.units import Angle, Force, Length, Number, Origin, Quantity, Ratio, Stress, Time, Torque
 
 
 @dataclass(frozen=True)
