@@ -52,11 +52,10 @@ def _list() -> None:
 
 def _mission(name: str) -> tuple[Mission, Path]:
     """Return a mission, and the folder in which its propeller map may lie."""
-    from gearwright.shipped import shipped_mission, shipped_missions
+    from gearwright.shipped import find_mission
     from gearwright.spec.mission import read_mission
 
-    path = Path(name)
-    path = shipped_mission(name) if not path.exists() and name in shipped_missions() else path
+    path = find_mission(name)
     return read_mission(path), path.parent
 
 

@@ -51,15 +51,15 @@ def study(
     json: JsonOption = False,
 ) -> None:
     """Run a study: designs along axes or over samples, one row per variant."""
-    from gearwright.shipped import shipped_studies, shipped_study
+    from gearwright.shipped import find_study, shipped_studies, shipped_study
     from gearwright.spec.study import read_study
 
     if name is None:
         for each in shipped_studies():
             typer.echo(f"{each:20} {read_study(shipped_study(each)).name}")
         return
-    path = Path(name)
-    read = read_study(shipped_study(name) if not path.exists() and name in shipped_studies() else path)
+    path = find_study(name)
+    read = read_study(path)
     read = read.model_copy(update={"changes": {**read.changes, **_changes(changes)}})
     designs = {each: design_of(each, path.parent) for each in read.designs}
     table = run_shown(read, designs, journal=journal, workers=workers, cluster=cluster, origin=str(path.parent))

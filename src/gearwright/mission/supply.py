@@ -27,6 +27,8 @@ class Supply:
     engines: Mapping[str, Engine]
     motors: Mapping[str, MotorLosses]
     battery: Battery | None
+    ratings: Mapping[str, float]
+    """Machine -> rated power [W]."""
 
     def parts(self, phase: Phase) -> dict[str, float]:
         """Return machine -> part of the power of all machines in a phase [-].
@@ -37,6 +39,8 @@ class Supply:
         Raises:
             DesignError: The mode needs a machine that the design lacks.
         """
+        if phase.mode == "rated":
+            return _divided(1.0, self.ratings)
         share = {"conventional": 0.0, "electric": 1.0, "hybrid": phase.electric_share or 0.0}[phase.mode]
         if share != 0.0 and not self.motors:
             raise DesignError([Problem("mode", f"{phase.mode}, but the design has no motor; write conventional")])
@@ -170,7 +174,9 @@ def supply_of(sizing: Sizing, mission: Mission) -> Supply:
         name: rated_losses(own.power, own.speed, efficiency=motor.efficiency, overload=motor.overload)
         for name, own in sizing.design.motors.items()
     }
-    return Supply(engines, motors, _pack(mission.battery) if mission.battery and motors else None)
+    ratings = {name: own.power for name, own in sizing.design.turbines.items()}
+    ratings |= {name: own.power for name, own in sizing.design.motors.items()}
+    return Supply(engines, motors, _pack(mission.battery) if mission.battery and motors else None, ratings)
 
 
 _TOLERANCE = 0.05

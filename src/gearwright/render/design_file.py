@@ -30,9 +30,9 @@ This page is made from the types that read the file.
 """
 _STUDY_HEAD = """# The study file
 
-A study varies designs along axes over dotted paths of the design file, and asks for results by name.
-`gearwright study FILE` runs it, as do [these examples](../how-to/studies.md). This page is made from the types that
-read the file.
+A study varies designs and a mission along axes over dotted paths of their files, and asks for results by name.
+`gearwright study FILE` runs it, as do [these examples](../how-to/studies.md). What stands below `[mission]` is what a
+mission file has at its top. This page is made from the types that read the file.
 """
 _COLUMNS = "| key | default | allowed | meaning |\n| --- | --- | --- | --- |\n"
 _SIGNS = {"ge": "≥", "gt": ">", "le": "≤", "lt": "<"}

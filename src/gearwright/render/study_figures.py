@@ -11,7 +11,6 @@ from matplotlib.figure import Figure
 from gearwright.render import theme
 from gearwright.render.study_tables import heading, inputs_of, result_unit
 from gearwright.study import Row, Table
-from gearwright.units import shown
 
 FLAT = 0.03
 """Deviation from the optimum that still counts as near it [-]."""
@@ -76,7 +75,7 @@ def _curves(table: Table, axis: str) -> Iterator[tuple[str, list[Row]]]:
 def _draw_curve(panel: Axes, axis: str, result: str, curve: tuple[str, list[Row], str]) -> None:
     label, rows, colour = curve
     place: list[Any] = [row.inputs[axis] for row in rows]
-    values = [shown(*row.results[result]) for row in rows]
+    values = [row.shown(result) for row in rows]
     panel.plot(place, values, "-", color=colour, marker=".", ms=3.5, label=label)
     best = max(values) if result in _HEAVIER_IS_BETTER else min(values)
     near = [x for x, value in zip(place, values, strict=True) if abs(value / best - 1.0) <= FLAT] if best else place
@@ -103,7 +102,7 @@ def comparison_figure(table: Table) -> Figure:
     labels = [", ".join([row.design, *(str(value) for value in row.inputs.values())]) for row in rows]
     start = [0.0] * len(rows)
     for part in parts:
-        values = [shown(*row.results[part]) for row in rows]
+        values = [row.shown(part) for row in rows]
         axes.barh(
             labels, values, left=start, height=0.66, color=_STACK_COLOURS.get(part, theme.SKY), label=heading(part)
         )
@@ -121,10 +120,9 @@ def comparison_figure(table: Table) -> Figure:
 
 def _stacked(table: Table, row: Row) -> float:
     parts = [part for part in _STACK if part in table.results] or list(table.results[:1])
-    return sum(row.results[part].value for part in parts)
+    return sum(row.number(part) for part in parts)
 
 
 def _bar_text(row: Row, total: float) -> str:
-    density = row.results.get("power_density")
     text = f"{total:.1f} kg"
-    return text if density is None else f"{text}   gearbox {shown(*density):.1f} kW/kg"
+    return f"{text}   gearbox {row.shown('power_density'):.1f} kW/kg" if "power_density" in row.results else text

@@ -22,7 +22,6 @@ from gearwright.spec.study import Study
 from gearwright.study import Row, Table
 from gearwright.study.pareto import front_table, pareto_front
 from gearwright.study.sensitivity import sensitivity
-from gearwright.units import shown
 from gearwright.version import __version__
 
 FEW = 60
@@ -64,7 +63,7 @@ def _winner(table: Table, result: str, sense: str) -> str:
     """Say which case has the best of a result, by how much over the best of other designs, and how sure that is."""
     sign = 1.0 if sense == "least" else -1.0
     best: dict[str, Row] = {}
-    for row in sorted(_good(table), key=lambda each: sign * each.results[result].value):
+    for row in sorted(_good(table), key=lambda each: sign * each.number(result)):
         best.setdefault(row.design, row)
     first, *others = best.values()
     unit = result_unit(table, result)
@@ -73,7 +72,7 @@ def _winner(table: Table, result: str, sense: str) -> str:
     )
     if not others:
         return f"{text}."
-    margin = abs(others[0].results[result].value / first.results[result].value - 1.0)
+    margin = abs(others[0].number(result) / first.number(result) - 1.0)
     after = f"next {others[0].design}, {_number(others[0], result)} {unit}".rstrip()
     return f"{text}; {after}, {margin:.1%} off. {_sure(table, result, first.design, sign)}"
 
@@ -86,7 +85,7 @@ def _sure(table: Table, result: str, design: str, sign: float) -> str:
     complete = [rows for rows in groups.values() if len(rows) > 1]
     if not complete:
         return ""
-    won = sum(min(rows, key=lambda each: sign * each.results[result].value).design == design for rows in complete)
+    won = sum(min(rows, key=lambda each: sign * each.number(result)).design == design for rows in complete)
     return f"At equal inputs it is best in {won:,} of {len(complete):,} cases, {won / len(complete):.1%}."
 
 
@@ -156,4 +155,4 @@ def _good(table: Table) -> list[Row]:
 
 
 def _number(row: Row, result: str) -> str:
-    return written(shown(*row.results[result]))
+    return written(row.shown(result))

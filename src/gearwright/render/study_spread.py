@@ -15,7 +15,6 @@ from gearwright.spec.study import Study
 from gearwright.study import Row, Table
 from gearwright.study.pareto import pareto_front
 from gearwright.study.sensitivity import CONFIDENCE, Influence, varies
-from gearwright.units import shown
 
 Floats = NDArray[np.float64]
 MOST_LINES = 400
@@ -43,7 +42,7 @@ def distribution_figure(table: Table) -> Figure:
     Args:
         table: Of a study.
     """
-    drawn = [name for name in table.results if varies(np.array(table.column(name)))]
+    drawn = [name for name in table.numbers if varies(np.array(table.column(name)))]
     figure = theme.sheet(180.0, 14.0 + 38.0 * len(drawn))
     panels = figure.subplots(max(1, len(drawn)), 1, squeeze=False)[:, 0]
     designs = tuple(dict.fromkeys(row.design for row in table.rows))
@@ -71,7 +70,7 @@ def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
         table: Of a study.
         chosen: Such as its Pareto front.
     """
-    names = [*(path for path in inputs_of(table) if _numeric(table, path)), *table.results]
+    names = [*(path for path in inputs_of(table) if _numeric(table, path)), *table.numbers]
     rows = _good(table)
     rows = rows[:: max(1, len(rows) // MOST_LINES)]
     names = [name for name in names if varies(np.array([_value(row, name) for row in rows]))]
@@ -174,7 +173,7 @@ def _good(table: Table) -> list[Row]:
 
 
 def _shown(row: Row, result: str) -> float:
-    return shown(*row.results[result])
+    return row.shown(result)
 
 
 def _value(row: Row, name: str) -> float:

@@ -14,7 +14,6 @@ from rich.table import Table as Grid
 
 from gearwright.render.tables import written
 from gearwright.study import Row, Table
-from gearwright.units import shown, unit
 
 _WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
           "motor_mass": "motors", "total_mass": "gearbox + motors", "power_density": "power density",
@@ -46,8 +45,7 @@ def result_unit(table: Table, result: str) -> str:
         table: Of the study.
         result: Its name.
     """
-    first = next(row for row in table.rows if not row.problem)
-    return unit(first.results[result].dimension)
+    return table.unit(result)
 
 
 def study_grid(table: Table) -> Grid:
@@ -101,11 +99,9 @@ def spread(table: Table) -> list[Spread]:
         table: Of the study.
     """
     lines = []
-    for result in table.results:
-        dimension = next(row for row in table.rows if not row.problem).results[result].dimension
-        found = np.quantile(table.column(result), (0.0, 0.05, 0.5, 0.95, 1.0))
-        values = tuple(written(shown(float(value), dimension)) for value in found)
-        lines.append(Spread(result, unit(dimension), values))
+    for result in table.numbers:
+        found = np.quantile([row.shown(result) for row in table.good], (0.0, 0.05, 0.5, 0.95, 1.0))
+        lines.append(Spread(result, table.unit(result), tuple(written(float(value)) for value in found)))
     return lines
 
 
@@ -129,8 +125,8 @@ def _inputs(row: Row) -> list[str]:
 
 
 def _shown(row: Row, result: str) -> str:
-    value, dimension = row.results[result]
-    return written(shown(value, dimension))
+    value = row.results[result].value
+    return value if isinstance(value, str) else written(row.shown(result))
 
 
 def study_records(table: Table) -> list[dict[str, float | int | str | bool | None]]:
@@ -143,9 +139,11 @@ def study_records(table: Table) -> list[dict[str, float | int | str | bool | Non
     for row in table.rows:
         record: dict[str, float | int | str | bool | None] = {"design": row.design, **row.inputs}
         for result in table.results:
-            found = row.results.get(result)
             name = f"{result} [{result_unit(table, result)}]".replace(" []", "")
-            record[name] = None if found is None else shown(found.value, found.dimension)
+            if row.problem:
+                record[name] = None
+            else:
+                record[name] = row.shown(result) if result in table.numbers else row.results[result].value
         records.append({**record, "problem": row.problem})
     return records
 

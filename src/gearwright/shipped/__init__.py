@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from gearwright.errors import DesignError, Problem, near
@@ -40,8 +41,45 @@ def find_design(name: str, folder: Path = Path()) -> Path:
     Raises:
         DesignError: If it looks like the name of a shipped design and is none; with the nearest one.
     """
+    return _found(name, folder, shipped_design)
+
+
+def find_mission(name: str, folder: Path = Path()) -> Path:
+    """Return the path of a mission file, or of the shipped mission of that name.
+
+    Args:
+        name: A path, or a name such as ``thesis``; a file of that name comes first.
+        folder: Where paths start.
+
+    Raises:
+        DesignError: If it looks like the name of a shipped mission and is none; with the nearest one.
+    """
+    return _found(name, folder, shipped_mission)
+
+
+def find_study(name: str) -> Path:
+    """Return the path of a study file, or of the shipped study of that name.
+
+    Args:
+        name: A path, or a name such as ``motor-speed``; a file of that name comes first.
+
+    Raises:
+        DesignError: If it looks like the name of a shipped study and is none; with the nearest one.
+    """
+    return _found(name, Path(), shipped_study)
+
+
+def _found(name: str, folder: Path, shipped: Callable[[str], Path]) -> Path:
+    """Return a file, or what is shipped of that name; a folder stands for itself only where nothing is."""
     path = folder / name
-    return path if path.exists() or path.suffix or len(Path(name).parts) != 1 else shipped_design(name)
+    if path.is_file() or path.suffix or len(Path(name).parts) != 1:
+        return path
+    try:
+        return shipped(name)
+    except DesignError:
+        if path.exists():
+            return path
+        raise
 
 
 def shipped_studies() -> tuple[str, ...]:

@@ -12,14 +12,17 @@ from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, M
 from gearwright.train.flow import RATED, PowerFlow
 from gearwright.units import Quantity
 
+TEXT = "text"
+"""Dimension of a result that is a name, such as the part that governs."""
+
 
 class Named(NamedTuple):
     """A result with its dimension."""
 
-    value: float
-    """In SI."""
+    value: float | str
+    """In SI; a text where the result is a name."""
     dimension: str
-    """Such as ``"mass"``; a key of the table of shown units."""
+    """Such as ``"mass"``, a key of the table of shown units; ``TEXT`` of a text."""
 
 
 def named_results(sizing: Sizing) -> dict[str, Named]:

@@ -1,19 +1,21 @@
-"""Change a design by dotted paths in the user's own keys and units: ``motors.electric.speed_rpm`` = 4200."""
+"""Change a design or mission by dotted paths in the user's own keys and units: ``motors.electric.speed_rpm`` = 4200."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from types import UnionType
-from typing import Any, Union, get_args, get_origin
+from typing import Any, TypeVar, Union, get_args, get_origin
 
 from pydantic import ValidationError
 
 from gearwright.errors import DesignError, Problem, near
 from gearwright.spec.check import reference_problems
 from gearwright.spec.design import Design
+from gearwright.spec.mission import Mission, mission_problems
 from gearwright.spec.record import Record, keys_of
 
 Value = float | int | str | bool | list[Any]
+R = TypeVar("R", bound=Record)
 
 
 def edited(design: Design, changes: Mapping[str, Value]) -> Design:
@@ -26,36 +28,53 @@ def edited(design: Design, changes: Mapping[str, Value]) -> Design:
     Raises:
         DesignError: For every path that does not exist (with the nearest one) and every value that is not allowed.
     """
-    data = design.model_dump(by_alias=True, exclude_unset=True)
-    problems = [problem for path, value in changes.items() if (problem := _set(data, path, value)) is not None]
+    return _edited(design, changes, reference_problems)
+
+
+def edited_mission(mission: Mission, changes: Mapping[str, Value]) -> Mission:
+    """Return a mission with some of its entries changed, as `edited` does it with a design.
+
+    Args:
+        mission: Where to start.
+        changes: Dotted path, with the unit in its last part, -> value in that unit.
+
+    Raises:
+        DesignError: For every path that does not exist, value that is not allowed, and what does not fit together.
+    """
+    return _edited(mission, changes, mission_problems)
+
+
+def _edited(record: R, changes: Mapping[str, Value], problems_of: Callable[[R], list[Problem]]) -> R:
+    data, kind = record.model_dump(by_alias=True, exclude_unset=True), type(record)
+    problems = [problem for path, value in changes.items() if (problem := _set(kind, data, path, value)) is not None]
     if problems:
         raise DesignError(problems)
     try:
-        changed = Design.model_validate(data)
+        changed = kind.model_validate(data)
     except ValidationError as error:
         raise DesignError(
             Problem(".".join(str(part) for part in each["loc"]), f"{each['input']!r} is not allowed: {each['msg']}")
             for each in error.errors(include_url=False)
         ) from None
-    found = reference_problems(changed)
+    found = problems_of(changed)
     if found:
         raise DesignError(found)
     return changed
 
 
-def path_problem(design: Design, path: str) -> Problem | None:
-    """Return why a path has no place in a design, or None if it has.
+def path_problem(record: Record, path: str) -> Problem | None:
+    """Return why a path has no place in a design or mission, or None if it has.
 
     Args:
-        design: The design.
+        record: The design or mission.
         path: Dotted path with the unit in its last part.
     """
-    return _set(design.model_dump(by_alias=True, exclude_unset=True), path, 0.0)
+    return _set(type(record), record.model_dump(by_alias=True, exclude_unset=True), path, 0.0)
 
 
-def _set(data: dict[str, Any], path: str, value: Value) -> Problem | None:
-    """Put one value into a dumped design, or say why it has no place there."""
-    annotation: Any = Design
+def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value) -> Problem | None:
+    """Put one value into a dumped record, or say why it has no place there."""
+    annotation: Any = kind
     table, parts, depth = data, path.split("."), 0
     while depth < len(parts):
         part, last = parts[depth], depth == len(parts) - 1

@@ -33,8 +33,8 @@ class Phase(Record):
     rate_of_climb: Velocity | None = Field(
         None, ge=-100, le=100, description="Rate of climb, negative in descent; or duration"
     )
-    mode: Literal["conventional", "hybrid", "electric"] = Field(
-        "conventional", description="Who drives: turbines, both, or motors"
+    mode: Literal["conventional", "hybrid", "electric", "rated"] = Field(
+        "conventional", description="Who drives: turbines, both, motors, or every machine by its part of the ratings"
     )
     electric_share: Ratio | None = Field(
         None, ge=-0.9, le=1, description="Motors' part of the machines' power in hybrid mode; negative charges"

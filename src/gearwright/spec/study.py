@@ -1,4 +1,4 @@
-"""The study file: designs, axes over dotted paths of them, and the results that are asked for."""
+"""The study file: designs and a mission, axes over dotted paths of them, and the results that are asked for."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from typing import Literal, cast
 from pydantic import Field
 
 from gearwright.errors import DesignError, Problem
+from gearwright.shipped import find_mission
 from gearwright.spec.lines import key_lines, line_of
+from gearwright.spec.mission import Mission, read_mission
 from gearwright.spec.read import file_text, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.units import Time
@@ -19,11 +21,13 @@ MOST_CASES = 10_000_000
 """More cases than this are refused: at 1 ms each they would take three hours of one core, at 10 ms more than a day."""
 MOST_SAMPLES = 1_000_000
 """Most samples that are drawn at once."""
+MISSION_PATH, FLY_RESULT = "mission.", "fly."
+"""How paths into the mission and the results of its flight begin."""
 Method = Literal["grid", "list", "random", "sobol", "latin-hypercube", "saltelli", "nsga2"]
 
 
 class Axis(Record):
-    """The values that one entry of the design takes: a list, equal steps, a range, or a distribution."""
+    """The values that one entry takes: a list, equal steps, a range, or a distribution."""
 
     values: list[Value] | None = Field(None, min_length=1, description="The values themselves")
     first: int | float | None = Field(None, alias="from", description="First value of equal steps, or of a range")
@@ -60,6 +64,15 @@ class Simulated(Record):
     duration: Time = Field(0.05, gt=0, le=1000, description="Simulated time; its last three quarters are looked at")
 
 
+class Flown(Record):
+    """How the results named ``fly.…`` are had."""
+
+    mission: str | None = Field(None, description="Mission file, or name of a shipped mission")
+    life: Time | None = Field(
+        None, gt=0, le=3.6e9, description="Gears are strengthened until all live so long; left out: as sized"
+    )
+
+
 class Study(Record):
     """Designs varied along axes, with results by name."""
 
@@ -67,7 +80,9 @@ class Study(Record):
     name: str = Field(description="Name of the study")
     description: str = Field("", description="What it answers")
     designs: list[str] = Field(min_length=1, description="Design files, or names of shipped designs")
-    axes: dict[str, Axis] = Field(default_factory=dict, description="Dotted path with unit -> values")
+    axes: dict[str, Axis] = Field(
+        default_factory=dict, description="Dotted path with unit, of the design or into its mission.… -> values"
+    )
     changes: dict[str, Value] = Field(default_factory=dict, description="Dotted path with unit -> value, for all cases")
     results: list[str] = Field(default_factory=lambda: ["mass"], min_length=1, description="Results by name")
     sampling: Sampling = Field(default_factory=Sampling, description="How cases are taken from the axes")
@@ -76,11 +91,18 @@ class Study(Record):
     )
     constraints: dict[str, Bound] = Field(default_factory=dict, description="Result -> what it must keep")
     simulate: Simulated = Field(default_factory=Simulated, description="How results named simulate.… are had")
+    fly: Flown = Field(default_factory=Flown, description="How results named fly.… are had")
+    mission: Mission | None = Field(None, description="What is flown, if it is written here and is no file of its own")
 
     @property
     def asked(self) -> tuple[str, ...]:
         """Every result that a case computes: those asked for, then those of objectives and constraints."""
         return tuple(dict.fromkeys([*self.results, *self.objectives, *self.constraints]))
+
+    @property
+    def flies(self) -> bool:
+        """True if a case needs the flight: a result of it is asked for, or a life of the gears."""
+        return self.fly.life is not None or any(name.startswith(FLY_RESULT) for name in self.asked)
 
 
 def axis_values(path: str, axis: Axis) -> list[Value]:
@@ -178,7 +200,7 @@ def _sampled(study: Study) -> int:
 
 
 def read_study(path: str | Path) -> Study:
-    """Return the study that a file describes.
+    """Return the study that a file describes, with the mission that it names.
 
     Args:
         path: A TOML file.
@@ -186,15 +208,16 @@ def read_study(path: str | Path) -> Study:
     Raises:
         DesignError: With every problem of the file.
     """
-    return parse_study(file_text(Path(path)), source=str(path))
+    return parse_study(file_text(Path(path)), source=str(path), folder=Path(path).parent)
 
 
-def parse_study(text: str, *, source: str = "") -> Study:
-    """Return the study that a TOML text describes.
+def parse_study(text: str, *, source: str = "", folder: Path | None = None) -> Study:
+    """Return the study that a TOML text describes, with the mission that it names.
 
     Args:
         text: The file's content.
         source: Name of the file, for messages.
+        folder: Where a mission file is looked for; left out: where the program runs.
 
     Raises:
         DesignError: With every problem of the text.
@@ -205,4 +228,34 @@ def parse_study(text: str, *, source: str = "") -> Study:
         raise DesignError(
             (Problem(each.path, each.message, line_of(each.path, lines)) for each in written.problems), source
         )
-    return cast(Study, record)
+    return with_mission(cast(Study, record), folder or Path())
+
+
+def with_mission(study: Study, folder: Path) -> Study:
+    """Return a study that holds the mission that it names, so that it needs no file from then on.
+
+    Args:
+        study: As written.
+        folder: Where a mission file is looked for.
+
+    Raises:
+        DesignError: If a mission is needed and none is given, or the one that is named cannot be read.
+    """
+    if study.fly.mission is not None and study.mission is not None:
+        raise DesignError([Problem("fly.mission", "there is a [mission] as well; keep one of them")])
+    if study.fly.mission is not None:
+        path = find_mission(study.fly.mission, folder)
+        return study.model_copy(update={"mission": _with_map(read_mission(path), path.parent)})
+    paths = [f"axes.{path}" for path in study.axes if path.startswith(MISSION_PATH)]
+    paths += [f"changes.{path}" for path in study.changes if path.startswith(MISSION_PATH)]
+    if study.mission is None and (study.flies or paths):
+        message = 'nothing says what is flown; write [fly] mission = "thesis", or another mission file'
+        raise DesignError([Problem(paths[0] if paths else "fly.mission", message)])
+    return study
+
+
+def _with_map(mission: Mission, folder: Path) -> Mission:
+    """Return a mission whose propeller map, where it is a file, is found from anywhere on this machine."""
+    if not mission.propeller_map.endswith(".csv"):
+        return mission
+    return mission.model_copy(update={"propeller_map": str((folder / mission.propeller_map).resolve())})

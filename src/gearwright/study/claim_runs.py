@@ -115,4 +115,4 @@ def _speed(row: Row) -> int:
 
 
 def _masses(row: Row) -> Masses:
-    return Masses(row.results["mass"].value, row.results["total_mass"].value)
+    return Masses(row.number("mass"), row.number("total_mass"))

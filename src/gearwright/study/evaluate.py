@@ -1,15 +1,16 @@
-"""One case: the design is changed, the verbs that its results need are run, and what fails becomes a reason."""
+"""One case: design and mission are changed, the verbs that results need are run, and what fails becomes a reason."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
-from gearwright.errors import DesignError, GearwrightError
+from gearwright.errors import DesignError, GearwrightError, Problem
 from gearwright.sizing import size
 from gearwright.sizing.named import Named, named_results, pick, total_results
 from gearwright.spec import Design
-from gearwright.spec.edit import edited, path_problem
-from gearwright.spec.study import Study
+from gearwright.spec.edit import edited, edited_mission, path_problem
+from gearwright.spec.mission import Mission
+from gearwright.spec.study import MISSION_PATH, Study, Value
 from gearwright.study.sampling import Case
 from gearwright.study.table import Row
 
@@ -23,7 +24,8 @@ def evaluate(study: Study, design: Design, case: Case) -> Row:
         case: Its inputs.
     """
     try:
-        results = _results(study, edited(design, {**study.changes, **case.inputs}))
+        own, flight = split({**study.changes, **case.inputs})
+        results = _results(study, edited(design, own), flight)
         return Row(case.design, case.inputs, {name: pick(results, name) for name in study.asked})
     except DesignError as error:
         reason = "; ".join(str(problem) for problem in error.problems)
@@ -34,10 +36,28 @@ def evaluate(study: Study, design: Design, case: Case) -> Row:
     return Row(case.design, case.inputs, {}, reason)
 
 
-def _results(study: Study, design: Design) -> dict[str, Named]:
+def split(changes: Mapping[str, Value]) -> tuple[dict[str, Value], dict[str, Value]]:
+    """Return the changes of the design and those of the mission, each by its own paths.
+
+    Args:
+        changes: Dotted path -> value; those of the mission begin with ``mission.``.
+    """
+    flight = {path for path in changes if path.startswith(MISSION_PATH)}
+    design = {path: value for path, value in changes.items() if path not in flight}
+    return design, {path.removeprefix(MISSION_PATH): changes[path] for path in changes if path in flight}
+
+
+def _results(study: Study, design: Design, changes: Mapping[str, Value]) -> dict[str, Named]:
     """Return the results of every verb that a name asks for."""
     verbs = {name.partition(".")[0] for name in study.asked}
-    sizing = size(design)
+    flights: dict[str, Named] = {}
+    if study.flies and study.mission is not None:
+        from gearwright.study.flight import flight_results, flown
+
+        sizing, flight = flown(design, edited_mission(study.mission, changes), study.fly)
+        flights = flight_results(flight, study.asked)
+    else:
+        sizing = size(design)
     results = total_results(sizing)
     if not results.keys() >= set(study.asked):
         results = named_results(sizing)
@@ -47,11 +67,11 @@ def _results(study: Study, design: Design) -> dict[str, Named]:
         results |= modal_results(sizing)
     if "simulate" in verbs:
         results |= simulated_results(sizing, study.simulate)
-    return results
+    return results | flights
 
 
 def refuse_unknown_paths(study: Study, designs: Mapping[str, Design]) -> None:
-    """Raise for every path of a study that none of its designs has.
+    """Raise for every path of a study that neither its mission nor any of its designs has.
 
     Args:
         study: With axes and changes.
@@ -60,8 +80,17 @@ def refuse_unknown_paths(study: Study, designs: Mapping[str, Design]) -> None:
     Raises:
         DesignError: With the nearest path.
     """
-    paths: Iterable[str] = [*study.axes, *study.changes]
-    found = [[path_problem(design, path) for design in designs.values()] for path in paths]
+    own, flight = split({**dict.fromkeys(study.axes, 0.0), **study.changes})
+    found = [[path_problem(design, path) for design in designs.values()] for path in own]
     problems = [each[0] for each in found if all(each) and each[0] is not None]
+    problems += [problem for path in flight if (problem := _mission_problem(study.mission, path)) is not None]
     if problems:
         raise DesignError(problems, study.name)
+
+
+def _mission_problem(mission: Mission | None, path: str) -> Problem | None:
+    """Return why a path has no place in the mission of a study, or None if it has."""
+    if mission is None:
+        return Problem(f"{MISSION_PATH}{path}", "this study has no mission; it names one under [fly]")
+    found = path_problem(mission, path)
+    return found and Problem(f"{MISSION_PATH}{found.path}", found.message)

@@ -8,7 +8,6 @@ import numpy as np
 
 from gearwright.errors import DesignError, Problem
 from gearwright.study.table import Table
-from gearwright.units import shown, unit
 
 Column = tuple[list[float] | list[str], str]
 
@@ -27,11 +26,12 @@ def columns(table: Table) -> dict[str, Column]:
             found[path] = ([float(value) for value in given], "")
         else:
             found[path] = ([str(value) for value in given], "")
-    good = next(row for row in table.rows if not row.problem)
     for name in table.results:
-        dimension = good.results[name].dimension
-        values = [np.nan if row.problem else shown(row.results[name].value, dimension) for row in table.rows]
-        found[name] = (values, unit(dimension))
+        if name in table.numbers:
+            values = [np.nan if row.problem else row.shown(name) for row in table.rows]
+            found[name] = (values, table.unit(name))
+        else:
+            found[name] = (["" if row.problem else str(row.results[name].value) for row in table.rows], "")
     return {**found, "problem": ([row.problem for row in table.rows], "")}
 
 

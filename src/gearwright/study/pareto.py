@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from gearwright.errors import DesignError, Problem
 from gearwright.spec.study import Study
 from gearwright.study.table import Row, Table
-from gearwright.units import shown
 
 Floats = NDArray[np.float64]
 FAILED = 1e30
@@ -67,7 +66,7 @@ def wanted(study: Study, rows: Sequence[Row]) -> Floats:
     """
     signs = {name: 1.0 if sense == "least" else -1.0 for name, sense in study.objectives.items()}
     return np.array(
-        [[FAILED if row.problem else sign * row.results[name].value for name, sign in signs.items()] for row in rows]
+        [[FAILED if row.problem else sign * row.number(name) for name, sign in signs.items()] for row in rows]
     ).reshape(len(rows), len(signs))
 
 
@@ -86,7 +85,7 @@ def _violation(study: Study, row: Row) -> float:
         return FAILED
     total = 0.0
     for name, bound in study.constraints.items():
-        value = shown(*row.results[name])
+        value = row.shown(name)
         for limit, excess in ((bound.least, -1.0), (bound.most, 1.0)):
             if limit is not None:
                 total += max(0.0, excess * (value - limit)) / (abs(limit) or 1.0)

@@ -57,7 +57,7 @@ def sensitivity(study: Study, table: Table, result: str, *, design: str | None =
     failed = sum(bool(row.problem) for row in rows)
     if failed:
         raise SolveError(f"{failed} of {len(rows)} cases cannot be had; narrow the axes until all can")
-    values = np.array([row.results[result].value for row in rows])
+    values = np.array([row.number(result) for row in rows])
     if not varies(values):
         raise SolveError(f"{result} does not vary, or is not finite everywhere: nothing has an influence on it")
     return _influences(study, values)

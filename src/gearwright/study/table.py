@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from gearwright.errors import DesignError, Problem, near
-from gearwright.sizing.named import Named
+from gearwright.sizing.named import TEXT, Named
+from gearwright.units import shown, unit
 
 
 @dataclass(frozen=True)
@@ -21,6 +22,31 @@ class Row:
     """Result -> value; empty if the variant failed."""
     problem: str = ""
     """Why the variant failed; empty if it did not."""
+
+    def number(self, result: str) -> float:
+        """Return one result of a variant that did not fail [SI].
+
+        Args:
+            result: Its name.
+
+        Raises:
+            DesignError: If it is a text.
+        """
+        value = self.results[result].value
+        if isinstance(value, str):
+            raise DesignError([Problem(result, f"{value!r} is a name and no number; take it as one of the results")])
+        return value
+
+    def shown(self, result: str) -> float:
+        """Return one result in the unit in which it is shown.
+
+        Args:
+            result: Its name.
+
+        Raises:
+            DesignError: If it is a text.
+        """
+        return shown(self.number(result), self.results[result].dimension)
 
 
 @dataclass(frozen=True)
@@ -47,7 +73,25 @@ class Table:
         """
         if result not in self.results:
             raise DesignError([Problem("results", f"{result!r} was not asked for; {near(result, self.results)}")])
-        return [row.results[result].value for row in self.rows if not row.problem]
+        return [row.number(result) for row in self.good]
+
+    @property
+    def good(self) -> tuple[Row, ...]:
+        """Rows that did not fail."""
+        return tuple(row for row in self.rows if not row.problem)
+
+    @property
+    def numbers(self) -> tuple[str, ...]:
+        """Results that are numbers, not names."""
+        return tuple(name for name in self.results if self.good and self.good[0].results[name].dimension != TEXT)
+
+    def unit(self, result: str) -> str:
+        """Return the unit in which a result is shown; empty for what has none.
+
+        Args:
+            result: Its name.
+        """
+        return unit(self.good[0].results[result].dimension) if result in self.numbers else ""
 
     @property
     def failed(self) -> tuple[Row, ...]:
