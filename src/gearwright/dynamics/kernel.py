@@ -11,7 +11,6 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from gearwright.dynamics.drive_laws import apply_drives
 from gearwright.dynamics.system import Arrays, Floats, Profile, Schedules, Series
 
 
@@ -34,8 +33,6 @@ class Instant(NamedTuple):
     """Speed factor s, shape (1,)."""
     tone: Floats
     """cos and sin of every tone, shape (2, tones)."""
-    input: Floats
-    """What the drives read against time, shape (inputs,)."""
 
 
 def empty_instant(arrays: Arrays) -> Instant:
@@ -48,8 +45,7 @@ def empty_instant(arrays: Arrays) -> Instant:
     stiffness, stiffness_rate, error, error_rate = np.zeros((4, lines))
     load, inertia_load = np.zeros((2, size))
     tone = np.zeros((2, tones))
-    read = np.zeros(len(arrays.drives.inputs.dof))
-    return Instant(stiffness, stiffness_rate, error, error_rate, load, inertia_load, np.zeros(1), tone, read)
+    return Instant(stiffness, stiffness_rate, error, error_rate, load, inertia_load, np.zeros(1), tone)
 
 
 @njit(cache=True, error_model="numpy")
@@ -90,14 +86,6 @@ def add_schedules(schedules: Schedules, time: float, load: Floats) -> None:
 
 
 @njit(cache=True, error_model="numpy")
-def fill_inputs(inputs: Schedules, time: float, value: Floats) -> None:
-    """Fill what the drives read; replaces `reference._scheduled`."""
-    for i in range(len(inputs.dof)):
-        first, past = inputs.start[i], inputs.start[i + 1]
-        value[i] = np.interp(time, inputs.time[first:past], inputs.value[first:past])
-
-
-@njit(cache=True, error_model="numpy")
 def set_instant(arrays: Arrays, time: float, now: Instant) -> None:
     """Fill everything that the clock alone decides."""
     factor, slope, travel = speed_factor(arrays.profile, time)
@@ -115,7 +103,6 @@ def set_instant(arrays: Arrays, time: float, now: Instant) -> None:
         now.inertia_load[i] = arrays.mass[i] * arrays.speed[i] * slope
         now.load[i] = arrays.loads.constant[i] - now.inertia_load[i]
     add_schedules(arrays.loads.schedules, time, now.load)
-    fill_inputs(arrays.drives.inputs, time, now.input)
 
 
 @njit(cache=True, error_model="numpy")
@@ -162,19 +149,14 @@ def apply_frames(arrays: Arrays, now: Instant, state: Floats, slope: Floats) -> 
 
 @njit(cache=True, error_model="numpy")
 def derivative(arrays: Arrays, now: Instant, state: Floats, slope: Floats, output: Floats) -> None:
-    """Fill the time derivative of (q, q̇, works, x), line forces and deflections; replaces `reference.acceleration`."""
+    """Fill the time derivative of (q, q̇, works), line forces and deflections; replaces `reference.acceleration`."""
     size = len(arrays.mass)
     driven, braked = 0.0, 0.0
-    slope[size : 2 * size] = 0.0
-    if len(arrays.drives.table):
-        seen = output[2 * len(arrays.stiffness) :]
-        apply_drives(arrays.drives.table, now.input, now.factor[0], state, slope[size : 2 * size], slope, seen)
     for i in range(size):
         velocity = state[size + i]
         rigid = arrays.speed[i] * now.factor[0]
         total = rigid + velocity
-        load = now.load[i] + slope[size + i] - arrays.loads.damping[i] * velocity
-        load -= arrays.loads.quadratic[i] * abs(total) * total
+        load = now.load[i] - arrays.loads.damping[i] * velocity - arrays.loads.quadratic[i] * abs(total) * total
         slope[i] = velocity
         slope[size + i] = load
         power = (load + now.inertia_load[i]) * total
@@ -197,9 +179,9 @@ def runge_kutta(
     """
     first, h = clock
     now, later = instants
-    size = len(arrays.mass)
+    size, lines = len(arrays.mass), len(arrays.stiffness)
     k1, k2, k3, k4 = np.empty_like(state), np.empty_like(state), np.empty_like(state), np.empty_like(state)
-    spare = np.empty(record.shape[1] - 2 * size)
+    spare = np.empty(2 * lines)
     set_instant(arrays, first * h, now)
     for row in range(len(record)):
         derivative(arrays, now, state, k1, record[row, 2 * size :])

@@ -124,20 +124,21 @@ def diagram(loads: PointLoads) -> Diagram:
     Source: Pulvirenti 2023, eqs (2.44) and (2.46), the latter corrected: M(x) = Σ F_k (x − x_k) − Σ C_k over x_k < x.
     """
     order = np.argsort(loads.position, kind="stable")
-    position, force, couple = loads.position[order], loads.force[..., order], loads.couple[..., order]
-    shear = np.cumsum(force, axis=-1)
-    carried = np.zeros_like(shear)
-    np.cumsum(shear[..., :-1] * np.diff(position), axis=-1, out=carried[..., 1:])
-    bending = carried - np.cumsum(couple, axis=-1)
-    torque = loads.torque[..., order]
-    torsion = np.cumsum(torque, axis=-1)
-    return Diagram(
-        np.repeat(position, 2),
-        _both_sides(shear - force, shear),
-        _both_sides(bending + couple, bending),
-        _both_sides(torsion - torque, torsion),
-    )
+    position, torque = loads.position[order], loads.torque[..., order]
+    torsion = torque.cumsum(axis=-1)
+    stations, twisted = position.repeat(2), _both_sides(torsion - torque, torsion)
+    if not (loads.force.any() or loads.couple.any()):
+        straight = np.zeros((*loads.force.shape[:-1], len(stations)))
+        return Diagram(stations, straight, straight, twisted)
+    force, couple = loads.force[..., order], loads.couple[..., order]
+    shear = force.cumsum(axis=-1)
+    carried = np.zeros(shear.shape)
+    (shear[..., :-1] * (position[1:] - position[:-1])).cumsum(axis=-1, out=carried[..., 1:])
+    bending = carried - couple.cumsum(axis=-1)
+    return Diagram(stations, _both_sides(shear - force, shear), _both_sides(bending + couple, bending), twisted)
 
 
 def _both_sides(left: Array, right: Array) -> Array:
-    return np.stack([left, right], axis=-1).reshape(*left.shape[:-1], -1)
+    both = np.empty((*left.shape, 2))
+    both[..., 0], both[..., 1] = left, right
+    return both.reshape(*left.shape[:-1], -1)

@@ -138,18 +138,17 @@ _MOST = 1_000_000
 
 def _whole(wanted: Floats) -> Integers:
     """Return the tooth number below; at least one tooth, as what an absurd ratio asks is refused later by its rules."""
-    return np.clip(np.floor(wanted), 1, _MOST).astype(np.int64)
+    return np.minimum(np.maximum(np.floor(wanted), 1.0), _MOST).astype(np.int64)
 
 
 def _neighbours(wanted: Floats, small: Integers, given: int | None, reach: int) -> tuple[Integers, Integers, Integers]:
     """Return every choice of the front with every small gear and the integers around the wanted large one."""
-    parent = np.arange(len(wanted))[:, None, None]
     low = _whole(wanted)[:, :, None]
     large = (
         np.maximum(low + np.arange(1 - reach, 1 + reach), 1) if given is None else np.full((*low.shape[:2], 1), given)
     )
-    parent, teeth, large = np.broadcast_arrays(parent, small[None, :, None], large)
-    return parent.ravel(), teeth.ravel().astype(np.int64), large.ravel().astype(np.int64)
+    parent = np.arange(len(wanted)).repeat(large[0].size)
+    return parent, np.broadcast_to(small[:, None], large.shape).ravel(), large.ravel()
 
 
 def _around(wanted: Floats, large: Integers, given: int | None, reach: int) -> tuple[Integers, Integers, Integers]:

@@ -35,8 +35,8 @@ class Front:
         parts = [self.cubes[group] * self.volumes[group] for group in self.cubes]
         return np.sum(parts, axis=0) if parts else np.zeros(1)
 
-    def take(self, index: Integers) -> Front:
-        """Return the choices of an index, repeated where it repeats them."""
+    def take(self, index: Integers | NDArray[np.bool_]) -> Front:
+        """Return the choices of an index, repeated where it repeats them, or those that are marked."""
         picked = [
             {name: value[index] for name, value in part.items()} for part in (self.speeds, self.cubes, self.volumes)
         ]

@@ -29,7 +29,7 @@ Complexes = NDArray[np.complexfloating[Any, Any]]
 
 
 class _Load(NamedTuple):
-    """One point load over all cases; transverse values are complex, y + i z."""
+    """What a mesh puts on a shaft over all cases; transverse values are complex, y + i z."""
 
     position: float
     torque: Array
@@ -59,38 +59,33 @@ def shaft_loads(
 
     Source: forces of a mesh: ISO 21771:2007; equilibrium of the shaft: Pulvirenti 2023, §2.4.
     """
-    loads = [*_torques(given, name, plan), *_meshes(given, name, plan, axes, gears)]
-    position = np.array([load.position for load in loads])
-    torque = np.stack([load.torque for load in loads], axis=-1)
-    force = np.stack([load.force for load in loads], axis=-1)
-    couple = np.stack([load.couple for load in loads], axis=-1)
-    return PointLoads(position, _planes(force), _planes(couple), torque), np.sum([load.axial for load in loads], axis=0)
+    pure, meshes = list(_torques(given, name, plan)), list(_meshes(given, name, plan, axes, gears))
+    position = np.array([*(place for place, _ in pure), *(load.position for load in meshes)])
+    torque = np.array([*(each for _, each in pure), *(load.torque for load in meshes)]).T
+    force, couple = np.zeros((len(torque), 2, len(position))), np.zeros((len(torque), 2, len(position)))
+    axial = np.zeros(len(torque))
+    for k, load in enumerate(meshes, start=len(pure)):
+        force[:, 0, k], force[:, 1, k] = load.force.real, load.force.imag
+        couple[:, 0, k], couple[:, 1, k] = load.couple.real, load.couple.imag
+        axial += load.axial
+    return PointLoads(position, force, couple, torque), axial
 
 
-def _planes(values: Complexes) -> Array:
-    return np.stack([values.real, values.imag], axis=-2)
-
-
-def _torques(given: Context, name: str, plan: ShaftPlan) -> Iterator[_Load]:
-    """Yield what loads the shaft by torque only: machines, clutches, members of planetary sets."""
+def _torques(given: Context, name: str, plan: ShaftPlan) -> Iterator[tuple[float, list[float]]]:
+    """Yield place and torques of what loads the shaft by torque only: machines, clutches, members of planetary sets."""
     train, flows = given.train, given.flows.values()
     for machine, shaft in train.machines.items():
         if shaft == name:
-            yield _pure(plan.places[machine], [flow.machine_torques.get(machine, 0.0) for flow in flows])
+            yield plan.places[machine], [flow.machine_torques.get(machine, 0.0) for flow in flows]
     for joint in train.joints:
         if name in (joint.driving, joint.driven):
             sign = 1.0 if name == joint.driven else -1.0
-            yield _pure(plan.places[joint.name], [sign * flow.joints.get(joint.name, 0.0) for flow in flows])
+            yield plan.places[joint.name], [sign * flow.joints.get(joint.name, 0.0) for flow in flows]
     for mesh in train.meshes:
         if mesh.stage in given.design.planetaries and name in mesh.nodes:
             side = mesh.nodes.index(name)
             member = f"{mesh.stage}.carrier" if side == 2 else mesh.gears[side]
-            yield _pure(plan.places[member], [flow.meshes[mesh.name].torques[side] for flow in flows])
-
-
-def _pure(position: float, torque: list[float]) -> _Load:
-    none = np.zeros(len(torque))
-    return _Load(position, np.array(torque), none.astype(complex), none.astype(complex), none)
+            yield plan.places[member], [flow.meshes[mesh.name].torques[side] for flow in flows]
 
 
 def _meshes(

@@ -11,9 +11,10 @@ from gearwright.sizing.shafts import size_shafts
 from gearwright.sizing.teeth import choose_teeth
 from gearwright.spec import Design
 from gearwright.spec.overrides import Overrides
-from gearwright.train.flow import RATED, power_flow
+from gearwright.train.flow import power_flows
 from gearwright.train.graph import build_train
 from gearwright.train.targets import targets
+from gearwright.train.turning import Turning
 
 
 def size(design: Design) -> Sizing:
@@ -28,7 +29,7 @@ def size(design: Design) -> Sizing:
     train = build_train(design)
     teeth = choose_teeth(design, train, targets(design))
     efficiency = {stage: design.rules(stage).mesh_efficiency for stage in design.stages}
-    flows = {case: power_flow(design, train, teeth, case, efficiency=efficiency) for case in (RATED, *design.cases)}
+    flows = power_flows(design, Turning(design, train, teeth), efficiency=efficiency)
     refuse_contradictions(design, flows)
     overrides = Overrides(design.overrides, design.origins)
     given = context(design, train, teeth, flows, overrides)

@@ -29,10 +29,13 @@ from gearwright.sizing.rating import modules, rating_of
 from gearwright.sizing.refusal import contradiction, refusal
 from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.edges import members_of, willis_ratio, willis_speed
-from gearwright.train.flow import RATED, PowerFlow, asked_speeds, power_flow
+from gearwright.train.flow import PowerFlow, power_flows
 from gearwright.train.graph import Train, gear_of
-from gearwright.train.kinematics import rows, solve_speeds
 from gearwright.train.targets import Targets
+from gearwright.train.turning import Turning
+
+EQUAL = 1e-9
+"""Masses that differ by less are equal: the first of them, of the fewest teeth, is taken, whatever the rounding."""
 
 
 def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, int]:
@@ -59,7 +62,8 @@ def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, in
             )
         tasks.remove(task)
         front = _joined(design, _extend(front, task, design, nominal))
-    best = front.take(np.array([int(np.argmin(front.mass))]))
+    mass = front.mass
+    best = front.take(np.array([int(np.argmax(mass <= mass.min() * (1.0 + EQUAL)))]))
     return {name: int(value[0]) for name, value in best.teeth.items()}
 
 
@@ -74,11 +78,10 @@ def _nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[
             pinion, wheel = (gear_of(name, side, stage) for side in ("pinion", "wheel"))
             size = real.get(pinion) or (real[wheel] / ratio if wheel in real else 1.0)
             real |= {pinion: size, wheel: size * ratio}
-    flows = {case: power_flow(design, train, real, case) for case in (RATED, *design.cases)}
-    asked = asked_speeds(design, {})
-    _, yielded = solve_speeds(train, rows(train, real, train.joints), asked)
-    free = {each.machine for each in yielded}
-    return flows, {train.machines[machine] for machine in asked if machine not in free}
+    turning = Turning(design, train, real)
+    free = {each.machine for each in turning.yielded}
+    kept = {shaft for machine, shaft in train.machines.items() if machine not in free}
+    return power_flows(design, turning), kept
 
 
 def groups_of(design: Design) -> dict[str, str]:
@@ -127,6 +130,8 @@ def _ready(task: Task, front: Front) -> bool:
 
 def _joined(design: Design, front: Front) -> Front:
     """Carry speeds across clutches."""
+    if not design.clutches:
+        return front
     speeds = dict(front.speeds)
     for clutch in design.clutches.values():
         ends = (clutch.driving, clutch.driven)
@@ -145,19 +150,25 @@ def _extend(front: Front, task: Task, design: Design, nominal: Targets) -> Front
             parent, small, large = all_candidates(task, design)
         else:
             parent, small, large = candidates(front, task, design, target, reach=reach)
+        fits = admissible(task, design, small, large)
+        parent, small, large = parent[fits], small[fits], large[fits]
         actual = 1.0 + 2.0 * large / small if isinstance(task.stage, Planetary) else large / small
-        speeds = _new_speeds(front, task, parent, actual)
-        near = admissible(task, design, small, large) & (open_ | _near(task, design, actual, target[parent]))
-        good = near & _speeds_hold(task, design, speeds, len(small))
+        if not open_:
+            near = _near(task, design, actual, target[parent])
+            parent, small, large, actual = parent[near], small[near], large[near], actual[near]
+        grown = front.take(parent)
+        speeds = _new_speeds(grown, task, actual)
+        good = _speeds_hold(task, design, speeds, len(small))
         if good.any():
             break
     else:
-        if near.any():
-            raise contradiction(task.name, task.stage, design, float(np.median(actual[near])))
+        if len(actual):
+            raise contradiction(task.name, task.stage, design, float(np.median(actual)))
         raise refusal(task.name, task.stage, design, float(np.median(target)), fewest=fewest_teeth(task.rating))
-    grown = front.take(parent[good])
-    grown = replace(grown, speeds={**grown.speeds, **{shaft: value[good] for shaft, value in speeds.items()}})
-    return _weigh(grown, task, small[good], large[good])
+    grown = replace(grown, speeds={**grown.speeds, **speeds})
+    if not good.all():
+        grown, small, large = grown.take(good), small[good], large[good]
+    return _weigh(grown, task, small, large)
 
 
 def _is_open(front: Front, task: Task, design: Design) -> bool:
@@ -194,9 +205,9 @@ def _known(shafts: tuple[str, ...], front: Front) -> str:
     return next((shaft for shaft in shafts if shaft in front.speeds), shafts[0])
 
 
-def _new_speeds(front: Front, task: Task, parent: Integers, ratio: Floats) -> dict[str, Floats]:
+def _new_speeds(front: Front, task: Task, ratio: Floats) -> dict[str, Floats]:
     """Return the speeds of the shafts that a stage reaches."""
-    known = {shaft: value[parent] for shaft, value in front.speeds.items()}
+    known = front.speeds
     if isinstance(task.stage, Planetary):
         missing = [member for member in members_of(task.stage) if member != GROUND and member not in known]
         return {member: willis_speed(task.stage, member, ratio, known) for member in missing}
@@ -234,7 +245,8 @@ def _weigh(front: Front, task: Task, small: Integers, large: Integers) -> Front:
         internal=isinstance(stage, Pair) and stage.internal,
         idler=isinstance(stage, Planetary),
     )
-    cube = np.maximum(bending, contact) ** 3
+    module = np.maximum(bending, contact)
+    cube = module * module * module
     group = task.group
     cubes = {**front.cubes, group: np.maximum(front.cubes.get(group, 0.0), cube)}
     volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + factor}

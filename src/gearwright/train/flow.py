@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.spec import GROUND, Design, Drive, Pair
-from gearwright.train.graph import Joint, Train
-from gearwright.train.kinematics import Array, Yielded, rows, solve_speeds
-from gearwright.train.statics import MAX_REVERSALS, Sharing, lossy, solve_torques
+from gearwright.train.graph import Joint, Mesh, Train
+from gearwright.train.kinematics import Array, Yielded
+from gearwright.train.statics import MAX_REVERSALS, Sharing, balance, lossy, solve_torques
+from gearwright.train.turning import Turn, Turning, asked_speeds, drives_of
 
 RATED = "rated"
 """Name of the case that every design has: each machine at its rated power."""
@@ -66,38 +66,6 @@ class PowerFlow:
         return abs(sum(powers) - self.loss) / supplied if supplied else 0.0
 
 
-def asked_speeds(design: Design, drives: Mapping[str, Drive]) -> dict[str, float]:
-    """Return machine -> asked speed [rad/s] in the order in which they are kept.
-
-    Args:
-        design: With the machines' rated speeds and the order of keeping.
-        drives: The case; a speed given there comes first and replaces the rated one.
-    """
-    machines = design.machines
-    order = [*(design.speeds.keep or []), *design.turbines, *design.motors, *design.propellers]
-    given = [name for name in order if name in drives and drives[name].speed is not None]
-    speeds = {name: drives[name].speed or 0.0 for name in given}
-    if not given:
-        speeds = {name: machines[name].speed for name in dict.fromkeys(order)}
-    reversed_ = {name for name, motor in design.motors.items() if motor.reverse}
-    return {name: -speed if name in reversed_ else speed for name, speed in speeds.items()}
-
-
-def drives_of(design: Design, case: str) -> dict[str, Drive]:
-    """Return what each machine does in a case.
-
-    Args:
-        design: With its cases.
-        case: Name of one of them, or ``rated``: every machine at rated power, the propellers balance.
-    """
-    if case in design.cases:
-        return dict(design.cases[case])
-    rated = {name: turbine.power for name, turbine in design.turbines.items()}
-    drives = {name: Drive(power=power) for name, power in rated.items()}
-    drives |= {name: Drive(power=None if motor.balances else motor.power) for name, motor in design.motors.items()}
-    return drives
-
-
 def power_flow(
     design: Design, train: Train, teeth: Mapping[str, float], case: str = RATED, *,
     efficiency: Mapping[str, float] | None = None,
@@ -115,39 +83,52 @@ def power_flow(
         DesignError: If shafts are locked or free, or no torques balance.
         SolveError: If losses leave no steady direction of the power.
     """
-    drives = drives_of(design, case)
+    return _flow(design, Turning(design, train, teeth), case, efficiency or {})
+
+
+def power_flows(
+    design: Design, turning: Turning, *, efficiency: Mapping[str, float] | None = None
+) -> dict[str, PowerFlow]:
+    """Return the speeds, torques and powers of every case, the rated one first.
+
+    Args:
+        design: With machines and cases.
+        turning: Its graph with the teeth.
+        efficiency: Stage -> efficiency of each of its meshes [-]; left out: lossless.
+
+    Raises:
+        DesignError: As `power_flow`.
+        SolveError: As `power_flow`.
+    """
+    return {case: _flow(design, turning, case, efficiency or {}) for case in (RATED, *design.cases)}
+
+
+def _flow(design: Design, turning: Turning, case: str, efficiency: Mapping[str, float]) -> PowerFlow:
+    train, drives = turning.train, drives_of(design, case)
     joints = list(train.joints)
-    senses = _senses(design, train, teeth)
     while True:
-        matrix = rows(train, teeth, joints)
-        asked = _asked_of_turning(design, train, drives, joints)
-        turning = {name: abs(speed) * senses[train.machines[name]] for name, speed in asked.items()}
-        speeds, yielded = solve_speeds(train, matrix, turning)
-        losses = np.array([(efficiency or {}).get(mesh.stage, 1.0) for mesh in train.meshes] + [1.0] * len(joints))
-        torques, multipliers, effective = _balance(design, train, (matrix, speeds, losses), drives, case)
+        asked = _asked(design, turning, drives, joints)
+        signed = {name: abs(speed) * turning.senses[train.machines[name]] for name, speed in asked.items()}
+        turn = turning.turn(signed, joints)
+        torques, multipliers, effective = _balance(design, train, turn, efficiency, drives, case=case)
         slipping = [
             joint
             for k, joint in enumerate(joints)
-            if _overruns(joint, multipliers[len(train.meshes) + k], train, speeds)
+            if _overruns(joint, multipliers[len(train.meshes) + k], train, turn.speeds)
         ]
         if not slipping:
             break
         joints.remove(slipping[0])
-    return _collect(train, case, (speeds, torques, multipliers, effective), joints, tuple(yielded))
+    return _collect(train, case, (turn, torques, multipliers, effective), joints)
 
 
-def _senses(design: Design, train: Train, teeth: Mapping[str, float]) -> dict[str, float]:
-    """Return the sense in which every shaft turns, ±1: that of the rated speeds, whatever drives in a case."""
-    speeds, _ = solve_speeds(train, rows(train, teeth, train.joints), asked_speeds(design, {}))
-    return {node: -1.0 if speed < 0.0 else 1.0 for node, speed in zip(train.nodes, speeds, strict=True)}
-
-
-def _asked_of_turning(
-    design: Design, train: Train, drives: Mapping[str, Drive], joints: list[Joint]
-) -> dict[str, float]:
+def _asked(design: Design, turning: Turning, drives: Mapping[str, Drive], joints: list[Joint]) -> Mapping[str, float]:
     """Return the asked speeds; a machine that idles behind an open clutch stands still."""
-    asked = asked_speeds(design, drives)
+    own = any(drive.speed is not None for drive in drives.values())
+    asked, train = asked_speeds(design, drives) if own else turning.asked, turning.train
     opened = [joint for joint in train.joints if joint not in joints]
+    if not opened:
+        return asked
     idle = {
         name
         for name in asked
@@ -161,41 +142,41 @@ def _overruns(joint: Joint, multiplier: float, train: Train, speeds: Array) -> b
     """Tell whether an overrunning clutch has nothing to transmit, or would have to pull its driving shaft."""
     if not joint.overrunning:
         return False
-    turning = speeds[train.nodes.index(joint.driven)]
+    turning = speeds[train.column[joint.driven]]
     return bool(-multiplier * np.sign(turning or 1.0) <= 1e-9)
 
 
 def _balance(
-    design: Design, train: Train, state: tuple[Array, Array, Array], drives: Mapping[str, Drive], case: str
+    design: Design, train: Train, turn: Turn, efficiency: Mapping[str, float], drives: Mapping[str, Drive], *, case: str
 ) -> tuple[dict[str, float], Array, Array]:
     """Return machine torques, multipliers and the torque matrix, with losses in the direction of the power."""
-    matrix, speeds, efficiency = state
-    column = {name: k for k, name in enumerate(train.nodes)}
+    matrix, speeds = turn.matrix, turn.speeds
     machine_torques, balancing = _machine_torques(design, train, speeds, drives, case)
     applied = np.zeros(len(train.nodes))
     for name, torque in machine_torques.items():
-        applied[column[train.machines[name]]] += torque
-    unknown = np.zeros((len(train.nodes), len(balancing)))
-    for k, name in enumerate(balancing):
-        unknown[column[train.machines[name]], k] = 1.0
+        applied[train.column[train.machines[name]]] += torque
+    taking = [train.column[train.machines[name]] for name in balancing]
     sharing = _sharing(design, train)
-    effective, direction = matrix, np.zeros(len(matrix))
-    noise = 1e-9 * float(np.abs(applied * speeds).max(initial=0.0))
+    effective, known, direction = matrix, turn.balance(taking), np.zeros(0)
     for _ in range(MAX_REVERSALS):
-        solved = solve_torques(effective, applied, unknown, sharing=sharing)
+        solved = solve_torques(known, applied, sharing=sharing)
         if solved is None:
             raise _unbalanced(train, balancing, case)
-        multipliers, found = solved
+        multipliers, found = solved[: len(matrix)], solved[len(matrix) :]
+        if all(each == 1.0 for each in efficiency.values()):
+            break
+        noise = 1e-9 * float(np.abs(applied * speeds).max(initial=0.0))
         previous, direction = direction, _direction(multipliers * _rolling(train, matrix, speeds), noise)
-        if np.all(efficiency == 1.0) or np.array_equal(previous, direction):
+        if np.array_equal(previous, direction):
             break
         effective = _with_losses(train, matrix, direction, efficiency)
+        known = balance(effective, taking)
     else:
         raise SolveError(
             f"cases.{case}: the power through the teeth changes its direction from round to round, so that its losses"
             " cannot be found; nearly all of it circulates. Use higher efficiencies, or other teeth"
         )
-    machine_torques.update(dict(zip(balancing, (float(each) for each in found), strict=True)))
+    machine_torques.update(zip(balancing, found.tolist(), strict=True))
     return machine_torques, multipliers, effective
 
 
@@ -212,7 +193,7 @@ def _machine_torques(
     balancing: list[str] = []
     problems: list[Problem] = []
     for name, shaft in train.machines.items():
-        speed = float(speeds[train.nodes.index(shaft)])
+        speed = float(speeds[train.column[shaft]])
         drive = drives.get(name)
         if drive is None:
             if name in design.propellers:
@@ -260,12 +241,14 @@ def _rolling(train: Train, matrix: Array, speeds: Array) -> Array:
 def _teeth_of(train: Train, matrix: Array, row: int) -> float:
     """Return z_a of a mesh row from the matrix, also where gear a is on the ground."""
     one, other, carrier = train.meshes[row].nodes
-    entry = {node: matrix[row, train.nodes.index(node)] for node in (one, other, carrier) if node != GROUND}
+    entry = {node: matrix[row, train.column[node]] for node in (one, other, carrier) if node != GROUND}
     return float(entry[one] if one in entry else -entry[other] - entry[carrier])
 
 
-def _with_losses(train: Train, matrix: Array, direction: Array, efficiency: Array) -> Array:
+def _with_losses(train: Train, matrix: Array, direction: Array, efficiency: Mapping[str, float]) -> Array:
     """Return the torque matrix of meshes whose driving side is known."""
+    kept = np.ones(len(matrix))
+    kept[: len(train.meshes)] = [efficiency.get(mesh.stage, 1.0) for mesh in train.meshes]
     # The ground gets a column here: a ring that stands still is driven too, and its losses load the carrier.
     whole = np.hstack([matrix, -matrix.sum(axis=1, keepdims=True)])
     column = {node: k for k, node in enumerate((*train.nodes, GROUND))}
@@ -274,7 +257,7 @@ def _with_losses(train: Train, matrix: Array, direction: Array, efficiency: Arra
         ends = mesh.nodes[:2] if direction[k] > 0.0 else mesh.nodes[1::-1]
         for node, part in zip(ends, (driving, driven), strict=True):
             part[k, column[node]] = whole[k, column[node]]
-    return lossy(whole, driving, driven, efficiency)[:, :-1]
+    return lossy(whole, driving, driven, kept)[:, :-1]
 
 
 def _unbalanced(train: Train, balancing: list[str], case: str) -> DesignError:
@@ -295,14 +278,14 @@ def _unbalanced(train: Train, balancing: list[str], case: str) -> DesignError:
 
 
 def _collect(
-    train: Train, case: str, solved: tuple[Array, dict[str, float], Array, Array], joints: list[Joint],
-    yielded: tuple[Yielded, ...],
-) -> PowerFlow:  # fmt: skip
-    speeds, torques, multipliers, effective = solved
-    noise = STANDSTILL * float(np.abs(speeds).max(initial=0.0))
-    turning = np.where(np.abs(speeds) > noise, speeds, 0.0)
-    speed = {**{name: float(value) for name, value in zip(train.nodes, turning, strict=True)}, GROUND: 0.0}
-    meshes = {mesh.name: _mesh_flow(train, k, speed, multipliers, effective) for k, mesh in enumerate(train.meshes)}
+    train: Train, case: str, solved: tuple[Turn, dict[str, float], Array, Array], joints: list[Joint]
+) -> PowerFlow:
+    turn, torques, multipliers, effective = solved
+    found, carried, by_node = turn.speeds.tolist(), multipliers.tolist(), effective.tolist()
+    noise = STANDSTILL * max(map(abs, found), default=0.0)
+    speed = {name: value if abs(value) > noise else 0.0 for name, value in zip(train.nodes, found, strict=True)}
+    speed[GROUND] = 0.0
+    meshes = {mesh.name: _mesh_flow(train, mesh, speed, carried[k], by_node[k]) for k, mesh in enumerate(train.meshes)}
     start = len(train.meshes)
     return PowerFlow(
         case=case,
@@ -310,21 +293,20 @@ def _collect(
         machine_torques=torques,
         machine_powers={name: torque * speed[train.machines[name]] for name, torque in torques.items()},
         meshes=meshes,
-        joints={joint.name: -float(multipliers[start + k]) for k, joint in enumerate(joints)},
-        yielded=yielded,
+        joints={joint.name: -carried[start + k] for k, joint in enumerate(joints)},
+        yielded=turn.yielded,
     )
 
 
 def _mesh_flow(
-    train: Train, row: int, speed: Mapping[str, float], multipliers: NDArray[np.float64], effective: Array
+    train: Train, mesh: Mesh, speed: Mapping[str, float], multiplier: float, effective: list[float]
 ) -> MeshFlow:
     """Return what a row carries; a member on the ground takes what the other two leave."""
-    mesh = train.meshes[row]
-    torque = {
-        node: float(multipliers[row] * effective[row, train.nodes.index(node)]) for node in mesh.nodes if node != GROUND
-    }
-    torque.setdefault(GROUND, -sum(torque.values()))
-    one, other, carrier = (torque[node] for node in mesh.nodes)
-    inward = -one * (speed[mesh.nodes[0]] - speed[mesh.nodes[2]])
-    outward = other * (speed[mesh.nodes[1]] - speed[mesh.nodes[2]])
-    return MeshFlow(mesh.name, float(multipliers[row]), (one, other, carrier), inward, inward - outward)
+    torque = {node: multiplier * effective[train.column[node]] for node in mesh.nodes if node != GROUND}
+    if len(torque) < len(mesh.nodes):
+        torque[GROUND] = -sum(torque.values())
+    first, second, third = mesh.nodes
+    one, other, carrier = torque[first], torque[second], torque[third]
+    inward = -one * (speed[first] - speed[third])
+    outward = other * (speed[second] - speed[third])
+    return MeshFlow(mesh.name, multiplier, (one, other, carrier), inward, inward - outward)

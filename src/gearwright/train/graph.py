@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 from gearwright.spec import GROUND, Design, Pair, Planetary
@@ -75,6 +76,11 @@ class Train:
     """Every clutch that is not open."""
     machines: Mapping[str, str]
     """Machine -> shaft."""
+
+    @cached_property
+    def column(self) -> Mapping[str, int]:
+        """Node -> its place among the nodes."""
+        return {name: k for k, name in enumerate(self.nodes)}
 
     def gear(self, name: str) -> Gear:
         """Return a gear by its name.

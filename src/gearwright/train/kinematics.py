@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -45,21 +46,16 @@ def rows(train: Train, teeth: Mapping[str, float], joints: Sequence[Joint]) -> A
     Returns:
         Shape (rows, nodes); the ground has no column, as it stands still.
     """
-    column = {name: k for k, name in enumerate(train.nodes)}
-    matrix = np.zeros((len(train.meshes) + len(joints), len(train.nodes)))
-
-    def add(row: int, node: str, value: float) -> None:
-        if node != GROUND:
-            matrix[row, column[node]] += value
-
-    for k, mesh in enumerate(train.meshes):
-        z_a, z_b = (teeth[gear] for gear in mesh.gears)
-        add(k, mesh.nodes[0], z_a)
-        add(k, mesh.nodes[1], -mesh.sign * z_b)
-        add(k, mesh.nodes[2], mesh.sign * z_b - z_a)
-    for k, joint in enumerate(joints, start=len(train.meshes)):
-        add(k, joint.driving, 1.0)
-        add(k, joint.driven, -1.0)
+    written = []
+    for mesh in train.meshes:
+        z_a, z_b = teeth[mesh.gears[0]], mesh.sign * teeth[mesh.gears[1]]
+        written.append(zip(mesh.nodes, (z_a, -z_b, z_b - z_a), strict=True))
+    written += [zip((joint.driving, joint.driven), (1.0, -1.0), strict=True) for joint in joints]
+    matrix = np.zeros((len(written), len(train.nodes)))
+    for k, entries in enumerate(written):
+        for node, value in entries:
+            if node != GROUND:
+                matrix[k, train.column[node]] += value
     return matrix
 
 
@@ -78,29 +74,28 @@ def solve_speeds(train: Train, matrix: Array, asked: Mapping[str, float]) -> tup
     Raises:
         DesignError: If a shaft is locked, or speeds stay free; the shafts are named.
     """
-    column = {name: k for k, name in enumerate(train.nodes)}
-    scaled = matrix / np.maximum(np.linalg.norm(matrix, axis=1, keepdims=True), 1e-300)
-    free = _null_space(scaled)
-    motions = np.zeros((0, free.shape[1]))
+    free = _motions(matrix)
+    freedoms, of_node = free.shape[1], free.tolist()
+    motions: list[list[float]] = []
     speeds: list[float] = []
     kept: list[str] = []
     for machine, speed in asked.items():
-        motion = free[column[train.machines[machine]]]
-        length = np.linalg.norm(motion)
+        motion = of_node[train.column[train.machines[machine]]]
+        length = math.hypot(*motion)
         if length < RANK_TOLERANCE:
             raise _locked(train, matrix, machine)
-        if len(kept) == free.shape[1]:
+        if len(kept) == freedoms:
             continue  # every freedom is determined
-        extended = np.vstack([motions, motion / length])
+        extended = [*motions, [each / length for each in motion]]
         if not kept or np.linalg.matrix_rank(extended, tol=RANK_TOLERANCE) > len(motions):
             motions = extended
-            speeds.append(speed / float(length))
+            speeds.append(speed / length)
             kept.append(machine)
-    if len(kept) < free.shape[1]:
-        raise _free(train, free, motions, len(kept))
-    omega: Array = free @ np.linalg.solve(motions, np.array(speeds)) if kept else np.zeros(len(train.nodes))
+    if len(kept) < freedoms:
+        raise _free(train, free, np.array(motions), len(kept))
+    omega: Array = free @ np.linalg.solve(motions, speeds) if kept else np.zeros(len(train.nodes))
     yielded = [
-        Yielded(machine, abs(speed), abs(float(omega[column[train.machines[machine]]])))
+        Yielded(machine, abs(speed), abs(float(omega[train.column[train.machines[machine]]])))
         for machine, speed in asked.items()
         if machine not in kept and speed
     ]
@@ -108,8 +103,13 @@ def solve_speeds(train: Train, matrix: Array, asked: Mapping[str, float]) -> tup
 
 
 @remembered
-def _null_space(matrix: Array) -> Array:
+def _motions(matrix: Array) -> Array:
     """Return an orthonormal basis (nodes, freedoms) of the motions that the rows allow."""
+    return _null_space(matrix / np.maximum(np.linalg.norm(matrix, axis=1, keepdims=True), 1e-300))
+
+
+def _null_space(matrix: Array) -> Array:
+    """Return an orthonormal basis (columns, dimensions) of what the rows take to zero."""
     if not len(matrix):
         return np.eye(matrix.shape[1])
     _, values, right = np.linalg.svd(matrix)
@@ -121,7 +121,7 @@ def _null_space(matrix: Array) -> Array:
 def _locked(train: Train, matrix: Array, machine: str) -> DesignError:
     """Say which rows lock a machine's shaft: those without one of which it would turn."""
     shaft = train.machines[machine]
-    node = train.nodes.index(shaft)
+    node = train.column[shaft]
     names = [mesh.name for mesh in train.meshes] + [joint.name for joint in train.joints]
     guilty = [
         names[k]

@@ -4,30 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache, wraps
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Result = TypeVar("Result", Array, tuple[Array, Array, Array, Array])
 KEPT = 1024
 """Latest matrices of which the result is kept: some 1 MB."""
 
 
-def remembered(function: Callable[[Array], Array]) -> Callable[[Array], Array]:
+def remembered(function: Callable[[Array], Result]) -> Callable[[Array], Result]:
     """Return a function of one matrix that keeps its latest results, which are not to be written to.
 
     Args:
-        function: Its result depends on the matrix alone.
+        function: Its result, one array or several, depends on the matrix alone.
     """
 
     @lru_cache(maxsize=KEPT)
-    def kept(content: bytes, shape: tuple[int, ...]) -> Array:
+    def kept(content: bytes, shape: tuple[int, ...]) -> Result:
         result = function(np.frombuffer(content).reshape(shape))
-        result.flags.writeable = False
+        for array in (result,) if isinstance(result, np.ndarray) else result:
+            array.flags.writeable = False
         return result
 
     @wraps(function)
-    def looked_up(matrix: Array) -> Array:
+    def looked_up(matrix: Array) -> Result:
         return kept(matrix.tobytes(), matrix.shape)
 
     return looked_up

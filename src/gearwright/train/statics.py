@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,45 +34,64 @@ class Sharing:
     """True if the design gives the shares, so that they hold before any other."""
 
 
-def solve_torques(
-    matrix: Array, applied: Array, balancing: Array, *, sharing: Sequence[Sharing] = ()
-) -> tuple[Array, Array] | None:
-    """Return the multipliers of the rows and the torques of the balancing machines.
+class Balance(NamedTuple):
+    """The equations of a train's torques, ready to be solved for one load after the other."""
+
+    system: Array
+    """(nodes, unknowns): torque on each node per unit of each unknown."""
+    scaled: Array
+    """The same with columns of unit length, which lets powers close to rounding."""
+    scale: Array
+    """(unknowns,) Lengths of the columns."""
+    inverse: Array
+    """(unknowns, nodes) Of `scaled`, in the least-squares sense."""
+    free: Array
+    """(unknowns, freedoms) Basis of what balances by itself."""
+
+
+def balance(matrix: Array, balancing: Sequence[int]) -> Balance:
+    """Return the equations T + Aᵀ λ = 0.
 
     Args:
         matrix: (rows, nodes) torque on each node per unit multiplier of each row; A itself where nothing is lost.
+        balancing: Nodes of the machines whose torque balances.
+    """
+    machines = np.zeros((matrix.shape[1], len(balancing)))
+    machines[balancing, range(len(balancing))] = 1.0
+    system = np.hstack([matrix.T, machines])
+    return Balance(system, *_prepared(system))
+
+
+def solve_torques(known: Balance, applied: Array, *, sharing: Sequence[Sharing] = ()) -> Array | None:
+    """Return the multipliers of the rows, then the torques of the balancing machines.
+
+    Args:
+        known: The equations.
         applied: (nodes,) torques that are given [N m].
-        balancing: (nodes, machines) unit columns of the machines whose torque balances.
         sharing: Groups of parallel rows.
 
     Returns:
-        λ (rows,) [N m per tooth] and torques (machines,) [N m], or None where no torques balance.
+        λ of every row [N m per tooth] and torque of every machine [N m], or None where no torques balance.
     """
-    system = np.hstack([matrix.T, balancing])
-    solution = _solve(system, -applied)
-    scale = max(float(np.abs(applied).max(initial=0.0)), 1e-30)
-    if np.abs(system @ solution + applied).max(initial=0.0) > BALANCE_TOLERANCE * scale:
+    first = known.inverse @ -applied
+    left = known.scaled @ first + applied
+    solution: Array = (first - known.inverse @ left) / known.scale
+    largest = max(float(np.abs(applied).max(initial=0.0)), 1e-30)
+    if np.abs(known.system @ solution + applied).max(initial=0.0) > BALANCE_TOLERANCE * largest:
         return None
-    free = _null_space(system)
-    if free.shape[1]:
-        solution = _share(solution, free, sharing)
-    split = len(matrix)
-    return solution[:split], solution[split:]
-
-
-def _solve(system: Array, right: Array) -> Array:
-    """Return the least solution, columns scaled to unit length and refined once, so that powers close to rounding."""
-    scale = np.maximum(np.linalg.norm(system, axis=0), 1e-300)
-    scaled = system / scale
-    inverse = _inverse(scaled)
-    first = inverse @ right
-    solution: Array = (first + inverse @ (right - scaled @ first)) / scale
-    return solution
+    return _share(solution, known.free, sharing) if known.free.shape[1] else solution
 
 
 @remembered
-def _inverse(matrix: Array) -> Array:
-    return np.asarray(np.linalg.pinv(matrix, rcond=1e-12), dtype=np.float64)
+def _prepared(system: Array) -> tuple[Array, Array, Array, Array]:
+    """Return the columns of a system scaled to unit length, their lengths, the inverse, and the freedoms."""
+    scale = np.maximum(np.linalg.norm(system, axis=0), 1e-300)
+    scaled = system / scale
+    left, values, right = np.linalg.svd(scaled, full_matrices=False)
+    largest = values.max(initial=0.0)
+    inverse = (right.T / np.where(values > 1e-12 * largest, values, np.inf)) @ left.T
+    determined = len(values) == system.shape[1] and bool(np.all(values > 1e-10 * largest))
+    return scaled, scale, inverse, np.zeros((system.shape[1], 0)) if determined else _null_space(system)
 
 
 def _share(solution: Array, free: Array, sharing: Sequence[Sharing]) -> Array:
@@ -97,7 +117,6 @@ def _equal(group: Sharing, size: int) -> list[Array]:
     return equations
 
 
-@remembered
 def _null_space(matrix: Array) -> Array:
     _, values, right = np.linalg.svd(matrix)
     rank = int(np.sum(values > 1e-10 * max(values[0], 1e-300))) if len(values) else 0

@@ -15,9 +15,9 @@ import numpy as np
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of, members_of, willis_ratio, willis_speed
-from gearwright.train.flow import asked_speeds
 from gearwright.train.kinematics import Array
 from gearwright.train.memory import remembered
+from gearwright.train.turning import asked_speeds
 
 # Weights of what holds first, in log speeds: the kept speed, given teeth and ratios, other machines, equal ratios.
 _KEPT, _GIVEN, _ASKED, _EQUAL = 1e9, 1e6, 1e3, 1.0
