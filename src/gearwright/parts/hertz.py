@@ -78,8 +78,8 @@ def contact_stress(
 
 
 def module_hertz(
-    torque_per_tooth: ArrayLike, curvature: ArrayLike, width_ratio: float, *, allowable: float, elastic_modulus: float,
-    angles: ContactAngles, helix_angle: float = 0.0,
+    torque_per_tooth: ArrayLike, curvature: ArrayLike, width_ratio: ArrayLike, *, allowable: float,
+    elastic_modulus: float, angles: ContactAngles, helix_angle: float = 0.0,
 ) -> Array:  # fmt: skip
     """Return the smallest normal module whose flanks bear contact [m].
 
@@ -98,4 +98,4 @@ def module_hertz(
         math.cos(angles.line) * math.cos(helix_angle) ** 2 / (math.cos(angles.pressure) * math.sin(angles.pressure))
     )
     load = 4.0 * np.asarray(torque_per_tooth, dtype=float) * np.asarray(curvature) * elastic_modulus * geometry
-    return np.asarray(np.cbrt(HERTZ_COEFFICIENT**2 * load / (width_ratio * allowable**2)))
+    return np.asarray(np.cbrt(HERTZ_COEFFICIENT**2 * load / (np.asarray(width_ratio) * allowable**2)))

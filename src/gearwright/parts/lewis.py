@@ -60,7 +60,7 @@ def virtual_teeth(teeth: ArrayLike, helix_angle: float, pressure_angle: float) -
 def module_lewis(
     torque_per_tooth: ArrayLike,
     form_factor: ArrayLike,
-    width_ratio: float,
+    width_ratio: ArrayLike,
     *,
     allowable: float,
     helix_angle: float = 0.0,
@@ -81,7 +81,7 @@ def module_lewis(
     1.68
     """
     load = 2.0 * np.asarray(torque_per_tooth, dtype=float) * math.cos(helix_angle)
-    return np.asarray(np.cbrt(load / (width_ratio * np.asarray(form_factor) * allowable)))
+    return np.asarray(np.cbrt(load / (np.asarray(width_ratio) * np.asarray(form_factor) * allowable)))
 
 
 def bending_stress_lewis(tangential_force: float, face_width: float, module: float, *, form_factor: float) -> float:

@@ -21,7 +21,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from gearwright.errors import DesignError, Problem
-from gearwright.sizing.gears import Context
+from gearwright.sizing.context import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.spec.design import Design
 from gearwright.train.graph import INTERNAL, Train

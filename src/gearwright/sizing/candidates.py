@@ -7,6 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.parts.bevel_geometry import BevelTooth
+from gearwright.parts.involute import least_teeth
 from gearwright.parts.planets import assembles, neighbours_clear
 from gearwright.sizing.front import Floats, Front, Integers, Task
 from gearwright.sizing.rating import Rating
@@ -19,6 +21,8 @@ LARGEST_FREE_RATIO = 10
 """Largest tooth ratio z_2/z_1 that is looked at where a stage's ratio is the search's own choice."""
 LEAST_LEWIS = 12
 """Fewest teeth for which the Lewis form factor is tabulated."""
+LEAST_BEVEL = 8
+"""Fewest teeth of bevel pinions that are looked at; their cone decides what is undercut."""
 
 
 def is_given(stage: Pair | Planetary) -> bool:
@@ -87,6 +91,18 @@ def candidates(
     return _neighbours(target[:, None] * small, small, stage.wheel_teeth, reach)
 
 
+def _virtual_pinion(small: Integers, large: Integers) -> Floats:
+    """Return the virtual tooth number of the pinion of a bevel pair on square axes, z_1/cos δ_1 [-]."""
+    return np.asarray(small * np.hypot(small, large) / large)
+
+
+def _fewest_virtual(rating: Rating) -> float:
+    """Return the virtual tooth number below which the cutter undercuts a bevel pinion [-]."""
+    tool, angle = BevelTooth(), rating.rules.pressure_angle
+    straight = tool.dedendum - tool.edge_radii[0] * (1.0 - math.sin(angle))
+    return least_teeth(straight, pressure_angle=angle, helix_angle=rating.helix_angle)
+
+
 def all_candidates(task: Task, design: Design) -> tuple[Integers, Integers, Integers]:
     """Return every tooth number that a stage of free ratio may have, from a front of one choice.
 
@@ -128,6 +144,8 @@ def fewest_teeth(rating: Rating) -> int:
 
     Source: z_min = 2 cos β (1 − x) / sin² α_t; Pulvirenti 2023, eq. (2.6), approximates it: 2 cos³ β (1 − x)/sin² α.
     """
+    if rating.kind == "bevel":
+        return LEAST_BEVEL
     angle, rules = rating.helix_angle, rating.rules
     transverse = math.atan(math.tan(rules.pressure_angle) / math.cos(angle))
     return max(math.ceil(2.0 * math.cos(angle) * (1.0 - rules.profile_shift) / math.sin(transverse) ** 2), LEAST_LEWIS)
@@ -179,6 +197,8 @@ def admissible(task: Task, design: Design, small: Integers, large: Integers) -> 
             good &= (np.gcd(small, large) == 1) & (np.gcd(large, ring) == 1)
         return good
     good = np.minimum(small, large) >= (rules.pinion_minimum or fewest_teeth(task.rating))
+    if task.rating.kind == "bevel":
+        good &= _virtual_pinion(small, large) >= _fewest_virtual(task.rating)
     if rules.hunting:
         good &= np.gcd(small, large) == 1
     return good

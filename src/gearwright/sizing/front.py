@@ -56,3 +56,5 @@ class Task:
     """Largest nominal torque on the stage's reference gear per mesh, share and K_γ included [N m]."""
     speed: float
     """Nominal speed that belongs to it [rad/s]."""
+    rolling: float
+    """Nominal speed of pinion or sun against the carrier [rad/s]."""

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from gearwright.errors import DesignError, Problem, near
-from gearwright.sizing.gears import Context
+from gearwright.sizing.context import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.spec.design import Design, ShaftLayout
 from gearwright.train.graph import Train

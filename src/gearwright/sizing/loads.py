@@ -4,8 +4,9 @@ A mesh of a pair gives a tangential force that makes its torque, a radial force 
 single helix, an axial force whose lever about the shaft's axis is the pitch radius. Both halves of a double-helical
 gear take half of it, each in its own middle; their axial forces meet inside the gear's body. The members of a planetary
 set load their shaft by torque only: the forces of equal planets cancel. So does the pinion of face gears, which lies
-across and stands between opposite ones. Forces carry the mesh load factor K_γ,
-torques are those of the power flow. The thrust and the moments of a propeller are not in it.
+across and stands between opposite ones. A bevel mesh acts at its mean cone; in the cross-sections its two shafts stand
+side by side, as if the wheel's were turned into the pinion's. Forces carry the mesh load factor K_γ, torques are those
+of the power flow. The thrust and the moments of a propeller are not in it.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.parts.beam import PointLoads
-from gearwright.sizing.gears import Context
+from gearwright.sizing.context import Context
 from gearwright.sizing.layout import ShaftPlan
 from gearwright.sizing.result import GearSizing
 from gearwright.train.flow import RATED
@@ -96,8 +97,10 @@ def _meshes(
         if mesh.stage in given.design.pairs and name in mesh.nodes[:2]:
             side = mesh.nodes.index(name)
             gear = gears[mesh.gears[side]]
-            if given.design.pairs[mesh.stage].kind == "face":
-                yield _face_load(given, mesh, side, axes, gear).part(plan.places[gear.name], 1.0)
+            kind = given.design.pairs[mesh.stage].kind
+            if kind != "cylindrical":
+                crossing = _face_load if kind == "face" else _bevel_load
+                yield crossing(given, mesh, side, axes, gear).part(plan.places[gear.name], 1.0)
                 continue
             whole = _mesh_load(given, mesh, side, axes, gear)
             for half in range(mesh.count):
@@ -132,6 +135,40 @@ def _face_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, complex
     away = 1.0 if toward.real + toward.imag > 0.0 else -1.0
     axial = away * np.abs(tangential) * math.tan(rating.rules.pressure_angle)
     return _Load(0.0, torque, toward * 1j * tangential, -toward * radius * axial, axial)
+
+
+def _bevel_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], gear: GearSizing) -> _Load:
+    """Return what a bevel mesh puts on its pinion (0) or wheel (1), at the mean cone.
+
+    The hand of spiral is the one that pushes the pinion away from the apex in the rated case, which keeps backlash.
+    """
+    rating, pair, radius = given.ratings[mesh.stage], given.design.pairs[mesh.stage], gear.pitch_diameter / 2.0
+    torque = np.array([flow.meshes[mesh.name].torques[side] for flow in given.flows.values()])
+    tangential = torque / radius * rating.load_factor
+    rated = given.flows[RATED].meshes[mesh.name].torques[side]
+    pushed = np.sign(torque * rated) * (1.0 if side == 0 else -1.0)
+    cone, spiral = cone_angle(given.teeth, mesh, side), rating.helix_angle
+    scale, tangent = np.abs(tangential) / math.cos(spiral), math.tan(rating.rules.pressure_angle)
+    away = scale * (tangent * math.sin(cone) + pushed * math.sin(spiral) * math.cos(cone))
+    radial = scale * (tangent * math.cos(cone) - pushed * math.sin(spiral) * math.sin(cone))
+    apex = pair.pinion_apex if side == 0 else pair.wheel_apex
+    axial = away if apex == "first" else -away
+    toward = _toward_mesh(mesh, side, axes)
+    return _Load(0.0, torque, toward * (1j * tangential - radial), -toward * radius * axial, axial)
+
+
+def cone_angle(teeth: Mapping[str, int], mesh: Mesh, side: int) -> float:
+    """Return the pitch angle δ of a gear of a bevel pair on square axes [rad].
+
+    Args:
+        teeth: Tooth number of every gear [-].
+        mesh: Row of the pair.
+        side: 0 for the pinion, 1 for the wheel.
+
+    Source: ISO 23509:2016, tan δ_1 = z_1/z_2.
+    """
+    own, other = teeth[mesh.gears[side]], teeth[mesh.gears[1 - side]]
+    return math.atan2(own, other)
 
 
 def _toward_mesh(mesh: Mesh, side: int, axes: Mapping[str, complex]) -> complex:

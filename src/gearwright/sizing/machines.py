@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gearwright.machines.motor import LENGTH_RATIO, motor_diameter, motor_mass_ndarc, motor_mass_thesis, rotor_inertia
 from gearwright.machines.rotors import propeller_inertia, turbine_diameter, turbine_inertia
-from gearwright.sizing.gears import Context
+from gearwright.sizing.context import Context
 from gearwright.sizing.result import MachineSizing
 from gearwright.spec import Motor, Propeller, Turbine
 from gearwright.train.flow import RATED

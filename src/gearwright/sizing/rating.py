@@ -1,10 +1,11 @@
-"""The rating rules of one mesh, resolved: allowables, widths and the module that a torque per tooth asks for."""
+"""The rating rules of one stage, resolved: allowables, widths and the module that a torque per tooth asks for."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +14,8 @@ from gearwright.catalogue.materials import materials
 from gearwright.parts.hertz import ContactAngles, contact_angles, module_hertz
 from gearwright.parts.lewis import lewis_form_factor, module_lewis, virtual_teeth
 from gearwright.parts.material import Material, contact_strength
-from gearwright.spec import GearRules
+from gearwright.spec import Design, GearRules, Pair
+from gearwright.spec.service import Service
 
 Array = NDArray[np.float64]
 SPUR_WIDTH_RATIO = 10.0
@@ -25,45 +27,62 @@ class Rating:
     """Gear rules in the numbers that the formulas take."""
 
     rules: GearRules
+    kind: Literal["cylindrical", "face", "bevel"]
     material: Material
     helix_angle: float
-    """β [rad]."""
-    width_ratio: float
-    """λ = b/m_n [-]."""
+    """β, of bevel gears β_m [rad]."""
+    given_width_ratio: float | None
+    """λ = b/m_n where it does not depend on the teeth [-]."""
     bending_allowable: float
     """R_p0.2 over its factor [Pa]."""
     contact_allowable: float
     """2.5 HB over its factor [Pa]."""
     angles: ContactAngles
+    service: Service
 
     @property
     def load_factor(self) -> float:
         """K_γ [-]."""
         return self.rules.mesh_load_factor or 1.0
 
+    @property
+    def by_standard(self) -> bool:
+        """True where ISO 6336 or ISO 10300 rates the gears."""
+        return self.rules.rating == "iso6336"
 
-def rating_of(rules: GearRules, *, helical: bool) -> Rating:
-    """Return the resolved rules of a stage.
+
+def rating_of(design: Design, name: str) -> Rating:
+    """Return the resolved rules of a stage; planetary sets are spur.
 
     Args:
-        rules: As the design gives them.
-        helical: The helix angle applies (pairs); planetary sets are spur.
+        design: As read.
+        name: Of a pair or planetary set.
     """
+    rules, stage = design.rules(name), design.stages[name]
+    pair = stage if isinstance(stage, Pair) else None
+    helix = 0.0 if pair is None else pair.spiral_angle if pair.kind == "bevel" else rules.helix_angle
     material = materials()[rules.material]
-    helix = rules.helix_angle if helical else 0.0
     return Rating(
         rules=rules,
+        kind="cylindrical" if pair is None else pair.kind,
         material=material,
         helix_angle=helix,
-        width_ratio=width_ratio(rules, helix),
+        given_width_ratio=_given_width_ratio(rules, helix),
         bending_allowable=(material.yield_strength or 0.0) / rules.bending_safety,
         contact_allowable=contact_strength(material.surface_hardness or 0.0) / rules.contact_safety,
         angles=contact_angles(rules.pressure_angle, helix, transverse=rules.contact_angles == "transverse"),
+        service=design.service,
     )
 
 
+def _given_width_ratio(rules: GearRules, helix: float) -> float | None:
+    if rules.rating == "iso6336":
+        return rules.face_width_ratio
+    return width_ratio(rules, helix)
+
+
 def width_ratio(rules: GearRules, helix: float) -> float:
-    """Return λ = b/m_n [-]: given, or from the overlap ratio ε_β = b sin β / (π m_n), or that of spur gears.
+    """Return λ = b/m_n [-] of the first sizing: given, or from the overlap ratio, or that of spur gears.
 
     Args:
         rules: As the design gives them.
@@ -74,6 +93,25 @@ def width_ratio(rules: GearRules, helix: float) -> float:
     if rules.face_width_ratio is not None:
         return rules.face_width_ratio
     return rules.overlap_ratio * math.pi / math.sin(helix) if helix else SPUR_WIDTH_RATIO
+
+
+class Ask(NamedTuple):
+    """What is asked of one mesh."""
+
+    per_tooth: ArrayLike
+    """T/z of one mesh, its share of the load included [N m]."""
+    teeth: tuple[ArrayLike, ArrayLike]
+    """Tooth numbers of the two gears, the external (or smaller) one first [-]."""
+    width_ratio: ArrayLike
+    """λ = b/m_n [-]."""
+    internal: bool = False
+    """The second gear is internal."""
+    idler: bool = False
+    """A gear of the mesh is loaded on both flanks."""
+    speed: ArrayLike = 0.0
+    """Of the first gear against the carrier [rad/s]; only ISO 6336 asks for it."""
+    passes: tuple[float, float] = (1.0, 1.0)
+    """Mates that a tooth of each gear meets in a turn [-]; only ISO 6336 asks for it."""
 
 
 def form_factor(teeth: ArrayLike, rating: Rating) -> Array:
@@ -95,33 +133,27 @@ def _form_factor(teeth: float, helix: float, pressure_angle: float) -> Array:
     return lewis_form_factor(virtual_teeth(teeth, helix, pressure_angle))
 
 
-def modules(
-    torque_per_tooth: ArrayLike, teeth: tuple[ArrayLike, ArrayLike], rating: Rating, *, internal: bool = False,
-    idler: bool = False,
-) -> tuple[Array, Array]:  # fmt: skip
-    """Return the modules that bending and contact ask of a mesh [m].
+def first_modules(ask: Ask, rating: Rating) -> tuple[Array, Array]:
+    """Return the modules that Lewis's bending and Hertz's contact ask of a mesh [m].
 
     Args:
-        torque_per_tooth: T/z of one mesh, its share of the load included [N m].
-        teeth: Tooth numbers of the two gears, the external (or smaller) one first [-].
+        ask: Load and teeth. An internal gear is not the weaker in bending, and its curvature is negative.
         rating: Resolved rules.
-        internal: The second gear is internal: it is not the weaker in bending, and its curvature is negative.
-        idler: A gear of the mesh is loaded on both flanks.
     """
-    one, other = (np.asarray(each, dtype=float) for each in teeth)
-    weaker = one if internal else np.minimum(one, other)
-    allowable = rating.bending_allowable * (rating.rules.idler_factor if idler else 1.0)
+    one, other = (np.asarray(each, dtype=float) for each in ask.teeth)
+    weaker = one if ask.internal else np.minimum(one, other)
+    allowable = rating.bending_allowable * (rating.rules.idler_factor if ask.idler else 1.0)
     bending = module_lewis(
-        torque_per_tooth,
+        ask.per_tooth,
         form_factor(weaker, rating),
-        rating.width_ratio,
+        ask.width_ratio,
         allowable=allowable,
         helix_angle=rating.helix_angle,
     )
     contact = module_hertz(
-        torque_per_tooth,
-        1.0 / one - 1.0 / other if internal else 1.0 / one + 1.0 / other,
-        rating.width_ratio,
+        ask.per_tooth,
+        1.0 / one - 1.0 / other if ask.internal else 1.0 / one + 1.0 / other,
+        ask.width_ratio,
         allowable=rating.contact_allowable,
         elastic_modulus=rating.material.elastic_modulus,
         angles=rating.angles,

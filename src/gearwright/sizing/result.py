@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
+from gearwright.sizing.gear_rating import MeshRating
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing
 from gearwright.spec import Design
 from gearwright.train.flow import PowerFlow
@@ -92,6 +93,8 @@ class MeshSizing:
         float, Quantity("ratio"), Origin("2.5 HB / σ_H over the asked factor", f"{_THESIS}, eq. 2.2")
     ]
     """Allowable over actual contact pressure [-]; 1 is just enough."""
+    rating: MeshRating | None = None
+    """By ISO 6336 or ISO 10300, whose stresses and safeties then stand above; None for Lewis and Hertz."""
 
 
 @dataclass(frozen=True)

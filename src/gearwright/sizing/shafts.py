@@ -20,7 +20,7 @@ from gearwright.parts.shaft import (
     torsional_stiffness,
 )
 from gearwright.sizing.axes import axes_of
-from gearwright.sizing.gears import Context
+from gearwright.sizing.context import Context
 from gearwright.sizing.layout import ShaftPlan, plan_of
 from gearwright.sizing.loads import shaft_loads
 from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram, ShaftSizing

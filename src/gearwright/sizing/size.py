@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from gearwright.sizing.carriers import size_carriers
-from gearwright.sizing.gears import context, size_gears, size_meshes, stage_modules
+from gearwright.sizing.context import context
+from gearwright.sizing.gear_checks import gear_checks
+from gearwright.sizing.gears import size_gears, size_meshes
 from gearwright.sizing.machines import size_machines
 from gearwright.sizing.refusal import refuse_bores, refuse_contradictions
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import size_shafts
+from gearwright.sizing.stage_sizes import stage_sizes
 from gearwright.sizing.teeth import choose_teeth
 from gearwright.spec import Design
 from gearwright.spec.overrides import Overrides
@@ -33,7 +36,9 @@ def size(design: Design) -> Sizing:
     refuse_contradictions(design, flows)
     overrides = Overrides(design.overrides, design.origins)
     given = context(design, train, teeth, flows, overrides)
-    gears = size_gears(given, stage_modules(given))
+    sizes = stage_sizes(given)
+    gears = size_gears(given, sizes)
+    meshes = size_meshes(given, gears)
     shafts = size_shafts(given, gears)
     refuse_bores(shafts)
     overrides.take("gearbox.mass", "mass", 0.0)
@@ -43,10 +48,11 @@ def size(design: Design) -> Sizing:
         teeth=teeth,
         flows=flows,
         gears=gears,
-        meshes=size_meshes(given, gears),
+        meshes=meshes,
         shafts=shafts,
         carriers=size_carriers(given, gears, shafts),
         machines=size_machines(given),
+        checks=tuple(sorted(gear_checks(given, gears, meshes, sizes), key=lambda check: check.margin)),
         overrides=overrides.used,
         origins=overrides.origins,
     )

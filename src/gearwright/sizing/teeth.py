@@ -25,8 +25,10 @@ from gearwright.sizing.candidates import (
     is_given,
 )
 from gearwright.sizing.front import Floats, Front, Integers, Task
-from gearwright.sizing.rating import modules, rating_of
+from gearwright.sizing.modules import modules
+from gearwright.sizing.rating import Ask, rating_of
 from gearwright.sizing.refusal import contradiction, refusal
+from gearwright.sizing.standard_teeth import stage_width_ratio
 from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.edges import members_of, willis_ratio, willis_speed
 from gearwright.train.flow import PowerFlow, power_flows
@@ -101,19 +103,20 @@ def groups_of(design: Design) -> dict[str, str]:
 
 def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapping[str, PowerFlow]) -> Task:
     stage, edge = design.stages[name], nominal.edges.get(name)
-    rating = rating_of(design.rules(name), helical=isinstance(stage, Pair))
+    rating = rating_of(design, name)
     # The reference gear sits on the edge's fast shaft: the ring where the sun stands still, else sun or pinion.
     meshes = [mesh for mesh in train.meshes if mesh.stage == name]
     ring = edge is not None and edge.grounded == "sun"
     own_rows = meshes[1:] if ring else (meshes[:1] if isinstance(stage, Planetary) else meshes)
-    torque, speed = 0.0, 1.0
+    torque, speed, rolling = 0.0, 1.0, 1.0
     for flow in flows.values():
         for mesh in own_rows:
             each = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / mesh.count * rating.load_factor
             if each > torque:
                 torque = each
                 speed = abs(flow.speeds[mesh.nodes[1 if ring else 0]])
-    return Task(name, stage, edge, groups_of(design)[name], rating, torque, speed)
+                rolling = abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])
+    return Task(name, stage, edge, groups_of(design)[name], rating, torque, speed, rolling)
 
 
 def _ready(task: Task, front: Front) -> bool:
@@ -234,29 +237,34 @@ def _speeds_hold(task: Task, design: Design, speeds: Mapping[str, Floats], count
 def _weigh(front: Front, task: Task, small: Integers, large: Integers) -> Front:
     """Add a stage's teeth, module and bodies to the front."""
     stage, rating = task.stage, task.rating
-    names, factor = _bodies(task, small, large)
+    names, discs = _bodies(task, small, large)
     reference = small + 2 * large if task.edge is not None and task.edge.grounded == "sun" else small
     speed = front.speeds[task.edge.fast[0]] if task.edge is not None else np.full(len(small), task.speed)
     per_tooth = task.torque * task.speed / speed / reference
-    bending, contact = modules(
+    width_ratio = stage_width_ratio(rating, small, large)
+    planets = stage.planets if isinstance(stage, Planetary) else 1
+    ask = Ask(
         per_tooth,
         (small, large),
-        rating,
+        width_ratio,
         internal=isinstance(stage, Pair) and stage.internal,
         idler=isinstance(stage, Planetary),
+        speed=task.rolling,
+        passes=(planets, 1.0),
     )
+    bending, contact = modules(ask, rating)
     module = np.maximum(bending, contact)
     cube = module * module * module
     group = task.group
     cubes = {**front.cubes, group: np.maximum(front.cubes.get(group, 0.0), cube)}
-    volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + factor}
+    volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + width_ratio * discs}
     return Front({**front.teeth, **names}, front.speeds, cubes, volumes)
 
 
 def _bodies(task: Task, small: Integers, large: Integers) -> tuple[dict[str, Integers], Floats]:
-    """Return the stage's gears and the mass of its own bodies over m_n³ [kg/m³]."""
+    """Return the stage's gears and the mass of its own bodies over b m_n² [kg/m³]."""
     stage, rating = task.stage, task.rating
-    disc = math.pi / 4.0 * rating.width_ratio * rating.material.density / math.cos(rating.helix_angle) ** 2
+    disc = math.pi / 4.0 * rating.material.density / math.cos(rating.helix_angle) ** 2
     if isinstance(stage, Planetary):
         ring = small + 2 * large
         wall = rating.rules.rim_thickness_ratio

@@ -42,6 +42,8 @@ def _crossing(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
         yield Problem(f"{path}.axis_angle", f"{given:.6g} deg is not understood; only square axes are, 90")
     if pair.internal or pair.halves > 1:
         yield Problem(path, f"a {pair.kind}-gear pair is neither internal nor double-helical; leave that out")
+    if pair.kind == "bevel" and design.rules(name).rating != "iso6336":
+        yield Problem(f"{path}.gears.rating", 'bevel gears are rated by ISO 10300; write rating = "iso6336"')
     if design.rules(name).helix_angle:
         message = (
             "face gears are spur here; write 0" if pair.kind == "face" else "bevel gears have a spiral_angle; write 0"

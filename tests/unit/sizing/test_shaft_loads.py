@@ -7,7 +7,7 @@ import pytest
 from shaft_designs import INTERNAL, OFF_SET, SINGLE_HELIX, sized
 
 from gearwright.sizing.axes import axes_of
-from gearwright.sizing.gears import context
+from gearwright.sizing.context import context
 from gearwright.sizing.layout import plan_of
 from gearwright.sizing.loads import shaft_loads
 from gearwright.spec.overrides import Overrides
