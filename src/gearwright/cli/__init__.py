@@ -11,6 +11,7 @@ from typing import Annotated
 
 import typer
 
+from gearwright.cli.colibri import colibri
 from gearwright.cli.design import check, mass, modes, new, report, run, schema, simulate, size
 from gearwright.cli.dynamics import campbell, response, runup, validate
 from gearwright.cli.mission import fly
@@ -31,7 +32,7 @@ COMMANDS = (
     *(new, run, check, size, modes, simulate, report, schema),
     *(compare, study, status, resume, cluster),
     *(campbell, response, runup, sharing, fly),
-    *(mass, engines, validate, thesis),
+    *(mass, engines, validate, thesis, colibri),
 )
 for _command in COMMANDS:
     app.command()(_command)

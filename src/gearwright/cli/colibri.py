@@ -1,0 +1,55 @@
+"""The command ``colibri``: every number of the EC120B term project computed, its mistakes in red."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gearwright.cli.options import JsonOption
+
+
+class Part(StrEnum):
+    """Parts of the report."""
+
+    REQUIREMENT = "requirement"
+    MATERIAL = "material"
+    HELICAL_PINION = "helical-pinion"
+    HELICAL_WHEEL = "helical-wheel"
+    BEVEL_PINION = "bevel-pinion"
+    BEVEL_WHEEL = "bevel-wheel"
+    SHAFT_1 = "shaft-1"
+    SHAFT_2 = "shaft-2"
+    ROTOR_SHAFT = "rotor-shaft"
+
+
+def colibri(
+    part: Annotated[Part | None, typer.Option(help="Show one part only")] = None,
+    wrong: Annotated[bool, typer.Option("--wrong", help="Show only the numbers that are wrong")] = False,
+    out: Annotated[Path | None, typer.Option(help="Page to write, whole; .md gives Markdown, all else HTML")] = None,
+    json: JsonOption = False,
+) -> None:
+    """Compute every printed number of the EC120B term project, and say which are wrong, why, and what is right."""
+    import json as notation
+
+    from rich.console import Console
+
+    from gearwright.render.colibri_page import colibri_markdown, colibri_page
+    from gearwright.render.colibri_text import chosen, counts_text, findings_table, replay_record, replay_tables
+    from gearwright.study.colibri.replay import replay
+
+    found = replay()
+    numbers = chosen(found, part=part or "", wrong=wrong)
+    if json:
+        typer.echo(notation.dumps(replay_record(numbers, found), indent=2, ensure_ascii=False, allow_nan=False))
+    else:
+        console = Console()
+        console.print(replay_tables(numbers, found))
+        if part is None:
+            console.print(findings_table(found.findings))
+        console.print(counts_text(found))
+    if out is not None:
+        out.write_text(colibri_markdown() if out.suffix == ".md" else colibri_page(), encoding="utf-8")
+        typer.echo(f"wrote {out}", err=json)

@@ -1,0 +1,97 @@
+"""The page and the tables of the Colibri replay: whole, self-contained, the wrong numbers in red."""
+
+import json
+import re
+from html.parser import HTMLParser
+
+import pytest
+import typer
+from rich.console import Console
+from typer.testing import CliRunner
+
+from gearwright.catalogue.colibri import printed_numbers
+from gearwright.cli.colibri import Part, colibri
+from gearwright.render.colibri_page import colibri_page, indexed
+from gearwright.render.colibri_text import PARTS, chosen, findings_table, replay_tables
+from gearwright.study.colibri.replay import replay
+
+
+def command(*arguments):
+    app = typer.Typer()
+    app.command()(colibri)
+    run = CliRunner().invoke(app, [*arguments], env={"COLUMNS": "120"})
+    assert run.exit_code == 0, run.output
+    return run.output
+
+
+def test_the_page_holds_every_number_and_marks_the_wrong_ones():
+    page = colibri_page()
+    assert all(f'id="{one.key}"' in page for one in printed_numbers())
+    assert len(re.findall(r'<tr class="wrong" id=', page)) == 51
+    assert "{" not in re.sub(r"<style>.*?</style>", "", page, flags=re.DOTALL), "a number was not filled in"
+
+
+def test_every_link_of_the_page_leads_somewhere_on_it():
+    page = colibri_page()
+    assert set(re.findall(r'href="#([^"]+)"', page)) <= set(re.findall(r'id="([^"]+)"', page))
+    assert not re.search(r"https?:|src=|@import|<script|<link", page)
+
+
+def test_every_tag_of_the_page_is_closed():
+    class Balance(HTMLParser):
+        stack: list[str]
+
+        def handle_starttag(self, tag, attributes):
+            if tag not in ("meta", "br"):
+                self.stack.append(tag)
+
+        def handle_endtag(self, tag):
+            assert self.stack.pop() == tag
+
+    parser = Balance()
+    parser.stack = []
+    parser.feed(colibri_page())
+    assert parser.stack == []
+
+
+def test_what_follows_an_underscore_is_an_index_and_html_stays_words():
+    assert indexed("S_H, F_a/C_0 < ε_α") == ("S<sub>H</sub>, F<sub>a</sub>/C<sub>0</sub> &lt; ε<sub>α</sub>")
+
+
+def test_the_wrong_numbers_are_red_on_a_terminal():
+    """Red is 31 among the codes of a terminal; one line for each of the 51, and the 24 checks that fail."""
+    found = replay()
+    console = Console(force_terminal=True, color_system="standard", width=160)
+    with console.capture() as captured:
+        console.print(replay_tables(found.numbers, found))
+        console.print(findings_table(found.findings))
+    red = [line for line in captured.get().splitlines() if "\x1b[31m" in line]
+    assert sum("wrong E" in line for line in red) == 51
+    assert sum("at least" in line or "at most" in line for line in red if "wrong E" not in line) == 24
+
+
+def test_parts_of_the_command_are_those_of_the_report():
+    assert [each.value for each in Part] == list(PARTS)
+    assert [each.value for each in Part] == list(dict.fromkeys(one.part for one in printed_numbers()))
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_every_part_can_be_shown_alone(part):
+    numbers = chosen(replay(), part=part)
+    assert numbers and all(one.printed.part == part for one in numbers)
+    assert PARTS[part] in command("--part", part)
+
+
+def test_json_carries_all_numbers_or_only_the_wrong_ones():
+    whole, wrong = json.loads(command("--json")), json.loads(command("--json", "--wrong"))
+    assert len(whole["numbers"]) == 236 and len(wrong["numbers"]) == 51
+    assert whole["counts"]["wrong in source"] == 51
+    key = next(one for one in wrong["numbers"] if one["key"] == "shaft-1.key-length")
+    assert key["printed"] == "4.745525" and key["correct"] == pytest.approx(71.18, abs=0.01)
+
+
+def test_the_command_writes_the_page_it_is_asked_for(tmp_path):
+    assert "51 wrong" in command("--out", str(tmp_path / "page.html"))
+    assert (tmp_path / "page.html").read_text(encoding="utf-8") == colibri_page()
+    command("--out", str(tmp_path / "page.md"))
+    assert (tmp_path / "page.md").read_text(encoding="utf-8").startswith("---\nhide: [toc]")
