@@ -13,7 +13,7 @@ from rich.text import Text
 from gearwright.study.colibri.findings import Finding
 from gearwright.study.colibri.replay import Outcome, Replay, Replayed
 from gearwright.study.colibri.steps import Step
-from gearwright.units import text
+from gearwright.units import shown, text, unit
 
 PARTS = {
     "requirement": "Requirement", "material": "Material", "helical-pinion": "Helical pinion",
@@ -137,10 +137,7 @@ def replay_record(numbers: Sequence[Replayed], found: Replay) -> dict[str, Any]:
     return {
         "counts": {outcome.value: found.count(outcome) for outcome in Outcome},
         "numbers": [_record(one) for one in numbers],
-        "findings": [
-            {**dict(zip(("what", "value", "limit", "source"), finding_cells(one), strict=True)), "holds": one.holds}
-            for one in found.findings
-        ],
+        "findings": [_finding_record(one) for one in found.findings],
         "errata": [{"key": one.key, "title": one.title, "why": one.why} for one in found.errata],
         "assumptions": [
             {"key": one.key, "text": one.text, "evidence": one.evidence} for one in found.assumptions.values()
@@ -168,6 +165,13 @@ def _record(one: Replayed) -> dict[str, Any]:
     }
 
 
+def _finding_record(one: Finding) -> dict[str, Any]:
+    value, name = _in_unit(one.value, one)
+    limit, _ = _in_unit(one.limit, one)
+    sides = {"what": one.what, "value": value, "sense": one.sense.value, "limit": limit, "unit": name}
+    return {**sides, "source": one.source, "holds": one.holds}
+
+
 def _table(part: str, rows: Sequence[Replayed]) -> Table:
     table = Table(title=PARTS[part], title_justify="left")
     table.add_column("", no_wrap=True)
@@ -192,7 +196,7 @@ def _cells(one: Replayed) -> Iterator[str]:
 
 def _reasons(numbers: Sequence[Replayed], found: Replay) -> Table:
     named = {key for one in numbers for key in reason_keys(one)}
-    table = Table(title="Reasons", title_justify="left", show_lines=True)
+    table = Table(title="Reasons", title_justify="left", show_lines=True, show_header=False)
     table.add_column("")
     table.add_column("", overflow="fold")
     for mistake in found.errata:
@@ -206,8 +210,16 @@ def _reasons(numbers: Sequence[Replayed], found: Replay) -> Table:
 
 def _quantity(value: float, one: Finding) -> str:
     if one.dimension == "time":
-        return f"{value / _HOUR:.0f} h"
+        number, name = _in_unit(value, one)
+        return f"{number:.0f} {name}"
     return text(value, one.dimension)
+
+
+def _in_unit(value: float, one: Finding) -> tuple[float, str]:
+    """Return a value and its unit; lives are in hours."""
+    if one.dimension == "time":
+        return value / _HOUR, "h"
+    return shown(value, one.dimension), unit(one.dimension)
 
 
 def _signed(number: str) -> str:

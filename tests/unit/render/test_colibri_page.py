@@ -86,6 +86,8 @@ def test_json_carries_all_numbers_or_only_the_wrong_ones():
     whole, wrong = json.loads(command("--json")), json.loads(command("--json", "--wrong"))
     assert len(whole["numbers"]) == 236 and len(wrong["numbers"]) == 51
     assert whole["counts"]["wrong in source"] == 51
+    life = next(one for one in whole["findings"] if one["what"] == "shaft 1: life of its bearing")
+    assert life["value"] == pytest.approx(38.2, abs=0.05) and (life["limit"], life["unit"]) == (5000.0, "h")
     key = next(one for one in wrong["numbers"] if one["key"] == "shaft-1.key-length")
     assert key["printed"] == "4.745525" and key["correct"] == pytest.approx(71.18, abs=0.01)
 
