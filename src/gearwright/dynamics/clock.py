@@ -41,7 +41,7 @@ def _steady(arrays: Arrays, h: float, rows: int) -> Clock:
         start = np.exp(1j * arrays.tone_rate * factor * (first * h))
         np.multiply(turned[: len(table)], start, out=table[:, : 2 * tones].view(np.complex128))
         table[:, 2 * tones], table[:, 2 * tones + 1] = factor, 0.0
-        if len(arrays.loads.schedules.dof):
+        if len(arrays.loads.schedules.dof) or len(arrays.drives.inputs.dof):
             _loads(arrays, _times(first, h, len(table)), table)
 
     return fill
@@ -56,10 +56,12 @@ def _ramped(arrays: Arrays, time: Floats, table: Floats) -> None:
 
 
 def _loads(arrays: Arrays, time: Floats, table: Floats) -> None:
-    schedules, first = arrays.loads.schedules, 2 * len(arrays.tone_rate) + 2
-    for number in range(len(schedules.dof)):
-        part = slice(schedules.start[number], schedules.start[number + 1])
-        table[:, first + number] = np.interp(time, schedules.time[part], schedules.value[part])
+    column = 2 * len(arrays.tone_rate) + 2
+    for schedules in (arrays.loads.schedules, arrays.drives.inputs):
+        for number in range(len(schedules.dof)):
+            part = slice(schedules.start[number], schedules.start[number + 1])
+            table[:, column] = np.interp(time, schedules.time[part], schedules.value[part])
+            column += 1
 
 
 def speed_factors(profile: Profile, time: Floats) -> tuple[Floats, Floats, Floats]:

@@ -191,8 +191,9 @@ def _own(systems: Sequence[System], numbers: Floats) -> frozenset[str]:
     clocks = set()
     for system in systems:
         arrays = system.arrays
-        if np.any(arrays.profile.factor != arrays.profile.factor[0]) or len(arrays.loads.schedules.dof):
-            message = "ensembles run at constant speed, without schedules; use simulate"
+        timed = len(arrays.loads.schedules.dof) or len(arrays.drives.table)
+        if timed or np.any(arrays.profile.factor != arrays.profile.factor[0]):
+            message = "ensembles run at constant speed, without schedules and drives; use simulate"
             raise DesignError([Problem("systems", message)])
         clocks.add((float(arrays.profile.factor[0]), arrays.tone_rate.tobytes()))
     layout = parameters(systems[0].arrays, 1.0)[0]

@@ -28,14 +28,14 @@ class Propagator(NamedTuple):
 
 
 def is_exact(arrays: Arrays) -> bool:
-    """Return whether the exact step applies: constant stiffness and speed, no backlash, loads linear in speed.
+    """Tell whether the exact step applies: constant stiffness and speed, loads linear in speed, no backlash or drives.
 
     Args:
         arrays: The system's numbers.
     """
     linear = not (np.any(arrays.backlash > 0.0) or len(arrays.variation.tone) or np.any(arrays.loads.quadratic))
     steady = len(arrays.loads.schedules.dof) == 0 and bool(np.all(arrays.profile.factor == arrays.profile.factor[0]))
-    return linear and steady
+    return linear and steady and len(arrays.drives.table) == 0
 
 
 def extended_state(arrays: Arrays, time: float, state: Floats) -> Floats:

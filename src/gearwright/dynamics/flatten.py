@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from gearwright.dynamics.drives import drive_labels, encoded
 from gearwright.dynamics.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.system import (
     Arrays,
@@ -61,6 +62,7 @@ def flatten(model: Written) -> System:
         centripetal=_centripetal(model.pairs, mass, index),
         loads=_loads(model.loads, index),
         profile=_profile(model.profile),
+        drives=encoded(model.drives, index, speed),
     )
     return System(arrays, _labels(model, tones))
 
@@ -196,6 +198,7 @@ def _labels(model: Written, tones: _Tones) -> Labels:
         angular = line.kind in ("shaft", "support") and all(units[name] == "rad" for name in line.weights)
         return "rad" if angular else "m"
 
+    drives, drive_units = drive_labels(model.drives)
     return Labels(
         coordinates=tuple(units),
         coordinate_units=tuple(units.values()),
@@ -203,4 +206,6 @@ def _labels(model: Written, tones: _Tones) -> Labels:
         line_units=tuple(unit(line) for line in model.lines),
         line_kinds=tuple(line.kind for line in model.lines),
         tones=tuple(tones.found),
+        drives=drives,
+        drive_units=drive_units,
     )

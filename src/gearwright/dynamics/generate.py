@@ -6,6 +6,7 @@ tone, s, ṡ, scheduled loads); `slope` the derivative, and as `look` the output
 
 from __future__ import annotations
 
+from gearwright.dynamics.drives import OUTPUTS
 from gearwright.dynamics.emit import Emitter
 from gearwright.dynamics.energy import WORKS
 from gearwright.dynamics.topology import Layout, LineShape, Topology
@@ -17,22 +18,31 @@ CHUNK = 8
 
 
 def table_width(shape: Topology) -> int:
-    """Return the columns of the clock table: cosine and sine of each tone, s, ṡ, scheduled loads.
+    """Return the columns of the clock table: cosine and sine of each tone, s, ṡ, scheduled loads, drives' inputs.
 
     Args:
         shape: Structure.
     """
-    columns = 2 * shape.tones + 2 + len(shape.scheduled)
+    columns = 2 * shape.tones + 2 + len(shape.scheduled) + shape.drives.inputs
     return columns + columns % 2  # even, so that a cosine and its sine can be written as one complex number
 
 
 def record_width(shape: Topology) -> int:
-    """Return the numbers in a row of a record, filled up to whole vectors: q, q̇, line forces, deflections.
+    """Return the numbers in a row of a record, filled up to whole vectors: q, q̇, line forces, deflections, drives.
 
     Args:
         shape: Structure.
     """
-    return -(-2 * (shape.size + len(shape.lines)) // CHUNK) * CHUNK
+    return -(-(2 * (shape.size + len(shape.lines)) + drive_width(shape)) // CHUNK) * CHUNK
+
+
+def drive_width(shape: Topology) -> int:
+    """Return the numbers that drives add to a row: their states, and what each reports.
+
+    Args:
+        shape: Structure.
+    """
+    return shape.drives.states + OUTPUTS * shape.drives.records
 
 
 def state_width(shape: Topology, lanes: int) -> int:
@@ -42,7 +52,16 @@ def state_width(shape: Topology, lanes: int) -> int:
         shape: Structure.
         lanes: Trajectories side by side.
     """
-    return -(-(2 * shape.size + WORKS) * lanes // CHUNK) * CHUNK
+    return -(-state_size(shape) * lanes // CHUNK) * CHUNK
+
+
+def state_size(shape: Topology) -> int:
+    """Return the numbers in a state: q, q̇, works, states of the drives.
+
+    Args:
+        shape: Structure.
+    """
+    return 2 * shape.size + WORKS + shape.drives.states
 
 
 class Writer:
@@ -119,6 +138,8 @@ class Writer:
         position = [code.load("%y", i) for i in range(size)]
         velocity = [code.load("%y", size + i) for i in range(size)]
         factor, ramp = self._clock(code, 2 * self.shape.tones), self._clock(code, 2 * self.shape.tones + 1)
+        if self.shape.drives.records:
+            self._drives(code, factor, output)
         force, works = self._loads(code, velocity, factor)
         for i in self.shape.turning:
             force[i] = code.subtract(force[i], code.multiply(self._number(code, "inertia", i), ramp))
@@ -146,11 +167,27 @@ class Writer:
             if squared:
                 drag = code.multiply(code.multiply(self._number(code, "quadratic", i), code.size(total)), total)
                 load = code.subtract(load, drag)
+            if i in self.shape.drives.dofs:
+                load = code.add(load, code.load("%torque", i))
             force[i] = load
             power = code.multiply(load, total)
             works[0] = code.add(works[0], code.larger(power, code.zero))
             works[1] = code.subtract(works[1], code.smaller(power, code.zero))
         return force, works
+
+    def _drives(self, code: Emitter, factor: str, output: str) -> None:
+        """Call the drives' laws: they fill torques, the rates of their states, and what they report."""
+        # Loaded here because compiling it the first time takes seconds, and most systems do without it.
+        from gearwright.dynamics.drive_call import laws
+
+        shape = self.shape
+        code.lines.append(f"  %torque = alloca [{shape.size} x double], align 64")
+        code.lines.append(f"  %unseen = alloca [{drive_width(shape)} x double], align 64")
+        table, inputs = code.at("%p", self.layout.drives), code.at("%row", 2 * shape.tones + 2 + len(shape.scheduled))
+        seen = code.at("%out", 2 * self.count) if output == "record" else "%unseen"
+        numbers = f"ptr {table}, i64 {shape.drives.length}, i64 {shape.drives.states}, ptr {inputs}, double {factor}"
+        pointers = ", ".join(f"ptr {name}" for name in ("%y", "%torque", "%dy", seen))
+        code.lines.append(f"  call void inttoptr (i64 {laws.address} to ptr)({numbers}, {pointers})")
 
     def _line(
         self, code: Emitter, j: int, parts: tuple[list[str], list[str], list[str], list[str]], output: str

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from gearwright.dynamics.drives import Drive
 from gearwright.dynamics.flatten import flatten
 from gearwright.dynamics.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.system import System
@@ -32,6 +33,8 @@ class Model:
     """Gyroscopic and centripetal terms."""
     profile: Sequence[tuple[float, float]] = ((0.0, 1.0),)
     """Speed factor: (time [s], factor [-])."""
+    drives: list[Drive] = field(default_factory=list)
+    """Propellers, machines and slipping clutches."""
 
     def rotation(self, name: str, *, inertia: float, speed: float | None = None) -> str:
         """Add a rotation θ and return its name.
@@ -131,6 +134,14 @@ class Model:
         """
         self.loads.append(Load(body, constant, damping, quadratic, tuple(schedule)))
 
+    def drive(self, drive: Drive) -> None:
+        """Add a propeller, a machine or a slipping clutch.
+
+        Args:
+            drive: A `PropellerDrive`, `MachineDrive` or `ClutchDrive`.
+        """
+        self.drives.append(drive)
+
     def rotating_frame(self, x: str, y: str, *, speed: float) -> None:
         """Write two translations of one mass in a frame that turns: Coriolis and centripetal terms.
 
@@ -159,4 +170,4 @@ class Model:
         Raises:
             DesignError: With every problem: names, inertias, stiffness, phases, speeds that do not fit together.
         """
-        return flatten(Written(self.bodies, self.lines, self.loads, self.pairs, self.profile))
+        return flatten(Written(self.bodies, self.lines, self.loads, self.pairs, self.profile, self.drives))

@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 import llvmlite.binding as llvm
 import numpy as np
 
-from gearwright.dynamics.energy import WORKS
-from gearwright.dynamics.generate import CHUNK, Writer, record_width, state_width, table_width
+from gearwright.dynamics.generate import CHUNK, Writer, record_width, state_size, state_width, table_width
 from gearwright.dynamics.system import Floats
 from gearwright.dynamics.topology import Layout, Topology
 
@@ -134,7 +133,7 @@ def _loop(shape: Topology, lanes: int, own: frozenset[str]) -> str:
         f"  call void @llvm.memset.p0.i64(ptr %{name}, i8 0, i64 {8 * width}, i1 false)"
         for name in ("y", "s", "k", "sum")
     )
-    size = 8 * (2 * shape.size + WORKS) * lanes
+    size = 8 * state_size(shape) * lanes
     names = ("p", "own", "table", "state", "out", "summary")
     pointers = "i64 %steps, " + ", ".join(f"ptr noalias %{name}" for name in names)
     return f"""define void @advance({pointers}) {{

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gearwright.dynamics.drives import OUTSIDE_MAP
 from gearwright.dynamics.orders import OrderSums
 from gearwright.dynamics.system import Floats, Ints, System
 from gearwright.dynamics.trace import Checkpoints, Samples, Statistics
@@ -41,11 +42,12 @@ class Recorder:
     def __init__(self, system: System, outputs: Outputs, *, step: float, steps: int) -> None:
         self.system, self.step, self.steps = system, step, steps
         self.size = len(system.labels.coordinates)
-        self.past = 2 * self.size + 2 * len(system.labels.lines)
+        self.past = 2 * self.size + 2 * len(system.labels.lines) + len(system.labels.drives)
+        self.outside = [number for number, name in enumerate(system.labels.drives) if name.endswith(OUTSIDE_MAP)]
         self.stride = max(1, -(-(steps + 1) // max(2, outputs.samples)))
         self.spans = [_span(window, step, steps) for window in outputs.windows]
         self.edges = _edges(outputs, step, steps)
-        width, bins = self.size + 2 * len(system.labels.lines), len(self.edges) - 1
+        width, bins = self.past - self.size, len(self.edges) - 1
         self.sums = np.zeros((2, bins, width))
         self.least, self.most = np.full((bins, width), np.inf), np.full((bins, width), -np.inf)
         self.kept: list[list[tuple[int, Floats]]] = [[] for _ in range(1 + len(self.spans))]
@@ -66,19 +68,20 @@ class Recorder:
             self.points.append((first, state.copy()))
 
     def take(self, first: int, record: Floats, summary: Floats) -> None:
-        """Take a block of rows (q, q̇, line forces, deflections).
+        """Take a block of rows (q, q̇, line forces, deflections, drives).
 
         Args:
             first: Step of the first row.
-            record: Shape (steps, at least 2 coordinates + 2 lines).
+            record: Shape (steps, at least 2 coordinates + 2 lines + numbers of the drives).
             summary: Its `summary_of`.
 
         Raises:
-            SolveError: If the run has diverged, with time, line and value.
+            SolveError: If the run has diverged, with time, line and value; if a propeller has left its map.
         """
-        least, most, _, square = summary[:, 2 * self.size : self.past]
+        least, most, _, square = summary[:, 2 * self.size : self.past - len(self.system.labels.drives)]
         if not (np.max(most) < RUNAWAY and np.min(least) > -RUNAWAY and np.all(np.isfinite(square))):
             self._diverged(first, record)
+        self._check_maps(first, record, summary)
         self._keep(0, first, record, range(-(-first // self.stride) * self.stride, first + len(record), self.stride))
         for number, (start, stop) in enumerate(self.spans, start=1):
             self._keep(number, first, record, range(max(start, first), min(stop, first + len(record))))
@@ -94,8 +97,23 @@ class Recorder:
                 self.orders.add(place, low, part[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
         self._watch(first, record)
 
+    def _check_maps(self, first: int, record: Floats, summary: Floats) -> None:
+        """Refuse what a propeller does outside its map: the laws go on with the nearest cell's edge."""
+        labels = self.system.labels
+        start = self.past - len(labels.drives)
+        for number in self.outside:
+            if summary[1, start + number] > 0.0:
+                row = int(np.argmax(record[:, start + number] > 0.0))
+                name = labels.drives[number].removesuffix(f" {OUTSIDE_MAP}")
+                seen = {what: record[row, start + labels.drives.index(f"{name} {what}")] for what in ("speed", "pitch")}
+                raise SolveError(
+                    f"{name} leaves its map at {(first + row) * self.step:.4g} s: {abs(seen['speed']) * 30 / np.pi:.4g}"
+                    f" rpm at a pitch of {np.degrees(seen['pitch']):.4g}°; take a smaller change, tighter pitch stops,"
+                    " or a map that covers the point"
+                )
+
     def _diverged(self, first: int, record: Floats) -> None:
-        forces = record[:, 2 * self.size : self.past]
+        forces = record[:, 2 * self.size : self.past - len(self.system.labels.drives)]
         row = int(np.argmin(np.all(np.abs(forces) < RUNAWAY, axis=1)))
         lines = self.system.labels.lines
         column = int(np.argmin(np.abs(forces[row, : len(lines)]) < RUNAWAY))
@@ -128,10 +146,11 @@ class Recorder:
         """
         rows = self.kept[number]
         size, lines = self.size, len(self.system.labels.lines)
-        table = np.array([row for _, row in rows]).reshape(-1, 2 * size + 2 * lines)
+        table = np.array([row for _, row in rows]).reshape(-1, self.past)
         time = np.array([step for step, _ in rows]) * self.step
-        position, velocity, force, deflection = np.split(table, [size, 2 * size, 2 * size + lines], axis=1)
-        return Samples(time, position, velocity, force, deflection, self.system.labels)
+        ends = [size, 2 * size, 2 * size + lines, 2 * size + 2 * lines]
+        position, velocity, force, deflection, drive = np.split(table, ends, axis=1)
+        return Samples(time, position, velocity, force, deflection, self.system.labels, drive)
 
     def statistics(self, names: tuple[str, ...], first: int, what: str) -> Statistics:
         """Return the statistics of some of the columns after q.
@@ -139,7 +158,7 @@ class Recorder:
         Args:
             names: Lines or coordinates.
             first: Column of the first.
-            what: ``"line"`` or ``"coordinate"``.
+            what: ``"line"``, ``"coordinate"`` or ``"drive"``.
         """
         part = slice(first, first + len(names))
         count = np.diff(self.edges)[:, None]

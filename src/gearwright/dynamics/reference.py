@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.dynamics.drives import Acting, drive_effects
 from gearwright.dynamics.system import Arrays, Floats, Profile, Schedules, Series, entry_matrix, line_matrix
 
 
@@ -91,19 +92,34 @@ def _sums(series: Series, angle: Floats, rate: Floats) -> tuple[Floats, Floats]:
     return sums[0], sums[1]
 
 
-def external_load(arrays: Arrays, time: float, velocity: Floats) -> Floats:
+def driven(arrays: Arrays, time: float, velocity: Floats, states: Floats | None = None) -> Acting:
+    """Return what the drives do at one instant.
+
+    Args:
+        arrays: The system's numbers.
+        time: [s].
+        velocity: q̇ [rad/s or m/s], shape (coordinates,).
+        states: Of the drives, shape (states,); left out: as at time 0.
+    """
+    total = arrays.speed * speed_factor(arrays.profile, time)[0] + velocity
+    inputs = _scheduled(arrays.drives.inputs, time)
+    return drive_effects(arrays.drives, total, inputs, arrays.drives.start if states is None else states)
+
+
+def external_load(arrays: Arrays, time: float, velocity: Floats, states: Floats | None = None) -> Floats:
     """Return the external load on each coordinate [N or N m], shape (coordinates,).
 
     Args:
         arrays: The system's numbers.
         time: [s].
         velocity: q̇ [rad/s or m/s], shape (coordinates,).
+        states: Of the drives, shape (states,); left out: as at time 0.
     """
     loads = arrays.loads
     total = arrays.speed * speed_factor(arrays.profile, time)[0] + velocity
     load = loads.constant - loads.damping * velocity - loads.quadratic * np.abs(total) * total
     np.add.at(load, loads.schedules.dof, _scheduled(loads.schedules, time))
-    return load
+    return load + driven(arrays, time, velocity, states).torque
 
 
 def _scheduled(schedules: Schedules, time: float) -> Floats:
@@ -111,7 +127,9 @@ def _scheduled(schedules: Schedules, time: float) -> Floats:
     return np.array([np.interp(time, schedules.time[row], schedules.value[row]) for row in rows], dtype=float)
 
 
-def acceleration(arrays: Arrays, time: float, position: Floats, velocity: Floats) -> Floats:
+def acceleration(
+    arrays: Arrays, time: float, position: Floats, velocity: Floats, states: Floats | None = None
+) -> Floats:
     """Return q̈ of each coordinate [rad/s² or m/s²], shape (coordinates,).
 
     Args:
@@ -119,10 +137,11 @@ def acceleration(arrays: Arrays, time: float, position: Floats, velocity: Floats
         time: [s].
         position: q [rad or m], shape (coordinates,).
         velocity: q̇ [rad/s or m/s], shape (coordinates,).
+        states: Of the drives, shape (states,); left out: as at time 0.
     """
     size = len(arrays.mass)
     factor, slope, _ = speed_factor(arrays.profile, time)
-    force = external_load(arrays, time, velocity) - arrays.mass * arrays.speed * slope
+    force = external_load(arrays, time, velocity, states) - arrays.mass * arrays.speed * slope
     force -= line_matrix(arrays).T @ line_state(arrays, time, position, velocity).force
     force -= factor * (entry_matrix(arrays.gyroscopic, size) @ velocity)
     force += factor**2 * (entry_matrix(arrays.centripetal, size) @ position)

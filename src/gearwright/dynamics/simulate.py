@@ -134,20 +134,23 @@ def _method(arrays: Arrays, method: str) -> tuple[str, str]:
             return "exact", "exact step: constant stiffness and speed, no backlash, loads linear in speed"
         if len(arrays.stiffness) > LARGEST_GENERATED:
             return "runge-kutta generic", f"Runge–Kutta, generic code: more than {LARGEST_GENERATED} lines"
-        if fastest_rate(arrays) > STIFF and excited_step(arrays) > STIFF_GAIN * default_step(arrays):
+        stiff = not len(arrays.drives.table) and fastest_rate(arrays) > STIFF
+        if stiff and excited_step(arrays) > STIFF_GAIN * default_step(arrays):
             return "implicit", f"implicit: modes up to {fastest_rate(arrays):.1e} rad/s, far above what excites"
         return "runge-kutta", "Runge–Kutta, generated code: stiffness, backlash or loads change with time or speed"
     if method not in METHODS:
         raise DesignError([Problem("method", f"no such method: {method}; {near(method, ('auto', *METHODS))}")])
     if method == "exact" and not is_exact(arrays):
-        message = "exact needs constant stiffness and speed, no backlash, loads linear in speed; use auto"
+        message = "exact needs constant stiffness and speed, no backlash, no drives, loads linear in speed; use auto"
         raise DesignError([Problem("method", message)])
+    if method == "implicit" and len(arrays.drives.table):
+        raise DesignError([Problem("method", "implicit steps do not carry the states of drives; use runge-kutta")])
     return method, f"{method}: asked for"
 
 
 def _start(system: System, start: Start) -> Floats:
     size = len(system.arrays.mass)
-    state = np.zeros(2 * size + WORKS)
+    state = np.concatenate([np.zeros(2 * size + WORKS), system.arrays.drives.start])
     if start == "static":
         state[:size] = statics(system, balance="accelerate").position
     elif start != "rigid":
@@ -213,6 +216,7 @@ def _trace(recorder: Recorder, ran: Ran, ends: tuple[Floats, Floats], done: int)
         force=recorder.statistics(labels.lines, size, "line"),
         deflection=recorder.statistics(labels.lines, size + lines, "line"),
         velocity=recorder.statistics(labels.coordinates, 0, "coordinate"),
+        drive=recorder.statistics(labels.drives, size + 2 * lines, "drive") if labels.drives else None,
         checkpoints=recorder.checkpoints(),
         notes=notes,
         labels=labels,
@@ -227,5 +231,5 @@ def _work(recorder: Recorder, ends: tuple[Floats, Floats], done: int) -> Work:
         stored_energy(arrays, time, state[:size], state[size : 2 * size])
         for time, state in zip((0.0, done * recorder.step), ends, strict=True)
     )
-    driven, braked, dissipated, stiffness, error, frame = (float(work) for work in ends[1][2 * size :])
+    driven, braked, dissipated, stiffness, error, frame = (float(work) for work in ends[1][2 * size : 2 * size + WORKS])
     return Work(driven, braked, dissipated, stiffness, error, frame, after - before, after)

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.dynamics.drives import CLUTCH
 from gearwright.dynamics.system import Arrays, Floats, entry_matrix, line_matrix, top_rate
 from gearwright.errors import DesignError, Problem
 
@@ -70,8 +71,26 @@ def fastest_rate(arrays: Arrays) -> float:
     top = float(np.max(np.abs(arrays.profile.factor)))
     damping = matrix.T @ (arrays.damping[:, None] * matrix)
     damping += np.diag((arrays.loads.damping + 2.0 * arrays.loads.quadratic * np.abs(arrays.speed) * top) / arrays.mass)
+    stiff, damped, slipping = _clutches(arrays, root)
+    square, damping = square + _largest(stiff), damping + damped
     half = 0.5 * (_largest(damping) + _spin(arrays, root) * top)
-    return float(half + np.sqrt(half**2 + max(square, 0.0)))
+    return max(slipping, float(half + np.sqrt(half**2 + max(square, 0.0))))
+
+
+def _clutches(arrays: Arrays, root: Floats) -> tuple[Floats, Floats, float]:
+    """Return stiffness and damping of clutches that stick, and the fastest rate k/c of one that slips [1/s]."""
+    size, place, fastest, table = len(root), 2, 0.0, arrays.drives.table
+    stiff, damped = np.zeros((2, size, size))
+    while place < len(table):
+        if table[place + 1] == CLUTCH:
+            weight = np.zeros(size)
+            first, second, (stiffness, damping) = int(table[place + 2]), int(table[place + 4]), table[place + 8 :][:2]
+            weight[first], weight[second] = 1.0 / root[first], -1.0 / root[second]
+            stiff += stiffness * np.outer(weight, weight)
+            damped += damping * np.outer(weight, weight)
+            fastest = max(fastest, float(stiffness / damping))
+        place += int(table[place])
+    return stiff, damped, fastest
 
 
 def _spin(arrays: Arrays, root: Floats) -> float:

@@ -2,7 +2,7 @@
 
     δ_j = d_j·q − e_j(φ)                     deflection of line j
     f_j = k_j(φ) g(δ_j) + c_j δ̇_j            its force
-    M q̈ + s G q̇ − s² C q + Σ_j d_j f_j = Q(t, q̇) − M Ω ṡ
+    M q̈ + s G q̇ − s² C q + Σ_j d_j f_j = Q(t, q̇, x) − M Ω ṡ,   ẋ = h(t, q̇, x) of the drives
 
 q is measured from the rigid motion: θ = Ω τ + q with τ = ∫ s dt and s the speed factor (1 at the reference speeds Ω).
 A tone is an angle φ = ω τ that is an integer combination of shaft angles; k_j and e_j are Fourier sums over tones.
@@ -70,6 +70,17 @@ class Loads(NamedTuple):
     """Loads given against time."""
 
 
+class Drives(NamedTuple):
+    """Propellers, machines and slipping clutches: torques by laws of speed, some with states x of first order."""
+
+    table: Floats
+    """Records one after another, as `drives.encoded` writes them, shape (numbers,); empty without drives."""
+    start: Floats
+    """States at time 0, shape (states,)."""
+    inputs: Schedules
+    """What a record reads against time: densities, airspeeds, set speeds, commands; its ``dof`` is the record."""
+
+
 class Profile(NamedTuple):
     """Speed factor s(t), piecewise linear; held before the first and after the last point."""
 
@@ -114,6 +125,8 @@ class Arrays(NamedTuple):
     """External loads."""
     profile: Profile
     """Speed factor against time."""
+    drives: Drives
+    """Propellers, machines and slipping clutches."""
 
 
 class Tone(NamedTuple):
@@ -142,6 +155,10 @@ class Labels:
     """``"mesh"``, ``"shaft"``, ``"support"`` or ``"line"``."""
     tones: tuple[Tone, ...]
     """Which angle each tone is."""
+    drives: tuple[str, ...] = ()
+    """What is recorded of the drives: states, then torque, speed and flag of each."""
+    drive_units: tuple[str, ...] = ()
+    """Their units."""
 
 
 @dataclass(frozen=True, eq=False)

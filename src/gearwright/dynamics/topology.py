@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.dynamics.system import Arrays, Entries, Floats, Series
+from gearwright.dynamics.system import Arrays, Drives, Entries, Floats, Series
 
 
 class LineShape(NamedTuple):
@@ -28,6 +28,21 @@ class LineShape(NamedTuple):
     """Whether it has backlash."""
     damped: bool
     """Whether it has damping."""
+
+
+class DriveShape(NamedTuple):
+    """Structure of the drives."""
+
+    dofs: tuple[int, ...]
+    """Coordinates that feel them."""
+    states: int
+    """States of all."""
+    inputs: int
+    """What they read against time."""
+    records: int
+    """Drives."""
+    length: int
+    """Numbers in their table."""
 
 
 class Topology(NamedTuple):
@@ -49,6 +64,8 @@ class Topology(NamedTuple):
     """Rows and columns."""
     centripetal: tuple[tuple[int, int], ...]
     """Rows and columns."""
+    drives: DriveShape
+    """Of the drives."""
 
 
 def topology(arrays: Arrays) -> Topology:
@@ -61,6 +78,7 @@ def topology(arrays: Arrays) -> Topology:
     scheduled = tuple(int(dof) for dof in loads.schedules.dof)
     acting = (loads.constant != 0.0) | (loads.damping != 0.0) | (loads.quadratic != 0.0)
     acting[list(scheduled)] = True
+    acting[list(_drives(arrays.drives).dofs)] = True
     steady = bool(np.all(arrays.profile.factor == arrays.profile.factor[0]))
     return Topology(
         size=len(arrays.mass),
@@ -71,7 +89,17 @@ def topology(arrays: Arrays) -> Topology:
         turning=() if steady else tuple(int(i) for i in np.flatnonzero(arrays.speed)),
         gyroscopic=_places(arrays.gyroscopic),
         centripetal=_places(arrays.centripetal),
+        drives=_drives(arrays.drives),
     )
+
+
+def _drives(drives: Drives) -> DriveShape:
+    dofs, table, place = set[int](), drives.table, 2
+    while place < len(table):
+        dofs |= {int(table[place + 2]), int(table[place + 4])} - {-1}
+        place += int(table[place])
+    records = int(table[0]) if len(table) else 0
+    return DriveShape(tuple(sorted(dofs)), len(drives.start), len(drives.inputs.dof), records, len(table))
 
 
 def fingerprint(arrays: Arrays) -> tuple[bytes, ...]:
@@ -88,7 +116,8 @@ def fingerprint(arrays: Arrays) -> tuple[bytes, ...]:
     parts += [loads.constant != 0.0, loads.damping != 0.0, loads.quadratic != 0.0, loads.schedules.dof]
     parts += [arrays.variation.start, arrays.variation.tone, arrays.error.start, arrays.error.tone]
     parts += [arrays.gyroscopic.row, arrays.gyroscopic.column, arrays.centripetal.row, arrays.centripetal.column]
-    return (*(part.tobytes() for part in parts), repr((len(arrays.tone_rate), steady)).encode())
+    rest = repr((len(arrays.tone_rate), steady, _drives(arrays.drives)))
+    return (*(part.tobytes() for part in parts), rest.encode())
 
 
 def _line(arrays: Arrays, j: int) -> LineShape:
@@ -157,6 +186,8 @@ class Layout(NamedTuple):
     """Ω G."""
     centripetal: int
     """Ω² C."""
+    drives: int
+    """Table of the drives."""
 
 
 def parameters(arrays: Arrays, h: float) -> tuple[Layout, Floats]:
@@ -172,7 +203,7 @@ def parameters(arrays: Arrays, h: float) -> tuple[Layout, Floats]:
     bodies = [1.0 / arrays.mass, arrays.mass * arrays.speed, arrays.speed]
     loads = [arrays.loads.constant, arrays.loads.damping, arrays.loads.quadratic]
     frames = [arrays.gyroscopic.value, arrays.centripetal.value]
-    groups = [np.array([h]), *lines, *variation, *error, *bodies, *loads, *frames]
+    groups = [np.array([h]), *lines, *variation, *error, *bodies, *loads, *frames, arrays.drives.table]
     starts = np.cumsum([0, *(len(group) for group in groups)])[:-1]
     return Layout(*(int(start) for start in starts)), np.concatenate(groups)
 

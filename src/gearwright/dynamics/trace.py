@@ -19,7 +19,7 @@ def index_of(name: str, names: Sequence[str], what: str) -> int:
     Args:
         name: What was asked for.
         names: What there is.
-        what: ``"line"`` or ``"coordinate"``, for the message.
+        what: ``"line"``, ``"coordinate"`` or ``"drive"``, for the message.
 
     Raises:
         DesignError: If there is no such name; with the nearest one.
@@ -45,6 +45,16 @@ class Samples:
     """Line deflections δ [m or rad], shape (instants, lines): for a mesh the dynamic transmission error."""
     labels: Labels
     """Names and units."""
+    drives: Floats
+    """States of the drives, then torque, speed and flag of each, shape (instants, numbers)."""
+
+    def drive(self, name: str) -> Floats:
+        """Return what is recorded of a drive, such as ``"propeller pitch"``, shape (instants,).
+
+        Args:
+            name: One of `Labels.drives`.
+        """
+        return self.drives[:, index_of(name, self.labels.drives, "drive")]
 
     def force(self, line: str) -> Floats:
         """Return the force of a line, or the torque of a shaft [N or N m], shape (instants,).
@@ -86,7 +96,7 @@ class Statistics:
     names: tuple[str, ...]
     """Lines or coordinates."""
     what: str
-    """``"line"`` or ``"coordinate"``."""
+    """``"line"``, ``"coordinate"`` or ``"drive"``."""
     edges: Floats
     """Bin edges [s], shape (bins + 1,)."""
     mean: Floats
@@ -174,3 +184,5 @@ class Trace:
     """Root of the energy that the error of one adaptive step might hold; 0 for fixed steps [√J]."""
     orders: Orders | None = None
     """Amplitudes of line forces at the tones, if they were asked for."""
+    drive: Statistics | None = None
+    """Of what is recorded of drives; None without drives."""

@@ -17,6 +17,7 @@ from numba import njit, types
 from numba.extending import intrinsic
 
 from gearwright.dynamics import kernel
+from gearwright.dynamics.drive_laws import drive_columns
 from gearwright.dynamics.system import Arrays, Floats, Profile, line_matrix
 
 NODES = np.array([0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0])
@@ -129,6 +130,8 @@ def _set_clock(arrays: Arrays, right: Right, time: float) -> None:
     for i in range(len(schedules.dof)):
         part = slice(schedules.start[i], schedules.start[i + 1])
         right.row[2 * tones + 2 + i] = np.interp(time, schedules.time[part], schedules.value[part])
+    if len(arrays.drives.table):
+        kernel.fill_inputs(arrays.drives.inputs, time, right.row[2 * tones + 2 + len(schedules.dof) :])
 
 
 @njit(cache=True, error_model="numpy")
@@ -170,7 +173,7 @@ def attempt(
 ) -> None:
     """Fill the slopes of a step and the state after it."""
     start, length = span
-    output = np.empty(2 * len(arrays.stiffness))
+    output = np.empty(2 * len(arrays.stiffness) + drive_columns(arrays.drives.table, arrays.drives.start))
     for stage in range(1, 7):
         if stage < 6:
             _set_clock(arrays, right, start + NODES[stage] * length)

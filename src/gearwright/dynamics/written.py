@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from gearwright.dynamics.drives import ClutchDrive, Drive, MachineDrive, PropellerDrive, inputs_of, points_of
 from gearwright.dynamics.line import DampingRatio, Line, Periodic
 from gearwright.errors import Problem, near
 
@@ -65,6 +66,8 @@ class Written(NamedTuple):
     """Gyroscopic and centripetal terms."""
     profile: Sequence[tuple[float, float]]
     """(time [s], speed factor [-])."""
+    drives: Sequence[Drive] = ()
+    """Propellers, machines, slipping clutches."""
 
 
 def problems(model: Written) -> list[Problem]:
@@ -77,7 +80,33 @@ def problems(model: Written) -> list[Problem]:
     units = {body.name: body.unit for body in model.bodies}
     for line in model.lines:
         found += _line(line, units)
-    return found + list(_duplicates("lines", [line.name for line in model.lines]))
+    found += _duplicates("lines", [line.name for line in model.lines])
+    return [*found, *_drives(model, units), *_duplicates("drives", [drive.name for drive in model.drives])]
+
+
+def _drives(model: Written, units: dict[str, str]) -> Iterator[Problem]:
+    rotations = [name for name, unit in units.items() if unit == "rad"]
+    for drive in model.drives:
+        path = f"drives.{drive.name}"
+        for name in (drive.first, drive.second) if isinstance(drive, ClutchDrive) else (drive.body,):
+            if name not in rotations:
+                yield Problem(path, f"no such rotation: {name}; {near(name, rotations)}")
+        for curve in inputs_of(drive):
+            yield from _points(path, points_of(curve))
+        for field, value in _positive(drive).items():
+            if not value > 0.0:
+                yield Problem(path, f"{field} is {value:g}; it must be positive")
+
+
+def _positive(drive: Drive) -> dict[str, float]:
+    """Return the numbers of a drive that must be positive, by name."""
+    match drive:
+        case PropellerDrive():
+            return {"diameter": drive.diameter, "governor.time_constant": drive.governor.time_constant}
+        case MachineDrive():
+            return {"speed": drive.speed, "highest_torque": drive.highest_torque, "highest_power": drive.highest_power}
+        case ClutchDrive():
+            return {"stiffness": drive.stiffness, "damping": drive.damping}
 
 
 def _bodies(model: Written) -> Iterator[Problem]:

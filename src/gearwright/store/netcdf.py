@@ -92,18 +92,23 @@ def _write_trace(file: Any, trace: Trace) -> None:
         file.attrs[name] = getattr(trace, name)
     file.attrs["notes"] = "\n".join(trace.notes)
     file.attrs.update({f"work_{field.name}": getattr(trace.work, field.name) for field in fields(Work)})
-    _write_part(file.create_group("samples"), trace.samples)
+    _write_samples(file.create_group("samples"), trace.samples)
     for number, window in enumerate(trace.windows):
-        _write_part(file.create_group(f"window_{number}"), window)
-    for name in _STATISTICS:
+        _write_samples(file.create_group(f"window_{number}"), window)
+    for name, statistics in _statistics_of(trace).items():
         group = file.create_group(name)
-        statistics = getattr(trace, name)
         group.attrs["what"] = statistics.what
         group.attrs["names"] = "\n".join(statistics.names)
         _write_part(group, statistics)
     _write_part(file.create_group("checkpoints"), trace.checkpoints)
     if trace.orders is not None:
         _write_orders(file.create_group("orders"), trace.orders)
+
+
+def _statistics_of(trace: Trace) -> dict[str, Statistics]:
+    """Return the statistics that a run has, by name; only runs with drives have those of drives."""
+    found = {name: getattr(trace, name) for name in (*_STATISTICS, "drive")}
+    return {name: value for name, value in found.items() if value is not None}
 
 
 def load(path: str | Path) -> StoredRun:
@@ -139,14 +144,15 @@ def _read(file: Any) -> StoredRun:
         duration=float(file.attrs["duration"]),
         error=float(file.attrs["error"]),
         work=Work(**{field.name: float(file.attrs[f"work_{field.name}"]) for field in fields(Work)}),
-        samples=Samples(**_read_part(file.groups["samples"], Samples), labels=labels),
-        windows=tuple(Samples(**_read_part(file.groups[name], Samples), labels=labels) for name in windows),
+        samples=_read_samples(file.groups["samples"], labels),
+        windows=tuple(_read_samples(file.groups[name], labels) for name in windows),
         **{name: _read_statistics(file.groups[name]) for name in _STATISTICS},
         checkpoints=Checkpoints(**_read_part(file.groups["checkpoints"], Checkpoints)),
         notes=_lines(file.attrs["notes"]),
         labels=labels,
         tolerance=float(file.attrs["tolerance"]),
         orders=_read_orders(file.groups["orders"]) if "orders" in file.groups else None,
+        drive=_read_statistics(file.groups["drive"]) if "drive" in file.groups else None,
     )
     design = Design.model_validate_json(str(file.attrs["design"]))
     return StoredRun(design, str(file.attrs["case"]), trace)
@@ -164,6 +170,21 @@ def _write_part(group: Any, part: Any) -> None:
 
 def _read_part(group: Any, kind: type) -> dict[str, Any]:
     return {name: np.asarray(group.variables[name][...]) for name in _DIMENSIONS[kind]}
+
+
+def _write_samples(group: Any, samples: Samples) -> None:
+    """Write instants, with what drives did where there are any."""
+    _write_part(group, samples)
+    if samples.labels.drives:
+        group.dimensions["drive"] = len(samples.labels.drives)
+        variable = group.create_variable("drives", ("time", "drive"), float, data=samples.drives)
+        variable.attrs["units"] = "see drive_unit"
+
+
+def _read_samples(group: Any, labels: Labels) -> Samples:
+    part = _read_part(group, Samples)
+    drives = np.asarray(group.variables["drives"][...]) if labels.drives else np.zeros((len(part["time"]), 0))
+    return Samples(**part, labels=labels, drives=drives)
 
 
 def _write_orders(group: Any, orders: Orders) -> None:
@@ -197,6 +218,7 @@ def _write_labels(file: Any, labels: Labels) -> None:
     file.attrs["lines"], file.attrs["line_unit"] = _joined(labels.lines), _joined(labels.line_units)
     file.attrs["line_kinds"] = _joined(labels.line_kinds)
     file.attrs["tones"] = _joined(map(_written_tone, labels.tones))
+    file.attrs["drives"], file.attrs["drive_unit"] = _joined(labels.drives), _joined(labels.drive_units)
 
 
 def _read_labels(file: Any) -> Labels:
@@ -207,6 +229,8 @@ def _read_labels(file: Any) -> Labels:
         line_units=_lines(file.attrs["line_unit"]),
         line_kinds=_lines(file.attrs["line_kinds"]),
         tones=tuple(map(_read_tone, _lines(file.attrs["tones"]))),
+        drives=_lines(file.attrs.get("drives", "")),
+        drive_units=_lines(file.attrs.get("drive_unit", "")),
     )
 
 
