@@ -45,7 +45,7 @@ def edited_mission(mission: Mission, changes: Mapping[str, Value]) -> Mission:
 
 
 def _edited(record: R, changes: Mapping[str, Value], problems_of: Callable[[R], list[Problem]]) -> R:
-    data, kind = record.model_dump(by_alias=True, exclude_unset=True), type(record)
+    data, kind = _opened(record), type(record)
     problems = [problem for path, value in changes.items() if (problem := _set(kind, data, path, value)) is not None]
     if problems:
         raise DesignError(problems)
@@ -69,11 +69,19 @@ def path_problem(record: Record, path: str) -> Problem | None:
         record: The design or mission.
         path: Dotted path with the unit in its last part.
     """
-    return _set(type(record), record.model_dump(by_alias=True, exclude_unset=True), path, 0.0)
+    return _set(type(record), _opened(record), path, 0.0)
+
+
+def _opened(content: Any) -> dict[str, Any]:
+    """Return what a record or table holds, as a new table; what lies deeper stays as it is, already checked."""
+    if isinstance(content, Record):
+        fields = type(content).model_fields
+        return {fields[name].alias or name: getattr(content, name) for name in content.model_fields_set}
+    return dict(content or {})
 
 
 def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value) -> Problem | None:
-    """Put one value into a dumped record, or say why it has no place there."""
+    """Put one value into an opened record, or say why it has no place there."""
     annotation: Any = kind
     table, parts, depth = data, path.split("."), 0
     while depth < len(parts):
@@ -90,6 +98,7 @@ def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value) -> P
                     path,
                     f"there is no {'.'.join(parts[: depth + 1])}; {near('.'.join(parts[depth:-1]) or part, table)}",
                 )
+            table[entry] = _opened(table[entry])
             annotation, table, depth = inner, table[entry], depth + entry.count(".") + 1
             continue
         keys = keys_of(record)
@@ -104,7 +113,8 @@ def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value) -> P
         annotation = _plain(record.model_fields[name].annotation)
         if not _holds_tables(annotation):
             return Problem(path, f"{'.'.join(parts[: depth + 1])} has no entries")
-        table, depth = table.setdefault(name, {}), depth + 1
+        table[name] = _opened(table.get(name))
+        table, depth = table[name], depth + 1
     return Problem(path, "this is a table; name one of its entries")
 
 
