@@ -60,7 +60,7 @@ def shaft_loads(
 
     Source: forces of a mesh: ISO 21771:2007; equilibrium of the shaft: Pulvirenti 2023, §2.4.
     """
-    pure, meshes = list(_torques(given, name, plan)), list(_meshes(given, name, plan, axes, gears))
+    pure, meshes = list(pure_torques(given, name, plan)), list(_meshes(given, name, plan, axes, gears))
     position = np.array([*(place for place, _ in pure), *(load.position for load in meshes)])
     torque = np.array([*(each for _, each in pure), *(load.torque for load in meshes)]).T
     force, couple = np.zeros((len(torque), 2, len(position))), np.zeros((len(torque), 2, len(position)))
@@ -72,8 +72,17 @@ def shaft_loads(
     return PointLoads(position, force, couple, torque), axial
 
 
-def _torques(given: Context, name: str, plan: ShaftPlan) -> Iterator[tuple[float, list[float]]]:
-    """Yield place and torques of what loads the shaft by torque only: machines, clutches, members of planetary sets."""
+def pure_torques(given: Context, name: str, plan: ShaftPlan) -> Iterator[tuple[float, list[float]]]:
+    """Yield what loads a shaft by torque only: machines, clutches, members of planetary sets.
+
+    Args:
+        given: What sizing reads.
+        name: Of the shaft.
+        plan: Where things sit along it.
+
+    Returns:
+        Place [m], and the torque of every load case [N m].
+    """
     train, flows = given.train, given.flows.values()
     for machine, shaft in train.machines.items():
         if shaft == name:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +22,7 @@ from gearwright.parts.shaft import (
 from gearwright.sizing.axes import axes_of
 from gearwright.sizing.context import Context
 from gearwright.sizing.layout import ShaftPlan, plan_of
-from gearwright.sizing.loads import shaft_loads
+from gearwright.sizing.loads import pure_torques, shaft_loads
 from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram, ShaftSizing
 from gearwright.spec.design import ShaftLayout
 from gearwright.train.flow import RATED
@@ -104,6 +104,8 @@ def _governing(
     given: Context, plan: ShaftPlan, axes: Mapping[str, complex], gears: Mapping[str, GearSizing], *, name: str
 ) -> _Governing:
     """Return the case and the section where √(M² + T²) is largest, and what belongs to them."""
+    if not any(mesh.stage in given.design.pairs and name in mesh.nodes for mesh in given.train.meshes):
+        return _twisted(given, plan, name=name)
     loads, axial = shaft_loads(given, name, plan, axes=axes, gears=gears)
     bends = bool(loads.force.any())
     whole = supported(loads, plan.bearings, length=plan.length) if bends else loads
@@ -119,6 +121,28 @@ def _governing(
         bearings=tuple(BearingLoad(at, (y, z)) for at, (y, z) in zip(plan.bearings, reactions, strict=False)),
         diagram=_diagram(drawn, int(case)),
     )
+
+
+def _twisted(given: Context, plan: ShaftPlan, *, name: str) -> _Governing:
+    """Return what governs a shaft that nothing bends: the case and the section where the torque is largest."""
+    loads = sorted(pure_torques(given, name, plan), key=lambda load: load[0])
+    position = tuple(place for place, _ in loads for _ in range(2))
+    torsion = [_along(torques) for torques in zip(*(each for _, each in loads), strict=True)]
+    largest = [max(map(abs, each)) for each in torsion]
+    torque = max(largest)
+    case = largest.index(torque)
+    straight = (0.0,) * len(position)
+    drawn = ShaftDiagram(position, (straight, straight), (straight, straight), torsion[case])
+    return _Governing(list(given.flows)[case], 0.0, torque, 0.0, (), drawn)
+
+
+def _along(torques: Iterable[float]) -> tuple[float, ...]:
+    """Return the torque just left and just right of every load, from those of the loads."""
+    stations, total = list[float](), 0.0
+    for torque in torques:
+        total += torque
+        stations += (total - torque, total)
+    return tuple(stations)
 
 
 def _diagram(drawn: Diagram, case: int) -> ShaftDiagram:
