@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Numbers = float | NDArray[Any]
+"""One number or many; plain numbers are computed as they are, which is quicker."""
 
 HERTZ_COEFFICIENT = 0.418
 """√(1 / (2π (1 − ν²))) rounded, for ν = 0.3 and two bodies of one material.
@@ -78,7 +80,7 @@ def contact_stress(
 
 
 def module_hertz(
-    torque_per_tooth: ArrayLike, curvature: ArrayLike, width_ratio: ArrayLike, *, allowable: float,
+    torque_per_tooth: Numbers, curvature: Numbers, width_ratio: Numbers, *, allowable: float,
     elastic_modulus: float, angles: ContactAngles, helix_angle: float = 0.0,
 ) -> Array:  # fmt: skip
     """Return the smallest normal module whose flanks bear contact [m].
@@ -97,5 +99,5 @@ def module_hertz(
     geometry = (
         math.cos(angles.line) * math.cos(helix_angle) ** 2 / (math.cos(angles.pressure) * math.sin(angles.pressure))
     )
-    load = 4.0 * np.asarray(torque_per_tooth, dtype=float) * np.asarray(curvature) * elastic_modulus * geometry
-    return np.asarray(np.cbrt(HERTZ_COEFFICIENT**2 * load / (np.asarray(width_ratio) * allowable**2)))
+    load = 4.0 * torque_per_tooth * curvature * elastic_modulus * geometry
+    return np.asarray(np.cbrt(HERTZ_COEFFICIENT**2 * load / (width_ratio * allowable**2)))

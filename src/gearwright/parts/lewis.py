@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
+Numbers = float | NDArray[Any]
+"""One number or many; plain numbers are computed as they are, which is quicker."""
 
 # Lewis form factor Y of 20° full-depth teeth, Shigley's Mechanical Engineering Design, 9th ed., table 14-2.
 _TEETH = (12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 24, 26, 28, 30, 34, 38, 43, 50, 60, 75, 100, 150, 300, 400)
@@ -58,9 +61,9 @@ def virtual_teeth(teeth: ArrayLike, helix_angle: float, pressure_angle: float) -
 
 
 def module_lewis(
-    torque_per_tooth: ArrayLike,
-    form_factor: ArrayLike,
-    width_ratio: ArrayLike,
+    torque_per_tooth: Numbers,
+    form_factor: Numbers,
+    width_ratio: Numbers,
     *,
     allowable: float,
     helix_angle: float = 0.0,
@@ -80,8 +83,8 @@ def module_lewis(
     >>> round(1e3 * float(module_lewis(499.43 / 3 / 54, 0.4142, 10.0, allowable=314e6)), 3)
     1.68
     """
-    load = 2.0 * np.asarray(torque_per_tooth, dtype=float) * math.cos(helix_angle)
-    return np.asarray(np.cbrt(load / (np.asarray(width_ratio) * np.asarray(form_factor) * allowable)))
+    load = 2.0 * torque_per_tooth * math.cos(helix_angle)
+    return np.asarray(np.cbrt(load / (width_ratio * form_factor * allowable)))
 
 
 def bending_stress_lewis(tangential_force: float, face_width: float, module: float, *, form_factor: float) -> float:

@@ -8,11 +8,11 @@ from functools import lru_cache
 from typing import Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from gearwright.catalogue.materials import materials
 from gearwright.parts.hertz import ContactAngles, contact_angles, module_hertz
-from gearwright.parts.lewis import lewis_form_factor, module_lewis, virtual_teeth
+from gearwright.parts.lewis import Numbers, lewis_form_factor, module_lewis, virtual_teeth
 from gearwright.parts.material import Material, contact_strength
 from gearwright.spec import Design, GearRules, Pair
 from gearwright.spec.service import Service
@@ -98,39 +98,38 @@ def width_ratio(rules: GearRules, helix: float) -> float:
 class Ask(NamedTuple):
     """What is asked of one mesh."""
 
-    per_tooth: ArrayLike
+    per_tooth: Numbers
     """T/z of one mesh, its share of the load included [N m]."""
-    teeth: tuple[ArrayLike, ArrayLike]
+    teeth: tuple[Numbers, Numbers]
     """Tooth numbers of the two gears, the external (or smaller) one first [-]."""
-    width_ratio: ArrayLike
+    width_ratio: Numbers
     """λ = b/m_n [-]."""
     internal: bool = False
     """The second gear is internal."""
     idler: bool = False
     """A gear of the mesh is loaded on both flanks."""
-    speed: ArrayLike = 0.0
+    speed: Numbers = 0.0
     """Of the first gear against the carrier [rad/s]; only ISO 6336 asks for it."""
     passes: tuple[float, float] = (1.0, 1.0)
     """Mates that a tooth of each gear meets in a turn [-]; only ISO 6336 asks for it."""
 
 
-def form_factor(teeth: ArrayLike, rating: Rating) -> Array:
+def form_factor(teeth: Numbers, rating: Rating) -> Numbers:
     """Return the Lewis form factor at the virtual tooth number [-].
 
     Args:
         teeth: z [-].
         rating: Resolved rules.
     """
-    number = np.asarray(teeth, dtype=float)
-    if number.ndim == 0:
-        return _form_factor(float(number), rating.helix_angle, rating.rules.pressure_angle)
+    if not isinstance(teeth, np.ndarray):
+        return _form_factor(teeth, rating.helix_angle, rating.rules.pressure_angle)
     return lewis_form_factor(virtual_teeth(teeth, rating.helix_angle, rating.rules.pressure_angle))
 
 
 @lru_cache(maxsize=4096)
-def _form_factor(teeth: float, helix: float, pressure_angle: float) -> Array:
+def _form_factor(teeth: float, helix: float, pressure_angle: float) -> float:
     """Return the form factor of one gear; those of a study repeat."""
-    return lewis_form_factor(virtual_teeth(teeth, helix, pressure_angle))
+    return float(lewis_form_factor(virtual_teeth(teeth, helix, pressure_angle)))
 
 
 def first_modules(ask: Ask, rating: Rating) -> tuple[Array, Array]:
@@ -140,7 +139,7 @@ def first_modules(ask: Ask, rating: Rating) -> tuple[Array, Array]:
         ask: Load and teeth. An internal gear is not the weaker in bending, and its curvature is negative.
         rating: Resolved rules.
     """
-    one, other = (np.asarray(each, dtype=float) for each in ask.teeth)
+    one, other = ask.teeth
     weaker = one if ask.internal else np.minimum(one, other)
     allowable = rating.bending_allowable * (rating.rules.idler_factor if ask.idler else 1.0)
     bending = module_lewis(

@@ -18,6 +18,8 @@ from gearwright.train.memory import remembered
 Array = NDArray[np.float64]
 BALANCE_TOLERANCE = 1e-9
 """Largest torque left over, as a part of the largest applied, in a train that can balance."""
+LARGEST_INVERSE = 1e6
+"""Largest element of the inverse of a matrix of unit columns that is far from singular."""
 MAX_REVERSALS = 20
 """Rounds in which the direction of the tooth power may still change while losses are found."""
 
@@ -56,9 +58,11 @@ def balance(matrix: Array, balancing: Sequence[int]) -> Balance:
         matrix: (rows, nodes) torque on each node per unit multiplier of each row; A itself where nothing is lost.
         balancing: Nodes of the machines whose torque balances.
     """
-    machines = np.zeros((matrix.shape[1], len(balancing)))
-    machines[balancing, range(len(balancing))] = 1.0
-    system = np.hstack([matrix.T, machines])
+    rows, nodes = matrix.shape
+    system = np.zeros((nodes, rows + len(balancing)))
+    system[:, :rows] = matrix.T
+    for k, node in enumerate(balancing, start=rows):
+        system[node, k] = 1.0
     return Balance(system, *_prepared(system))
 
 
@@ -73,11 +77,10 @@ def solve_torques(known: Balance, applied: Array, *, sharing: Sequence[Sharing] 
     Returns:
         λ of every row [N m per tooth] and torque of every machine [N m], or None where no torques balance.
     """
-    first = known.inverse @ -applied
-    left = known.scaled @ first + applied
-    solution: Array = (first - known.inverse @ left) / known.scale
-    largest = max(float(np.abs(applied).max(initial=0.0)), 1e-30)
-    if np.abs(known.system @ solution + applied).max(initial=0.0) > BALANCE_TOLERANCE * largest:
+    first = known.inverse @ applied
+    solution: Array = (known.inverse @ (known.scaled @ first - applied) - first) / known.scale
+    left = abs(known.system @ solution + applied).max(initial=0.0)
+    if left > BALANCE_TOLERANCE * max(abs(applied).max(initial=0.0), 1e-30):
         return None
     return _share(solution, known.free, sharing) if known.free.shape[1] else solution
 
@@ -87,11 +90,25 @@ def _prepared(system: Array) -> tuple[Array, Array, Array, Array]:
     """Return the columns of a system scaled to unit length, their lengths, the inverse, and the freedoms."""
     scale = np.maximum(np.linalg.norm(system, axis=0), 1e-300)
     scaled = system / scale
+    direct = _inverse(scaled)
+    if direct is not None:
+        return scaled, scale, direct, np.zeros((system.shape[1], 0))
     left, values, right = np.linalg.svd(scaled, full_matrices=False)
     largest = values.max(initial=0.0)
     inverse = (right.T / np.where(values > 1e-12 * largest, values, np.inf)) @ left.T
     determined = len(values) == system.shape[1] and bool(np.all(values > 1e-10 * largest))
     return scaled, scale, inverse, np.zeros((system.shape[1], 0)) if determined else _null_space(system)
+
+
+def _inverse(matrix: Array) -> Array | None:
+    """Return the inverse of a square matrix that is far from singular, or None."""
+    if matrix.shape[0] != matrix.shape[1]:
+        return None
+    try:
+        inverse = np.asarray(np.linalg.inv(matrix), dtype=np.float64)
+    except np.linalg.LinAlgError:
+        return None
+    return inverse if abs(inverse).max() < LARGEST_INVERSE else None
 
 
 def _share(solution: Array, free: Array, sharing: Sequence[Sharing]) -> Array:
