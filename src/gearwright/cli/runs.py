@@ -93,7 +93,7 @@ def resume(
     with _stopped_cleanly(journal), _watched() as watch:
         table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, start=_start(cluster))
     show_table(table, known.study, csv=csv, json=json)
-    write_files(known.study, table, export=export, report=report)
+    write_files(known.study, table, known.designs, export=export, report=report)
 
 
 def cluster(
@@ -118,14 +118,29 @@ def show_table(table: Table, study: Study | None = None, *, csv: Path | None, js
     else:
         Console().print(study_grid(table) if len(table.rows) <= LISTED else summary_grid(table))
         if study is not None and study.objectives:
-            from gearwright.study.pareto import front_table
-
-            Console().print(study_grid(front_table(study, table)))
+            _show_answer(study, table)
     if csv is not None:
         csv.write_text(study_csv(table), encoding="utf-8")
 
 
-def write_files(study: Study, table: Table, *, export: Path | None, report: Path | None) -> None:
+def _show_answer(study: Study, table: Table) -> None:
+    """Print the front of several objectives, and in sentences what wins, by how much, and how sure that is."""
+    from rich.console import Console
+
+    from gearwright.render.study_tables import study_grid
+    from gearwright.render.study_words import answer
+    from gearwright.study.pareto import front_table
+    from gearwright.study.verdict import verdict
+
+    if len(study.objectives) > 1 and verdict(study, table) is None:
+        Console().print(study_grid(front_table(study, table)))
+    for sentence in answer(study, table):
+        Console().print(sentence, highlight=False, markup=False)
+
+
+def write_files(
+    study: Study, table: Table, designs: Mapping[str, Design], *, export: Path | None, report: Path | None
+) -> None:
     """Write the table for other programs and the page of a study, where they are asked for."""
     if export is not None:
         from gearwright.study.export import write_table
@@ -135,7 +150,7 @@ def write_files(study: Study, table: Table, *, export: Path | None, report: Path
     if report is not None:
         from gearwright.render.study_page import study_page
 
-        report.write_text(study_page(study, table), encoding="utf-8")
+        report.write_text(study_page(study, table, designs), encoding="utf-8")
         typer.echo(f"wrote {report}", err=True)
 
 

@@ -66,7 +66,7 @@ def study(
     show_table(table, read, csv=csv, json=json)
     if figure is not None:
         _draw(read, table, figure)
-    write_files(read, table, export=export, report=report)
+    write_files(read, table, designs, export=export, report=report)
 
 
 def compare(

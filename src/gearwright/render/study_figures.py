@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from gearwright.render import theme
-from gearwright.render.study_tables import heading, inputs_of, result_unit
+from gearwright.render.study_tables import heading, percent, result_unit
 from gearwright.study import Row, Table
 
 FLAT = 0.03
@@ -19,18 +19,23 @@ _STACK_COLOURS = dict(zip(_STACK, (theme.BLUE, theme.GREEN, theme.AMBER, theme.O
 _HEAVIER_IS_BETTER = ("power_density", "worst_margin")
 
 
-def study_figure(table: Table) -> Figure:
+def study_figure(table: Table, objectives: Mapping[str, str] | None = None) -> Figure:
     """Return the figure that suits a study: lines where a number varies, bars where designs are compared.
 
     Args:
         table: Of the study.
+        objectives: Result -> ``least`` or ``most``, whose optima are marked; left out: every result has its own.
     """
-    return sweep_figure(table) if _numeric_axis(table) else comparison_figure(table)
+    return sweep_figure(table, objectives) if numeric_axis(table) else comparison_figure(table)
 
 
-def _numeric_axis(table: Table) -> str | None:
-    """Return the last axis if its values are numbers."""
-    paths = inputs_of(table)
+def numeric_axis(table: Table) -> str | None:
+    """Return the last axis if its values are numbers.
+
+    Args:
+        table: Of the study.
+    """
+    paths = table.free
     if not paths or any(not _is_number(row.inputs[paths[-1]]) for row in table.rows):
         return None
     return paths[-1]
@@ -41,24 +46,29 @@ def _is_number(value: object) -> bool:
 
 
 @theme.styled
-def sweep_figure(table: Table) -> Figure:
+def sweep_figure(table: Table, objectives: Mapping[str, str] | None = None) -> Figure:
     """Return every result against the last axis, one panel each, with the optimum and the range near it.
 
     Args:
         table: Of a study whose last axis is a number.
+        objectives: Result -> ``least`` or ``most``, whose optima are marked; left out: every result has its own.
     """
-    axis = _numeric_axis(table) or ""
-    figure = theme.sheet(180.0, 16.0 + 44.0 * len(table.results))
-    panels = figure.subplots(len(table.results), 1, sharex=True, squeeze=False)[:, 0]
-    for panel, result in zip(panels, table.results, strict=True):
+    senses = objectives or {name: "most" if name in _HEAVIER_IS_BETTER else "least" for name in table.numbers}
+    axis = numeric_axis(table) or ""
+    figure = theme.sheet(180.0, 16.0 + 44.0 * len(table.numbers))
+    panels = figure.subplots(len(table.numbers), 1, sharex=True, squeeze=False)[:, 0]
+    for panel, result in zip(panels, table.numbers, strict=True):
         for colour, (label, rows) in zip(theme.CYCLE * 4, _curves(table, axis), strict=False):
             _draw_curve(panel, axis, result, (label, rows, colour))
+            if result in senses:
+                _mark_optimum(panel, axis, result, (rows, colour), most=senses[result] == "most")
         panel.set_ylabel(f"{heading(result)} [{result_unit(table, result) or '-'}]")
         panel.margins(x=0.02, y=0.18)
-    panels[-1].set_xlabel(axis)
+    tied = len(table.rows[0].inputs) - len(table.free)
+    panels[-1].set_xlabel(f"{axis}, and {tied} more with it" if tied else axis)
     if len(list(_curves(table, axis))) > 1:
         panels[0].legend(loc="best")
-    panels[0].set_title(f"{table.name}: ring at the optimum, band within {FLAT:.0%} of it")
+    panels[0].set_title(f"{table.name}: ring at the optimum, band within {percent(FLAT)} of it")
     return figure
 
 
@@ -67,7 +77,7 @@ def _curves(table: Table, axis: str) -> Iterator[tuple[str, list[Row]]]:
     groups: dict[str, list[Row]] = {}
     for row in table.rows:
         if not row.problem:
-            others = [str(value) for path, value in row.inputs.items() if path != axis]
+            others = [str(row.inputs[path]) for path in table.free if path != axis]
             groups.setdefault(", ".join([row.design, *others]), []).append(row)
     yield from groups.items()
 
@@ -77,12 +87,18 @@ def _draw_curve(panel: Axes, axis: str, result: str, curve: tuple[str, list[Row]
     place: list[Any] = [row.inputs[axis] for row in rows]
     values = [row.shown(result) for row in rows]
     panel.plot(place, values, "-", color=colour, marker=".", ms=3.5, label=label)
-    best = max(values) if result in _HEAVIER_IS_BETTER else min(values)
+
+
+def _mark_optimum(panel: Axes, axis: str, result: str, curve: tuple[list[Row], str], *, most: bool) -> None:
+    rows, colour = curve
+    place: list[Any] = [row.inputs[axis] for row in rows]
+    values = [row.shown(result) for row in rows]
+    best = max(values) if most else min(values)
     near = [x for x, value in zip(place, values, strict=True) if abs(value / best - 1.0) <= FLAT] if best else place
     at = place[values.index(best)]
     panel.plot([at], [best], "o", mfc="none", mec=colour, ms=8)
     panel.axvspan(min(near), max(near), color=colour, alpha=0.07, lw=0)
-    offset = -12 if result in _HEAVIER_IS_BETTER else 8
+    offset = -12 if most else 8
     side = {min(place): "left", max(place): "right"}.get(at, "center")
     panel.annotate(f"{best:.4g} at {at:g}", (at, best), (0, offset), textcoords="offset points", ha=side,
                    fontsize=7.5, color=colour)  # fmt: skip

@@ -1,14 +1,16 @@
-"""The page of a study: which design wins, by how much, how sure that is, and what it depends on."""
+"""The page of a study: which design wins, by how much, how sure that is, what it depends on, and the designs drawn."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from gearwright.errors import SolveError
 from gearwright.render import theme
 from gearwright.render.pages import environment
 from gearwright.render.report_parts import Figure, Section
+from gearwright.render.schematic import schematic_figure
 from gearwright.render.study_figures import study_figure
+from gearwright.render.study_lists import front_list, inputs_table, letter, spread_table, standings_table, values_table
 from gearwright.render.study_spread import (
     contour_figure,
     distribution_figure,
@@ -16,107 +18,80 @@ from gearwright.render.study_spread import (
     pareto_figure,
     tornado_figure,
 )
-from gearwright.render.study_tables import heading, inputs_of, reasons, result_unit, spread
-from gearwright.render.tables import MARKS, written
+from gearwright.render.study_tables import heading
+from gearwright.render.study_trade import trade_figure, weights_figure
+from gearwright.render.study_words import SAMPLED, answer, at, key_numbers
+from gearwright.render.tables import MARKS
+from gearwright.spec import Design
 from gearwright.spec.study import Study
 from gearwright.study import Row, Table
+from gearwright.study.evaluate import sized
 from gearwright.study.pareto import front_table, pareto_front
 from gearwright.study.sensitivity import sensitivity
+from gearwright.study.verdict import Verdict, verdict
 from gearwright.version import __version__
 
 FEW = 60
 """Cases up to which every one is drawn; the spread says more about more of them."""
+DRAWN = 3
+"""Designs of a front that are drawn: its ends and the one between them."""
 
 
-def study_page(study: Study, table: Table) -> str:
+def study_page(study: Study, table: Table, designs: Mapping[str, Design]) -> str:
     """Return a study as one self-contained HTML page; the same input gives the same bytes.
 
     Args:
         study: As run.
         table: Its rows.
+        designs: Name -> design, to draw those that are chosen.
     """
-    sections = [Section("Answer", notes=tuple(_answer(study, table)))]
-    if study.objectives:
+    found = verdict(study, table)
+    sections = [_answer(study, table, found)]
+    if len(study.objectives) > 1 and found is None:
         sections.append(_front(study, table))
     if study.sampling.method == "saltelli":
         sections.append(_sensitivity(study, table))
-    sections.append(_cases(study, table))
+    if found is None or found.scenarios == 1:
+        sections.append(_cases(study, table))
+    sections += _drawn(study, table, designs, found)
+    sections.append(_made(study))
     return environment().get_template("comparison.html.j2").render(
-        title=table.name, description=table.description, sections=sections, marks=MARKS, version=__version__
+        title=table.name, description=table.description, numbers=key_numbers(found), sections=sections, marks=MARKS,
+        version=__version__,
     )  # fmt: skip
 
 
-def _answer(study: Study, table: Table) -> Iterator[str]:
-    """Yield what a reader asks first."""
-    failed = len(table.failed)
-    yield (
-        f"{len(table.rows):,} cases by the method {study.sampling.method!r}, of {len(study.designs)} designs;"
-        f" {failed:,} cannot be had."
+def _answer(study: Study, table: Table, found: Verdict | None) -> Section:
+    notes = tuple(answer(study, table))
+    if found is None:
+        return Section("Answer", notes=notes)
+    caption = "Medians; bars from 5 to 95 % of the cases; the best of each objective in orange; the winner at the top."
+    trade = Figure(theme.to_svg(trade_figure(study, table, found), "trade"), caption)
+    figures = [trade]
+    if len(study.objectives) > 1:
+        weights = "Who comes first: objectives of the same weight, and over all weights."
+        figures.append(Figure(theme.to_svg(weights_figure(found), "weights"), weights))
+    return Section(
+        "Answer",
+        tables=(standings_table(table, found), values_table(study, table, found)),
+        figures=tuple(figures),
+        notes=notes,
     )
-    wanted = study.objectives or {table.results[0]: "least"}
-    for result, sense in wanted.items():
-        yield _winner(table, result, sense)
-    yield from (f"Cannot be had: {reason}" for reason in reasons(table))
-
-
-def _winner(table: Table, result: str, sense: str) -> str:
-    """Say which case has the best of a result, by how much over the best of other designs, and how sure that is."""
-    sign = 1.0 if sense == "least" else -1.0
-    best: dict[str, Row] = {}
-    for row in sorted(_good(table), key=lambda each: sign * each.number(result)):
-        best.setdefault(row.design, row)
-    first, *others = best.values()
-    unit = result_unit(table, result)
-    text = (
-        f"{sense.capitalize()} {heading(result)}: {first.design}{_at(first)}, {_number(first, result)} {unit}".rstrip()
-    )
-    if not others:
-        return f"{text}."
-    margin = abs(others[0].number(result) / first.number(result) - 1.0)
-    after = f"next {others[0].design}, {_number(others[0], result)} {unit}".rstrip()
-    return f"{text}; {after}, {margin:.1%} off. {_sure(table, result, first.design, sign)}"
-
-
-def _sure(table: Table, result: str, design: str, sign: float) -> str:
-    """Say in how many of the cases with equal inputs a design is the best: what varies there is not to choose."""
-    groups: dict[tuple[object, ...], list[Row]] = {}
-    for row in _good(table):
-        groups.setdefault(tuple(row.inputs.values()), []).append(row)
-    complete = [rows for rows in groups.values() if len(rows) > 1]
-    if not complete:
-        return ""
-    won = sum(min(rows, key=lambda each: sign * each.number(result)).design == design for rows in complete)
-    return f"At equal inputs it is best in {won:,} of {len(complete):,} cases, {won / len(complete):.1%}."
-
-
-def _at(row: Row) -> str:
-    given = [
-        f"{path} = {value:.6g}" if isinstance(value, float) else f"{path} = {value}"
-        for path, value in row.inputs.items()
-    ]
-    return f" at {', '.join(given)}" if given else ""
 
 
 def _front(study: Study, table: Table) -> Section:
-    front = pareto_front(study, table)
-    listed = [
-        f"{row.design}{_at(row)}: "
-        + ", ".join(
-            f"{heading(name)} {_number(row, name)} {result_unit(table, name)}".rstrip() for name in study.objectives
-        )
-        for row in front_table(study, table).rows
-    ]
-    figures = [Figure(theme.to_svg(parallel_figure(table, front), "lines"), "All cases; the front stands out.")]
-    if len(study.objectives) > 1:
-        caption = "Every case over the first two objectives; no other case beats one of the front in all of them."
-        figures.insert(0, Figure(theme.to_svg(pareto_figure(study, table, front), "front"), caption))
-    notes = (f"{len(front):,} cases are beaten by none in all objectives:", *listed)
-    return Section("What no other beats", figures=tuple(figures), notes=notes)
+    front, chosen = pareto_front(study, table), front_table(study, table).rows
+    caption = "Every case over the first two objectives; no other case beats one of the front in all of them."
+    drawn = pareto_figure(study, table, front, chosen)
+    lines = Figure(theme.to_svg(parallel_figure(table, front), "lines"), "All cases; the front stands out.")
+    figures = [Figure(theme.to_svg(drawn, "front"), caption), lines]
+    notes = (f"{len(front):,} cases are beaten by none in all objectives; {len(chosen)} of them are listed.",)
+    return Section("What no other beats", (front_list(study, table, chosen),), tuple(figures), notes)
 
 
 def _sensitivity(study: Study, table: Table) -> Section:
     figures, notes = [], []
-    for k, result in enumerate(table.results):
+    for k, result in enumerate(table.numbers):
         try:
             found = sensitivity(study, table, result)
         except SolveError as error:
@@ -129,30 +104,64 @@ def _sensitivity(study: Study, table: Table) -> Section:
 
 def _cases(study: Study, table: Table) -> Section:
     """Return the cases themselves: each one of a few, the spread of many."""
+    sampled = study.sampling.method in SAMPLED
+    shapes = _shapes(study, table)
     if len(table.rows) <= FEW and study.sampling.method in ("grid", "list"):
-        return Section("Cases", figures=(Figure(theme.to_svg(study_figure(table), "cases"), table.name),))
-    notes = tuple(
-        f"{heading(line.result)}: median {line.values[2]} {line.unit}, 5 to 95 %: {line.values[1]} to {line.values[3]},"
-        f" least {line.values[0]}, most {line.values[4]}."
-        for line in spread(table)
-    )
-    caption = "How the results are spread."
-    figures = [Figure(theme.to_svg(distribution_figure(table), "spread"), caption)]
-    if len(study.designs) == 1 and len(inputs_of(table)) == 2 and _all_numbers(table):
-        shape = Figure(theme.to_svg(contour_figure(table, table.results[0]), "contour"), "Between the cases: linear.")
-        figures.append(shape)
-    return Section("Spread", figures=tuple(figures), notes=notes)
+        return Section(
+            "Cases", figures=(*shapes, Figure(theme.to_svg(study_figure(table, study.objectives), "cases"), table.name))
+        )
+    figures = [*shapes, Figure(theme.to_svg(distribution_figure(table), "spread"), "How the results are spread.")]
+    tables = (spread_table(table, sampled=sampled),) if len(study.designs) == 1 else ()
+    return Section("Spread", tables, tuple(figures))
+
+
+def _shapes(study: Study, table: Table) -> list[Figure]:
+    """Return the objectives, or the first result, over two axes."""
+    if len(study.designs) > 1 or len(table.free) != 2 or not _all_numbers(table):
+        return []
+    names = tuple(study.objectives) or table.numbers[:1]
+    return [
+        Figure(theme.to_svg(contour_figure(table, name), f"contour{k}"), f"{heading(name)}; between the cases: linear.")
+        for k, name in enumerate(names)
+    ]
+
+
+def _drawn(study: Study, table: Table, designs: Mapping[str, Design], found: Verdict | None) -> Iterator[Section]:
+    """Yield the chosen designs as schematics: the winner and the next, or the ends and the middle of a front."""
+    chosen = dict(_chosen(study, table, found))
+    figures = [
+        Figure(theme.to_svg(schematic_figure(sized(study, designs[row.design], row.inputs)), f"drawn{k}"), caption)
+        for k, (caption, row) in enumerate(chosen.items())
+    ]
+    if figures:
+        yield Section("The chosen designs", figures=tuple(figures))
+
+
+def _chosen(study: Study, table: Table, found: Verdict | None) -> Iterator[tuple[str, Row]]:
+    """Yield caption and case of what is drawn."""
+    if found is not None:
+        for place, each in enumerate(found.standings[:2]):
+            row = next((row for row in table.good if row.design == each.design), None)
+            if row is not None:
+                yield f"{'The winner' if place == 0 else 'The next'}, {row.design}, in the first case of the study", row
+    elif study.objectives:
+        rows = front_table(study, table).rows
+        for k in sorted({0, len(rows) // 2, len(rows) - 1})[:DRAWN]:
+            name = f"{letter(k)}: " if len(rows) > 1 else ""
+            yield f"{name}{rows[k].design}{at(table, rows[k])}", rows[k]
+
+
+def _made(study: Study) -> Section:
+    sampling = study.sampling
+    drawn = f", {sampling.count:,} drawn with seed {sampling.seed}" if sampling.count else ""
+    notes = [f"Cases by the method {sampling.method!r}{drawn}; gearwright {__version__}."]
+    if study.mission is not None:
+        life = f"; gears strengthened to live {study.fly.life / 3600.0:g} h" if study.fly.life else ""
+        notes.append(f"Flown: {study.mission.name}{life}.")
+    return Section("How it was made", tables=(inputs_table(study),), notes=tuple(notes))
 
 
 def _all_numbers(table: Table) -> bool:
-    columns = [[row.inputs[path] for row in _good(table)] for path in inputs_of(table)]
+    columns = [[row.inputs[path] for row in table.good] for path in table.free]
     numbers = all(isinstance(value, int | float) for column in columns for value in column)
     return numbers and all(len(set(column)) > 2 for column in columns)
-
-
-def _good(table: Table) -> list[Row]:
-    return [row for row in table.rows if not row.problem]
-
-
-def _number(row: Row, result: str) -> str:
-    return written(row.shown(result))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from itertools import product
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -10,13 +12,18 @@ from numpy.typing import NDArray
 
 from gearwright.render import theme
 from gearwright.render.study_figures import study_figure
-from gearwright.render.study_tables import heading, inputs_of, result_unit
+from gearwright.render.study_lists import letter
+from gearwright.render.study_tables import heading, percent, result_unit
 from gearwright.spec.study import Study
 from gearwright.study import Row, Table
 from gearwright.study.pareto import pareto_front
 from gearwright.study.sensitivity import CONFIDENCE, Influence, varies
 
 Floats = NDArray[np.float64]
+MOST_BINS, FEW_DESIGNS = 40, 4
+"""Bars of a distribution; designs whose legend has room inside it."""
+_MARKS = "os^v"
+"""Shapes of points, for more designs than colours."""
 MOST_LINES = 400
 """Cases drawn as parallel coordinates; more would be a wall of ink: evenly spaced ones are taken."""
 
@@ -43,12 +50,12 @@ def distribution_figure(table: Table) -> Figure:
         table: Of a study.
     """
     drawn = [name for name in table.numbers if varies(np.array(table.column(name)))]
-    figure = theme.sheet(180.0, 14.0 + 38.0 * len(drawn))
+    designs = tuple(dict.fromkeys(row.design for row in table.good))
+    figure = theme.sheet(180.0, 14.0 + (38.0 + 4.0 * max(0, len(designs) - FEW_DESIGNS)) * len(drawn))
     panels = figure.subplots(max(1, len(drawn)), 1, squeeze=False)[:, 0]
-    designs = tuple(dict.fromkeys(row.design for row in table.rows))
     for panel, result in zip(panels, drawn, strict=False):
         everything = np.array([_shown(row, result) for row in _good(table)])
-        bins = np.histogram_bin_edges(everything, bins=40)
+        bins = np.histogram_bin_edges(everything, bins=min(MOST_BINS, int(2.0 * math.sqrt(len(everything))) + 1))
         for design, colour in zip(designs, theme.CYCLE * 4, strict=False):
             values = np.array([_shown(row, result) for row in _good(table) if row.design == design])
             if len(values):
@@ -58,7 +65,8 @@ def distribution_figure(table: Table) -> Figure:
                 panel.axvline(median, color=colour, lw=0.9)
         panel.set_xlabel(_label(table, result))
         panel.set_ylabel("cases")
-        panel.legend(loc="best", title="median (5 to 95 %)", title_fontsize=7.5)
+        many = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if len(designs) > FEW_DESIGNS else {"loc": "best"}
+        panel.legend(**many, title="median (5 to 95 %)", title_fontsize=7.5)
     return figure
 
 
@@ -70,7 +78,7 @@ def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
         table: Of a study.
         chosen: Such as its Pareto front.
     """
-    names = [*(path for path in inputs_of(table) if _numeric(table, path)), *table.numbers]
+    names = [*(path for path in table.free if _numeric(table, path)), *table.numbers]
     rows = _good(table)
     rows = rows[:: max(1, len(rows) // MOST_LINES)]
     names = [name for name in names if varies(np.array([_value(row, name) for row in rows]))]
@@ -103,7 +111,7 @@ def contour_figure(table: Table, result: str) -> Figure:
         table: Of a study with two axes that are numbers, of one design.
         result: Its name.
     """
-    across, up = [path for path in inputs_of(table) if _numeric(table, path)][:2]
+    across, up = [path for path in table.free if _numeric(table, path)][:2]
     rows = _good(table)
     x, y = (np.array([_value(row, path) for row in rows]) for path in (across, up))
     z = np.array([_shown(row, result) for row in rows])
@@ -118,23 +126,28 @@ def contour_figure(table: Table, result: str) -> Figure:
 
 
 @theme.styled
-def pareto_figure(study: Study, table: Table, front: Sequence[Row]) -> Figure:
-    """Return all cases over the first two objectives, the front joined, designs in colours.
+def pareto_figure(study: Study, table: Table, front: Sequence[Row], chosen: Sequence[Row] = ()) -> Figure:
+    """Return all cases over the first two objectives, the front joined, designs in colours and marks.
 
     Args:
         study: With two objectives or more.
         table: Its rows.
         front: From `pareto_front`.
+        chosen: Designs of the front that get letters, in order.
     """
     across, up = list(study.objectives)[:2]
     figure = theme.sheet(150.0, 100.0)
     axes = figure.add_subplot()
     designs = tuple(dict.fromkeys(row.design for row in table.rows))
-    for design, colour in zip(designs, theme.CYCLE * 4, strict=False):
+    for design, (mark, colour) in zip(designs, product(_MARKS, theme.CYCLE), strict=False):
         rows = [row for row in _good(table) if row.design == design]
-        axes.plot(*_points(rows, across, up), ".", color=colour, ms=3, alpha=0.35, label=design)
+        axes.plot(*_points(rows, across, up), mark, color=colour, ms=2.5, alpha=0.35, mew=0)
         best = [row for row in front if row.design == design]
-        axes.plot(*_points(best, across, up), "o", color=colour, ms=5, mec=theme.INK, mew=0.5)
+        axes.plot(*_points(best, across, up), mark, color=colour, ms=5, mec=theme.INK, mew=0.5)
+        axes.plot([], [], mark, color=colour, ms=5, label=design)
+    for k, row in enumerate(chosen):
+        at = (row.shown(across), row.shown(up))
+        axes.annotate(letter(k), at, (5, 4), textcoords="offset points", fontsize=8, weight="bold")
     if len(study.objectives) == 2:
         axes.plot(*_points(front, across, up), "-", color=theme.INK, lw=0.8, label="front", zorder=1)
     axes.set_xlabel(f"{_label(table, across)}: {study.objectives[across]}")
@@ -162,7 +175,7 @@ def tornado_figure(result: str, influences: Sequence[Influence]) -> Figure:
         axes.barh(place + offset, values, 0.36, xerr=errors, color=colour, label=label, error_kw={"lw": 0.8})
     axes.set_yticks(place, [each.axis for each in influences])
     axes.invert_yaxis()
-    axes.set_xlabel(f"share of the variance of {heading(result)} [-]; bars of {CONFIDENCE:.0%} confidence")
+    axes.set_xlabel(f"share of the variance of {heading(result)} [-]; bars of {percent(CONFIDENCE)} confidence")
     axes.legend(loc="lower right")
     theme.only_grid(axes, "x")
     return figure

@@ -16,8 +16,16 @@ from gearwright.render.tables import written
 from gearwright.study import Row, Table
 
 _WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
-          "motor_mass": "motors", "total_mass": "gearbox + motors", "power_density": "power density",
-          "worst_margin": "worst margin"}  # fmt: skip
+          "motor_mass": "motors", "total_mass": "gearbox + motors", "envelope.volume": "envelope",
+          "modes.lowest_critical_speed": "lowest critical speed", "modes.critical_margin": "margin of critical speeds",
+          "fly.fuel": "fuel", "fly.efficiency": "efficiency in flight", "fly.life": "life", "fly.flights": "flights",
+          "fly.governing": "fails first", "fly.battery_energy": "battery energy",
+          "fly.electric_share": "electric share", "fly.charge": "charge at the end",
+          "fly.least_charge": "least charge"}  # fmt: skip
+
+
+MOST_COLUMNS = 4
+"""Inputs that a table on a terminal has room for."""
 
 
 def heading(result: str) -> str:
@@ -29,13 +37,17 @@ def heading(result: str) -> str:
     return _WORDS.get(result, result.replace("_", " "))
 
 
-def inputs_of(table: Table) -> tuple[str, ...]:
-    """Return the paths that vary, in order.
+def percent(part: float, digits: int = 0) -> str:
+    """Return a part as it is read.
 
     Args:
-        table: Of the study.
+        part: Of 1 [-].
+        digits: After the point.
+
+    >>> percent(0.954), percent(0.954, 1)
+    ('95 %', '95.4 %')
     """
-    return tuple(table.rows[0].inputs) if table.rows else ()
+    return f"{100.0 * part:.{digits}f} %"
 
 
 def result_unit(table: Table, result: str) -> str:
@@ -55,14 +67,20 @@ def study_grid(table: Table) -> Grid:
         table: Of the study.
     """
     grid = Grid(title=table.name, title_justify="left", caption=_caption(table), caption_justify="left", box=None)
-    for name in ("design", *inputs_of(table)):
+    paths = _few(table)
+    for name in ("design", *paths):
         grid.add_column(name, justify="left" if name == "design" else "right", overflow="fold")
     for result in table.results:
         grid.add_column(f"{heading(result)}\n{result_unit(table, result)}", justify="right")
     for row in table.rows:
         if not row.problem:
-            grid.add_row(row.design, *_inputs(row), *(_shown(row, result) for result in table.results))
+            grid.add_row(row.design, *_inputs(row, paths), *(_shown(row, result) for result in table.results))
     return grid
+
+
+def _few(table: Table) -> tuple[str, ...]:
+    """Return the paths that have room on a terminal: those that vary on their own, or none if they are many."""
+    return table.free if len(table.free) <= MOST_COLUMNS else ()
 
 
 def summary_grid(table: Table) -> Grid:
@@ -116,12 +134,17 @@ def reasons(table: Table) -> list[str]:
 
 
 def _caption(table: Table) -> str:
-    failed = [f"{row.design} {' '.join(_inputs(row))}: {row.problem}" for row in table.failed]
-    return "\n".join(["", f"{len(failed)} of {len(table.rows)} cannot be had:", *failed]) if failed else ""
+    paths = _few(table)
+    failed = [f"{' '.join([row.design, *_inputs(row, paths)])}: {row.problem}" for row in table.failed]
+    lines = ["", f"{len(failed)} of {len(table.rows)} cannot be had:", *failed] if failed else []
+    hidden = len(table.rows[0].inputs) - len(paths) if table.rows else 0
+    lines += ["", f"{hidden} more inputs are in --csv, --json and --report"] if hidden else []
+    return "\n".join(lines)
 
 
-def _inputs(row: Row) -> list[str]:
-    return [f"{value:g}" if isinstance(value, float) else str(value) for value in row.inputs.values()]
+def _inputs(row: Row, paths: tuple[str, ...]) -> list[str]:
+    values = [row.inputs[path] for path in paths]
+    return [f"{value:g}" if isinstance(value, float) else str(value) for value in values]
 
 
 def _shown(row: Row, result: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gearwright.errors import DesignError, GearwrightError, Problem
-from gearwright.sizing import size
+from gearwright.sizing import Sizing, size
 from gearwright.sizing.named import Named, named_results, pick, total_results
 from gearwright.spec import Design
 from gearwright.spec.edit import edited, edited_mission, path_problem
@@ -24,8 +24,7 @@ def evaluate(study: Study, design: Design, case: Case) -> Row:
         case: Its inputs.
     """
     try:
-        own, flight = split({**study.changes, **case.inputs})
-        results = _results(study, edited(design, own), flight)
+        results = _results(study, design, case.inputs)
         return Row(case.design, case.inputs, {name: pick(results, name) for name in study.asked})
     except DesignError as error:
         reason = "; ".join(str(problem) for problem in error.problems)
@@ -47,17 +46,38 @@ def split(changes: Mapping[str, Value]) -> tuple[dict[str, Value], dict[str, Val
     return design, {path.removeprefix(MISSION_PATH): changes[path] for path in changes if path in flight}
 
 
-def _results(study: Study, design: Design, changes: Mapping[str, Value]) -> dict[str, Named]:
+def sized(study: Study, design: Design, inputs: Mapping[str, Value]) -> Sizing:
+    """Return the sizing of a case, strengthened if the study asks for a life.
+
+    Args:
+        study: With its changes.
+        design: Where the case starts.
+        inputs: Of the case.
+
+    Raises:
+        DesignError: If it cannot be had.
+        SolveError: If the life is out of reach.
+    """
+    if study.fly.life is not None:
+        return _flown(study, design, inputs)[0]
+    return size(edited(design, split({**study.changes, **inputs})[0]))
+
+
+def _flown(study: Study, design: Design, inputs: Mapping[str, Value]) -> tuple[Sizing, dict[str, Named]]:
+    """Return the sizing of a case, and the results of its flight."""
+    from gearwright.study.flight import flight_results, flown  # what flies is loaded for those who ask for it
+
+    own, changes = split({**study.changes, **inputs})
+    if study.mission is None:
+        raise DesignError([Problem("fly.mission", "this study has no mission; it names one under [fly]")])
+    sizing, flight = flown(edited(design, own), edited_mission(study.mission, changes), study.fly)
+    return sizing, flight_results(flight, study.asked)
+
+
+def _results(study: Study, design: Design, inputs: Mapping[str, Value]) -> dict[str, Named]:
     """Return the results of every verb that a name asks for."""
     verbs = {name.partition(".")[0] for name in study.asked}
-    flights: dict[str, Named] = {}
-    if study.flies and study.mission is not None:
-        from gearwright.study.flight import flight_results, flown
-
-        sizing, flight = flown(design, edited_mission(study.mission, changes), study.fly)
-        flights = flight_results(flight, study.asked)
-    else:
-        sizing = size(design)
+    sizing, flights = _flown(study, design, inputs) if study.flies else (sized(study, design, inputs), {})
     results = total_results(sizing)
     if not results.keys() >= set(study.asked):
         results = named_results(sizing)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -55,7 +56,9 @@ def simulated_results(sizing: Sizing, asked: Simulated) -> dict[str, Named]:
 
     Returns:
         ``simulate.LINE.largest`` and ``.mean`` of every line's force or torque, and ``simulate.LINE.factor``, the
-        largest over the mean [-]; ``simulate.largest_factor`` of all lines that carry a mean force.
+        largest over the mean [-]; ``simulate.largest_factor`` of all lines that carry a mean force. Of a pair with
+        parallel meshes ``simulate.PAIR.share``, the largest share of the mean load that one of them carries, and
+        ``simulate.PAIR.factor``, the largest force of one of them over an equal share [-].
     """
     system = assemble(sizing, asked.case)
     trace = simulate(system, asked.duration, outputs=Outputs(start=START * asked.duration))
@@ -69,4 +72,15 @@ def simulated_results(sizing: Sizing, asked: Simulated) -> dict[str, Named]:
         if mean > 1e-9 * largest:
             factors.append(largest / mean)
             results[f"simulate.{line}.factor"] = Named(factors[-1], "ratio")
-    return {**results, "simulate.largest_factor": Named(max(factors), "ratio")}
+    return {**results, "simulate.largest_factor": Named(max(factors), "ratio"), **dict(_shared(sizing, results))}
+
+
+def _shared(sizing: Sizing, results: Mapping[str, Named]) -> Iterator[tuple[str, Named]]:
+    """Yield how the parallel meshes of a pair share its load."""
+    for stage in sizing.design.pairs:
+        lines = [f"simulate.{mesh.name}" for mesh in sizing.train.meshes if mesh.stage == stage]
+        means = [float(results[f"{line}.mean"].value) for line in lines]
+        if len(lines) > 1 and sum(means) > 0.0:
+            largest = max(float(results[f"{line}.largest"].value) for line in lines)
+            yield f"simulate.{stage}.share", Named(max(means) / sum(means), "ratio")
+            yield f"simulate.{stage}.factor", Named(largest * len(lines) / sum(means), "ratio")

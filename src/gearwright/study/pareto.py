@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,7 +55,7 @@ def front_table(study: Study, table: Table) -> Table:
     front = pareto_front(study, table)
     kept = np.unique(np.linspace(0, len(front) - 1, FEW).astype(int))
     name = f"No other beats these in all objectives ({len(kept)} of {len(front)})"
-    return Table(name, "", table.results, tuple(front[k] for k in kept))
+    return replace(table, name=name, description="", rows=tuple(front[k] for k in kept))
 
 
 def wanted(study: Study, rows: Sequence[Row]) -> Floats:

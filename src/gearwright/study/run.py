@@ -69,4 +69,4 @@ def table_of(study: Study, rows: list[Row]) -> Table:
     """
     if rows and all(row.problem for row in rows):
         raise DesignError([Problem("", f"every case failed, the first with {rows[0].problem}")], study.name)
-    return Table(study.name, study.description, study.asked, tuple(rows))
+    return Table(study.name, study.description, study.asked, tuple(rows), tied=study.sampling.method == "list")

@@ -61,6 +61,14 @@ class Table:
     """Results that were asked for."""
     rows: tuple[Row, ...]
     """In the order of the study: designs outermost, the last axis fastest."""
+    tied: bool = False
+    """True if the axes were changed together, value by value."""
+
+    @property
+    def free(self) -> tuple[str, ...]:
+        """Paths that vary on their own: of those that were changed together only the last."""
+        paths = tuple(self.rows[0].inputs) if self.rows else ()
+        return paths[-1:] if self.tied else paths
 
     def column(self, result: str) -> list[float]:
         """Return one result of every row that did not fail [SI].
