@@ -10,7 +10,7 @@ from pathlib import Path
 from gearwright.catalogue.materials import materials
 from gearwright.parts.material import Material
 from gearwright.render.colibri_page import colibri_markdown
-from gearwright.render.design_file import design_file_markdown, study_file_markdown
+from gearwright.render.design_file import design_file_markdown, mission_file_markdown, study_file_markdown
 
 FOLDER = Path(__file__).parent
 
@@ -57,6 +57,7 @@ def validation_markdown() -> str:
 
 PAGES: Mapping[str, Callable[[], str]] = {
     "reference/design-file.md": design_file_markdown,
+    "reference/mission-file.md": mission_file_markdown,
     "reference/study-file.md": study_file_markdown,
     "reference/materials.md": materials_markdown,
     "theory/colibri.md": colibri_markdown,

@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 
 from gearwright.catalogue.materials import materials
-from gearwright.render.design_file import design_file_markdown, study_file_markdown
+from gearwright.render.design_file import design_file_markdown, mission_file_markdown, study_file_markdown
 from gearwright.spec.design import Design
+from gearwright.spec.mission import Mission
 from gearwright.spec.record import keys_of
 from gearwright.spec.schema import records
 from gearwright.spec.study import Study
@@ -57,7 +58,10 @@ def test_formulas_become_mathml_in_their_places(hooks):
     assert re.search(r'<math[^>]*display="inline".*<msub>.*<math[^>]*display="block".*<mfrac>', html, re.DOTALL)
 
 
-@pytest.mark.parametrize(("model", "page"), [(Design, design_file_markdown()), (Study, study_file_markdown())])
+@pytest.mark.parametrize(
+    ("model", "page"),
+    [(Design, design_file_markdown()), (Mission, mission_file_markdown()), (Study, study_file_markdown())],
+)
 def test_every_key_of_a_file_is_on_its_page(model, page):
     """One row for each field of each record, with the unit that is shown first and all others."""
     for record in records(model, {}):

@@ -13,7 +13,7 @@ import typer
 from gearwright.cli.designs import design_of
 
 if TYPE_CHECKING:
-    from gearwright.mission import Flight, GearDamage
+    from gearwright.mission import Durability, Flight, LifeSizing
     from gearwright.spec import Design
     from gearwright.spec.mission import Mission
 
@@ -24,19 +24,28 @@ def fly(
     ] = None,
     mission: Annotated[str, typer.Argument(help="Mission file, or the name of a shipped mission")] = "thesis",
     life_h: Annotated[
-        float | None, typer.Option(help="Strengthen the gears until all live so many flight hours", min=0.0)
+        float | None,
+        typer.Option(
+            help="Strengthen the gears until all live so many flight hours, and choose bearings for them", min=0.0
+        ),
     ] = None,
+    report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page")] = None,
     csv: Annotated[Path | None, typer.Option(help="Write the histories as CSV, in SI")] = None,
     json: Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of words")] = False,
 ) -> None:
-    """Fly a mission: fuel, charge, heat and the gear that dies first; without a design, list the shipped missions."""
+    """Fly a mission: fuel, charge, heat and the part that fails first; without a design, list the shipped missions."""
     if design is None:
         _list()
         return
-    flight, damages = _flown(design_of(design), *_mission(mission), life_h=life_h)
+    flight, parts, life = _flown(design_of(design), *_mission(mission), life_h=life_h)
     from gearwright.render.flight_text import flight_csv, flight_json, flight_text
 
-    typer.echo(flight_json(flight, damages) if json else flight_text(flight, damages))
+    typer.echo(flight_json(flight, parts, life) if json else flight_text(flight, parts, life))
+    if report is not None:
+        from gearwright.render.flight_page import flight_page
+
+        report.write_text(flight_page(flight, parts, life), encoding="utf-8")
+        typer.echo(f"wrote {report}", err=True)
     if csv is not None:
         csv.write_text(flight_csv(flight), encoding="utf-8")
         typer.echo(f"wrote {csv}", err=True)
@@ -61,19 +70,11 @@ def _mission(name: str) -> tuple[Mission, Path]:
 
 def _flown(
     design: Design, mission: Mission, folder: Path, *, life_h: float | None
-) -> tuple[Flight, tuple[GearDamage, ...]]:
-    from gearwright.errors import DesignError
+) -> tuple[Flight, Durability, LifeSizing | None]:
+    from gearwright.mission import durability, size_for_life
     from gearwright.mission import fly as flown_by
-    from gearwright.mission import gear_damage, size_for_life
     from gearwright.sizing import size
 
-    if life_h is not None:
-        found = size_for_life(design, mission, life_h, folder=folder)
-        typer.echo(f"A life of {life_h:g} h costs {found.mass_of_life:.2f} kg in {found.rounds} rounds", err=True)
-        return found.flight, found.damages
-    flight = flown_by(size(design), mission, folder=folder)
-    try:
-        return flight, gear_damage(flight)
-    except DesignError as error:  # the flight is good without a rating; say why there is none
-        typer.echo(f"No damage: {error}", err=True)
-        return flight, ()
+    life = None if life_h is None else size_for_life(design, mission, life_h, folder=folder)
+    flight = life.flight if life is not None else flown_by(size(design), mission, folder=folder)
+    return flight, durability(flight), life

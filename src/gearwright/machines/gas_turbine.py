@@ -24,6 +24,15 @@ class Engine(NamedTuple):
     temperature_exponent: float
     """n of P ∝ δ_t θ_t^n: -0.5 for a constant turbine temperature and corrected mass flow [-]."""
 
+    def rated(self, factor: float) -> Engine:
+        """Return the engine at another rating: core, flat rating and torque limit times a factor.
+
+        Args:
+            factor: Of a contingency rating, above 1 [-].
+        """
+        power, core, torque = self.rated_power, self.thermal_power, self.rated_torque
+        return self._replace(rated_power=factor * power, thermal_power=factor * core, rated_torque=factor * torque)
+
 
 def available_power(engine: Engine, theta: float, delta: float, speed: float) -> float:
     """Return the most power that an engine gives [W].

@@ -1,20 +1,28 @@
 """A mission flown by a sized gearbox: Mission x Sizing becomes a Flight."""
 
-from gearwright.mission.damage import GearDamage, gear_damage
+from gearwright.mission.bearings import BearingDamage, BearingLives, bearing_lives
+from gearwright.mission.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.mission.flight import Balance, Flight, PhaseSummary, phase_summaries
 from gearwright.mission.fly import fly
 from gearwright.mission.governed import Window, governed_window, rotor_at, trim_at
 from gearwright.mission.life import LifeSizing, size_for_life
 from gearwright.mission.spectrum import DutyBin, mesh_spectrum, shaft_spectrum
+from gearwright.mission.verdict import Durability, PartLife, durability
 
 __all__ = [
     "Balance",
+    "BearingDamage",
+    "BearingLives",
+    "Durability",
     "DutyBin",
     "Flight",
     "GearDamage",
     "LifeSizing",
+    "PartLife",
     "PhaseSummary",
     "Window",
+    "bearing_lives",
+    "durability",
     "fly",
     "gear_damage",
     "governed_window",
@@ -24,4 +32,5 @@ __all__ = [
     "shaft_spectrum",
     "size_for_life",
     "trim_at",
+    "unrated_stages",
 ]

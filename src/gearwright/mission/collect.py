@@ -46,7 +46,7 @@ def collect(flown: Flown, intervals: Sequence[Interval], chart: PropellerMap | N
     gearbox, mission, _ = flown
     history = {name: np.array([each.values[name] for each in intervals]) for name in intervals[0].values}
     powers = {name: history.pop(f"power.{name}") for name in gearbox.machines}
-    heat = history["mesh_loss"] + history["drag_loss"]
+    heat = history["gearbox_heat"]
     history["oil_outlet"] = mission.oil.inlet_temperature_k + mission.oil.rise_k * heat / heat.max()
     train = gearbox.sizing.train
     speeds, shafts, meshes = (
@@ -93,7 +93,9 @@ def _balance(flown: Flown, history: Mapping[str, Array]) -> Balance:
         propeller=total("propeller_power"),
         turbine_heat=fuel - total("turbine_power"),
         mesh_loss=total("mesh_loss"),
-        drag_loss=total("drag_loss"),
+        bearing_loss=total("bearing_loss"),
+        windage_loss=total("windage_loss"),
+        churning_loss=total("churning_loss"),
         motor_loss=total("motor_loss"),
         battery_loss=total("battery_loss"),
         stored=0.5 * gearbox.inertia * (last**2 - first**2),

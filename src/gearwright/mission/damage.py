@@ -20,6 +20,7 @@ from gearwright.parts.iso6336_life import LifeCurve, bending_life_curve, contact
 from gearwright.parts.iso6336_loads import MeshDuty, MeshQuality
 from gearwright.parts.iso6336_rating import PairRating, rate_mesh
 from gearwright.parts.iso6336_strength import GearSteel
+from gearwright.spec import Design
 from gearwright.units import Ratio
 
 PITTING, BENDING = "pitting", "bending"
@@ -64,13 +65,16 @@ def gear_damage(flight: Flight) -> tuple[GearDamage, ...]:
 
     Raises:
         DesignError: Teeth that ISO 6336 does not cover; with the mesh.
+
+    Valid for: cylindrical gears; those of `unrated_stages` are left out.
     """
     rules = flight.mission.gears
     steel = gear_steel(rules.steel, rules.grade, rules.hardness_hv)
     pairs = gear_pairs(flight.sizing)
     sums: dict[tuple[str, str], list[float]] = {}
     for mesh in flight.sizing.train.meshes:
-        _refuse_face(flight, mesh.stage)
+        if mesh.stage in unrated_stages(flight.sizing.design):
+            continue
         try:
             found = _mesh_damage(flight, mesh.name, pairs[mesh.name], steel)
         except DesignError as error:
@@ -83,11 +87,13 @@ def gear_damage(flight: Flight) -> tuple[GearDamage, ...]:
     return tuple(sorted(rows, key=lambda row: -row.damage))
 
 
-def _refuse_face(flight: Flight, stage: str) -> None:
-    pair = flight.sizing.design.pairs.get(stage)
-    if pair is not None and pair.kind == "face":
-        message = "a face gear; ISO 6336 rates cylindrical gears only, so that its damage is not known"
-        raise DesignError([Problem(f"pairs.{stage}", message)])
+def unrated_stages(design: Design) -> tuple[str, ...]:
+    """Return the stages whose gears have no damage here: face and bevel gears, as ISO 6336 rates cylindrical ones.
+
+    Args:
+        design: As read.
+    """
+    return tuple(name for name, pair in design.pairs.items() if pair.kind != "cylindrical")
 
 
 def _joined(flight: Flight, gear: str, parts: Sequence[float]) -> float:

@@ -31,8 +31,12 @@ class Balance:
     """Of the fuel, what does not reach the shaft [J]."""
     mesh_loss: Energy
     """[J]"""
-    drag_loss: Energy
-    """Bearings and windage [J]."""
+    bearing_loss: Energy
+    """[J]"""
+    windage_loss: Energy
+    """Gears in the oil mist [J]."""
+    churning_loss: Energy
+    """Gears that dip into the oil [J]."""
     motor_loss: Energy
     """Motors and inverters, and motors that are dragged without current [J]."""
     battery_loss: Energy
@@ -41,9 +45,14 @@ class Balance:
     """Gain of kinetic energy of everything that turns, by the speeds at start and end [J]."""
 
     @property
+    def gearbox_loss(self) -> Energy:
+        """Meshes, bearings, windage and churning: what heats the oil [J]."""
+        return self.mesh_loss + self.bearing_loss + self.windage_loss + self.churning_loss
+
+    @property
     def residual(self) -> Ratio:
         """What is missing, as a part of what came in [-]."""
-        spent = self.propeller + self.turbine_heat + self.mesh_loss + self.drag_loss
+        spent = self.propeller + self.turbine_heat + self.gearbox_loss
         spent += self.motor_loss + self.battery_loss + self.stored
         return abs(self.fuel + self.battery - spent) / (self.fuel + abs(self.battery))
 
@@ -59,8 +68,8 @@ class Flight:
     history: Mapping[str, Array]
     """Name -> values in SI: time, duration, altitude, air_temperature, air_density, true_airspeed, mach,
     advance_ratio, pitch, thrust, propeller_power, propeller_speed, fuel_flow, turbine_available, state_of_charge (at
-    the end of the interval), battery_current, battery_voltage, mesh_loss, drag_loss, motor_loss, battery_loss,
-    oil_outlet."""
+    the end of the interval), battery_current, battery_voltage, mesh_loss, bearing_loss, windage_loss, churning_loss,
+    gearbox_heat (their sum), motor_loss, battery_loss, oil_outlet."""
     speeds: Mapping[str, Array]
     """Node of the train -> speed [rad/s]."""
     shaft_torques: Mapping[str, Array]
@@ -106,7 +115,7 @@ class PhaseSummary:
     propeller: Energy
     """Work of the propeller's shaft [J]."""
     loss: Energy
-    """Of the gearbox: meshes, bearings, windage [J]."""
+    """Of the gearbox: meshes, bearings, windage, churning [J]."""
     efficiency: Ratio
     """Of the gearbox: propeller over propeller and loss [-]."""
 
@@ -125,7 +134,7 @@ def _summary(flight: Flight, name: str, own: NDArray[np.bool_]) -> PhaseSummary:
     def total(key: str) -> float:
         return float((flight.history[key] * flight.history["duration"])[own].sum())
 
-    work, loss = total("propeller_power"), total("mesh_loss") + total("drag_loss")
+    work, loss = total("propeller_power"), total("gearbox_heat")
     return PhaseSummary(
         name=name,
         duration=float(flight.history["duration"][own].sum()),

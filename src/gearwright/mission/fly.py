@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from gearwright.catalogue.propellers import propeller_map, read_propeller_map
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, near
 from gearwright.machines.propeller_map import PropellerMap
 from gearwright.mission.collect import Flown, Interval, collect
 from gearwright.mission.flight import Flight
@@ -17,7 +17,7 @@ from gearwright.mission.profile import Moment, moments
 from gearwright.mission.supply import supply_of
 from gearwright.mission.thrust import performed, propeller_power
 from gearwright.sizing import Sizing
-from gearwright.spec.mission import NO_MAP, Mission, mission_problems
+from gearwright.spec.mission import NO_MAP, Mission, engine_out, mission_problems
 
 TRIAL_POWER = 1e5
 """Power at which an operating point is found before it is scaled [W]; torques and powers are proportional."""
@@ -43,7 +43,7 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     problems = mission_problems(mission)
     if problems:
         raise DesignError(problems)
-    oil = Oil(mission.oil.inlet_temperature_k, mission.oil.roughness)
+    oil = Oil(mission.oil.inlet_temperature_k, mission.oil.roughness, _dipping(sizing, mission))
     flown = Flown(gearbox_of(sizing, _only_propeller(sizing), oil), mission, supply_of(sizing, mission))
     chart = _chart(mission, folder)
     charge = mission.battery.start_charge if mission.battery else 0.0
@@ -57,6 +57,16 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
         charge = values["state_of_charge"]
         burnt += values["fuel_flow"] * moment.duration * (mission.phases[moment.phase].engines or mission.engines)
     return collect(flown, intervals, chart)
+
+
+def _dipping(sizing: Sizing, mission: Mission) -> dict[str, float]:
+    gears = [gear.name for gear in sizing.gears]
+    unknown = [name for name in mission.oil.dip if name not in gears]
+    if unknown:
+        raise DesignError(
+            [Problem(f"oil.dip.{name}", f"there is no gear {name!r}; {near(name, gears)}") for name in unknown]
+        )
+    return mission.oil.dip
 
 
 def _only_propeller(sizing: Sizing) -> str:
@@ -92,16 +102,20 @@ def _interval(
     if last is None or moment.starts_phase:
         point = _operating(flown, parts, moment, asked=(wanted, point, spin_up))
     friction, dragged = drag(gearbox, point), supply.dragged(gearbox, point, parts)
-    carried = np.array([parts.get(name, 0.0) for name in gearbox.machines]) * (friction + dragged + spin_up)
+    carried = np.array([parts.get(name, 0.0) for name in gearbox.machines]) * (sum(friction) + dragged + spin_up)
     powers = point.machine_powers + carried
     lost = float(point.mesh_losses.sum())
     work = float(point.machine_powers.sum()) - lost
-    driven = supply.drive(gearbox, moment, (point, powers), charge)
+    rating = mission.engine.contingency if engine_out(mission, mission.phases[moment.phase]) else 1.0
+    driven = supply.drive(gearbox, moment, (point, powers), (charge, rating))
     return {
         **performed(chart, gearbox, moment, work),
         **driven,
         "mesh_loss": lost,
-        "drag_loss": friction,
+        "bearing_loss": friction.bearings,
+        "windage_loss": friction.windage,
+        "churning_loss": friction.churning,
+        "gearbox_heat": lost + sum(friction),
         "motor_loss": driven["motor_loss"] + dragged,
         "spin_up": spin_up,
     }, point
@@ -119,7 +133,7 @@ def _operating(
     if wanted is not None:
         return point.scaled(wanted / float(point.machine_powers.sum() - point.mesh_losses.sum()))
     before = point.scaled((moment.power or 0.0) / TRIAL_POWER)
-    left = (moment.power or 0.0) - spin_up - drag(gearbox, before) - supply.dragged(gearbox, point, parts)
+    left = (moment.power or 0.0) - spin_up - sum(drag(gearbox, before)) - supply.dragged(gearbox, point, parts)
     if left <= 0.0:
         message = f"{(moment.power or 0.0) / 1e3:.4g} kW only spin the train up; give more, or a longer ramp_s"
         raise DesignError([Problem("power", message)])

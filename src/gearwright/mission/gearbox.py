@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -11,10 +12,11 @@ from numpy.typing import NDArray
 
 from gearwright.parts.losses_bearing import bearing_torque_constant
 from gearwright.parts.losses_mesh import ToothContact, mesh_efficiency, mesh_friction, tooth_contact
-from gearwright.parts.losses_oil import oil_viscosity, windage_power
+from gearwright.parts.losses_oil import churning_power, oil_viscosity, windage_power
 from gearwright.sizing import Sizing
+from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_loads
 from gearwright.sizing.result import GearSizing
-from gearwright.spec import Design, Drive
+from gearwright.spec import GROUND, Design, Drive
 from gearwright.train.flow import PowerFlow, power_flow
 from gearwright.train.graph import INTERNAL
 
@@ -31,6 +33,19 @@ class Oil(NamedTuple):
     """Into the gearbox [K]."""
     roughness: float
     """R_a of the flanks [m]."""
+    dip: Mapping[str, float]
+    """Gear -> part of it that dips into an oil bath [-]; one left out runs dry."""
+
+
+class Drag(NamedTuple):
+    """What the gearbox takes beside its meshes."""
+
+    bearings: float
+    """[W]"""
+    windage: float
+    """[W]"""
+    churning: float
+    """[W]"""
 
 
 class Point(NamedTuple):
@@ -72,8 +87,8 @@ class Gearbox:
     """Narrower face of each mesh row, shape (meshes,) [m]."""
     inertia: float
     """Of everything that turns, at the propeller [kg m²]."""
-    bearing_loads: Array
-    """Force of all bearings of a node over the torque that it transmits, shape (nodes,) [N/(N m)]."""
+    seats: tuple[Seat, ...]
+    """Of the bearings whose load follows from the meshes."""
 
     @property
     def machines(self) -> tuple[str, ...]:
@@ -101,19 +116,8 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
         radii=np.array([one.pitch_diameter / 2.0 for one, _ in pairs]),
         widths=np.array([min(one.face_width, other.face_width) for one, other in pairs]),
         inertia=_inertia(sizing, propeller),
-        bearing_loads=_bearing_loads(sizing),
+        seats=bearing_seats(sizing),
     )
-
-
-def _bearing_loads(sizing: Sizing) -> Array:
-    """The bearings' forces follow the torque of their shaft, as in the case that sized it."""
-    column = {node: k for k, node in enumerate(sizing.train.nodes)}
-    loads = np.zeros(len(column))
-    for shaft in sizing.shafts:
-        torque = float(transmitted(sizing, sizing.flows[shaft.case])[column[shaft.name]])
-        if torque:
-            loads[column[shaft.name]] = sum(each.radial_force for each in shaft.bearings) / torque
-    return loads
 
 
 def _contact(design: Design, pair: tuple[GearSizing, GearSizing], sign: int) -> ToothContact:
@@ -222,45 +226,39 @@ def efficiencies(gearbox: Gearbox, point: Point) -> dict[str, float]:
     return {stage: float(np.mean(values)) for stage, values in found.items()}
 
 
-def drag(gearbox: Gearbox, point: Point) -> float:
-    """Return what bearings and windage take from the machines [W].
+def drag(gearbox: Gearbox, point: Point) -> Drag:
+    """Return what bearings, windage and churning take from the machines.
 
     Args:
         gearbox: The gearbox.
         point: Its loads and speeds.
     """
-    return _bearing_drag(gearbox, point) + _windage(gearbox, point)
+    speed = {**dict(zip(gearbox.sizing.train.nodes, point.speeds.tolist(), strict=True)), GROUND: 0.0}
+    return Drag(_bearing_drag(gearbox, point, speed), *_oil_drag(gearbox, speed))
 
 
-def _windage(gearbox: Gearbox, point: Point) -> float:
-    speed = dict(zip(gearbox.sizing.train.nodes, point.speeds, strict=True))
-    viscosity = oil_viscosity(gearbox.oil.temperature) * OIL_DENSITY
-    total = 0.0
+def _oil_drag(gearbox: Gearbox, speed: Mapping[str, float]) -> tuple[float, float]:
+    """Return windage and churning [W]; a gear that dips churns the bath instead of the mist."""
+    viscosity, windage, churning = oil_viscosity(gearbox.oil.temperature), 0.0, 0.0
     for gear in gearbox.sizing.gears:
-        node = f"{gear.stage}.planet" if gear.role == "planet" else gear.shafts[0]
-        radius = gear.pitch_diameter / 2.0
-        total += gear.bodies * windage_power(radius, gear.face_width, speed.get(node, 0.0), viscosity=viscosity)
-    return total
+        turning = speed.get(gear.name if gear.role == "planet" else gear.shafts[0], 0.0)
+        dip = gearbox.oil.dip.get(gear.name, 0.0)
+        if dip:
+            module = gear.module / math.cos(gear.helix_angle)
+            churning += gear.bodies * churning_power(
+                gear.pitch_diameter, gear.face_width, turning,
+                viscosity=viscosity, dip=dip, module=module, helix_angle=gear.helix_angle,
+            )  # fmt: skip
+        else:
+            radius = gear.pitch_diameter / 2.0
+            windage += gear.bodies * windage_power(radius, gear.face_width, turning, viscosity=viscosity * OIL_DENSITY)
+    return windage, churning
 
 
-def _bearing_drag(gearbox: Gearbox, point: Point) -> float:
-    """Shaft bearings carry in proportion to the torque of their shaft, planet pins to that of their carrier."""
-    sizing = gearbox.sizing
-    column = {node: k for k, node in enumerate(sizing.train.nodes)}
+def _bearing_drag(gearbox: Gearbox, point: Point, speed: Mapping[str, float]) -> float:
     total = 0.0
-    for shaft in sizing.shafts:
-        k = column[shaft.name]
-        load = gearbox.bearing_loads[k] * point.shaft_torques[k]
-        total += bearing_torque_constant(load, shaft.diameter) * abs(point.speeds[k])
-    for k, mesh in enumerate(sizing.train.meshes):
-        carrier = next((each for each in sizing.carriers if each.stage == mesh.stage), None)
-        if carrier is not None and mesh.sign != INTERNAL:
-            # A planet's pin carries the tangential forces of its two meshes, which are equal.
-            load = mesh.count * 2.0 * abs(point.mesh_torques[k]) / gearbox.radii[k]
-            turning = abs(point.speeds[column[mesh.nodes[1]]] - _speed(point, column, carrier.shaft))
-            total += bearing_torque_constant(load, carrier.pin_diameter) * turning
-    return float(total)
-
-
-def _speed(point: Point, column: Mapping[str, int], node: str) -> float:
-    return float(point.speeds[column[node]]) if node in column else 0.0
+    for seat in gearbox.seats:
+        radial, axial = seat_loads(seat, point.mesh_torques, np.array(speed[seat.carrier]))
+        turning = abs(speed[seat.nodes[0]] - speed[seat.nodes[1]])
+        total += seat.count * bearing_torque_constant(math.hypot(radial, axial), seat.bore) * turning
+    return total

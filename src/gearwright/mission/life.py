@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from gearwright.errors import SolveError
-from gearwright.mission.damage import BENDING, GearDamage, gear_damage
+from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.mission.bearings import BearingLives, bearing_lives
+from gearwright.mission.damage import BENDING, GearDamage, gear_damage, unrated_stages
 from gearwright.mission.flight import Flight
 from gearwright.mission.fly import fly
 from gearwright.sizing import Sizing, size
@@ -28,14 +29,28 @@ class LifeSizing:
     flight: Flight
     damages: tuple[GearDamage, ...]
     """Of the strengthened gears, the worst first."""
-    mass_before: Mass
-    """Of the gearbox as the design asked [kg]."""
-    rounds: int
-    """How often a stage was strengthened [-]."""
+    hours: float
+    """Life that was asked for [h]."""
+    path: tuple[tuple[float, Mass], ...]
+    """Life [h] of the gear that fails first and mass of the gearbox [kg], before every round and at the end."""
+    bearings_before: Mass
+    """Of the bearings that the mission asks for without this life [kg]."""
+    bearings: BearingLives
+    """Chosen for this life, where the mission asks for bearings."""
+
+    @property
+    def mass_before(self) -> Mass:
+        """Of the gearbox as the design asked [kg]."""
+        return self.path[0][1]
+
+    @property
+    def rounds(self) -> int:
+        """How often a stage was strengthened [-]."""
+        return len(self.path) - 1
 
     @property
     def mass_of_life(self) -> Mass:
-        """What the life costs [kg]."""
+        """What the life costs in gears, shafts and carriers [kg]."""
         return self.sizing.mass - self.mass_before
 
 
@@ -58,21 +73,34 @@ def size_for_life(design: Design, mission: Mission, hours: float, *, folder: Pat
         SolveError: No strengthening reaches the life.
         DesignError: The mission cannot be flown, or ISO 6336 does not rate its gears.
     """
+    if unrated_stages(design):
+        stage = unrated_stages(design)[0]
+        message = f"stage {stage} has {design.pairs[stage].kind} gears; ISO 6336 rates cylindrical gears only"
+        raise DesignError([Problem("life", f"{message}, so that no life can be asked of it")])
     sizing = size(design)
-    before, flight = sizing.mass, fly(sizing, mission, folder=folder)
-    for rounds in range(MOST_ROUNDS):
+    flight = fly(sizing, mission, folder=folder)
+    before, lasting, path = bearing_lives(flight).mass, _lasting(mission, hours), []
+    for _ in range(MOST_ROUNDS):
         worst = gear_damage(flight)[0]
+        path.append((worst.life, sizing.mass))
         if worst.life >= hours:
-            flight = fly(sizing, mission, folder=folder)
+            flight = fly(sizing, lasting, folder=folder)
             found = gear_damage(flight)
             if found[0].life >= hours:
-                return LifeSizing(sizing, flight, found, before, rounds)
+                return LifeSizing(sizing, flight, found, hours, tuple(path), before, bearing_lives(flight))
             worst = found[0]
         design = strengthened(design, worst)
         teeth, sizing = sizing.teeth, size(design)
         flight = replace(flight, sizing=sizing) if sizing.teeth == teeth else fly(sizing, mission, folder=folder)
     message = f"{worst.gear} reaches {worst.life:.0f} h of {hours:.0f} h after {MOST_ROUNDS} rounds; ask for less"
     raise SolveError(f"life: {message}, or take a better steel under [gears] of the mission")
+
+
+def _lasting(mission: Mission, hours: float) -> Mission:
+    """Return a mission whose bearings are chosen for a life."""
+    if mission.bearings is None:
+        return mission
+    return mission.model_copy(update={"bearings": mission.bearings.model_copy(update={"life": 3600.0 * hours})})
 
 
 def strengthened(design: Design, worst: GearDamage) -> Design:

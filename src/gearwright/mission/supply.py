@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from gearwright.air.airspeed import stagnation_ratios
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, near
 from gearwright.machines.battery import Battery, BatteryStep, battery_step
 from gearwright.machines.gas_turbine import Engine, available_power, fuel_flow
 from gearwright.machines.motor_efficiency import MotorLosses, motor_loss, rated_losses
@@ -37,35 +37,48 @@ class Supply:
             phase: With mode and electric share.
 
         Raises:
-            DesignError: The mode needs a machine that the design lacks.
+            DesignError: The mode needs a machine that the design lacks, or that is out.
         """
+        machines = {**self.engines, **self.motors}
+        unknown = [name for name in phase.inoperative if name not in machines]
+        if unknown:
+            raise DesignError(
+                [Problem("inoperative", f"there is no machine {unknown[0]!r}; {near(unknown[0], machines)}")]
+            )
         if phase.mode == "rated":
-            return _divided(1.0, self.ratings)
+            return _divided(1.0, {name: each for name, each in self.ratings.items() if name not in phase.inoperative})
         share = {"conventional": 0.0, "electric": 1.0, "hybrid": phase.electric_share or 0.0}[phase.mode]
         if share != 0.0 and not self.motors:
             raise DesignError([Problem("mode", f"{phase.mode}, but the design has no motor; write conventional")])
         if share != 1.0 and not self.engines:
             raise DesignError([Problem("mode", f"{phase.mode}, but the design has no turbine; write electric")])
-        turbines = {name: engine.rated_power for name, engine in self.engines.items()}
-        motors = {name: motor.peak_power for name, motor in self.motors.items()}
+        turbines = {name: each.rated_power for name, each in self.engines.items() if name not in phase.inoperative}
+        motors = {name: each.peak_power for name, each in self.motors.items() if name not in phase.inoperative}
+        if (share != 1.0 and not turbines) or (share != 0.0 and not motors):
+            message = (
+                f"{', '.join(phase.inoperative)} out, and {phase.mode} mode needs one; name fewer, or change the mode"
+            )
+            raise DesignError([Problem("inoperative", message)])
         return {**_divided(1.0 - share, turbines), **_divided(share, motors)}
 
-    def drive(self, gearbox: Gearbox, moment: Moment, now: tuple[Point, Array], charge: float) -> dict[str, float]:
+    def drive(
+        self, gearbox: Gearbox, moment: Moment, now: tuple[Point, Array], state: tuple[float, float]
+    ) -> dict[str, float]:
         """Return fuel, charge and losses of an interval.
 
         Args:
             gearbox: With the machines' names.
             moment: Where it is flown.
             now: The operating point, and the machines' powers [W].
-            charge: State of charge at the start [-].
+            state: State of charge at the start, and the turbines' rating over the usual one [-].
 
         Raises:
             DesignError: A machine or the battery cannot give its power.
         """
-        point, values = now
+        (point, values), (charge, rating) = now, state
         speeds = _machine_speeds(gearbox, point)
         powers = dict(zip(gearbox.machines, (float(each) for each in values), strict=True))
-        fuel, available = self._burn(moment, powers, speeds)
+        fuel, available = self._burn(moment, powers, speeds, rating)
         lost = sum(self._heat(name, powers[name], speeds[name]) for name in self.motors if powers[name])
         electric = sum(powers[name] for name in self.motors) + lost
         step = self._discharge(charge, electric, moment)
@@ -94,11 +107,14 @@ class Supply:
         speeds = _machine_speeds(gearbox, point)
         return sum(motor_loss(motor, 0.0, speeds[name]) for name, motor in self.motors.items() if name not in parts)
 
-    def _burn(self, moment: Moment, powers: Mapping[str, float], speeds: Mapping[str, float]) -> tuple[float, float]:
+    def _burn(
+        self, moment: Moment, powers: Mapping[str, float], speeds: Mapping[str, float], rating: float
+    ) -> tuple[float, float]:
         """Return fuel flow [kg/s] and available power [W] of all turbines; one that idles in electric mode is off."""
         fuel = available = 0.0
-        for name, engine in self.engines.items():
-            ratios = stagnation_ratios(moment.air, moment.mach)
+        ratios = stagnation_ratios(moment.air, moment.mach)
+        for name, usual in self.engines.items():
+            engine = usual.rated(rating)
             most = available_power(engine, *ratios, speeds[name])
             available += most
             if powers[name] > most * (1.0 + _SLACK):

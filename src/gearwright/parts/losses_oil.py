@@ -4,6 +4,12 @@ from __future__ import annotations
 
 import math
 
+_ARRANGEMENT = 0.2
+"""A_g of ISO/TR 14179-1 [-]."""
+_LEAST_HELIX = math.radians(10.0)
+_LEAST_MODULE = 1.0
+"""Module below which the roughness of the teeth is held [mm]."""
+
 
 def windage_power(radius: float, face_width: float, speed: float, *, viscosity: float) -> float:
     """Return the windage of one gear in the oil mist of a dry-sump gearbox [W].
@@ -22,21 +28,28 @@ def windage_power(radius: float, face_width: float, speed: float, *, viscosity: 
     return 1e3 * 2.82e-7 * (1.0 + 2.3 * face_width / radius) * math.pow(turns, 2.8) * math.pow(radius, 4.6) * mist
 
 
-def churning_power(diameter: float, length: float, speed: float, *, viscosity: float, dip: float) -> float:
-    """Return the churning of a smooth cylinder, such as a gear's sides and rim, in an oil bath [W].
+def churning_power(
+    diameter: float, face_width: float, speed: float, *, viscosity: float, dip: float, module: float,
+    helix_angle: float = 0.0,
+) -> float:  # fmt: skip
+    """Return the churning of one gear, its teeth and both its sides, in an oil bath [W].
 
     Args:
         diameter: D [m].
-        length: L [m].
+        face_width: b [m].
         speed: [rad/s].
         viscosity: Kinematic viscosity at the oil's temperature ν [m²/s].
         dip: f_g: 0 out of the oil, 1 fully in it [-].
+        module: Transverse module m_t [m].
+        helix_angle: β, taken as 10° at least [rad].
 
-    Source: ISO/TR 14179-1:2001: 7.37 f_g ν n³ D^4.7 L/(A_g 1e26) kW with A_g = 0.2, mm²/s, 1/min and mm.
+    Source: ISO/TR 14179-1:2001: f_g ν n³ D^4.7 (7.37 b R_f/√tan β + 1.474 D)/(A_g 1e26) kW with the teeth's roughness
+        R_f = 7.93 - 4.648/m_t and A_g = 0.2, in mm²/s, 1/min and mm.
     """
-    turns = abs(speed) * 30.0 / math.pi
-    kilowatts = 7.37 * dip * viscosity * 1e6 * turns**3 * math.pow(diameter * 1e3, 4.7) * length * 1e3 / (0.2 * 1e26)
-    return 1e3 * kilowatts
+    turns, wide = abs(speed) * 30.0 / math.pi, diameter * 1e3
+    teeth = (7.93 - 4.648 / max(module * 1e3, _LEAST_MODULE)) / math.sqrt(math.tan(max(helix_angle, _LEAST_HELIX)))
+    surfaces = 7.37 * face_width * 1e3 * teeth + 1.474 * wide
+    return 1e3 * dip * viscosity * 1e6 * turns**3 * math.pow(wide, 4.7) * surfaces / (_ARRANGEMENT * 1e26)
 
 
 def oil_flow(heat: float, rise: float, *, density: float = 950.0, heat_capacity: float = 2000.0) -> float:

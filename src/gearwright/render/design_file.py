@@ -1,4 +1,4 @@
-"""The reference of the design file and the study file as Markdown, from the types that read them.
+"""The reference of the design, mission and study files as Markdown, from the types that read them.
 
 Every table with its keys, units, defaults, bounds and meanings; nothing is written twice, so nothing can disagree.
 """
@@ -16,6 +16,7 @@ from pydantic_core import PydanticUndefined
 
 from gearwright.render.tables import written
 from gearwright.spec.design import Design
+from gearwright.spec.mission import Mission
 from gearwright.spec.record import Record, quantity_of
 from gearwright.spec.study import Study
 from gearwright.units import SUFFIXES, shown, unit
@@ -34,6 +35,11 @@ A study varies designs and a mission along axes over dotted paths of their files
 `gearwright study FILE` runs it, as do [these examples](../how-to/studies.md). What stands below `[mission]` is what a
 mission file has at its top. This page is made from the types that read the file.
 """
+_MISSION_HEAD = """# The mission file
+
+A mission is a file of phases; `gearwright fly DESIGN MISSION` flies it: [flying the gearbox](../theory/flight.md).
+This page is made from the types that read the file.
+"""
 _COLUMNS = "| key | default | allowed | meaning |\n| --- | --- | --- | --- |\n"
 _SIGNS = {"ge": "≥", "gt": ">", "le": "≤", "lt": "<"}
 
@@ -41,6 +47,11 @@ _SIGNS = {"ge": "≥", "gt": ">", "le": "≤", "lt": "<"}
 def design_file_markdown() -> str:
     """Return the reference of the design file."""
     return _HEAD + _tables(Design)
+
+
+def mission_file_markdown() -> str:
+    """Return the reference of the mission file."""
+    return _MISSION_HEAD + _tables(Mission)
 
 
 def study_file_markdown() -> str:

@@ -1,4 +1,4 @@
-"""A flight in words: phases, energies, heat and the gear that dies first; and its histories as CSV and JSON."""
+"""A flight in words: phases, energies, heat and the part that fails first; and its histories as CSV and JSON."""
 
 from __future__ import annotations
 
@@ -7,26 +7,61 @@ import io
 import json
 from collections.abc import Sequence
 
-from gearwright.mission import Flight, GearDamage, PhaseSummary, phase_summaries
+from gearwright.mission import Durability, Flight, LifeSizing, PartLife, PhaseSummary, phase_summaries
+from gearwright.mission.bearings import seat_duty
+from gearwright.sizing.bearing_seats import bearing_seats
 
 _KELVIN = 273.15
 _LITRE_PER_MINUTE = 1e-3 / 60.0
 _KWH = 3.6e6
+MOST_ROWS = 8
+"""Parts that are shown in words [-]."""
 _MOST_LIFE = 1e6
 """Lives above this many hours are shown as such."""
 
 
-def flight_text(flight: Flight, damages: Sequence[GearDamage]) -> str:
+def flight_text(flight: Flight, parts: Durability, life: LifeSizing | None = None) -> str:
     """Return what a flight took and did, of one gearbox, as lines of text.
 
     Args:
         flight: As flown.
-        damages: Of its gears, the worst first.
+        parts: Lives of its gears and bearings.
+        life: How the design was strengthened, if it was.
     """
     lines = [f"{flight.mission.name}, flown by {flight.sizing.design.name}", "", _heading()]
     lines += [_phase(row) for row in phase_summaries(flight)]
-    lines += ["", *_totals(flight), "", *_damage(damages)]
-    return "\n".join(lines)
+    lines += ["", *_totals(flight), "", *_damage(parts.parts), *_bearings(parts)]
+    lines += [f"Note: {note}" for note in parts.notes]
+    return "\n".join([*lines, *([life_text(life)] if life is not None else [])])
+
+
+def verdict_text(parts: Durability) -> str:
+    """Return which part fails first, and after how many flights.
+
+    Args:
+        parts: Lives of gears and bearings.
+    """
+    rows = parts.parts
+    if not rows or not rows[0].damage:
+        return "Nothing that is rated fails"
+    first = rows[0]
+    return f"First to fail: {first.name}, {first.mode}, after {first.flights:.0f} flights or {first.life:.0f} h"
+
+
+def life_text(life: LifeSizing) -> str:
+    """Return what an asked life costs.
+
+    Args:
+        life: From `size_for_life`.
+    """
+    words = (
+        f"A gear life of {life.hours:.0f} h instead of {life.path[0][0]:.0f} h costs {life.mass_of_life:.2f} kg on"
+        f" {life.mass_before:.2f} kg, in {life.rounds} rounds"
+    )
+    if life.bearings.rows:
+        words += f"; bearings for it weigh {life.bearings.mass:.2f} kg,"
+        words += f" those for the mission's own life {life.bearings_before:.2f} kg"
+    return words
 
 
 def _heading() -> str:
@@ -45,9 +80,9 @@ def _totals(flight: Flight) -> list[str]:
     hottest = float(history["oil_outlet"].max())
     lines = [
         f"Fuel {flight.fuel:.1f} kg and {balance.battery / _KWH:.1f} kWh of charge in {flight.duration / 3600.0:.2f} h",
-        f"Lost in meshes {balance.mesh_loss / _KWH:.2f} kWh, in bearings and windage"
-        f" {balance.drag_loss / _KWH:.2f} kWh, in motors {balance.motor_loss / _KWH:.2f} kWh,"
-        f" in the battery {balance.battery_loss / _KWH:.2f} kWh",
+        f"Lost in meshes {balance.mesh_loss / _KWH:.2f} kWh, bearings {balance.bearing_loss / _KWH:.2f} kWh,"
+        f" windage {balance.windage_loss / _KWH:.2f} kWh, churning {balance.churning_loss / _KWH:.2f} kWh,"
+        f" motors {balance.motor_loss / _KWH:.2f} kWh, battery {balance.battery_loss / _KWH:.2f} kWh",
         f"Oil: {flight.oil_flow / _LITRE_PER_MINUTE:.1f} l/min, at most {hottest - _KELVIN:.0f} °C behind the gearbox;"
         f" a cooler of {flight.cooler_conductance:.0f} W/K",
         f"Energies close within {balance.residual:.1e}",
@@ -57,14 +92,21 @@ def _totals(flight: Flight) -> list[str]:
     return lines
 
 
-def _damage(damages: Sequence[GearDamage]) -> list[str]:
-    lines = [f"{'gear':20} {'mode':8} {'damage a flight':>16} {'life h':>10}"]
-    for row in damages[:6]:
-        life = f"{row.life:.0f}" if row.life < _MOST_LIFE else f"> {_MOST_LIFE:.0e}"
-        lines.append(f"{row.gear:20} {row.mode:8} {row.damage:16.2e} {life:>10}")
-    if damages and damages[0].damage > 0.0:
-        lines.append(f"First to fail: {damages[0].gear}, {damages[0].mode}, after {damages[0].flights:.0f} flights")
+def _damage(rows: Sequence[PartLife]) -> list[str]:
+    lines = [f"{'part':24} {'mode':16} {'damage a flight':>16} {'flights':>10} {'life h':>10}"]
+    for row in rows[:MOST_ROWS]:
+        numbers = [f"{each:.0f}" if each < _MOST_LIFE else f"> {_MOST_LIFE:.0e}" for each in (row.flights, row.life)]
+        lines.append(f"{row.name:24} {row.mode:16} {row.damage:16.2e} {numbers[0]:>10} {numbers[1]:>10}")
     return lines
+
+
+def _bearings(parts: Durability) -> list[str]:
+    lines = [
+        f"Bearing {row.seat}: {row.count} x {row.bearing.designation}{'' if row.asked is None else ', chosen'},"
+        f" P {row.mean_load / 1e3:.1f} kN, s_0 {row.static_safety:.1f}, {row.mass:.1f} kg"
+        for row in parts.bearings.rows
+    ]
+    return [verdict_text(parts), *lines]
 
 
 def flight_csv(flight: Flight) -> str:
@@ -79,6 +121,7 @@ def flight_csv(flight: Flight) -> str:
         **{f"torque.{name}": values for name, values in flight.shaft_torques.items()},
         **{f"power.{name}": values for name, values in flight.machine_powers.items()},
         **{f"force.{name}": values for name, values in flight.mesh_forces.items()},
+        **{f"bearing.{seat.name}": seat_duty(flight, seat).radial for seat in bearing_seats(flight.sizing)},
     }
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
@@ -89,23 +132,30 @@ def flight_csv(flight: Flight) -> str:
     return out.getvalue()
 
 
-def flight_json(flight: Flight, damages: Sequence[GearDamage]) -> str:
+def flight_json(flight: Flight, parts: Durability, life: LifeSizing | None = None) -> str:
     """Return the flight's sums as JSON, in SI.
 
     Args:
         flight: As flown.
-        damages: Of its gears.
+        parts: Lives of its gears and bearings.
+        life: How the design was strengthened, if it was.
     """
-    return json.dumps(
-        {
-            "mission": flight.mission.name,
-            "design": flight.sizing.design.name,
-            "duration": flight.duration,
-            "fuel": flight.fuel,
-            "balance": {**vars(flight.balance), "residual": flight.balance.residual},
-            "oil_flow": flight.oil_flow,
-            "phases": [vars(row) for row in phase_summaries(flight)],
-            "damage": [{"gear": row.gear, "mode": row.mode, "damage": row.damage} for row in damages],
-        },
-        indent=2,
-    )
+    told = {
+        "mission": flight.mission.name,
+        "design": flight.sizing.design.name,
+        "duration": flight.duration,
+        "fuel": flight.fuel,
+        "balance": {**vars(flight.balance), "residual": flight.balance.residual},
+        "oil_flow": flight.oil_flow,
+        "oil_hottest": float(flight.history["oil_outlet"].max()),
+        "phases": [vars(row) for row in phase_summaries(flight)],
+        "damage": [{"part": row.name, "mode": row.mode, "damage": row.damage} for row in parts.parts],
+        "bearings": [
+            {"seat": row.seat, "designation": row.bearing.designation, "count": row.count, "mean_load": row.mean_load}
+            for row in parts.bearings.rows
+        ],
+        "not_rated": parts.notes,
+    }
+    if life is not None:
+        told["life"] = {"hours": life.hours, "mass": life.sizing.mass, "mass_before": life.mass_before}
+    return json.dumps(told, indent=2)

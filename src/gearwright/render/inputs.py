@@ -1,4 +1,4 @@
-"""The design as read: every entry with its unit, and which ones are defaults."""
+"""A design or a mission as read: every entry with its unit, and which ones are defaults."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pydantic.fields import FieldInfo
 
 from gearwright.spec import Design
+from gearwright.spec.mission import Mission
 from gearwright.spec.record import Record, quantity_of
 from gearwright.units import text
 
@@ -17,7 +18,7 @@ _IN_THE_HEAD = ("schema_version", "name", "description")
 
 @dataclass(frozen=True)
 class Entry:
-    """One value of the design."""
+    """One value of the file."""
 
     path: str
     """Dotted path in the file, without the unit of the key."""
@@ -29,13 +30,13 @@ class Entry:
     """What it is."""
 
 
-def entries(design: Design) -> tuple[Entry, ...]:
-    """Return every value of a design, in the order of its types; without name, description and what is left open.
+def entries(written: Design | Mission) -> tuple[Entry, ...]:
+    """Return every value of a file, in the order of its types; without name, description and what is left open.
 
     Args:
-        design: As read.
+        written: As read.
     """
-    return tuple(_record("", design, design.model_fields_set))
+    return tuple(_record("", written, written.model_fields_set))
 
 
 def _record(path: str, record: Record, given: set[str]) -> Iterator[Entry]:

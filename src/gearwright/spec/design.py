@@ -12,6 +12,7 @@ from pydantic import Field
 
 from gearwright.spec.dynamics import DynamicsRules, PlanetaryBearings
 from gearwright.spec.mounting import BearingSeat, Joint
+from gearwright.spec.planet_bearing import PlanetBearing
 from gearwright.spec.record import Record
 from gearwright.spec.service import Iso6336Rules, Service
 from gearwright.spec.support import Support
@@ -209,6 +210,7 @@ class Planetary(Record):
     bearings: PlanetaryBearings = Field(
         default_factory=PlanetaryBearings, description="What holds its members, with dynamics.fidelity translational"
     )
+    planet_bearing: PlanetBearing | None = Field(None, description="What each planet turns on; left out: not known")
     gears: GearRules | None = Field(None, description="Rules of this set where they differ from [gears]")
 
 

@@ -15,6 +15,8 @@ from gearwright.units import Angle, Area, Energy, Length, Mass, Power, Ratio, Sp
 
 NO_MAP = "none"
 """Name that stands for no propeller map."""
+Kind = Literal["deep-groove", "cylindrical", "taper", "four-point"]
+"""Kinds of rolling bearing in the catalogue."""
 _SAME_ALTITUDE = 0.1
 """Altitudes nearer than this are the same [m]."""
 
@@ -47,6 +49,7 @@ class Phase(Record):
     propeller_speed: Speed = Field(gt=0.1, le=2e4, description="Speed of the propeller")
     ramp: Time = Field(10.0, gt=0, le=1e4, description="Time in which the propeller comes to this speed")
     engines: int | None = Field(None, ge=1, le=20, description="Gearboxes that work; left out: all of them")
+    inoperative: list[str] = Field(default_factory=list, description="Turbines and motors of a gearbox that are out")
 
 
 class EngineRules(Record):
@@ -57,6 +60,9 @@ class EngineRules(Record):
     )
     fuel_kg_kwh: float = Field(0.28, gt=0, le=2, description="Specific fuel consumption at thermal power")
     idle_fuel: Ratio = Field(0.2, ge=0, lt=1, description="Part of that fuel flow that burns without power")
+    contingency: Ratio = Field(
+        1.0, ge=1, le=1.5, description="Rating over the rated power and torque while an engine is out"
+    )
     temperature_exponent: float = Field(-0.5, ge=-5, le=2, description="n of P ∝ δ_t θ_t^n")
 
 
@@ -94,6 +100,10 @@ class OilRules(Record):
     inlet_temperature_k: float = Field(353.15, ge=233, le=450, description="Of the oil into the gearbox")
     rise_k: float = Field(25.0, gt=0, le=150, description="Of its temperature at the greatest heat: sets the flow")
     roughness: Length = Field(0.4e-6, gt=0, le=1e-4, description="R_a of the flanks")
+    dip: dict[str, Ratio] = Field(
+        default_factory=dict,
+        description="Gear -> part of it that dips into an oil bath, 0 to 1: it churns; left out: a dry sump",
+    )
 
 
 class GearLifeRules(Record):
@@ -103,6 +113,17 @@ class GearLifeRules(Record):
     grade: Literal["ML", "MQ", "ME"] = Field("MQ", description="Material quality")
     hardness_hv: float = Field(700.0, ge=100, le=1000, description="Surface hardness")
     flank_class: int = Field(5, ge=1, le=11, description="Flank tolerance class of ISO 1328-1")
+
+
+class BearingLifeRules(Record):
+    """How bearings are chosen from the catalogue where the design names none."""
+
+    life: Time = Field(gt=0, le=1e10, description="Basic rating life that they must reach, in flight")
+    kind: Kind = Field("cylindrical", description="Of bearings without axial force that the design leaves open")
+    thrust_kind: Kind = Field("deep-groove", description="Of bearings with axial force that the design leaves open")
+    side_by_side: int = Field(1, ge=1, le=4, description="Equal bearings that share a seat")
+    static_safety: Ratio = Field(1.5, gt=0, le=20, description="Least C_0 over the largest load")
+    reliability: Ratio = Field(0.9, ge=0.9, le=0.999, description="Part of the bearings that reach the life")
 
 
 class Mission(Record):
@@ -121,7 +142,20 @@ class Mission(Record):
     aircraft: Aircraft | None = Field(None, description="For phases without power and pitch")
     oil: OilRules = Field(default_factory=OilRules, description="Oil of one gearbox")
     gears: GearLifeRules = Field(default_factory=GearLifeRules, description="Steel, for damage and life")
+    bearings: BearingLifeRules | None = Field(
+        None, description="Choose bearings for a life; left out: only those that the design names are known"
+    )
     phases: dict[str, Phase] = Field(min_length=1, description="Phases in their order")
+
+
+def engine_out(mission: Mission, phase: Phase) -> bool:
+    """Return whether a phase flies with a gearbox or a machine that does not work.
+
+    Args:
+        mission: With the number of gearboxes.
+        phase: Of it.
+    """
+    return bool(phase.inoperative) or (phase.engines or mission.engines) < mission.engines
 
 
 def read_mission(path: str | Path) -> Mission:

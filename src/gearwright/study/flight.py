@@ -61,7 +61,7 @@ def flight_results(flight: Flight, names: Iterable[str]) -> dict[str, Named]:
 
 def _whole(flight: Flight) -> dict[str, Named]:
     balance, charge = flight.balance, flight.history["state_of_charge"]
-    lost = balance.mesh_loss + balance.drag_loss
+    lost = balance.gearbox_loss
     work = {name: float((power * flight.history["duration"]).sum()) for name, power in flight.machine_powers.items()}
     motors = sum(work[name] for name in flight.sizing.design.motors)
     return {

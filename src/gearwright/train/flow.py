@@ -129,13 +129,13 @@ def _asked(design: Design, turning: Turning, drives: Mapping[str, Drive], joints
     opened = [joint for joint in train.joints if joint not in joints]
     if not opened:
         return asked
-    idle = {
+    idle = [
         name
-        for name in asked
+        for name in train.machines
         if (name not in drives or drives[name].power == 0.0)
         and any(train.machines[name] == joint.driving for joint in opened)
-    }
-    return {name: 0.0 if name in idle else speed for name, speed in asked.items()}
+    ]
+    return {**{name: 0.0 if name in idle else speed for name, speed in asked.items()}, **dict.fromkeys(idle, 0.0)}
 
 
 def _overruns(joint: Joint, multiplier: float, train: Train, speeds: Array) -> bool:

@@ -23,7 +23,7 @@ def test_without_a_design_the_shipped_missions_are_listed():
     assert "regional-250nm" in result.output
 
 
-def test_one_command_tells_fuel_charge_heat_and_the_gear_that_dies_first(tmp_path):
+def test_one_command_tells_fuel_charge_heat_and_the_part_that_fails_first(tmp_path):
     result = run("in-line-h2", "thesis", "--csv", str(tmp_path / "histories.csv"))
     assert result.exit_code == 0
     for word in ("Fuel", "State of charge", "Oil", "First to fail"):
@@ -36,12 +36,20 @@ def test_json_is_for_machines():
     assert json.loads(result.stdout)["balance"]["residual"] < 1e-6
 
 
-def test_a_flight_without_a_rating_says_why():
+def test_a_flight_with_gears_that_are_not_rated_says_why():
     result = run("face-gear-split-torque", "rotor-schedule")
     assert result.exit_code == 0
-    assert "No damage" in result.output
+    assert "ISO 6336 rates cylindrical gears only" in result.output
+    assert "First to fail: " in result.output
 
 
 def test_a_life_is_bought_with_mass():
     result = run("in-line-h2", "thesis", "--life-h", "2000")
     assert "costs" in result.output
+
+
+def test_one_command_writes_the_page_of_a_flight(tmp_path):
+    page = tmp_path / "flight.html"
+    result = run("in-line-h2", "thesis", "--report", str(page))
+    assert result.exit_code == 0
+    assert "First gear to fail: second.planet" in page.read_text(encoding="utf-8")

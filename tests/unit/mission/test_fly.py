@@ -6,7 +6,15 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.mission import fly, gear_damage, mesh_spectrum, phase_summaries, shaft_spectrum
+from gearwright.mission import (
+    durability,
+    fly,
+    gear_damage,
+    mesh_spectrum,
+    phase_summaries,
+    shaft_spectrum,
+    unrated_stages,
+)
 from gearwright.render.flight_text import flight_csv, flight_json, flight_text
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
@@ -54,7 +62,7 @@ def test_powers_balance_in_every_interval():
     """Machines = propeller + meshes + bearings and windage + spin-up + dragged motors; 1e-9 of the power."""
     h = THESIS.history
     whole = sum(THESIS.machine_powers.values())
-    out = h["propeller_power"] + h["mesh_loss"] + h["drag_loss"] + h["spin_up"]
+    out = h["propeller_power"] + h["mesh_loss"] + h["bearing_loss"] + h["windage_loss"] + h["spin_up"]
     dragged = np.array([phase in ("descent", "approach") for phase in THESIS.phase])
     assert whole[~dragged] == pytest.approx(out[~dragged], rel=1e-9)
     assert whole[dragged] == pytest.approx((out + h["motor_loss"])[dragged], rel=1e-9)
@@ -157,17 +165,72 @@ def test_the_worst_gear_comes_first():
 
 
 def test_a_flight_is_told_in_words_numbers_and_histories():
-    damages = gear_damage(THESIS)
-    told = flight_text(THESIS, damages)
-    assert f"First to fail: {damages[0].gear}" in told
+    parts = durability(THESIS)
+    told = flight_text(THESIS, parts)
+    assert f"First to fail: {parts.parts[0].name}" in told
     assert all(row.name in told for row in phase_summaries(THESIS))
-    assert len(flight_csv(THESIS).splitlines()) == len(THESIS.phase) + 1
-    assert '"fuel"' in flight_json(THESIS, damages)
+    table = flight_csv(THESIS).splitlines()
+    assert len(table) == len(THESIS.phase) + 1
+    assert "bearing.second.planet" in table[0]
+    assert '"fuel"' in flight_json(THESIS, parts)
 
 
-def test_a_rotor_flies_by_its_schedules_and_a_face_gear_has_no_damage_by_iso_6336():
+def test_a_rotor_flies_by_its_schedules_and_its_face_gears_are_not_rated():
+    """ISO 6336 covers cylindrical gears; those of the second stage are rated, and the first stage is named."""
     flight = fly(size(read(shipped_design("face-gear-split-torque"))), read_mission(shipped_mission("rotor-schedule")))
     assert "thrust" not in flight.history
     assert flight.balance.residual < 1e-9
-    with pytest.raises(DesignError, match="a face gear"):
-        gear_damage(flight)
+    found = durability(flight)
+    face = unrated_stages(flight.sizing.design)
+    assert face
+    assert {row.gear.partition(".")[0] for row in found.gears}.isdisjoint(face)
+    assert any("face gears" in note for note in found.notes)
+
+
+def test_a_gear_in_an_oil_bath_churns_and_costs_no_windage():
+    """Half of the ring in the bath; energies still close, to the rounding of the sums."""
+    wet = flown(BASE.replace("[engine]", '[oil.dip]\n"second.ring" = 0.3\n"second.planet" = 0.3\n[engine]'))
+    dry = flown(BASE)
+    assert wet.balance.churning_loss > 0.0
+    assert wet.balance.windage_loss < dry.balance.windage_loss
+    assert dry.balance.churning_loss == 0.0
+    assert wet.balance.residual < 1e-9
+
+
+def test_a_bath_for_a_gear_that_is_not_there_is_refused():
+    with pytest.raises(DesignError, match=r"oil\.dip\.third\.ring: there is no gear"):
+        flown(BASE.replace("[engine]", '[oil.dip]\n"third.ring" = 0.3\n[engine]'))
+
+
+TWIN = size(read(shipped_design("twin-engine-sprag")))
+ONE_OUT = BASE.replace("power_kw = 900", 'power_kw = 900\ninoperative = ["turbine-2"]')
+
+
+def test_one_engine_of_a_gearbox_stops_and_the_other_drives_alone():
+    """The overrunning clutch lets go: the dead turbine stands still, gives nothing and burns nothing."""
+    flight = flown(ONE_OUT, TWIN)
+    both = flown(BASE, TWIN)
+    assert np.abs(flight.machine_powers["turbine-2"]).max() == 0.0
+    assert flight.machine_powers["turbine-1"] == pytest.approx(sum(both.machine_powers.values()), rel=1e-3)
+    assert flight.fuel < both.fuel
+    assert flight.balance.residual < 1e-9
+
+
+def test_a_contingency_rating_holds_only_while_an_engine_is_out():
+    """1150 kW from one engine of 1046 kW: flown at a rating of 1.15 only; 1e-5 for the drag of one interval."""
+    more = ONE_OUT.replace("power_kw = 900", "power_kw = 1150")
+    with pytest.raises(DesignError, match="turbine-1: needs 1150 kW"):
+        flown(more, TWIN)
+    rated = more.replace("thermal_power_kw = 2600", "thermal_power_kw = 2600\ncontingency = 1.15")
+    assert flown(rated, TWIN).machine_powers["turbine-1"].max() == pytest.approx(1150e3, rel=1e-5)
+    with pytest.raises(DesignError, match="needs 1150 kW"):
+        flown(BASE.replace("power_kw = 900", "power_kw = 2300").replace("2600", "2600\ncontingency = 1.05"), TWIN)
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [('["turbine-3"]', "there is no machine 'turbine-3'"), ('["turbine-1", "turbine-2"]', "mode needs one")],
+)
+def test_machines_that_cannot_be_out_are_refused(given, expected):
+    with pytest.raises(DesignError, match=expected):
+        flown(ONE_OUT.replace('["turbine-2"]', given), TWIN)

@@ -70,9 +70,9 @@ def test_windage_and_churning_have_the_exponents_of_their_sources():
     """Anderson and Loewenthal: n^2.8; ISO/TR 14179-1: n³; exact powers."""
     slow, fast = (windage_power(0.1, 0.04, speed, viscosity=5e-3) for speed in (1000.0, 2000.0))
     assert fast / slow == pytest.approx(2**2.8, rel=1e-12)
-    slow, fast = (churning_power(0.2, 0.04, speed, viscosity=5e-6, dip=0.2) for speed in (100.0, 200.0))
+    slow, fast = (churning_power(0.2, 0.04, speed, viscosity=5e-6, dip=0.2, module=3e-3) for speed in (100.0, 200.0))
     assert fast / slow == pytest.approx(8.0, rel=1e-12)
-    assert churning_power(0.2, 0.04, 100.0, viscosity=5e-6, dip=0.0) == 0.0
+    assert churning_power(0.2, 0.04, 100.0, viscosity=5e-6, dip=0.0, module=3e-3) == 0.0
 
 
 def test_oil_carries_the_heat_that_it_is_given():

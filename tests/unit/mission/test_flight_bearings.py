@@ -1,0 +1,147 @@
+"""Bearings in flight: loads from the meshes, lives over the spectrum, and bearings that are chosen or named."""
+
+import math
+
+import numpy as np
+import pytest
+
+from gearwright.errors import DesignError
+from gearwright.mission import bearing_lives, durability, fly
+from gearwright.parts.rolling_bearing import BearingKind
+from gearwright.shipped import shipped_design, shipped_mission
+from gearwright.sizing import size
+from gearwright.sizing.bearing_seats import bearing_seats, seat_loads
+from gearwright.spec import read
+from gearwright.spec.mission import parse_mission, read_mission
+from gearwright.spec.read import parse
+
+STEADY = """
+schema = 1
+name = "steady"
+propeller_map = "none"
+[engine]
+thermal_power_kw = 5000
+[bearings]
+life_h = 3000
+[phases.one]
+altitude_ft = 0
+tas_kt = 100
+duration_min = 60
+power_kw = 1500
+propeller_speed_rpm = 1212
+"""
+OFF_SET = shipped_design("off-set").read_text(encoding="utf-8")
+SEATS = """
+[bearings.nose]
+shaft = "output"
+position_mm = 8
+kind = "four-point"
+locates = "both"
+[bearings.tail]
+shaft = "output"
+position_mm = 170
+"""
+PLANETS = (
+    shipped_design("in-line").read_text(encoding="utf-8") + "\n[planetaries.second.planet_bearing]\ndesignation = {}\n"
+)
+
+
+def second_planet(flight):
+    """Return the row of the second stage's planets."""
+    return next(row for row in bearing_lives(flight).rows if row.seat == "second.planet")
+
+
+@pytest.mark.parametrize("name", ["off-set", "mixed", "in-line-h2", "face-gear-split-torque", "star"])
+def test_seats_bear_in_the_sized_case_what_the_sizing_says(name):
+    """Unit loads superposed against the reactions of the case that governs: equal but for rounding, 1e-9."""
+    sizing = size(read(shipped_design(name)))
+    sized = {f"{shaft.name}.{end}": (shaft.case, load.radial_force) for shaft in sizing.shafts
+             for end, load in zip(("first", "second"), shaft.bearings, strict=False)}  # fmt: skip
+    sized |= {f"{each.stage}.planet": (each.case, each.pin_force) for each in sizing.carriers}
+    for seat in bearing_seats(sizing):
+        case, expected = sized[seat.name]
+        flow = sizing.flows[case]
+        torques = np.array([flow.meshes[mesh.name].torques[0] / mesh.count for mesh in sizing.train.meshes])
+        radial, _ = seat_loads(seat, torques, np.array(flow.speeds[seat.carrier]))
+        assert float(radial) == pytest.approx(expected, rel=1e-9, abs=1e-6)
+
+
+def test_a_steady_flight_has_the_life_of_the_closed_form():
+    """ISO 281: L = (C/P)^(10/3) 10⁶ turns at one load and one speed; 1e-9, as nothing changes over the flight."""
+    flight = fly(size(read(shipped_design("off-set"))), parse_mission(STEADY))
+    row = next(each for each in bearing_lives(flight).rows if each.seat == "left.second")
+    hours = (row.bearing.dynamic_rating / row.mean_load) ** (10 / 3) * 1e6 * 2 * math.pi / row.mean_speed / 3600
+    assert row.life == pytest.approx(hours, rel=1e-9)
+    assert row.life >= 3000.0
+
+
+def test_damage_of_two_phases_is_the_sum_of_both():
+    """Miner 1945: linear in time; 1e-6 for the losses, which follow the interval before."""
+    sizing = size(parse(PLANETS.format('"NU 2309"')))
+    less, phase = STEADY.replace("1500", "1000"), STEADY.index("[phases.one]")
+    both = STEADY + less[phase:].replace("phases.one", "phases.two")
+    one, other, sum_ = (second_planet(fly(sizing, parse_mission(text))).damage for text in (STEADY, less, both))
+    assert sum_ == pytest.approx(one + other, rel=1e-6)
+
+
+def test_a_thrust_goes_to_the_bearing_with_the_smaller_radial_force():
+    seats = {seat.name: seat for seat in bearing_seats(size(read(shipped_design("off-set"))))}
+    assert np.abs(seats["left.first"].forward[:, 2]).max() > 0.0
+    assert np.abs(seats["left.second"].forward[:, 2]).max() == 0.0
+
+
+def test_a_named_bearing_keeps_its_makers_rating():
+    ratings = '"NU 2309"\ndynamic_rating_kn = 200\nstatic_rating_kn = 230'
+    mission = parse_mission(STEADY.replace("[bearings]\nlife_h = 3000\n", ""))
+    found = bearing_lives(fly(size(parse(PLANETS.format(ratings))), mission))
+    assert [row.seat for row in found.rows] == ["second.planet"]
+    assert found.rows[0].bearing.dynamic_rating == 200e3
+    assert found.notes == ("first.planet: no bearing is named, and the mission has no [bearings] to choose one",)
+
+
+def test_two_bearings_side_by_side_live_longer_by_the_rule_of_iso_281():
+    """7.1.2: C grows by 2^(7/9), so that the life grows by 2^(70/27) = 6.03; 1e-9."""
+    sizings = (size(parse(PLANETS.format(each))) for each in ('"NU 2309"', '"NU 2309"\nside_by_side = 2'))
+    one, two = (second_planet(fly(sizing, parse_mission(STEADY))) for sizing in sizings)
+    assert two.life / one.life == pytest.approx(2 ** (70 / 27), rel=1e-9)
+    assert two.count == 2 * one.count
+
+
+def test_a_seat_of_the_design_has_its_place_its_kind_and_its_thrust():
+    """The design's two bearings of the output shaft in place of the usual ones; the one that locates takes thrust."""
+    sizing = size(parse(OFF_SET + SEATS))
+    seats = {seat.name: seat for seat in bearing_seats(sizing)}
+    assert "output.first" not in seats
+    assert np.abs(seats["tail"].forward[:, 2]).max() == 0.0
+    assert np.abs(seats["nose"].forward[:, 2]).max() > 0.0
+    rows = {row.seat: row for row in bearing_lives(fly(sizing, parse_mission(STEADY))).rows}
+    assert rows["nose"].bearing.kind is BearingKind.FOUR_POINT
+    assert rows["tail"].bearing.kind is BearingKind.CYLINDRICAL
+
+
+def test_the_bearing_of_the_fast_planets_governs_the_thesiss_gearbox():
+    """A planet on a carrier at 4500 rpm presses its pin with 28 kN of centrifugal force, four times its teeth's."""
+    sizing = size(read(shipped_design("in-line-h2")))
+    parts = durability(fly(sizing, read_mission(shipped_mission("thesis")))).parts
+    assert parts[0].name == "bearing of first.planet"
+    assert next(part for part in parts if not part.is_bearing).name == "second.planet"
+    assert next(each for each in sizing.carriers if each.stage == "first").centrifugal_force > 25e3
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ('"NU 99"', r"planetaries\.second\.planet_bearing\.designation: 'NU 99'"),
+        ('"NU 2309"\ndynamic_rating_kn = 9', "one rating without the other"),
+    ],
+)
+def test_a_bearing_that_is_not_is_refused_as_the_design_is_read(given, expected):
+    with pytest.raises(DesignError, match=expected):
+        parse(PLANETS.format(given))
+
+
+@pytest.mark.parametrize("given", ['"NU 202"', '"NU 2222"'])
+def test_a_bearing_that_does_not_sit_between_pin_and_rim_is_refused(given):
+    sizing = size(parse(PLANETS.format(given)))
+    with pytest.raises(DesignError, match=r"planetaries\.second\.planet_bearing: NU .* has a bore of"):
+        bearing_lives(fly(sizing, parse_mission(STEADY)))

@@ -1,0 +1,71 @@
+"""The page of a flight: whole, alone, and the same each time."""
+
+import re
+
+import pytest
+
+from gearwright.mission import durability, fly, size_for_life
+from gearwright.mission.flight import Balance
+from gearwright.render.flight_figures import apart
+from gearwright.render.flight_page import flight_page
+from gearwright.render.flight_sankey import energies
+from gearwright.shipped import shipped_design, shipped_mission
+from gearwright.sizing import size
+from gearwright.spec import read
+from gearwright.spec.mission import read_mission
+
+FLIGHT = fly(size(read(shipped_design("in-line-h2"))), read_mission(shipped_mission("thesis")))
+PAGE = flight_page(FLIGHT, durability(FLIGHT))
+
+
+def test_the_page_asks_nothing_of_any_other_place():
+    assert not re.search(r"(?:src|href)=[\"'](?!#)|url\((?!#)|@import", PAGE)
+    assert "<script" not in PAGE
+
+
+def test_the_page_answers_what_a_reader_asks_first():
+    for words in ("375 kg", "498 kWh", "105 °C", "First to fail: bearing of first.planet", "after 531 flights"):
+        assert words in PAGE
+
+
+def test_the_page_is_the_same_each_time():
+    assert flight_page(FLIGHT, durability(FLIGHT)) == PAGE
+
+
+def test_every_id_is_there_once():
+    ids = re.findall(r'\bid="([^"]+)"', PAGE)
+    assert len(ids) == len(set(ids))
+
+
+@pytest.mark.parametrize(
+    ("design", "mission"), [("in-line", "regional-250nm"), ("face-gear-split-torque", "rotor-schedule")]
+)
+def test_flights_without_motor_or_without_propeller_map_have_a_page(design, mission):
+    flight = fly(size(read(shipped_design(design))), read_mission(shipped_mission(mission)))
+    page = flight_page(flight, durability(flight))
+    assert "heat of the turbines" in page
+    assert "state of charge" not in page
+
+
+def test_a_life_shows_what_it_costs():
+    life = size_for_life(read(shipped_design("in-line-h2")), read_mission(shipped_mission("thesis")), 2000.0)
+    assert "What a life costs" in flight_page(life.flight, durability(life.flight), life)
+
+
+def test_what_flows_into_the_sankey_flows_out():
+    """Sum of sources against sum of sinks, with a battery that gives or takes; 1e-12 is rounding."""
+    for battery, stored in ((0.3, 0.01), (-0.2, -0.01)):
+        rest = dict.fromkeys(("mesh_loss", "bearing_loss", "windage_loss", "churning_loss"), 0.01)
+        work = 1.0 + battery - 0.7 - 0.04 - 0.02 - 0.01 - stored
+        balance = Balance(1.0, battery, work, 0.7, motor_loss=0.02, battery_loss=0.01, stored=stored, **rest)
+        flows = energies(balance)
+        out = sum(sink.energy for sinks in (flows.hot, flows.used, flows.lost) for sink in sinks)
+        assert flows.total == pytest.approx(out, rel=1e-12)
+        assert flows.turbine + flows.electric + flows.slowed == pytest.approx(
+            flows.generated + sum(sink.energy for sink in flows.used), rel=1e-12
+        )
+
+
+def test_labels_keep_apart_and_stay_where_they_may():
+    assert apart([0.0, 5.0, 10.0], 2.0) == [0.0, 5.0, 10.0]
+    assert apart([0.0, 0.0, 0.0], 2.0) == [-2.0, 0.0, 2.0]
