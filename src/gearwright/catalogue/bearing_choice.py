@@ -4,24 +4,26 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cache
 from typing import Annotated
 
 from gearwright.catalogue.bearings import Bearing, bearings
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.bearing_life import basic_life, life_time
+from gearwright.parts.bearing_life import basic_life, life_exponent, life_time
 from gearwright.parts.bearing_load import (
     DEEP_GROOVE_STATIC,
     FOUR_POINT,
     FOUR_POINT_STATIC,
     deep_groove_factors,
     equivalent_load,
+    mean_load,
     static_equivalent_load,
     static_safety,
     taper_factors,
     taper_static_factors,
 )
 from gearwright.parts.bearing_rating import ball_static_factor
-from gearwright.parts.rolling_bearing import BearingKind
+from gearwright.parts.rolling_bearing import BearingGeometry, BearingKind
 from gearwright.units import Force, Length, Origin, Quantity, Ratio, Speed, Time
 
 _HOUR = 3600.0
@@ -59,6 +61,36 @@ class BearingDuty:
 
 
 @dataclass(frozen=True)
+class BearingSpectrum:
+    """What a bearing has to bear in every load case, and for which share of its life."""
+
+    radial: tuple[Force, ...]
+    """F_r of every case [N]."""
+    axial: tuple[Force, ...]
+    """F_a of every case [N]."""
+    speed: tuple[Speed, ...]
+    """Of the inner ring against the outer one in every case [rad/s]."""
+    share: tuple[Ratio, ...]
+    """Of the life that every case lasts [-]; with 0 it counts for the static safety alone."""
+    life: Time
+    """Wanted basic rating life L_10h [s]."""
+    static_safety: Ratio = 1.5
+    """Wanted s_0 at the limit load [-]."""
+    mean_factor: Ratio = 1.0
+    """Mean over stated load, for the life [-]."""
+    limit_factor: Ratio = 1.0
+    """Limit over stated load, for the static safety [-]."""
+
+    @property
+    def mean_speed(self) -> Speed:
+        """Over the life [rad/s]."""
+        return sum(abs(speed) * share for speed, share in zip(self.speed, self.share, strict=True))
+
+
+Duty = BearingDuty | BearingSpectrum
+
+
+@dataclass(frozen=True)
 class BearingCheck:
     """A bearing under a duty."""
 
@@ -76,7 +108,7 @@ class BearingCheck:
     """Static safety over the wanted one [-]."""
 
 
-def check_bearing(bearing: Bearing, duty: BearingDuty) -> BearingCheck:
+def check_bearing(bearing: Bearing, duty: Duty) -> BearingCheck:
     """Return life and static safety of a bearing under a duty.
 
     Args:
@@ -84,24 +116,56 @@ def check_bearing(bearing: Bearing, duty: BearingDuty) -> BearingCheck:
         duty: Loads, speed and wanted life.
 
     Raises:
-        DesignError: If the bearing cannot bear the kind of load, or nothing loads it.
+        DesignError: If the bearing cannot bear the kind of load.
     """
-    load, static = _loads(bearing, duty)
-    life = life_time(basic_life(bearing.dynamic_rating, load, bearing.kind), duty.speed)
-    safety = static_safety(bearing.static_rating, duty.limit_factor * static)
-    return BearingCheck(bearing, load, life, safety, life / duty.life, safety / duty.static_safety)
+    spectrum = duty if isinstance(duty, BearingSpectrum) else _steady(duty)
+    loads = [
+        equivalent_loads(bearing, radial, axial) for radial, axial in zip(spectrum.radial, spectrum.axial, strict=True)
+    ]
+    load = spectrum.mean_factor * _mean(bearing, [each for each, _ in loads], spectrum)
+    static = spectrum.limit_factor * max(each for _, each in loads)
+    life = life_time(basic_life(bearing.dynamic_rating, load, bearing.kind), spectrum.mean_speed) if load else math.inf
+    safety = static_safety(bearing.static_rating, static) if static else math.inf
+    return BearingCheck(bearing, load, life, safety, life / spectrum.life, safety / spectrum.static_safety)
 
 
-def _loads(bearing: Bearing, duty: BearingDuty) -> tuple[float, float]:
-    """Return P and P_0."""
-    radial, axial, inside = duty.radial, abs(duty.axial), bearing.geometry
+def _steady(duty: BearingDuty) -> BearingSpectrum:
+    return BearingSpectrum(
+        (duty.radial,),
+        (duty.axial,),
+        (duty.speed,),
+        (1.0,),
+        duty.life,
+        duty.static_safety,
+        limit_factor=duty.limit_factor,
+    )
+
+
+def _mean(bearing: Bearing, loads: list[float], spectrum: BearingSpectrum) -> float:
+    """Return the load that tires a bearing as all cases do; none where it does not turn."""
+    turns = [abs(speed) * share for speed, share in zip(spectrum.speed, spectrum.share, strict=True)]
+    return mean_load(loads, turns, life_exponent(bearing.kind)) if any(turns) else 0.0
+
+
+def equivalent_loads(bearing: Bearing, radial: float, axial: float) -> tuple[float, float]:
+    """Return the dynamic and the static equivalent load of a bearing, P and P_0 [N].
+
+    Args:
+        bearing: From the catalogue.
+        radial: F_r [N].
+        axial: F_a, its sign does not count [N].
+
+    Raises:
+        DesignError: If the bearing cannot bear the kind of load.
+    """
+    axial, inside = abs(axial), bearing.geometry
     if bearing.kind is BearingKind.CYLINDRICAL:
         if axial:
             message = f"{axial:.4g} N along the shaft; an NU bearing bears none: give it to a ball or taper bearing"
             raise DesignError([Problem(bearing.designation, message)])
         return radial, radial
     if bearing.kind is BearingKind.DEEP_GROOVE:
-        factors = deep_groove_factors(ball_static_factor(inside) * axial / bearing.static_rating)
+        factors = deep_groove_factors(_static_factor(inside) * axial / bearing.static_rating)
         static = DEEP_GROOVE_STATIC
     elif bearing.kind is BearingKind.FOUR_POINT:
         factors, static = FOUR_POINT, FOUR_POINT_STATIC
@@ -110,9 +174,15 @@ def _loads(bearing: Bearing, duty: BearingDuty) -> tuple[float, float]:
     return equivalent_load(radial, axial, factors), static_equivalent_load(radial, axial, static)
 
 
+@cache
+def _static_factor(inside: BearingGeometry) -> float:
+    """Return f_0 of a bearing of the catalogue, once."""
+    return ball_static_factor(inside)
+
+
 def choose_bearing(
     kind: BearingKind,
-    duty: BearingDuty,
+    duty: Duty,
     *,
     bore: Length,
     largest_bore: Length = math.inf,
@@ -130,19 +200,43 @@ def choose_bearing(
     Raises:
         DesignError: If no size has that bore, or none lives long enough; the nearest is named.
     """
-    fitting = [
-        each
-        for each in bearings().values()
-        if each.kind is kind and bore - 1e-9 <= each.bore <= largest_bore and each.outer_diameter <= largest_outer
-    ]
-    if not fitting:
-        raise DesignError([Problem("bore", _no_bore(kind, bore))])
-    checks = sorted((check_bearing(each, duty) for each in fitting), key=lambda check: check.bearing.mass)
+    checks = fitting_bearings(kind, duty, bore=bore, largest_bore=largest_bore, largest_outer=largest_outer)
     for check in checks:
         if check.life_margin >= 1.0 and check.static_margin >= 1.0:
             return check
     best = max(checks, key=lambda check: min(check.life_margin, check.static_margin))
     raise DesignError([Problem("bearing", _too_short(kind, best, duty))])
+
+
+def fitting_bearings(
+    kind: BearingKind,
+    duty: Duty,
+    *,
+    bore: Length,
+    largest_bore: Length = math.inf,
+    largest_outer: Length = math.inf,
+) -> tuple[BearingCheck, ...]:
+    """Return every bearing of a kind that fits, the lightest first, whether it bears the duty or not.
+
+    Args:
+        kind: Of bearing.
+        duty: Loads, speed and wanted life.
+        bore: Smallest bore, the diameter of the shaft [m].
+        largest_bore: Of the shaft's shoulder, or none [m].
+        largest_outer: Room in the housing, or none [m].
+
+    Raises:
+        DesignError: If no size has that bore; the nearest is named.
+    """
+    fitting = [
+        each
+        for each in bearings().values()
+        if each.kind is kind and bore - 1e-9 <= each.bore <= largest_bore + 1e-9
+        and each.outer_diameter <= largest_outer + 1e-9
+    ]  # fmt: skip
+    if not fitting:
+        raise DesignError([Problem("bore", _no_bore(kind, bore))])
+    return tuple(sorted((check_bearing(each, duty) for each in fitting), key=lambda check: check.bearing.mass))
 
 
 def _no_bore(kind: BearingKind, bore: float) -> str:
@@ -154,9 +248,11 @@ def _no_bore(kind: BearingKind, bore: float) -> str:
     )
 
 
-def _too_short(kind: BearingKind, best: BearingCheck, duty: BearingDuty) -> str:
+def _too_short(kind: BearingKind, best: BearingCheck, duty: Duty) -> str:
     wanted = f"{duty.life / _HOUR:.4g} h with s_0 = {duty.static_safety:g}"
-    load = f"{duty.radial:.4g} N and {abs(duty.axial):.4g} N"
+    spectrum = duty if isinstance(duty, BearingSpectrum) else _steady(duty)
+    worst = max(range(len(spectrum.radial)), key=lambda k: math.hypot(spectrum.radial[k], spectrum.axial[k]))
+    load = f"{spectrum.radial[worst]:.4g} N and {abs(spectrum.axial[worst]):.4g} N"
     return (
         f"no {kind} bearing lives {wanted} under {load}; the nearest, {best.bearing.designation}, gives "
         f"{best.life / _HOUR:.4g} h and {best.static_safety:.3g}; take another kind, a larger bore or two bearings"

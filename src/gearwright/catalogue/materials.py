@@ -24,7 +24,7 @@ def materials() -> Mapping[str, Material]:
 
 
 def _material(name: str, row: Mapping[str, float | str]) -> Material:
-    strength = row.get("yield_strength_mpa")
+    strength, ultimate = row.get("yield_strength_mpa"), row.get("ultimate_strength_mpa")
     hardness = row.get("surface_hardness")
     return Material(
         name=name,
@@ -33,5 +33,7 @@ def _material(name: str, row: Mapping[str, float | str]) -> Material:
         density=float(row["density_kg_m3"]),
         yield_strength=None if strength is None else float(strength) * _MPA,
         surface_hardness=None if hardness is None else float(hardness),
+        ultimate_strength=None if ultimate is None else float(ultimate) * _MPA,
+        group=None if "group" not in row else str(row["group"]),
         source=str(row["source"]),
     )

@@ -108,13 +108,24 @@ def weibull_slope(kind: BearingKind) -> float:
     return 10.0 / 9.0 if kind.is_ball else 9.0 / 8.0
 
 
-def system_life(lives: Sequence[float], slope: float = 10.0 / 9.0) -> float:
+def system_life(lives: Sequence[float], slope: float | Sequence[float] = 10.0 / 9.0) -> float:
     """Return the life that 90 % of a set of bearings reach with none of them failed; unit as given.
 
     Args:
         lives: L_10 of every bearing, all in one unit of time [any].
-        slope: Weibull slope e of all of them [-].
+        slope: Weibull slope e of all of them, or of each [-].
 
-    Source: product of Weibull's survival laws: (Σ L^-e)^(-1/e) (Harris, Rolling Bearing Analysis).
+    Source: product of Weibull's survival laws: Σ (L/L_i)^e_i = 1 (Harris, Rolling Bearing Analysis).
+
+    >>> round(system_life([1000.0, 1000.0], 1.0))
+    500
     """
-    return float(np.sum(np.asarray(lives, dtype=float) ** -slope) ** (-1.0 / slope))
+    own, slopes = np.broadcast_arrays(np.asarray(lives, dtype=float), np.asarray(slope, dtype=float))
+    life = float(np.sum(own ** -slopes.max()) ** (-1.0 / slopes.max()))
+    for _ in range(100):
+        parts = (life / own) ** slopes
+        step = math.log(parts.sum()) * parts.sum() / float(parts @ slopes)
+        life *= math.exp(-step)
+        if abs(step) < 1e-14:
+            break
+    return life

@@ -24,6 +24,10 @@ class Material:
     """0.2 % proof stress R_p0.2 of the core [Pa]."""
     surface_hardness: Annotated[float | None, Quantity("number")] = None
     """Brinell-equivalent hardness of the flank, HB [-]."""
+    ultimate_strength: Annotated[float | None, Quantity("stress")] = None
+    """Tensile strength R_m of the core [Pa]."""
+    group: str | None = None
+    """How its strength falls with size: a name of `SteelGroup` of DIN 743."""
     source: str = ""
     """Where the values come from."""
 

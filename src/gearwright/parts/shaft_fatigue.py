@@ -21,7 +21,7 @@ SURFACES = {
     "forged": (272.0, -0.995),
 }
 """Surface -> a [MPa] and b of k_a = a S_ut^b (Shigley, table 6-2)."""
-_RELIABILITY_DEVIATES = {0.5: 0.0, 0.9: 1.288, 0.95: 1.645, 0.99: 2.326, 0.999: 3.091, 0.9999: 3.719}
+RELIABILITY_DEVIATES = {0.5: 0.0, 0.9: 1.288, 0.95: 1.645, 0.99: 2.326, 0.999: 3.091, 0.9999: 3.719}
 """Reliability -> standard deviate z_a (Shigley, table 6-5)."""
 NO_NOTCH = Concentration(1.0, 1.0)
 
@@ -81,8 +81,8 @@ def endurance_limit(ultimate_strength: float, diameter: float, *, surface: str, 
     problems = []
     if surface not in SURFACES:
         problems.append(Problem("surface", f"{surface!r} is not known; allowed: {', '.join(SURFACES)}"))
-    if reliability not in _RELIABILITY_DEVIATES:
-        allowed = ", ".join(f"{each:g}" for each in _RELIABILITY_DEVIATES)
+    if reliability not in RELIABILITY_DEVIATES:
+        allowed = ", ".join(f"{each:g}" for each in RELIABILITY_DEVIATES)
         problems.append(Problem("reliability", f"{reliability:g} given; allowed: {allowed}"))
     size = diameter * _MM
     if not 2.79 <= size <= 254.0:
@@ -93,7 +93,7 @@ def endurance_limit(ultimate_strength: float, diameter: float, *, surface: str, 
     finish = min(factor * math.pow(ultimate_strength / _MPA, exponent), 1.0)
     volume = 1.24 * math.pow(size, -0.107) if size <= 51.0 else 1.51 * math.pow(size, -0.157)
     smooth = 0.5 * min(ultimate_strength, 1400e6)
-    return finish * volume * (1.0 - 0.08 * _RELIABILITY_DEVIATES[reliability]) * smooth
+    return finish * volume * (1.0 - 0.08 * RELIABILITY_DEVIATES[reliability]) * smooth
 
 
 def section_stress(

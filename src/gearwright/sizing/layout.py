@@ -14,7 +14,9 @@ from dataclasses import dataclass
 from gearwright.errors import DesignError, Problem, near
 from gearwright.sizing.context import Context
 from gearwright.sizing.result import GearSizing
+from gearwright.sizing.seats import radial_places, seats_of
 from gearwright.spec.design import Design, ShaftLayout
+from gearwright.spec.mounting import BearingSeat
 from gearwright.train.graph import Train
 
 
@@ -54,8 +56,8 @@ def plan_of(given: Context, name: str, gears: tuple[GearSizing, ...]) -> ShaftPl
     seat = min(rules.bearing_length, length / 2.0) / 2.0
     first = seat if layout.first_bearing is None else layout.first_bearing
     second = length - seat if layout.second_bearing is None else layout.second_bearing
-    plan = ShaftPlan(length, (first, second), places)
-    _check(name, layout, plan, names=names, width=sum(widths.values()))
+    plan = ShaftPlan(length, radial_places(given.design, name) or (first, second), places)
+    _check(name, layout, plan, seats_of(given.design, name), names=names, width=sum(widths.values()))
     return plan
 
 
@@ -99,7 +101,15 @@ def _spread(names: list[str], length: float) -> dict[str, float]:
     return {name: length * k / pieces for k, name in enumerate(names)}
 
 
-def _check(name: str, layout: ShaftLayout, plan: ShaftPlan, *, names: list[str], width: float) -> None:
+def _check(
+    name: str,
+    layout: ShaftLayout,
+    plan: ShaftPlan,
+    seats: Mapping[str, BearingSeat],
+    *,
+    names: list[str],
+    width: float,
+) -> None:
     """Refuse what does not fit on a shaft."""
     path, problems, end = f"layout.{name}", [], f"0 to {1e3 * plan.length:.6g} mm"
     if plan.length < width:
@@ -112,9 +122,12 @@ def _check(name: str, layout: ShaftLayout, plan: ShaftPlan, *, names: list[str],
             problems.append(Problem(f"{path}.places.{each}", f"this is not on the shaft; {near(each, names)}"))
         elif plan.places[each] > plan.length:
             problems.append(Problem(f"{path}.places.{each}.position_mm", _outside(plan.places[each], end)))
-    for key, seat in zip(("first_bearing_mm", "second_bearing_mm"), plan.bearings, strict=True):
-        if not 0.0 <= seat <= plan.length:
-            problems.append(Problem(f"{path}.{key}", _outside(seat, end)))
+    bearings = dict(zip((f"{path}.first_bearing_mm", f"{path}.second_bearing_mm"), plan.bearings, strict=True))
+    if seats:
+        bearings = {f"bearings.{each}.position_mm": seat.position for each, seat in seats.items()}
+    for key, place in bearings.items():
+        if not 0.0 <= place <= plan.length:
+            problems.append(Problem(key, _outside(place, end)))
     if plan.bearings[0] == plan.bearings[1]:
         message = f"both bearings stand at {1e3 * plan.bearings[0]:.6g} mm; give two different places"
         problems.append(Problem(f"{path}.second_bearing_mm", message))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.catalogue.bearings import Bearing
-from gearwright.units import Angle, Force, Length, Number, Origin, Quantity, Ratio, Stress, Time, Torque
+from gearwright.units import Angle, Force, Length, Number, Origin, Quantity, Ratio, Speed, Stress, Time, Torque
 
 
 @dataclass(frozen=True)
@@ -23,6 +23,8 @@ class Check:
     """As computed, in SI."""
     limit: Number
     """What is allowed, in SI."""
+    case: str = ""
+    """Load case that governs; empty where no single one does."""
     dimension: str = "ratio"
     """Dimension of value and limit."""
     at_most: bool = False
@@ -51,24 +53,38 @@ class ShaftStep:
 
 @dataclass(frozen=True)
 class SectionStrength:
-    """A section of a shaft where something notches it."""
+    """A section of a shaft in the case that tires it most."""
 
     place: str
     """What notches it, such as ``shoulder at bearing 1a``."""
+    case: str
+    """Load case with the least safety against fatigue."""
     position: Length
     """From the shaft's first end [m]."""
     diameter: Length
-    """Outer diameter [m]."""
+    """Outer diameter; of a spline its root [m]."""
     bending_moment: Torque
     """Turning with respect to the shaft, hence fully reversed [N m]."""
     torque: Torque
     """Mean [N m]."""
+    bending_notch: Annotated[
+        float, Quantity("ratio"), Origin("K_f = 1 + q (K_t − 1)", "DIN 743-2 (K_t), Shigley, eq. 6-32")
+    ]
+    """K_f [-]."""
+    torsion_notch: Annotated[
+        float, Quantity("ratio"), Origin("K_fs = 1 + q (K_ts − 1)", "DIN 743-2 (K_ts), Shigley, eq. 6-32")
+    ]
+    """K_fs [-]."""
     fatigue_safety: Annotated[
         float, Quantity("ratio"), Origin("DE-ASME elliptic or DE-Goodman", "Shigley, 10th ed., ch. 7")
     ]
     """n_f [-]."""
     yield_safety: Annotated[float, Quantity("ratio"), Origin("R_p0.2/σ_vM,max", "Shigley, 10th ed., eq. 7-16")]
-    """n_y [-]."""
+    """n_y, of the greatest load: application factor and torque swing included [-]."""
+    din743_safety: Annotated[
+        float, Quantity("ratio"), Origin("S_D = 1/√((σ_ba/σ_bADK)² + (τ_ta/τ_tADK)²)", "DIN 743-1")
+    ]
+    """S_D, the other method's answer [-]; 0 where the mean stress leaves no fatigue strength."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +97,7 @@ class BuiltShaft:
     bore: Length
     """[m]; zero where it is solid."""
     sections: tuple[SectionStrength, ...]
-    """Every notch, in order along the shaft."""
+    """Every notch and every load, in order along the shaft."""
     slopes: tuple[tuple[str, Angle], ...]
     """Gear or bearing -> slope of the bent shaft there [rad]."""
     deflections: tuple[tuple[str, Length], ...]
@@ -92,6 +108,13 @@ class BuiltShaft:
         Origin("lowest bending mode on rigid bearings", "influence numbers, Stodola 1927"),
     ]
     """First critical speed in bending [rad/s]; None where nothing bends it."""
+    highest_speed: Speed
+    """Largest of all load cases [rad/s]."""
+
+    @property
+    def weakest(self) -> SectionStrength:
+        """The section with the least safety against fatigue."""
+        return min(self.sections, key=lambda each: each.fatigue_safety)
 
 
 @dataclass(frozen=True)
@@ -106,7 +129,7 @@ class BearingSizing:
     bearing: Bearing
     """From the catalogue."""
     case: str
-    """Load case with the largest load."""
+    """Load case with the largest static load."""
     radial: Force
     """F_r in that case [N]."""
     axial: Force
@@ -144,7 +167,15 @@ class JointSizing:
     """Shaft, or reference diameter of the spline [m]."""
     length: Length
     """Bearing length [m]."""
-    pressure: Stress
+    pressure: Annotated[
+        float,
+        Quantity("stress"),
+        Origin("p = 2 T/(d h l i), of a press fit 2 T S/(π d² l μ)", "DIN 6892, DIN 5480, DIN 7190"),
+    ]
     """On flank or fit [Pa]; zero for one piece."""
     allowed_pressure: Stress
     """[Pa]"""
+    interference: Length = 0.0
+    """Of a press fit, as made [m]."""
+    rim: Annotated[float | None, Quantity("ratio"), Origin("s_R/h_t, h_t = 2.25 m_n", "ISO 6336-3:2019, Y_B")] = None
+    """Metal between hub seat and tooth root over the height of the teeth [-]; None for one piece and for machines."""

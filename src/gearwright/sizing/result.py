@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
+from gearwright.parts.bearing_life import system_life, weibull_slope
 from gearwright.sizing.gear_rating import MeshRating
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing
 from gearwright.spec import Design
@@ -146,15 +147,15 @@ class ShaftSizing:
     length: Length
     """[m]"""
     diameter: Annotated[float, Quantity("length"), Origin("√(σ_b² + 4 τ²) = R_p0.2 / S", f"{_THESIS}, eq. 2.47")]
-    """Outer diameter [m]."""
+    """Outer diameter; of a built shaft the thickest between its gears [m]."""
     bore: Length
     """Inner diameter [m]."""
     stress: Annotated[float, Quantity("stress"), Origin("√(σ_b² + 4 τ²)", f"{_THESIS}, eq. 2.47")]
     """Tresca stress [Pa]."""
     margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", f"{_THESIS}, eq. 2.47")]
     """Allowable over actual stress [-]."""
-    mass: Annotated[float, Quantity("mass"), Origin("cylinder", "geometry")]
-    """[kg]"""
+    mass: Annotated[float, Quantity("mass"), Origin("cylinders", "geometry")]
+    """Of a built shaft without what lies inside its gears, which count as solid [kg]."""
     inertia: Annotated[float, Quantity("inertia"), Origin("cylinder", "geometry")]
     """[kg m²]"""
     stiffness: Annotated[float, Quantity("torsional_stiffness"), Origin("K = π G d⁴ / (32 L)", f"{_THESIS}, eq. 3.12")]
@@ -272,6 +273,19 @@ class Sizing:
         return sum(carrier.mass for carrier in self.carriers)
 
     @property
+    def bearing_mass(self) -> Mass:
+        """Mass of all bearings of built shafts [kg]; not in `mass`, which compares designs with and without them."""
+        return sum(each.bearing.mass for each in self.bearings)
+
+    @property
+    def system_life(
+        self,
+    ) -> Annotated[float | None, Quantity("time"), Origin("Σ (L/L_i)^e_i = 1", "Weibull's product")]:
+        """Life that 90 % reach with no bearing failed [s]; None where no bearings are sized."""
+        slopes = [weibull_slope(each.bearing.kind) for each in self.bearings]
+        return system_life([each.life for each in self.bearings], slopes) if self.bearings else None
+
+    @property
     def mass(self) -> Mass:
         """Mass of gears, shafts and carriers, without motor, housing, bearings and oil; or the user's own [kg]."""
         return self.overrides.get("gearbox.mass", self.parts_mass)
@@ -297,4 +311,5 @@ class Sizing:
         margins = [margin for mesh in self.meshes for margin in (mesh.bending_margin, mesh.contact_margin)]
         margins += [each.pin_margin for each in self.carriers]
         margins += [each.plate_margin for each in self.carriers if each.plate_margin is not None]
+        margins += [check.margin for check in self.checks]
         return min([*margins, *(shaft.margin for shaft in self.shafts)])

@@ -1,4 +1,4 @@
-"""Shafts and carriers of a sized train."""
+"""Shafts of a sized train: of one diameter, or built where the design gives them bearings."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.catalogue.materials import materials
-from gearwright.parts.beam import Diagram, diagram, supported
+from gearwright.errors import DesignError, Problem
 from gearwright.parts.material import Material
 from gearwright.parts.shaft import (
     shaft_diameter,
@@ -20,10 +20,14 @@ from gearwright.parts.shaft import (
     torsional_stiffness,
 )
 from gearwright.sizing.axes import axes_of
+from gearwright.sizing.building import Built, build_shaft
 from gearwright.sizing.context import Context
+from gearwright.sizing.forces import ShaftForces, shaft_forces
 from gearwright.sizing.layout import ShaftPlan, plan_of
-from gearwright.sizing.loads import pure_torques, shaft_loads
+from gearwright.sizing.loads import pure_torques
+from gearwright.sizing.mounted import SectionStrength
 from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram, ShaftSizing
+from gearwright.sizing.seats import seats_of
 from gearwright.spec.design import ShaftLayout
 from gearwright.train.flow import RATED
 
@@ -37,22 +41,52 @@ def shaft_material(given: Context) -> Material:
     return materials()[given.design.shafting.material or given.design.gears.material]
 
 
-def size_shafts(given: Context, gears: tuple[GearSizing, ...]) -> tuple[ShaftSizing, ...]:
-    """Return every shaft of the design, sized where bending and torsion together are largest.
+def size_shafts(given: Context, gears: tuple[GearSizing, ...]) -> tuple[tuple[ShaftSizing, ...], tuple[Built, ...]]:
+    """Return every shaft of the design, and those that the design gives bearings also as they are built.
+
+    A shaft without bearings in the design has one diameter, sized where bending and torsion together are largest.
 
     Args:
         given: What sizing reads.
         gears: From `size_gears`.
 
     Raises:
-        DesignError: If axes do not close, or gears, places or bearings do not fit on a shaft.
+        DesignError: If axes do not close, gears, places or bearings do not fit on a shaft, or no shaft can be built.
     """
     axes, by_name = axes_of(given, gears), {gear.name: gear for gear in gears}
-    return tuple(_shaft(given, plan_of(given, name, gears), axes, by_name, name=name) for name in given.design.shafts)
+    bent = _bent(given)
+    shafts: list[ShaftSizing] = []
+    built: list[Built] = []
+    problems: list[Problem] = []
+    for name in given.design.shafts:
+        plan, seats = plan_of(given, name, gears), seats_of(given.design, name)
+        if not seats and name not in bent:
+            shafts.append(_plain(given, plan, _twisted(given, plan, name=name), axes[name], name=name))
+            continue
+        forces = shaft_forces(given, name, plan, axes=axes, gears=by_name)
+        if not seats:
+            shafts.append(_plain(given, plan, _governing(given, forces), axes[name], name=name))
+            continue
+        try:
+            built.append(_built(given, forces, by_name, name=name))
+        except DesignError as error:
+            problems += error.problems
+            continue
+        shafts.append(_stepped(given, forces, built[-1], axes[name], name=name))
+    if problems:
+        raise DesignError(problems)
+    return tuple(shafts), tuple(built)
+
+
+def _bent(given: Context) -> set[str]:
+    """Return the shafts that something may bend: a mesh of a pair, or a rotor's force or moment."""
+    found = {node for mesh in given.train.meshes if mesh.stage in given.design.pairs for node in mesh.nodes}
+    rotors = given.design.propellers.values()
+    return found | {rotor.shaft for rotor in rotors if rotor.thrust or rotor.in_plane_force or rotor.hub_moment}
 
 
 class _Governing(NamedTuple):
-    """The load case that governs a shaft."""
+    """The load case that governs a shaft of one diameter, at the section where √(M² + T²) is largest."""
 
     case: str
     bending_moment: float
@@ -62,64 +96,17 @@ class _Governing(NamedTuple):
     diagram: ShaftDiagram
 
 
-def _shaft(
-    given: Context, plan: ShaftPlan, axes: Mapping[str, complex], gears: Mapping[str, GearSizing], *, name: str
-) -> ShaftSizing:
-    rules, layout, take = given.design.shafting, given.design.layout.get(name, ShaftLayout()), given.overrides.take
-    material, load = shaft_material(given), _governing(given, plan, axes, gears, name=name)
-    allowable = (material.yield_strength or 0.0) / rules.safety
-    ratio = layout.bore_ratio if layout.bore_ratio is not None else rules.bore_ratio
-    if layout.bore is not None:
-        needed = shaft_diameter_around(layout.bore, load.bending_moment, load.torque, allowable=allowable)
-    else:
-        needed = shaft_diameter(load.bending_moment, load.torque, allowable, bore_ratio=ratio)
-    diameter = layout.diameter or needed
-    diameter = take(f"{name}.diameter", "length", diameter)
-    bore = layout.bore if layout.bore is not None else ratio * diameter
-    mass = take(f"{name}.mass", "mass", shaft_mass(diameter, plan.length, material.density, bore=bore))
-    stress = shaft_stress(load.bending_moment, load.torque, diameter, bore=bore) if diameter else 0.0
-    return ShaftSizing(
-        name=name,
-        case=load.case,
-        speed=given.flows[RATED].speeds[name],
-        torque=load.torque,
-        bending_moment=load.bending_moment,
-        axial_force=load.axial_force,
-        length=plan.length,
-        diameter=diameter,
-        bore=bore,
-        stress=stress,
-        margin=allowable / stress if stress else math.inf,
-        mass=mass,
-        inertia=shaft_inertia(mass, diameter, bore=bore) if layout.inertia is None else layout.inertia,
-        stiffness=layout.torsional_stiffness
-        or torsional_stiffness(diameter, plan.length, material.shear_modulus, bore=bore),
-        axis=(axes[name].real, axes[name].imag),
-        bearings=load.bearings,
-        diagram=load.diagram,
-    )
-
-
-def _governing(
-    given: Context, plan: ShaftPlan, axes: Mapping[str, complex], gears: Mapping[str, GearSizing], *, name: str
-) -> _Governing:
-    """Return the case and the section where √(M² + T²) is largest, and what belongs to them."""
-    if not any(mesh.stage in given.design.pairs and name in mesh.nodes for mesh in given.train.meshes):
-        return _twisted(given, plan, name=name)
-    loads, axial = shaft_loads(given, name, plan, axes=axes, gears=gears)
-    bends = bool(loads.force.any())
-    whole = supported(loads, plan.bearings, length=plan.length) if bends else loads
-    drawn = diagram(whole)
-    moment = np.hypot(drawn.bending[:, 0], drawn.bending[:, 1])
-    case, section = np.unravel_index(int(np.argmax(np.hypot(moment, drawn.torsion))), moment.shape)
-    reactions = whole.force[case, :, -2:].T.tolist() if bends else []
+def _governing(given: Context, forces: ShaftForces) -> _Governing:
+    moment = np.hypot(forces.drawn.bending[:, 0], forces.drawn.bending[:, 1])
+    found = np.unravel_index(int(np.argmax(np.hypot(moment, forces.drawn.torsion))), moment.shape)
+    case = int(found[0])
     return _Governing(
         case=list(given.flows)[case],
-        bending_moment=float(moment[case, section]),
-        torque=abs(float(drawn.torsion[case, section])),
-        axial_force=float(axial[case]),
-        bearings=tuple(BearingLoad(at, (y, z)) for at, (y, z) in zip(plan.bearings, reactions, strict=False)),
-        diagram=_diagram(drawn, int(case)),
+        bending_moment=float(moment[found]),
+        torque=abs(float(forces.drawn.torsion[found])),
+        axial_force=float(forces.axial[case]),
+        bearings=forces.bearing_loads(case),
+        diagram=forces.diagram(case),
     )
 
 
@@ -145,11 +132,89 @@ def _along(torques: Iterable[float]) -> tuple[float, ...]:
     return tuple(stations)
 
 
-def _diagram(drawn: Diagram, case: int) -> ShaftDiagram:
-    shear, bending = drawn.shear[case].tolist(), drawn.bending[case].tolist()
-    return ShaftDiagram(
-        position=tuple(drawn.position.tolist()),
-        shear=(tuple(shear[0]), tuple(shear[1])),
-        bending=(tuple(bending[0]), tuple(bending[1])),
-        torsion=tuple(drawn.torsion[case].tolist()),
+def _plain(given: Context, plan: ShaftPlan, load: _Governing, axis: complex, *, name: str) -> ShaftSizing:
+    """Return a shaft of one diameter, by Tresca where √(M² + T²) is largest."""
+    rules, layout, take = given.design.shafting, given.design.layout.get(name, ShaftLayout()), given.overrides.take
+    material, length = shaft_material(given), plan.length
+    bending, torque = load.bending_moment, load.torque
+    allowable = (material.yield_strength or 0.0) / rules.safety
+    ratio = layout.bore_ratio if layout.bore_ratio is not None else rules.bore_ratio
+    if layout.bore is not None:
+        needed = shaft_diameter_around(layout.bore, bending, torque, allowable=allowable)
+    else:
+        needed = shaft_diameter(bending, torque, allowable, bore_ratio=ratio)
+    diameter = take(f"{name}.diameter", "length", layout.diameter or needed)
+    bore = layout.bore if layout.bore is not None else ratio * diameter
+    mass = take(f"{name}.mass", "mass", shaft_mass(diameter, length, material.density, bore=bore))
+    stress = shaft_stress(bending, torque, diameter, bore=bore) if diameter else 0.0
+    stiffness = torsional_stiffness(diameter, length, material.shear_modulus, bore=bore)
+    return ShaftSizing(
+        name=name,
+        case=load.case,
+        speed=given.flows[RATED].speeds[name],
+        torque=torque,
+        bending_moment=bending,
+        axial_force=load.axial_force,
+        length=length,
+        diameter=diameter,
+        bore=bore,
+        stress=stress,
+        margin=allowable / stress if stress else math.inf,
+        mass=mass,
+        inertia=shaft_inertia(mass, diameter, bore=bore) if layout.inertia is None else layout.inertia,
+        stiffness=layout.torsional_stiffness or stiffness,
+        axis=(axis.real, axis.imag),
+        bearings=load.bearings,
+        diagram=load.diagram,
     )
+
+
+def _built(given: Context, forces: ShaftForces, gears: Mapping[str, GearSizing], *, name: str) -> Built:
+    layout = given.design.layout.get(name, ShaftLayout())
+    core = given.overrides.take(f"{name}.diameter", "length", layout.diameter or 0.0) or None
+    return build_shaft(given, name, forces, shaft_material(given), gears=gears, core=core)
+
+
+def _stepped(given: Context, forces: ShaftForces, built: Built, axis: complex, *, name: str) -> ShaftSizing:
+    """Return the row of a built shaft: its weakest section, and the mass, inertia and stiffness of its steps."""
+    rules, layout, take = given.design.shafting, given.design.layout.get(name, ShaftLayout()), given.overrides.take
+    material, steps, bore = shaft_material(given), built.shaft.steps, built.shaft.bore
+    weak = max(built.shaft.sections, key=lambda each: _tresca(each, bore))
+    case, stress = list(given.flows).index(weak.case), _tresca(weak, bore)
+    allowable = (material.yield_strength or 0.0) / rules.safety
+    inside = {step.seat for step in steps if step.seat.partition(".")[0] in given.design.stages}
+    outside = [0.0 if each.seat in inside else each.diameter for each in steps]
+    pieces = [
+        shaft_mass(diameter, each.end - each.start, material.density, bore=bore)
+        for each, diameter in zip(steps, outside, strict=True)
+    ]
+    mass = take(f"{name}.mass", "mass", sum(pieces))
+    turning = sum(shaft_inertia(piece, diameter, bore=bore) for piece, diameter in zip(pieces, outside, strict=True))
+    compliance = sum(
+        1.0 / torsional_stiffness(each.diameter, each.end - each.start, material.shear_modulus, bore=bore)
+        for each in steps
+    )
+    inertia = turning * mass / sum(pieces)
+    return ShaftSizing(
+        name=name,
+        case=weak.case,
+        speed=given.flows[RATED].speeds[name],
+        torque=weak.torque,
+        bending_moment=weak.bending_moment,
+        axial_force=float(forces.axial[case]),
+        length=forces.plan.length,
+        diameter=max(each.diameter for each in steps if each.seat not in inside),
+        bore=bore,
+        stress=stress,
+        margin=allowable / stress if stress else math.inf,
+        mass=mass,
+        inertia=inertia if layout.inertia is None else layout.inertia,
+        stiffness=layout.torsional_stiffness or 1.0 / compliance,
+        axis=(axis.real, axis.imag),
+        bearings=forces.bearing_loads(case),
+        diagram=forces.diagram(case),
+    )
+
+
+def _tresca(section: SectionStrength, bore: float) -> float:
+    return shaft_stress(section.bending_moment, section.torque, section.diameter, bore=bore)

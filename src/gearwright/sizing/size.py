@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from gearwright.sizing.carriers import size_carriers
+from gearwright.sizing.checks import checks_of
 from gearwright.sizing.context import context
 from gearwright.sizing.gear_checks import gear_checks
 from gearwright.sizing.gears import size_gears, size_meshes
@@ -39,8 +40,12 @@ def size(design: Design) -> Sizing:
     sizes = stage_sizes(given)
     gears = size_gears(given, sizes)
     meshes = size_meshes(given, gears)
-    shafts = size_shafts(given, gears)
+    shafts, built = size_shafts(given, gears)
     refuse_bores(shafts)
+    checks = [
+        *gear_checks(given, gears, meshes, sizes),
+        *(check for each in built for check in checks_of(each, design)),
+    ]
     overrides.take("gearbox.mass", "mass", 0.0)
     sizing = Sizing(
         design=design,
@@ -52,7 +57,10 @@ def size(design: Design) -> Sizing:
         shafts=shafts,
         carriers=size_carriers(given, gears, shafts),
         machines=size_machines(given),
-        checks=tuple(sorted(gear_checks(given, gears, meshes, sizes), key=lambda check: check.margin)),
+        built_shafts=tuple(each.shaft for each in built),
+        bearings=tuple(bearing for each in built for bearing in each.bearings),
+        joints=tuple(joint for each in built for joint in each.joints),
+        checks=tuple(sorted(checks, key=lambda each: (round(each.margin, 9), each.part))),
         overrides=overrides.used,
         origins=overrides.origins,
     )

@@ -10,6 +10,7 @@ from gearwright.catalogue.materials import materials
 from gearwright.errors import Problem, near
 from gearwright.parts.lewis import FEWEST_TEETH
 from gearwright.spec.check_motion import motion_problems
+from gearwright.spec.check_mounting import mounting_problems
 from gearwright.spec.design import GROUND, Design, GearRules, Pair, Planetary
 from gearwright.units import text
 
@@ -28,7 +29,8 @@ def reference_problems(design: Design) -> list[Problem]:
         _shafts, _names, _machines, _speeds, _pairs, _planetaries, _clutches, _teeth, _layout, _cases, _keep,
         _materials, _widths, _overrides,
     )  # fmt: skip
-    return [problem for check in checks for problem in check(design)] + list(motion_problems(design))
+    found = [problem for check in checks for problem in check(design)]
+    return [*found, *motion_problems(design), *mounting_problems(design)]
 
 
 def _shafts(design: Design) -> Iterator[Problem]:

@@ -234,7 +234,22 @@ class ShaftRules(Record):
     bearing_length: Length = Field(
         0.015, gt=0, description="Length per bearing and per gap between gears of a pair's shaft"
     )
-    bore_ratio: Ratio = Field(0.0, ge=0, lt=0.95, description="Bore over outer diameter; 0 is solid")
+    bore_ratio: Ratio = Field(
+        0.0,
+        ge=0,
+        lt=0.95,
+        description="Bore over outer diameter, on a shaft with bearings over its thinnest bearing seat; 0 is solid",
+    )
+    fatigue: Literal["asme", "goodman"] = Field(
+        "asme", description="Criterion of fatigue for shafts with bearings: the ASME ellipse or Goodman's line"
+    )
+    reliability: Ratio = Field(
+        0.999, ge=0.5, le=0.9999, description="Part of the shafts that reaches the endurance limit (Shigley, table 6-5)"
+    )
+    surface: Literal["ground", "machined"] = Field("machined", description="Surface of shafts with bearings")
+    fillet_ratio: Ratio = Field(
+        0.05, ge=0.01, le=0.3, description="Fillet radius over the thinner diameter where no bearing asks for less"
+    )
 
 
 class CarrierRules(Record):
@@ -255,7 +270,9 @@ class ShaftLayout(Record):
     """What is given of one shaft."""
 
     length: Length | None = Field(None, gt=0, description="Length between its ends")
-    diameter: Length | None = Field(None, gt=0, description="Outer diameter; left out: sized")
+    diameter: Length | None = Field(
+        None, gt=0, description="Outer diameter, on a shaft with bearings its thickest between gears; left out: sized"
+    )
     bore_ratio: Ratio | None = Field(None, ge=0, lt=0.95, description="Bore over outer diameter")
     bore: Length | None = Field(None, gt=0, description="Bore diameter")
     inertia: Inertia | None = Field(None, ge=0, description="Polar inertia without gears; left out: of the cylinder")

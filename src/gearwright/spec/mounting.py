@@ -41,8 +41,11 @@ class Joint(Record):
     kind: Literal["integral", "key", "spline", "press-fit"] = Field(
         description="One piece; feather key DIN 6885; involute spline DIN 5480; press fit DIN 7190"
     )
+    diameter: Length | None = Field(None, gt=0, description="Of the shaft in it; left out: as thick as strength asks")
     length: Length | None = Field(None, gt=0, description="Bearing length; left out: as long as the torque asks")
-    hub_length: Length | None = Field(None, gt=0, description="Length of the hub; left out: the gear's face width")
+    hub_length: Length | None = Field(
+        None, gt=0, description="Length of the hub; left out: the gear's face width; machines have none, and need it"
+    )
     module: Length | None = Field(None, gt=0, description="Module of a spline; left out: chosen from DIN 5480's series")
     pressure: Stress | None = Field(
         None, gt=0, description="Allowed flank pressure; left out: 150 MPa for keys, 100 MPa for splines"

@@ -1,0 +1,198 @@
+"""Bearings of one shaft: what each bears over its service, which sizes of the catalogue do, and which one is taken."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.catalogue.bearing_choice import (
+    BearingCheck,
+    BearingSpectrum,
+    check_bearing,
+    equivalent_loads,
+    fitting_bearings,
+)
+from gearwright.catalogue.bearings import Bearing, bearing, with_ratings
+from gearwright.errors import DesignError, Problem
+from gearwright.parts.bearing_load import LoadFactors, taper_factors
+from gearwright.parts.rolling_bearing import BearingKind
+from gearwright.sizing.context import Context
+from gearwright.sizing.forces import ShaftForces
+from gearwright.sizing.mounted import BearingSizing
+from gearwright.sizing.seats import axial_forces, seats_of
+from gearwright.spec.check_mounting import KINDS
+from gearwright.spec.mounting import BearingSeat
+from gearwright.train.flow import RATED
+
+Array = NDArray[np.float64]
+TYPICAL_TAPER = LoadFactors(0.4, 0.4, 1.5)
+"""e, X, Y of taper bearings before one is chosen: α = 15° [-]."""
+MAKER = "maker's rating, given by the user"
+
+
+@dataclass(frozen=True)
+class Seating:
+    """The bearings of one shaft under one set of thrusts."""
+
+    seats: Mapping[str, BearingSeat]
+    """In order along the shaft."""
+    radial: Mapping[str, Array]
+    """Bearing -> radial force of every case [N]."""
+    axial: Mapping[str, Array]
+    """Bearing -> axial force of every case, induced thrust included [N]."""
+    duties: Mapping[str, BearingSpectrum]
+    """Bearing -> what it bears."""
+    sizes: Mapping[str, tuple[BearingCheck, ...]]
+    """Bearing -> the sizes that may be taken, the lightest first."""
+
+    def choose(self, name: str, least: float, most: float) -> Bearing:
+        """Return the lightest size that bears its duty around a shaft, or the one that the user gives.
+
+        Args:
+            name: Of the bearing.
+            least: Smallest bore [m].
+            most: Largest bore [m].
+
+        Raises:
+            DesignError: If there is none, with the nearest.
+        """
+        seat, sizes = self.seats[name], self.sizes[name]
+        if seat.designation is not None:
+            return sizes[0].bearing
+        if seat.bore is not None:
+            least, most = 0.0, math.inf
+        room = [each for each in sizes if least - 1e-9 <= each.bearing.bore <= most + 1e-9]
+        for each in room:
+            if _bears(each):
+                return each.bearing
+        raise DesignError([Problem(f"bearings.{name}", _none(self.duties[name], seat, (least, most), room or sizes))])
+
+
+def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str, Bearing]) -> Seating:
+    """Return what the bearings of a shaft bear, and the sizes that may be taken.
+
+    Args:
+        given: What sizing reads.
+        shaft: Name of the shaft.
+        forces: What acts on it.
+        chosen: Bearing -> the size taken last; the thrust of taper bearings follows from it.
+
+    Raises:
+        DesignError: If nothing takes a force along the shaft, or the catalogue has no such bore.
+    """
+    seats = seats_of(given.design, shaft)
+    reactions = np.hypot(*forces.radial().swapaxes(0, 1))
+    carried = iter(reactions.T)
+    radial = {name: next(carried) if seat.radial else np.zeros(len(reactions)) for name, seat in seats.items()}
+    factors = {
+        name: taper_factors(chosen[name].geometry.contact_angle) if name in chosen else TYPICAL_TAPER
+        for name, seat in seats.items()
+        if seat.kind == "taper"
+    }
+    axial = axial_forces(shaft, seats, (forces.axial, radial), factors, cases=tuple(given.flows))
+    duties = {name: _duty(given, shaft, seat, radial[name], axial[name]) for name, seat in seats.items()}
+    return Seating(seats, radial, axial, duties, {name: _sizes(name, seats[name], duties[name]) for name in seats})
+
+
+def _duty(given: Context, shaft: str, seat: BearingSeat, radial: Array, axial: Array) -> BearingSpectrum:
+    """Return what a bearing bears in every case; without shares all of its life is spent in the rated one."""
+    service = given.design.service
+    shares = service.shares or {RATED: 1.0}
+    return BearingSpectrum(
+        radial=tuple(radial.tolist()),
+        axial=tuple(axial.tolist()),
+        speed=tuple(flow.speeds[shaft] for flow in given.flows.values()),
+        share=tuple(shares.get(case, 0.0) for case in given.flows),
+        life=seat.life or service.bearing_life,
+        static_safety=service.static_safety,
+        mean_factor=1.0 if service.shares else service.mean_load,
+        limit_factor=service.application_factor,
+    )
+
+
+def _sizes(name: str, seat: BearingSeat, duty: BearingSpectrum) -> tuple[BearingCheck, ...]:
+    if seat.designation is not None:
+        return (check_bearing(_as_made(seat, bearing(seat.designation)), duty),)
+    try:
+        return fitting_bearings(
+            BearingKind(KINDS[seat.kind]),
+            duty,
+            bore=seat.bore or 0.0,
+            largest_bore=seat.bore or math.inf,
+            largest_outer=seat.largest_outer_diameter or math.inf,
+        )
+    except DesignError as error:
+        raise DesignError([Problem(f"bearings.{name}", each.message) for each in error.problems]) from None
+
+
+def _as_made(seat: BearingSeat, standard: Bearing) -> Bearing:
+    """Return a bearing with the maker's ratings where the user gives them."""
+    if seat.dynamic_rating is None and seat.static_rating is None:
+        return standard
+    dynamic, static = seat.dynamic_rating or standard.dynamic_rating, seat.static_rating or standard.static_rating
+    return with_ratings(standard, dynamic, static, source=MAKER)
+
+
+def _bears(check: BearingCheck) -> bool:
+    return check.life_margin >= 1.0 and check.static_margin >= 1.0
+
+
+def _best(sizes: tuple[BearingCheck, ...] | list[BearingCheck]) -> BearingCheck:
+    return max(sizes, key=lambda each: min(each.life_margin, each.static_margin))
+
+
+def _none(
+    duty: BearingSpectrum,
+    seat: BearingSeat,
+    room: tuple[float, float],
+    sizes: list[BearingCheck] | tuple[BearingCheck, ...],
+) -> str:
+    """Say why no size will do, and which is nearest."""
+    least, most = room
+    around = f"bores from {1e3 * least:.4g} mm" + (f" to {1e3 * most:.4g} mm" if most < math.inf else "")
+    best, outer = _best(sizes), seat.largest_outer_diameter
+    inside = f" and {1e3 * outer:.4g} mm outside" if outer else ""
+    return (
+        f"no {KINDS[seat.kind]} bearing with {around}{inside} lives {duty.life / 3600.0:.4g} h with s_0 ="
+        f" {duty.static_safety:g} under {max(duty.radial):.4g} N across and {max(duty.axial):.4g} N along; the nearest,"
+        f" {best.bearing.designation} ({1e3 * best.bearing.bore:g} mm), gives {best.life / 3600.0:.4g} h and s_0 ="
+        f" {best.static_safety:.3g}; take another kind, give more room, move the bearings apart, or ask for less life"
+    )
+
+
+def bearing_sizings(
+    seated: Seating, chosen: Mapping[str, Bearing], shaft: str, cases: tuple[str, ...]
+) -> tuple[BearingSizing, ...]:
+    """Return the bearings of a shaft as they were taken.
+
+    Args:
+        seated: What they bear.
+        chosen: Bearing -> the size taken.
+        shaft: Name of the shaft.
+        cases: Names of the load cases.
+    """
+    return tuple(_sizing(name, seated, chosen[name], shaft, cases) for name in seated.seats)
+
+
+def _sizing(name: str, seated: Seating, taken: Bearing, shaft: str, cases: tuple[str, ...]) -> BearingSizing:
+    duty, check = seated.duties[name], check_bearing(taken, seated.duties[name])
+    statics = [equivalent_loads(taken, *each)[1] for each in zip(duty.radial, duty.axial, strict=True)]
+    worst = int(np.argmax(statics))
+    return BearingSizing(
+        name=name,
+        shaft=shaft,
+        position=seated.seats[name].position,
+        bearing=taken,
+        case=cases[worst],
+        radial=duty.radial[worst],
+        axial=duty.axial[worst],
+        equivalent_load=check.equivalent_load,
+        life=check.life,
+        wanted_life=duty.life,
+        static_safety=check.static_safety,
+        wanted_static_safety=duty.static_safety,
+    )

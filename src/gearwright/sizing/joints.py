@@ -1,0 +1,210 @@
+"""What joins a gear or a machine to its shaft: a key, a spline, a press fit, long enough for the torque."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import NamedTuple
+
+from gearwright.catalogue.keys import StandardKey, choose_key_length, key_for_shaft
+from gearwright.errors import DesignError, Problem
+from gearwright.parts.key import bearing_length, key_pressure
+from gearwright.parts.material import Material
+from gearwright.parts.press_fit import FitPart, fit_interference, fit_torque, hub_stress, shaft_fit_stress
+from gearwright.parts.spline import MODULES, SHORTEST_RATIO, Spline, spline, spline_length, spline_pressure
+from gearwright.sizing.mounted import JointSizing
+from gearwright.spec.mounting import Joint
+
+KEY_PRESSURE, SPLINE_PRESSURE = 150e6, 100e6
+"""Flank pressure that is allowed where the design says nothing [Pa]."""
+SPLINE_TEETH = 25.0
+"""Reference diameter over module of a spline, about; DIN 5480 prefers 20 to 50 teeth [-]."""
+FIT_ROUGHNESS = 4e-6
+"""R_z of ground seats of press fits [m]."""
+_MM = 1e-3
+
+
+class Seat(NamedTuple):
+    """Where a joint sits."""
+
+    part: str
+    """Gear or machine."""
+    shaft: str
+    position: float
+    """[m]"""
+    hub_length: float
+    """Room for the joint [m]; infinite where the design sets no limit."""
+    root: float
+    """Root diameter of the gear [m]; infinite for a machine."""
+    torque: float
+    """Largest of all cases, application factor included [N m]."""
+    bore: float
+    """Of the shaft [m]."""
+    tooth: float
+    """Height of the gear's teeth [m]."""
+
+
+def size_joint(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
+    """Return a joint on a shaft.
+
+    Args:
+        joint: As the design gives it.
+        seat: Where it sits.
+        diameter: Of the shaft [m].
+        steel: Of shaft and hub.
+
+    Raises:
+        DesignError: If it is longer than its hub, or does not fit on the shaft; with what would do.
+    """
+    law = {"integral": _integral, "key": _key, "spline": _spline, "press-fit": _press_fit}[joint.kind]
+    sized = law(joint, seat, diameter, steel)
+    if joint.kind == "integral" or not math.isfinite(seat.root):
+        return sized
+    cut = key_for_shaft(diameter).section.hub_depth if joint.kind == "key" else 0.0
+    return replace(sized, rim=((seat.root - diameter) / 2.0 - cut) / seat.tooth)
+
+
+def refuse_thick(sized: JointSizing, seat: Seat) -> None:
+    """Raise where a shaft leaves nothing of its gear.
+
+    Args:
+        sized: From `size_joint`.
+        seat: Where it sits.
+
+    Raises:
+        DesignError: With what would do.
+    """
+    if sized.rim is not None and sized.rim <= 0.0:
+        message = (
+            f"a {sized.kind} on {1e3 * sized.diameter:.4g} mm leaves no rim: the root circle of the gear has"
+            f' {1e3 * seat.root:.4g} mm; write kind = "integral", or give more teeth or a larger module'
+        )
+        raise DesignError([Problem(f"joints.{seat.part}", message)])
+
+
+def joint_fits(joint: Joint, seat: Seat, sized: JointSizing) -> bool:
+    """Tell whether a thicker shaft would not help: the joint fits its hub and bears its torque.
+
+    Args:
+        joint: As the design gives it.
+        seat: Where it sits.
+        sized: From `size_joint`.
+    """
+    if joint.kind not in ("spline", "press-fit") or joint.length is not None:
+        return True
+    return sized.length <= seat.hub_length + 1e-9 and sized.pressure <= sized.allowed_pressure * (1.0 + 1e-9)
+
+
+def refuse_long(joint: Joint, seat: Seat, sized: JointSizing) -> None:
+    """Raise where a joint is longer than its hub.
+
+    Args:
+        joint: As the design gives it.
+        seat: Where it sits.
+        sized: From `size_joint`.
+
+    Raises:
+        DesignError: With what would do.
+    """
+    if sized.length > seat.hub_length + 1e-9:
+        message = (
+            f"{sized.designation} is {1e3 * sized.length:.4g} mm long and its hub {1e3 * seat.hub_length:.4g} mm; give"
+            ' a longer hub, a wider gear, or kind = "integral"'
+        )
+        raise DesignError([Problem(f"joints.{seat.part}", message)])
+
+
+def _sized(joint: Joint, seat: Seat, designation: str, diameter: float, *, length: float, pressure: float,
+           allowed: float, interference: float = 0.0) -> JointSizing:  # fmt: skip
+    return JointSizing(
+        part=seat.part,
+        shaft=seat.shaft,
+        position=seat.position,
+        kind=joint.kind,
+        designation=designation,
+        torque=seat.torque,
+        diameter=diameter,
+        length=length,
+        pressure=pressure,
+        allowed_pressure=allowed,
+        interference=interference,
+    )
+
+
+def _integral(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
+    return _sized(joint, seat, "", diameter, length=0.0, pressure=0.0, allowed=0.0)
+
+
+def _key(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
+    allowed, path = joint.pressure or KEY_PRESSURE, f"joints.{seat.part}"
+    try:
+        key = key_for_shaft(diameter)
+        hub = min(seat.hub_length, key.longest)
+        length = joint.length or choose_key_length(seat.torque, diameter, allowable=allowed, hub_length=hub)
+        bears = bearing_length(key.section, length, seat.hub_length)
+    except DesignError as error:
+        why = error.problems[0].message.partition("; take")[0]
+        raise DesignError([Problem(path, f"{why}; {_instead(joint, seat, diameter)}")]) from None
+    pressure = key_pressure(seat.torque, diameter, key.section, bearing_length=bears)
+    return _sized(joint, seat, _key_name(key, length), diameter, length=length, pressure=pressure, allowed=allowed)
+
+
+def _key_name(key: StandardKey, length: float) -> str:
+    width, height = 1e3 * key.section.width, 1e3 * key.section.height
+    return f"DIN 6885 - A {width:g} x {height:g} x {1e3 * length:g}"
+
+
+def _instead(joint: Joint, seat: Seat, diameter: float) -> str:
+    """Say which spline would do where a key does not."""
+    teeth = _teeth(joint, diameter)
+    length = _spline_length(teeth, seat.torque, SPLINE_PRESSURE)
+    if length <= seat.hub_length:
+        return f'a spline does with {1e3 * length:.4g} mm, {_spline_name(teeth)}: write kind = "spline"'
+    return 'write kind = "integral", or give a thicker shaft by diameter_mm'
+
+
+def _spline(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
+    teeth, allowed = _teeth(joint, diameter), joint.pressure or SPLINE_PRESSURE
+    length = joint.length or _spline_length(teeth, seat.torque, allowed)
+    pressure = spline_pressure(seat.torque, teeth, length) if length else 0.0
+    return _sized(joint, seat, _spline_name(teeth), diameter, length=length, pressure=pressure, allowed=allowed)
+
+
+def _teeth(joint: Joint, diameter: float) -> Spline:
+    """Return the spline on a shaft, of the module that is given or that leaves about 25 teeth."""
+    wanted = diameter / SPLINE_TEETH
+    module = joint.module if joint.kind == "spline" and joint.module else None
+    return spline(diameter, module or max((each for each in MODULES if each <= wanted + 1e-9), default=MODULES[0]))
+
+
+def _spline_length(teeth: Spline, torque: float, allowed: float) -> float:
+    least = max(spline_length(torque, teeth, allowable=allowed), SHORTEST_RATIO * teeth.reference_diameter)
+    return math.ceil(least / _MM - 1e-6) * _MM
+
+
+def _spline_name(teeth: Spline) -> str:
+    return f"DIN 5480 - W {1e3 * teeth.reference_diameter:g} x {1e3 * teeth.module:g} x {teeth.teeth}"
+
+
+def spline_root(joint: Joint, diameter: float) -> float:
+    """Return the root diameter that a spline leaves of its shaft [m].
+
+    Args:
+        joint: As the design gives it.
+        diameter: Of the shaft [m].
+    """
+    return _teeth(joint, diameter).shaft_root
+
+
+def _press_fit(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
+    """Return a press fit as long as its hub; what the weaker of hub and shaft bears is allowed."""
+    length = joint.length or (seat.hub_length if math.isfinite(seat.hub_length) else diameter)
+    root = seat.root if math.isfinite(seat.root) else 2.0 * diameter
+    shaft = FitPart(seat.bore / diameter, steel.elastic_modulus, steel.poisson_ratio, FIT_ROUGHNESS)
+    hub = FitPart(min(diameter / root, 0.99), steel.elastic_modulus, steel.poisson_ratio, FIT_ROUGHNESS)
+    pressure = joint.safety * seat.torque / fit_torque(1.0, diameter, length, friction=joint.friction)
+    allowed = (steel.yield_strength or 0.0) / max(hub_stress(1.0, hub), shaft_fit_stress(1.0, shaft))
+    interference = fit_interference(pressure, diameter, shaft, hub)
+    name = f"DIN 7190 - {1e3 * diameter:.4g} with {1e6 * interference:.0f} µm"
+    return _sized(joint, seat, name, diameter, length=length, pressure=pressure, allowed=allowed,
+                  interference=interference)  # fmt: skip
