@@ -47,10 +47,10 @@ class Seating:
     duties: Mapping[str, BearingSpectrum]
     """Bearing -> what it bears."""
     sizes: Mapping[str, tuple[BearingCheck, ...]]
-    """Bearing -> the sizes that may be taken, the lightest first."""
+    """Bearing -> the sizes that may be taken, in order of preference."""
 
     def choose(self, name: str, least: float, most: float) -> Bearing:
-        """Return the lightest size that bears its duty around a shaft, or the one that the user gives.
+        """Return the first size that bears its duty around a shaft, or the one that the user gives.
 
         Args:
             name: Of the bearing.
@@ -72,7 +72,7 @@ class Seating:
         raise DesignError([Problem(f"bearings.{name}", _none(self.duties[name], seat, (least, most), room or sizes))])
 
 
-def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str, Bearing]) -> Seating:
+def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str, Bearing], *, slim: bool) -> Seating:
     """Return what the bearings of a shaft bear, and the sizes that may be taken.
 
     Args:
@@ -80,6 +80,7 @@ def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str
         shaft: Name of the shaft.
         forces: What acts on it.
         chosen: Bearing -> the size taken last; the thrust of taper bearings follows from it.
+        slim: Prefer small bores to light bearings.
 
     Raises:
         DesignError: If nothing takes a force along the shaft, or the catalogue has no such bore.
@@ -95,7 +96,10 @@ def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str
     }
     axial = axial_forces(shaft, seats, (forces.axial, radial), factors, cases=tuple(given.flows))
     duties = {name: _duty(given, shaft, seat, radial[name], axial[name]) for name, seat in seats.items()}
-    return Seating(seats, radial, axial, duties, {name: _sizes(name, seats[name], duties[name]) for name in seats})
+    sizes = {name: _sizes(name, seats[name], duties[name]) for name in seats}
+    if slim:
+        sizes = {name: tuple(sorted(each, key=lambda size: size.bearing.bore)) for name, each in sizes.items()}
+    return Seating(seats, radial, axial, duties, sizes)
 
 
 def _duty(given: Context, shaft: str, seat: BearingSeat, radial: Array, axial: Array) -> BearingSpectrum:

@@ -15,6 +15,7 @@ from typing import NamedTuple
 from gearwright.catalogue.bearings import Bearing
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.material import Material
+from gearwright.parts.shaft import shaft_mass
 from gearwright.sizing.bearings import Seating, bearing_sizings, seating
 from gearwright.sizing.bending import bend, slope_excess
 from gearwright.sizing.context import Context
@@ -104,16 +105,39 @@ def build_shaft(
     joints = {each: given.design.joints.get(each, Joint(kind="integral")) for each in own}
     joints |= {each: joint for each, joint in given.design.joints.items() if each in forces.plan.places}
     task = _Task(given, name, forces, material, own, core, joints)
+    found: list[Built] = []
+    refused: list[DesignError] = []
+    for slim in (True, False):
+        try:
+            found.append(_settled(task, slim=slim))
+        except DesignError as error:
+            refused.append(error)
+    if not found:
+        raise refused[0]
+    return min(found, key=lambda built: _weight(built, material))
+
+
+def _weight(built: Built, material: Material) -> float:
+    """Return the mass of a shaft and its bearings, which small bores and light bearings lower in turn [kg]."""
+    metal = sum(
+        shaft_mass(step.diameter, step.end - step.start, material.density, bore=built.shaft.bore)
+        for step in built.shaft.steps
+    )
+    return metal + sum(each.bearing.mass for each in built.bearings)
+
+
+def _settled(task: _Task, *, slim: bool) -> Built:
+    """Return a shaft whose taper bearings bear the thrust that they make themselves."""
     chosen: Mapping[str, Bearing] = {}
     tried: list[Mapping[str, str]] = []
     for _ in range(TAPER_ROUNDS):
-        seated = seating(given, name, forces, chosen)
+        seated = seating(task.given, task.name, task.forces, chosen, slim=slim)
         attempt = _stiff(task, seated)
         chosen, names = attempt.chosen, {each: one.designation for each, one in attempt.chosen.items()}
         if names in tried or not any(seat.kind == "taper" for seat in seated.seats.values()):
             break
         tried.append(names)
-    return _finished(task, seating(given, name, forces, chosen), attempt)
+    return _finished(task, seating(task.given, task.name, task.forces, chosen, slim=slim), attempt)
 
 
 def _stiff(task: _Task, seated: Seating) -> _Attempt:

@@ -157,7 +157,7 @@ def _key_name(key: StandardKey, length: float) -> str:
 def _instead(joint: Joint, seat: Seat, diameter: float) -> str:
     """Say which spline would do where a key does not."""
     teeth = _teeth(joint, diameter)
-    length = _spline_length(teeth, seat.torque, SPLINE_PRESSURE)
+    length = _spline_length(teeth, seat, SPLINE_PRESSURE)
     if length <= seat.hub_length:
         return f'a spline does with {1e3 * length:.4g} mm, {_spline_name(teeth)}: write kind = "spline"'
     return 'write kind = "integral", or give a thicker shaft by diameter_mm'
@@ -165,7 +165,7 @@ def _instead(joint: Joint, seat: Seat, diameter: float) -> str:
 
 def _spline(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
     teeth, allowed = _teeth(joint, diameter), joint.pressure or SPLINE_PRESSURE
-    length = joint.length or _spline_length(teeth, seat.torque, allowed)
+    length = joint.length or _spline_length(teeth, seat, allowed)
     pressure = spline_pressure(seat.torque, teeth, length) if length else 0.0
     return _sized(joint, seat, _spline_name(teeth), diameter, length=length, pressure=pressure, allowed=allowed)
 
@@ -177,9 +177,15 @@ def _teeth(joint: Joint, diameter: float) -> Spline:
     return spline(diameter, module or max((each for each in MODULES if each <= wanted + 1e-9), default=MODULES[0]))
 
 
-def _spline_length(teeth: Spline, torque: float, allowed: float) -> float:
-    least = max(spline_length(torque, teeth, allowable=allowed), SHORTEST_RATIO * teeth.reference_diameter)
-    return math.ceil(least / _MM - 1e-6) * _MM
+def _spline_length(teeth: Spline, seat: Seat, allowed: float) -> float:
+    """Return the length that the torque asks for, and as much of 0.6 d_B, which keeps a hub from rocking, as fits."""
+    steady = min(SHORTEST_RATIO * teeth.reference_diameter, seat.hub_length)
+    return max(_whole(spline_length(seat.torque, teeth, allowable=allowed)), steady)
+
+
+def _whole(length: float) -> float:
+    """Return a length rounded up to millimetres."""
+    return math.ceil(length / _MM - 1e-6) * _MM
 
 
 def _spline_name(teeth: Spline) -> str:

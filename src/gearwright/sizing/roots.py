@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
 from gearwright.sizing.context import Context
+from gearwright.sizing.loads import cone_angle
 from gearwright.sizing.result import GearSizing
 
 DEDENDUM = 1.25
@@ -10,13 +13,19 @@ DEDENDUM = 1.25
 
 
 def root_diameter(given: Context, gear: GearSizing) -> float:
-    """Return the diameter of a gear's root circle [m].
+    """Return the diameter of a gear's root circle, of a bevel gear at its thin end [m].
 
     Args:
         given: What sizing reads.
         gear: A pinion, wheel or sun.
 
-    Source: ISO 21771:2007: d_f = d − 2 m_n (1.25 − x).
+    Source: ISO 21771:2007: d_f = d − 2 m_n (1.25 − x); ISO 23509:2016 at the mean cone, less b sin δ at the thin end.
     """
-    shift = given.ratings[gear.stage].rules.profile_shift if gear.role == "pinion" else 0.0
-    return gear.pitch_diameter - 2.0 * gear.module * (DEDENDUM - shift)
+    rating = given.ratings[gear.stage]
+    shift = rating.rules.profile_shift if gear.role == "pinion" else 0.0
+    depth = 2.0 * gear.module * (DEDENDUM - shift)
+    if rating.kind != "bevel":
+        return gear.pitch_diameter - depth
+    mesh = next(mesh for mesh in given.train.meshes if mesh.stage == gear.stage and gear.name in mesh.gears)
+    cone = cone_angle(given.teeth, mesh, mesh.gears.index(gear.name))
+    return gear.pitch_diameter - depth * math.cos(cone) - gear.face_width * math.sin(cone)
