@@ -20,6 +20,7 @@ from gearwright.cli.sharing import sharing
 from gearwright.cli.study import compare, study
 from gearwright.cli.thesis import thesis
 from gearwright.cli.weights import engines
+from gearwright.cli.windows import window
 from gearwright.version import __version__
 
 app = typer.Typer(
@@ -31,7 +32,7 @@ app = typer.Typer(
 COMMANDS = (
     *(new, run, check, size, modes, simulate, report, schema),
     *(compare, study, status, resume, cluster),
-    *(campbell, response, runup, sharing, fly),
+    *(campbell, response, runup, sharing, fly, window),
     *(mass, engines, validate, thesis, colibri),
 )
 for _command in COMMANDS:

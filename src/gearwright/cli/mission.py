@@ -37,7 +37,7 @@ def fly(
     if design is None:
         _list()
         return
-    flight, parts, life = _flown(design_of(design), *_mission(mission), life_h=life_h)
+    flight, parts, life = _flown(design_of(design), *mission_of(mission), life_h=life_h)
     from gearwright.render.flight_text import flight_csv, flight_json, flight_text
 
     typer.echo(flight_json(flight, parts, life) if json else flight_text(flight, parts, life))
@@ -59,7 +59,7 @@ def _list() -> None:
         typer.echo(f"{each:20} {read_mission(shipped_mission(each)).name}")
 
 
-def _mission(name: str) -> tuple[Mission, Path]:
+def mission_of(name: str) -> tuple[Mission, Path]:
     """Return a mission, and the folder in which its propeller map may lie."""
     from gearwright.shipped import find_mission
     from gearwright.spec.mission import read_mission

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from itertools import pairwise
+from typing import NamedTuple
 
 from gearwright.catalogue.materials import materials
+from gearwright.dynamics.drives import ClutchDrive, Curve, MachineDrive, PropellerDrive, points_of
 from gearwright.dynamics.geometry import add_errors, add_supports, body_of, contacts_of
 from gearwright.dynamics.line import DampingRatio, Periodic
 from gearwright.dynamics.meshes import gear_pairs, mesh_curve
@@ -28,7 +30,18 @@ from gearwright.parts.stiffness_curve import StiffnessCurve
 from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
 from gearwright.spec import GROUND, Planetary
 from gearwright.train.flow import RATED, PowerFlow
-from gearwright.train.graph import Mesh
+from gearwright.train.graph import Joint, Mesh
+
+
+class Driving(NamedTuple):
+    """What drives a train in place of the constant torques of a case."""
+
+    drives: Sequence[PropellerDrive | MachineDrive]
+    """Propellers and machines; the ``body`` of each is the machine's name in the design."""
+    resistances: Mapping[str, Curve]
+    """Shaft -> torque that losses take from it, against its sense [N m]."""
+    capacities: Mapping[str, Curve]
+    """Clutch -> torque at which it slips [N m]; a clutch that is left out is a shaft."""
 
 
 @dataclass
@@ -58,13 +71,16 @@ class _Assembly:
         self.inertias[name] = (own + inertia, speed)
 
 
-def assemble(sizing: Sizing, case: str | None = None, *, stiffness: str | None = None) -> System:
+def assemble(
+    sizing: Sizing, case: str | None = None, *, stiffness: str | None = None, driving: Driving | None = None
+) -> System:
     """Return the drive train of a sizing as bodies and lines.
 
     Args:
         sizing: What was sized.
         case: Load case; left out: the design's first one, or ``rated``.
         stiffness: ``"constant"`` or ``"varying"`` mesh stiffness; left out: as the design says.
+        driving: Drives in place of the case's torques; the case's speeds stay the reference.
 
     Raises:
         DesignError: If there is no such case, or a mesh stiffness model does not hold for the gears.
@@ -78,7 +94,7 @@ def assemble(sizing: Sizing, case: str | None = None, *, stiffness: str | None =
     varying = (stiffness or sizing.design.dynamics.stiffness) == "varying"
     assembly = _Assembly(sizing, sizing.flows[case], varying)
     _bodies(assembly)
-    shaft_lines = list(_shaft_lines(assembly))
+    shaft_lines = list(_shaft_lines(assembly, frozenset(driving.capacities) if driving else frozenset()))
     moving = _moving(sizing)
     for name, (inertia, speed) in assembly.inertias.items():
         if name.partition(".")[0] not in moving or name in sizing.design.machines:
@@ -91,7 +107,9 @@ def assemble(sizing: Sizing, case: str | None = None, *, stiffness: str | None =
     for mesh in sizing.train.meshes:
         if mesh.stage not in moving:
             _mesh_lines(assembly, mesh)
-    for machine in sizing.machines:
+    if driving is not None:
+        _add_driving(assembly, driving)
+    for machine in sizing.machines if driving is None else ():
         torque = assembly.flow.machine_torques.get(machine.name, 0.0)
         if torque:
             assembly.model.load(machine.name if _turns_along(sizing) else _seat(assembly, machine), constant=torque)
@@ -178,7 +196,7 @@ def _share_shaft(assembly: _Assembly, shaft: ShaftSizing) -> None:
         assembly.add_inertia(end, shaft.inertia / (1.0 if len(members) == 1 else 2.0))
 
 
-def _shaft_lines(assembly: _Assembly) -> Iterator[tuple[str, str, str, float]]:
+def _shaft_lines(assembly: _Assembly, slipping: Set[str]) -> Iterator[tuple[str, str, str, float]]:
     """Yield name, ends and stiffness [N m/rad] of every line along a shaft, to a machine or across a clutch."""
     sizing = assembly.sizing
     shafts = {shaft.name: shaft for shaft in sizing.shafts}
@@ -198,10 +216,35 @@ def _shaft_lines(assembly: _Assembly) -> Iterator[tuple[str, str, str, float]]:
         else:
             yield f"{machine.name} shaft", *ends, _stub_stiffness(assembly, machine.torque)
     for joint in sizing.train.joints:
-        if joint.name in assembly.flow.joints:
-            ends = (assembly.members[joint.driving][-1], assembly.members[joint.driven][0])
-            softer = min(shafts[joint.driving].stiffness, shafts[joint.driven].stiffness)
-            yield f"{joint.name} clutch", *ends, softer
+        if joint.name in assembly.flow.joints and joint.name not in slipping:
+            yield f"{joint.name} clutch", *_across(assembly, joint)
+
+
+def _across(assembly: _Assembly, joint: Joint) -> tuple[str, str, float]:
+    """Return the bodies that a clutch joins, and its stiffness: that of the softer shaft [N m/rad]."""
+    shafts = {shaft.name: shaft.stiffness for shaft in assembly.sizing.shafts}
+    softer = min(shafts[joint.driving], shafts[joint.driven])
+    return assembly.members[joint.driving][-1], assembly.members[joint.driven][0], softer
+
+
+def _add_driving(assembly: _Assembly, driving: Driving) -> None:
+    """Add drives, losses and slipping clutches in place of a case's torques."""
+    model, sizing = assembly.model, assembly.sizing
+    for machine in sizing.machines:
+        body = machine.name if _turns_along(sizing) else _seat(assembly, machine)
+        for drive in driving.drives:
+            if drive.body == machine.name:
+                model.drive(drive._replace(body=body))
+    for shaft, curve in driving.resistances.items():
+        sense = -1.0 if assembly.flow.speeds[shaft] >= 0.0 else 1.0
+        model.load(assembly.members[shaft][0], schedule=[(time, sense * value) for time, value in points_of(curve)])
+    for joint in sizing.train.joints:
+        if joint.name in driving.capacities:
+            first, second, stiffness = _across(assembly, joint)
+            mobility = sum(1.0 / assembly.inertias[name][0] for name in (first, second))
+            damping = 2.0 * sizing.design.dynamics.shaft_damping * math.sqrt(stiffness / mobility)
+            capacity = driving.capacities[joint.name]
+            model.drive(ClutchDrive(joint.name, first, second, stiffness, damping, capacity, joint.overrunning))
 
 
 def _only_machine(assembly: _Assembly, shaft: str) -> bool:

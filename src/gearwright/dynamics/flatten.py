@@ -61,7 +61,7 @@ def flatten(model: Written) -> System:
         gyroscopic=_gyroscopic(model.pairs, mass, index),
         centripetal=_centripetal(model.pairs, mass, index),
         loads=_loads(model.loads, index),
-        profile=_profile(model.profile),
+        profile=profile_of(model.profile),
         drives=encoded(model.drives, index, speed),
     )
     return System(arrays, _labels(model, tones))
@@ -182,7 +182,12 @@ def _loads(loads: Sequence[Load], index: Mapping[str, int]) -> Loads:
     return Loads(sums[0].copy(), sums[1].copy(), sums[2].copy(), schedules)
 
 
-def _profile(points: Sequence[tuple[float, float]]) -> Profile:
+def profile_of(points: Sequence[tuple[float, float]]) -> Profile:
+    """Return a speed profile.
+
+    Args:
+        points: (time [s], speed factor [-]).
+    """
     time = np.array([time for time, _ in points], dtype=float)
     factor = np.array([factor for _, factor in points], dtype=float)
     # The factor is held before the first point, so travel there is the first factor times its time.

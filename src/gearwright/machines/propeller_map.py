@@ -90,6 +90,20 @@ def coefficients(chart: PropellerMap, advance_ratio: float, blade_angle: float) 
     return found
 
 
+def blade_angles(chart: PropellerMap, advance_ratio: float) -> tuple[float, float]:
+    """Return the smallest and the largest blade angle that a map gives [rad].
+
+    Args:
+        chart: The map.
+        advance_ratio: J [-].
+
+    Raises:
+        DesignError: The map does not reach this advance ratio.
+    """
+    angles, _ = _row(chart, advance_ratio, chart.power)
+    return float(angles[0]), float(angles[-1])
+
+
 def angle_for_power(chart: PropellerMap, advance_ratio: float, power: float) -> float:
     """Return the blade angle at which the propeller takes a power [rad].
 

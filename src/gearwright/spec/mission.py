@@ -11,6 +11,7 @@ from pydantic import Field
 from gearwright.errors import DesignError, Problem
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
+from gearwright.spec.windows import GovernorRules, WindowRules, window_problems
 from gearwright.units import Angle, Area, Energy, Length, Mass, Power, Ratio, Speed, Time, Velocity
 
 NO_MAP = "none"
@@ -146,6 +147,8 @@ class Mission(Record):
         None, description="Choose bearings for a life; left out: only those that the design names are known"
     )
     phases: dict[str, Phase] = Field(min_length=1, description="Phases in their order")
+    governor: GovernorRules = Field(default_factory=GovernorRules, description="Of the propeller, in windows")
+    windows: dict[str, WindowRules] = Field(default_factory=dict, description="Stretches flown dynamically")
 
 
 def engine_out(mission: Mission, phase: Phase) -> bool:
@@ -202,7 +205,7 @@ def mission_problems(mission: Mission) -> list[Problem]:
         problems += [Problem(at, message) for message in (*_speed(phase), *_power(phase, mission))]
         problems += [Problem(at, message) for message in _altitude(phase, last)]
         last = phase.altitude
-    return problems
+    return [*problems, *window_problems(mission.windows, mission.phases)]
 
 
 def _speed(phase: Phase) -> Iterator[str]:

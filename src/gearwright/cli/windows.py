@@ -1,0 +1,67 @@
+"""The command ``window``: seconds of a mission with propeller, governor and machines on the elastic train.
+
+Imports that cost time stand inside the command, so that ``--help`` stays quick.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from gearwright.cli.design import StiffnessOption
+from gearwright.cli.designs import sized
+from gearwright.cli.mission import mission_of
+from gearwright.cli.options import DesignArgument, FigureOption, JsonOption
+from gearwright.cli.output import write_figure
+
+if TYPE_CHECKING:
+    from gearwright.spec.mission import Mission
+
+
+def window(
+    design: DesignArgument,
+    mission: Annotated[str, typer.Argument(help="Mission file, or the name of a shipped mission")] = "thesis",
+    name: Annotated[
+        str | None, typer.Argument(help="Window of the mission; left out: list them", metavar="WINDOW")
+    ] = None,
+    stiffness: StiffnessOption = None,
+    output: Annotated[Path | None, typer.Option(help="Write the run to this netCDF-4 file")] = None,
+    figure: FigureOption = None,
+    json: JsonOption = False,
+) -> None:
+    """Fly a window of a mission dynamically: what a change of mode, a gust or a motor cut does to every tooth."""
+    flown, folder = mission_of(mission)
+    if name is None:
+        _list(flown)
+        return
+    from gearwright.mission import fly
+    from gearwright.mission.windows import fly_window, window_rules
+    from gearwright.render.window_text import window_json, window_text
+    from gearwright.train.flow import RATED
+
+    sizing = sized(design)
+    flight = fly(sizing, flown, folder=folder)
+    rules = window_rules(flight, name)
+    if stiffness is not None:
+        rules = rules.model_copy(update={"stiffness": stiffness})
+    found = fly_window(flight, name, rules)
+    typer.echo(window_json(found) if json else window_text(found))
+    if output is not None:
+        from gearwright.store import save
+
+        save(output, found.trace, design=sizing.design, case=RATED)
+        typer.echo(f"wrote {output}", err=True)
+    if figure is not None:
+        from gearwright.render.figures_window import window_figure
+
+        write_figure(window_figure(found), figure)
+        typer.echo(f"wrote {figure}", err=True)
+
+
+def _list(mission: Mission) -> None:
+    for name, rules in mission.windows.items():
+        typer.echo(f"{name:20} {rules.phase}, {rules.event}, {rules.duration:g} s")
+    if not mission.windows:
+        typer.echo("the mission has no [windows]; add one, such as [windows.cut] with phase, at_s and event")

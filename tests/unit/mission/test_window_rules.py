@@ -1,0 +1,70 @@
+"""Windows of a mission: what cannot be flown is refused with path, value and fix, all at once."""
+
+import pytest
+
+from gearwright.errors import DesignError, SolveError
+from gearwright.mission import fly
+from gearwright.mission.windows import fly_window, window_rules
+from gearwright.shipped import find_design, shipped_mission
+from gearwright.sizing import size
+from gearwright.spec import read
+from gearwright.spec.mission import parse_mission, read_mission
+from gearwright.spec.windows import WindowRules
+
+
+@pytest.fixture(scope="module")
+def flight():
+    return fly(size(read(find_design("in-line-h2"))), read_mission(shipped_mission("thesis")))
+
+
+def test_every_problem_of_the_windows_is_told_at_once():
+    text = shipped_mission("thesis").read_text(encoding="utf-8") + (
+        '\n[windows.a]\nphase = "cruse"\n'
+        '[windows.b]\nphase = "cruise"\nevent = "gust"\n'
+        '[windows.c]\nphase = "cruise"\nevent = "mode-change"\nmode = "hybrid"\n'
+        '[windows.d]\nphase = "cruise"\nevent = "motor-cut"\nevent_at_s = 20\n'
+        '[windows.e]\nphase = "cruise"\nevent = "clutch-engagement"\n'
+    )
+    with pytest.raises(DesignError) as caught:
+        parse_mission(text)
+    words = str(caught.value)
+    for part in (
+        "no such phase: cruse; did you mean cruise?",
+        "gust without gust",
+        "hybrid without electric_share",
+        "the window ends at 10 s",
+        "without clutch",
+        "without slip",
+    ):
+        assert part in words
+
+
+def test_an_unknown_window_is_told_with_the_nearest(flight):
+    with pytest.raises(DesignError, match="did you mean motor-cut"):
+        window_rules(flight, "motor-cutt")
+
+
+def test_a_window_behind_the_end_of_its_phase_is_refused(flight):
+    with pytest.raises(DesignError, match="cruise ends after 2400 s; start earlier"):
+        fly_window(flight, "late", WindowRules(phase="cruise", at=2400.0))
+
+
+def test_a_clutch_that_the_design_lacks_is_refused(flight):
+    rules = WindowRules(phase="cruise", event="clutch-engagement", clutch="sprag", slip=1.0)
+    with pytest.raises(DesignError, match="no such clutch: sprag"):
+        fly_window(flight, "join", rules)
+
+
+def test_a_gust_beyond_the_map_is_refused_with_speed_and_pitch(flight):
+    rules = WindowRules(
+        phase="cruise", at=600.0, duration=1.0, event="gust", gust=60.0, event_at=0.1, gust_shape="step"
+    )
+    with pytest.raises(SolveError, match="propeller leaves its map at"):
+        fly_window(flight, "storm", rules)
+
+
+def test_a_mission_of_schedules_has_no_windows():
+    flight = fly(size(read(find_design("face-gear-split-torque"))), read_mission(shipped_mission("rotor-schedule")))
+    first = next(iter(flight.mission.phases))
+    with pytest.raises(DesignError, match="a window needs a propeller_map"):
+        fly_window(flight, "any", WindowRules(phase=first))
