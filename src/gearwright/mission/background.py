@@ -68,7 +68,8 @@ def background(flight: Flight, phase: str, at: float, *, duration: float, over: 
         duration: [s].
         over: Time that a change of phase takes [s].
     """
-    oil = Oil(flight.mission.oil.inlet_temperature_k, flight.mission.oil.roughness)
+    rules = flight.mission.oil
+    oil = Oil(rules.inlet_temperature_k, rules.roughness, rules.dip)
     gearbox = gearbox_of(flight.sizing, next(iter(flight.sizing.design.propellers)), oil)
     supply = supply_of(flight.sizing, flight.mission)
     history, own = flight.history, np.flatnonzero(np.array(flight.phase) == phase)
@@ -147,7 +148,7 @@ def staged(
     for _ in range(3):  # drag follows from the loads, which it hardly changes
         wanted = {name: power - parts.get(name, 0.0) * (lost + gain) for name, power in powers.items() if power}
         point = operate(gearbox, wanted, speed, efficiencies(gearbox, point))
-        lost = drag(gearbox, point) + supply.dragged(gearbox, point, parts)
+        lost = sum(drag(gearbox, point)) + supply.dragged(gearbox, point, parts)
     speeds = {name: abs(float(value)) for name, value in zip(train.nodes, point.speeds, strict=True)}
     torques = {
         name: (power - parts.get(name, 0.0) * lost) / speeds[train.machines[name]] for name, power in powers.items()
