@@ -87,6 +87,7 @@ def resume(
     from gearwright.study.journal import recorded
     from gearwright.study.runner import resume as go_on
 
+    refuse_files(csv, export, report)
     known = recorded(journal)
     present = {} if anyway else present_designs(known.designs, Path(known.origin))
     count = _workers(workers, known.total)
@@ -136,6 +137,21 @@ def _show_answer(study: Study, table: Table) -> None:
         Console().print(study_grid(front_table(study, table)))
     for sentence in answer(study, table):
         Console().print(sentence, highlight=False, markup=False)
+
+
+def refuse_files(csv: Path | None, export: Path | None, *others: Path | None) -> None:
+    """Raise before the first case for every file that could not be written after the last one."""
+    from gearwright.errors import DesignError, Problem
+
+    folders = {path.parent for path in (csv, *others) if path is not None and not path.parent.is_dir()}
+    if folders:
+        raise DesignError(
+            Problem("", f"there is no folder {folder}; make it, or name another one") for folder in sorted(folders)
+        )
+    if export is not None:
+        from gearwright.study.export import refuse_export
+
+        refuse_export(export)
 
 
 def write_files(

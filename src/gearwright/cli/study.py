@@ -20,6 +20,7 @@ from gearwright.cli.runs import (
     JsonOption,
     StudyReportOption,
     WorkersOption,
+    refuse_files,
     run_shown,
     show_table,
     write_files,
@@ -62,6 +63,7 @@ def study(
     read = read_study(path)
     read = read.model_copy(update={"changes": {**read.changes, **_changes(changes)}})
     designs = {each: design_of(each, path.parent) for each in read.designs}
+    refuse_files(csv, export, figure, report)
     table = run_shown(read, designs, journal=journal, workers=workers, cluster=cluster, origin=str(path.parent))
     show_table(table, read, csv=csv, json=json)
     if figure is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -18,11 +19,10 @@ def columns(table: Table) -> dict[str, Column]:
     Args:
         table: Of a study; inputs are in the unit of their path, results in the unit in which they are shown.
     """
-    paths = tuple(table.rows[0].inputs)
     found: dict[str, Column] = {"design": ([row.design for row in table.rows], "")}
-    for path in paths:
+    for path in table.rows[0].inputs:
         given = [row.inputs[path] for row in table.rows]
-        if all(isinstance(value, int | float) for value in given):
+        if all(isinstance(value, int | float) and not isinstance(value, bool) for value in given):
             found[path] = ([float(value) for value in given], "")
         else:
             found[path] = ([str(value) for value in given], "")
@@ -45,13 +45,32 @@ def write_table(path: Path, table: Table) -> None:
     Raises:
         DesignError: If the name ends otherwise, or Parquet is not installed.
     """
-    match path.suffix:
-        case ".nc":
-            _write_netcdf(path, table)
-        case ".parquet":
-            _write_parquet(path, table)
-        case other:
-            raise DesignError([Problem("--export", f"{other!r} is not written; end the name with .nc or .parquet")])
+    refuse_export(path)
+    if path.suffix == ".nc":
+        _write_netcdf(path, table)
+    else:
+        _write_parquet(path, table)
+
+
+def refuse_export(path: Path) -> None:
+    """Raise if a table could not be written there: before a night of cases, not after it.
+
+    Args:
+        path: Of the file.
+
+    Raises:
+        DesignError: If the name ends otherwise, its folder is not there, or Parquet is not installed.
+    """
+    if path.suffix not in (".nc", ".parquet"):
+        message = f"{path.suffix!r} is not written; end the name with .nc or .parquet"
+        raise DesignError([Problem("--export", message)])
+    if not path.parent.is_dir():
+        raise DesignError([Problem("--export", f"there is no folder {path.parent}; make it, or name another one")])
+    if path.suffix == ".parquet" and find_spec("pyarrow") is None:
+        message = (
+            'Parquet needs pyarrow, which is not here; pip install "gearwright[parquet]", or end the name with .nc'
+        )
+        raise DesignError([Problem("--export", message)])
 
 
 def _write_netcdf(path: Path, table: Table) -> None:
@@ -70,12 +89,9 @@ def _write_netcdf(path: Path, table: Table) -> None:
 
 
 def _write_parquet(path: Path, table: Table) -> None:
-    try:
-        import pyarrow
-        from pyarrow import parquet
-    except ImportError:
-        message = "Parquet is not installed; install gearwright[parquet]"
-        raise DesignError([Problem("--export", message)]) from None
+    import pyarrow
+    from pyarrow import parquet
+
     found = columns(table)
     fields = [
         pyarrow.field(
@@ -83,4 +99,5 @@ def _write_parquet(path: Path, table: Table) -> None:
         )
         for name, (values, u) in found.items()
     ]
-    parquet.write_table(pyarrow.table([values for values, _ in found.values()], schema=pyarrow.schema(fields)), path)
+    schema = pyarrow.schema(fields, metadata={"title": table.name, "comment": table.description})
+    parquet.write_table(pyarrow.table([values for values, _ in found.values()], schema=schema), path)
