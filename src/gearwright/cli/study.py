@@ -28,7 +28,8 @@ from gearwright.cli.runs import (
 
 if TYPE_CHECKING:
     from gearwright.spec import Design
-    from gearwright.spec.study import Study, Value
+    from gearwright.spec.axis import Value
+    from gearwright.spec.study import Study
     from gearwright.study import Table
 
 JournalOption = Annotated[Path | None, typer.Option(help="Keep every finished case in this file, for `resume`")]

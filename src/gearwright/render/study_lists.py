@@ -10,7 +10,8 @@ import numpy as np
 from gearwright.render.study_tables import heading, percent, spread
 from gearwright.render.tables import Cell, Column, Table, written
 from gearwright.sizing.named import Named
-from gearwright.spec.study import Axis, Study
+from gearwright.spec.axis import Axis
+from gearwright.spec.study import Study
 from gearwright.study import Row
 from gearwright.study import Table as Rows
 from gearwright.study.verdict import Verdict, bound

@@ -69,7 +69,20 @@ def path_problem(record: Record, path: str) -> Problem | None:
         record: The design or mission.
         path: Dotted path with the unit in its last part.
     """
-    return _set(type(record), _opened(record), path, 0.0)
+    data = _opened(record)
+    problem = _set(type(record), data, path, 0.0)
+    if problem is not None or not isinstance(record, Design):
+        return problem
+    return _misnamed(data, path)
+
+
+def _misnamed(data: dict[str, Any], path: str) -> Problem | None:
+    """Return why the table of a path, which it may just have made, belongs to nothing in a design."""
+    try:
+        found = reference_problems(Design.model_validate(data))
+    except ValidationError:  # the value that stands for others is not allowed here: the real ones are checked later
+        return None
+    return next((Problem(path, each.message) for each in found if each.path == path.rpartition(".")[0]), None)
 
 
 def _opened(content: Any) -> dict[str, Any]:
@@ -92,13 +105,13 @@ def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value) -> P
             if not _holds_tables(inner):
                 table[".".join(parts[depth:])] = value
                 return None
-            entry = _entry(table, parts[depth:])
+            entry = _entry(table, parts[depth:]) or _new_entry(inner, parts[depth:])
             if entry is None:
                 return Problem(
                     path,
                     f"there is no {'.'.join(parts[: depth + 1])}; {near('.'.join(parts[depth:-1]) or part, table)}",
                 )
-            table[entry] = _opened(table[entry])
+            table[entry] = _opened(table.get(entry))
             annotation, table, depth = inner, table[entry], depth + entry.count(".") + 1
             continue
         keys = keys_of(record)
@@ -122,6 +135,14 @@ def _entry(table: dict[str, Any], parts: list[str]) -> str | None:
     """Return the entry that a path goes on with; the name of a gear, such as ``first.pinion``, has dots itself."""
     names = [".".join(parts[:count]) for count in range(len(parts), 0, -1)]
     return next((name for name in names if name in table), None)
+
+
+def _new_entry(annotation: Any, parts: list[str]) -> str | None:
+    """Return the name of an entry that a path may add: of records that need nothing, such as the errors of a gear."""
+    record = _record(annotation)
+    if record is None or len(parts) < 2:
+        return None
+    return None if any(info.is_required() for info in record.model_fields.values()) else ".".join(parts[:-1])
 
 
 def _plain(annotation: Any) -> Any:

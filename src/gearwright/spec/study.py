@@ -10,13 +10,12 @@ from pydantic import Field
 
 from gearwright.errors import DesignError, Problem
 from gearwright.shipped import find_mission
-from gearwright.spec.lines import key_lines, line_of
+from gearwright.spec.axis import Axis, Value, axis_length, axis_problems
 from gearwright.spec.mission import Mission, read_mission
-from gearwright.spec.read import file_text, toml_tables
+from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.units import Time
 
-Value = float | int | str | bool
 MOST_CASES = 10_000_000
 """More cases than this are refused: at 1 ms each they would take three hours of one core, at 10 ms more than a day."""
 MOST_SAMPLES = 1_000_000
@@ -24,21 +23,6 @@ MOST_SAMPLES = 1_000_000
 MISSION_PATH, FLY_RESULT = "mission.", "fly."
 """How paths into the mission and the results of its flight begin."""
 Method = Literal["grid", "list", "random", "sobol", "latin-hypercube", "saltelli", "nsga2"]
-
-
-class Axis(Record):
-    """The values that one entry takes: a list, equal steps, a range, or a distribution."""
-
-    values: list[Value] | None = Field(None, min_length=1, description="The values themselves")
-    first: int | float | None = Field(None, alias="from", description="First value of equal steps, or of a range")
-    last: int | float | None = Field(None, alias="to", description="Last value of equal steps, or of a range")
-    step: int | float | None = Field(None, gt=0, description="Step between values; left out: a range for samples")
-    distribution: Literal["uniform", "log-uniform", "triangular", "normal"] = Field(
-        "uniform", description="How samples are spread: over the range, or normally about the mean"
-    )
-    likeliest: float | None = Field(None, description="Likeliest value of a triangular distribution")
-    mean: float | None = Field(None, description="Mean of a normal distribution")
-    deviation: float | None = Field(None, gt=0, description="Standard deviation of a normal distribution")
 
 
 class Sampling(Record):
@@ -105,42 +89,20 @@ class Study(Record):
         return self.fly.life is not None or any(name.startswith(FLY_RESULT) for name in self.asked)
 
 
-def axis_values(path: str, axis: Axis) -> list[Value]:
-    """Return the values of an axis.
+def study_problems(study: Study) -> list[Problem]:
+    """Return what does not fit together in a study.
 
     Args:
-        path: Of the entry, for messages.
-        axis: As written.
-
-    Raises:
-        DesignError: If neither a list nor first, last and step are given, or they do not go together.
+        study: Typed, but not yet checked.
     """
-    length = axis_length(path, axis)
-    if axis.values is not None:
-        return axis.values
-    return [(axis.first or 0) + (axis.step or 0) * k for k in range(length)]
-
-
-def axis_length(path: str, axis: Axis) -> int:
-    """Return the number of values of an axis.
-
-    Args:
-        path: Of the entry, for messages.
-        axis: As written.
-
-    Raises:
-        DesignError: As `axis_values`.
-    """
-    if axis.values is not None:
-        return len(axis.values)
-    if axis.first is None or axis.last is None or axis.step is None:
-        message = 'give a list of values, or all of from, to and step; a range needs [sampling] method = "sobol"'
-        raise DesignError([Problem(f"axes.{path}", message)])
-    steps = (axis.last - axis.first) / axis.step
-    if steps < 0 or not math.isfinite(steps):
-        message = f"there is nothing from {axis.first:g} up to {axis.last:g}; exchange them"
-        raise DesignError([Problem(f"axes.{path}", message)])
-    return math.floor(steps + 1e-9) + 1
+    sampled = study.sampling.method not in ("grid", "list")
+    problems = [each for path, axis in study.axes.items() for each in axis_problems(path, axis, sampled=sampled)]
+    try:
+        if not problems:
+            case_count(study)
+    except DesignError as error:
+        return list(error.problems)
+    return problems
 
 
 def case_count(study: Study) -> int:
@@ -223,11 +185,9 @@ def parse_study(text: str, *, source: str = "", folder: Path | None = None) -> S
         DesignError: With every problem of the text.
     """
     record, written = build(Study, toml_tables(text, source))
-    if written.problems:
-        lines = key_lines(text)
-        raise DesignError(
-            (Problem(each.path, each.message, line_of(each.path, lines)) for each in written.problems), source
-        )
+    problems = list(written.problems) or study_problems(cast(Study, record))
+    if problems:
+        raise DesignError(placed(problems, text), source)
     return with_mission(cast(Study, record), folder or Path())
 
 

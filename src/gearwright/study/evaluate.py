@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from gearwright.errors import DesignError, GearwrightError, Problem
 from gearwright.sizing import Sizing, size
-from gearwright.sizing.named import Named, named_results, pick, total_results
+from gearwright.sizing.named import TEXT, Named, named_results, pick, total_results
 from gearwright.spec import Design
+from gearwright.spec.axis import Value, value_at
 from gearwright.spec.edit import edited, edited_mission, path_problem
 from gearwright.spec.mission import Mission
-from gearwright.spec.study import MISSION_PATH, Study, Value
+from gearwright.spec.study import MISSION_PATH, Study
 from gearwright.study.sampling import Case
 from gearwright.study.table import Row
 
@@ -104,8 +105,31 @@ def refuse_unknown_paths(study: Study, designs: Mapping[str, Design]) -> None:
     found = [[path_problem(design, path) for design in designs.values()] for path in own]
     problems = [each[0] for each in found if all(each) and each[0] is not None]
     problems += [problem for path in flight if (problem := _mission_problem(study.mission, path)) is not None]
+    problems = problems or _result_problems(study, designs)
     if problems:
         raise DesignError(problems, study.name)
+
+
+def _result_problems(study: Study, designs: Mapping[str, Design]) -> list[Problem]:
+    """Return which results the case in the middle of the axes does not have, before a night of cases lacks them."""
+    inputs = {path: value_at(path, axis, 0.5) for path, axis in study.axes.items()}
+    for design in designs.values():
+        try:
+            results = _results(study, design, inputs)
+        except GearwrightError:
+            continue  # this one cannot be had; another may tell
+        return [problem for name in study.asked for problem in _result_problem(study, results, name)]
+    return []
+
+
+def _result_problem(study: Study, results: dict[str, Named], name: str) -> Iterator[Problem]:
+    try:
+        found = pick(results, name)
+    except DesignError as error:
+        yield from error.problems
+        return
+    if found.dimension == TEXT and (name in study.objectives or name in study.constraints):
+        yield Problem(name, f"{found.value!r} is a name and no number; ask for it under results")
 
 
 def _mission_problem(mission: Mission | None, path: str) -> Problem | None:

@@ -9,14 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from itertools import product
-from statistics import NormalDist
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.errors import DesignError, Problem
-from gearwright.spec.study import Axis, Study, Value, axis_values, case_count
+from gearwright.spec.axis import Value, axis_values, value_at
+from gearwright.spec.study import Study, case_count
 
 Floats = NDArray[np.float64]
 
@@ -99,50 +98,3 @@ def _exchanged(first: Floats, second: Floats, column: int) -> Floats:
     block = first.copy()
     block[:, column] = second[:, column]
     return block
-
-
-def value_at(path: str, axis: Axis, place: float) -> Value:
-    """Return the value of an axis at a place of the unit interval, by its inverse distribution.
-
-    Args:
-        path: Of the entry, for messages.
-        axis: As written; of a list or of equal steps every value is as likely.
-        place: From 0 to 1 [-].
-
-    Raises:
-        DesignError: If what the distribution needs is not given.
-
-    >>> value_at("a", Axis.model_validate({"from": 10, "to": 20}), 0.25)
-    12.5
-    """
-    if axis.distribution == "normal":
-        if axis.mean is None or axis.deviation is None:
-            raise DesignError([Problem(f"axes.{path}", "a normal distribution needs mean and deviation")])
-        inside = min(max(place, np.finfo(float).tiny), 1.0 - 2.0**-53)
-        return NormalDist(axis.mean, axis.deviation).inv_cdf(inside)
-    if axis.values is not None or axis.step is not None:
-        values = axis_values(path, axis)
-        return values[min(int(place * len(values)), len(values) - 1)]
-    return _in_range(path, axis, place)
-
-
-def _in_range(path: str, axis: Axis, place: float) -> float:
-    if axis.first is None or axis.last is None:
-        raise DesignError([Problem(f"axes.{path}", "give a list of values, from and to, or a normal distribution")])
-    low, high = float(axis.first), float(axis.last)
-    if low >= high:
-        message = f"there is nothing between {low:g} and {high:g}; from must be below to (a single value: [changes])"
-        raise DesignError([Problem(f"axes.{path}", message)])
-    if axis.distribution == "log-uniform":
-        if low <= 0.0:
-            raise DesignError([Problem(f"axes.{path}.from", f"{low:g} has no logarithm; give a value above 0")])
-        return low * math.exp(place * math.log(high / low))
-    if axis.distribution == "triangular":
-        peak = (low + high) / 2.0 if axis.likeliest is None else axis.likeliest
-        if not low <= peak <= high:
-            raise DesignError([Problem(f"axes.{path}.likeliest", f"{peak:g} is not between {low:g} and {high:g}")])
-        left = (peak - low) / (high - low)
-        if place < left:
-            return low + math.sqrt(place * (high - low) * (peak - low))
-        return high - math.sqrt((1.0 - place) * (high - low) * (high - peak))
-    return low + (high - low) * place

@@ -11,9 +11,10 @@ from collections.abc import Generator
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.spec.axis import value_at
 from gearwright.spec.study import Study, case_count
 from gearwright.study.pareto import Floats, ranks, violations, wanted
-from gearwright.study.sampling import Case, value_at
+from gearwright.study.sampling import Case
 from gearwright.study.table import Row
 
 CROSSOVER = 0.9

@@ -91,10 +91,11 @@ def test_ranks_are_those_of_a_hand_made_set() -> None:
 
 
 def test_a_front_needs_objectives_and_a_design_that_holds() -> None:
-    study = study_of("", axes=1)
+    drawn = '[sampling]\nmethod = "random"\ncount = 4\n'
+    study = study_of(drawn, axes=1)
     with pytest.raises(DesignError, match="objectives"):
         pareto_front(study, Table("s", "", (), ()))
-    bound = study_of('[objectives]\nf = "least"\n[constraints]\nc = {most = -1.0}\n', axes=1)
+    bound = study_of(f'{drawn}[objectives]\nf = "least"\n[constraints]\nc = {{most = -1.0}}\n', axes=1)
     rows = [row_of(Case(0, "d", {"x.0": 1.0}), {"f": 1.0, "c": 0.0})]
     with pytest.raises(DesignError, match="relax one"):
         pareto_front(bound, Table("s", "", (), tuple(rows)))
@@ -141,7 +142,7 @@ def test_sensitivities_are_ishigamis() -> None:
 
 
 def test_no_sensitivity_without_its_sample_or_with_failed_cases() -> None:
-    grid = study_of("", axes=1)
+    grid = study_of('[sampling]\nmethod = "random"\ncount = 4\n', axes=1)
     with pytest.raises(DesignError, match="saltelli"):
         sensitivity(grid, Table("s", "", ("f",), ()), "f")
     study = study_of('[sampling]\nmethod = "saltelli"\ncount = 4\n', axes=2)

@@ -12,9 +12,11 @@ from gearwright.shipped import shipped_design, shipped_studies, shipped_study
 from gearwright.sizing import size
 from gearwright.sizing.named import named_results
 from gearwright.spec import read
+from gearwright.spec.axis import axis_values
 from gearwright.spec.edit import edited
-from gearwright.spec.study import Study, axis_values, case_count, read_study
+from gearwright.spec.study import Study, case_count, read_study
 from gearwright.study import for_engine, run
+from gearwright.study.evaluate import refuse_unknown_paths
 from gearwright.units import RPM
 
 HEAD = 'schema = 1\nname = "s"\ndesigns = ["in-line-h2"]\n'
@@ -60,6 +62,19 @@ def test_a_variant_that_fails_is_a_row_with_its_reason(tmp_path: Path) -> None:
     ("text", "said"),
     [
         ("", "required"),
+        (HEAD + '[axes]\n"a.b" = {from = 3, to = 3, step = 1}\n', "line 5: axes.a.b: from 3 to 3 there is no length"),
+        (HEAD + '[axes]\n"a.b" = {values = []}\n', "give at least one"),
+        (HEAD + '[axes]\n"a.b" = {values = [1], from = 2, to = 3, step = 1}\n', "keep one of them"),
+        (
+            HEAD + '[axes]\n"a.b" = {from = 0, to = 1e3, step = 1e-3}\n"c.d" = {from = 0, to = 1e3, step = 1e-3}\n',
+            "1,000,002,000,001 cases; at most 10,000,000 are run: take larger steps or fewer axes, or draw samples",
+        ),
+        (HEAD + '[axes]\n"a.b" = {from = 3, to = 3}\n[sampling]\nmethod = "sobol"\ncount = 4\n', "line 5: axes.a.b"),
+        (HEAD + '[axes]\n"errors.first.sn.axial_um" = {values = [1]}\n', "did you mean first.sun?"),
+        (HEAD + '[axes]\n"errors.first.sun.axal_um" = {values = [1]}\n', "did you mean axial_um?"),
+        (HEAD + '[axes]\n"layout.outpt.bore_ratio" = {values = [0.2]}\n', "did you mean output?"),
+        (HEAD + 'results = ["mass", "fly.feul"]\n[fly]\nmission = "thesis"\n', "did you mean fly.fuel?"),
+        (HEAD + '[fly]\nmission = "thesis"\n[objectives]\n"fly.governing" = "least"\n', "is a name and no number"),
         (HEAD + '[axes]\n"a.b" = {from = 3, to = 1, step = 1}\n', "exchange them"),
         (HEAD + '[axes]\n"a.b" = {from = 3}\n', "all of from, to and step"),
         (HEAD + '[axes]\n"a.b" = {from = 0, to = 1e9, step = 1}\n', "at most"),
@@ -72,8 +87,9 @@ def test_a_variant_that_fails_is_a_row_with_its_reason(tmp_path: Path) -> None:
 def test_what_a_study_cannot_do_is_named(tmp_path: Path, text: str, said: str) -> None:
     with pytest.raises(DesignError) as raised:
         study = study_of(tmp_path, text)
-        case_count(study)
-        run(study, {"in-line-h2": read(shipped_design("in-line-h2"))})
+        designs = {"in-line-h2": read(shipped_design("in-line-h2"))}
+        refuse_unknown_paths(study, designs)
+        run(study, designs)
     assert said in str(raised.value)
 
 
@@ -109,3 +125,21 @@ def test_efficiency_is_power_out_over_power_in() -> None:
     taken = -sum(power for power in flow.machine_powers.values() if power < 0.0)
     assert named_results(sizing)["efficiency"].value == pytest.approx(taken / given, rel=1e-12)
     assert 0.96 < taken / given < 0.99
+
+
+def test_every_problem_of_a_study_file_is_told_at_once(tmp_path: Path) -> None:
+    with pytest.raises(DesignError) as raised:
+        study_of(tmp_path, HEAD + '[axes]\n"a.b" = {from = 3}\n"c.d" = {from = 2, to = 2, step = 1}\n')
+    assert [(each.line, each.path) for each in raised.value.problems] == [(5, "axes.a.b"), (6, "axes.c.d")]
+
+
+def test_errors_and_layout_may_be_varied_where_the_design_states_none(tmp_path: Path) -> None:
+    axes = (
+        '"errors.first.sun.eccentricity_um" = {values = [0, 20]}\n"layout.output.bore_ratio" = {values = [0.2, 0.5]}\n'
+    )
+    study = study_of(tmp_path, f'results = ["shaft_mass"]\n{HEAD}[axes]\n{axes}')
+    designs = {"in-line-h2": read(shipped_design("in-line-h2"))}
+    assert "first.sun" not in designs["in-line-h2"].errors and not designs["in-line-h2"].layout
+    refuse_unknown_paths(study, designs)
+    mass = run(study, designs).column("shaft_mass")
+    assert mass[0] == mass[2] > mass[1] == mass[3]
