@@ -13,6 +13,7 @@ import typer
 
 from gearwright.cli.colibri import colibri
 from gearwright.cli.design import check, mass, modes, new, report, run, schema, simulate, size
+from gearwright.cli.draw import draw
 from gearwright.cli.dynamics import campbell, response, runup, validate
 from gearwright.cli.mission import fly
 from gearwright.cli.runs import cluster, resume, status
@@ -30,7 +31,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 COMMANDS = (
-    *(new, run, check, size, modes, simulate, report, schema),
+    *(new, run, check, size, modes, simulate, report, draw, schema),
     *(compare, study, status, resume, cluster),
     *(campbell, response, runup, sharing, fly, window),
     *(mass, engines, validate, thesis, colibri),

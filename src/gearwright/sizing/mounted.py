@@ -85,6 +85,8 @@ class SectionStrength:
         float, Quantity("ratio"), Origin("S_D = 1/√((σ_ba/σ_bADK)² + (τ_ta/τ_tADK)²)", "DIN 743-1")
     ]
     """S_D, the other method's answer [-]; 0 where the mean stress leaves no fatigue strength."""
+    fillet: Length = 0.0
+    """Radius of the shoulder's fillet; zero where there is no shoulder [m]."""
 
 
 @dataclass(frozen=True)

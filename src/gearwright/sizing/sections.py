@@ -170,6 +170,7 @@ def _strength(
         fatigue_safety=min(safeties[worst], NO_LIMIT),
         yield_safety=min(greatest, NO_LIMIT),
         din743_safety=_din743(section, loads[worst], steel, bore=bore),
+        fillet=section.shoulder.radius if section.shoulder is not None else 0.0,
     )
 
 

@@ -1,0 +1,72 @@
+"""Command draw: technical drawings of a design's parts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from gearwright.render.drawings.sheets import Sheet
+    from gearwright.sizing import Sizing
+
+FORMATS = ("svg", "dxf")
+
+
+def draw(
+    design: Annotated[
+        str, typer.Argument(help="Design file, name of a shipped design, or a run (*.nc)", metavar="DESIGN")
+    ],
+    folder: Annotated[Path | None, typer.Option("--out", help="Folder; left out: NAME-drawings here")] = None,
+    what: Annotated[
+        str | None, typer.Option(help="Sheets by name, or all of a kind (shaft, gear), with commas; left out: all")
+    ] = None,
+    formats: Annotated[str, typer.Option("--format", help="svg, dxf or both, with a comma")] = "svg,dxf",
+) -> None:
+    """Draw the general arrangement, every shaft and every gear as sheets to ISO conventions."""
+    from gearwright.render.drawings.catalogue import sheets
+    from gearwright.render.drawings.sheets import scale_text
+
+    wanted = _formats(formats)
+    drawn = sheets(_sized(design), _names(what))
+    folder = folder or Path(f"{Path(design).stem}-drawings")
+    folder.mkdir(parents=True, exist_ok=True)
+    for sheet in drawn:
+        for suffix in wanted:
+            _write(sheet, folder / f"{sheet.name}.{suffix}")
+        typer.echo(f"{sheet.name:32} {sheet.size.name}  {scale_text(sheet.scale)}")
+    typer.echo(f"wrote {len(drawn)} sheets as {' and '.join(wanted)} to {folder}")
+
+
+def _sized(name: str) -> Sizing:
+    """Return the sizing of a design, or of the design that a run belongs to."""
+    from gearwright.cli.designs import sized
+    from gearwright.sizing import size
+    from gearwright.store import load
+
+    return size(load(Path(name)).design) if name.endswith(".nc") else sized(name)
+
+
+def _names(what: str | None) -> tuple[str, ...]:
+    return tuple(each.strip() for each in what.split(",")) if what else ()
+
+
+def _formats(given: str) -> tuple[str, ...]:
+    from gearwright.errors import DesignError, Problem, near
+
+    asked = tuple(dict.fromkeys(each.strip() for each in given.split(",")))
+    wrong = [each for each in asked if each not in FORMATS]
+    if wrong:
+        raise DesignError([Problem("--format", f"{each!r} is not drawn; {near(each, FORMATS)}") for each in wrong])
+    return asked
+
+
+def _write(sheet: Sheet, path: Path) -> None:
+    from gearwright.render.drawings.dxf import sheet_dxf
+    from gearwright.render.drawings.svg import sheet_svg
+
+    if path.suffix == ".svg":
+        path.write_text(sheet_svg(sheet), encoding="utf-8")
+    else:
+        path.write_text(sheet_dxf(sheet), encoding="utf-8")

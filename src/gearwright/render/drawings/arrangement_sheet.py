@@ -1,0 +1,150 @@
+"""The general arrangement: every shaft with its gears and bearings in one plane, item numbers and a list of parts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from gearwright.render.drawings.arrangement_parts import Item, axis_of, planetary_parts, shaft_parts
+from gearwright.render.drawings.compose import Content, Rows
+from gearwright.render.drawings.dimensions import extent
+from gearwright.render.drawings.entities import SMALL, Box, Distance, Entity, Layer, Path, Words
+from gearwright.render.drawings.frame import Title
+from gearwright.render.drawings.positions import Positions, positions
+from gearwright.render.drawings.shaft_parts import MM
+from gearwright.render.drawings.symbols import balloon, spread
+from gearwright.render.drawings.tables import Grid
+from gearwright.render.schematic_layout import pair_meshes
+from gearwright.sizing.result import Sizing
+
+NAME = "arrangement"
+AROUND = 9.0
+"""From the parts to their item numbers [mm]."""
+_APART = 10.0
+"""Between item numbers [mm]."""
+
+
+def arrangement_content(sizing: Sizing) -> Content:
+    """Return what the general arrangement shows.
+
+    Args:
+        sizing: What was sized.
+    """
+    found = positions(sizing)
+    _, items = _parts(sizing, found, 1.0)
+    rows = tuple(
+        (f"{k}", f"{item.count}", item.part, item.remark, "" if item.mass is None else f"{item.mass:.3g}")
+        for k, item in enumerate(items, start=1)
+    )
+    heads = ("Item", "Qty", "Part", "Remark", "Mass [kg]")
+    title = Title(sizing.design.name, "General arrangement", NAME, "Assembly drawing", mass=f"{sizing.mass:.1f}")
+    return Content(
+        NAME, title, lambda scale: _views(sizing, found, scale), (Grid("Parts; mass of one", rows, heads),),
+        (*found.notes, *_notes(sizing)), largest_scale=1.0,
+    )  # fmt: skip
+
+
+def _notes(sizing: Sizing) -> Iterator[str]:
+    if sizing.bearings:
+        yield (
+            "Bearings simplified: boundary dimensions ISO 15 or ISO 355, rings with shoulders as drawn, rolling "
+            "elements as their ratings assume."
+        )
+    else:
+        yield "No bearings, shoulders and joints are sized: shafts are the cylinders of the first sizing."
+    if any(pair.kind == "face" for pair in sizing.design.pairs.values()):
+        yield "Face-gear wheels are drawn by their pitch circle alone: their tooth form is not sized."
+    yield "Mass: gears, shafts and carriers, without bearings and housing."
+    yield "Gears in section by ISO 2203. Housing, seals and lubrication are not sized; they are not drawn."
+
+
+def _views(sizing: Sizing, found: Positions, scale: float) -> Rows:
+    entities, items = _parts(sizing, found, scale)
+    entities += _machines(sizing, found, scale)
+    entities += _distances(sizing, found, scale)
+    entities += _balloons(items, extent(entities))
+    return [[entities]]
+
+
+def _parts(sizing: Sizing, found: Positions, scale: float) -> tuple[list[Entity], list[Item]]:
+    entities: list[Entity] = []
+    items: list[Item] = []
+    for name in found.shafts:
+        drawn, listed = shaft_parts(sizing, found, name, scale)
+        entities, items = entities + drawn, items + listed
+    for stage in sizing.design.planetaries:
+        drawn, listed = planetary_parts(sizing, stage, found, scale, lean=3.0 * math.pi / 4.0)
+        entities, items = entities + drawn, items + listed
+    return entities, items
+
+
+def _machines(sizing: Sizing, found: Positions, scale: float) -> Iterator[Entity]:
+    """Yield the name of every machine and clutch where it joins its shaft."""
+    seats = dict(sizing.train.machines) | {joint.name: joint.driving for joint in sizing.train.joints}
+    for name, shaft in seats.items():
+        lying, x = found.shafts[shaft], found.places[shaft][name]
+        axis = axis_of(lying, scale)
+        first, last = _ends(sizing, found, shaft)
+        if first < x < last:
+            yield from _between(name, axis.at(x))
+            continue
+        outwards = -lying.along if x <= first else lying.along
+        place = axis.at(lying.start if x <= first else lying.end) + 6.0 * outwards
+        flat = abs(outwards.real) > 0.5
+        align = ("right" if outwards.real < 0.0 else "left") if flat else "middle"
+        drop = 1.5 if flat else (0.0 if outwards.imag > 0.0 else -SMALL)
+        yield Words(place + 1j * drop, name, SMALL, align)
+
+
+def _ends(sizing: Sizing, found: Positions, shaft: str) -> tuple[float, float]:
+    """Return the middles of the first and the last gear, carrier or bearing on a shaft [mm]."""
+    carried = [gear.name for gear in sizing.gears if shaft in gear.shafts]
+    carried += [f"{name}.carrier" for name, each in sizing.design.planetaries.items() if each.carrier == shaft]
+    seats = [found.places[shaft][name] for name in carried]
+    seats += [MM * each.position for each in sizing.bearings if each.shaft == shaft]
+    lying = found.shafts[shaft]
+    middle = (lying.start + lying.end) / 2.0
+    return min(seats, default=middle), max(seats, default=middle)
+
+
+def _between(name: str, middle: complex) -> Iterator[Entity]:
+    """Yield the name of what joins a shaft between its ends, with a leader."""
+    knee = middle + complex(4.0, -14.0)
+    words = Words(knee + complex(1.0, -SMALL / 2.0), name, SMALL)
+    yield Path((middle, knee), Layer.SYMBOL)
+    yield words
+
+
+def _distances(sizing: Sizing, found: Positions, scale: float) -> Iterator[Entity]:
+    """Yield centre distances that the plane shows, left of both gears."""
+    seen: set[tuple[float, float]] = set()
+    for mesh in pair_meshes(sizing.train):
+        lines = [found.shafts[node] for node in mesh.nodes[:2]]
+        if getattr(sizing.design.stages[mesh.stage], "kind", "cylindrical") != "cylindrical":
+            continue
+        if any(name.startswith(f"Unfolded: {mesh.name} ({mesh.nodes[0]}, {mesh.nodes[1]})") for name in found.notes):
+            continue
+        ends = [axis_of(line, scale).at(line.start) for line in lines]
+        key = (round(ends[0].imag, 3), round(ends[1].imag, 3))
+        if key not in seen and abs(lines[0].along.imag) < 1e-9:
+            seen.add(key)
+            left = min(end.real for end in ends) - 30.0 - 9.0 * (len(seen) - 1)
+            yield Distance(ends[0] - 4.0, ends[1] - 4.0, complex(left, 0.0), math.pi / 2.0, scale)
+
+
+def _balloons(items: Sequence[Item], box: Box) -> Iterator[Entity]:
+    """Yield item numbers around the parts, each on the side that is nearest to its part."""
+    sides: dict[str, list[tuple[float, str, complex]]] = {"left": [], "right": [], "top": [], "bottom": []}
+    for k, item in enumerate(items, start=1):
+        x, y = item.anchor.real, item.anchor.imag
+        far = {"left": x - box[0], "right": box[2] - x, "bottom": y - box[1], "top": box[3] - y}
+        side = min(far, key=lambda each: far[each])
+        sides[side].append((y if side in ("left", "right") else x, f"{k}", item.anchor))
+    for side, listed in sides.items():
+        ordered = sorted(listed)
+        for place, (_, number, anchor) in zip(spread([each[0] for each in ordered], _APART), ordered, strict=True):
+            middle = {
+                "left": complex(box[0] - AROUND, place), "right": complex(box[2] + AROUND, place),
+                "bottom": complex(place, box[1] - AROUND), "top": complex(place, box[3] + AROUND),
+            }[side]  # fmt: skip
+            yield from balloon(anchor, middle, number)

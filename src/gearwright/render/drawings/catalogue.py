@@ -1,0 +1,69 @@
+"""All drawings of a sizing by name."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+
+from gearwright.errors import DesignError, Problem, near
+from gearwright.render.drawings.arrangement_sheet import arrangement_content
+from gearwright.render.drawings.compose import Content, compose
+from gearwright.render.drawings.gear_parts import hub_of
+from gearwright.render.drawings.gear_sheet import gear_content
+from gearwright.render.drawings.shaft_sheet import shaft_content
+from gearwright.render.drawings.sheets import Sheet
+from gearwright.render.drawings.teeth import hand_of, kind_of
+from gearwright.sizing.result import GearSizing, Sizing
+
+
+def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
+    """Return the sheets of a sizing.
+
+    Args:
+        sizing: What was sized.
+        names: Of sheets, or of kinds of them (``shaft``, ``gear``); none: all sheets.
+
+    Raises:
+        DesignError: If there is no sheet of a name.
+    """
+    every = list(contents(sizing))
+    known = {each.name for each in every} | {each.name.partition("-")[0] for each in every}
+    wrong = [name for name in names if name not in known]
+    if wrong:
+        raise DesignError([Problem("--what", f"there is no sheet {name!r}; {near(name, known)}") for name in wrong])
+    numbered = [
+        replace(each, title=replace(each.title, sheet=(k, len(every)))) for k, each in enumerate(every, start=1)
+    ]
+    wanted = [each for each in numbered if not names or {each.name, each.name.partition("-")[0]} & set(names)]
+    return [compose(each) for each in wanted]
+
+
+def contents(sizing: Sizing) -> Iterator[Content]:
+    """Yield what every sheet shows: the general arrangement, shafts, gears.
+
+    Args:
+        sizing: What was sized.
+    """
+    yield arrangement_content(sizing)
+    yield from (shaft_content(sizing, shaft.name) for shaft in sizing.shafts if shaft.diameter > 0.0)
+    for gear in sizing.gears:
+        for name, shaft in gear_sheets(sizing, gear).items():
+            yield gear_content(sizing, gear, shaft, name)
+
+
+def gear_sheets(sizing: Sizing, gear: GearSizing) -> dict[str, str]:
+    """Return the sheets of a gear with the shaft that carries it: one for all shafts whose bodies are alike.
+
+    A cylindrical gear that is one piece with its shaft is on the sheet of that shaft.
+
+    Args:
+        sizing: What was sized.
+        gear: One of its gears.
+    """
+    integral = {each.shaft for each in sizing.joints if each.part == gear.name and each.kind == "integral"}
+    found: dict[tuple[object, object], str] = {}
+    for shaft in gear.shafts:
+        if shaft not in integral or kind_of(sizing, gear) == "bevel":
+            found.setdefault((hub_of(sizing, gear, shaft), hand_of(sizing, gear, shaft)), shaft)
+    several = len(found) > 1
+    return {f"gear-{gear.name}-{shaft}" if several else f"gear-{gear.name}": shaft for shaft in found.values()}

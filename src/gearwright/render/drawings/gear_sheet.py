@@ -1,0 +1,213 @@
+"""The sheet of one gear: section with dimensions, hub, tooth data."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+
+from gearwright.catalogue.materials import materials
+from gearwright.render.drawings.compose import Content, Rows
+from gearwright.render.drawings.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words
+from gearwright.render.drawings.frame import Title
+from gearwright.render.drawings.gear_parts import Hub, hub_of
+from gearwright.render.drawings.gear_view import (
+    BACKUP,
+    bevel_corners,
+    bevel_section,
+    bore_edges,
+    cylinder_section,
+    hub_view,
+    ring_section,
+)
+from gearwright.render.drawings.shaft_parts import MM, BevelProfile, bevel_profile
+from gearwright.render.drawings.shaft_view import OVERSHOOT, Axis
+from gearwright.render.drawings.symbols import texture
+from gearwright.render.drawings.teeth import bevel_pair, cylindrical_gear, is_internal, kind_of, meshes_of
+from gearwright.render.drawings.tooth_data import cones, tooth_grid
+from gearwright.sizing.result import GearSizing, Sizing
+
+LEAN = math.pi / 4.0
+"""Of the hatching [rad]."""
+ASIDE = 9.0
+"""From a part to its nearest dimension line [mm]."""
+
+
+def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, name: str) -> Content:
+    """Return what the sheet of a gear shows.
+
+    Args:
+        sizing: What was sized.
+        gear: One of its gears.
+        shaft: That carries it.
+        name: Of the sheet.
+    """
+    hub, rules = hub_of(sizing, gear, shaft), sizing.design.rules(gear.stage)
+    title = Title(
+        sizing.design.name, f"Gear {name.removeprefix('gear-')}", name, "Component drawing",
+        materials()[rules.material].name, f"{gear.mass:.2f}",
+    )  # fmt: skip
+    bevel = kind_of(sizing, gear) == "bevel"
+    notes = [hub.note, *_notes(sizing, gear, hub), "General surfaces Ra 3.2 (assumed). Dimensions in mm."]
+
+    def views(scale: float) -> Rows:
+        axis = Axis(0j, 1 + 0j, scale)
+        main = _bevel(sizing, gear, hub, axis) if bevel else _cylindrical(sizing, gear, hub, axis)
+        return [[main, *([_hub(hub, axis)] if hub.key is not None else [])]]
+
+    grid = tooth_grid(sizing, gear, shaft)
+    return Content(name, title, views, (grid,), tuple(note for note in notes if note))
+
+
+def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
+    ratio = sizing.design.rules(gear.stage).web_ratio
+    if gear.role == "wheel" and ratio < 1.0:
+        yield f"Web not sized: the mass is {ratio:g} of the solid disc's, the solid disc is drawn."
+    if gear.bodies > 1:
+        yield f"{gear.bodies} equal bodies." if gear.role == "planet" else ""
+    if kind_of(sizing, gear) == "bevel":
+        yield "Assumed: teeth taper towards the apex (standard depth, ISO 23509)."
+        if hub.bore:
+            yield f"Assumed: rim {BACKUP:g} × tooth depth behind the root; the apex-to-back distance follows from it."
+    if kind_of(sizing, gear) == "face":
+        yield "Face-gear pair: the wheel's tooth form is not sized; drawn by its pitch circle alone."
+
+
+def _span(gear: GearSizing) -> tuple[float, float]:
+    halves = gear.bodies // max(len(gear.shafts), 1) if gear.role in ("pinion", "wheel") else 1
+    return 0.0, MM * gear.face_width * max(halves, 1)
+
+
+def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entity]:
+    teeth, span = cylindrical_gear(sizing, gear), _span(gear)
+    internal = is_internal(sizing, gear)
+    outer = MM * (teeth.pitch_radius + gear.rim) if internal else MM * teeth.tip_radius
+    beyond = OVERSHOOT / axis.scale
+    entities: list[Entity] = [Path((axis.at(span[0] - beyond), axis.at(span[1] + beyond)), Layer.CENTRE)]
+    if internal:
+        entities += ring_section(axis, teeth, outer, span, lean=LEAN)
+        entities.append(_across(axis, MM * teeth.tip_radius, span[0], -ASIDE))
+    else:
+        entities += [*cylinder_section(axis, teeth, hub, span, lean=LEAN), *bore_edges(axis, span, hub)]
+        if hub.bore:
+            suffix = f" {hub.tolerance}" if hub.tolerance else ""
+            entities.append(_across(axis, hub.bore / 2.0, span[0], -ASIDE, suffix))
+    if span[1] > 1.5 * MM * gear.face_width:
+        middle = span[1] / 2.0
+        for side in (-1.0, 1.0):
+            entities.append(
+                Path((axis.at(middle, side * outer), axis.at(middle, side * MM * teeth.root_radius)), Layer.OUTLINE)
+            )
+    entities.append(_across(axis, outer, span[1], ASIDE + 8.0))
+    entities.append(_width(axis, span, outer))
+    entities += _flank(sizing, gear, axis.at(span[1], MM * teeth.pitch_radius))
+    if hub.teeth is not None:
+        entities += _leader(axis.at(span[0], hub.bore / 2.0), hub.designation)
+    return entities
+
+
+def _across(axis: Axis, radius: float, x: float, aside: float, suffix: str = "") -> Distance:
+    """Return a diameter beside a face."""
+    low, high = axis.at(x, -radius), axis.at(x, radius)
+    return Distance(low, high, high + aside, math.pi / 2.0, axis.scale, "Ø", suffix)
+
+
+def _width(axis: Axis, span: tuple[float, float], radius: float) -> Distance:
+    line = axis.at(0.0, -radius) - 1j * ASIDE
+    return Distance(axis.at(span[0], -radius), axis.at(span[1], -radius), line, 0.0, axis.scale)
+
+
+def _flank(sizing: Sizing, gear: GearSizing, pitch_point: complex) -> Iterator[Entity]:
+    """Yield the texture of the flanks on the pitch line, where the rules of the stage give it."""
+    rules = sizing.design.rules(gear.stage)
+    if rules.rating == "iso6336":
+        yield from texture(pitch_point + 4.0, f"Rz {1e6 * rules.iso6336.flank_roughness:g}")
+        yield Path((pitch_point, pitch_point + 6.0), Layer.SYMBOL)
+
+
+def _leader(target: complex, words: str) -> Iterator[Entity]:
+    knee = target + complex(-7.0, 7.0)
+    written = Words(knee - 1.0 + 1.0j, words, TEXT, "right", layer=Layer.DIMENSION)
+    yield Path((target, knee, knee - 2.0 - written.length), Layer.DIMENSION)
+    yield written
+
+
+def _hub(hub: Hub, axis: Axis) -> list[Entity]:
+    assert hub.key is not None
+    entities = hub_view(axis, hub)
+    radius, half, top = hub.bore / 2.0, MM * hub.key.width / 2.0, hub.reach / 2.0
+    entities.append(
+        Distance(axis.at(-half, top), axis.at(half, top), axis.at(0.0, top) + 1j * ASIDE, 0.0, axis.scale, suffix=" P9")
+    )
+    side = axis.at(radius) + ASIDE
+    reach = Distance(axis.at(0.0, -radius), axis.at(half, top), side, math.pi / 2.0, axis.scale)
+    words = Words(axis.at(0.0, -radius) - 1j * ASIDE, hub.designation, TEXT, "middle")
+    return [*entities, reach, words]
+
+
+def _bevel(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entity]:
+    profile = bevel_profile(sizing, gear)
+    beyond = OVERSHOOT / axis.scale
+    front, _, heel, *_ = bevel_corners(profile, hub.bore)
+    entities: list[Entity] = [
+        Path((axis.at(profile.apex - beyond), axis.at(max(heel.real, profile.large[0].real) + beyond)), Layer.CENTRE)
+    ]
+    entities += bevel_section(axis, profile, hub, away=1.0, lean=LEAN)
+    entities += bore_edges(axis, (front.real, heel.real), hub)
+    entities += _bevel_lengths(axis, profile, heel.real if hub.bore else None)
+    entities += _bevel_angles(sizing, gear, axis, profile)
+    tip = profile.large[0]
+    right = scale_to(axis, max(heel.real, tip.real)) + 9.0
+    entities.append(_at(axis, tip, right + 8.0))
+    if hub.bore:
+        suffix = f" {hub.tolerance}" if hub.tolerance else ""
+        entities.append(_at(axis, complex(heel.real, hub.bore / 2.0), right, suffix))
+    return entities
+
+
+def scale_to(axis: Axis, x: float) -> float:
+    """Return where a place of a lying part stands on the sheet [mm of paper].
+
+    Args:
+        axis: Lying.
+        x: Along the axis [mm].
+    """
+    return axis.at(x).real
+
+
+def _at(axis: Axis, point: complex, x: float, suffix: str = "") -> Distance:
+    low, high = axis.at(point.real, -point.imag), axis.at(point.real, point.imag)
+    return Distance(low, high, complex(x, 0.0), math.pi / 2.0, axis.scale, "Ø", suffix)
+
+
+def _bevel_lengths(axis: Axis, profile: BevelProfile, back: float | None) -> Iterator[Entity]:
+    """Yield face width and cone distance along the pitch cone, crown and, of a hub, back from the apex."""
+    apex = axis.at(profile.apex)
+    near, far = (axis.at(point.real, point.imag) for point in (profile.small[1], profile.large[1]))
+    turn = cmath.phase(far - apex)
+    above = cmath.rect(1.0, turn + math.pi / 2.0)
+    tip = axis.at(profile.large[0].real, profile.large[0].imag)
+    clear = ((tip - far) * above.conjugate()).real
+    yield Distance(near, far, far + above * (clear + 9.0), turn, axis.scale)
+    yield Distance(apex, far, far + above * (clear + 17.0), turn, axis.scale)
+    crown = axis.at(profile.large[0].real, -profile.large[0].imag)
+    low = crown.imag - 9.0
+    yield Distance(apex, crown, complex(0.0, low), 0.0, axis.scale)
+    if back is not None:
+        yield Distance(apex, axis.at(back, -profile.roots[0].imag), complex(0.0, low - 8.0), 0.0, axis.scale)
+
+
+def _bevel_angles(sizing: Sizing, gear: GearSizing, axis: Axis, profile: BevelProfile) -> Iterator[Entity]:
+    """Yield root, pitch and face cone angle about the apex."""
+    pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
+    apex = axis.at(profile.apex)
+    face, root = cones(pair, side)
+    clear = min(axis.scale * (profile.roots[0].real - profile.apex), abs(axis.at(*_pair(profile.small[0])) - apex))
+    for share, angle in ((0.5, root), (0.72, pair.pitch_angles[side]), (0.94, face)):
+        yield Corner(apex, 0.0, angle, share * clear)
+    for corner in (profile.small[0], profile.roots[0]):
+        yield Path((apex, axis.at(*_pair(corner))), Layer.DIMENSION)
+
+
+def _pair(point: complex) -> tuple[float, float]:
+    return point.real, point.imag

@@ -1,0 +1,218 @@
+"""The sheet of one shaft: outline with dimensions, sections through keyways, fits, tooth data of integral gears."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from gearwright.catalogue.fits import SEAT_SOURCE, shaft_limits
+from gearwright.catalogue.materials import materials
+from gearwright.render.drawings.compose import Content, Rows
+from gearwright.render.drawings.dimensions import extent
+from gearwright.render.drawings.entities import (
+    GAP,
+    TEXT,
+    Distance,
+    Entity,
+    Layer,
+    Path,
+    Words,
+    millimetres,
+    words_length,
+)
+from gearwright.render.drawings.frame import Title
+from gearwright.render.drawings.shaft_parts import MM, Piece, ShaftBody, Slot, shaft_body
+from gearwright.render.drawings.shaft_view import Axis, end_chamfer, key_section, shaft_outline
+from gearwright.render.drawings.symbols import cutting_plane, spread, texture, texture_length
+from gearwright.render.drawings.tables import Grid
+from gearwright.render.drawings.teeth import gear_of
+from gearwright.render.drawings.tooth_data import tooth_grid
+from gearwright.sizing.result import Sizing
+
+LEVEL = 8.0
+"""Between parallel dimension lines [mm]."""
+SEAT_TEXTURE = "Ra 0.8"
+"""Of bearing seats; assumed (usual for IT6 and normal bearings)."""
+
+
+class _Mark(NamedTuple):
+    """Something written across a shaft: a diameter, or a designation with a leader."""
+
+    x: float
+    """Along the axis [mm]."""
+    radius: float
+    """Of the outline there [mm]."""
+    suffix: str
+    """After the diameter."""
+    words: str = ""
+    """Instead of a diameter."""
+    texture: str = ""
+
+
+def shaft_content(sizing: Sizing, name: str) -> Content:
+    """Return what the sheet of a shaft shows.
+
+    Args:
+        sizing: What was sized.
+        name: Of the shaft.
+    """
+    body = shaft_body(sizing, name)
+    material = materials()[sizing.design.shafting.material or sizing.design.gears.material]
+    sized = next(shaft for shaft in sizing.shafts if shaft.name == name)
+    title = Title(
+        sizing.design.name, f"Shaft {name}", f"shaft-{name}", "Component drawing", material.name, f"{sized.mass:.2f}"
+    )
+    grids = [tooth_grid(sizing, gear_of(sizing, gear), name) for gear in body.gears]
+    fits = (*_fits(body), *_fillets(body))
+    return Content(
+        f"shaft-{name}", title, lambda scale: _views(body, scale), (*grids, *fits), tuple(_notes(sizing, body))
+    )
+
+
+def _views(body: ShaftBody, scale: float) -> Rows:
+    axis = Axis(0j, 1 + 0j, scale)
+    main = shaft_outline(axis, body)
+    main += _diameters(axis, body)
+    main += _lengths(axis, body)
+    if body.bore:
+        end = body.pieces[-1].end
+        low, high = axis.at(end, -body.bore / 2.0), axis.at(end, body.bore / 2.0)
+        main.append(Distance(low, high, high + 10.0, math.pi / 2.0, scale, "Ø"))
+    sections = []
+    for letter, slot in zip("ABCDEFGH", body.slots, strict=False):
+        reach = slot.diameter / 2.0 * scale + 2.0
+        main += cutting_plane(axis.at((slot.start + slot.end) / 2.0), reach, letter, looking=1 + 0j)
+        sections.append(_section(slot, body.bore, letter, scale))
+    return [[main], *([sections] if sections else [])]
+
+
+def _diameters(axis: Axis, body: ShaftBody) -> Iterator[Entity]:
+    """Yield every diameter, written above the shaft."""
+    marks = sorted(_marks(body))
+    top = axis.scale * max(piece.diameter for piece in body.pieces) / 2.0
+    places = spread([axis.scale * mark.x for mark in marks], 2.0 * TEXT + 1.0)
+    for mark, slot in zip(marks, places, strict=True):
+        yield from _mark(axis, mark, slot, top)
+
+
+def _marks(body: ShaftBody) -> Iterator[_Mark]:
+    for before, piece, after in zip((None, *body.pieces), body.pieces, (*body.pieces[1:], None), strict=False):
+        beside = [each.diameter for each in (before, after) if each is not None and each.tolerance]
+        if not piece.tolerance and piece.diameter in beside:
+            continue
+        share = 0.25 if any(slot.start < piece.end and slot.end > piece.start for slot in body.slots) else 0.5
+        x = piece.start + share * (piece.end - piece.start)
+        conical = piece.diameters[0] != piece.diameters[1]
+        if conical:
+            x = piece.start if piece.diameters[0] > piece.diameters[1] else piece.end
+        suffix = f" {piece.tolerance}" if piece.tolerance else ""
+        yield _Mark(x, piece.diameter / 2.0, suffix, texture=SEAT_TEXTURE if piece.tolerance else "")
+    for toothing in body.splines:
+        x = toothing.start + 0.75 * (toothing.end - toothing.start)
+        yield _Mark(x, MM * toothing.teeth.shaft_tip / 2.0, "", toothing.designation)
+
+
+def _mark(axis: Axis, mark: _Mark, place: float, top: float) -> Iterator[Entity]:
+    """Yield a diameter whose line goes on above the shaft, to its slot, with the text along it."""
+    low, high = axis.at(mark.x, -mark.radius), axis.at(mark.x, mark.radius)
+    start = complex(place, axis.origin.imag + top + 8.0)
+    knee = complex(high.real, axis.origin.imag + top + 2.0)
+    words = mark.words or f"Ø{millimetres(2.0 * mark.radius)}{mark.suffix}"
+    length = words_length(words, TEXT)
+    middle = start + 1j * (1.0 + length / 2.0) - GAP
+    tail = start + 1j * (2.0 + length)
+    if mark.words:
+        yield Words(middle, words, TEXT, "middle", math.pi / 2.0, Layer.DIMENSION)
+    else:
+        yield Distance(low, high, high, math.pi / 2.0, axis.scale, "Ø", mark.suffix, middle)
+    end = tail + (1j * texture_length(mark.texture) if mark.texture else 0.0)
+    yield Path((high, knee, start, end), Layer.DIMENSION)
+    if mark.texture:
+        yield from texture(tail + 2.5j, mark.texture, math.pi / 2.0)
+
+
+def _lengths(axis: Axis, body: ShaftBody) -> Iterator[Entity]:
+    """Yield lengths from the first end, one below the other, and those of keyways and splines nearest to the shaft."""
+    level = axis.origin - 1j * (axis.scale * max(piece.diameter for piece in body.pieces) / 2.0 + 9.0)
+    spans = [(slot.start, slot.end, slot.diameter) for slot in body.slots]
+    spans += [(each.start, each.end, MM * each.teeth.shaft_tip) for each in body.splines]
+    for start, end, diameter in spans:
+        radius = -diameter / 2.0
+        yield Distance(axis.at(start, radius), axis.at(end, radius), level, 0.0, axis.scale)
+    first = body.pieces[0]
+    level -= 1j * LEVEL if spans else 0.0
+    for x, radius in _shoulders(body):
+        datum = axis.at(first.start, -first.diameters[0] / 2.0 + end_chamfer(first))
+        yield Distance(datum, axis.at(x, -radius), level, 0.0, axis.scale)
+        level -= 1j * LEVEL
+
+
+def _shoulders(body: ShaftBody) -> Iterator[tuple[float, float]]:
+    """Yield where lengths end: at shoulders, starts of keyways, and the second end, with the radius there."""
+    ends = [(piece.end, max(piece.diameters[1], after.diameters[0]) / 2.0)
+            for piece, after in zip(body.pieces, body.pieces[1:], strict=False)]  # fmt: skip
+    last = body.pieces[-1]
+    ends.append((last.end, last.diameters[1] / 2.0 - end_chamfer(last)))
+    ends += [(slot.start, slot.diameter / 2.0) for slot in body.slots if slot.start > 1e-6]
+    ends += [(each.start, MM * each.teeth.shaft_tip / 2.0) for each in body.splines]
+    seen: list[float] = []
+    for x, radius in sorted(ends):
+        if x > body.pieces[0].start + 1e-6 and all(abs(x - each) > 1e-6 for each in seen):
+            seen.append(x)
+            yield x, radius
+
+
+def _section(slot: Slot, bore: float, letter: str, scale: float) -> list[Entity]:
+    axis = Axis(0j, 1 + 0j, scale)
+    entities = key_section(axis, slot, bore)
+    radius, half = slot.diameter / 2.0, MM * slot.section.width / 2.0
+    floor = radius - MM * slot.section.shaft_depth
+    rim = math.sqrt(radius**2 - half**2)
+    above, aside = 1j * (scale * radius + 7.0), scale * radius + 9.0
+    entities.append(Distance(axis.at(-half, rim), axis.at(half, rim), above, 0.0, scale, suffix=" P9"))
+    low, high = axis.at(0.0, -radius), axis.at(half, floor)
+    entities.append(Distance(low, high, complex(aside, 0.0), math.pi / 2.0, scale))
+    top = extent(entities)[3]
+    entities.append(Words(1j * (top + 3.0), f"{letter}–{letter}", TEXT, "middle"))
+    entities.append(Words(-1j * (scale * radius + 9.0), slot.designation, TEXT, "middle"))
+    return entities
+
+
+def _fits(body: ShaftBody) -> tuple[Grid, ...]:
+    """Return the limits of every seat; none where no seat has a tolerance."""
+    seats = {f"Ø{millimetres(each.diameter)} {each.tolerance}": each for each in body.pieces if each.tolerance}
+    rows = tuple((fit, *_limits(each)) for fit, each in seats.items())
+    return (Grid("Fits (ISO 286-2), deviations in µm", rows, ("Fit", "upper", "lower")),) if rows else ()
+
+
+def _fillets(body: ShaftBody) -> tuple[Grid, ...]:
+    """Return the fillets at shoulders that the strength was judged with; equal ones in a row."""
+    places: dict[str, list[str]] = {}
+    for x, radius in body.fillets:
+        if not any(piece.toothed and piece.start - 1e-6 <= x <= piece.end + 1e-6 for piece in body.pieces):
+            places.setdefault(f"R{millimetres(radius)}", []).append(millimetres(x))
+    rows = tuple((radius, ", ".join(at)) for radius, at in places.items())
+    return (Grid("Fillets at shoulders", rows, ("Radius", "from the first end at")),) if rows else ()
+
+
+def _limits(piece: Piece) -> tuple[str, str]:
+    low, high = shaft_limits(piece.diameter / MM, piece.tolerance)
+    return f"{1e6 * high:+.0f}", f"{1e6 * low:+.0f}"
+
+
+def _notes(sizing: Sizing, body: ShaftBody) -> Iterator[str]:
+    chamfers = {end_chamfer(piece) for piece in (body.pieces[0], body.pieces[-1])} - {0.0}
+    if chamfers:
+        yield f"Ends chamfered {' and '.join(f'{each:g}' for each in sorted(chamfers))} × 45° (assumed)."
+    if any(piece.tolerance for piece in body.pieces):
+        yield f"Bearing seats (assumed): k6 under balls, m6 under rollers, n6 over Ø100; {SEAT_SOURCE}; {SEAT_TEXTURE}."
+        yield "Total radial run-out of bearing seats IT5/2, axial run-out of their shoulders IT5 (usual; assumed)."
+    if body.slots:
+        yield "Keyways DIN 6885-1, form A, width P9 (assumed)."
+    if all(shaft.name != body.name for shaft in sizing.built_shafts):
+        yield (
+            "First sizing: one cylinder that bears bending and torsion. Shoulders, seats and joints are not sized, "
+            "as the design gives this shaft no bearings; they are not drawn."
+        )
+    yield "General surfaces Ra 3.2 (assumed). Dimensions in mm; lengths from the first end."

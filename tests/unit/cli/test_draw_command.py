@@ -1,0 +1,42 @@
+"""The command that draws."""
+
+import pytest
+
+from gearwright.cli import main
+
+
+def run(monkeypatch, capsys, *words):
+    """Return exit code and everything that the command writes."""
+    monkeypatch.setattr("sys.argv", ["gearwright", "draw", *words])
+    code = 0
+    try:
+        main()
+    except SystemExit as end:
+        code = int(end.code or 0)
+    written = capsys.readouterr()
+    return code, written.out + written.err
+
+
+def test_sheets_are_written_in_the_formats_that_are_asked_for(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    code, text = run(monkeypatch, capsys, "off-set", "--what", "arrangement,shaft-left", "--format", "svg")
+    assert code == 0 and "wrote 2 sheets as svg to off-set-drawings" in text
+    assert sorted(path.name for path in (tmp_path / "off-set-drawings").iterdir()) == [
+        "arrangement.svg",
+        "shaft-left.svg",
+    ]
+
+
+def test_dxf_is_written_too(tmp_path, monkeypatch, capsys):
+    pytest.importorskip("ezdxf")
+    monkeypatch.chdir(tmp_path)
+    code, _ = run(monkeypatch, capsys, "off-set", "--what", "shaft-left", "--out", "made")
+    assert code == 0 and {path.suffix for path in (tmp_path / "made").iterdir()} == {".svg", ".dxf"}
+
+
+def test_a_form_or_sheet_that_there_is_not_is_named(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    code, text = run(monkeypatch, capsys, "off-set", "--format", "dwg")
+    assert code == 2 and "'dwg' is not drawn" in text and "dxf" in text
+    code, text = run(monkeypatch, capsys, "off-set", "--what", "shaft-lift")
+    assert code == 2 and "did you mean shaft-left?" in text

@@ -1,0 +1,282 @@
+"""Technical drawings: their numbers are the sizing's, their DXF is sound, nothing on a sheet covers anything else."""
+
+import io
+import itertools
+import math
+import sys
+import xml.etree.ElementTree as ET
+
+import pytest
+from built_design import BORES, JOINTS, STEPS, built_sizing
+
+import gearwright as gw
+from gearwright.errors import DesignError
+from gearwright.parts.tooth_measurement import span_measurement, spanned_teeth
+from gearwright.render.drawings.catalogue import sheets
+from gearwright.render.drawings.dimensions import drawn, extent, words_corners
+from gearwright.render.drawings.dxf import sheet_document, sheet_dxf
+from gearwright.render.drawings.entities import Corner, Distance, Layer, Words, millimetres, runs
+from gearwright.render.drawings.frame import inside
+from gearwright.render.drawings.positions import positions
+from gearwright.render.drawings.sheets import SCALES
+from gearwright.render.drawings.svg import sheet_svg
+from gearwright.render.drawings.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
+from gearwright.shipped import shipped_designs
+
+ezdxf = pytest.importorskip("ezdxf")
+
+
+def shipped(name):
+    return gw.size(gw.read(gw.shipped_design(name)))
+
+
+@pytest.fixture(scope="module")
+def built():
+    return built_sizing()
+
+
+@pytest.fixture(scope="module")
+def drawings(built):
+    return {sheet.name: sheet for sheet in sheets(built)}
+
+
+@pytest.fixture(scope="module")
+def every(drawings):
+    """Return the sheets of the built train and of every shipped design."""
+    return [*drawings.values(), *(sheet for name in shipped_designs() for sheet in sheets(shipped(name)))]
+
+
+def written(sheet):
+    """Return a sheet as a reader of its DXF file finds it."""
+    return ezdxf.read(io.StringIO(sheet_dxf(sheet)))
+
+
+def measured(sheet):
+    """Return what the linear DIMENSION entities of the written file measure [mm]."""
+    found = written(sheet).modelspace().query("DIMENSION")
+    return [float(each.get_measurement()) for each in found if each.dimtype == 0]
+
+
+def words_of(sheet):
+    """Return every text of a sheet, those of dimensions too."""
+    for entity in sheet.entities:
+        if isinstance(entity, Distance | Corner):
+            yield from (part for part in drawn(entity) if isinstance(part, Words))
+        elif isinstance(entity, Words):
+            yield entity
+
+
+def table(sheet):
+    """Return the rows of a sheet's tooth data by their names: the third column."""
+    rows = {}
+    cells = [each for each in sheet.entities if isinstance(each, Words) and each.layer is Layer.TABLE]
+    for one in cells:
+        row = sorted((each for each in cells if abs(each.at.imag - one.at.imag) < 0.1), key=lambda each: each.at.real)
+        if len(row) == 3:
+            rows[row[0].text] = row[2].text
+    return rows
+
+
+def test_every_file_passes_the_audit_of_ezdxf(every):
+    for sheet in every:
+        audit = sheet_document(sheet).audit()
+        assert (audit.errors, audit.fixes) == ([], []), sheet.name
+
+
+def test_layers_are_named_by_content_with_the_widths_of_iso_128(drawings):
+    document = written(drawings["arrangement"])
+    for layer in Layer:
+        assert document.layers.get(layer.name).dxf.lineweight == round(100 * layer.width)
+    assert {each.dxf.layer for each in document.modelspace()} <= {layer.name for layer in Layer}
+    assert document.layers.get("CENTRE").dxf.linetype == "CENTRE"
+
+
+@pytest.mark.parametrize("name", list(STEPS))
+def test_dimensions_of_a_shaft_measure_what_the_sizing_says(drawings, name):
+    """Diameters, shoulders and bore, read back from the DXF file; teeth cover some steps of the engine's shaft."""
+    values = measured(drawings[f"shaft-{name}"])
+    covered = {"engine": {58.0}, "middle": {50.0}}.get(name, set())
+    asked = {float(across) for _, _, across, _ in STEPS[name]} - covered
+    asked |= {float(end) for _, end, _, seat in STEPS[name] if "pinion" not in seat} - {190.0, 240.0}
+    asked |= {float(BORES[name]), float(STEPS[name][-1][1])}
+    for value in asked:
+        assert any(math.isclose(value, each, abs_tol=1e-6) for each in values), value
+
+
+def test_dimensions_of_a_keyway_are_those_of_din_6885(drawings):
+    """20 × 12 in a shaft of 66 mm: length 50, width 20, d − t_1 = 58.5; in the hub d + t_2 = 70.9."""
+    values = measured(drawings["shaft-middle"])
+    for value in (50.0, 20.0, 58.5):
+        assert any(math.isclose(value, each, abs_tol=1e-6) for each in values), value
+    assert any(math.isclose(70.9, each, abs_tol=1e-6) for each in measured(drawings["gear-helical.wheel"]))
+
+
+def test_dimensions_of_a_bevel_gear_are_its_cones(built, drawings):
+    pair, sheet = bevel_pair(built, "bevel"), drawings["gear-bevel.wheel"]
+    values = measured(sheet)
+    tip = pair.outer_diameters[1] + 2.0 * pair.addenda[1] * math.cos(pair.pitch_angles[1]) * (
+        pair.outer_cone_distance / pair.mean_cone_distance
+    )
+    for value in (pair.face_width, pair.outer_cone_distance, tip):
+        assert any(math.isclose(1e3 * value, each, rel_tol=1e-9) for each in values), value
+    angles = [float(each.get_measurement()) for each in written(sheet).modelspace().query("DIMENSION") if each.dimtype]
+    assert any(math.isclose(math.degrees(pair.pitch_angles[1]), each, abs_tol=1e-6) for each in angles)
+
+
+def test_the_text_of_a_dimension_is_its_measured_value(every):
+    for sheet in every:
+        for entity in sheet.entities:
+            if isinstance(entity, Distance):
+                assert entity.text == f"{entity.prefix}{millimetres(entity.measured)}{entity.suffix}"
+                assert entity.measured > 0.0
+
+
+def test_dxf_and_svg_show_the_same_numbers(drawings):
+    """The text override of a DIMENSION keeps the measured value in place of <>."""
+    sheet = drawings["shaft-middle"]
+    given = {f"{each.prefix}<>{each.suffix}" for each in sheet.entities if isinstance(each, Distance)}
+    assert {each.dxf.text for each in written(sheet).modelspace().query("DIMENSION")} == given
+    texts = {
+        "".join(each.itertext()) for each in ET.fromstring(sheet_svg(sheet)).iter("{http://www.w3.org/2000/svg}text")
+    }
+    assert {each.text for each in sheet.entities if isinstance(each, Distance)} <= texts
+
+
+def test_an_svg_has_the_size_of_its_paper(drawings):
+    for sheet in drawings.values():
+        root = ET.fromstring(sheet_svg(sheet))
+        assert root.get("width") == f"{sheet.size.width:g}mm"
+        assert {each.get("id") for each in root.findall("{http://www.w3.org/2000/svg}g")} <= {
+            each.name for each in Layer
+        }
+
+
+def apart(one, other):
+    """Return True if a line parts two rectangles, each given by its corners."""
+    for corners in (one, other):
+        for edge in (corners[1] - corners[0], corners[2] - corners[0]):
+            across = [[(point * edge.conjugate()).real for point in each] for each in (one, other)]
+            if max(across[0]) <= min(across[1]) or max(across[1]) <= min(across[0]):
+                return True
+    return False
+
+
+def inked(words):
+    """Return the corners of the capitals of a text, without the room of descenders."""
+    corners = list(words_corners(words))
+    middle = sum(corners) / 4.0
+    return [middle + 0.8 * (corner - middle) for corner in corners]
+
+
+def test_no_text_covers_another(every):
+    for sheet in every:
+        boxes = [(words.text, inked(words)) for words in words_of(sheet)]
+        for (text, one), (other, two) in itertools.combinations(boxes, 2):
+            assert apart(one, two), f"{sheet.title}: {text!r} and {other!r}"
+
+
+def test_everything_stands_on_its_paper_in_a_scale_of_iso_5455(every):
+    for sheet in every:
+        left, low, right, high = extent(sheet.entities)
+        assert left > 0.0 and low > 0.0 and right < sheet.size.width and high < sheet.size.height
+        frame = inside(sheet.size)
+        box = extent([each for each in sheet.entities if isinstance(each, Distance | Corner)] or sheet.entities)
+        if any(isinstance(each, Distance | Corner) for each in sheet.entities):
+            assert frame[0] < box[0] and frame[1] < box[1] and box[2] < frame[2] and box[3] < frame[3]
+        assert sheet.scale in SCALES
+
+
+def test_the_tooth_table_says_what_is_cut_and_measured(built, drawings):
+    """Span with allowances by ISO/TR 10064-2 for class 5: least backlash 2/3 (0.06 + 0.0005 a + 0.03 m_n) mm."""
+    gear = gear_of(built, "helical.pinion")
+    teeth, rows = cylindrical_gear(built, gear), table(drawings["shaft-engine"])
+    assert rows["Number of teeth"] == "27"
+    assert float(rows["Reference diameter"]) == pytest.approx(2e3 * teeth.pitch_radius, abs=5e-4)
+    assert float(rows["Root diameter"]) == pytest.approx(2e3 * teeth.root_radius, abs=5e-4)
+    span = 1e3 * span_measurement(teeth, spanned_teeth(teeth))
+    assert float(rows["Span without backlash"]) == pytest.approx(span, abs=5e-4)
+    upper, lower = (float(each.replace("−", "-")) for each in rows["Allowances of the span"].split(" / "))
+    least = 2.0 / 3.0 * (0.06 + 0.0005 * float(rows["Centre distance"]) + 0.03 * float(rows["Normal module"]))
+    assert upper == pytest.approx(-least / 2.0, abs=6e-4) and lower < upper
+    assert rows["Mating gear"] == "helical.wheel, z = 107"
+    assert rows["Flank tolerance class"] == "5 ISO 1328-1"
+
+
+def test_mating_gears_have_opposite_hands(built):
+    """Parallel axes and bevel pairs alike (ISO 21771, ISO 23509)."""
+    for pinion, wheel in (("helical.pinion", "helical.wheel"), ("bevel.pinion", "bevel.wheel")):
+        gears = [gear_of(built, name) for name in (pinion, wheel)]
+        hands = [hand_of(built, gear, gear.shafts[0]) for gear in gears]
+        assert None not in hands and hands[0] is not hands[1]
+
+
+def test_the_axes_of_a_bevel_pair_meet_in_the_common_apex(built):
+    """Both mean points lie R_m from it, on axes that are square to each other."""
+    found, pair = positions(built), bevel_pair(built, "bevel")
+    pinion, wheel = found.shafts["middle"], found.shafts["mast"]
+    reach = [1e3 * pair.mean_cone_distance * math.cos(angle) for angle in pair.pitch_angles]
+    apexes = [
+        lying.at(found.places[shaft][gear] + far)
+        for lying, shaft, gear, far in (
+            (pinion, "middle", "bevel.pinion", reach[0]),
+            (wheel, "mast", "bevel.wheel", reach[1]),
+        )
+    ]
+    assert abs(apexes[0] - apexes[1]) < 1e-9
+    assert abs((pinion.along * wheel.along.conjugate()).real) < 1e-12
+
+
+def test_the_arrangement_lists_every_part_and_shows_the_centre_distance(built, drawings):
+    sheet = drawings["arrangement"]
+    texts = {words.text for words in words_of(sheet)}
+    assert {"Shaft mast", "Gear bevel.wheel", "Bearing 2a", "QJ 312", "with helical.pinion"} <= texts
+    distance = sum(gear_of(built, f"helical.{role}").pitch_diameter for role in ("pinion", "wheel")) / 2.0
+    assert any(math.isclose(1e3 * distance, each, rel_tol=1e-9) for each in measured(sheet))
+
+
+def test_what_is_not_sized_is_not_drawn_and_the_sheet_says_so():
+    texts = {sheet.name: " ".join(words.text for words in words_of(sheet)) for sheet in sheets(shipped("off-set"))}
+    assert "First sizing: one cylinder" in texts["shaft-left"]
+    assert "No bearings, shoulders and joints are sized" in texts["arrangement"]
+    assert "Unfolded: second.right" in texts["arrangement"]
+    assert "no class" in texts["gear-second.wheel"]
+
+
+def test_an_integral_gear_is_on_the_sheet_of_its_shaft(drawings):
+    assert "gear-helical.pinion" not in drawings
+    assert "Tooth data: helical.pinion" in {words.text for words in words_of(drawings["shaft-engine"])}
+
+
+def test_fits_stand_in_a_table_with_their_deviations(drawings):
+    """ISO 286-2: 45 k6 has +18/+2 µm, 45 m6 +25/+9."""
+    texts = [words.text for words in words_of(drawings["shaft-engine"])]
+    assert texts[texts.index("Ø45 m6", texts.index("Fit")) :][:3] == ["Ø45 m6", "+25", "+9"]
+    assert texts[texts.index("Ø45 k6", texts.index("Fit")) :][:3] == ["Ø45 k6", "+18", "+2"]
+
+
+def test_joints_stand_with_their_designations(drawings):
+    shown = {words.text for sheet in drawings.values() for words in words_of(sheet)}
+    assert {row[4] for row in JOINTS if row[4]} <= shown
+    assert any("DIN 5480 - N 100 x 3 x 32" in text for text in shown)
+
+
+def test_a_file_is_the_same_each_time(drawings):
+    for sheet in drawings.values():
+        assert sheet_dxf(sheet) == sheet_dxf(sheet)
+
+
+def test_sheets_are_found_by_name_and_by_kind(built):
+    assert [each.name for each in sheets(built, ("arrangement", "shaft-mast"))] == ["arrangement", "shaft-mast"]
+    assert len(sheets(built, ("gear",))) == 3
+    with pytest.raises(DesignError, match=r"there is no sheet 'shaft-must'; did you mean shaft-mast\?"):
+        sheets(built, ("shaft-must",))
+
+
+def test_without_ezdxf_the_message_names_the_extra(drawings, monkeypatch):
+    monkeypatch.setitem(sys.modules, "ezdxf", None)
+    with pytest.raises(DesignError, match=r"gearwright\[drawing\]"):
+        sheet_dxf(drawings["arrangement"])
+
+
+def test_an_index_is_written_low():
+    assert runs("m_{et}") == [("m", False), ("et", True)]
