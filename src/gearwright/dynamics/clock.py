@@ -8,10 +8,16 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.dynamics.assembler import aligned
 from gearwright.dynamics.system import Arrays, Floats, Profile
+from gearwright.dynamics.topology import topology
+from gearwright.dynamics.writer import table_width, wave_width
 
-Clock = Callable[[int, Floats], None]
-"""(first step, table) fills the rows: cosine and sine of each tone, s, ṡ, scheduled loads; a row for each half step."""
+Clock = Callable[[int, int], tuple[Floats, Floats]]
+"""(first step, steps) returns the table, a row for each half step, and by how much its tones are to be turned.
+
+A row holds the cosines of all tones, their sines, s, ṡ, scheduled loads and drives' inputs; the turn cosines and sines.
+"""
 
 
 class Harmonic(NamedTuple):
@@ -25,55 +31,67 @@ class Harmonic(NamedTuple):
     """The tone that is added to it."""
 
 
-def clock(arrays: Arrays, h: float, rows: int) -> Clock:
-    """Return the filler of clock tables.
+def clock(arrays: Arrays, h: float, steps: int) -> Clock:
+    """Return the clock of a run.
 
-    At constant speed each tone of a block is its exact value at the block's start, turned by angles that are worked out
-    once: no trigonometry in the run, and no drift.
+    At constant speed all blocks share the tones of one table, turned by the exact angles at the block's start: no
+    trigonometry in the run, and no drift.
 
     Args:
         arrays: The system's numbers.
         h: Step [s].
-        rows: Most rows of a table.
+        steps: Most steps of a block.
     """
-    if np.all(arrays.profile.factor == arrays.profile.factor[0]):
-        return _steady(arrays, h, rows)
-    harmonics = _harmonics(arrays.tone_rate)
-    return lambda first, table: _ramped(arrays, harmonics, _times(first, h, len(table)), table)
-
-
-def _times(first: int, h: float, rows: int) -> Floats:
-    return np.asarray((first + 0.5 * np.arange(rows)) * h, dtype=np.float64)
-
-
-def _steady(arrays: Arrays, h: float, rows: int) -> Clock:
+    shape = topology(arrays)
+    waves, table = wave_width(shape), aligned(2 * steps + 1, table_width(shape))
     factor = float(arrays.profile.factor[0])
-    turned = np.exp(1j * np.outer(0.5 * h * np.arange(rows), arrays.tone_rate * factor))
-    tones = len(arrays.tone_rate)
+    if np.any(arrays.profile.factor != factor):
+        harmonics, unturned = _harmonics(arrays.tone_rate), waves_of(np.zeros(waves), waves)
+        return lambda first, count: (_ramped(arrays, harmonics, _times(first, h, count), (table, waves)), unturned)
+    rate = arrays.tone_rate * factor
+    table[:, : 2 * waves] = waves_of(np.outer(_times(0, h, steps), rate), waves)
+    table[:, 2 * waves] = factor
 
-    def fill(first: int, table: Floats) -> None:
-        start = np.exp(1j * arrays.tone_rate * factor * (first * h))
-        np.multiply(turned[: len(table)], start, out=table[:, : 2 * tones].view(np.complex128))
-        table[:, 2 * tones], table[:, 2 * tones + 1] = factor, 0.0
-        if len(arrays.loads.schedules.dof) or len(arrays.drives.inputs.dof):
-            _loads(arrays, _times(first, h, len(table)), table)
+    def steady(first: int, count: int) -> tuple[Floats, Floats]:
+        if table.shape[1] > 2 * waves + 2:
+            _fill_loads(arrays, _times(first, h, count), table[:, 2 * waves + 2 :])
+        return table, waves_of(rate * (first * h), waves)
 
-    return fill
+    return steady
 
 
-def _ramped(arrays: Arrays, harmonics: Sequence[Harmonic], time: Floats, table: Floats) -> None:
-    tones = len(arrays.tone_rate)
+def waves_of(angle: Floats, width: int) -> Floats:
+    """Return cosines and sines, each filled up to a width, shape (…, 2 width).
+
+    Args:
+        angle: [rad], shape (…, tones).
+        width: Numbers for each.
+    """
+    waves = np.zeros((*angle.shape[:-1], 2, width))
+    np.cos(angle, out=waves[..., 0, : angle.shape[-1]])
+    np.sin(angle, out=waves[..., 1, : angle.shape[-1]])
+    return waves.reshape(*angle.shape[:-1], 2 * width)
+
+
+def _times(first: int, h: float, steps: int) -> Floats:
+    return np.asarray((first + 0.5 * np.arange(2 * steps + 1)) * h, dtype=np.float64)
+
+
+def _ramped(arrays: Arrays, harmonics: Sequence[Harmonic], time: Floats, room: tuple[Floats, int]) -> Floats:
+    (table, width), tones = room, len(harmonics)
     factor, slope, travel = speed_factors(arrays.profile, time)
-    waves = table[:, : 2 * tones].view(np.complex128)
+    waves, rows = np.empty((tones, len(time)), dtype=np.complex128), slice(len(time))
     for tone, below, again in harmonics:
         if below < 0:
             angle = arrays.tone_rate[tone] * travel
-            np.cos(angle, out=table[:, 2 * tone])
-            np.sin(angle, out=table[:, 2 * tone + 1])
+            np.cos(angle, out=waves.real[tone])
+            np.sin(angle, out=waves.imag[tone])
         else:
-            np.multiply(waves[:, below], waves[:, again], out=waves[:, tone])
-    table[:, 2 * tones], table[:, 2 * tones + 1] = factor, slope
-    _loads(arrays, time, table)
+            np.multiply(waves[below], waves[again], out=waves[tone])
+    table[rows, :tones], table[rows, width : width + tones] = waves.real.T, waves.imag.T
+    table[rows, 2 * width], table[rows, 2 * width + 1] = factor, slope
+    _fill_loads(arrays, time, table[:, 2 * width + 2 :])
+    return table
 
 
 def _harmonics(rates: Floats) -> list[Harmonic]:
@@ -88,8 +106,8 @@ def _harmonics(rates: Floats) -> list[Harmonic]:
     return found
 
 
-def _loads(arrays: Arrays, time: Floats, table: Floats) -> None:
-    column = 2 * len(arrays.tone_rate) + 2
+def _fill_loads(arrays: Arrays, time: Floats, columns: Floats) -> None:
+    column = 0
     for schedules in (arrays.loads.schedules, arrays.drives.inputs):
         for number in range(len(schedules.dof)):
             part = slice(schedules.start[number], schedules.start[number + 1])
@@ -97,7 +115,7 @@ def _loads(arrays: Arrays, time: Floats, table: Floats) -> None:
             constant = len(points) == 1 or time[0] >= points[-1] or time[-1] <= points[0]
             # Held values need no look-up, and most loads are held most of the time.
             held = values[-1] if time[0] >= points[-1] else values[0]
-            table[:, column] = held if constant else np.interp(time, points, values)
+            columns[: len(time), column] = held if constant else np.interp(time, points, values)
             column += 1
 
 

@@ -8,7 +8,7 @@ from numba import carray, cfunc, types  # type: ignore[attr-defined]
 
 from gearwright.dynamics.drive_laws import apply_drives
 from gearwright.dynamics.drives import OUTPUTS
-from gearwright.dynamics.energy import WORKS
+from gearwright.dynamics.emit import CHUNK
 
 MOST_INPUTS = 4
 """Inputs of the record that reads most: no law reads beyond its own."""
@@ -19,13 +19,17 @@ _SIGNATURE = types.void(_POINTER, types.int64, types.int64, _POINTER, types.floa
 @cfunc(_SIGNATURE, error_model="numpy", cache=True)
 def laws(
     table_at: Any, length: int, states: int, inputs_at: Any, factor: float,
-    y_at: Any, torque_at: Any, slope_at: Any, output_at: Any,
+    motion_at: Any, torque_at: Any, rate_at: Any, output_at: Any,
 ) -> None:  # fmt: skip
-    """Clear the torques and fill them, the rates of states and what the drives report; pointers to numbers."""
+    """Clear the torques and fill them, the rates of states and what the drives report; pointers to numbers.
+
+    The states stand after the velocities, which are filled up to whole vectors.
+    """
     table = carray(table_at, (length,))
     size, drives = int(table[1]), int(table[0])
-    whole = 2 * size + WORKS + states
-    torque = carray(torque_at, (size,))
-    torque[:] = 0.0
+    past = -(-size // CHUNK) * CHUNK
+    motion, torque = carray(motion_at, (past + states,)), carray(torque_at, (size,))
+    rate = carray(rate_at, (states,))
     inputs, output = carray(inputs_at, (MOST_INPUTS * drives,)), carray(output_at, (states + OUTPUTS * drives,))
-    apply_drives(table, inputs, factor, carray(y_at, (whole,)), torque, carray(slope_at, (whole,)), output)
+    torque[:] = 0.0
+    apply_drives(table, inputs, factor, motion[:size], motion[past:], torque, rate, output)

@@ -10,7 +10,6 @@ import numpy as np
 from numba import njit
 
 from gearwright.dynamics.drives import HEADER, MACHINE, OUTPUTS, PROPELLER
-from gearwright.dynamics.energy import WORKS
 from gearwright.dynamics.system import Floats
 from gearwright.machines.governor import Governor, GovernorState, governor_rates
 
@@ -92,32 +91,30 @@ def _govern(table: Floats, at: int, x: int, error: float, command: float, state:
 
 @njit(cache=True, error_model="numpy")
 def apply_drives(
-    table: Floats, inputs: Floats, factor: float, state: Floats, torque: Floats, slope: Floats, output: Floats
-) -> None:
+    table: Floats, inputs: Floats, factor: float, velocity: Floats, state: Floats, torque: Floats, rate: Floats,
+    output: Floats,
+) -> None:  # fmt: skip
     """Add the drives' torques, fill the rates of their states and what they report."""
-    size = int(table[1])
-    first = 2 * size + WORKS
-    states = len(state) - first
-    for i in range(states):
-        output[i] = state[first + i]
-    place, report = 2, states
+    for i in range(len(state)):
+        output[i] = state[i]
+    place, report = 2, len(state)
     for _ in range(int(table[0])):
         kind, dof, other = int(table[place + 1]), int(table[place + 2]), int(table[place + 4])
-        x, read, at = first + int(table[place + 6]), int(table[place + 7]), place + HEADER
-        speed = table[place + 3] * factor + state[size + dof]
+        x, read, at = int(table[place + 6]), int(table[place + 7]), place + HEADER
+        speed = table[place + 3] * factor + velocity[dof]
         if kind == PROPELLER:
             diameter, turns = table[at], abs(speed) / (2.0 * np.pi)
             power, flag = _power(table, at, inputs[read + 1] / (turns * diameter), state[x])
             value = power * inputs[read] * turns * turns * diameter**5 / (2.0 * np.pi)
             value = -value if speed < 0.0 else value
-            _govern(table, at, x, inputs[read + 2] - abs(speed), inputs[read + 3], state, slope)
+            _govern(table, at, x, inputs[read + 2] - abs(speed), inputs[read + 3], state, rate)
             torque[dof] -= value
         elif kind == MACHINE:
             value, flag = _machine(table, at, inputs[read], speed)
             torque[dof] += value
         else:
-            speed -= table[place + 5] * factor + state[size + other]
-            value, flag, slope[x] = _clutch(table, at, (inputs[read], speed, state[x]))
+            speed -= table[place + 5] * factor + velocity[other]
+            value, flag, rate[x] = _clutch(table, at, (inputs[read], speed, state[x]))
             torque[dof] -= value
             torque[other] += value
         output[report], output[report + 1], output[report + 2] = value, speed, flag

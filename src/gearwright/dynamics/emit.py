@@ -1,84 +1,120 @@
 """Emitter: a few words of LLVM assembly, for numbers alone (one trajectory) or side by side (lanes).
 
-Only what the generated right-hand side needs: loads, stores, sums, products, the larger and smaller of two.
+Only what the generated right-hand side needs: loads, stores, sums, products, the larger and smaller of two. Whatever is
+asked for twice is written once.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Literal
+
+CHUNK = 8
+"""Numbers in a vector."""
+VECTOR = f"<{CHUNK} x double>"
 FLAGS = "contract nsz"
-"""Products and sums may fuse; the sign of zero does not matter. Nothing else may change."""
+"""Products and sums may fuse, and −(a − b) may become b − a. Nothing else may change."""
 
 
 class Emitter:
-    """Writes the body of one function of straight-line code."""
+    """Writes the body of one function of straight-line code; memory that it fills must be read before it is filled."""
 
     def __init__(self, lanes: int) -> None:
         self.lanes = lanes
         self.type = "double" if lanes == 1 else f"<{lanes} x double>"
         self.lines: list[str] = []
-        self.count = 0
+        self.known: dict[str, str] = {}
         self.zero = "0.0" if lanes == 1 else "zeroinitializer"
 
+    @property
+    def wide(self) -> Emitter:
+        """Emitter of whole vectors that writes into the same body."""
+        if self.lanes == CHUNK:
+            return self
+        wide = Emitter(CHUNK)
+        wide.lines, wide.known = self.lines, self.known
+        return wide
+
     def value(self, text: str) -> str:
-        """Write an instruction and return the name of its result.
+        """Write an instruction, unless it stands there already, and return the name of its result.
 
         Args:
             text: Right-hand side of the assignment.
         """
-        name = f"%v{self.count}"
-        self.count += 1
-        self.lines.append(f"  {name} = {text}")
-        return name
+        if text not in self.known:
+            self.known[text] = f"%v{len(self.lines)}"
+            self.lines.append(f"  {self.known[text]} = {text}")
+        return self.known[text]
 
-    def at(self, pointer: str, index: int, *, lanes: int | None = None) -> str:
-        """Return the address of an entry.
+    def part(self, name: str) -> None:
+        """Begin another part, which loads again what it needs: fewer values are held at a time.
+
+        Args:
+            name: Of the part.
+        """
+        self.known.clear()
+        self.lines += [f"  br label %{name}", f"{name}:"]
+
+    def at(self, pointer: str, offset: int) -> str:
+        """Return the address of a number.
 
         Args:
             pointer: Base address.
-            index: Entry.
-            lanes: Width of the array's entries; by default the emitter's.
+            offset: In numbers.
         """
-        offset = index * (self.lanes if lanes is None else lanes)
         return self.value(f"getelementptr double, ptr {pointer}, i64 {offset}")
 
-    def load(self, pointer: str, index: int) -> str:
-        """Load an entry of an array that is as wide as the lanes.
+    def load(self, pointer: str, offset: int) -> str:
+        """Load as many numbers as there are lanes.
 
         Args:
             pointer: Base address.
-            index: Entry.
+            offset: In numbers.
         """
-        return self.value(f"load {self.type}, ptr {self.at(pointer, index)}, align 8")
+        return self.value(f"load {self.type}, ptr {self.at(pointer, offset)}, align 8")
 
-    def spread(self, pointer: str, index: int) -> str:
-        """Load an entry of an array of single numbers, the same for all lanes.
+    def spread(self, pointer: str, offset: int) -> str:
+        """Load a number that is the same for all lanes.
 
         Args:
             pointer: Base address.
-            index: Entry.
+            offset: In numbers.
         """
-        number = self.value(f"load double, ptr {self.at(pointer, index, lanes=1)}, align 8")
+        number = self.value(f"load double, ptr {self.at(pointer, offset)}, align 8")
         if self.lanes == 1:
             return number
         first = self.value(f"insertelement {self.type} poison, double {number}, i64 0")
         mask = f"<{self.lanes} x i32> zeroinitializer"
         return self.value(f"shufflevector {self.type} {first}, {self.type} poison, {mask}")
 
-    def store(self, value: str, pointer: str, index: int) -> None:
-        """Store an entry of an array that is as wide as the lanes.
+    def join(self, values: Sequence[str]) -> str:
+        """Return values as one whole vector, zeros after the last.
+
+        Args:
+            values: One, if they are whole vectors already; else at most as many as a vector holds.
+        """
+        if self.lanes == CHUNK:
+            return values[0]
+        vector = "zeroinitializer"
+        for place, value in enumerate(values):
+            vector = self.value(f"insertelement <{CHUNK} x double> {vector}, double {value}, i64 {place}")
+        return vector
+
+    def store(self, value: str, pointer: str, offset: int) -> None:
+        """Store as many numbers as there are lanes.
 
         Args:
             value: What to store.
             pointer: Base address.
-            index: Entry.
+            offset: In numbers.
         """
-        self.lines.append(f"  store {self.type} {value}, ptr {self.at(pointer, index)}, align 8")
+        self.lines.append(f"  store {self.type} {value}, ptr {self.at(pointer, offset)}, align 8")
 
     def add(self, a: str, b: str) -> str:
         """Return a + b; a zero is dropped."""
         if self.zero in (a, b):
             return b if a == self.zero else a
-        return self.value(f"fadd {FLAGS} {self.type} {a}, {b}")
+        return self.value(f"fadd contract {self.type} {a}, {b}")
 
     def subtract(self, a: str, b: str) -> str:
         """Return a − b; a zero b is dropped."""
@@ -88,13 +124,20 @@ class Emitter:
         """Return a b; a zero stays one."""
         return self.zero if self.zero in (a, b) else self.value(f"fmul {FLAGS} {self.type} {a}, {b}")
 
+    def total(self, values: Sequence[str]) -> str:
+        """Return the sum of values, in pairs, then pairs of pairs: short chains, and equal sums are written once."""
+        while len(values) > 1:
+            pairs = [self.add(*values[first : first + 2]) for first in range(0, len(values) - 1, 2)]
+            values = [*pairs, *values[2 * len(pairs) :]]
+        return values[0] if values else self.zero
+
     def larger(self, a: str, b: str) -> str:
-        """Return the larger of two; the first if either is not a number."""
-        return self._chosen("ugt", a, b)
+        """Return the larger of two; the second if either is not a number."""
+        return self._chosen("ogt", a, b)
 
     def smaller(self, a: str, b: str) -> str:
-        """Return the smaller of two; the first if either is not a number."""
-        return self._chosen("ult", a, b)
+        """Return the smaller of two; the second if either is not a number."""
+        return self._chosen("olt", a, b)
 
     def _chosen(self, relation: str, a: str, b: str) -> str:
         truth = "i1" if self.lanes == 1 else f"<{self.lanes} x i1>"
@@ -103,5 +146,22 @@ class Emitter:
 
     def size(self, a: str) -> str:
         """Return |a|."""
+        return self._call("fabs", "", a)
+
+    def extreme(self, which: Literal["minnum", "maxnum"], a: str, b: str) -> str:
+        """Return the smaller or larger of two numbers in one instruction, even where the result goes back to memory."""
+        return self._call(which, "nnan", a, b)
+
+    def _call(self, name: str, flags: str, *values: str) -> str:
         suffix = "f64" if self.lanes == 1 else f"v{self.lanes}f64"
-        return self.value(f"call {self.type} @llvm.fabs.{suffix}({self.type} {a})")
+        arguments = ", ".join(f"{self.type} {value}" for value in values)
+        return self.value(f"call {flags} {self.type} @llvm.{name}.{suffix}({arguments})")
+
+
+def splat(value: float) -> str:
+    """Return a vector constant.
+
+    Args:
+        value: Of all its numbers.
+    """
+    return "<" + ", ".join([f"double {value!r}"] * CHUNK) + ">"

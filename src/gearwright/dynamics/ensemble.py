@@ -10,15 +10,18 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.dynamics.assembler import aligned
+from gearwright.dynamics.clock import waves_of
 from gearwright.dynamics.energy import WORKS
-from gearwright.dynamics.generate import state_width, table_width
-from gearwright.dynamics.native import Compiled, aligned, compiled
+from gearwright.dynamics.family import check_structure, envelope, own_groups, stacked
+from gearwright.dynamics.native import Compiled, compiled
 from gearwright.dynamics.recorder import RUNAWAY
 from gearwright.dynamics.statics import statics
 from gearwright.dynamics.stepsize import STABLE, check_duration, check_step, default_step, fastest_rate
 from gearwright.dynamics.system import Arrays, Floats, Labels, System
-from gearwright.dynamics.topology import Topology, fingerprint, parameters, topology
+from gearwright.dynamics.topology import Topology, parameter_rows, topology
 from gearwright.dynamics.trace import index_of
+from gearwright.dynamics.writer import table_width, wave_width
 from gearwright.errors import DesignError, Problem, SolveError
 
 LANES = 8
@@ -81,19 +84,25 @@ def simulate_many(
         DesignError: If structures differ (with the first that does), or step or duration cannot be.
         SolveError: If a trajectory diverges, with its number and line.
     """
-    shape = _shape(systems)
+    if not systems:
+        raise DesignError([Problem("systems", "there is none")])
+    members = [system.arrays for system in systems]
+    family = stacked(members)
+    _check_family(family)
     step = min(default_step(system.arrays) for system in systems) if step is None else step
     steps, first = check_duration(duration, step), round(settle / step)
     if not 0 <= first < steps:
         raise DesignError([Problem("settle", f"{settle:g} s; it must lie within the duration of {duration:g} s")])
     states = _states(systems, start)
     groups = [slice(low, low + LANES) for low in range(0, len(systems), LANES)]
-    numbers = np.array([parameters(system.arrays, step)[1] for system in systems])
-    own = _own(systems, numbers)
-    _check(systems, step, own)
-    code = compiled(shape, parameters(systems[0].arrays, step)[0], LANES, own)
-    results, members = [], [system.arrays for system in systems]
-    clock = _Timing(step, first, steps, "clock" not in own)
+    shape, (layout, rows) = topology(members[0]), parameter_rows(family, step)
+    own, numbers = (
+        own_groups(family, layout, layout._fields, rows),
+        np.broadcast_to(rows, (len(systems), rows.shape[1])),
+    )
+    _check_step(members, family, step, own)
+    code, results = compiled(shape, layout, LANES, own), []
+    clock = _Timing(step, first, steps, None if "clock" in own else _Clock(members[:1], shape, step))
     with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
         runs = [
             pool.submit(_run, code, shape, members[group], (numbers[group], states[group]), clock) for group in groups
@@ -104,17 +113,6 @@ def simulate_many(
                 progress(number / len(runs))
     summary, ends = (np.concatenate([result[part] for result in results]) for part in range(2))
     return _ensemble(systems[0].labels, summary, ends, (step, steps - first))
-
-
-def _shape(systems: Sequence[System]) -> Topology:
-    if not systems:
-        raise DesignError([Problem("systems", "there is none")])
-    first = fingerprint(systems[0].arrays)
-    for number, system in enumerate(systems):
-        if fingerprint(system.arrays) != first:
-            message = "its structure differs from the first one's: lines, backlash or none, tones, kinds of loads"
-            raise DesignError([Problem(f"systems.{number}", message)])
-    return topology(systems[0].arrays)
 
 
 def _states(systems: Sequence[System], start: Floats | None) -> Floats:
@@ -130,12 +128,12 @@ def _states(systems: Sequence[System], start: Floats | None) -> Floats:
 
 
 class _Timing(NamedTuple):
-    """When, and whether for all lanes alike."""
+    """When, and the clock if it is one for all lanes."""
 
     step: float
     settled: int
     steps: int
-    shared: bool
+    shared: _Clock | None
 
 
 def _run(
@@ -145,14 +143,10 @@ def _run(
     step, settled, steps, shared = clock
     own, states = (np.vstack([each, np.repeat(each[-1:], LANES - len(group), axis=0)]) for each in rows)
     lanes = [*group, *[group[-1]] * (LANES - len(group))]
-    numbers = aligned(*own.T.shape)
-    numbers[:] = own.T
+    numbers, state = aligned(*own.T.shape), aligned(*states.T.shape)
+    numbers[:], state[:] = own.T, states.T
     alike = numbers[:, 0].copy()
-    state = aligned(state_width(shape, LANES))
-    width = states.shape[1]
-    state[: width * LANES] = states.T.ravel()
-    table = aligned(2 * STEPS + 1, table_width(shape), 1 if shared else LANES)
-    fill = _Clock(lanes, step, shared=shared)
+    turn = shared or _Clock(lanes, shape, step)
     first, summary = 0, np.zeros(0)
     while first < steps:
         if first == 0 or first == settled:
@@ -160,71 +154,45 @@ def _run(
             summary[0], summary[1] = np.inf, -np.inf
         stop = settled if first < settled else steps
         count = min(STEPS, stop - first)
-        fill(first, table[: 2 * count + 1])
-        code.advance(count, alike, numbers, table, state, state, summary)
+        code.advance(count, alike, numbers, turn.table, turn(first), state, summary)
         first += count
-    ends = state[: width * LANES].reshape(width, LANES).T[: len(group)]
-    return summary.transpose(2, 0, 1)[: len(group)], ends
+    return summary.transpose(2, 0, 1)[: len(group)], state.T[: len(group)]
 
 
 class _Clock:
-    """Fills the clock table: one for all lanes if they run at one speed, each lane's own if not."""
+    """Clock table of a block: one for all lanes if they run at one speed, each lane's own if not."""
 
-    def __init__(self, lanes: Sequence[Arrays], step: float, *, shared: bool) -> None:
-        self.step, self.shared = step, shared
-        self.factor = np.array([arrays.profile.factor[0] for arrays in lanes])
-        self.rate = np.array([arrays.tone_rate for arrays in lanes]).T * self.factor
-        if shared:
-            self.rate, self.factor = self.rate[:, :1], self.factor[:1]
-        half = 0.5 * step * np.arange(2 * STEPS + 1)
-        self.turned = np.exp(1j * half[:, None, None] * self.rate)
+    def __init__(self, lanes: Sequence[Arrays], shape: Topology, step: float) -> None:
+        factor = np.array([arrays.profile.factor[0] for arrays in lanes])
+        self.rate = (np.array([arrays.tone_rate for arrays in lanes]).T * factor).ravel()
+        self.step, self.waves = step, wave_width(shape, len(lanes))
+        self.table = aligned(2 * STEPS + 1, table_width(shape, len(lanes)))
+        half = 0.5 * step * np.arange(len(self.table))
+        self.table[:, : 2 * self.waves] = waves_of(np.outer(half, self.rate), self.waves)
+        self.table[:, 2 * self.waves : 2 * self.waves + len(lanes)] = factor
 
-    def __call__(self, first: int, table: Floats) -> None:
-        tones = 2 * len(self.rate)
-        phasor = self.turned[: len(table)] * np.exp(1j * self.rate * (first * self.step))
-        table[:, 0:tones:2], table[:, 1:tones:2] = phasor.real, phasor.imag
-        table[:, tones] = self.factor
+    def __call__(self, first: int) -> Floats:
+        return waves_of(self.rate * (first * self.step), self.waves)
 
 
-def _own(systems: Sequence[System], numbers: Floats) -> frozenset[str]:
-    """Return which groups of numbers differ from system to system."""
-    clocks = set()
-    for system in systems:
-        arrays = system.arrays
-        timed = len(arrays.loads.schedules.dof) or len(arrays.drives.table)
-        if timed or np.any(arrays.profile.factor != arrays.profile.factor[0]):
-            message = "ensembles run at constant speed, without schedules and drives; use simulate"
-            raise DesignError([Problem("systems", message)])
-        clocks.add((float(arrays.profile.factor[0]), arrays.tone_rate.tobytes()))
-    layout = parameters(systems[0].arrays, 1.0)[0]
-    differs = np.any(numbers != numbers[0], axis=0)
-    ends = [*layout[1:], len(differs)]
-    groups = zip(layout._fields, layout, ends, strict=True)
-    own = {name for name, start, end in groups if np.any(differs[start:end])}
-    return frozenset(own | {"clock"} if len(clocks) > 1 else own)
+def _check_family(family: Arrays) -> None:
+    check_structure(family)
+    timed = family.loads.schedules.dof.size or family.drives.table.size
+    if timed or np.any(family.profile.factor != family.profile.factor[:, :1]):
+        message = "ensembles run at constant speed, without schedules and drives; use simulate"
+        raise DesignError([Problem("systems", message)])
 
 
-def _check(systems: Sequence[System], step: float, own: frozenset[str]) -> None:
+def _check_step(members: Sequence[Arrays], family: Arrays, step: float, own: frozenset[str]) -> None:
     """Refuse a step that is too large for any; one envelope over all spares most an eigenvalue problem for each."""
-    if not own & _SHAPING and 0.0 < step * fastest_rate(_envelope([system.arrays for system in systems])) <= STABLE:
+    if not own & _SHAPING and 0.0 < step * fastest_rate(envelope(members[0], family)) <= STABLE:
         return
-    for system in systems:
-        check_step(system.arrays, step)
+    for arrays in members:
+        check_step(arrays, step)
 
 
 _SHAPING = frozenset({"weight", "mobility", "speed", "loss", "quadratic", "gyroscopic", "clock"})
 """Numbers for which no envelope is taken; the fastest rate rises with all others that it depends on."""
-
-
-def _envelope(group: Sequence[Arrays]) -> Arrays:
-    """Return arrays with the largest stiffness, swing and damping of each line."""
-    first = group[0]
-    swing = np.max([np.hypot(arrays.variation.cosine, arrays.variation.sine) for arrays in group], axis=0)
-    return first._replace(
-        stiffness=np.max([arrays.stiffness for arrays in group], axis=0),
-        damping=np.max([arrays.damping for arrays in group], axis=0),
-        variation=first.variation._replace(cosine=swing, sine=np.zeros_like(swing)),
-    )
 
 
 def _ensemble(labels: Labels, summary: Floats, ends: Floats, clock: tuple[float, int]) -> Ensemble:

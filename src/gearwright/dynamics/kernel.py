@@ -12,6 +12,7 @@ import numpy as np
 from numba import njit
 
 from gearwright.dynamics.drive_laws import apply_drives
+from gearwright.dynamics.energy import WORKS
 from gearwright.dynamics.system import Arrays, Floats, Profile, Schedules, Series
 
 
@@ -167,8 +168,9 @@ def derivative(arrays: Arrays, now: Instant, state: Floats, slope: Floats, outpu
     driven, braked = 0.0, 0.0
     slope[size : 2 * size] = 0.0
     if len(arrays.drives.table):
-        seen = output[2 * len(arrays.stiffness) :]
-        apply_drives(arrays.drives.table, now.input, now.factor[0], state, slope[size : 2 * size], slope, seen)
+        seen, own = output[2 * len(arrays.stiffness) :], 2 * size + WORKS
+        speeds, torque = state[size : 2 * size], slope[size : 2 * size]
+        apply_drives(arrays.drives.table, now.input, now.factor[0], speeds, state[own:], torque, slope[own:], seen)
     for i in range(size):
         velocity = state[size + i]
         rigid = arrays.speed[i] * now.factor[0]

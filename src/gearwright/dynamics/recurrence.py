@@ -11,8 +11,8 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
 
-from gearwright.dynamics.generate import CHUNK
-from gearwright.dynamics.native import aligned, machine_code
+from gearwright.dynamics.assembler import address, aligned, machine_code
+from gearwright.dynamics.emit import CHUNK
 from gearwright.dynamics.system import Floats
 
 Run = Callable[[Floats, Floats], None]
@@ -63,8 +63,7 @@ def recurrence(step: Floats, output: Floats, size: Size) -> Run:
 
     def run(start: Floats, record: Floats) -> None:
         buffers[0, :, : size.states] = start
-        addresses = (array.ctypes.data for array in (columns, buffers[0], buffers[1], record))
-        code[0](len(record) // SIDE, *addresses)
+        code[0](len(record) // SIDE, *map(address, (columns, buffers[0], buffers[1], record)))
 
     return run
 

@@ -16,10 +16,10 @@ from numba import njit
 from gearwright.dynamics import kernel
 from gearwright.dynamics.energy import WORKS
 from gearwright.dynamics.flatten import profile_of
-from gearwright.dynamics.generate import drive_width
 from gearwright.dynamics.modes import split_rigid
 from gearwright.dynamics.system import Arrays, Floats, System
 from gearwright.dynamics.topology import topology
+from gearwright.dynamics.writer import drive_width
 
 STEP = 1e-3
 """Step of the rigid pass [s]: actuators of propellers are slower by far."""

@@ -12,15 +12,16 @@ from collections.abc import Callable
 import numpy as np
 
 from gearwright.dynamics import exact
+from gearwright.dynamics.assembler import aligned
 from gearwright.dynamics.clock import clock
-from gearwright.dynamics.generate import record_width, table_width
 from gearwright.dynamics.linear import linear
-from gearwright.dynamics.native import aligned, compiled
+from gearwright.dynamics.native import compiled
 from gearwright.dynamics.recorder import BLOCK
 from gearwright.dynamics.recurrence import SIDE, Size, recurrence
 from gearwright.dynamics.summary import summariser
 from gearwright.dynamics.system import Arrays, Floats
 from gearwright.dynamics.topology import parameters, topology
+from gearwright.dynamics.writer import record_width, table_width
 from gearwright.errors import SolveError
 
 Stepper = Callable[[int, Floats, Floats], Floats]
@@ -44,7 +45,7 @@ def blank_summary(width: int) -> Floats:
     Args:
         width: Numbers in a row.
     """
-    summary = aligned(4, width)
+    summary = np.zeros((4, width))
     summary[0], summary[1] = np.inf, -np.inf
     return summary
 
@@ -74,17 +75,13 @@ def stepper(arrays: Arrays, method: str, h: float, *, tolerance: float = 0.0) ->
 def _generated(arrays: Arrays, h: float) -> Stepper:
     shape = topology(arrays)
     layout, numbers = parameters(arrays, h)
-    code = compiled(shape, layout)
-    table = np.empty((2 * BLOCK + 1, table_width(shape)))
-    fill = clock(arrays, h, len(table))
-
-    width = record_width(shape)
+    code, width = compiled(shape, layout), record_width(shape)
+    now = clock(arrays, h, BLOCK)
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
-        fill(first, table[: 2 * len(record) + 1])
-        summary = blank_summary(width)
-        code.advance(len(record), numbers, numbers, table, state, record, summary)
-        return summary
+        table, turn = now(first, len(record))
+        code.advance(len(record), numbers, numbers, table, turn, state, record)
+        return _summary(record, width)
 
     return advance
 

@@ -6,8 +6,8 @@ import ctypes
 from collections.abc import Callable
 from functools import lru_cache
 
-from gearwright.dynamics.generate import CHUNK
-from gearwright.dynamics.native import machine_code
+from gearwright.dynamics.assembler import address, machine_code
+from gearwright.dynamics.emit import CHUNK
 from gearwright.dynamics.system import Floats
 
 STRIP = 4
@@ -27,7 +27,7 @@ def summariser(width: int) -> Callable[[Floats, Floats], None]:
     )
 
     def summarise(record: Floats, summary: Floats, *, _code: object = engine) -> None:
-        function(len(record), record.ctypes.data, summary.ctypes.data)
+        function(len(record), address(record), address(summary))
 
     return summarise
 
@@ -60,9 +60,9 @@ def _strip(number: int, chunks: range, width: int) -> str:
             f"%at{c} = add i64 %offset{number}, {CHUNK * c}",
             f"%p{c} = getelementptr double, ptr %record, i64 %at{c}",
             f"%x{c} = load {vector}, ptr %p{c}, align 8",
-            f"%lm{c} = fcmp ult {vector} %x{c}, %lo{c}",
+            f"%lm{c} = fcmp olt {vector} %x{c}, %lo{c}",
             f"%lon{c} = select <8 x i1> %lm{c}, {vector} %x{c}, {vector} %lo{c}",
-            f"%hm{c} = fcmp ugt {vector} %x{c}, %hi{c}",
+            f"%hm{c} = fcmp ogt {vector} %x{c}, %hi{c}",
             f"%hin{c} = select <8 x i1> %hm{c}, {vector} %x{c}, {vector} %hi{c}",
             f"%sun{c} = fadd {vector} %su{c}, %x{c}",
             f"%sqm{c} = fmul contract {vector} %x{c}, %x{c}",

@@ -6,11 +6,14 @@ numbers are parameters, so that all systems of one structure share one compiled 
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
-from gearwright.dynamics.system import Arrays, Drives, Entries, Floats, Series
+from gearwright.dynamics.assembler import aligned
+from gearwright.dynamics.emit import CHUNK
+from gearwright.dynamics.family import stacked, weight_numbers
+from gearwright.dynamics.system import Arrays, Drives, Entries, Floats, Ints, Series
 
 
 class LineShape(NamedTuple):
@@ -18,6 +21,8 @@ class LineShape(NamedTuple):
 
     dofs: tuple[int, ...]
     """Coordinates."""
+    weights: tuple[int, ...]
+    """Number of each weight; equal weights share one, so that sums with them are worked out once."""
     signs: tuple[int, ...]
     """1 or −1 for weights of exactly that, 0 for any other."""
     variation: tuple[int, ...]
@@ -80,10 +85,11 @@ def topology(arrays: Arrays) -> Topology:
     acting[list(scheduled)] = True
     acting[list(_drives(arrays.drives).dofs)] = True
     steady = bool(np.all(arrays.profile.factor == arrays.profile.factor[0]))
+    number = weight_numbers(arrays.line_weight)[0]
     return Topology(
         size=len(arrays.mass),
         tones=len(arrays.tone_rate),
-        lines=tuple(_line(arrays, j) for j in range(len(arrays.stiffness))),
+        lines=tuple(_line(arrays, j, number) for j in range(len(arrays.stiffness))),
         loaded=tuple((int(i), bool(loads.damping[i]), bool(loads.quadratic[i])) for i in np.flatnonzero(acting)),
         scheduled=scheduled,
         turning=() if steady else tuple(int(i) for i in np.flatnonzero(arrays.speed)),
@@ -102,29 +108,12 @@ def _drives(drives: Drives) -> DriveShape:
     return DriveShape(tuple(sorted(dofs)), len(drives.start), len(drives.inputs.dof), records, len(table))
 
 
-def fingerprint(arrays: Arrays) -> tuple[bytes, ...]:
-    """Return what decides the structure, quick to take and to compare: equal for systems of one structure.
-
-    Args:
-        arrays: The system's numbers.
-    """
-    loads = arrays.loads
-    signs = np.where(np.abs(arrays.line_weight) == 1.0, arrays.line_weight, 0.0)
-    steady = bool(np.all(arrays.profile.factor == arrays.profile.factor[0]))
-    parts = [arrays.line_start, arrays.line_dof, signs, arrays.backlash > 0.0, arrays.damping > 0.0]
-    parts += [] if steady else [arrays.speed != 0.0]
-    parts += [loads.constant != 0.0, loads.damping != 0.0, loads.quadratic != 0.0, loads.schedules.dof]
-    parts += [arrays.variation.start, arrays.variation.tone, arrays.error.start, arrays.error.tone]
-    parts += [arrays.gyroscopic.row, arrays.gyroscopic.column, arrays.centripetal.row, arrays.centripetal.column]
-    rest = repr((len(arrays.tone_rate), steady, _drives(arrays.drives)))
-    return (*(part.tobytes() for part in parts), rest.encode())
-
-
-def _line(arrays: Arrays, j: int) -> LineShape:
+def _line(arrays: Arrays, j: int, number: Ints) -> LineShape:
     part = slice(arrays.line_start[j], arrays.line_start[j + 1])
     weights = arrays.line_weight[part]
     return LineShape(
         dofs=tuple(int(dof) for dof in arrays.line_dof[part]),
+        weights=tuple(int(each) for each in number[part]),
         signs=tuple(int(weight) if abs(weight) == 1.0 else 0 for weight in weights),
         variation=_tones(arrays.variation, j),
         error=_tones(arrays.error, j),
@@ -147,7 +136,7 @@ class Layout(NamedTuple):
     step: int
     """h."""
     weight: int
-    """Line weights."""
+    """Distinct weights."""
     stiffness: int
     """Mean stiffness."""
     damping: int
@@ -155,21 +144,15 @@ class Layout(NamedTuple):
     backlash: int
     """B."""
     variation_cos: int
-    """Stiffness coefficients k a."""
+    """Stiffness coefficients k a, of eight lines for each tone that one of them has."""
     variation_sin: int
     """Stiffness coefficients k b."""
-    variation_cos_rate: int
-    """Coefficients of ½ dk/dτ on the cosine, ½ k b ω."""
-    variation_sin_rate: int
-    """On the sine, −½ k a ω."""
     error_cos: int
     """Error coefficients a."""
     error_sin: int
-    """b."""
-    error_cos_rate: int
-    """b ω."""
-    error_sin_rate: int
-    """−a ω."""
+    """Error coefficients b."""
+    rate: int
+    """ω of each tone."""
     mobility: int
     """1/M."""
     inertia: int
@@ -197,19 +180,67 @@ def parameters(arrays: Arrays, h: float) -> tuple[Layout, Floats]:
         arrays: The system's numbers.
         h: Step [s].
     """
-    variation = _coefficients(arrays, arrays.variation, (arrays.stiffness, 0.5))
-    error = _coefficients(arrays, arrays.error, (np.ones_like(arrays.stiffness), 1.0))
-    lines = [arrays.line_weight, arrays.stiffness, arrays.damping, arrays.backlash]
-    bodies = [1.0 / arrays.mass, arrays.mass * arrays.speed, arrays.speed]
-    loads = [arrays.loads.constant, arrays.loads.damping, arrays.loads.quadratic]
-    frames = [arrays.gyroscopic.value, arrays.centripetal.value]
-    groups = [np.array([h]), *lines, *variation, *error, *bodies, *loads, *frames, arrays.drives.table]
-    starts = np.cumsum([0, *(len(group) for group in groups)])[:-1]
-    return Layout(*(int(start) for start in starts)), np.concatenate(groups)
+    layout, rows = parameter_rows(stacked([arrays]), h)
+    return layout, rows[0]
 
 
-def _coefficients(arrays: Arrays, series: Series, scales: tuple[Floats, float]) -> list[Floats]:
-    scale, share = scales
-    factor = np.repeat(scale, np.diff(series.start))
-    cos, sin, rate = series.cosine * factor, series.sine * factor, share * arrays.tone_rate[series.tone]
-    return [cos, sin, sin * rate, -cos * rate]
+def parameter_rows(family: Arrays, h: float) -> tuple[Layout, Floats]:
+    """Return where each number stands, and a row of numbers for each system, each group filled up to whole vectors.
+
+    Args:
+        family: Systems of one structure, `stacked`.
+        h: Step [s].
+    """
+    variation = _coefficients(family, family.variation, family.stiffness)
+    error = _coefficients(family, family.error, np.ones_like(family.stiffness))
+    weights = np.array([weight_numbers(row)[1] for row in family.line_weight])
+    lines = [weights, family.stiffness, family.damping, family.backlash]
+    bodies = [1.0 / family.mass, family.mass * family.speed, family.speed]
+    loads = [family.loads.constant, family.loads.damping, family.loads.quadratic]
+    frames = [family.gyroscopic.value, family.centripetal.value]
+    groups = [
+        np.array([[h]]),
+        *lines,
+        *variation,
+        *error,
+        family.tone_rate,
+        *bodies,
+        *loads,
+        *frames,
+        family.drives.table,
+    ]
+    starts = [int(start) for start in np.cumsum([0, *(filled(group.shape[1]) for group in groups)])]
+    rows = aligned(max(len(group) for group in groups), starts[-1])
+    for start, group in zip(starts, groups, strict=False):
+        rows[:, start : start + group.shape[1]] = group
+    return Layout(*starts[:-1]), rows
+
+
+def filled(count: int) -> int:
+    """Return a count of numbers filled up to whole vectors.
+
+    Args:
+        count: Numbers.
+    """
+    return -(-count // CHUNK) * CHUNK
+
+
+def slots(shape: Topology, group: Literal["variation", "error"]) -> dict[tuple[int, int], int]:
+    """Return where the coefficients of a tone stand for each eight lines of which one has it, by (eight, tone).
+
+    Args:
+        shape: Structure.
+        group: Which series.
+    """
+    pairs = {(j // CHUNK, tone) for j, line in enumerate(shape.lines) for tone in getattr(line, group)}
+    return {pair: CHUNK * place for place, pair in enumerate(sorted(pairs))}
+
+
+def _coefficients(family: Arrays, series: Series, scale: Floats) -> list[Floats]:
+    tone, line = series.tone[0], np.repeat(np.arange(scale.shape[1]), np.diff(series.start[0]))
+    pairs, slot = np.unique(line // CHUNK * family.tone_rate.shape[1] + tone, return_inverse=True)
+    sums = []
+    for values in (series.cosine * scale[:, line], series.sine * scale[:, line]):
+        sums.append(np.zeros((len(values), CHUNK * len(pairs))))
+        np.add.at(sums[-1].T, slot * CHUNK + line % CHUNK, values.T)
+    return sums

@@ -122,16 +122,17 @@ def _set_clock(arrays: Arrays, right: Right, time: float) -> None:
         return
     profile: Profile = arrays.profile
     factor, slope, travel = kernel.speed_factor(profile, time)
-    tones, schedules = len(arrays.tone_rate), arrays.loads.schedules
-    for i in range(tones):
+    schedules = arrays.loads.schedules
+    waves = (len(right.row) - 2 - len(schedules.dof) - len(arrays.drives.inputs.dof)) // 2
+    for i in range(len(arrays.tone_rate)):
         angle = arrays.tone_rate[i] * travel
-        right.row[2 * i], right.row[2 * i + 1] = np.cos(angle), np.sin(angle)
-    right.row[2 * tones], right.row[2 * tones + 1] = factor, slope
+        right.row[i], right.row[waves + i] = np.cos(angle), np.sin(angle)
+    right.row[2 * waves], right.row[2 * waves + 1] = factor, slope
     for i in range(len(schedules.dof)):
         part = slice(schedules.start[i], schedules.start[i + 1])
-        right.row[2 * tones + 2 + i] = np.interp(time, schedules.time[part], schedules.value[part])
+        right.row[2 * waves + 2 + i] = np.interp(time, schedules.time[part], schedules.value[part])
     if len(arrays.drives.table):
-        kernel.fill_inputs(arrays.drives.inputs, time, right.row[2 * tones + 2 + len(schedules.dof) :])
+        kernel.fill_inputs(arrays.drives.inputs, time, right.row[2 * waves + 2 + len(schedules.dof) :])
 
 
 @njit(cache=True, error_model="numpy")

@@ -5,8 +5,8 @@ import numpy as np
 from gearwright.dynamics import DampingRatio, Line, Model, Periodic, System
 
 
-def random_system(seed: int, bodies: int = 6, lines: int = 9) -> System:
-    """Return a system whose lines join any coordinates, with every feature of the record."""
+def random_system(seed: int, bodies: int = 6, lines: int = 9, *, coarse: bool = False) -> System:
+    """Return a system whose lines join any coordinates, with every feature of the record; coarse weights recur."""
     rng = np.random.default_rng(seed)
     model = Model(profile=((0.0, 1.0), (0.4, 1.3), (0.7, 0.8)))
     names = [model.rotation(f"r{i}", inertia=rng.uniform(0.1, 2.0), speed=0.0) for i in range(bodies - 2)]
@@ -18,7 +18,8 @@ def random_system(seed: int, bodies: int = 6, lines: int = 9) -> System:
     names += [x, y]
     for number in range(lines):
         chosen = rng.choice(names, size=rng.integers(1, 5), replace=False)
-        model.add(random_line(f"line {number}", {str(name): rng.uniform(-1, 1) for name in chosen}, spinning, rng))
+        weights = {str(name): rng.choice([-1.0, -0.5, 0.5, 1.0]) if coarse else rng.uniform(-1, 1) for name in chosen}
+        model.add(random_line(f"line {number}", weights, spinning, rng))
     for name in (*names, spinning):
         model.load(name, constant=rng.normal(), damping=rng.uniform(), quadratic=rng.uniform(0.0, 0.1))
     model.load(names[0], schedule=((0.1, 0.0), (0.5, 2.0), (0.9, -1.0)))
