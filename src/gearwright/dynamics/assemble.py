@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from gearwright.catalogue.materials import materials
 from gearwright.dynamics.drives import ClutchDrive, Curve, MachineDrive, PropellerDrive, points_of
-from gearwright.dynamics.geometry import add_errors, add_supports, body_of, contacts_of
+from gearwright.dynamics.geometry import add_errors, add_supports, base_radii, body_of, contacts_of
 from gearwright.dynamics.line import DampingRatio, Periodic
 from gearwright.dynamics.meshes import gear_pairs, mesh_curve
 from gearwright.dynamics.model import Model
@@ -269,9 +269,9 @@ def _mesh_lines(assembly: _Assembly, mesh: Mesh) -> None:
     if isinstance(stage, Planetary):
         phases = _phases(mesh, stage, pairs)
         for k in range(mesh.count):
-            _add_line(assembly, mesh, pair, _Tooth(f"{mesh.name}-{k + 1}", k + 1, curve, 1, phases[k]))
+            _add_line(assembly, mesh, _Tooth(f"{mesh.name}-{k + 1}", k + 1, curve, 1, phases[k]))
     else:
-        _add_line(assembly, mesh, pair, _Tooth(mesh.name, 0, curve, mesh.count, _parallel_phase(assembly, mesh)))
+        _add_line(assembly, mesh, _Tooth(mesh.name, 0, curve, mesh.count, _parallel_phase(assembly, mesh)))
 
 
 @dataclass(frozen=True)
@@ -310,11 +310,12 @@ def _seen(assembly: _Assembly, mesh: Mesh, end: int) -> complex:
     return axes[mesh.nodes[1 - end]] - axes[mesh.nodes[end]]
 
 
-def _add_line(assembly: _Assembly, mesh: Mesh, pair: GearPair, tooth: _Tooth) -> None:
+def _add_line(assembly: _Assembly, mesh: Mesh, tooth: _Tooth) -> None:
     """Add δ = r_a (θ_a − θ_c) − s r_b (θ_b − θ_c), signed so that its force is positive in the case."""
     flow, sizing = assembly.flow, assembly.sizing
     sign = -1.0 if flow.meshes[mesh.name].torques[0] > 0.0 else 1.0
-    one, other = sign * pair.driver.base_radius, -sign * mesh.sign * pair.driven.base_radius
+    first, second, _ = base_radii(sizing, mesh)
+    one, other = sign * first, -sign * mesh.sign * second
     names = _line_bodies(assembly, mesh, tooth.planet)
     weights = {
         name: value

@@ -70,8 +70,15 @@ def _sense(flow: PowerFlow, mesh: Mesh) -> float:
     return -1.0 if flow.meshes[mesh.name].torques[0] > 0.0 else 1.0
 
 
-def _base_radii(sizing: Sizing, mesh: Mesh) -> tuple[float, float, float]:
-    """Return both base radii [m] and the transverse pressure angle [rad]."""
+def base_radii(sizing: Sizing, mesh: Mesh) -> tuple[float, float, float]:
+    """Return both base radii [m] and the transverse pressure angle [rad]; of bevel gears at the mean cone.
+
+    Args:
+        sizing: What was sized.
+        mesh: A row of its train.
+
+    Source: ISO 21771:2007, r_b = d/2 cos α_t with tan α_t = tan α_n / cos β.
+    """
     normal, gear = sizing.design.rules(mesh.stage).pressure_angle, _gear(sizing, mesh.gears[0])
     angle = math.atan(math.tan(normal) / math.cos(gear.helix_angle))
     one, other = (_gear(sizing, name).pitch_diameter / 2.0 * math.cos(angle) for name in mesh.gears)
@@ -90,7 +97,7 @@ def _first_body(sizing: Sizing, shaft: str) -> str:
 
 
 def _pair(sizing: Sizing, flow: PowerFlow, mesh: Mesh) -> Contact:
-    one, other, angle = _base_radii(sizing, mesh)
+    one, other, angle = base_radii(sizing, mesh)
     sense = _sense(flow, mesh)
     axes = {shaft.name: complex(*shaft.axis) for shaft in sizing.shafts}
     towards = axes[mesh.nodes[1]] - axes[mesh.nodes[0]]
@@ -121,7 +128,7 @@ def _carried(sizing: Sizing, mesh: Mesh, end: int, *, lever: float, axis: str) -
 
 
 def _planets(sizing: Sizing, flow: PowerFlow, mesh: Mesh, stage: Planetary) -> Iterator[Contact]:
-    one, other, angle = _base_radii(sizing, mesh)
+    one, other, angle = base_radii(sizing, mesh)
     sense, at_sun = _sense(flow, mesh), mesh.name.endswith("sun-planet")
     frame = {f"{mesh.stage}.carrier": -1} if stage.carrier != GROUND else {}
     for k, position in enumerate(even_positions(stage.planets), start=1):

@@ -22,7 +22,7 @@ from gearwright.spec.dynamics import MeshCurve
 
 
 def gear_pairs(sizing: Sizing) -> dict[str, GearPair]:
-    """Return the geometry of every mesh row, one mesh of it, gear a first.
+    """Return the geometry of every mesh row, one mesh of it, gear a first; of bevel gears the virtual pair.
 
     Args:
         sizing: What was sized.
@@ -32,8 +32,28 @@ def gear_pairs(sizing: Sizing) -> dict[str, GearPair]:
     for mesh in sizing.train.meshes:
         angle = sizing.design.rules(mesh.stage).pressure_angle
         one, other = (_cylindrical(gears[gear], angle) for gear in mesh.gears)
+        if is_bevel(sizing, mesh.stage):
+            one, other = _virtual(one, other)
         pairs[mesh.name] = GearPair(one, replace(other, teeth=-other.teeth) if mesh.sign > 0 else other)
     return pairs
+
+
+def is_bevel(sizing: Sizing, stage: str) -> bool:
+    """Tell whether a stage is a bevel pair.
+
+    Args:
+        sizing: What was sized.
+        stage: Of its design.
+    """
+    pair = sizing.design.stages[stage]
+    return isinstance(pair, Pair) and pair.kind == "bevel"
+
+
+def _virtual(one: CylindricalGear, other: CylindricalGear) -> tuple[CylindricalGear, CylindricalGear]:
+    """Return Tredgold's cylindrical gears at the mean cone, z/cos δ to whole teeth: for the stiffness of a tooth."""
+    slant = math.hypot(one.teeth, other.teeth)
+    first, second = round(one.teeth * slant / other.teeth), round(other.teeth * slant / one.teeth)
+    return replace(one, teeth=first), replace(other, teeth=second)
 
 
 def _cylindrical(gear: GearSizing, pressure_angle: float) -> CylindricalGear:
