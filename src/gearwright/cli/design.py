@@ -65,15 +65,23 @@ def check(design: DesignArgument) -> None:
     typer.echo(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")
 
 
-def size(design: DesignArgument, json: JsonOption = False) -> None:
+def size(
+    design: DesignArgument,
+    json: JsonOption = False,
+    factors: Annotated[
+        bool, typer.Option("--factors", help="Print every factor of the gears that ISO 6336 or ISO 10300 rates")
+    ] = False,
+) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
-    from gearwright.render.text import print_sizing, sizing_json
+    from gearwright.render.text import print_factors, print_sizing, sizing_json
 
     sizing = sized(design)
     if json:
         typer.echo(sizing_json(sizing))
     else:
         print_sizing(sizing)
+        if factors:
+            print_factors(sizing)
 
 
 def modes(design: DesignArgument, case: CaseOption = None, json: JsonOption = False) -> None:

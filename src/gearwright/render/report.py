@@ -14,6 +14,7 @@ from gearwright.render import theme
 from gearwright.render.dynamic_load import dynamic_table
 from gearwright.render.dynamics_sections import dynamics_sections
 from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
+from gearwright.render.factor_tables import factor_tables
 from gearwright.render.figures_motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
 from gearwright.render.figures_sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
 from gearwright.render.inputs import entries
@@ -108,6 +109,7 @@ def _parts(sizing: Sizing) -> tuple[Section, ...]:
         Section(
             "Meshes: forces, stresses and margins", tables=_filled(found["meshes"], found["rating"]), figures=(margins,)
         ),
+        *([Section("Rating of the gears", tables=factor_tables(sizing))] if factor_tables(sizing) else []),
         _shafts(sizing),
         Section("Mass and envelope", tables=(found["mass"], found["envelope"]), figures=(mass,)),
     )

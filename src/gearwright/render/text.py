@@ -12,6 +12,7 @@ from rich.text import Text
 from gearwright.dynamics import Modes, Trace
 from gearwright.render.dynamic_load import dynamic_table
 from gearwright.render.dynamics_views import energy_table, mode_table, motion_tables
+from gearwright.render.factor_tables import factor_tables, rated
 from gearwright.render.paths import path_table
 from gearwright.render.tables import MARKS, Cell, Column, Table, as_json
 from gearwright.render.views import flow_tables, tables_of
@@ -57,6 +58,16 @@ def print_sizing(sizing: Sizing) -> None:
     Console().print(sizing_text(sizing))
 
 
+def print_factors(sizing: Sizing) -> None:
+    """Print every factor of every mesh that ISO 6336 or ISO 10300 rates.
+
+    Args:
+        sizing: As sized.
+    """
+    for each in factor_tables(sizing):
+        Console().print(table_text(each))
+
+
 def sizing_json(sizing: Sizing) -> str:
     """Return every table of a sizing as JSON, with units, equations and sources.
 
@@ -65,13 +76,16 @@ def sizing_json(sizing: Sizing) -> str:
     """
     tables = {name: as_json(each) for name, each in tables_of(sizing).items()}
     flows = {case: as_json(each) for case, each in zip(sizing.flows, flow_tables(sizing), strict=True)}
+    factors = {mesh.name: as_json(each) for mesh, each in zip(rated(sizing), factor_tables(sizing), strict=True)}
     head = {
         "design": sizing.design.name,
         "mass_kg": sizing.mass,
         "power_density_w_kg": sizing.power_density,
         "worst_margin": sizing.worst_margin,
     }
-    return json.dumps({**head, "cases": flows, **tables}, indent=2, ensure_ascii=False, allow_nan=False)
+    return json.dumps(
+        {**head, "cases": flows, **tables, "factors": factors}, indent=2, ensure_ascii=False, allow_nan=False
+    )
 
 
 def summary(sizing: Sizing) -> str:
