@@ -14,6 +14,7 @@ from gearwright.sizing.gear_rating import MeshRating, rate_row, stresses_of
 from gearwright.sizing.rating import Rating, form_factor
 from gearwright.sizing.result import GearSizing, MeshSizing
 from gearwright.sizing.stage_sizes import StageSize
+from gearwright.sizing.standard_teeth import bevel_push
 from gearwright.train.graph import INTERNAL, Gear, Mesh
 
 
@@ -75,6 +76,11 @@ def _mesh(given: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing]) -> Me
     force = 2.0 * per_tooth * one.teeth / one.pitch_diameter
     flow = given.flows[case]
     rolling = abs(flow.speeds[mesh.nodes[0]] - flow.speeds[mesh.nodes[2]])
+    if rating.kind == "bevel":
+        axial, radial = (float(each) for each in bevel_push(rating, force, one.teeth / pair[1].teeth))
+    else:
+        axial = force * math.tan(rating.helix_angle)
+        radial = force * math.tan(rating.rules.pressure_angle) / math.cos(rating.helix_angle)
     rated = rate_row(given, mesh, one.module, width) if rating.by_standard else None
     strength = _first_strength(rating, mesh, pair, force) if rated is None else _rated_strength(rating, rated)
     return MeshSizing(
@@ -84,8 +90,8 @@ def _mesh(given: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing]) -> Me
         case=case,
         load_factor=rating.load_factor,
         tangential_force=force,
-        radial_force=force * math.tan(rating.rules.pressure_angle) / math.cos(rating.helix_angle),
-        axial_force=force * math.tan(rating.helix_angle),
+        radial_force=radial,
+        axial_force=axial,
         pitch_line_velocity=rolling * one.pitch_diameter / 2.0,
         module_bending=module_bending,
         module_contact=module_contact,

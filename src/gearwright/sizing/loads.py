@@ -22,6 +22,7 @@ from gearwright.parts.beam import PointLoads
 from gearwright.sizing.context import Context
 from gearwright.sizing.layout import ShaftPlan
 from gearwright.sizing.result import GearSizing
+from gearwright.sizing.standard_teeth import bevel_push
 from gearwright.train.flow import RATED
 from gearwright.train.graph import INTERNAL, Mesh
 
@@ -156,28 +157,12 @@ def _bevel_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, comple
     tangential = torque / radius * rating.load_factor
     rated = given.flows[RATED].meshes[mesh.name].torques[side]
     pushed = np.sign(torque * rated) * (1.0 if side == 0 else -1.0)
-    cone, spiral = cone_angle(given.teeth, mesh, side), rating.helix_angle
-    scale, tangent = np.abs(tangential) / math.cos(spiral), math.tan(rating.rules.pressure_angle)
-    away = scale * (tangent * math.sin(cone) + pushed * math.sin(spiral) * math.cos(cone))
-    radial = scale * (tangent * math.cos(cone) - pushed * math.sin(spiral) * math.sin(cone))
+    own, other = (given.teeth[mesh.gears[each]] for each in (side, 1 - side))
+    away, radial = bevel_push(rating, np.abs(tangential), own / other, pushed=pushed)
     apex = pair.pinion_apex if side == 0 else pair.wheel_apex
     axial = away if apex == "first" else -away
     toward = _toward_mesh(mesh, side, axes)
     return _Load(0.0, torque, toward * (1j * tangential - radial), -toward * radius * axial, axial)
-
-
-def cone_angle(teeth: Mapping[str, int], mesh: Mesh, side: int) -> float:
-    """Return the pitch angle δ of a gear of a bevel pair on square axes [rad].
-
-    Args:
-        teeth: Tooth number of every gear [-].
-        mesh: Row of the pair.
-        side: 0 for the pinion, 1 for the wheel.
-
-    Source: ISO 23509:2016, tan δ_1 = z_1/z_2.
-    """
-    own, other = teeth[mesh.gears[side]], teeth[mesh.gears[1 - side]]
-    return math.atan2(own, other)
 
 
 def _toward_mesh(mesh: Mesh, side: int, axes: Mapping[str, complex]) -> complex:
@@ -194,6 +179,24 @@ def _hand(given: Context, shaft: str) -> float:
 
     All helices on a shaft have one hand, so that the axial forces of a driven and a driving gear on it oppose each
     other. Mating gears turn opposite ways and have opposite hands, or the same with an internal gear; the sense of
-    rotation therefore gives a choice of hands that always fits.
+    rotation therefore gives a choice of hands that always fits, and so does its mirror image.
     """
-    return -1.0 if given.flows[RATED].speeds[shaft] < 0.0 else 1.0
+    turning = -1.0 if given.flows[RATED].speeds[shaft] < 0.0 else 1.0
+    return -turning if _mirrored(given) else turning
+
+
+def _mirrored(given: Context) -> bool:
+    """Tell whether all helices change hands, so that one on the shaft of a bevel pinion opposes the bevel's force."""
+    rated = given.flows[RATED]
+    for name, pair in given.design.pairs.items():
+        if pair.kind != "bevel" or not isinstance(pair.pinion, str):
+            continue
+        away_from_first = pair.pinion_apex == "first"
+        for mesh in given.train.meshes:
+            other = given.design.pairs.get(mesh.stage)
+            if other is None or mesh.stage == name or other.kind != "cylindrical" or pair.pinion not in mesh.nodes[:2]:
+                continue
+            # Unmirrored, a driven gear pushes its shaft towards the first end, a driving one towards the second.
+            torque = rated.meshes[mesh.name].torques[mesh.nodes.index(pair.pinion)]
+            return (torque * rated.speeds[pair.pinion] < 0.0) == away_from_first
+    return False

@@ -69,9 +69,9 @@ class MeshSizing:
     tangential_force: Annotated[float, Quantity("force"), Origin("F_t = 2 T K_γ / (N d)", f"{_THESIS}, eq. 2.9")]
     """Tangential force of one mesh [N]."""
     radial_force: Annotated[float, Quantity("force"), Origin("F_r = F_t tan α_n / cos β", "ISO 21771:2007")]
-    """Radial force of one mesh [N]."""
+    """Radial force of one mesh [N]; of a bevel mesh on its pinion."""
     axial_force: Annotated[float, Quantity("force"), Origin("F_a = F_t tan β", "ISO 21771:2007")]
-    """Axial force of one mesh [N]; balanced inside a double-helical gear."""
+    """Axial force of one mesh [N]; balanced inside a double-helical gear; of a bevel mesh on its pinion."""
     pitch_line_velocity: Annotated[float, Quantity("velocity"), Origin("v = (ω − ω_c) d/2", "kinematics")]
     """Pitch-line velocity relative to the carrier [m/s]."""
     module_bending: Annotated[

@@ -83,6 +83,25 @@ def bevel_pair(teeth: tuple[int, int], module: float, face_width: float, rating:
     )
 
 
+def bevel_push(rating: Rating, force: ArrayLike, slope: float, *, pushed: ArrayLike = 1.0) -> tuple[Array, Array]:
+    """Return the axial force away from the apex and the radial force towards its axis on one gear of a bevel mesh [N].
+
+    Args:
+        rating: Resolved rules: pressure and spiral angle.
+        force: Tangential force at the mean cone [N].
+        slope: Its teeth over those of its mate, tan δ on square axes [-].
+        pushed: +1 where the spiral pushes this gear away from the apex, −1 where it draws it in [-].
+
+    Source: ISO 23509:2016, annex D: F_a = F/cos β_m (tan α_n sin δ ± sin β_m cos δ),
+        F_r = F/cos β_m (tan α_n cos δ ∓ sin β_m sin δ).
+    """
+    cone, lean = math.atan(slope), np.asarray(pushed) * math.sin(rating.helix_angle)
+    scale, tangent = np.asarray(force) / math.cos(rating.helix_angle), math.tan(rating.rules.pressure_angle)
+    axial = scale * (tangent * math.sin(cone) + lean * math.cos(cone))
+    radial = scale * (tangent * math.cos(cone) - lean * math.sin(cone))
+    return np.asarray(axial), np.asarray(radial)
+
+
 def mean_module(teeth: tuple[int, int], outer_module: float, face_width: float, rating: Rating) -> float:
     """Return the mean normal module m_mn of a bevel pair [m].
 
