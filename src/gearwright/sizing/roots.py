@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 from gearwright.sizing.context import Context
-from gearwright.sizing.loads import cone_angle
 from gearwright.sizing.result import GearSizing
 
 DEDENDUM = 1.25
@@ -27,5 +26,6 @@ def root_diameter(given: Context, gear: GearSizing) -> float:
     if rating.kind != "bevel":
         return gear.pitch_diameter - depth
     mesh = next(mesh for mesh in given.train.meshes if mesh.stage == gear.stage and gear.name in mesh.gears)
-    cone = cone_angle(given.teeth, mesh, mesh.gears.index(gear.name))
+    mate = next(name for name in mesh.gears if name != gear.name)
+    cone = math.atan2(gear.teeth, given.teeth[mate])  # tan δ = z/z_mate on square axes, ISO 23509:2016
     return gear.pitch_diameter - depth * math.cos(cone) - gear.face_width * math.sin(cone)
