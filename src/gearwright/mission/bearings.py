@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.catalogue.bearing_choice import BearingDuty, check_bearing
-from gearwright.catalogue.bearings import Bearing, bearing, bearings, with_ratings
+from gearwright.catalogue.bearing_choice import BearingDuty, BearingSpectrum, check_bearing, fitting_bearings
+from gearwright.catalogue.bearings import Bearing, bearing, with_ratings
 from gearwright.errors import DesignError, Problem
 from gearwright.mission.flight import Flight
-from gearwright.parts.bearing_life import MILLION, life_exponent, reliability_factor
-from gearwright.parts.bearing_load import mean_load
+from gearwright.parts.bearing_life import life_exponent, reliability_factor
+from gearwright.parts.bearing_load import LoadFactors, mean_load, taper_factors
 from gearwright.parts.rolling_bearing import BearingKind
-from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_loads
+from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces
+from gearwright.sizing.seats import axial_forces
 from gearwright.spec import GROUND
+from gearwright.spec.check_mounting import KINDS
 from gearwright.spec.mission import BearingLifeRules
 from gearwright.units import Force, Mass, Ratio, Speed
 
@@ -27,15 +30,9 @@ FATIGUE = "rolling fatigue"
 USUAL_RELIABILITY = 0.9
 """Of a basic rating life [-]; ISO 281."""
 _LEAST_LOAD = 1.0
-"""Radial force below which a bearing has nothing to bear but rounding and weight [N]."""
+"""Force below which a bearing has nothing to bear but rounding and weight [N]."""
 _SHORT = 0.05
 """Part of the asked life that may be missing: bearings are chosen by the mean of their loads [-]."""
-_KINDS = {
-    "deep-groove": BearingKind.DEEP_GROOVE,
-    "cylindrical": BearingKind.CYLINDRICAL,
-    "taper": BearingKind.TAPER,
-    "four-point": BearingKind.FOUR_POINT,
-}
 _ROUNDING = 1e-9
 """Axial over the largest radial force below which opposite helices cancel [-]."""
 
@@ -49,8 +46,13 @@ class SeatDuty(NamedTuple):
     """[N]"""
     speed: Array
     """Of one ring against the other, without sign [rad/s]."""
-    turns: Array
-    """[-]"""
+    time: Array
+    """Duration [s]."""
+
+    @property
+    def turns(self) -> Array:
+        """Revolutions of each interval [-]."""
+        return self.speed * self.time / (2.0 * math.pi)
 
 
 @dataclass(frozen=True)
@@ -113,10 +115,10 @@ class BearingLives:
 
 
 def bearing_lives(flight: Flight) -> BearingLives:
-    """Return the life of every bearing that the design names or the mission asks for, over the flight's spectrum.
+    """Return the life of every bearing that the design gives or the mission asks for, over the flight's spectrum.
 
     Args:
-        flight: As flown; its mission may ask for bearings, its design may name or seat them.
+        flight: As flown; its mission may ask for bearings, its design may seat them or name those of planets.
 
     Source: ISO 281:2007, 5.3 and 7.3, with the equivalent load of every interval and Palmgren's linear damage; equal
         bearings side by side bear i^0.7 (balls) or i^(7/9) (rollers) times the rating of one, 5.1.2 and 7.1.2.
@@ -126,30 +128,81 @@ def bearing_lives(flight: Flight) -> BearingLives:
     """
     rows, notes, problems = [], [], []
     idle, opened = [], []
-    for seat in bearing_seats(flight.sizing):
+    for seat, duty in seat_duties(flight):
         named = _named(flight, seat)
-        if seat_duty(flight, seat).radial.max() < _LEAST_LOAD:
+        if float(np.hypot(duty.radial, duty.axial).max()) < _LEAST_LOAD:
             idle.append(seat.name)
         elif named is None and flight.mission.bearings is None:
             opened.append(seat.name)
         else:
             try:
-                rows.append(_known(flight, seat, named))
+                rows.append(_known(flight, seat, duty, named))
             except DesignError as error:
                 problems += [Problem(_path(seat), each.message) for each in error.problems if named]
                 notes += [f"{seat.name}: {each.message}" for each in error.problems if not named]
     if problems:
         raise DesignError(problems)
+    notes += [f"{', '.join(idle)}: nothing to rate, as the forces of the meshes cancel"] if idle else []
+    missing = "no bearing is named, and the mission has no [bearings] to choose one"
+    notes += [f"{', '.join(opened)}: {missing}"] if opened else []
     notes += [
         f"{row.seat}: no bearing that fits reaches the asked life; {row.bearing.designation} comes nearest"
         for row in rows
         if row.falls_short
     ]
-    notes += [f"{', '.join(idle)}: nothing to rate, as the forces of the meshes cancel"] if idle else []
-    notes += (
-        [f"{', '.join(opened)}: no bearing is named, and the mission has no [bearings] to choose one"] if opened else []
-    )
     return BearingLives(tuple(sorted(rows, key=lambda row: -row.damage)), tuple(notes))
+
+
+def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:
+    """Return every seat with what it bears in every interval of a flight.
+
+    The meshes' forces along a shaft and a propeller's thrust go to the bearings that locate the shaft, as in sizing; on
+    a shaft without bearings in the design, to the one that bears less across.
+
+    Args:
+        flight: As flown.
+    """
+    seats = {seat.name: seat for seat in bearing_seats(flight.sizing)}
+    speeds = {**flight.speeds, GROUND: np.zeros(len(flight.phase))}
+    torques = np.stack([flight.mesh_torques[mesh.name] for mesh in flight.sizing.train.meshes], axis=-1)
+    forces = {name: seat_forces(seat, torques, speeds[seat.carrier]) for name, seat in seats.items()}
+    axial: dict[str, Array] = {}
+    for shaft in dict.fromkeys(seat.nodes[0] for seat in seats.values()):
+        own = {name: seat for name, seat in seats.items() if seat.nodes[0] == shaft}
+        axial |= _located(flight, shaft, own, forces)
+    found = []
+    for name, seat in seats.items():
+        speed = np.abs(speeds[seat.nodes[0]] - speeds[seat.nodes[1]])
+        found.append((seat, SeatDuty(forces[name][0], axial[name], speed, flight.history["duration"])))
+    return tuple(found)
+
+
+def _located(
+    flight: Flight, shaft: str, seats: Mapping[str, Seat], forces: Mapping[str, tuple[Array, Array]]
+) -> dict[str, Array]:
+    """Return the axial force in every bearing of one shaft, without sign."""
+    radial = {name: forces[name][0] for name in seats}
+    first = next(iter(seats))
+    along = forces[first][1] + seats[first].rotor_side * _thrust(flight)
+    along = np.where(np.abs(along) > _ROUNDING * max(float(each.max()) for each in radial.values()), along, 0.0)
+    given = {name: seat.given for name, seat in seats.items() if seat.given is not None}
+    if given:
+        return axial_forces(shaft, given, (along, radial), _taper_factors(flight, given), cases=flight.phase)
+    least = min(radial, key=lambda name: float(radial[name].mean()))
+    return {name: np.abs(along) if name == least else np.zeros_like(along) for name in seats}
+
+
+def _thrust(flight: Flight) -> Array:
+    """Return the propeller's thrust, by the map where there is one, else as the design says [N]."""
+    stated = next(iter(flight.sizing.design.propellers.values())).thrust
+    return flight.history.get("thrust", np.full(len(flight.phase), stated))
+
+
+def _taper_factors(flight: Flight, names: Iterable[str]) -> dict[str, LoadFactors]:
+    sized = {each.name: each.bearing.geometry for each in flight.sizing.bearings if each.name in names}
+    return {
+        name: taper_factors(inside.contact_angle) for name, inside in sized.items() if inside.kind is BearingKind.TAPER
+    }
 
 
 def _path(seat: Seat) -> str:
@@ -165,33 +218,27 @@ class _Named(NamedTuple):
 
 
 def _named(flight: Flight, seat: Seat) -> _Named | None:
-    """Return the bearing that the design names on a seat, or that its sizing took; None where it is open."""
-    design, given = flight.sizing.design, seat.given
-    if given is not None:
-        sized = next((each.bearing for each in flight.sizing.bearings if each.name == seat.name), None)
-        if sized is None and given.designation is not None:
-            sized = _rated(bearing(given.designation), given.dynamic_rating, given.static_rating)
-        return None if sized is None else _Named(sized, 1)
+    """Return the bearing that sizing took for a seat of the design, or that a planet names; None if it is open."""
+    if seat.given is not None:
+        return _Named(next(each.bearing for each in flight.sizing.bearings if each.name == seat.name), 1)
     stage, _, last = seat.name.rpartition(".")
-    own = design.planetaries[stage].planet_bearing if last == "planet" and stage in design.planetaries else None
+    planetary = flight.sizing.design.planetaries.get(stage)
+    own = planetary.planet_bearing if planetary is not None and last == "planet" else None
     if own is None:
         return None
-    return _Named(_rated(bearing(own.designation), own.dynamic_rating, own.static_rating), own.side_by_side)
+    found = bearing(own.designation)
+    if own.dynamic_rating is not None and own.static_rating is not None:
+        made = "maker's ratings, given by the user"
+        found = with_ratings(found, own.dynamic_rating, own.static_rating, source=made)
+    return _Named(found, own.side_by_side)
 
 
-def _rated(found: Bearing, dynamic: float | None, static: float | None) -> Bearing:
-    """Return a bearing with its maker's ratings, where both are given."""
-    if dynamic is None or static is None:
-        return found
-    return with_ratings(found, dynamic, static, source="maker's ratings, given by the user")
-
-
-def _known(flight: Flight, seat: Seat, named: _Named | None) -> BearingDamage:
+def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: _Named | None) -> BearingDamage:
     rules = flight.mission.bearings
     if named is None:
-        return _chosen(flight, seat, cast(BearingLifeRules, rules))
-    found = named.bearing
-    if not _fits(found, seat):
+        return _chosen(seat, duty, cast(BearingLifeRules, rules))
+    found, fits = named.bearing, seat.given is not None
+    if not fits and not (found.bore >= seat.bore - 1e-9 and found.outer_diameter <= seat.room + 1e-9):
         message = (
             f"{found.designation} has a bore of {1e3 * found.bore:g} mm and an outside of"
             f" {1e3 * found.outer_diameter:g} mm; allowed: {1e3 * seat.bore:.4g} mm or more, and"
@@ -199,83 +246,56 @@ def _known(flight: Flight, seat: Seat, named: _Named | None) -> BearingDamage:
         )
         raise DesignError([Problem("designation", message)])
     reliability = rules.reliability if rules else USUAL_RELIABILITY
-    return _lived(flight, seat, found, (named.side_by_side, reliability), asked=None)
+    return _lived(seat, duty, found, (named.side_by_side, reliability), asked=None)
 
 
-def seat_duty(flight: Flight, seat: Seat) -> SeatDuty:
-    """Return what a seat bears in every interval of a flight.
-
-    Args:
-        flight: As flown.
-        seat: Of its gearbox.
-    """
-    speeds = {**flight.speeds, GROUND: np.zeros(len(flight.phase))}
-    torques = np.stack([flight.mesh_torques[mesh.name] for mesh in flight.sizing.train.meshes], axis=-1)
-    radial, axial = seat_loads(seat, torques, speeds[seat.carrier])
-    axial = np.where(axial > _ROUNDING * radial.max(), axial, 0.0)
-    speed = np.abs(speeds[seat.nodes[0]] - speeds[seat.nodes[1]])
-    return SeatDuty(radial, axial, speed, speed * flight.history["duration"] / (2.0 * math.pi))
-
-
-def _chosen(flight: Flight, seat: Seat, rules: BearingLifeRules) -> BearingDamage:
-    """Take the lightest bearing whose life is met by the mean of the loads, at the mean speed."""
-    duty = seat_duty(flight, seat)
-    usual = rules.thrust_kind if duty.axial.any() else rules.kind
-    kind = _KINDS[seat.given.kind if seat.given else usual]
+def _chosen(seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
+    """Take the lightest bearing whose life is met by the mean of the loads at the mean speed, or what comes nearest."""
+    kind = BearingKind(KINDS[rules.thrust_kind if duty.axial.any() else rules.kind])
     share, exponent = _pair_factor(kind, rules.side_by_side), life_exponent(kind)
-    radial, axial = (mean_load(each.tolist(), duty.turns.tolist(), exponent) / share for each in duty[:2])
+    turns = (duty.speed * duty.time).tolist()
+    radial, axial = (mean_load(each.tolist(), turns, exponent) / share for each in (duty.radial, duty.axial))
     asked = BearingDuty(
         radial=radial,
         axial=axial,
-        speed=2.0 * math.pi * float(duty.turns.sum()) / flight.duration,
+        speed=float(duty.speed @ duty.time / duty.time.sum()),
         life=rules.life / reliability_factor(rules.reliability),
         static_safety=rules.static_safety,
         limit_factor=float(np.hypot(duty.radial, duty.axial).max()) / share / math.hypot(radial, axial),
     )
-    fitting = [each for each in bearings().values() if each.kind is kind and _fits(each, seat)]
-    if not fitting:
-        room = "" if math.isinf(seat.room) else f" and no more than {1e3 * seat.room:.4g} mm outside"
-        message = f"the catalogue has no {kind} bearing with a bore of {1e3 * seat.bore:.4g} mm or more{room}"
-        raise DesignError([Problem("bore", f"{message}; take another kind")])
-    checks = [check_bearing(each, asked) for each in sorted(fitting, key=lambda each: each.mass)]
-    able = (each for each in checks if min(each.life_margin, each.static_margin) >= 1.0)
-    found = next(able, max(checks, key=lambda each: min(each.life_margin, each.static_margin))).bearing
-    return _lived(flight, seat, found, (rules.side_by_side, rules.reliability), asked=rules.life)
-
-
-def _fits(found: Bearing, seat: Seat) -> bool:
-    """A seat that the design gives may be thinner than its shaft elsewhere."""
-    return (seat.given is not None or found.bore >= seat.bore - 1e-9) and found.outer_diameter <= seat.room + 1e-9
+    sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_outer=seat.room)
+    able = (each for each in sizes if min(each.life_margin, each.static_margin) >= 1.0)
+    found = next(able, max(sizes, key=lambda each: min(each.life_margin, each.static_margin))).bearing
+    return _lived(seat, duty, found, (rules.side_by_side, rules.reliability), asked=rules.life)
 
 
 def _lived(
-    flight: Flight, seat: Seat, found: Bearing, rules: tuple[int, float], *, asked: float | None
+    seat: Seat, duty: SeatDuty, found: Bearing, rules: tuple[int, float], *, asked: float | None
 ) -> BearingDamage:
     """Return the damage of a bearing, for bearings side by side and a reliability."""
-    (several, reliability), duty = rules, seat_duty(flight, seat)
-    pairs = zip(duty.radial.tolist(), duty.axial.tolist(), strict=True)
-    loads, statics = np.array([_equivalent(found, radial, axial) for radial, axial in pairs]).T
-    exponent, rating = life_exponent(found.kind), _pair_factor(found.kind, several) * found.dynamic_rating
-    damage = float((loads / rating) ** exponent @ (duty.turns / MILLION)) / reliability_factor(reliability)
+    (several, reliability), whole = rules, float(duty.time.sum())
+    share = _pair_factor(found.kind, several)
+    spectrum = BearingSpectrum(
+        radial=tuple(duty.radial.tolist()),
+        axial=tuple(duty.axial.tolist()),
+        speed=tuple(duty.speed.tolist()),
+        share=tuple((duty.time / whole).tolist()),
+        life=whole,
+        mean_factor=1.0 / share,
+        limit_factor=1.0 / several,
+    )
+    check = check_bearing(found, spectrum)
     return BearingDamage(
         seat=seat.name,
         bearing=found,
         count=seat.count * several,
-        mean_load=mean_load(loads.tolist(), duty.turns.tolist(), exponent),
-        mean_speed=2.0 * math.pi * float(duty.turns.sum()) / flight.duration,
-        static_safety=several * found.static_rating / float(statics.max()),
-        damage=damage,
-        hours=flight.duration / 3600.0,
+        mean_load=share * check.equivalent_load,
+        mean_speed=spectrum.mean_speed,
+        static_safety=check.static_safety,
+        damage=whole / (check.life * reliability_factor(reliability)),
+        hours=whole / 3600.0,
         asked=None if asked is None else asked / 3600.0,
     )
-
-
-def _equivalent(found: Bearing, radial: float, axial: float) -> tuple[float, float]:
-    """Return dynamic and static equivalent load, P and P_0 [N]."""
-    if not (radial or axial):
-        return 0.0, 0.0
-    check = check_bearing(found, BearingDuty(radial, axial, speed=1.0, life=1.0))
-    return check.equivalent_load, found.static_rating / check.static_safety
 
 
 def _pair_factor(kind: BearingKind, side_by_side: int) -> float:

@@ -14,7 +14,7 @@ from gearwright.parts.losses_bearing import bearing_torque_constant
 from gearwright.parts.losses_mesh import ToothContact, mesh_efficiency, mesh_friction, tooth_contact
 from gearwright.parts.losses_oil import churning_power, oil_viscosity, windage_power
 from gearwright.sizing import Sizing
-from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_loads
+from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces
 from gearwright.sizing.result import GearSizing
 from gearwright.spec import GROUND, Design, Drive
 from gearwright.train.flow import PowerFlow, power_flow
@@ -258,7 +258,7 @@ def _oil_drag(gearbox: Gearbox, speed: Mapping[str, float]) -> tuple[float, floa
 def _bearing_drag(gearbox: Gearbox, point: Point, speed: Mapping[str, float]) -> float:
     total = 0.0
     for seat in gearbox.seats:
-        radial, axial = seat_loads(seat, point.mesh_torques, np.array(speed[seat.carrier]))
+        radial, _ = seat_forces(seat, point.mesh_torques, np.array(speed[seat.carrier]))
         turning = abs(speed[seat.nodes[0]] - speed[seat.nodes[1]])
-        total += seat.count * bearing_torque_constant(math.hypot(radial, axial), seat.bore) * turning
+        total += seat.count * bearing_torque_constant(float(radial), seat.bore) * turning
     return total

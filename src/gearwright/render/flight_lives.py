@@ -10,10 +10,9 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from gearwright.mission import Durability, Flight, LifeSizing, PartLife
-from gearwright.mission.bearings import seat_duty
+from gearwright.mission.bearings import seat_duties
 from gearwright.render import theme
 from gearwright.render.flight_figures import WIDTH
-from gearwright.sizing.bearing_seats import bearing_seats
 
 Array = NDArray[np.float64]
 MODE_COLOURS = {"bending": theme.BLUE, "pitting": theme.SKY, "rolling fatigue": theme.AMBER}
@@ -77,8 +76,7 @@ def _meshes(flight: Flight) -> Iterator[Duty]:
 
 
 def _seats(flight: Flight) -> Iterator[Duty]:
-    for seat in bearing_seats(flight.sizing):
-        duty = seat_duty(flight, seat)
+    for seat, duty in seat_duties(flight):
         yield seat.name, duty.radial / _KILO, duty.turns
 
 

@@ -8,8 +8,7 @@ import json
 from collections.abc import Sequence
 
 from gearwright.mission import Durability, Flight, LifeSizing, PartLife, PhaseSummary, phase_summaries
-from gearwright.mission.bearings import seat_duty
-from gearwright.sizing.bearing_seats import bearing_seats
+from gearwright.mission.bearings import seat_duties
 
 _KELVIN = 273.15
 _LITRE_PER_MINUTE = 1e-3 / 60.0
@@ -121,7 +120,7 @@ def flight_csv(flight: Flight) -> str:
         **{f"torque.{name}": values for name, values in flight.shaft_torques.items()},
         **{f"power.{name}": values for name, values in flight.machine_powers.items()},
         **{f"force.{name}": values for name, values in flight.mesh_forces.items()},
-        **{f"bearing.{seat.name}": seat_duty(flight, seat).radial for seat in bearing_seats(flight.sizing)},
+        **{f"bearing.{seat.name}": duty.radial for seat, duty in seat_duties(flight)},
     }
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")

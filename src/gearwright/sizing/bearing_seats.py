@@ -3,8 +3,7 @@
 The reactions of a shaft on two bearings grow in proportion to the torques of its meshes; only the radial forces keep
 their sign when a torque changes its own. So two sets of coefficients, one for each sign, give the load of a bearing at
 any moment. A planet's pin bears the tangential forces of its two meshes, which are equal, and across them the
-centrifugal force of the planet. Shafts that carry torque only have no seat here: what their bearings bear comes from
-outside the train.
+centrifugal force of the planet. Shafts that carry torque only have no seat here unless the design gives them bearings.
 """
 
 from __future__ import annotations
@@ -15,18 +14,20 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.parts.beam import bearing_reactions
+from gearwright.parts.beam import PointLoads, bearing_reactions
 from gearwright.sizing.axes import axes_of
 from gearwright.sizing.context import Context, context
-from gearwright.sizing.layout import plan_of
+from gearwright.sizing.forces import rotor_side
+from gearwright.sizing.layout import ShaftPlan, plan_of
 from gearwright.sizing.loads import shaft_loads
 from gearwright.sizing.result import GearSizing, ShaftSizing, Sizing
+from gearwright.sizing.seats import seats_of
 from gearwright.spec import GROUND, Design
-from gearwright.spec.mounting import LOCATES, BearingSeat
+from gearwright.spec.mounting import BearingSeat
 from gearwright.spec.overrides import Overrides
 from gearwright.train.flow import RATED, MeshFlow, PowerFlow
 from gearwright.train.graph import INTERNAL, Mesh
-from gearwright.units import Length, Mass
+from gearwright.units import Force, Length
 
 Array = NDArray[np.float64]
 ENDS = ("first", "second")
@@ -48,22 +49,24 @@ class Seat:
     room: Length
     """Largest outside diameter: inside the rim of a planet; ∞ in the housing [m]."""
     forward: Array
-    """Force along y, z and x of the shaft, or tangential, radial and axial on a pin, for a torque of 1 N m on gear a of
-    one single mesh of each row, shape (meshes, 3) [N/(N m)]."""
+    """Force of the meshes along y and z on the bearing, or tangential and radial on a pin, and along x on the whole
+    shaft, for a torque of 1 N m on gear a of one single mesh of each row, shape (meshes, 3) [N/(N m)]."""
     backward: Array
     """The same for a torque of −1 N m."""
-    swung: Mass
-    """Mass of a planet times the radius of its path [kg m]; 0 on shafts."""
-    carrier: str
+    swung: float = 0.0
+    """Mass of a planet times the radius of its path [kg m]."""
+    carrier: str = GROUND
     """Node whose speed swings it."""
+    across: Force = 0.0
+    """Of a rotor's force and moment, in any direction [N]."""
+    rotor_side: float = 0.0
+    """Sense along x in which a rotor's thrust pulls the shaft; 0 without a rotor [-]."""
     given: BearingSeat | None = None
     """What the design says of it; planets and the two usual bearings of a shaft have none."""
 
 
 def bearing_seats(sizing: Sizing) -> tuple[Seat, ...]:
-    """Return every seat whose load follows from the meshes: on shafts with gears of pairs, and in each planet.
-
-    An axial force goes to the bearing that locates the shaft towards it; without one, to the less loaded bearing.
+    """Return every seat whose load is known: on shafts that something bends or the design holds, and in each planet.
 
     Args:
         sizing: As sized.
@@ -74,19 +77,19 @@ def bearing_seats(sizing: Sizing) -> tuple[Seat, ...]:
     return (*shafts, *_planet_seats(sizing, gears))
 
 
-def seat_loads(seat: Seat, torques: Array, carrier_speed: Array) -> tuple[Array, Array]:
-    """Return radial and axial force on one seat [N], each of the torques' shape without its last axis.
+def seat_forces(seat: Seat, torques: Array, carrier_speed: Array) -> tuple[Array, Array]:
+    """Return the radial force on one seat and the meshes' force along its shaft [N], of the shape of the torques' rows.
 
     Args:
         seat: The seat.
         torques: On gear a of one single mesh of each row, shape (..., meshes) [N m].
         carrier_speed: Speed of what swings a planet, shape (...) [rad/s].
 
-    Source: equilibrium; m r ω² of a planet stands across its tangential force.
+    Source: equilibrium; m r ω² of a planet stands across its tangential force; a rotor points where it loads most.
     """
     force = np.maximum(torques, 0.0) @ seat.forward + np.maximum(-torques, 0.0) @ seat.backward
     radial = np.hypot(force[..., 0], force[..., 1] + seat.swung * carrier_speed**2)
-    return radial, np.abs(force[..., 2])
+    return radial + seat.across, force[..., 2]
 
 
 def _unit_loads(sizing: Sizing) -> Context:
@@ -111,61 +114,43 @@ def _unit(sizing: Sizing, rated: PowerFlow, loaded: Mesh, sign: int) -> PowerFlo
 def _shaft_seats(
     given: Context, sizing: Sizing, shaft: ShaftSizing, *, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
 ) -> Iterator[Seat]:
-    if not shaft.bearings:
+    seats: dict[str, BearingSeat | None] = {**seats_of(sizing.design, shaft.name)}
+    if not seats and not shaft.bearings:
         return
     plan = plan_of(given, shaft.name, sizing.gears)
     loads, axial = shaft_loads(given, shaft.name, plan, axes=axes, gears=gears)
-    radial = _radial_seats(sizing.design, shaft, plan.bearings)
-    forces = bearing_reactions(loads, [place for place, _ in radial.values()])[1:]
-    takers = _takers(sizing.design, shaft, tuple(radial))
-    for k, (name, (_, own)) in enumerate(radial.items()):
-        yield _on_shaft(shaft, name, np.hstack([forces[:, :, k], _taken(takers, name, -axial[1:])]), own)
-    for name in dict.fromkeys(takers.values()):
-        if name not in radial:
-            none = np.zeros((len(axial) - 1, 2))
-            own = sizing.design.bearings[name]
-            yield _on_shaft(shaft, name, np.hstack([none, _taken(takers, name, -axial[1:])]), own)
+    forces = bearing_reactions(loads, plan.bearings)[1:]
+    across, side = _rotor(sizing.design, shaft.name, plan)
+    k = 0
+    for name, own in (seats or {f"{shaft.name}.{end}": None for end in ENDS}).items():
+        bears = own is None or own.radial
+        radial = forces[:, :, k] if bears else np.zeros((len(forces), 2))
+        whole = np.hstack([radial, axial[1:, None]])
+        yield Seat(
+            name=name,
+            count=1,
+            nodes=(shaft.name, GROUND),
+            bore=shaft.diameter,
+            room=np.inf,
+            forward=whole[0::2],
+            backward=whole[1::2],
+            across=float(across[k]) if bears else 0.0,
+            rotor_side=side,
+            given=own,
+        )
+        k += bears
 
 
-def _radial_seats(
-    design: Design, shaft: ShaftSizing, usual: tuple[float, float]
-) -> dict[str, tuple[float, BearingSeat | None]]:
-    """Return the two bearings that bear across a shaft: name -> place, and what the design says of it."""
-    own = {name: seat for name, seat in design.bearings.items() if seat.shaft == shaft.name and seat.radial}
-    if len(own) != len(ENDS):
-        return {f"{shaft.name}.{end}": (place, None) for end, place in zip(ENDS, usual, strict=True)}
-    return {name: (seat.position, seat) for name, seat in sorted(own.items(), key=lambda each: each[1].position)}
-
-
-def _takers(design: Design, shaft: ShaftSizing, radial: tuple[str, ...]) -> dict[int, str]:
-    """Return the bearing that takes a force along the shaft, by its sign; by default the less loaded."""
-    usual = radial[int(np.argmin([each.radial_force for each in shaft.bearings]))]
-    found = dict.fromkeys((-1, 1), usual)
-    for name, seat in design.bearings.items():
-        if seat.shaft == shaft.name:
-            found |= dict.fromkeys(LOCATES[seat.locates], name)
-    return found
-
-
-def _taken(takers: Mapping[int, str], name: str, reaction: Array) -> Array:
-    """Return the part of a reaction along the shaft that one bearing gives, as a column."""
-    own = [sign for sign, taker in takers.items() if taker == name]
-    return np.where(np.isin(np.sign(-reaction), own), reaction, 0.0)[:, None]
-
-
-def _on_shaft(shaft: ShaftSizing, name: str, force: Array, given: BearingSeat | None) -> Seat:
-    return Seat(
-        name=name,
-        count=1,
-        nodes=(shaft.name, GROUND),
-        bore=(given.bore if given else None) or shaft.diameter,
-        room=(given.largest_outer_diameter if given else None) or np.inf,
-        forward=force[0::2],
-        backward=force[1::2],
-        swung=0.0,
-        carrier=GROUND,
-        given=given,
-    )
+def _rotor(design: Design, shaft: str, plan: ShaftPlan) -> tuple[Array, float]:
+    """Return what a rotor's force and moment put on both radial bearings [N], and the sense of its thrust."""
+    for name, rotor in design.propellers.items():
+        if rotor.shaft == shaft:
+            place = plan.places[name]
+            side = 1.0 if place >= sum(plan.bearings) / 2.0 else -1.0
+            force, couple = np.array([rotor.in_plane_force]), np.array([side * rotor.hub_moment])
+            loads = PointLoads(np.array([place]), force, couple, np.zeros(1))
+            return np.abs(bearing_reactions(loads, plan.bearings)), rotor_side(plan, name)
+    return np.zeros(2), 0.0
 
 
 def _planet_seats(sizing: Sizing, gears: Mapping[str, GearSizing]) -> Iterator[Seat]:

@@ -102,7 +102,7 @@ def shaft_forces(
     loads, axial = shaft_loads(given, name, plan, axes=axes, gears=gears)
     for each, rotor in given.design.propellers.items():
         if rotor.shaft == name:
-            side = _away(plan, each)
+            side = rotor_side(plan, each)
             axial = axial + side * rotor.thrust
             if rotor.in_plane_force or rotor.hub_moment:
                 loads = _with_rotor(loads, plan, rotor, position=plan.places[each])
@@ -111,8 +111,13 @@ def shaft_forces(
     return ShaftForces(plan, whole, diagram(whole), axial, bends)
 
 
-def _away(plan: ShaftPlan, rotor: str) -> float:
-    """Return the end of the shaft, as a sign, that a rotor looks at: away from all else on the shaft."""
+def rotor_side(plan: ShaftPlan, rotor: str) -> float:
+    """Return the end of the shaft, as a sign, that a rotor looks at: away from all else on the shaft.
+
+    Args:
+        plan: Where things sit along the shaft.
+        rotor: Name of the propeller.
+    """
     others = [*plan.bearings, *(place for each, place in plan.places.items() if each != rotor)]
     return 1.0 if plan.places[rotor] >= sum(others) / len(others) else -1.0
 

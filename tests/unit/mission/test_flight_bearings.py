@@ -7,10 +7,10 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.mission import bearing_lives, durability, fly
-from gearwright.parts.rolling_bearing import BearingKind
+from gearwright.mission.bearings import seat_duties
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.sizing.bearing_seats import bearing_seats, seat_loads
+from gearwright.sizing.bearing_seats import bearing_seats, seat_forces
 from gearwright.spec import read
 from gearwright.spec.mission import parse_mission, read_mission
 from gearwright.spec.read import parse
@@ -32,14 +32,20 @@ propeller_speed_rpm = 1212
 """
 OFF_SET = shipped_design("off-set").read_text(encoding="utf-8")
 SEATS = """
+[service]
+bearing_life_h = 1000
+[layout.output]
+length_mm = 200
+[layout.output.places."second.wheel"]
+position_mm = 100
 [bearings.nose]
 shaft = "output"
-position_mm = 8
+position_mm = 30
 kind = "four-point"
 locates = "both"
 [bearings.tail]
 shaft = "output"
-position_mm = 170
+position_mm = 175
 """
 PLANETS = (
     shipped_design("in-line").read_text(encoding="utf-8") + "\n[planetaries.second.planet_bearing]\ndesignation = {}\n"
@@ -62,7 +68,7 @@ def test_seats_bear_in_the_sized_case_what_the_sizing_says(name):
         case, expected = sized[seat.name]
         flow = sizing.flows[case]
         torques = np.array([flow.meshes[mesh.name].torques[0] / mesh.count for mesh in sizing.train.meshes])
-        radial, _ = seat_loads(seat, torques, np.array(flow.speeds[seat.carrier]))
+        radial, _ = seat_forces(seat, torques, np.array(flow.speeds[seat.carrier]))
         assert float(radial) == pytest.approx(expected, rel=1e-9, abs=1e-6)
 
 
@@ -85,9 +91,11 @@ def test_damage_of_two_phases_is_the_sum_of_both():
 
 
 def test_a_thrust_goes_to_the_bearing_with_the_smaller_radial_force():
-    seats = {seat.name: seat for seat in bearing_seats(size(read(shipped_design("off-set"))))}
-    assert np.abs(seats["left.first"].forward[:, 2]).max() > 0.0
-    assert np.abs(seats["left.second"].forward[:, 2]).max() == 0.0
+    flight = fly(size(read(shipped_design("off-set"))), parse_mission(STEADY))
+    duties = {seat.name: duty for seat, duty in seat_duties(flight)}
+    assert duties["left.first"].axial.min() > 0.0
+    assert duties["left.second"].axial.max() == 0.0
+    assert duties["left.first"].radial.max() < duties["left.second"].radial.min()
 
 
 def test_a_named_bearing_keeps_its_makers_rating():
@@ -107,16 +115,31 @@ def test_two_bearings_side_by_side_live_longer_by_the_rule_of_iso_281():
     assert two.count == 2 * one.count
 
 
-def test_a_seat_of_the_design_has_its_place_its_kind_and_its_thrust():
-    """The design's two bearings of the output shaft in place of the usual ones; the one that locates takes thrust."""
+def test_bearings_of_the_design_live_in_steady_flight_as_their_sizing_says():
+    """The powers of the rated case, which is all of the service: P of the sizing; 2 % for the meshes' losses."""
     sizing = size(parse(OFF_SET + SEATS))
-    seats = {seat.name: seat for seat in bearing_seats(sizing)}
-    assert "output.first" not in seats
-    assert np.abs(seats["tail"].forward[:, 2]).max() == 0.0
-    assert np.abs(seats["nose"].forward[:, 2]).max() > 0.0
-    rows = {row.seat: row for row in bearing_lives(fly(sizing, parse_mission(STEADY))).rows}
-    assert rows["nose"].bearing.kind is BearingKind.FOUR_POINT
-    assert rows["tail"].bearing.kind is BearingKind.CYLINDRICAL
+    flight = fly(sizing, parse_mission(STEADY.replace("1500", "2051")))
+    rows = {row.seat: row for row in bearing_lives(flight).rows}
+    assert {"nose", "tail"} <= rows.keys()
+    assert "output.first" not in rows
+    for sized in sizing.bearings:
+        row = rows[sized.name]
+        assert row.bearing == sized.bearing
+        assert row.mean_load == pytest.approx(sized.equivalent_load, rel=0.02)
+
+
+def test_the_thrust_of_the_map_loads_the_bearing_that_locates_the_propeller():
+    """The helix pushes the output shaft one way and the thrust pulls the other: their difference, by hand; 1e-9."""
+    sizing = size(parse(OFF_SET + SEATS))
+    mapped = STEADY.replace('propeller_map = "none"\n', "").replace("tas_kt = 100", "tas_kt = 200")
+    with_map, without = (
+        {seat.name: duty for seat, duty in seat_duties(flight)}
+        for flight in (fly(sizing, parse_mission(mapped)), fly(sizing, parse_mission(STEADY.replace("= 100", "= 200"))))
+    )
+    thrust = fly(sizing, parse_mission(mapped)).history["thrust"]
+    apart = np.abs(with_map["nose"].axial - without["nose"].axial)
+    total = with_map["nose"].axial + without["nose"].axial
+    assert np.minimum(np.abs(apart - thrust), np.abs(total - thrust)) == pytest.approx(0.0, abs=1e-6 * thrust.max())
 
 
 def test_the_bearing_of_the_fast_planets_governs_the_thesiss_gearbox():
