@@ -74,6 +74,7 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
     "number": ("", 1.0),
     "ratio": ("", 1.0),
     "percent": ("%", 0.01),
+    "altitude": ("ft", FOOT),
     "flight_time": ("min", 60.0),
     "bearing_force": ("kN", 1e3),
 }

@@ -37,7 +37,7 @@ def fly(
     if design is None:
         _list()
         return
-    flight, parts, life = _flown(design_of(design), *mission_of(mission), life_h=life_h)
+    flight, parts, life = _flown(design_of(design), mission, life_h=life_h)
     from gearwright.render.flight_text import flight_csv, flight_json, flight_text
 
     typer.echo(flight_json(flight, parts, life) if json else flight_text(flight, parts, life))
@@ -68,13 +68,22 @@ def mission_of(name: str) -> tuple[Mission, Path]:
     return read_mission(path), path.parent
 
 
-def _flown(
-    design: Design, mission: Mission, folder: Path, *, life_h: float | None
-) -> tuple[Flight, Durability, LifeSizing | None]:
+def _flown(design: Design, name: str, *, life_h: float | None) -> tuple[Flight, Durability, LifeSizing | None]:
+    """Return the flight of a named mission; what cannot be flown is placed at its line in the mission's file."""
+    from gearwright.errors import DesignError
     from gearwright.mission import durability, size_for_life
     from gearwright.mission import fly as flown_by
+    from gearwright.shipped import find_mission
     from gearwright.sizing import size
+    from gearwright.spec.read import placed
 
-    life = None if life_h is None else size_for_life(design, mission, life_h, folder=folder)
-    flight = life.flight if life is not None else flown_by(size(design), mission, folder=folder)
-    return flight, durability(flight), life
+    mission, folder = mission_of(name)
+    try:
+        life = None if life_h is None else size_for_life(design, mission, life_h, folder=folder)
+        flight = life.flight if life is not None else flown_by(size(design), mission, folder=folder)
+        return flight, durability(flight), life
+    except DesignError as error:
+        if any(each.path.partition(".")[0] not in type(mission).model_fields for each in error.problems):
+            raise
+        path = find_mission(name)
+        raise DesignError(placed(error.problems, path.read_text(encoding="utf-8-sig")), str(path)) from None

@@ -18,7 +18,7 @@ from gearwright.render.flight_figures import (
 )
 from gearwright.render.flight_lives import lasting_parts, life_figure, mass_of_life_figure, spectrum_figure
 from gearwright.render.flight_sankey import KWH, sankey_figure
-from gearwright.render.flight_tables import bearing_table, life_table, loss_table, mode_table, phase_table
+from gearwright.render.flight_tables import asked_table, bearing_table, life_table, loss_table, mode_table, phase_table
 from gearwright.render.flight_text import life_text, verdict_text
 from gearwright.render.inputs import entries
 from gearwright.render.pages import environment
@@ -59,7 +59,8 @@ def flight_page(flight: Flight, parts: Durability, life: LifeSizing | None = Non
     tables = [table for section in sections for table in section.tables]
     return environment().get_template("flight_page.html.j2").render(
         design=flight.sizing.design, mission=flight.mission, numbers=_numbers(flight, parts), sections=sections,
-        entries=entries(flight.mission), basis=BASIS, formulas=formulas(tables), marks=MARKS, version=__version__,
+        entries=[each for each in entries(flight.mission) if not each.path.startswith("phases.")],
+        basis=BASIS, formulas=formulas(tables), marks=MARKS, version=__version__,
     )  # fmt: skip
 
 
@@ -112,7 +113,7 @@ def _took(flight: Flight) -> Iterator[str]:
 def _way(flight: Flight) -> Iterator[Section]:
     """Yield what the flight did, over its time."""
     profile = _figure(profile_figure(flight), "profile", "The mission: phases and who drives in them.")
-    yield Section("Mission", figures=(profile,))
+    yield Section("Mission", tables=(asked_table(flight),), figures=(profile,))
     powers = _figure(power_figure(flight), "power", "Powers of the machines, stacked, and torques of the shafts.")
     yield Section("Powers and torques", figures=(powers,))
     stores = _figure(stores_figure(flight), "stores", "Fuel and battery of one gearbox.")

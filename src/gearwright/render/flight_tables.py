@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import Annotated
@@ -10,14 +11,29 @@ import numpy as np
 
 from gearwright.mission import BearingDamage, Durability, Flight, PhaseSummary, phase_summaries
 from gearwright.mission.bearings import USUAL_RELIABILITY
-from gearwright.render.flight_figures import KELVIN
+from gearwright.render.flight_figures import KELVIN, KNOT
 from gearwright.render.flight_lives import LONGEST, lasting_parts
 from gearwright.render.tables import Table, table
-from gearwright.units import Mass, Number, Origin, Power, Quantity
+from gearwright.spec.mission import Phase
+from gearwright.units import FOOT, Mass, Number, Origin, Power, Quantity
 
 ElectricEnergy = Annotated[float, Quantity("electric_energy")]
 GEAR_RELIABILITY = "0.99"
 """Probability of damage of 1 % belongs to the strengths of ISO 6336-5."""
+
+
+@dataclass(frozen=True)
+class AskedView:
+    """One phase as the mission asks for it."""
+
+    name: str
+    mode: str
+    to: Annotated[float, Quantity("altitude")]
+    speed: str
+    lasts: str
+    asks: str
+    electric_share: float | None
+    propeller: Annotated[float, Quantity("speed")]
 
 
 @dataclass(frozen=True)
@@ -100,6 +116,40 @@ MODELS = {
     "battery_loss": ("battery", "R I²", "open-circuit voltage behind a resistance"),
 }
 """Loss in the balance -> words, model, source."""
+
+
+def asked_table(flight: Flight) -> Table:
+    """Return what the mission asks of each phase.
+
+    Args:
+        flight: As flown.
+    """
+    rows = [_asked(name, phase) for name, phase in flight.mission.phases.items()]
+    return table("Phases as asked", rows, _names(AskedView))
+
+
+def _asked(name: str, phase: Phase) -> AskedView:
+    speed = f"Mach {phase.mach:g}" if phase.mach is not None else ""
+    for words, value in (("CAS", phase.cas), ("TAS", phase.tas)):
+        speed = f"{value / KNOT:.4g} kt {words}" if value is not None else speed
+    lasts = f"{(phase.duration or 0.0) / 60.0:.4g} min"
+    if phase.rate_of_climb is not None:
+        lasts = f"at {phase.rate_of_climb / (FOOT / 60.0):.4g} ft/min"
+    return AskedView(
+        name, phase.mode, phase.altitude, speed, lasts, _asks(phase), phase.electric_share, phase.propeller_speed
+    )
+
+
+def _asks(phase: Phase) -> str:
+    """Return what sets the power of a phase, and what is out."""
+    words = "thrust of flight"
+    if phase.pitch is not None:
+        words = f"blade angle {math.degrees(phase.pitch):.4g}°"
+    elif phase.power is not None:
+        end = "" if phase.end_power is None else f" to {phase.end_power / 1e3:.4g}"
+        words = f"{phase.power / 1e3:.4g}{end} kW"
+    working = "" if phase.engines is None else f", {phase.engines} gearboxes work"
+    return words + working + (f", without {', '.join(phase.inoperative)}" if phase.inoperative else "")
 
 
 def phase_table(flight: Flight) -> Table:

@@ -14,6 +14,8 @@ from gearwright.units import text
 
 _IN_THE_HEAD = ("schema_version", "name", "description")
 """What the page's head shows already."""
+_LARGER = {"time": ((3600.0, "life"), (60.0, "flight_time")), "energy": ((3.6e6, "electric_energy"),)}
+"""Dimension -> values from which on it is shown as another dimension does, the largest first."""
 
 
 @dataclass(frozen=True)
@@ -64,10 +66,18 @@ def _table(path: str, table: Mapping[str, object], info: FieldInfo) -> Iterator[
             yield Entry(where, str(value), is_given=True, meaning=info.description or "")
 
 
+def _long(value: float, dimension: str) -> str:
+    """Return a value in its usual unit, or in a larger one where that reads better."""
+    for least, larger in _LARGER.get(dimension, ()):
+        if abs(value) >= least:
+            return text(value, larger)
+    return text(value, dimension)
+
+
 def _words(value: object, info: FieldInfo) -> str:
     quantity = quantity_of(info)
     if quantity is not None and isinstance(value, int | float):
-        return text(value, quantity.dimension)
+        return _long(value, quantity.dimension)
     if isinstance(value, list | tuple):
         return ", ".join(map(str, value))
     if isinstance(value, bool):

@@ -2,18 +2,21 @@
 
 import json
 
+import pytest
 import typer
 from typer.testing import CliRunner
 
 from gearwright.cli.mission import fly
+from gearwright.errors import DesignError
+from gearwright.shipped import shipped_mission
 
 APP = typer.Typer()
 APP.command()(fly)
 
 
-def run(*arguments):
+def run(*arguments, catch=True):
     """Return what a call gives."""
-    return CliRunner().invoke(APP, list(arguments))
+    return CliRunner().invoke(APP, list(arguments), catch_exceptions=catch)
 
 
 def test_without_a_design_the_shipped_missions_are_listed():
@@ -53,3 +56,41 @@ def test_one_command_writes_the_page_of_a_flight(tmp_path):
     result = run("in-line-h2", "thesis", "--report", str(page))
     assert result.exit_code == 0
     assert "First gear to fail: second.planet" in page.read_text(encoding="utf-8")
+
+
+THESIS = shipped_mission("thesis").read_text(encoding="utf-8")
+REGIONAL = shipped_mission("regional-250nm").read_text(encoding="utf-8")
+
+
+REFUSED = {
+    "outside the map": (
+        ("in-line-h2", THESIS, "pitch_deg = 10", "pitch_deg = 3"),
+        "phases.taxi-out: at 5 s, propeller.map: .*blade angle 3°: outside the map, which spans .* change speed",
+    ),
+    "a climb without power": (
+        ("in-line", REGIONAL, "ft_min = 900", "ft_min = 2900"),
+        "phases.climb: at 437 s, gas-turbine: needs 2728 kW at 74 m, and gives 1930 kW; climb slower",
+    ),
+    "an empty battery": (
+        ("in-line-h2", THESIS, "energy_kwh = 700", "energy_kwh = 400"),
+        r"phases.cruise: at \d+ s, battery: empty: .*least 0.1.*; lower electric_share",
+    ),
+    "a gap between phases": (
+        ("in-line-h2", THESIS, "rate_of_climb_ft_min = 1500", "rate_of_climb_ft_min = 1500\nfrom_altitude_ft = 3000"),
+        "phases.climb: it starts at 914 m, but the phase before ended at 457 m; make them equal",
+    ),
+    "two speeds": (
+        ("in-line-h2", THESIS, "tas_kt = 313", "tas_kt = 313\nmach = 0.52"),
+        "phases.cruise: tas and mach given; give one of cas, tas and mach",
+    ),
+}
+
+
+@pytest.mark.parametrize(("change", "expected"), REFUSED.values(), ids=REFUSED)
+def test_what_cannot_be_flown_is_named_with_line_value_and_fix(tmp_path, change, expected):
+    design, text, old, new = change
+    path = tmp_path / "mission.toml"
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(DesignError, match=rf"line \d+: {expected}") as raised:
+        run(design, str(path), catch=False)
+    assert str(raised.value).startswith(str(path))

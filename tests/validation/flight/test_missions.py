@@ -7,7 +7,8 @@ from gearwright.mission import fly, phase_summaries
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import read
-from gearwright.spec.mission import read_mission
+from gearwright.spec.mission import parse_mission, read_mission
+from gearwright.spec.read import parse
 
 HYBRID = size(read(shipped_design("in-line-h2")))
 FLIGHT = fly(HYBRID, read_mission(shipped_mission("thesis")))
@@ -70,3 +71,63 @@ def test_every_hybrid_of_the_thesis_flies_the_mission(design):
     flight = fly(sizing, read_mission(shipped_mission("thesis")))
     assert flight.balance.residual < 1e-6
     assert 0.002 < flight.balance.mesh_loss / flight.balance.propeller < 0.02
+
+
+def test_a_helicopter_like_train_keeps_97_to_99_per_cent_of_its_power():
+    """Measured: UH-60A 97.3 to 97.5 % (Mitchell, Oswald and Coe, NASA TP-2626), OH-58A 98.3 to 98.8 % (Coy, Mitchell
+    and Hamrock 1987). Those are whole transmissions with accessories, so that the band is that of 97 to 99 %; the
+    train flown has two stages, split torque, dry sump. Start-up at a sixth of the power is left out.
+    """
+    sizing = size(read(shipped_design("face-gear-split-torque")))
+    rows = phase_summaries(fly(sizing, read_mission(shipped_mission("rotor-schedule"))))
+    assert all(0.97 < row.efficiency < 0.99 for row in rows if row.name != "start-up")
+
+
+def test_a_train_with_the_teeth_of_the_oh_58a_loses_what_was_measured():
+    """Coy, Mitchell and Hamrock (1987), heat balance with eleven oils of 355 to 372 K: 98.3 to 98.8 % at 224 kW.
+
+    The train has their tooth numbers and speeds, a spur pair in place of the bevel pair, and no accessories.
+    """
+    flight = fly(size(parse(OH58A_LIKE)), parse_mission(HOVER))
+    assert 0.983 < phase_summaries(flight)[0].efficiency < 0.988
+
+
+OH58A_LIKE = """
+schema = 1
+name = "Pair and planetary set with the ratio and power of the OH-58A"
+shafts = ["input", "intermediate", "mast"]
+[turbines.engine]
+shaft = "input"
+power_kw = 224
+speed_rpm = 6060
+[propellers.rotor]
+shaft = "mast"
+speed_rpm = 354
+diameter_m = 10.8
+blades = 2
+[pairs.first]
+pinion = "input"
+wheel = "intermediate"
+pinion_teeth = 19
+wheel_teeth = 71
+[planetaries.second]
+sun = "intermediate"
+ring = "ground"
+carrier = "mast"
+planets = 4
+sun_teeth = 27
+planet_teeth = 35
+"""
+HOVER = """
+schema = 1
+name = "hover"
+propeller_map = "none"
+[oil]
+inlet_temperature_k = 355
+[phases.hover]
+altitude_ft = 0
+tas_kt = 0
+duration_min = 10
+power_kw = 224
+propeller_speed_rpm = 347.5
+"""
