@@ -20,10 +20,10 @@ from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.spec import Design
 from gearwright.spec.study import Study
 from gearwright.study.evaluate import evaluate
+from gearwright.study.made_with import changes_of, made_with
 from gearwright.study.sampling import Case
 from gearwright.study.table import Row
 from gearwright.study.workers import Compute, Finished
-from gearwright.version import __version__
 
 CHUNK = 32
 """Cases of one task: some 50 ms of first sizings, long beside the scheduler's 1 ms a task."""
@@ -86,7 +86,7 @@ class _Tasks:
 
     def __init__(self, client: Any, study: Study, designs: Mapping[str, Design], cases: Iterator[Case]) -> None:
         texts = {name: _text(design) for name, design in designs.items()}
-        self.client, self.given, self.cases = client, (__version__, _text(study), json.dumps(texts)), cases
+        self.client, self.given, self.cases = client, (dict(made_with()), _text(study), json.dumps(texts)), cases
         self.again: deque[list[Case]] = deque()
         self.flying: dict[str, list[Case]] = {}
 
@@ -138,10 +138,11 @@ def _text(record: Study | Design) -> str:
     return record.model_dump_json(by_alias=True, exclude_unset=True)
 
 
-def _rows(version: str, study: str, designs: str, chunk: list[Case]) -> Finished:
+def _rows(made: Mapping[str, str], study: str, designs: str, chunk: list[Case]) -> Finished:
     """Return the rows of a chunk: the task of a worker, which needs no file."""
-    if version != __version__:
-        message = f"a worker has gearwright {__version__}, the study {version}; install the same on all machines"
+    other = [f"{name} {here} where the study has {asked}" for name, asked, here in changes_of(made, made_with())]
+    if other:
+        message = f"a worker has {', '.join(other)}; install the same on all machines"
         raise DesignError([Problem("--cluster", message)])
     read, known = _read(study, designs)
     return [(case.number, evaluate(read, known[case.design], case)) for case in chunk]

@@ -18,13 +18,14 @@ from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.sizing.named import Named
 from gearwright.spec import Design
 from gearwright.spec.study import Study, case_count
+from gearwright.study.made_with import made_with
 from gearwright.study.table import Row
 from gearwright.version import __version__
 
-FORMAT = 1
+FORMAT = 2
 """Version of the tables below."""
 _TABLES = """
-CREATE TABLE study (format INTEGER, version TEXT, study TEXT, designs TEXT, origin TEXT, total INTEGER);
+CREATE TABLE study (format INTEGER, version TEXT, study TEXT, designs TEXT, origin TEXT, total INTEGER, made TEXT);
 CREATE TABLE rows (number INTEGER PRIMARY KEY, design TEXT, inputs TEXT, results TEXT, problem TEXT);
 CREATE TABLE runs (run INTEGER PRIMARY KEY, version TEXT, workers INTEGER, started REAL, done INTEGER, seen REAL);
 """
@@ -38,8 +39,8 @@ class Recorded:
     """As it was when the journal was begun."""
     designs: Mapping[str, Design]
     """Name -> design, complete, as it was then."""
-    version: str
-    """Of gearwright that began it."""
+    made_with: Mapping[str, str]
+    """What computed when it was begun: name -> version."""
     origin: str
     """Folder in which the names of designs were looked up."""
     total: int
@@ -82,7 +83,7 @@ class Journal:
         Args:
             workers: Processes that compute.
         """
-        entry = (__version__, workers, time.time(), 0, time.time())
+        entry = (json.dumps(dict(made_with())), workers, time.time(), 0, time.time())
         with _written(self.database):
             found = self.database.execute(
                 "INSERT INTO runs (version, workers, started, done, seen) VALUES (?, ?, ?, ?, ?)", entry
@@ -131,11 +132,32 @@ def begin(path: Path, study: Study, designs: Mapping[str, Design], *, origin: st
     Raises:
         DesignError: If the file is there already.
     """
-    if str(path) != ":memory:" and path.exists():
-        message = "there is a journal already; `gearwright resume` continues it, or give another name"
-        raise DesignError([Problem("", message)], str(path))
-    with closing(_connect(path)) as database:
-        _write_study(database, study, designs, origin)
+    try:
+        with closing(sqlite3.connect(path)) as database:
+            used = _has_tables(database)
+        with closing(_connect(path)) as database:
+            used = used or not _write_study(database, study, designs, origin)
+    except sqlite3.OperationalError as error:
+        raise SolveError(f"the journal {path} cannot be written: {error}; give another place") from None
+    except sqlite3.DatabaseError:
+        used = True
+    if used:
+        raise DesignError([Problem("", _taken(path, study))], str(path))
+
+
+def _taken(path: Path, study: Study) -> str:
+    """Return why a new journal cannot have the name of a file that is there."""
+    try:
+        known = recorded(path)
+    except DesignError:
+        return "there is another file of this name; give the journal another one"
+    if known.study != study:
+        return f"this is the journal of another study, {known.study.name!r}; give this one another name"
+    return "there is a journal of this study already; `gearwright resume` continues it, or give another name"
+
+
+def _has_tables(database: sqlite3.Connection) -> bool:
+    return database.execute("SELECT 1 FROM sqlite_master").fetchone() is not None
 
 
 def in_memory(study: Study, designs: Mapping[str, Design]) -> Journal:
@@ -150,13 +172,18 @@ def in_memory(study: Study, designs: Mapping[str, Design]) -> Journal:
     return Journal(database)
 
 
-def _write_study(database: sqlite3.Connection, study: Study, designs: Mapping[str, Design], origin: str) -> None:
+def _write_study(database: sqlite3.Connection, study: Study, designs: Mapping[str, Design], origin: str) -> bool:
+    """Write what a journal begins with, all or nothing; tell whether the database was free for it."""
     texts = {name: _dumped(design) for name, design in designs.items()}
-    entry = (FORMAT, __version__, _dumped(study), json.dumps(texts), origin, case_count(study))
+    made = json.dumps(dict(made_with()))
+    entry = (FORMAT, __version__, _dumped(study), json.dumps(texts), origin, case_count(study), made)
     with _written(database):
+        if _has_tables(database):
+            return False
         for statement in _TABLES.split(";"):
             database.execute(statement)
-        database.execute("INSERT INTO study VALUES (?, ?, ?, ?, ?, ?)", entry)
+        database.execute("INSERT INTO study VALUES (?, ?, ?, ?, ?, ?, ?)", entry)
+    return True
 
 
 def _dumped(record: Study | Design) -> str:
@@ -210,7 +237,7 @@ def recorded(path: Path) -> Recorded:
         )
     study = Study.model_validate_json(found[2])
     designs = {name: Design.model_validate_json(text) for name, text in json.loads(found[3]).items()}
-    return Recorded(study, designs, found[1], found[4], found[5])
+    return Recorded(study, designs, json.loads(found[6]), found[4], found[5])
 
 
 def status(path: Path) -> Status:

@@ -13,11 +13,11 @@ from gearwright.spec import Design
 from gearwright.spec.study import Study, case_count
 from gearwright.study.evaluate import refuse_unknown_paths
 from gearwright.study.journal import Journal, Recorded, begin, in_memory, opened, recorded
+from gearwright.study.made_with import changes_of, made_with
 from gearwright.study.run import batches, table_of
 from gearwright.study.sampling import Case
 from gearwright.study.table import Row, Table
 from gearwright.study.workers import Compute, local
-from gearwright.version import __version__
 
 
 @dataclass(frozen=True)
@@ -83,12 +83,12 @@ def resume(
         journal: Its file.
         workers: Processes that compute; 0 computes in this one.
         designs: The designs as they are now, to compare; left out: not compared.
-        anyway: Continue with the designs in the journal even if they, or gearwright's version, have changed since.
+        anyway: Continue with the designs in the journal even if they, or what computes, have changed since.
         watch: Called with the progress each time that cases are finished.
         start: What holds workers; left out: processes of this machine.
 
     Raises:
-        DesignError: If it is no journal, another runner is at it, or designs or version have changed.
+        DesignError: If it is no journal, another runner is at it, or designs or versions have changed.
         SolveError: If the journal cannot be written, or no worker starts.
     """
     known = recorded(journal)
@@ -115,9 +115,10 @@ def refuse_changes(journal: Path, known: Recorded, designs: Mapping[str, Design]
         for name, design in designs.items()
         if design != known.designs[name]
     ]
-    if known.version != __version__:
-        message = f"the study was begun with {known.version}, this is {__version__}; results may differ: {fix}"
-        problems.append(Problem("gearwright", message))
+    problems += [
+        Problem(name, f"the study was begun with {begun}, this is {now}; results may differ: {fix}")
+        for name, begun, now in changes_of(known.made_with, made_with())
+    ]
     if problems:
         raise DesignError(problems, str(journal))
 

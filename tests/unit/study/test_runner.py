@@ -6,6 +6,7 @@ import multiprocessing
 import os
 import resource
 import signal
+import sqlite3
 import subprocess
 import sys
 import time
@@ -23,6 +24,7 @@ from gearwright.spec.edit import edited
 from gearwright.spec.study import Study, parse_study
 from gearwright.study import run
 from gearwright.study.journal import begin, opened, recorded, rows_of, status
+from gearwright.study.made_with import made_with
 from gearwright.study.runner import resume, run_study
 from gearwright.study.sampling import cases
 from gearwright.study.workers import local
@@ -155,8 +157,30 @@ def test_a_second_runner_is_refused(tmp_path: Path) -> None:
 
 def test_a_journal_that_is_there_is_not_written_over(tmp_path: Path) -> None:
     begin(tmp_path / "j", study_of(2), DESIGNS)
-    with pytest.raises(DesignError, match="there is a journal already"):
+    with pytest.raises(DesignError, match="there is a journal of this study already"):
         run_study(study_of(2), DESIGNS, journal=tmp_path / "j")
+    with pytest.raises(DesignError, match="this is the journal of another study, 's'; give this one another name"):
+        run_study(study_of(2, name="other"), DESIGNS, journal=tmp_path / "j")
+
+
+@pytest.mark.parametrize("content", [b"mass = 3\n", b"SQLite of somebody else"])
+def test_a_file_that_is_no_journal_is_not_written_over(tmp_path: Path, content: bytes) -> None:
+    """Neither a text nor another program's database."""
+    if content.startswith(b"SQLite"):
+        with closing(sqlite3.connect(tmp_path / "j")) as database:
+            database.execute("CREATE TABLE own (name TEXT)")
+    else:
+        (tmp_path / "j").write_bytes(content)
+    before = (tmp_path / "j").read_bytes()
+    with pytest.raises(DesignError, match="another file of this name"):
+        run_study(study_of(2), DESIGNS, journal=tmp_path / "j")
+    assert (tmp_path / "j").read_bytes() == before
+
+
+def test_a_runner_that_died_before_its_study_was_written_leaves_the_name_free(tmp_path: Path) -> None:
+    with closing(sqlite3.connect(tmp_path / "j")) as database:
+        database.execute("PRAGMA journal_mode = WAL")
+    assert len(run_study(study_of(2), DESIGNS, journal=tmp_path / "j").rows) == 2
 
 
 @pytest.mark.parametrize("content", [None, "", "no database"])
@@ -177,8 +201,8 @@ def test_a_changed_design_is_noticed_and_the_recorded_one_is_used(tmp_path: Path
 
 def test_another_version_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     begin(tmp_path / "j", study_of(3), DESIGNS)
-    monkeypatch.setattr(runner_module, "__version__", "99.0")
-    with pytest.raises(DesignError, match=r"this is 99\.0; results may differ"):
+    monkeypatch.setattr(runner_module, "made_with", lambda: {**made_with(), "gearwright": "99.0"})
+    with pytest.raises(DesignError, match=r"gearwright: the study was begun with 0.*this is 99\.0; results may differ"):
         resume(tmp_path / "j", designs=DESIGNS)
     assert len(resume(tmp_path / "j", anyway=True).rows) == 3
 

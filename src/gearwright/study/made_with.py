@@ -1,0 +1,56 @@
+"""What results are computed with: gearwright's own files, and the libraries whose rounding reaches the results."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from functools import cache
+from hashlib import sha256
+from importlib.metadata import version
+from pathlib import Path
+
+from gearwright.version import __version__
+
+LIBRARIES = ("numpy", "scipy", "numba", "llvmlite")
+"""Libraries that compute."""
+_DIGITS = 12
+"""Of the digest; one in 10^14 that two sets of files agree by chance."""
+
+
+@cache
+def made_with() -> Mapping[str, str]:
+    """Return what computes here: name -> version, with a digest of every installed file of gearwright.
+
+    The digest notices an edited file under an unchanged version.
+    """
+    libraries = {name: version(name) for name in LIBRARIES}
+    own = f"{__version__}, files {digest(Path(__file__).parents[1])}"
+    return {"gearwright": own, "python": f"{sys.version_info.major}.{sys.version_info.minor}", **libraries}
+
+
+def digest(folder: Path) -> str:
+    """Return the digest of the files in a folder, their names included; those that Python makes are left out.
+
+    Args:
+        folder: Of a package.
+    """
+    found = sha256()
+    for path in sorted(each for each in folder.rglob("*") if each.is_file() and "__pycache__" not in each.parts):
+        found.update(path.relative_to(folder).as_posix().encode() + b"\0")
+        found.update(sha256(path.read_bytes()).digest())
+    return found.hexdigest()[:_DIGITS]
+
+
+def changes_of(begun: Mapping[str, str], now: Mapping[str, str]) -> list[tuple[str, str, str]]:
+    """Return what differs between two sets of versions.
+
+    Args:
+        begun: With what a study was begun.
+        now: What computes now.
+
+    Returns:
+        Name, version then, version now.
+    """
+    names = dict.fromkeys([*begun, *now])
+    pairs = [(name, begun.get(name, "none"), now.get(name, "none")) for name in names]
+    return [each for each in pairs if each[1] != each[2]]
