@@ -135,8 +135,9 @@ def begin(path: Path, study: Study, designs: Mapping[str, Design], *, origin: st
     try:
         with closing(sqlite3.connect(path)) as database:
             used = _has_tables(database)
-        with closing(_connect(path)) as database:
-            used = used or not _write_study(database, study, designs, origin)
+        if not used:
+            with closing(_connect(path)) as database:
+                used = not _write_study(database, study, designs, origin)
     except sqlite3.OperationalError as error:
         raise SolveError(f"the journal {path} cannot be written: {error}; give another place") from None
     except sqlite3.DatabaseError:
