@@ -87,7 +87,7 @@ def _serve(pipe: Connection, study: Study, designs: Mapping[str, Design], functi
             start = time.perf_counter()
             rows = [(case.number, function(study, designs[case.design], case)) for case in chunk]
             pipe.send((rows, time.perf_counter() - start))
-    except (EOFError, BrokenPipeError):
+    except (EOFError, BrokenPipeError, ConnectionResetError):  # the runner is gone, perhaps with an answer unread
         return
 
 
