@@ -90,6 +90,8 @@ def resume(
     refuse_files(csv, export, report)
     known = recorded(journal)
     present = {} if anyway else present_designs(known.designs, Path(known.origin))
+    if not anyway:
+        _refuse_changed_mission(journal, known.study, Path(known.origin))
     count = _workers(workers, known.total)
     with _stopped_cleanly(journal), _watched() as watch:
         table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, start=_start(cluster))
@@ -168,6 +170,15 @@ def write_files(
 
         report.write_text(study_page(study, table, designs), encoding="utf-8")
         typer.echo(f"wrote {report}", err=True)
+
+
+def _refuse_changed_mission(journal: Path, study: Study, folder: Path) -> None:
+    from gearwright.errors import DesignError, Problem
+    from gearwright.spec.study import mission_changed
+
+    if mission_changed(study, folder):
+        fix = "begin a new journal, or continue --anyway with the mission in the journal"
+        raise DesignError([Problem("fly.mission", f"has changed since the study was begun; {fix}")], str(journal))
 
 
 def present_designs(names: Mapping[str, Design], folder: Path) -> dict[str, Design]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -14,6 +16,8 @@ from gearwright.study import Row, Table
 
 FLAT = 0.03
 """Deviation from the optimum that still counts as near it [-]."""
+FEW_CURVES = 3
+"""Curves up to which every optimum is written beside its ring."""
 _STACK = ("gear_mass", "shaft_mass", "carrier_mass", "motor_mass")
 _STACK_COLOURS = dict(zip(_STACK, (theme.BLUE, theme.GREEN, theme.AMBER, theme.ORANGE), strict=True))
 _HEAVIER_IS_BETTER = ("power_density", "worst_margin")
@@ -57,39 +61,57 @@ def sweep_figure(table: Table, objectives: Mapping[str, str] | None = None) -> F
     axis = numeric_axis(table) or ""
     figure = theme.sheet(180.0, 16.0 + 44.0 * len(table.numbers))
     panels = figure.subplots(len(table.numbers), 1, sharex=True, squeeze=False)[:, 0]
+    curves = dict(_curves(table, axis))
+    colours = _colours(len(curves))
     for panel, result in zip(panels, table.numbers, strict=True):
-        for colour, (label, rows) in zip(theme.CYCLE * 4, _curves(table, axis), strict=False):
+        for colour, (label, rows) in zip(colours, curves.items(), strict=True):
             _draw_curve(panel, axis, result, (label, rows, colour))
             if result in senses:
-                _mark_optimum(panel, axis, result, (rows, colour), most=senses[result] == "most")
+                few = len(curves) <= FEW_CURVES
+                _mark_optimum(panel, axis, result, (rows, colour), most=senses[result] == "most", flat=few)
         panel.set_ylabel(f"{heading(result)} [{result_unit(table, result) or '-'}]")
         panel.margins(x=0.02, y=0.18)
     tied = len(table.rows[0].inputs) - len(table.free)
     panels[-1].set_xlabel(f"{axis}, and {tied} more with it" if tied else axis)
-    if len(list(_curves(table, axis))) > 1:
+    if 1 < len(curves) <= FEW_CURVES:
         panels[0].legend(loc="best")
-    panels[0].set_title(f"{table.name}: ring at the optimum, band within {percent(FLAT)} of it")
+    elif len(curves) > 1:
+        others = ", ".join(path for path in table.free if path != axis)
+        lines, names = panels[0].get_legend_handles_labels()
+        figure.legend(lines, names, loc="outside right upper", title=textwrap.fill(others, 32), title_fontsize=7.5)
+    band = f", band within {percent(FLAT)} of it" if len(curves) <= FEW_CURVES else ""
+    panels[0].set_title(f"{table.name}: ring at the optimum{band}")
     return figure
+
+
+def _colours(count: int) -> list[Any]:
+    """Return colours of curves: each its own for few, a scale in their order for many."""
+    if count <= len(theme.CYCLE):
+        return list(theme.CYCLE[:count])
+    return [colormaps["cividis"](k / (count - 1)) for k in range(count)]
 
 
 def _curves(table: Table, axis: str) -> Iterator[tuple[str, list[Row]]]:
     """Yield the rows that differ in the axis alone, with what sets them apart."""
     groups: dict[str, list[Row]] = {}
+    one = len({row.design for row in table.rows}) == 1
     for row in table.rows:
         if not row.problem:
             others = [str(row.inputs[path]) for path in table.free if path != axis]
-            groups.setdefault(", ".join([row.design, *others]), []).append(row)
+            names = others if others and one else [row.design, *others]
+            groups.setdefault(", ".join(names), []).append(row)
     yield from groups.items()
 
 
-def _draw_curve(panel: Axes, axis: str, result: str, curve: tuple[str, list[Row], str]) -> None:
+def _draw_curve(panel: Axes, axis: str, result: str, curve: tuple[str, list[Row], Any]) -> None:
     label, rows, colour = curve
     place: list[Any] = [row.inputs[axis] for row in rows]
     values = [row.shown(result) for row in rows]
     panel.plot(place, values, "-", color=colour, marker=".", ms=3.5, label=label)
 
 
-def _mark_optimum(panel: Axes, axis: str, result: str, curve: tuple[list[Row], str], *, most: bool) -> None:
+def _mark_optimum(panel: Axes, axis: str, result: str, curve: tuple[list[Row], Any], *, most: bool, flat: bool) -> None:
+    """Ring the optimum of a curve; with its value and the range near it where there is room."""
     rows, colour = curve
     place: list[Any] = [row.inputs[axis] for row in rows]
     values = [row.shown(result) for row in rows]
@@ -97,6 +119,8 @@ def _mark_optimum(panel: Axes, axis: str, result: str, curve: tuple[list[Row], s
     near = [x for x, value in zip(place, values, strict=True) if abs(value / best - 1.0) <= FLAT] if best else place
     at = place[values.index(best)]
     panel.plot([at], [best], "o", mfc="none", mec=colour, ms=8)
+    if not flat:
+        return
     panel.axvspan(min(near), max(near), color=colour, alpha=0.07, lw=0)
     offset = -12 if most else 8
     side = {min(place): "left", max(place): "right"}.get(at, "center")

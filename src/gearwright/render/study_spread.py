@@ -14,14 +14,16 @@ from gearwright.render import theme
 from gearwright.render.study_figures import study_figure
 from gearwright.render.study_lists import letter
 from gearwright.render.study_tables import heading, percent, result_unit
+from gearwright.render.study_trade import draw_ranges, trade_figure
 from gearwright.spec.study import Study
 from gearwright.study import Row, Table
 from gearwright.study.pareto import pareto_front
 from gearwright.study.sensitivity import CONFIDENCE, Influence, varies
+from gearwright.study.verdict import verdict
 
 Floats = NDArray[np.float64]
 MOST_BINS, FEW_DESIGNS = 40, 4
-"""Bars of a distribution; designs whose legend has room inside it."""
+"""Bars of a distribution; designs up to which bars are told apart."""
 _MARKS = "os^v"
 """Shapes of points, for more designs than colours."""
 MOST_LINES = 400
@@ -29,31 +31,45 @@ MOST_LINES = 400
 
 
 def figure_of(study: Study, table: Table) -> Figure:
-    """Return the figure that suits a study: its front, lines or bars of a grid, or the distributions of samples.
+    """Return the figure that suits a study: a trade, a front, lines or bars of a grid, or distributions of samples.
 
     Args:
         study: As run.
         table: Its rows.
     """
+    found = verdict(study, table)
+    if found is not None:
+        return trade_figure(study, table, found)
     if len(study.objectives) > 1:
         return pareto_figure(study, table, pareto_front(study, table))
     if study.sampling.method in ("grid", "list"):
-        return study_figure(table)
+        return study_figure(table, study.objectives)
     return distribution_figure(table)
 
 
 @theme.styled
 def distribution_figure(table: Table) -> Figure:
-    """Return the distribution of every result that varies, designs in colours, with median and 5 to 95 % range.
+    """Return the distribution of every result that varies, with median and 5 to 95 % range.
+
+    Few designs are histograms in colours, many are one row each.
 
     Args:
         table: Of a study.
     """
     drawn = [name for name in table.numbers if varies(np.array(table.column(name)))]
     designs = tuple(dict.fromkeys(row.design for row in table.good))
-    figure = theme.sheet(180.0, 14.0 + (38.0 + 4.0 * max(0, len(designs) - FEW_DESIGNS)) * len(drawn))
+    many = len(designs) > FEW_DESIGNS
+    figure = theme.sheet(180.0, 14.0 + (12.0 + 6.5 * len(designs) if many else 38.0) * len(drawn))
     panels = figure.subplots(max(1, len(drawn)), 1, squeeze=False)[:, 0]
     for panel, result in zip(panels, drawn, strict=False):
+        panel.set_xlabel(_label(table, result))
+        if many:
+            each = [np.array([_shown(row, result) for row in _good(table) if row.design == name]) for name in designs]
+            draw_ranges(panel, each)
+            panel.margins(x=0.05, y=0.12)
+            panel.set_yticks(range(len(designs)), designs)
+            panel.invert_yaxis()
+            continue
         everything = np.array([_shown(row, result) for row in _good(table)])
         bins = np.histogram_bin_edges(everything, bins=min(MOST_BINS, int(2.0 * math.sqrt(len(everything))) + 1))
         for design, colour in zip(designs, theme.CYCLE * 4, strict=False):
@@ -63,10 +79,8 @@ def distribution_figure(table: Table) -> Figure:
                 label = f"{design}: {median:.4g} ({low:.4g} to {high:.4g})"
                 panel.hist(values, bins, color=colour, alpha=0.55, label=label)
                 panel.axvline(median, color=colour, lw=0.9)
-        panel.set_xlabel(_label(table, result))
         panel.set_ylabel("cases")
-        many = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if len(designs) > FEW_DESIGNS else {"loc": "best"}
-        panel.legend(**many, title="median (5 to 95 %)", title_fontsize=7.5)
+        panel.legend(loc="best", title="median (5 to 95 %)", title_fontsize=7.5)
     return figure
 
 

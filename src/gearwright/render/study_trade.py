@@ -15,6 +15,7 @@ from gearwright.render.study_tables import heading, percent
 from gearwright.render.tables import written
 from gearwright.spec.study import Study
 from gearwright.study import Table
+from gearwright.study.pareto import Floats
 from gearwright.study.verdict import Standing, Verdict
 
 RANGE = (0.05, 0.5, 0.95)
@@ -48,24 +49,40 @@ def _draw_objective(panel: Axes, table: Table, standings: Sequence[Standing], na
     spreads = [np.array([row.shown(name) for row in table.good if row.design == each.design]) for each in standings]
     medians = [float(np.median(values)) if len(values) else np.nan for values in spreads]
     best = int(np.nanargmin(medians) if sense == "least" else np.nanargmax(medians))
-    everything = np.concatenate([values[np.isfinite(values)] for values in spreads])
-    if everything.min() > LOGARITHMIC**-1 * everything.max() or everything.min() <= 0.0:
-        panel.xaxis.set_major_locator(MaxNLocator(3))
-    else:
-        panel.set_xscale("log")
-    for place, (values, median) in enumerate(zip(spreads, medians, strict=True)):
-        colour = theme.ORANGE if place == best else theme.BLUE
-        if len(values):
-            low, high = np.quantile(values, (RANGE[0], RANGE[2]))
-            panel.plot([low, high], [place, place], "-", color=colour, lw=2.2, alpha=0.45, solid_capstyle="butt")
-            panel.plot([median], [place], "o", color=colour, ms=5)
-            label = written(median, 3)
-            panel.annotate(label, (median, place), (0, 4.5), textcoords="offset points", ha="center", fontsize=6.5,
-                           color=colour if place == best else theme.INK)  # fmt: skip
+    draw_ranges(panel, spreads, best)
     words = textwrap.fill(f"{heading(name)}{_unit(table, name)}", 16)
     panel.set_title(f"{words}\n{'less' if sense == 'least' else 'more'} is better", fontsize=7.5)
     panel.tick_params(axis="x", labelsize=7)
     panel.margins(x=0.16, y=0.08)
+
+
+def draw_ranges(panel: Axes, spreads: Sequence[Floats], best: int | None = None) -> None:
+    """Draw one row of a panel for each design: median and 5 to 95 % range, the best in another colour.
+
+    Args:
+        panel: To draw on.
+        spreads: Values of each design, as they are shown.
+        best: Row that stands out.
+    """
+    finite = np.concatenate([values[np.isfinite(values)] for values in spreads])
+    if len(finite) and 0.0 < finite.min() < finite.max() / LOGARITHMIC:
+        panel.set_xscale("log")
+    else:
+        panel.xaxis.set_major_locator(MaxNLocator(3))
+    for place, values in enumerate(spreads):
+        colour, ink = (theme.ORANGE, theme.ORANGE) if place == best else (theme.BLUE, theme.INK)
+        ends = np.quantile(values[np.isfinite(values)], RANGE) if np.isfinite(values).any() else None
+        if ends is not None:
+            panel.plot(ends[[0, 2]], [place, place], "-", color=colour, lw=2.2, alpha=0.45, solid_capstyle="butt")
+        median = float(np.median(values)) if len(values) else np.nan
+        if np.isfinite(median):
+            panel.plot([median], [place], "o", color=colour, ms=5)
+            panel.annotate(written(median, 3), (median, place), (0, 4.5), textcoords="offset points", ha="center",
+                           fontsize=6.5, color=ink)  # fmt: skip
+        else:
+            words = "∞" if len(values) else "cannot be had"
+            panel.annotate(words, (0.98, place), xycoords=("axes fraction", "data"), ha="right", va="center",
+                           fontsize=6.5, color=ink)  # fmt: skip
 
 
 def _unit(table: Table, name: str) -> str:

@@ -214,6 +214,18 @@ def with_mission(study: Study, folder: Path) -> Study:
     return study
 
 
+def mission_changed(study: Study, folder: Path) -> bool:
+    """Tell whether the mission file that a study names, if it is still there, says something else now.
+
+    Args:
+        study: With the mission as it was.
+        folder: Where the file is looked for.
+    """
+    if study.fly.mission is None or not find_mission(study.fly.mission, folder).is_file():
+        return False
+    return with_mission(study.model_copy(update={"mission": None}), folder).mission != study.mission
+
+
 def _with_map(mission: Mission, folder: Path) -> Mission:
     """Return a mission whose propeller map, where it is a file, is found from anywhere on this machine."""
     if not mission.propeller_map.endswith(".csv"):

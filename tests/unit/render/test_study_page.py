@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from gearwright.render import theme
+from gearwright.render.study_figures import study_figure
 from gearwright.render.study_page import study_page
 from gearwright.render.study_spread import contour_figure, figure_of, parallel_figure
 from gearwright.render.study_tables import reasons, spread
@@ -96,13 +97,35 @@ def test_the_spread_is_that_of_the_numbers() -> None:
     assert len(reasons(table)) <= 3
 
 
+OBJECTIVES = '[objectives]\nmass = "least"\nmotor_mass = "most"\n'
+
+
 @pytest.mark.parametrize(
-    ("more", "label"),
+    ("head", "more", "label"),
     [
-        ("", "gearbox [kg]"),
-        ('[objectives]\nmass = "least"\nmotor_mass = "most"\n', "gearbox [kg]: least"),
+        (HEAD, "", "gearbox [kg]"),
+        (HEAD.replace('"in-line-h1", ', ""), OBJECTIVES, "gearbox [kg]: least"),
     ],
 )
-def test_the_figure_suits_the_method(more: str, label: str) -> None:
-    study, table, _ = page_of(HEAD + FILL + '[sampling]\nmethod = "sobol"\ncount = 8\n' + more)
+def test_the_figure_suits_the_method(head: str, more: str, label: str) -> None:
+    study, table, _ = page_of(head + FILL + '[sampling]\nmethod = "sobol"\ncount = 8\n' + more)
     assert figure_of(study, table).axes[0].get_xlabel() == label
+
+
+def test_designs_at_equal_inputs_are_a_trade_objective_by_objective() -> None:
+    study, table, _ = page_of(HEAD + FILL + '[sampling]\nmethod = "sobol"\ncount = 8\n' + OBJECTIVES)
+    panels = figure_of(study, table).axes
+    assert [panel.get_title(loc="left") for panel in panels] == [
+        "gearbox [kg]\nless is better",
+        "motors [kg]\nmore is better",
+    ]
+    assert {label.get_text() for label in panels[0].get_yticklabels()} == {"in-line-h1", "in-line-h2"}
+
+
+def test_axes_that_were_changed_together_are_one_line_with_the_ends_of_the_trade() -> None:
+    speeds = '"motors.electric.speed_rpm" = {values = [4000, 4200, 4400]}'
+    axes = f'[axes]\n"carriers.fill" = {{values = [0.4, 0.6, 0.8]}}\n{speeds}\n'
+    _, table, page = page_of(HEAD.replace('"in-line-h1", ', "") + axes + '[sampling]\nmethod = "list"\n' + OBJECTIVES)
+    assert table.free == ("motors.electric.speed_rpm",)
+    assert "From motors.electric.speed_rpm = 4000 to 4400: gearbox" in page
+    assert study_figure(table).axes[0].lines[0].get_xdata().tolist() == [4000, 4200, 4400]

@@ -14,7 +14,7 @@ from gearwright.sizing import size
 from gearwright.spec import read
 from gearwright.spec.edit import edited_mission
 from gearwright.spec.mission import read_mission
-from gearwright.spec.study import Study, case_count, parse_study
+from gearwright.spec.study import Study, case_count, mission_changed, parse_study
 from gearwright.study import Table, run
 from gearwright.study.evaluate import refuse_unknown_paths
 from gearwright.study.runner import resume, run_study
@@ -145,3 +145,14 @@ def test_what_cannot_be_flown_is_a_row_with_its_reason() -> None:
     table = table_of('["fly.charge"]', axis)
     assert [bool(row.problem) for row in table.rows] == [True, False]
     assert "battery" in table.failed[0].problem
+
+
+def test_resume_notices_a_mission_that_has_changed(tmp_path: Path) -> None:
+    text = shipped_mission("thesis").read_text(encoding="utf-8")
+    (tmp_path / "own.toml").write_text(text, encoding="utf-8")
+    study = parse_study(f'results = ["fly.fuel"]\n{HEAD}'.replace('"thesis"', '"own.toml"'), folder=tmp_path)
+    assert not mission_changed(study, tmp_path)
+    (tmp_path / "own.toml").write_text(text.replace("duration_min = 40", "duration_min = 41"), encoding="utf-8")
+    assert mission_changed(study, tmp_path)
+    (tmp_path / "own.toml").unlink()
+    assert not mission_changed(study, tmp_path), "the journal has it"
