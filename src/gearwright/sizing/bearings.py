@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,17 +14,15 @@ from gearwright.catalogue.bearing_choice import (
     BearingSpectrum,
     check_bearing,
     equivalent_loads,
-    fitting_bearings,
 )
-from gearwright.catalogue.bearings import Bearing, bearing, with_ratings
+from gearwright.catalogue.bearings import Bearing, bearing, bearings, with_ratings
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.bearing_load import LoadFactors, taper_factors
-from gearwright.parts.rolling_bearing import BearingKind
 from gearwright.sizing.context import Context
 from gearwright.sizing.forces import ShaftForces
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.seats import axial_forces, seats_of
-from gearwright.spec.check_mounting import KINDS
+from gearwright.spec.check_mounting import APART, KINDS
 from gearwright.spec.mounting import BearingSeat
 from gearwright.train.flow import RATED
 
@@ -46,8 +44,22 @@ class Seating:
     """Bearing -> axial force of every case, induced thrust included [N]."""
     duties: Mapping[str, BearingSpectrum]
     """Bearing -> what it bears."""
-    sizes: Mapping[str, tuple[BearingCheck, ...]]
+    sizes: Mapping[str, tuple[Bearing, ...]]
     """Bearing -> the sizes that may be taken, in order of preference."""
+    rated: dict[tuple[str, str], BearingCheck] = field(default_factory=dict)
+    """Bearing and size -> how it bears its duty, as far as that was asked."""
+
+    def check(self, name: str, size: Bearing) -> BearingCheck:
+        """Return how a size bears the duty of a bearing.
+
+        Args:
+            name: Of the bearing.
+            size: From the catalogue.
+        """
+        key = (name, size.designation)
+        if key not in self.rated:
+            self.rated[key] = check_bearing(size, self.duties[name])
+        return self.rated[key]
 
     def choose(self, name: str, least: float, most: float) -> Bearing:
         """Return the first size that bears its duty around a shaft, or the one that the user gives.
@@ -62,14 +74,15 @@ class Seating:
         """
         seat, sizes = self.seats[name], self.sizes[name]
         if seat.designation is not None:
-            return sizes[0].bearing
+            return sizes[0]
         if seat.bore is not None:
             least, most = 0.0, math.inf
-        room = [each for each in sizes if least - 1e-9 <= each.bearing.bore <= most + 1e-9]
+        room = [each for each in sizes if least - 1e-9 <= each.bore <= most + 1e-9]
         for each in room:
-            if _bears(each):
-                return each.bearing
-        raise DesignError([Problem(f"bearings.{name}", _none(self.duties[name], seat, (least, most), room or sizes))])
+            if _bears(self.check(name, each)):
+                return each
+        checks = [self.check(name, each) for each in room or sizes]
+        raise DesignError([Problem(f"bearings.{name}", _none(self.duties[name], seat, (least, most), checks))])
 
 
 def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str, Bearing], *, slim: bool) -> Seating:
@@ -96,9 +109,7 @@ def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str
     }
     axial = axial_forces(shaft, seats, (forces.axial, radial), factors, cases=tuple(given.flows))
     duties = {name: _duty(given, shaft, seat, radial[name], axial[name]) for name, seat in seats.items()}
-    sizes = {name: _sizes(name, seats[name], duties[name]) for name in seats}
-    if slim:
-        sizes = {name: tuple(sorted(each, key=lambda size: size.bearing.bore)) for name, each in sizes.items()}
+    sizes = {name: _sizes(name, seat, slim=slim) for name, seat in seats.items()}
     return Seating(seats, radial, axial, duties, sizes)
 
 
@@ -118,19 +129,21 @@ def _duty(given: Context, shaft: str, seat: BearingSeat, radial: Array, axial: A
     )
 
 
-def _sizes(name: str, seat: BearingSeat, duty: BearingSpectrum) -> tuple[BearingCheck, ...]:
+def _sizes(name: str, seat: BearingSeat, *, slim: bool) -> tuple[Bearing, ...]:
     if seat.designation is not None:
-        return (check_bearing(_as_made(seat, bearing(seat.designation)), duty),)
-    try:
-        return fitting_bearings(
-            BearingKind(KINDS[seat.kind]),
-            duty,
-            bore=seat.bore or 0.0,
-            largest_bore=seat.bore or math.inf,
-            largest_outer=seat.largest_outer_diameter or math.inf,
-        )
-    except DesignError as error:
-        raise DesignError([Problem(f"bearings.{name}", each.message) for each in error.problems]) from None
+        return (_as_made(seat, bearing(seat.designation)),)
+    outer = math.inf if seat.largest_outer_diameter is None else seat.largest_outer_diameter
+    fitting = [
+        each
+        for each in bearings().values()
+        if each.kind == KINDS[seat.kind]
+        and each.outer_diameter <= outer + 1e-9
+        and (seat.bore is None or abs(each.bore - seat.bore) < APART)
+    ]
+    if not fitting:
+        message = f"no {KINDS[seat.kind]} bearing has at most {1e3 * outer:.4g} mm outside; give it more room"
+        raise DesignError([Problem(f"bearings.{name}.largest_outer_diameter", message)])
+    return tuple(sorted(fitting, key=lambda each: (each.bore, each.mass) if slim else (each.mass, each.bore)))
 
 
 def _as_made(seat: BearingSeat, standard: Bearing) -> Bearing:
@@ -145,20 +158,12 @@ def _bears(check: BearingCheck) -> bool:
     return check.life_margin >= 1.0 and check.static_margin >= 1.0
 
 
-def _best(sizes: tuple[BearingCheck, ...] | list[BearingCheck]) -> BearingCheck:
-    return max(sizes, key=lambda each: min(each.life_margin, each.static_margin))
-
-
-def _none(
-    duty: BearingSpectrum,
-    seat: BearingSeat,
-    room: tuple[float, float],
-    sizes: list[BearingCheck] | tuple[BearingCheck, ...],
-) -> str:
+def _none(duty: BearingSpectrum, seat: BearingSeat, room: tuple[float, float], checks: list[BearingCheck]) -> str:
     """Say why no size will do, and which is nearest."""
     least, most = room
     around = f"bores from {1e3 * least:.4g} mm" + (f" to {1e3 * most:.4g} mm" if most < math.inf else "")
-    best, outer = _best(sizes), seat.largest_outer_diameter
+    best = max(checks, key=lambda each: min(each.life_margin, each.static_margin))
+    outer = seat.largest_outer_diameter
     inside = f" and {1e3 * outer:.4g} mm outside" if outer else ""
     return (
         f"no {KINDS[seat.kind]} bearing with {around}{inside} lives {duty.life / 3600.0:.4g} h with s_0 ="
@@ -183,7 +188,7 @@ def bearing_sizings(
 
 
 def _sizing(name: str, seated: Seating, taken: Bearing, shaft: str, cases: tuple[str, ...]) -> BearingSizing:
-    duty, check = seated.duties[name], check_bearing(taken, seated.duties[name])
+    duty, check = seated.duties[name], seated.check(name, taken)
     statics = [equivalent_loads(taken, *each)[1] for each in zip(duty.radial, duty.axial, strict=True)]
     worst = int(np.argmax(statics))
     return BearingSizing(
