@@ -34,8 +34,10 @@ _SUFFIXES: Mapping[str, Mapping[str, float]] = {
     "frequency": {"hz": 1.0, "khz": 1e3},
     "inertia": {"kg_m2": 1.0},
     "length": {"mm": 1e-3, "m": 1.0, "um": 1e-6, "in": INCH, "ft": FOOT},
+    "life": {"h": 3600.0},
     "mass": {"kg": 1.0, "g": 1e-3, "lb": POUND},
     "power": {"kw": 1e3, "w": 1.0, "mw": 1e6, "hp": HORSEPOWER},
+    "slope": {"mrad": 1e-3},
     "speed": {"rpm": RPM, "rad_s": 1.0},
     "stiffness": {"n_m": 1.0, "n_um": 1e6, "n_mm": 1e3},
     "stress": {"mpa": 1e6, "pa": 1.0, "gpa": 1e9, "psi": POUND_FORCE / INCH**2},
@@ -63,6 +65,7 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
     "power": ("kW", 1e3),
     "specific_power": ("kW/kg", 1e3),
     "specific_torque": ("N m/kg", 1.0),
+    "slope": ("mrad", 1e-3),
     "speed": ("rpm", RPM),
     "stiffness": ("N/µm", 1e6),
     "stress": ("MPa", 1e6),
@@ -106,11 +109,13 @@ Force = Annotated[float, Quantity("force")]
 Frequency = Annotated[float, Quantity("frequency")]
 Inertia = Annotated[float, Quantity("inertia")]
 Length = Annotated[float, Quantity("length")]
+Life = Annotated[float, Quantity("life")]
 Mass = Annotated[float, Quantity("mass")]
 Number = Annotated[float, Quantity("number")]
 Power = Annotated[float, Quantity("power")]
 Ratio = Annotated[float, Quantity("ratio")]
 SpecificPower = Annotated[float, Quantity("specific_power")]
+Slope = Annotated[float, Quantity("slope")]
 Speed = Annotated[float, Quantity("speed")]
 Stiffness = Annotated[float, Quantity("stiffness")]
 Stress = Annotated[float, Quantity("stress")]

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from gearwright.render import theme
-from gearwright.render.views import NOT_IN_THE_MASS, ROUNDING, margins, mass_parts
+from gearwright.render.views import NOT_IN_THE_MASS, ROUNDING, Margin, margins, mass_parts
 from gearwright.sizing.result import ShaftDiagram, ShaftSizing, Sizing
 
 Floats = NDArray[np.float64]
@@ -23,6 +23,11 @@ WIDTH = 180.0
 """Of a figure on an A4 page [mm]."""
 _CHECK_COLOURS = {"bending": theme.BLUE, "contact": theme.SKY, "Tresca": theme.GREEN,
                  "pin bending": theme.AMBER, "plate shear": theme.ORANGE}  # fmt: skip
+"""Check of a first sizing -> colour."""
+_PART_COLOURS = {"gears": theme.BLUE, "shafts": theme.GREEN, "bearings": theme.SKY, "joints": theme.AMBER}
+"""Kind of part -> colour of its other checks."""
+MOST_MARGINS = 45
+"""Checks that are drawn at most, the worst ones; tables have all."""
 STEPS = 12
 """Places between two loads at which a shaft's diagram is drawn."""
 LARGEST_MARGIN = 4.0
@@ -69,11 +74,12 @@ def margin_figure(sizing: Sizing) -> Figure:
     Args:
         sizing: As sized.
     """
-    checks = margins(sizing)
+    every = margins(sizing)
+    checks = every[:MOST_MARGINS]
     figure = theme.sheet(WIDTH, _FRAME + _ROW * len(checks))
     axes = figure.add_subplot()
     shown = [min(check.margin, LARGEST_MARGIN) for check in checks]
-    axes.barh(range(len(checks)), shown, color=[_CHECK_COLOURS[check.check] for check in checks], height=0.72)
+    axes.barh(range(len(checks)), shown, color=[_colour(check) for check in checks], height=0.72)
     for place, (check, length) in enumerate(zip(checks, shown, strict=True)):
         colour = theme.INK if check.holds else theme.ORANGE
         number = f"{check.margin:.3f}" if math.isfinite(check.margin) else "no load"
@@ -83,10 +89,14 @@ def margin_figure(sizing: Sizing) -> Figure:
     axes.axvline(1.0, color=theme.ORANGE, lw=1.2)
     axes.invert_yaxis()
     axes.set_xlim(0.0, max(shown) * 1.12)
-    axes.set_xlabel("allowable over actual stress [-], the asked factor included; 1 is just enough")
-    axes.set_title("Margins, worst first")
+    axes.set_xlabel("margin [-], the asked factor included; 1 is just enough")
+    axes.set_title("Margins, worst first" + (f": {len(checks)} of {len(every)}" if len(checks) < len(every) else ""))
     theme.only_grid(axes, "x")
     return figure
+
+
+def _colour(check: Margin) -> str:
+    return _CHECK_COLOURS.get(check.check) or _PART_COLOURS[check.group]
 
 
 def bent_shafts(sizing: Sizing) -> list[ShaftSizing]:

@@ -111,6 +111,7 @@ def _parts(sizing: Sizing) -> tuple[Section, ...]:
         ),
         *([Section("Rating of the gears", tables=factor_tables(sizing))] if factor_tables(sizing) else []),
         _shafts(sizing),
+        *_mounted(sizing),
         Section("Mass and envelope", tables=(found["mass"], found["envelope"]), figures=(mass,)),
     )
 
@@ -121,6 +122,15 @@ def _shafts(sizing: Sizing) -> Section:
     caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
     figures = (_figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
     return Section("Shafts, carriers and machines", tables=_filled(*(found[name] for name in names)), figures=figures)
+
+
+def _mounted(sizing: Sizing) -> tuple[Section, ...]:
+    """Return shafts as they are built, with bearings and joints, where the design gives bearings."""
+    if not sizing.built_shafts:
+        return ()
+    found = tables_of(sizing)
+    names = ("bearing_sizes", "joints", "steps", "strength", "stiffness")
+    return (Section("Shafts as built, bearings and joints", tables=_filled(*(found[name] for name in names))),)
 
 
 def _filled(*tables: Table) -> tuple[Table, ...]:

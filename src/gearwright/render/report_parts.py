@@ -109,6 +109,15 @@ def _yielded(sizing: Sizing) -> list[str]:
     return [f"{words} (case {', '.join(names)})." for words, names in cases.items()]
 
 
+_MOUNTED = (
+    "Shafts rest on two radial bearings, each at the middle of its width and rigid; stresses by forces along shafts are"
+    " left out.",
+    "Loads of rotors act in every load case, across the shaft in the direction that bends it most.",
+    "Bearings have basic rating lives, without a_ISO for oil and dirt; catalogue ratings are those of ISO 281 and"
+    " ISO 76 for an assumed inside.",
+)
+
+
 def assumptions(sizing: Sizing) -> tuple[str, ...]:
     """Return what was assumed, as far as the design leaves it open.
 
@@ -127,6 +136,8 @@ def assumptions(sizing: Sizing) -> tuple[str, ...]:
         found.append("Planets, loaded on both flanks, keep the full bending allowable; ISO 6336-3 takes 0.7 of it.")
     if all(shaft.bending_moment == 0.0 for shaft in sizing.shafts):
         found.append("Shafts carry torsion alone.")
+    if sizing.built_shafts:
+        found += _MOUNTED
     estimated = [each.name for each in sizing.machines if not each.inertia_is_given]
     if estimated:
         found.append(f"Inertia estimated, not given: {', '.join(estimated)}.")

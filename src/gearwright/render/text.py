@@ -28,6 +28,11 @@ _ORDER = (
     "shafts",
     "shaft_sizes",
     "bearings",
+    "steps",
+    "strength",
+    "stiffness",
+    "bearing_sizes",
+    "joints",
     "carriers",
     "machines",
     "mass",
@@ -102,10 +107,11 @@ def summary(sizing: Sizing) -> str:
             ("carriers", sizing.carrier_mass),
         )
     )
+    bearings = f" Bearings {text(sizing.bearing_mass, 'mass')}." if sizing.bearings else ""
     motors = f" Motors {text(sizing.motor_mass, 'mass')}." if sizing.motor_mass else ""
     return (
         f"{text(sizing.mass, 'mass')} ({parts}), {text(sizing.power_density, 'specific_power')},"
-        f" worst margin {sizing.worst_margin:.3f}.{motors}"
+        f" worst margin {sizing.worst_margin:.3f}.{bearings}{motors}"
     )
 
 

@@ -8,17 +8,19 @@ from typing import Annotated
 
 from gearwright.render.branches import Branch, branches
 from gearwright.render.given import given_by_user, overrides_table
+from gearwright.render.mounted_views import mounted_tables
 from gearwright.render.tables import Mark, Table, table
 from gearwright.sizing.envelope import envelope
+from gearwright.sizing.mounted import Check
 from gearwright.sizing.result import CarrierSizing, MeshSizing, ShaftSizing, Sizing
-from gearwright.units import Length, Mass, Origin, Quantity, Ratio, Speed, Stress
+from gearwright.units import Length, Mass, Origin, Quantity, Ratio, Speed, shown, unit
 
 NOT_IN_THE_MASS = "Not in the mass: housing, bearings, oil system, accessories, motors."
 _BEARINGS = "Positions from the shaft's first end; shafts that only torque acts on need none for it."
 _ENVELOPE = "Box around tip circles and shafts, without housing."
 _JUST_ENOUGH = (
-    "Allowable over actual stress, the asked factor included; 1 is just enough. Bending (Lewis), contact (Hertz),"
-    " Tresca's stress; equations of Pulvirenti 2023."
+    "Margin: limit over value, or value over limit where more is better; 1 is just enough. Limits of stresses include"
+    " the asked factor. Bending (Lewis), contact (Hertz), Tresca's stress: equations of Pulvirenti 2023."
 )
 KEPT = 1e-9
 """Deviation of a speed below which it counts as kept [-]; rounding is far below."""
@@ -34,19 +36,23 @@ class Margin:
     check: str
     """What is checked."""
     case: str
-    """Load case that governs."""
-    stress: Stress
-    """Actual [Pa]."""
-    allowable: Stress
-    """With the asked factor in it [Pa]."""
+    """Load case that governs; empty where no single one does."""
+    value: float
+    """As computed, in the unit."""
+    limit: float
+    """With the asked factor in it, in the unit."""
+    unit: str
+    """Empty for a ratio."""
     margin: Ratio
-    """Allowable over actual [-]; 1 is just enough."""
+    """1 is just enough [-]."""
     source: str
-    """Equation."""
+    """Equation or clause."""
+    group: str
+    """gears, shafts, bearings, joints or carriers."""
 
     @property
     def holds(self) -> bool:
-        """True if the stress is allowed."""
+        """True if the value is allowed."""
         return self.margin >= 1.0 - ROUNDING
 
 
@@ -98,34 +104,54 @@ def margins(sizing: Sizing) -> tuple[Margin, ...]:
     Args:
         sizing: As sized.
     """
-    found = [each for mesh in sizing.meshes for each in _mesh_margins(mesh)]
+    found = [each for mesh in sizing.meshes if mesh.rating is None for each in _mesh_margins(mesh)]
     found += [_shaft_margin(shaft) for shaft in sizing.shafts]
     found += [each for carrier in sizing.carriers for each in _carrier_margins(carrier)]
+    found += [_checked(check, _group(sizing, check)) for check in sizing.checks]
     return tuple(sorted(found, key=lambda each: (round(each.margin, 9), each.part)))
+
+
+def _checked(check: Check, group: str) -> Margin:
+    value, limit = (shown(each, check.dimension) for each in (check.value, check.limit))
+    return Margin(
+        check.part, check.check, check.case, value, limit, unit(check.dimension), check.margin, check.clause, group
+    )
+
+
+def _group(sizing: Sizing, check: Check) -> str:
+    """Return the kind of part that a check is about."""
+    first = check.part.partition(" ")[0]
+    if check.part in {shaft.name for shaft in sizing.built_shafts}:
+        return "shafts"
+    if first in sizing.design.bearings:
+        return "bearings"
+    return "joints" if " on " in check.part else "gears"
 
 
 def _mesh_margins(mesh: MeshSizing) -> list[Margin]:
     return [
-        _margin(mesh.name, "bending", mesh.case, mesh.bending_stress, mesh.bending_margin, "eq. 2.1"),
-        _margin(mesh.name, "contact", mesh.case, mesh.contact_stress, mesh.contact_margin, "eq. 2.2"),
+        _stressed(mesh.name, "bending", mesh.case, mesh.bending_stress, mesh.bending_margin, "eq. 2.1", "gears"),
+        _stressed(mesh.name, "contact", mesh.case, mesh.contact_stress, mesh.contact_margin, "eq. 2.2", "gears"),
     ]  # fmt: skip
 
 
 def _shaft_margin(shaft: ShaftSizing) -> Margin:
-    return _margin(shaft.name, "Tresca", shaft.case, shaft.stress, shaft.margin, "eq. 2.47")
+    return _stressed(shaft.name, "Tresca", shaft.case, shaft.stress, shaft.margin, "eq. 2.47", "shafts")
 
 
 def _carrier_margins(carrier: CarrierSizing) -> list[Margin]:
-    part = f"{carrier.stage}.carrier"
-    pins = _margin(part, "pin bending", carrier.case, carrier.pin_stress, carrier.pin_margin, "cantilever")
+    part, case = f"{carrier.stage}.carrier", carrier.case
+    pins = _stressed(part, "pin bending", case, carrier.pin_stress, carrier.pin_margin, "cantilever", "carriers")
     if carrier.plate_margin is None:
         return [pins]
-    return [pins, _margin(part, "plate shear", carrier.case, carrier.plate_stress, carrier.plate_margin, "Tresca")]
+    plate = _stressed(part, "plate shear", case, carrier.plate_stress, carrier.plate_margin, "Tresca", "carriers")
+    return [pins, plate]
 
 
-def _margin(part: str, check: str, case: str, stress: float, margin: float, source: str) -> Margin:
-    allowable = stress * margin if math.isfinite(margin) else math.inf
-    return Margin(part, check, case, stress, allowable, margin, source)
+def _stressed(part: str, check: str, case: str, stress: float, margin: float, source: str, group: str) -> Margin:
+    value = shown(stress, "stress")
+    limit = value * margin if math.isfinite(margin) else math.inf
+    return Margin(part, check, case, value, limit, unit("stress"), margin, source, group)
 
 
 def mass_parts(sizing: Sizing) -> tuple[MassPart, ...]:
@@ -185,8 +211,9 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         return given_by_user(sizing, record, field)
 
     return {
+        **mounted_tables(sizing),
         "margins": table("Margins, worst first", margins(sizing),
-                         ("part", "check", "case", "stress", "allowable", "margin", "source"),
+                         ("part", "check", "case", "value", "limit", "unit", "margin", "source"),
                          note=_JUST_ENOUGH),
         "speeds": table("Speeds that yield", asked_speeds(sizing),
                         ("case", "machine", "asked", "actual", "deviation")),
@@ -202,7 +229,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
                         mark=mark),
         "shaft_sizes": table("Shafts: sizes", sizing.shafts,
                              ("name", "length", "diameter", "bore", "stiffness", "mass", "inertia"), mark=mark),
-        "bearings": table("Bearings", bearings(sizing), ("shaft", "case", "position", "radial_force"),
+        "bearings": table("Bearing loads", bearings(sizing), ("shaft", "case", "position", "radial_force"),
                           note=_BEARINGS),
         "envelope": table("Envelope", [envelope(sizing)], ("width", "height", "length", "volume"),
                           note=_ENVELOPE),
@@ -218,16 +245,18 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
 
 
 def bearings(sizing: Sizing) -> tuple[Bearing, ...]:
-    """Return the load of every bearing, shaft by shaft.
+    """Return the load of every bearing on shafts of one diameter, shaft by shaft.
 
     Args:
         sizing: As sized.
     """
+    built = {shaft.name for shaft in sizing.built_shafts}
     largest = max((each.radial_force for shaft in sizing.shafts for each in shaft.bearings), default=0.0)
     return tuple(
         Bearing(shaft.name, shaft.case, each.position, _above_rounding(each.radial_force, largest))
         for shaft in sizing.shafts
         for each in shaft.bearings
+        if shaft.name not in built
     )
 
 

@@ -202,7 +202,7 @@ def _attempt(task: _Task, seated: Seating, needed: Mapping[str, float]) -> _Atte
     roots = {each.part: spline_root(task.joints[each.part], each.diameter) for each in joints if each.kind == "spline"}
     hubs: dict[str, HubNotch] = {each.part: each.kind for each in joints if each.kind in ("key", "spline", "press-fit")}  # type: ignore[misc]
     sections = sections_of(stretches, task.forces, hubs, roots, fillet_ratio=task.given.design.shafting.fillet_ratio)
-    judge = Strength(task.given.design, task.material, tuple(task.given.flows))
+    judge = Strength(task.name, task.given.design, task.material, tuple(task.given.flows))
     sized = strengths(sections, task.forces, judge, bore=bore)
     return _Attempt(stretches, chosen, bore, sized, tuple(each.owner for each in sections), joints)
 
@@ -313,7 +313,7 @@ def _finished(task: _Task, seated: Seating, attempt: _Attempt) -> Built:
         name=task.name,
         steps=tuple(ShaftStep(each.start, each.end, each.diameter, _sits(each)) for each in attempt.stretches),
         bore=attempt.bore,
-        sections=attempt.sections,
+        sections=tuple(each for each in attempt.sections if each.bending_moment or each.torque) or attempt.sections[:1],
         slopes=tuple((name, bent.slope(place)) for name, place in {**places, **seats}.items()),
         deflections=tuple((name, bent.deflection(place)) for name, place in places.items()),
         critical_speed=bent.critical_speed(places, {name: _mass(gear) for name, gear in task.gears.items()}),

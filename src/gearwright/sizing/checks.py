@@ -31,33 +31,20 @@ def checks_of(built: Built, design: Design) -> Iterator[Check]:
 
 
 def _shaft(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
-    service, rules = design.service, design.shafting
-    tired = shaft.weakest
-    yielding = min(shaft.sections, key=lambda each: each.yield_safety)
+    service, rules, name = design.service, design.shafting, shaft.name
+    tired, strained = shaft.weakest, min(shaft.sections, key=lambda each: each.yield_safety)
     law = "DE-ASME" if rules.fatigue == "asme" else "DE-Goodman"
-    yield Check(
-        shaft.name,
-        f"fatigue n_f, {tired.place}",
-        f"{law}, Shigley ch. 7",
-        tired.fatigue_safety,
-        service.shaft_fatigue_safety,
-        tired.case,
-    )
-    yield Check(
-        shaft.name,
-        f"yield n_y, {yielding.place}",
-        "Shigley eq. 7-16",
-        yielding.yield_safety,
-        service.shaft_yield_safety,
-        yielding.case,
-    )
+    fatigue, least = tired.fatigue_safety, service.shaft_fatigue_safety
+    yield Check(name, f"fatigue n_f, {tired.place}", f"{law}, Shigley ch. 7", fatigue, least, case=tired.case)
+    first, least = strained.yield_safety, service.shaft_yield_safety
+    yield Check(name, f"yield n_y, {strained.place}", "Shigley eq. 7-16", first, least, case=strained.case)
     for place, slope in shaft.slopes:
         limit = _slope_limit(place, design)
         if limit is not None and slope > 0.0:
-            yield Check(shaft.name, f"slope at {place}", "Shigley table 7-2", slope, limit, "", "angle", at_most=True)
+            yield Check(name, f"slope at {place}", "Shigley table 7-2", slope, limit, "slope", at_most=True)
     if shaft.critical_speed is not None:
         least = LEAST_CRITICAL * shaft.highest_speed
-        yield Check(shaft.name, "first critical speed", "Shigley §7-6", shaft.critical_speed, least, "", "speed")
+        yield Check(name, "first critical speed", "Shigley §7-6", shaft.critical_speed, least, "speed")
 
 
 def _slope_limit(place: str, design: Design) -> float | None:
@@ -66,20 +53,16 @@ def _slope_limit(place: str, design: Design) -> float | None:
 
 
 def _bearing(bearing: BearingSizing) -> Iterator[Check]:
-    named = f"{bearing.name} ({bearing.bearing.designation})"
-    yield Check(named, "life L_10h", "ISO 281:2007", bearing.life, bearing.wanted_life, "", "time")
-    yield Check(
-        named, "static safety s_0", "ISO 76:2006", bearing.static_safety, bearing.wanted_static_safety, bearing.case
-    )
+    named, safety = f"{bearing.name} ({bearing.designation})", bearing.static_safety
+    yield Check(named, "life L_10h", "ISO 281:2007", bearing.life, bearing.wanted_life, "life")
+    yield Check(named, "static safety s_0", "ISO 76:2006", safety, bearing.wanted_static_safety, case=bearing.case)
 
 
 def _joint(joint: JointSizing) -> Iterator[Check]:
     if joint.kind == "integral":
         return
-    part = f"{joint.part} on {joint.shaft}"
-    yield Check(
-        part, f"{joint.kind} pressure", _CLAUSES[joint.kind], joint.pressure, joint.allowed_pressure, "", "stress",
-        at_most=True,
-    )  # fmt: skip
+    part, clause = f"{joint.part} on {joint.shaft}", _CLAUSES[joint.kind]
+    pressure, allowed = joint.pressure, joint.allowed_pressure
+    yield Check(part, f"{joint.kind} pressure", clause, pressure, allowed, "stress", at_most=True)
     if joint.rim is not None:
         yield Check(part, "rim under the teeth s_R/h_t", "ISO 6336-3:2019, Y_B", joint.rim, THICKEST_RIM)

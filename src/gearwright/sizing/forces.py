@@ -22,6 +22,8 @@ from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram
 from gearwright.spec import Propeller
 
 Array = NDArray[np.float64]
+_ROUNDING = 1e-6
+"""Moment over the largest one below which it is rounding [-]."""
 _BESIDE = 1e-9
 """How far left and right of a section its moments are read [m]; they jump where a couple acts."""
 
@@ -47,8 +49,8 @@ class ShaftForces(NamedTuple):
         Args:
             positions: From the shaft's first end [m], (n,).
         """
-        sides = [_at(self.drawn, positions + beside) for beside in (-_BESIDE, _BESIDE)]
-        return np.maximum(sides[0][0], sides[1][0]), np.maximum(sides[0][1], sides[1][1])
+        left, right = (_at(self.drawn, positions + beside) for beside in (-_BESIDE, _BESIDE))
+        return _cleaned(np.maximum(left[0], right[0])), _cleaned(np.maximum(left[1], right[1]))
 
     def bearing_loads(self, case: int) -> tuple[BearingLoad, ...]:
         """Return what both radial bearings give to the shaft in one case; none where only torque acts.
@@ -72,6 +74,11 @@ class ShaftForces(NamedTuple):
             bending=(tuple(bending[0]), tuple(bending[1])),
             torsion=tuple(self.drawn.torsion[case].tolist()),
         )
+
+
+def _cleaned(values: Array) -> Array:
+    """Return values without what the width of `_BESIDE` and rounding leave at free ends."""
+    return np.where(values > _ROUNDING * values.max(initial=0.0), values, 0.0)
 
 
 def _at(drawn: Diagram, positions: Array) -> tuple[Array, Array]:

@@ -21,7 +21,6 @@ SPLINE_TEETH = 25.0
 """Reference diameter over module of a spline, about; DIN 5480 prefers 20 to 50 teeth [-]."""
 FIT_ROUGHNESS = 4e-6
 """R_z of ground seats of press fits [m]."""
-_MM = 1e-3
 
 
 class Seat(NamedTuple):
@@ -185,7 +184,7 @@ def _spline_length(teeth: Spline, seat: Seat, allowed: float) -> float:
 
 def _whole(length: float) -> float:
     """Return a length rounded up to millimetres."""
-    return math.ceil(length / _MM - 1e-6) * _MM
+    return math.ceil(1e3 * length - 1e-6) / 1e3
 
 
 def _spline_name(teeth: Spline) -> str:

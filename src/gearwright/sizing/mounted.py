@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.catalogue.bearings import Bearing
-from gearwright.units import Angle, Force, Length, Number, Origin, Quantity, Ratio, Speed, Stress, Time, Torque
+from gearwright.units import Force, Length, Life, Mass, Number, Origin, Quantity, Ratio, Slope, Speed, Stress, Torque
 
 
 @dataclass(frozen=True)
@@ -23,12 +23,12 @@ class Check:
     """As computed, in SI."""
     limit: Number
     """What is allowed, in SI."""
-    case: str = ""
-    """Load case that governs; empty where no single one does."""
     dimension: str = "ratio"
     """Dimension of value and limit."""
     at_most: bool = False
     """True where the limit is the largest allowed value, False where it is the least."""
+    case: str = ""
+    """Load case that governs; empty where no single one does."""
 
     @property
     def margin(self) -> Ratio:
@@ -55,6 +55,7 @@ class ShaftStep:
 class SectionStrength:
     """A section of a shaft in the case that tires it most."""
 
+    shaft: str
     place: str
     """What notches it, such as ``shoulder at bearing 1a``."""
     case: str
@@ -100,7 +101,7 @@ class BuiltShaft:
     """[m]; zero where it is solid."""
     sections: tuple[SectionStrength, ...]
     """Every notch and every load, in order along the shaft."""
-    slopes: tuple[tuple[str, Angle], ...]
+    slopes: tuple[tuple[str, Slope], ...]
     """Gear or bearing -> slope of the bent shaft there [rad]."""
     deflections: tuple[tuple[str, Length], ...]
     """Gear -> deflection of the bent shaft there [m]."""
@@ -140,14 +141,49 @@ class BearingSizing:
         float, Quantity("force"), Origin("P = X F_r + Y F_a, mean over the service", "ISO 281:2007")
     ]
     """P [N]."""
-    life: Annotated[float, Quantity("time"), Origin("L_10h = (C/P)^p 10⁶/(60 n)", "ISO 281:2007")]
+    life: Annotated[float, Quantity("life"), Origin("L_10h = (C/P)^p 10⁶/(60 n)", "ISO 281:2007")]
     """Basic rating life [s]."""
-    wanted_life: Time
+    wanted_life: Life
     """[s]"""
     static_safety: Annotated[float, Quantity("ratio"), Origin("s_0 = C_0/P_0", "ISO 76:2006")]
     """At the largest load [-]."""
     wanted_static_safety: Ratio
     """[-]"""
+
+    @property
+    def designation(self) -> str:
+        """Name in the catalogue."""
+        return self.bearing.designation
+
+    @property
+    def inner_diameter(self) -> Length:
+        """d [m]."""
+        return self.bearing.bore
+
+    @property
+    def outer_diameter(self) -> Length:
+        """D [m]."""
+        return self.bearing.outer_diameter
+
+    @property
+    def width(self) -> Length:
+        """B, of a taper bearing T [m]."""
+        return self.bearing.width
+
+    @property
+    def dynamic_rating(self) -> Force:
+        """C [N]."""
+        return self.bearing.dynamic_rating
+
+    @property
+    def static_rating(self) -> Force:
+        """C_0 [N]."""
+        return self.bearing.static_rating
+
+    @property
+    def mass(self) -> Mass:
+        """[kg]."""
+        return self.bearing.mass
 
 
 @dataclass(frozen=True)

@@ -280,7 +280,7 @@ class Sizing:
     @property
     def system_life(
         self,
-    ) -> Annotated[float | None, Quantity("time"), Origin("Σ (L/L_i)^e_i = 1", "Weibull's product")]:
+    ) -> Annotated[float | None, Quantity("life"), Origin("Σ (L/L_i)^e_i = 1", "Weibull's product")]:
         """Life that 90 % reach with no bearing failed [s]; None where no bearings are sized."""
         slopes = [weibull_slope(each.bearing.kind) for each in self.bearings]
         return system_life([each.life for each in self.bearings], slopes) if self.bearings else None

@@ -67,6 +67,8 @@ class Section:
 class Strength:
     """What every section is judged by."""
 
+    shaft: str
+    """Name of the shaft."""
     design: Design
     material: Material
     cases: tuple[str, ...]
@@ -159,6 +161,7 @@ def _strength(
     worst = int(np.argmin(safeties))
     greatest = min(yield_safety(stress, strength) for stress in stresses) / service.application_factor
     return SectionStrength(
+        shaft=judge.shaft,
         place=section.place,
         case=judge.cases[worst],
         position=section.position,

@@ -28,7 +28,6 @@ COLLAR = 1.15
 """Collar beside a hub over the hub's seat [-]."""
 LARGEST_BODY = 1.5
 """Diameter of a gear of one piece that still stiffens its shaft, over the shaft beside it [-]."""
-_MM = 1e-3
 _SAME = 1e-9
 """Lengths that differ by less are the same [m]."""
 Kind = Literal["bearing", "integral", "hub", "between"]
@@ -188,7 +187,7 @@ def _seated(stretch: Stretch, bearing: Bearing) -> Stretch:
 
 def _whole(diameter: float) -> float:
     """Return a diameter rounded up to millimetres."""
-    return math.ceil(diameter / _MM - 1e-6) * _MM
+    return math.ceil(1e3 * diameter - 1e-6) / 1e3
 
 
 def _shouldered(found: list[Stretch], inner: Stretch) -> list[Stretch]:
