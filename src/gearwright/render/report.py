@@ -102,7 +102,7 @@ def _power(sizing: Sizing, shown: str) -> Section:
 
 def _parts(sizing: Sizing) -> tuple[Section, ...]:
     found = tables_of(sizing)
-    margins = _figure(margin_figure(sizing), "margins", "Margin of every check, worst first.")
+    margins = _figure(margin_figure(sizing), "margins", "Margins of all kinds of checks, worst first.")
     mass = _figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
     return (
         Section("Gears", tables=_filled(found["gears"])),
