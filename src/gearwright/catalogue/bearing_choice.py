@@ -203,19 +203,44 @@ def choose_bearing(
     Raises:
         DesignError: If no size has that bore, or none lives long enough; the nearest is named.
     """
-    fitting = [
-        each
-        for each in bearings().values()
-        if each.kind is kind and bore - 1e-9 <= each.bore <= largest_bore and each.outer_diameter <= largest_outer
-    ]
-    if not fitting:
-        raise DesignError([Problem("bore", _no_bore(kind, bore))])
-    checks = sorted((check_bearing(each, duty) for each in fitting), key=lambda check: check.bearing.mass)
+    checks = fitting_bearings(kind, duty, bore=bore, largest_bore=largest_bore, largest_outer=largest_outer)
     for check in checks:
         if check.life_margin >= 1.0 and check.static_margin >= 1.0:
             return check
     best = max(checks, key=lambda check: min(check.life_margin, check.static_margin))
     raise DesignError([Problem("bearing", _too_short(kind, best, duty))])
+
+
+def fitting_bearings(
+    kind: BearingKind,
+    duty: Duty,
+    *,
+    bore: Length,
+    largest_bore: Length = math.inf,
+    largest_outer: Length = math.inf,
+) -> tuple[BearingCheck, ...]:
+    """Return every bearing of a kind that fits, the lightest first, whether it bears the duty or not.
+
+    Args:
+        kind: Of bearing.
+        duty: Loads, speed and wanted life.
+        bore: Smallest bore, the diameter of the shaft [m].
+        largest_bore: Of the shaft's shoulder, or none [m].
+        largest_outer: Room in the housing, or none [m].
+
+    Raises:
+        DesignError: If no size has that bore; the nearest is named.
+    """
+    fitting = [
+        each
+        for each in bearings().values()
+        if each.kind is kind
+        and bore - 1e-9 <= each.bore <= largest_bore + 1e-9
+        and each.outer_diameter <= largest_outer + 1e-9
+    ]
+    if not fitting:
+        raise DesignError([Problem("bore", _no_bore(kind, bore))])
+    return tuple(sorted((check_bearing(each, duty) for each in fitting), key=lambda check: check.bearing.mass))
 
 
 def _no_bore(kind: BearingKind, bore: float) -> str:
