@@ -8,6 +8,8 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 import gearwright as gw
+from gearwright.render.drawings.catalogue import sheets
+from gearwright.render.drawings.svg import sheet_svg
 from gearwright.render.figures_sizing import margin_figure, mass_figure
 from gearwright.render.schematic import power_flow_figure, schematic_figure
 from gearwright.render.study_figures import study_figure
@@ -40,17 +42,25 @@ FIGURES: Mapping[str, Callable[[], Figure]] = {
     "architectures": lambda: _study("architectures"),
 }
 """Name of the file -> what draws it."""
+SHEETS: Mapping[str, str] = {
+    "drawing-arrangement": "arrangement",
+    "drawing-shaft": "shaft-input",
+    "drawing-gear": "gear-bevel.wheel",
+}
+"""Name of the file -> sheet of the EC120B gearbox."""
 
 
 def svg(name: str) -> str:
-    """Return one figure as it is kept."""
+    """Return one figure or sheet as it is kept."""
+    if name in SHEETS:
+        return sheet_svg(*sheets(_sized("ec120b"), [SHEETS[name]]))
     return to_svg(FIGURES[name]()) + "\n"
 
 
 def main() -> None:
     """Write all figures."""
     FOLDER.mkdir(exist_ok=True)
-    for name in FIGURES:
+    for name in (*FIGURES, *SHEETS):
         (FOLDER / f"{name}.svg").write_text(svg(name), encoding="utf-8")
 
 

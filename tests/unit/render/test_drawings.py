@@ -15,7 +15,7 @@ from gearwright.parts.tooth_measurement import span_measurement, spanned_teeth
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.dimensions import drawn, extent, words_corners
 from gearwright.render.drawings.dxf import sheet_document, sheet_dxf
-from gearwright.render.drawings.entities import Corner, Distance, Layer, Words, millimetres, runs
+from gearwright.render.drawings.entities import Arc, Corner, Distance, Layer, Words, millimetres, runs
 from gearwright.render.drawings.frame import inside
 from gearwright.render.drawings.positions import positions
 from gearwright.render.drawings.sheets import SCALES
@@ -240,6 +240,17 @@ def test_what_is_not_sized_is_not_drawn_and_the_sheet_says_so():
     assert "No bearings, shoulders and joints are sized" in texts["arrangement"]
     assert "Unfolded: second.right" in texts["arrangement"]
     assert "no class" in texts["gear-second.wheel"]
+
+
+def test_axes_that_no_plane_holds_are_seen_from_their_ends_too():
+    """Off-set: two layshafts beside the input, the output below; centres of pitch circles are the sizing's axes."""
+    sizing = shipped("off-set")
+    (sheet,) = sheets(sizing, ["arrangement"])
+    circles = {arc.centre for arc in sheet.entities if isinstance(arc, Arc) and arc.layer is Layer.PITCH}
+    axes = {shaft.name: complex(*shaft.axis) for shaft in sizing.shafts}
+    apart = {abs(one - other) / sheet.scale for one, other in itertools.combinations(circles, 2)}
+    for one, other in itertools.combinations(axes.values(), 2):
+        assert any(math.isclose(1e3 * abs(one - other), each, abs_tol=1e-4) for each in apart)
 
 
 def test_an_integral_gear_is_on_the_sheet_of_its_shaft(drawings):

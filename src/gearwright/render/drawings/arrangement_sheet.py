@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from gearwright.render.drawings.arrangement_parts import Item, axis_of, planetary_parts, shaft_parts
 from gearwright.render.drawings.compose import Content, Rows
 from gearwright.render.drawings.dimensions import extent
+from gearwright.render.drawings.end_view import end_view
 from gearwright.render.drawings.entities import SMALL, Box, Distance, Entity, Layer, Path, Words
 from gearwright.render.drawings.frame import Title
 from gearwright.render.drawings.positions import Positions, positions
@@ -40,11 +41,13 @@ def arrangement_content(sizing: Sizing) -> Content:
     title = Title(sizing.design.name, "General arrangement", NAME, "Assembly drawing", mass=f"{sizing.mass:.1f}")
     return Content(
         NAME, title, lambda scale: _views(sizing, found, scale), (Grid("Parts; mass of one", rows, heads),),
-        (*found.notes, *_notes(sizing)), largest_scale=1.0,
+        (*found.notes, *_notes(sizing, found)), largest_scale=1.0,
     )  # fmt: skip
 
 
-def _notes(sizing: Sizing) -> Iterator[str]:
+def _notes(sizing: Sizing, found: Positions) -> Iterator[str]:
+    if _has_end_view(sizing, found):
+        yield "Pitch circles on the left: seen along the axes from the second ends, at their true places."
     if sizing.bearings:
         yield (
             "Bearings simplified: boundary dimensions ISO 15 or ISO 355, rings with shoulders as drawn, rolling "
@@ -63,7 +66,12 @@ def _views(sizing: Sizing, found: Positions, scale: float) -> Rows:
     entities += _machines(sizing, found, scale)
     entities += _distances(sizing, found, scale)
     entities += _balloons(items, extent(entities))
-    return [[entities]]
+    return [[*([end_view(sizing, scale)] if _has_end_view(sizing, found) else []), entities]]
+
+
+def _has_end_view(sizing: Sizing, found: Positions) -> bool:
+    parallel = all(pair.kind == "cylindrical" for pair in sizing.design.pairs.values())
+    return parallel and any(note.startswith("Unfolded") for note in found.notes)
 
 
 def _parts(sizing: Sizing, found: Positions, scale: float) -> tuple[list[Entity], list[Item]]:

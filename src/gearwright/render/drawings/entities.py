@@ -32,7 +32,6 @@ WIDE, NARROW = 0.5, 0.25
 CONTINUOUS: tuple[float, ...] = ()
 DASHED = (12 * NARROW, 3 * NARROW)
 CHAIN = (24 * NARROW, 3 * NARROW, 0.5 * NARROW, 3 * NARROW)
-DOUBLE_CHAIN = (*CHAIN, 0.5 * NARROW, 3 * NARROW)
 
 
 class Layer(Enum):
@@ -43,9 +42,7 @@ class Layer(Enum):
     HIDDEN = ("hidden outlines", NARROW, DASHED)
     CENTRE = ("centre lines", NARROW, CHAIN)
     PITCH = ("pitch lines of gears (ISO 2203)", NARROW, CHAIN)
-    PHANTOM = ("adjacent parts", NARROW, DOUBLE_CHAIN)
     HATCH = ("sections", NARROW, CONTINUOUS)
-    BEARING = ("rolling bearings", NARROW, CONTINUOUS)
     DIMENSION = ("dimensions", NARROW, CONTINUOUS)
     SYMBOL = ("roughness and section marks", NARROW, CONTINUOUS)
     TEXT = ("notes", NARROW, CONTINUOUS)
