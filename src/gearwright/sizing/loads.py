@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from gearwright.parts.beam import PointLoads
 from gearwright.sizing.context import Context
+from gearwright.sizing.hands import helix_hand
 from gearwright.sizing.layout import ShaftPlan
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.standard_teeth import bevel_push
@@ -127,7 +128,8 @@ def _mesh_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, complex
     toward = _toward_mesh(mesh, side, axes)
     outward = 1.0 if mesh.sign == INTERNAL and side == 1 else -1.0
     force = toward * (1j * tangential + outward * radial)
-    slope = _hand(given, mesh.nodes[side]) * math.tan(rating.helix_angle) if mesh.count == 1 else 0.0
+    hand = helix_hand(given.design, given.train, given.flows, mesh.nodes[side])
+    slope = hand * math.tan(rating.helix_angle) if mesh.count == 1 else 0.0
     axial = -slope * tangential
     return _Load(0.0, torque, force, -toward * radius * axial, axial)
 
@@ -172,31 +174,3 @@ def _toward_mesh(mesh: Mesh, side: int, axes: Mapping[str, complex]) -> complex:
     if mesh.sign == INTERNAL:
         return -from_first
     return from_first if side == 0 else -from_first
-
-
-def _hand(given: Context, shaft: str) -> float:
-    """Return +1 for right-hand helices, −1 for left-hand ones.
-
-    All helices on a shaft have one hand, so that the axial forces of a driven and a driving gear on it oppose each
-    other. Mating gears turn opposite ways and have opposite hands, or the same with an internal gear; the sense of
-    rotation therefore gives a choice of hands that always fits, and so does its mirror image.
-    """
-    turning = -1.0 if given.flows[RATED].speeds[shaft] < 0.0 else 1.0
-    return -turning if _mirrored(given) else turning
-
-
-def _mirrored(given: Context) -> bool:
-    """Tell whether all helices change hands, so that one on the shaft of a bevel pinion opposes the bevel's force."""
-    rated = given.flows[RATED]
-    for name, pair in given.design.pairs.items():
-        if pair.kind != "bevel" or not isinstance(pair.pinion, str):
-            continue
-        away_from_first = pair.pinion_apex == "first"
-        for mesh in given.train.meshes:
-            other = given.design.pairs.get(mesh.stage)
-            if other is None or mesh.stage == name or other.kind != "cylindrical" or pair.pinion not in mesh.nodes[:2]:
-                continue
-            # Unmirrored, a driven gear pushes its shaft towards the first end, a driving one towards the second.
-            torque = rated.meshes[mesh.name].torques[mesh.nodes.index(pair.pinion)]
-            return (torque * rated.speeds[pair.pinion] < 0.0) == away_from_first
-    return False

@@ -103,6 +103,27 @@ def test_dimensions_of_a_shaft_measure_what_the_sizing_says(drawings, name):
         assert any(math.isclose(value, each, abs_tol=1e-6) for each in values), value
 
 
+def test_dimensions_of_the_helicopter_gearbox_are_its_sizing():
+    """Every diameter outside of teeth, every end of a step, every fillet of the shafts that were built."""
+    sizing = shipped("ec120b")
+    found = {sheet.name: sheet for sheet in sheets(sizing, ["shaft"])}
+    inside = {joint.part for joint in sizing.joints if joint.kind == "integral"}
+    for shaft in sizing.built_shafts:
+        sheet = found[f"shaft-{shaft.name}"]
+        values = measured(sheet)
+        seats = [step for step in shaft.steps if step.seat not in inside]
+        last = 1e3 * shaft.steps[-1].end
+        for value in (*(1e3 * step.diameter for step in seats), last):
+            assert any(math.isclose(value, each, abs_tol=1e-6) for each in values), (shaft.name, value)
+        for bearing in (each for each in sizing.bearings if each.shaft == shaft.name):
+            ends = [1e3 * (bearing.position + side * bearing.bearing.width / 2.0) for side in (-1.0, 1.0)]
+            for end in ends:
+                assert end < 1e-6 or any(math.isclose(end, each, abs_tol=1e-6) for each in values), bearing.name
+        texts = {words.text for words in words_of(sheet)}
+        outside = [each.fillet for each in shaft.sections if each.fillet and "pinion" not in each.place]
+        assert {f"R{millimetres(1e3 * each)}" for each in outside} <= texts
+
+
 def test_dimensions_of_a_keyway_are_those_of_din_6885(drawings):
     """20 × 12 in a shaft of 66 mm: length 50, width 20, d − t_1 = 58.5; in the hub d + t_2 = 70.9."""
     values = measured(drawings["shaft-middle"])

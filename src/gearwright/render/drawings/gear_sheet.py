@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from gearwright.catalogue.materials import materials
 from gearwright.render.drawings.compose import Content, Rows
+from gearwright.render.drawings.dimensions import corner_leader
 from gearwright.render.drawings.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words
 from gearwright.render.drawings.frame import Title
 from gearwright.render.drawings.gear_parts import Hub, hub_of
@@ -198,13 +199,15 @@ def _bevel_lengths(axis: Axis, profile: BevelProfile, back: float | None) -> Ite
 
 
 def _bevel_angles(sizing: Sizing, gear: GearSizing, axis: Axis, profile: BevelProfile) -> Iterator[Entity]:
-    """Yield root, pitch and face cone angle about the apex."""
+    """Yield pitch, face and root cone angle about the apex."""
     pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
     apex = axis.at(profile.apex)
     face, root = cones(pair, side)
     clear = min(axis.scale * (profile.roots[0].real - profile.apex), abs(axis.at(*_pair(profile.small[0])) - apex))
-    for share, angle in ((0.5, root), (0.72, pair.pitch_angles[side]), (0.94, face)):
-        yield Corner(apex, 0.0, angle, share * clear)
+    arcs = [Corner(apex, 0.0, angle, share * clear)
+            for share, angle in ((0.94, pair.pitch_angles[side]), (0.7, face), (0.46, root))]  # fmt: skip
+    # Where the apex is too near for all three, the table has the others.
+    yield from (arc for k, arc in enumerate(arcs) if k == 0 or not corner_leader(arc))
     for corner in (profile.small[0], profile.roots[0]):
         yield Path((apex, axis.at(*_pair(corner))), Layer.DIMENSION)
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from gearwright.parts.bevel_geometry import BevelPair, Hand
 from gearwright.parts.cylindrical_gear import BasicRack, CylindricalGear
+from gearwright.sizing.hands import helix_hand
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.spec import Pair
 from gearwright.train.flow import RATED
@@ -101,8 +102,7 @@ def meshes_of(sizing: Sizing, gear: str) -> list[tuple[Mesh, int]]:
 def hand_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hand | None:
     """Return the hand of helix or spiral that the forces of the sizing belong to; None for straight teeth.
 
-    Helices on a shaft that turns forwards in the rated case are right-hand ones, on one that turns backwards left-hand
-    ones. The spiral of a bevel pinion pushes it away from the apex in the rated case.
+    The spiral of a bevel pinion pushes it away from the apex in the rated case.
 
     Args:
         sizing: What was sized.
@@ -112,7 +112,7 @@ def hand_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hand | None:
     if gear.helix_angle == 0.0:
         return None
     if kind_of(sizing, gear) != "bevel":
-        return Hand.LEFT if sizing.flows[RATED].speeds[shaft] < 0.0 else Hand.RIGHT
+        return Hand.LEFT if helix_hand(sizing.design, sizing.train, sizing.flows, shaft) < 0.0 else Hand.RIGHT
     (mesh, side), *_ = meshes_of(sizing, gear.name)
     stage = sizing.design.pairs[mesh.stage]
     pinion, flow = mesh.nodes[0], sizing.flows[RATED]
