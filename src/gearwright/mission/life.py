@@ -75,7 +75,7 @@ def size_for_life(design: Design, mission: Mission, hours: float, *, folder: Pat
     """
     if unrated_stages(design):
         stage = unrated_stages(design)[0]
-        message = f"stage {stage} has {design.pairs[stage].kind} gears; ISO 6336 rates cylindrical gears only"
+        message = f"stage {stage} has {design.pairs[stage].kind} gears; no standard rates their damage"
         raise DesignError([Problem("life", f"{message}, so that no life can be asked of it")])
     sizing = size(design)
     flight = fly(sizing, mission, folder=folder)

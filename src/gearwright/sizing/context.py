@@ -96,7 +96,7 @@ def ask_of(given: Context, mesh: Mesh, case: str, per_tooth: float) -> Ask:
         (given.teeth[one.name], given.teeth[other.name]),
         width_ratio_of(given, mesh.stage),
         internal=mesh.sign == INTERNAL,
-        idler="planet" in (one.role, other.role),
+        idlers=(one.role == "planet", other.role == "planet"),
         speed=abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]),
         passes=(max(mesh.count / one.bodies, 1.0), max(mesh.count / other.bodies, 1.0)),
     )

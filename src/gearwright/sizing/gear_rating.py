@@ -11,6 +11,7 @@ import numpy as np
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.bevel_rating import BevelRating, rate_bevel
 from gearwright.parts.iso6336_damage import StressBin, spectrum_damage
+from gearwright.parts.iso6336_geometry import Value
 from gearwright.parts.iso6336_life import LifeCurve, bending_life_curve, contact_life_curve
 from gearwright.parts.iso6336_rating import PairRating, rate_mesh
 from gearwright.parts.losses_oil import oil_viscosity
@@ -72,7 +73,7 @@ class _Load(NamedTuple):
     """One case as a mesh feels it."""
 
     case: str
-    torque: float
+    torque: Value
     """On the first gear, of one mesh, load factor included [N m]."""
     ask: Ask
     life: float
@@ -119,7 +120,7 @@ def stresses_of(factors: PairRating | BevelRating) -> tuple[tuple[float, float],
     Args:
         factors: A rated mesh.
     """
-    contact, bending = (tuple(_strain(factors, mode, gear).stress for gear in (0, 1)) for mode in (0, 1))
+    contact, bending = (tuple(float(strain(factors, mode, gear).stress) for gear in (0, 1)) for mode in (0, 1))
     return (contact[0], contact[1]), (bending[0], bending[1])
 
 
@@ -144,13 +145,13 @@ def _rate_cylindrical(rating: Rating, load: _Load, module: float, face_width: fl
     ask, steel = load.ask, steel_of(rating)
     mesh = cylindrical_mesh(ask.teeth, module, face_width, rating, internal=ask.internal)
     duty = duty_of(rating, load.torque, ask.speed, life=load.life, passes=ask.passes)
-    return rate_mesh(mesh, (steel, steel), duty, quality=quality_of(rating, idlers=(ask.idler, ask.idler)))
+    return rate_mesh(mesh, (steel, steel), duty, quality=quality_of(rating, idlers=ask.idlers))
 
 
 def _rate_bevel(rating: Rating, load: _Load, module: float, face_width: float) -> BevelRating:
     one, two = (round(float(np.asarray(each))) for each in load.ask.teeth)
     pair, steel = bevel_pair((one, two), module, face_width, rating), steel_of(rating)
-    duty = bevel_duty(rating, pair, load.torque, float(np.asarray(load.ask.speed)))
+    duty = bevel_duty(rating, pair, float(load.torque), float(np.asarray(load.ask.speed)))
     return rate_bevel(pair, (steel, steel), duty, load.life, surfaces=bevel_surfaces(rating))
 
 
@@ -160,23 +161,32 @@ def _safeties(rated: Sequence[PairRating | BevelRating], rating: Rating) -> list
     curves = (contact_life_curve(treatment), bending_life_curve(treatment))
     found = []
     for mode, curve in enumerate(curves):
-        gears = [_safety([_strain(each, mode, gear) for each in rated], curve) for gear in (0, 1)]
+        gears = [_safety([strain(each, mode, gear) for each in rated], curve) for gear in (0, 1)]
         found.append((gears[0], gears[1]))
     return found
 
 
-class _Strain(NamedTuple):
-    """Stress of one gear in one case."""
+class Strain(NamedTuple):
+    """Stress of one gear and what it bears; numbers, or arrays over loads."""
 
-    stress: float
-    endurance: float
+    stress: Value
+    """σ_H or σ_F [Pa]."""
+    endurance: Value
     """Its limit at a life factor of 1 [Pa]."""
-    permissible: float
-    """Its limit after the case's own life [Pa]."""
-    cycles: float
+    permissible: Value
+    """Its limit after the life of the load [Pa]."""
+    cycles: Value
+    """Load cycles [-]."""
 
 
-def _strain(rated: PairRating | BevelRating, mode: int, gear: int) -> _Strain:
+def strain(rated: PairRating | BevelRating, mode: int, gear: int) -> Strain:
+    """Return stress and limits of one gear of a rated mesh.
+
+    Args:
+        rated: As rated.
+        mode: 0 for the flank, 1 for the root.
+        gear: 0 for the first gear, 1 for the second.
+    """
     if isinstance(rated, PairRating):
         if mode == 0:
             contact = rated.pitting
@@ -190,14 +200,47 @@ def _strain(rated: PairRating | BevelRating, mode: int, gear: int) -> _Strain:
             stress, limit = rated.pitting.stress, rated.pitting.permissible[gear]
         else:
             stress, limit = rated.bending[gear].stress, rated.bending[gear].permissible
-    return _Strain(float(stress), float(limit / life), float(limit), float(rated.cycles[gear]))
+    return Strain(stress, limit / life, limit, rated.cycles[gear])
 
 
-def _safety(strains: list[_Strain], curve: LifeCurve) -> float:
+def strains_under(
+    rating: Rating, ask: Ask, torques: Sequence[float], speeds: Sequence[float], size: tuple[float, float]
+) -> list[tuple[Strain, Strain]]:
+    """Return flank and root strain of both gears of a mesh under several loads of one second each.
+
+    Args:
+        rating: Resolved rules.
+        ask: Teeth, and what kind of mesh it is.
+        torques: On the first gear, of one mesh, load factor included [N m], shape (n,).
+        speeds: Of the first gear against the carrier [rad/s], shape (n,).
+        size: Module, of bevel gears m_mn, and face width [m].
+
+    Returns:
+        For flank and root, the strains of both gears, each field with shape (n,).
+
+    Raises:
+        DesignError: Teeth that the standard does not cover.
+    """
+    if rating.kind == "bevel":
+        singles = [
+            _rate_bevel(rating, _Load("", torque, ask._replace(speed=speed), 1.0), *size)
+            for torque, speed in zip(torques, speeds, strict=True)
+        ]
+        return [(_stacked(singles, mode, 0), _stacked(singles, mode, 1)) for mode in (0, 1)]
+    many = _Load("", np.asarray(torques), ask._replace(speed=np.asarray(speeds)), 1.0)
+    rated = _rate_cylindrical(rating, many, *size)
+    return [(strain(rated, mode, 0), strain(rated, mode, 1)) for mode in (0, 1)]
+
+
+def _stacked(rated: Sequence[BevelRating], mode: int, gear: int) -> Strain:
+    return Strain(*(np.array(column) for column in zip(*(strain(each, mode, gear) for each in rated), strict=True)))
+
+
+def _safety(strains: list[Strain], curve: LifeCurve) -> float:
     if len(strains) == 1:
-        return strains[0].permissible / strains[0].stress
+        return float(strains[0].permissible / strains[0].stress)
     # Every case has its own film and hence its own limit: stresses are counted in parts of it.
-    bins = [StressBin(each.stress / each.endurance, each.cycles) for each in strains]
+    bins = [StressBin(float(each.stress / each.endurance), float(each.cycles)) for each in strains]
     return spectrum_damage(bins, 1.0, curve).safety
 
 

@@ -59,7 +59,7 @@ def _cylindrical_safeties(ask: Ask, rating: Rating, torque: Array, module: Array
     mesh = cylindrical_mesh(ask.teeth, module, module * np.asarray(ask.width_ratio), rating, internal=ask.internal)
     duty = duty_of(rating, torque, ask.speed, life=rating.service.life, passes=ask.passes)
     steel = steel_of(rating)
-    rated = rate_mesh(mesh, (steel, steel), duty, quality=quality_of(rating, idlers=(ask.idler, ask.idler)))
+    rated = rate_mesh(mesh, (steel, steel), duty, quality=quality_of(rating, idlers=ask.idlers))
     bending = np.minimum(rated.bending[0].safety, rated.bending[1].safety)
     contact = np.minimum(*rated.pitting.safeties)
     return np.broadcast_to(bending, module.shape)[0], np.broadcast_to(contact, module.shape)[1]

@@ -106,8 +106,8 @@ class Ask(NamedTuple):
     """λ = b/m_n [-]."""
     internal: bool = False
     """The second gear is internal."""
-    idler: bool = False
-    """A gear of the mesh is loaded on both flanks."""
+    idlers: tuple[bool, bool] = (False, False)
+    """Which of the two gears is loaded on both flanks."""
     speed: Numbers = 0.0
     """Of the first gear against the carrier [rad/s]; only ISO 6336 asks for it."""
     passes: tuple[float, float] = (1.0, 1.0)
@@ -141,7 +141,7 @@ def first_modules(ask: Ask, rating: Rating) -> tuple[Array, Array]:
     """
     one, other = ask.teeth
     weaker = one if ask.internal else np.minimum(one, other)
-    allowable = rating.bending_allowable * (rating.rules.idler_factor if ask.idler else 1.0)
+    allowable = rating.bending_allowable * (rating.rules.idler_factor if any(ask.idlers) else 1.0)
     bending = module_lewis(
         ask.per_tooth,
         form_factor(weaker, rating),

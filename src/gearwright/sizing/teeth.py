@@ -248,7 +248,7 @@ def _weigh(front: Front, task: Task, small: Integers, large: Integers) -> Front:
         (small, large),
         width_ratio,
         internal=isinstance(stage, Pair) and stage.internal,
-        idler=isinstance(stage, Planetary),
+        idlers=(False, isinstance(stage, Planetary)),
         speed=task.rolling,
         passes=(planets, 1.0),
     )
