@@ -9,6 +9,7 @@ from itertools import combinations
 from gearwright.catalogue.materials import materials
 from gearwright.errors import Problem, near
 from gearwright.parts.lewis import FEWEST_TEETH
+from gearwright.spec.check_gears import gear_problems
 from gearwright.spec.check_motion import motion_problems
 from gearwright.spec.check_mounting import mounting_problems
 from gearwright.spec.design import GROUND, Design, GearRules, Pair, Planetary
@@ -30,7 +31,7 @@ def reference_problems(design: Design) -> list[Problem]:
         _materials, _widths, _overrides,
     )  # fmt: skip
     found = [problem for check in checks for problem in check(design)]
-    return [*found, *motion_problems(design), *mounting_problems(design)]
+    return [*found, *gear_problems(design), *motion_problems(design), *mounting_problems(design)]
 
 
 def _shafts(design: Design) -> Iterator[Problem]:

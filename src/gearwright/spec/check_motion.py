@@ -1,54 +1,23 @@
-"""What can be wrong with face and bevel gears, supports and errors: axis angles, names that point nowhere."""
+"""What can be wrong with supports and errors: names that point nowhere."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 from gearwright.errors import Problem, near
-from gearwright.spec.design import Design, Pair
-
-SQUARE = 0.5 * math.pi
-"""Axis angle of face and bevel gears that is understood [rad]."""
-ROUNDING = 1e-6
-"""How near to it a written angle must be [rad]."""
+from gearwright.spec.design import Design
 
 
 def motion_problems(design: Design) -> Iterator[Problem]:
-    """Yield what is wrong with a design's crossing axes, supports and errors.
+    """Yield what is wrong with a design's supports and errors.
 
     Args:
         design: As typed.
     """
-    for name, pair in design.pairs.items():
-        yield from _crossing(name, pair, design)
     for shaft in design.supports:
         if shaft not in design.shafts:
             yield Problem(f"supports.{shaft}", f"there is no shaft {shaft!r}; {near(shaft, design.shafts)}")
     yield from _errors(design)
-
-
-def _crossing(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
-    path = f"pairs.{name}"
-    if pair.kind == "cylindrical":
-        if pair.axis_angle is not None:
-            message = 'only face and bevel gears have one; write kind = "face" or "bevel", or leave it out'
-            yield Problem(f"{path}.axis_angle", message)
-        return
-    if pair.axis_angle is None:
-        yield Problem(f"{path}.axis_angle_deg", f"a {pair.kind}-gear pair needs the angle between its axes; write 90")
-    elif abs(pair.axis_angle - SQUARE) > ROUNDING:
-        given = math.degrees(pair.axis_angle)
-        yield Problem(f"{path}.axis_angle", f"{given:.6g} deg is not understood; only square axes are, 90")
-    if pair.internal or pair.halves > 1:
-        yield Problem(path, f"a {pair.kind}-gear pair is neither internal nor double-helical; leave that out")
-    if pair.kind == "bevel" and design.rules(name).rating != "iso6336":
-        yield Problem(f"{path}.gears.rating", 'bevel gears are rated by ISO 10300; write rating = "iso6336"')
-    if design.rules(name).helix_angle:
-        message = (
-            "face gears are spur here; write 0" if pair.kind == "face" else "bevel gears have a spiral_angle; write 0"
-        )
-        yield Problem(f"{path}.gears.helix_angle_deg", message)
 
 
 def _errors(design: Design) -> Iterator[Problem]:
