@@ -7,12 +7,25 @@ from typing import Annotated
 
 import typer
 
+PAGE_RESOLUTION = 110.0
+"""Of the figures beside the page of chapter 4: enough to read, and light [dots per inch]."""
+
 
 def thesis(
     out: Annotated[Path, typer.Option(help="Page to write; .md gives Markdown, all else HTML")] = Path("thesis.html"),
     errata: Annotated[bool, typer.Option("--errata", help="Print the errata, too")] = False,
+    chapter_4: Annotated[
+        Path | None,
+        typer.Option("--chapter-4", help="Fly chapter 4 again, and write its page (.md) and figures"),
+    ] = None,
+    figures: Annotated[
+        Path | None, typer.Option(help="Folder for counterparts of figures 4.2 to 4.23, with --chapter-4")
+    ] = None,
 ) -> None:
-    """Hold the claims of the thesis behind the first sizing against what its corrected equations give."""
+    """Hold the claims of the thesis against what its corrected equations give, or fly its chapter 4 again."""
+    if chapter_4 is not None:
+        _chapter(chapter_4, figures)
+        return
     from rich.console import Console
 
     from gearwright.catalogue.errata import errata as all_errata
@@ -26,3 +39,24 @@ def thesis(
     page = thesis_markdown() if out.suffix == ".md" else thesis_page()
     out.write_text(page, encoding="utf-8")
     typer.echo(f"wrote {out}, with the reasons")
+
+
+def _chapter(page: Path, figures: Path | None) -> None:
+    """Write the page of chapter 4 with a figure for each window beside it, and all counterparts into a folder."""
+    from gearwright.cli.output import write_figure
+    from gearwright.render.theme import to_png
+    from gearwright.render.thesis_flight import FIGURES, PANELS, chapter_figure, chapter_markdown
+    from gearwright.study.flight_claims import chapter_runs, flight_claims
+    from gearwright.study.flight_phases import phased
+
+    runs = chapter_runs()
+    images = {window: f"{page.stem}-{window}.png" for window in PANELS}
+    for window, name in images.items():
+        page.with_name(name).write_bytes(to_png(chapter_figure(runs, window, PANELS[window]), PAGE_RESOLUTION))
+    page.write_text(chapter_markdown(flight_claims(runs), phased(runs), images), encoding="utf-8")
+    typer.echo(f"wrote {page} and {len(images)} figures beside it")
+    if figures is not None:
+        figures.mkdir(parents=True, exist_ok=True)
+        for number, (window, panel) in FIGURES.items():
+            write_figure(chapter_figure(runs, window, (panel,)), figures / f"{number}.svg")
+        typer.echo(f"wrote {len(FIGURES)} figures to {figures}")

@@ -13,6 +13,7 @@ from gearwright.mission.flight import Array, Flight
 from gearwright.mission.gearbox import Gearbox, Oil, Point, drag, efficiencies, gearbox_of, operate
 from gearwright.mission.supply import Supply, supply_of
 from gearwright.spec.mission import Phase
+from gearwright.spec.windows import WindowRules
 
 Curve = list[tuple[float, float]]
 """(time from the window's start [s], value)."""
@@ -54,7 +55,7 @@ class Background:
     """Interval of the flight in which it starts."""
 
 
-def background(flight: Flight, phase: str, at: float, *, duration: float, over: float) -> Background:
+def background(flight: Flight, rules: WindowRules) -> Background:
     """Return what a mission asks during a window.
 
     Machines follow the mission into the next phase, within `over`. Air and airspeed stay those of the phase in which
@@ -63,13 +64,11 @@ def background(flight: Flight, phase: str, at: float, *, duration: float, over: 
 
     Args:
         flight: As flown.
-        phase: In which the window starts.
-        at: From the start of the phase [s].
-        duration: [s].
-        over: Time that a change of phase takes [s].
+        rules: Where the window lies.
     """
-    rules = flight.mission.oil
-    oil = Oil(rules.inlet_temperature_k, rules.roughness, rules.dip)
+    phase, at, duration, over = rules.phase, rules.at, rules.duration, rules.over
+    given = flight.mission.oil
+    oil = Oil(given.inlet_temperature_k, given.roughness, given.dip)
     gearbox = gearbox_of(flight.sizing, next(iter(flight.sizing.design.propellers)), oil)
     supply = supply_of(flight.sizing, flight.mission)
     history, own = flight.history, np.flatnonzero(np.array(flight.phase) == phase)
@@ -80,7 +79,8 @@ def background(flight: Flight, phase: str, at: float, *, duration: float, over: 
     seen = np.union1d(seen, np.clip(seen - 1, 0, len(first) - 1))
     stages = {int(k): _stage(flight, gearbox, supply, int(k)) for k in seen}
     times = _knots(flight, stages, start, over)
-    names, shafts = gearbox.machines, set(_shafts(gearbox).values())
+    air = [(float(history["time"][k]) - start, int(k)) for k in own]
+    names, shafts = gearbox.machines, set(_shafts(gearbox).values()) if rules.losses else set()
     return Background(
         flight=flight,
         gearbox=gearbox,
@@ -89,8 +89,8 @@ def background(flight: Flight, phase: str, at: float, *, duration: float, over: 
         start=start,
         torques={name: [(time, stages[k].torques[name]) for time, k in times] for name in names},
         resistances={shaft: [(time, stages[k].resistances[shaft]) for time, k in times] for shaft in shafts},
-        density=_own_curve(history, own, "air_density", start),
-        airspeed=_own_curve(history, own, "true_airspeed", start),
+        density=[(time, float(history["air_density"][k])) for time, k in air],
+        airspeed=[(time, float(history["true_airspeed"][k])) for time, k in air],
         speed=_speed_curve(history, seen, start),
         pitch=[(0.0, 0.0)],
         interval=int(np.searchsorted(first, start, side="right")) - 1,
@@ -108,10 +108,6 @@ def _knots(flight: Flight, stages: Mapping[int, Stage], start: float, over: floa
         if not knots or middle > knots[-1][0]:
             knots.append((middle, k))
     return knots
-
-
-def _own_curve(history: Mapping[str, Array], own: NDArray[np.intp], name: str, start: float) -> Curve:
-    return [(float(history["time"][k]) - start, float(history[name][k])) for k in own]
 
 
 def _speed_curve(history: Mapping[str, Array], seen: NDArray[np.intp], start: float) -> Curve:

@@ -86,8 +86,7 @@ def fly_window(flight: Flight, name: str, rules: WindowRules | None = None) -> D
     """
     rules = rules or window_rules(flight, name)
     _check(flight, name, rules)
-    back = background(flight, rules.phase, rules.at, duration=rules.duration, over=rules.over)
-    back = changed(back, rules)
+    back = changed(background(flight, rules), rules)
     system = _system(back, rules)
     state = _start(system, back, rules)
     system = followed(system, rules.duration) if np.all(state[1] == 0.0) else system

@@ -73,6 +73,7 @@ class WindowRules(Record):
     turbine_slope: Ratio = Field(
         1.0, ge=0, le=5, description="κ of T = u (1 + κ (1 − ω/ω_r)) of turbines; 0: sources of torque"
     )
+    losses: bool = Field(True, description="Mesh losses as torques on the shafts; false: a train without losses")
     governor: GovernorRules | None = Field(None, description="In place of the mission's governor")
 
 

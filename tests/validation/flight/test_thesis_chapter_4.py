@@ -1,0 +1,102 @@
+"""Pulvirenti (2023), chapter 4, flown again: what it prints of cruise and taxi, and the page that says so."""
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from gearwright.mission import fly
+from gearwright.mission.windows import fly_window
+from gearwright.render.thesis_flight import FIGURES, PANELS, TITLES, chapter_figure, covered_text, number_text
+from gearwright.shipped import shipped_mission
+from gearwright.spec.mission import read_mission
+from gearwright.study.claim_runs import sized
+from gearwright.study.flight_claims import CLAIMS, CONSTANT, DESIGN, MISSION, VARYING, JudgedClaim
+from gearwright.study.flight_measures import mesh_means, mesh_swing, off_ideal, steady
+from gearwright.study.flight_phases import phased
+
+PAGE = Path(__file__).parents[3] / "docs/theory/thesis-flight.md"
+STIFFNESSES = (CONSTANT, VARYING)
+
+
+@cache
+def window(name, stiffness):
+    """Return a window of the chapter, two seconds of it."""
+    flight = fly(sized(DESIGN), read_mission(shipped_mission(MISSION)))
+    rules = flight.mission.windows[name].model_copy(update={"stiffness": stiffness, "duration": 2.0})
+    return fly_window(flight, name, rules)
+
+
+def test_cruise_with_constant_stiffness_is_within_three_thousandths_of_the_ideal_torque():
+    """§4.1, figure 4.5: less than 0.3 %."""
+    assert off_ideal(window("cruise", CONSTANT)) < 0.003
+
+
+@pytest.mark.parametrize("stiffness", STIFFNESSES)
+def test_in_taxi_stage_one_carries_no_mean_force(stiffness):
+    """§4.2.1, figures 4.17 and 4.21: zero, and of zero mean; the limit is 1e-5 of stage 2."""
+    own = window("taxi", stiffness)
+    assert np.max(np.abs(mesh_means(own, "first"))) < 1e-5 * np.mean(mesh_means(own, "second"))
+
+
+def test_taxi_is_within_the_printed_difference_and_swing():
+    """Figures 4.19 and 4.23: 0.8 % off the ideal torque, peak to peak 0.5 %, half to one and a half of it here."""
+    assert off_ideal(window("taxi", CONSTANT)) < 0.008
+    own = steady(window("taxi", VARYING))
+    assert 0.0025 < np.ptp(own.output) / np.mean(own.ideal) < 0.0075
+
+
+def test_torques_stand_to_each_other_as_printed():
+    """Figure 4.4: T_EM about 2 T_GT, T_c1 about 6 T_GT and 3 T_EM, T_c2 above 20 T_GT."""
+    own = steady(window("cruise", CONSTANT))
+    turbine, motor, carrier, output = (float(np.mean(each)) for each in own[:4])
+    assert motor / turbine == pytest.approx(2.0, abs=0.2)
+    assert carrier / turbine == pytest.approx(6.0, abs=0.5)
+    assert carrier / motor == pytest.approx(3.0, abs=0.3)
+    assert output / turbine > 20.0
+
+
+def test_varying_stiffness_keeps_the_mean_forces_and_makes_them_swing():
+    """Figure 4.13."""
+    one, other = (window("cruise", each) for each in STIFFNESSES)
+    for stage in ("first", "second"):
+        assert mesh_means(other, stage) == pytest.approx(mesh_means(one, stage), rel=1e-3)
+        assert mesh_swing(one, stage) < 1e-6 * np.mean(mesh_means(one, stage))
+        assert mesh_swing(other, stage) > 0.1 * np.mean(mesh_means(other, stage))
+
+
+def test_planets_in_phase_swing_the_output_most():
+    """Sequential phases cancel: Kahraman's rule. The thesis's (3.34) spaces the planets unevenly and lies between."""
+    runs = {(name, VARYING): window(name, VARYING) for name in ("cruise", "taxi")}
+    rows = phased(runs)
+    for name in ("cruise", "taxi"):
+        placed, thesis, together = (row.most for row in rows if row.window == name)
+        assert placed < thesis < together
+
+
+def test_every_figure_of_the_chapter_has_a_counterpart_and_a_claim():
+    numbers = [f"4.{each}" for each in range(2, 24)]
+    assert list(FIGURES) == numbers
+    assert {claim.figure for claim in CLAIMS} == set(numbers)
+    page = PAGE.read_text(encoding="utf-8")
+    for claim in CLAIMS:
+        assert f"| {claim.figure} | {claim.says} |" in page
+    for name in PANELS:
+        assert (PAGE.parent / f"thesis-flight-{name}.png").exists()
+
+
+def test_figures_are_drawn_with_both_stiffnesses():
+    runs = {("taxi", stiffness): window("taxi", stiffness) for stiffness in STIFFNESSES}
+    figure = chapter_figure(runs, "taxi", tuple(TITLES))
+    assert len(figure.axes) == 2 * len(TITLES)
+
+
+def test_numbers_and_ranges_are_words():
+    claim = next(each for each in CLAIMS if each.figure == "4.5")
+    judged = JudgedClaim(claim, 0.1, 0.4)
+    assert judged.holds
+    assert not JudgedClaim(claim, 0.4, 0.1).holds
+    assert covered_text(judged) == "up to 0.3 %"
+    assert number_text(1e-12, "%") == "0 %"
+    assert number_text(2.0567, "") == "2.06"
