@@ -17,6 +17,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import islice
+from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
@@ -219,6 +220,8 @@ def _inherited() -> Iterator[None]:
     before = {name: os.environ.get(name) for name in _THREADS}
     os.environ.update(dict.fromkeys(_THREADS, "1"))
     masked = hasattr(signal, "pthread_sigmask")  # a terminal sends Ctrl-C to the whole group, also while it starts
+    if masked:
+        resource_tracker.ensure_running()  # the first process starts it otherwise, and it takes the mask away
     mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if masked else set()
     try:
         yield

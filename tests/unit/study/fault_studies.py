@@ -91,6 +91,17 @@ def members(session: int) -> list[int]:
     return found
 
 
+def command_line(process: int) -> str:
+    return Path(f"/proc/{process}/cmdline").read_text(encoding="utf-8")
+
+
+def blocks(process: int, number: signal.Signals) -> bool:
+    """Tell whether a process does not hear a signal."""
+    lines = Path(f"/proc/{process}/status").read_text(encoding="utf-8").splitlines()
+    mask = next(int(line.split()[1], 16) for line in lines if line.startswith("SigBlk"))
+    return bool(mask >> (number - 1) & 1)
+
+
 def until(holds: Callable[[], bool], what: str) -> None:
     """Wait until something holds."""
     last = time.monotonic() + PATIENCE

@@ -15,7 +15,9 @@ import pytest
 from fault_studies import (
     DESIGNS,
     assert_whole,
+    blocks,
     command,
+    command_line,
     done,
     ended,
     kill,
@@ -111,6 +113,8 @@ def test_ctrl_c_stops_cleanly_and_status_tells_meanwhile(tmp_path: Path) -> None
     process = started(tmp_path, 10 * COUNT, "--workers", "2")
     with ended(process):
         until(lambda: done(tmp_path / "j") > 0, "its first case")
+        workers = [each for each in members(process.pid) if "spawn_main" in command_line(each)]
+        assert len(workers) == 2 and all(blocks(each, signal.SIGINT) for each in workers), "the runner sees to Ctrl-C"
         os.kill(process.pid, signal.SIGSTOP)
         assert "running" in said_by(tmp_path, "status", "j")
         os.killpg(process.pid, signal.SIGINT)
