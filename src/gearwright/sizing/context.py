@@ -109,6 +109,9 @@ def width_ratio_of(given: Context, stage: str) -> float:
         given: What gear sizing reads.
         stage: Pair or planetary set.
     """
+    rating = given.ratings[stage]
+    if rating.given_width_ratio is not None:
+        return rating.given_width_ratio
     mesh = next(mesh for mesh in given.train.meshes if mesh.stage == stage)
     small, large = (given.teeth[gear] for gear in mesh.gears)
-    return float(stage_width_ratio(given.ratings[stage], small, large))
+    return float(stage_width_ratio(rating, small, large))

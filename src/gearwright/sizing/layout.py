@@ -15,7 +15,7 @@ from gearwright.errors import DesignError, Problem, near
 from gearwright.sizing.context import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.seats import radial_places, seats_of
-from gearwright.spec.design import Design, ShaftLayout
+from gearwright.spec.design import NOTHING_GIVEN, Design, ShaftLayout
 from gearwright.spec.mounting import BearingSeat
 from gearwright.train.graph import Train
 
@@ -43,7 +43,7 @@ def plan_of(given: Context, name: str, gears: tuple[GearSizing, ...]) -> ShaftPl
     Raises:
         DesignError: If the given length, places or bearings do not fit.
     """
-    layout, rules = given.design.layout.get(name, ShaftLayout()), given.design.shafting
+    layout, rules = given.design.layout.get(name, NOTHING_GIVEN), given.design.shafting
     names = list(_on_shaft(given.design, given.train, name))
     widths = {
         gear.name: gear.face_width * gear.bodies / len(gear.shafts)

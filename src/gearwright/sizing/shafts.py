@@ -28,7 +28,7 @@ from gearwright.sizing.loads import pure_torques
 from gearwright.sizing.mounted import SectionStrength
 from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram, ShaftSizing
 from gearwright.sizing.seats import seats_of
-from gearwright.spec.design import ShaftLayout
+from gearwright.spec.design import NOTHING_GIVEN
 from gearwright.train.flow import RATED
 
 
@@ -134,7 +134,7 @@ def _along(torques: Iterable[float]) -> tuple[float, ...]:
 
 def _plain(given: Context, plan: ShaftPlan, load: _Governing, axis: complex, *, name: str) -> ShaftSizing:
     """Return a shaft of one diameter, by Tresca where √(M² + T²) is largest."""
-    rules, layout, take = given.design.shafting, given.design.layout.get(name, ShaftLayout()), given.overrides.take
+    rules, layout, take = given.design.shafting, given.design.layout.get(name, NOTHING_GIVEN), given.overrides.take
     material, length = shaft_material(given), plan.length
     bending, torque = load.bending_moment, load.torque
     allowable = (material.yield_strength or 0.0) / rules.safety
@@ -170,14 +170,14 @@ def _plain(given: Context, plan: ShaftPlan, load: _Governing, axis: complex, *, 
 
 
 def _built(given: Context, forces: ShaftForces, gears: Mapping[str, GearSizing], *, name: str) -> Built:
-    layout = given.design.layout.get(name, ShaftLayout())
+    layout = given.design.layout.get(name, NOTHING_GIVEN)
     core = given.overrides.take(f"{name}.diameter", "length", layout.diameter or 0.0) or None
     return build_shaft(given, name, forces, shaft_material(given), gears=gears, core=core)
 
 
 def _stepped(given: Context, forces: ShaftForces, built: Built, axis: complex, *, name: str) -> ShaftSizing:
     """Return the row of a built shaft: its weakest section, and the mass, inertia and stiffness of its steps."""
-    rules, layout, take = given.design.shafting, given.design.layout.get(name, ShaftLayout()), given.overrides.take
+    rules, layout, take = given.design.shafting, given.design.layout.get(name, NOTHING_GIVEN), given.overrides.take
     material, steps, bore = shaft_material(given), built.shaft.steps, built.shaft.bore
     weak = max(built.shaft.sections, key=lambda each: _tresca(each, bore))
     case, stress = list(given.flows).index(weak.case), _tresca(weak, bore)

@@ -296,6 +296,10 @@ class ShaftLayout(Record):
     )
 
 
+NOTHING_GIVEN = ShaftLayout()
+"""The layout of a shaft of which nothing is given."""
+
+
 class Drive(Record):
     """What one machine does in a case."""
 

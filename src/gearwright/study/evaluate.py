@@ -77,10 +77,11 @@ def _flown(study: Study, design: Design, inputs: Mapping[str, Value]) -> tuple[S
 
 def _results(study: Study, design: Design, inputs: Mapping[str, Value]) -> dict[str, Named]:
     """Return the results of every verb that a name asks for."""
-    verbs = {name.partition(".")[0] for name in study.asked}
+    asked = study.asked
+    verbs = {name.partition(".")[0] for name in asked}
     sizing, flights = _flown(study, design, inputs) if study.flies else (sized(study, design, inputs), {})
     results = total_results(sizing)
-    if not results.keys() >= set(study.asked):
+    if not results.keys() >= set(asked):
         results = named_results(sizing)
     if verbs & {"modes", "simulate"}:  # the compiled kernel takes a second to load: only for those who ask for it
         from gearwright.study.motion import modal_results, simulated_results

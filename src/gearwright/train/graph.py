@@ -82,13 +82,17 @@ class Train:
         """Node -> its place among the nodes."""
         return {name: k for k, name in enumerate(self.nodes)}
 
+    @cached_property
+    def _by_name(self) -> Mapping[str, Gear]:
+        return {gear.name: gear for gear in self.gears}
+
     def gear(self, name: str) -> Gear:
         """Return a gear by its name.
 
         Args:
             name: Such as ``first.sun``.
         """
-        return next(gear for gear in self.gears if gear.name == name)
+        return self._by_name[name]
 
 
 def build_train(design: Design) -> Train:
