@@ -30,11 +30,13 @@ def draw(
 
     wanted = _formats(formats)
     drawn = sheets(_sized(design), _names(what))
+    # Everything is drawn before anything is written: what cannot be drawn leaves no half of it.
+    texts = {f"{sheet.name}.{suffix}": _text(sheet, suffix) for sheet in drawn for suffix in wanted}
     folder = folder or Path(f"{Path(design).stem}-drawings")
     folder.mkdir(parents=True, exist_ok=True)
+    for name, text in texts.items():
+        (folder / name).write_text(text, encoding="utf-8")
     for sheet in drawn:
-        for suffix in wanted:
-            _write(sheet, folder / f"{sheet.name}.{suffix}")
         typer.echo(f"{sheet.name:32} {sheet.size.name}  {scale_text(sheet.scale)}")
     typer.echo(f"wrote {len(drawn)} sheets as {' and '.join(wanted)} to {folder}")
 
@@ -62,11 +64,8 @@ def _formats(given: str) -> tuple[str, ...]:
     return asked
 
 
-def _write(sheet: Sheet, path: Path) -> None:
+def _text(sheet: Sheet, suffix: str) -> str:
     from gearwright.render.drawings.dxf import sheet_dxf
     from gearwright.render.drawings.svg import sheet_svg
 
-    if path.suffix == ".svg":
-        path.write_text(sheet_svg(sheet), encoding="utf-8")
-    else:
-        path.write_text(sheet_dxf(sheet), encoding="utf-8")
+    return sheet_svg(sheet) if suffix == "svg" else sheet_dxf(sheet)

@@ -1,5 +1,7 @@
 """The command that draws."""
 
+import sys
+
 import pytest
 
 from gearwright.cli import main
@@ -32,6 +34,14 @@ def test_dxf_is_written_too(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     code, _ = run(monkeypatch, capsys, "off-set", "--what", "shaft-left", "--out", "made")
     assert code == 0 and {path.suffix for path in (tmp_path / "made").iterdir()} == {".svg", ".dxf"}
+
+
+def test_without_ezdxf_nothing_is_half_written(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(sys.modules, "ezdxf", None)
+    code, text = run(monkeypatch, capsys, "off-set", "--what", "shaft-left")
+    assert code == 2 and "gearwright[drawing]" in text
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_form_or_sheet_that_there_is_not_is_named(tmp_path, monkeypatch, capsys):
