@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -116,6 +117,8 @@ def _mark_optimum(panel: Axes, axis: str, result: str, curve: tuple[list[Row], A
     place: list[Any] = [row.inputs[axis] for row in rows]
     values = [row.shown(result) for row in rows]
     best = max(values) if most else min(values)
+    if not math.isfinite(best):
+        return
     near = [x for x, value in zip(place, values, strict=True) if abs(value / best - 1.0) <= FLAT] if best else place
     at = place[values.index(best)]
     panel.plot([at], [best], "o", mfc="none", mec=colour, ms=8)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gearwright.render.study_tables import heading, percent, spread
+from gearwright.render.study_tables import heading, percent, quantiles, spread
 from gearwright.render.tables import Cell, Column, Table, written
 from gearwright.sizing.named import Named
 from gearwright.spec.axis import Axis
@@ -70,7 +70,7 @@ def _typical(own: Sequence[Row], name: str, rows: Rows) -> Cell:
     if name not in rows.numbers:
         word, count = Counter(str(row.results[name].value) for row in own).most_common(1)[0]
         return Cell(word, word if count == len(own) else f"{word} ({percent(count / len(own))})")
-    low, median, high = (float(each) for each in np.quantile([row.shown(name) for row in own], (0.05, 0.5, 0.95)))
+    low, median, high = quantiles([row.shown(name) for row in own], (0.05, 0.5, 0.95))
     if low == high:
         return Cell(median, written(median))
     digits = 3 if high - low > 0.01 * abs(median) else 4

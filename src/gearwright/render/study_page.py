@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+import numpy as np
+
 from gearwright.errors import SolveError
 from gearwright.render import theme
 from gearwright.render.pages import environment
@@ -27,7 +29,7 @@ from gearwright.spec.study import Study
 from gearwright.study import Row, Table
 from gearwright.study.evaluate import sized
 from gearwright.study.pareto import front_table, pareto_front
-from gearwright.study.sensitivity import sensitivity
+from gearwright.study.sensitivity import sensitivity, varies
 from gearwright.study.verdict import Verdict, verdict
 from gearwright.version import __version__
 
@@ -119,7 +121,7 @@ def _shapes(study: Study, table: Table) -> list[Figure]:
     """Return the objectives, or the first result, over two axes."""
     if len(study.designs) > 1 or len(table.free) != 2 or not _all_numbers(table):
         return []
-    names = tuple(study.objectives) or table.numbers[:1]
+    names = [name for name in tuple(study.objectives) or table.numbers[:1] if varies(np.array(table.column(name)))]
     return [
         Figure(theme.to_svg(contour_figure(table, name), f"contour{k}"), f"{heading(name)}; between the cases: linear.")
         for k, name in enumerate(names)

@@ -66,9 +66,7 @@ def distribution_figure(table: Table) -> Figure:
         if many:
             each = [np.array([_shown(row, result) for row in _good(table) if row.design == name]) for name in designs]
             draw_ranges(panel, each)
-            panel.margins(x=0.05, y=0.12)
             panel.set_yticks(range(len(designs)), designs)
-            panel.invert_yaxis()
             continue
         everything = np.array([_shown(row, result) for row in _good(table)])
         bins = np.histogram_bin_edges(everything, bins=min(MOST_BINS, int(2.0 * math.sqrt(len(everything))) + 1))

@@ -7,9 +7,11 @@ import io
 import json
 import re
 from collections import Counter
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from rich.table import Table as Grid
 
 from gearwright.render.tables import written
@@ -118,9 +120,23 @@ def spread(table: Table) -> list[Spread]:
     """
     lines = []
     for result in table.numbers:
-        found = np.quantile([row.shown(result) for row in table.good], (0.0, 0.05, 0.5, 0.95, 1.0))
-        lines.append(Spread(result, table.unit(result), tuple(written(float(value)) for value in found)))
+        found = quantiles([row.shown(result) for row in table.good], (0.0, 0.05, 0.5, 0.95, 1.0))
+        lines.append(Spread(result, table.unit(result), tuple(written(value) for value in found)))
     return lines
+
+
+def quantiles(values: Sequence[float] | NDArray[np.float64], parts: Sequence[float]) -> list[float]:
+    """Return the values below which parts of all lie; between an endless one and another nothing is interpolated.
+
+    Args:
+        values: Of one result.
+        parts: Of all cases [-].
+
+    >>> quantiles([1.0, 2.0], [0.5]), quantiles([1.0, 2.0, float("inf")], [0.5, 0.95])
+    ([1.5], [2.0, inf])
+    """
+    method: Literal["linear", "nearest"] = "linear" if np.isfinite(values).all() else "nearest"
+    return [float(each) for each in np.quantile(values, parts, method=method)]
 
 
 def reasons(table: Table) -> list[str]:

@@ -41,7 +41,6 @@ def trade_figure(study: Study, table: Table, found: Verdict) -> Figure:
     for panel, name in zip(panels, objectives, strict=True):
         _draw_objective(panel, table, found.standings, name, sense=study.objectives[name])
     panels[0].set_yticks(range(len(found.standings)), [each.design for each in found.standings])
-    panels[0].invert_yaxis()
     return figure
 
 
@@ -53,7 +52,6 @@ def _draw_objective(panel: Axes, table: Table, standings: Sequence[Standing], na
     words = textwrap.fill(f"{heading(name)}{_unit(table, name)}", 16)
     panel.set_title(f"{words}\n{'less' if sense == 'least' else 'more'} is better", fontsize=7.5)
     panel.tick_params(axis="x", labelsize=7)
-    panel.margins(x=0.16, y=0.08)
 
 
 def draw_ranges(panel: Axes, spreads: Sequence[Floats], best: int | None = None) -> None:
@@ -69,6 +67,8 @@ def draw_ranges(panel: Axes, spreads: Sequence[Floats], best: int | None = None)
         panel.set_xscale("log")
     else:
         panel.xaxis.set_major_locator(MaxNLocator(3))
+    panel.set_ylim(len(spreads) - 0.5, -0.75)
+    panel.margins(x=0.16)
     for place, values in enumerate(spreads):
         colour, ink = (theme.ORANGE, theme.ORANGE) if place == best else (theme.BLUE, theme.INK)
         ends = np.quantile(values[np.isfinite(values)], RANGE) if np.isfinite(values).any() else None

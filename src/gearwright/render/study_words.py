@@ -8,10 +8,11 @@ import numpy as np
 
 from gearwright.errors import SolveError
 from gearwright.render.study_figures import FLAT, numeric_axis
-from gearwright.render.study_tables import heading, percent, reasons
+from gearwright.render.study_tables import heading, percent, quantiles, reasons
 from gearwright.render.tables import written
 from gearwright.spec.study import Study
 from gearwright.study import Row, Table
+from gearwright.study.pareto import violations
 from gearwright.study.sensitivity import sensitivity
 from gearwright.study.verdict import Verdict, bound, confidence, kept, scenarios, verdict
 
@@ -119,10 +120,11 @@ def _more(ratio: float) -> str:
 
 
 def _best(study: Study, table: Table, name: str, sense: str) -> str:
-    """Say which case has the best of a result, by how much over the best of other designs, or how flat it is."""
+    """Say which case that keeps the constraints is best, by how much over other designs, or how flat the optimum is."""
     sign = 1.0 if sense == "least" else -1.0
     best: dict[str, Row] = {}
-    for row in sorted(table.good, key=lambda each: sign * each.number(name)):
+    allowed = [row for row in table.good if not violations(study, [row])[0]]
+    for row in sorted(allowed or table.good, key=lambda each: sign * each.number(name)):
         best.setdefault(row.design, row)
     first, *others = best.values()
     text = f"{sense.capitalize()} {heading(name)}: {first.design}{at(table, first)}, {value(table, first, name)}"
@@ -166,7 +168,7 @@ def _range(table: Table, name: str) -> str:
     """Say where a result lies, and how sure that is."""
     unit = f" {table.unit(name)}" if table.unit(name) else ""
     values = [row.shown(name) for row in table.good]
-    low, median, high = (written(float(each)) for each in np.quantile(values, (0.05, 0.5, 0.95)))
+    low, median, high = (written(each) for each in quantiles(values, (0.05, 0.5, 0.95)))
     limit = bound(values)
     sure = "" if limit is None else f"; 95 % of all that may come stay below {written(limit)}{unit}, 95 % sure"
     return f"{heading(name)}: median {median}{unit}, 5 to 95 %: {low} to {high}{unit}{sure}."

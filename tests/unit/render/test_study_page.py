@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import doctest
+import math
 import re
 
 import numpy as np
 import pytest
 
-from gearwright.render import theme
+from gearwright.render import study_tables, theme
 from gearwright.render.study_figures import study_figure
 from gearwright.render.study_page import study_page
 from gearwright.render.study_spread import contour_figure, figure_of, parallel_figure
 from gearwright.render.study_tables import reasons, spread
 from gearwright.shipped import shipped_design
+from gearwright.sizing.named import Named
 from gearwright.spec import read
 from gearwright.spec.study import Study, parse_study
-from gearwright.study import Table, run
+from gearwright.study import Row, Table, run
 
 HEAD = 'schema = 1\nname = "s"\ndesigns = ["in-line-h1", "in-line-h2"]\nresults = ["mass", "efficiency"]\n'
 FILL = '[axes]\n"carriers.fill" = {from = 0.4, to = 0.8}\n"planetaries.second.planets" = {values = [3, 4, 9]}\n'
@@ -88,6 +91,10 @@ def test_figures_are_the_same_each_time_and_leave_out_what_is_constant() -> None
     assert contour_figure(table, "mass").axes[0].get_xlabel() == "carriers.fill"
 
 
+def test_the_examples_in_the_docstrings_hold() -> None:
+    assert doctest.testmod(study_tables).failed == 0
+
+
 def test_the_spread_is_that_of_the_numbers() -> None:
     _, table, _ = page_of(HEAD + FILL + '[sampling]\nmethod = "random"\ncount = 6\n')
     mass = [row.results["mass"].value for row in table.rows if not row.problem]
@@ -129,3 +136,36 @@ def test_axes_that_were_changed_together_are_one_line_with_the_ends_of_the_trade
     assert table.free == ("motors.electric.speed_rpm",)
     assert "From motors.electric.speed_rpm = 4000 to 4400: gearbox" in page
     assert study_figure(table).axes[0].lines[0].get_xdata().tolist() == [4000, 4200, 4400]
+
+
+@pytest.mark.parametrize("designs", [("in-line-h2", "mixed-h2", "in-line"), ("in-line-h2",)])
+@pytest.mark.parametrize("method", ['method = "sobol"\ncount = 4\n', 'method = "list"\n'])
+@pytest.mark.parametrize("more", ["", '[objectives]\nmass = "least"\n"modes.lowest_critical_speed" = "most"\n'])
+def test_results_without_an_end_are_written_so_and_break_no_figure(
+    designs: tuple[str, ...], method: str, more: str
+) -> None:
+    """A lowest critical speed is infinite where nothing is excited; warnings count as errors here."""
+    listed = ", ".join(f'"{name}"' for name in designs)
+    head = f'schema = 1\nname = "s"\ndesigns = [{listed}]\nresults = ["mass", "modes.lowest_critical_speed"]\n'
+    study = parse_study(f'{head}{more}[axes]\n"carriers.fill" = {{values = [0.5, 0.6, 0.7]}}\n[sampling]\n{method}')
+    rows = [
+        Row(name, {"carriers.fill": fill}, {
+            "mass": Named(40.0 + k + fill, "mass"),
+            "modes.lowest_critical_speed": Named(math.inf if k == 1 or fill > 0.55 else 200.0 + k, "speed"),
+        })
+        for k, name in enumerate(designs)
+        for fill in (0.5, 0.6, 0.7)
+    ]  # fmt: skip
+    table = Table("s", "", study.asked, tuple(rows), tied=study.sampling.method == "list")
+    page = study_page(study, table, {name: read(shipped_design(name)) for name in designs})
+    assert "nan" not in re.sub(r"<svg.*?</svg>", "", page, flags=re.DOTALL)
+    assert figure_of(study, table)
+
+
+def test_the_best_of_an_objective_keeps_the_constraints() -> None:
+    axes = '[axes]\n"carriers.fill" = {values = [0.4, 0.6, 0.8]}\n[objectives]\nmass = "least"\n'
+    head = HEAD.replace('"in-line-h1", ', "")
+    _, table, page = page_of(f"{head}{axes}[constraints]\nmass = {{least = 43.5}}\n")
+    assert table.rows[0].shown("mass") < 43.5 < table.rows[1].shown("mass")
+    assert "Least gearbox: in-line-h2 at carriers.fill = 0.6" in page
+    assert "gearbox ≥ 43.5 kg is kept in 2 of 3 cases." in page
