@@ -1,5 +1,7 @@
 """The command that draws."""
 
+import os
+import subprocess
 import sys
 
 import pytest
@@ -34,6 +36,17 @@ def test_dxf_is_written_too(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     code, _ = run(monkeypatch, capsys, "off-set", "--what", "shaft-left", "--out", "made")
     assert code == 0 and {path.suffix for path in (tmp_path / "made").iterdir()} == {".svg", ".dxf"}
+
+
+def test_every_process_writes_the_same_file(tmp_path):
+    """Whatever the order of Python's sets."""
+    pytest.importorskip("ezdxf")
+    start = "from gearwright.cli import main; main()"
+    call = [sys.executable, "-c", start, "draw", "off-set", "--what", "shaft-left"]
+    for seed in ("1", "2"):
+        subprocess.run([*call, "--out", seed], cwd=tmp_path, env={**os.environ, "PYTHONHASHSEED": seed}, check=True)
+    for name in ("shaft-left.dxf", "shaft-left.svg"):
+        assert (tmp_path / "1" / name).read_bytes() == (tmp_path / "2" / name).read_bytes()
 
 
 def test_without_ezdxf_nothing_is_half_written(tmp_path, monkeypatch, capsys):

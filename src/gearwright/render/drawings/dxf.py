@@ -62,7 +62,11 @@ def sheet_dxf(sheet: Sheet) -> str:
     # Else every file would carry the time at which it was made.
     options.write_fixed_meta_data_for_testing = True
     try:
-        sheet_document(sheet).write(stream)
+        document = sheet_document(sheet)
+        # ezdxf adds classes from a set, whose order differs from process to process.
+        document.classes.add_required_classes(document.dxfversion)
+        document.classes.classes = dict(sorted(document.classes.classes.items()))
+        document.write(stream)
     finally:
         options.write_fixed_meta_data_for_testing = before
     return stream.getvalue()
