@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
 from typing import Annotated
 
 from gearwright.errors import DesignError, Problem
@@ -79,45 +80,45 @@ class BevelPair:
         if problems:
             raise DesignError(problems)
 
-    @property
+    @cached_property
     def pitch_angles(self) -> tuple[float, float]:
         """Pitch angles δ_1 and δ_2 [rad], tan δ_1 = sin Σ/(cos Σ + z_2/z_1)."""
         first = math.atan2(math.sin(self.shaft_angle), math.cos(self.shaft_angle) + self.teeth[1] / self.teeth[0])
         return first, self.shaft_angle - first
 
-    @property
+    @cached_property
     def outer_diameters(self) -> tuple[float, float]:
         """Outer pitch diameters d_e [m]."""
         return self.teeth[0] * self.outer_module, self.teeth[1] * self.outer_module
 
-    @property
+    @cached_property
     def outer_cone_distance(self) -> float:
         """R_e [m]."""
         return self.outer_diameters[0] / (2.0 * math.sin(self.pitch_angles[0]))
 
-    @property
+    @cached_property
     def mean_cone_distance(self) -> float:
         """R_m = R_e − b/2 [m]."""
         return self.outer_cone_distance - 0.5 * self.face_width
 
-    @property
+    @cached_property
     def mean_diameters(self) -> tuple[float, float]:
         """Mean pitch diameters d_m [m]."""
         scale = self.mean_cone_distance / self.outer_cone_distance
         return self.outer_diameters[0] * scale, self.outer_diameters[1] * scale
 
-    @property
+    @cached_property
     def mean_module(self) -> float:
         """Mean normal module m_mn = m_et cos β_m R_m/R_e [m]."""
         return self.outer_module * math.cos(self.spiral_angle) * self.mean_cone_distance / self.outer_cone_distance
 
-    @property
+    @cached_property
     def addenda(self) -> tuple[float, float]:
         """Mean addenda h_am [m]."""
         k, x = self.tooth.addendum, self.tooth.profile_shift
         return (k + x) * self.mean_module, (k - x) * self.mean_module
 
-    @property
+    @cached_property
     def dedenda(self) -> tuple[float, float]:
         """Mean dedenda h_fm [m]."""
         k, x = self.tooth.dedendum, self.tooth.profile_shift
