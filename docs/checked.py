@@ -139,7 +139,7 @@ CHECKED: Sequence[Checked] = (
 """Headline numbers; the tests hold many more."""
 
 
-def validation_markdown() -> str:
+def checked_markdown() -> str:
     """Return the page."""
     rows = "".join(_row(one) for one in CHECKED)
     return f"{_HEAD}{rows}{_TESTS_HEAD}{''.join(_sections())}"

@@ -44,15 +44,23 @@ def _row(material: Material) -> str:
     return f"| {' | '.join(cells)} |\n"
 
 
-def validation_markdown() -> str:
-    """Return the page of `checked.py`, which lies beside this file and is no package."""
-    spec = importlib.util.spec_from_file_location("checked", FOLDER / "checked.py")
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    page: str = module.validation_markdown()
-    return page
+def beside(name: str) -> Callable[[], str]:
+    """Return what makes a page in a module that lies beside this file and is no package.
+
+    Args:
+        name: Of the module, whose function is called ``NAME_markdown``.
+    """
+
+    def made() -> str:
+        spec = importlib.util.spec_from_file_location(name, FOLDER / f"{name}.py")
+        assert spec is not None and spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[spec.name] = module
+        spec.loader.exec_module(module)
+        page: str = getattr(module, f"{name}_markdown")()
+        return page
+
+    return made
 
 
 PAGES: Mapping[str, Callable[[], str]] = {
@@ -61,7 +69,8 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "reference/study-file.md": study_file_markdown,
     "reference/materials.md": materials_markdown,
     "theory/colibri.md": colibri_markdown,
-    "validation.md": validation_markdown,
+    "how-to/helicopter.md": beside("helicopter"),
+    "validation.md": beside("checked"),
 }
 """Page -> what makes it."""
 

@@ -57,9 +57,7 @@ def check(design: DesignArgument) -> None:
     sizing = sized(design)
     weak = [each for each in margins(sizing) if not each.holds]
     for each in weak:
-        typer.echo(
-            f"margin {each.margin:.3f}: {each.part}, {each.check}, case {each.case}; it should be 1 or more", err=True
-        )
+        typer.echo(f"{each.sentence}; the margin should be 1 or more", err=True)
     if weak:
         raise typer.Exit(1)
     typer.echo(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")

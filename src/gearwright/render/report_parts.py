@@ -72,11 +72,7 @@ def warnings(sizing: Sizing, trace: Trace | None) -> tuple[str, ...]:
         sizing: As sized.
         trace: As simulated, if it was.
     """
-    found = [
-        f"{each.part}, {each.check}: margin {each.margin:.3f} in case {each.case}; it should be 1 or more."
-        for each in margins(sizing)
-        if not each.holds
-    ]
+    found = [f"{each.sentence}; it should be 1 or more." for each in margins(sizing) if not each.holds]
     found += _yielded(sizing)
     found += [
         f"{text(loop.power, 'power')} circulate in case {case}: {', '.join(loop.path)}."

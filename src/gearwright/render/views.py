@@ -9,7 +9,7 @@ from typing import Annotated
 from gearwright.render.branches import Branch, branches
 from gearwright.render.given import given_by_user, overrides_table
 from gearwright.render.mounted_views import mounted_tables
-from gearwright.render.tables import Mark, Table, table
+from gearwright.render.tables import Mark, Table, table, written
 from gearwright.sizing.envelope import envelope
 from gearwright.sizing.mounted import Check
 from gearwright.sizing.result import CarrierSizing, MeshSizing, ShaftSizing, Sizing
@@ -54,6 +54,15 @@ class Margin:
     def holds(self) -> bool:
         """True if the value is allowed."""
         return self.margin >= 1.0 - ROUNDING
+
+    @property
+    def sentence(self) -> str:
+        """Part, check, value, limit, source, case and margin."""
+        value, limit = (f"{written(each)} {self.unit}".rstrip() for each in (self.value, self.limit))
+        case = f", case {self.case}" if self.case else ""
+        return (
+            f"{self.part}: {self.check} {value}, limit {limit} ({self.source}){case}: margin {written(self.margin, 3)}"
+        )
 
 
 @dataclass(frozen=True)
