@@ -161,7 +161,9 @@ def _bears(check: BearingCheck) -> bool:
 def _none(duty: BearingSpectrum, seat: BearingSeat, room: tuple[float, float], checks: list[BearingCheck]) -> str:
     """Say why no size will do, and which is nearest."""
     least, most = room
-    around = f"bores from {1e3 * least:.4g} mm" + (f" to {1e3 * most:.4g} mm" if most < math.inf else "")
+    around = f"bores from {1e3 * least:.4g} mm" + (
+        f" to {1e3 * most:.4g} mm, the root of the gear," if most < math.inf else ""
+    )
     best = max(checks, key=lambda each: min(each.life_margin, each.static_margin))
     outer = seat.largest_outer_diameter
     inside = f" and {1e3 * outer:.4g} mm outside" if outer else ""

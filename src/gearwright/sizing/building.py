@@ -27,6 +27,7 @@ from gearwright.sizing.roots import root_diameter
 from gearwright.sizing.seats import seats_of
 from gearwright.sizing.sections import HubNotch, Strength, sections_of, strengths
 from gearwright.sizing.stretches import Item, Stretch, Wanted, lay
+from gearwright.spec.check_mounting import MOST_HOLLOW
 from gearwright.spec.design import ShaftLayout
 from gearwright.spec.mounting import Joint
 
@@ -34,8 +35,8 @@ THINNEST = 10e-3
 """Diameter from which shafts are grown [m]."""
 ROUNDS = 60
 """Growths after which no shaft is looked for [-]."""
-GROWTH = 1.002
-"""Least growth of a stretch that is too weak [-]."""
+LEAST_GROWTH, MOST_GROWTH = 1.002, 1.3
+"""Growth of a stretch that is too weak in one round [-]."""
 TAPER_ROUNDS = 8
 """How often taper bearings are chosen anew for the thrust that they make [-]."""
 TOOTH_HEIGHT = 2.25
@@ -148,15 +149,20 @@ def _stiff(task: _Task, seated: Seating) -> _Attempt:
         excess = slope_excess(bent, seated.seats, {each: task.forces.plan.places[each] for each in task.gears})
         if excess <= 1.0:
             break
-        growth = max(excess**0.25, GROWTH)
+        growth = max(excess**0.25, LEAST_GROWTH)
         try:
-            thicker = _strong(task, seated, {each.name: growth * each.diameter for each in attempt.stretches})
+            thicker = _strong(task, seated, {each.name: growth * each.diameter for each in _free(attempt)})
         except DesignError:
             break
         if thicker.stretches == attempt.stretches:
             break
         attempt = thicker
     return attempt
+
+
+def _free(attempt: _Attempt) -> tuple[Stretch, ...]:
+    """Return the stretches that may grow; gears of one piece grow with what lies beside them."""
+    return tuple(each for each in attempt.stretches if each.kind != "integral")
 
 
 def _strong(task: _Task, seated: Seating, needed: Mapping[str, float]) -> _Attempt:
@@ -174,19 +180,19 @@ def _strong(task: _Task, seated: Seating, needed: Mapping[str, float]) -> _Attem
 def _grown(task: _Task, attempt: _Attempt, wanted: Mapping[str, float]) -> dict[str, float]:
     """Return what must be thicker."""
     service = task.given.design.service
-    found: dict[str, float] = {}
     diameters = {each.name: each.diameter for each in attempt.stretches}
+    walled = attempt.bore / MOST_HOLLOW
+    found = {each.name: walled for each in _free(attempt) if each.diameter < walled - 1e-9}
     for section, owner in zip(attempt.sections, attempt.owners, strict=True):
         ratio = min(
             section.fatigue_safety / service.shaft_fatigue_safety, section.yield_safety / service.shaft_yield_safety
         )
         if ratio < 1.0 - 1e-9:
-            enough = diameters[owner] * max(ratio ** (-1.0 / 3.0), GROWTH)
-            found[owner] = max(found.get(owner, 0.0), wanted.get(owner, 0.0), enough)
+            growth = min(max(ratio ** (-1.0 / 3.0), LEAST_GROWTH), MOST_GROWTH) if ratio > 0.0 else MOST_GROWTH
+            found[owner] = max(found.get(owner, 0.0), wanted.get(owner, 0.0), growth * diameters[owner])
     for joint in attempt.joints:
-        if joint.part in diameters and not joint_fits(
-            task.joints[joint.part], _seat(task, joint.part, attempt.bore), joint
-        ):
+        seat = _seat(task, joint.part, attempt.bore)
+        if joint.part in diameters and not joint_fits(task.joints[joint.part], seat, joint):
             found[joint.part] = max(found.get(joint.part, 0.0), joint.diameter + 1e-3)
     return found
 
@@ -302,6 +308,7 @@ def _torque(given: Context, shaft: str, part: str) -> float:
 def _finished(task: _Task, seated: Seating, attempt: _Attempt) -> Built:
     """Return what was built, or say what does not fit."""
     _refuse_overlaps(task, attempt)
+    _refuse_thin(task, attempt)
     for joint in attempt.joints:
         seat = _seat(task, joint.part, attempt.bore)
         refuse_long(task.joints[joint.part], seat, joint)
@@ -346,6 +353,17 @@ def _refuse_overlaps(task: _Task, attempt: _Attempt) -> None:
         problems.append(Problem(_path(last), _close(last, "the second end", over, last.middle - over)))
     if problems:
         raise DesignError(problems)
+
+
+def _refuse_thin(task: _Task, attempt: _Attempt) -> None:
+    """Raise where the bore leaves too thin a wall."""
+    thin = min(attempt.stretches, key=lambda each: each.diameter)
+    if thin.diameter < attempt.bore / MOST_HOLLOW - 1e-9:
+        message = (
+            f"{1e3 * attempt.bore:.4g} mm leave too thin a wall in {1e3 * thin.diameter:.4g} mm ({thin.name}); the bore"
+            f" may be {MOST_HOLLOW:.0%} of that: give {1e3 * MOST_HOLLOW * thin.diameter:.4g} mm or less"
+        )
+        raise DesignError([Problem(f"layout.{task.name}.bore", message)])
 
 
 def _close(item: Item, other: str, over: float, place: float) -> str:

@@ -6,9 +6,9 @@ import math
 from dataclasses import replace
 from typing import NamedTuple
 
-from gearwright.catalogue.keys import StandardKey, choose_key_length, key_for_shaft
+from gearwright.catalogue.keys import LENGTHS, StandardKey, key_for_shaft
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.key import bearing_length, key_pressure
+from gearwright.parts.key import LONGEST_BEARING, bearing_length, key_length, key_pressure
 from gearwright.parts.material import Material
 from gearwright.parts.press_fit import FitPart, fit_interference, fit_torque, hub_stress, shaft_fit_stress
 from gearwright.parts.spline import MODULES, SHORTEST_RATIO, Spline, spline, spline_length, spline_pressure
@@ -95,7 +95,7 @@ def joint_fits(joint: Joint, seat: Seat, sized: JointSizing) -> bool:
 
 
 def refuse_long(joint: Joint, seat: Seat, sized: JointSizing) -> None:
-    """Raise where a joint is longer than its hub.
+    """Raise where a joint is longer than its hub, or a key than what bears.
 
     Args:
         joint: As the design gives it.
@@ -105,10 +105,16 @@ def refuse_long(joint: Joint, seat: Seat, sized: JointSizing) -> None:
     Raises:
         DesignError: With what would do.
     """
-    if sized.length > seat.hub_length + 1e-9:
+    room, why = seat.hub_length, f"its hub has {1e3 * seat.hub_length:.4g} mm"
+    if joint.kind == "key" and joint.length is None:
+        key = key_for_shaft(sized.diameter)
+        useful = min(key.longest, LONGEST_BEARING * sized.diameter + key.section.width)
+        if useful < room:
+            room, why = useful, f"more than {1e3 * useful:.4g} mm does not bear on {1e3 * sized.diameter:.4g} mm"
+    if sized.length > room + 1e-9:
         message = (
-            f"{sized.designation} is {1e3 * sized.length:.4g} mm long and its hub {1e3 * seat.hub_length:.4g} mm; give"
-            ' a longer hub, a wider gear, or kind = "integral"'
+            f"{sized.torque:.4g} N m ask for {1e3 * sized.length:.4g} mm of {sized.designation}, but {why};"
+            f" {_instead(joint, seat, sized.diameter)}"
         )
         raise DesignError([Problem(f"joints.{seat.part}", message)])
 
@@ -135,15 +141,12 @@ def _integral(joint: Joint, seat: Seat, diameter: float, steel: Material) -> Joi
 
 
 def _key(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
-    allowed, path = joint.pressure or KEY_PRESSURE, f"joints.{seat.part}"
-    try:
-        key = key_for_shaft(diameter)
-        hub = min(seat.hub_length, key.longest)
-        length = joint.length or choose_key_length(seat.torque, diameter, allowable=allowed, hub_length=hub)
-        bears = bearing_length(key.section, length, seat.hub_length)
-    except DesignError as error:
-        why = error.problems[0].message.partition("; take")[0]
-        raise DesignError([Problem(path, f"{why}; {_instead(joint, seat, diameter)}")]) from None
+    """Return the shortest standard key that bears the torque, or what it would have to be."""
+    key, allowed = key_for_shaft(diameter), joint.pressure or KEY_PRESSURE
+    asked = key_length(seat.torque, diameter, key.section, allowable=allowed) + key.section.width
+    least = max(asked, key.shortest)
+    length = joint.length or next((each for each in LENGTHS if each >= least - 1e-9), _whole(least))
+    bears = bearing_length(key.section, length, math.inf)
     pressure = key_pressure(seat.torque, diameter, key.section, bearing_length=bears)
     return _sized(joint, seat, _key_name(key, length), diameter, length=length, pressure=pressure, allowed=allowed)
 
@@ -154,12 +157,12 @@ def _key_name(key: StandardKey, length: float) -> str:
 
 
 def _instead(joint: Joint, seat: Seat, diameter: float) -> str:
-    """Say which spline would do where a key does not."""
+    """Say what would do where a joint is too long: a spline, one piece, a longer hub."""
     teeth = _teeth(joint, diameter)
     length = _spline_length(teeth, seat, SPLINE_PRESSURE)
-    if length <= seat.hub_length:
+    if joint.kind != "spline" and length <= seat.hub_length:
         return f'a spline does with {1e3 * length:.4g} mm, {_spline_name(teeth)}: write kind = "spline"'
-    return 'write kind = "integral", or give a thicker shaft by diameter_mm'
+    return 'write kind = "integral", or give a longer hub, a wider gear or a thicker shaft by diameter_mm'
 
 
 def _spline(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:

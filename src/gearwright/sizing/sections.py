@@ -40,6 +40,8 @@ from gearwright.spec import Design
 
 BLUNTEST = 0.98
 """Thinner over thicker diameter above which a step is no notch [-] (DIN 743-2:2012)."""
+THINNEST = 0.97
+"""Bore over diameter beyond which a section counts as if it had this wall, until it has grown [-]."""
 NO_LIMIT = 99.0
 """Safety that stands for a section without load, for tables [-]."""
 HubNotch = Literal["", "key", "spline", "press-fit"]
@@ -148,6 +150,7 @@ def _strength(
     section: Section, moments: np.ndarray, torques: np.ndarray, judge: Strength, *, bore: float
 ) -> SectionStrength:
     rules, service, steel = judge.design.shafting, judge.design.service, judge.material
+    bore = min(bore, THINNEST * section.diameter)
     ultimate, yielding = steel.ultimate_strength or 0.0, steel.yield_strength or 0.0
     limit = endurance_limit(ultimate, section.diameter, surface=rules.surface, reliability=rules.reliability)
     strength, notch = FatigueStrength(limit, ultimate, yielding), _felt(section, ultimate)

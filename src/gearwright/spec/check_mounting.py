@@ -20,6 +20,8 @@ KINDS = {
     "four-point": "four-point contact ball",
 }
 """Kind of a seat as written -> kind of bearing in the catalogue."""
+MOST_HOLLOW = 0.9
+"""Largest bore over the diameter of any part of a shaft with bearings [-]."""
 APART = 1e-6
 """Two bearings nearer than this stand in one place [m]."""
 WHOLE = 1e-6
@@ -127,6 +129,10 @@ def _held(shaft: str, design: Design) -> Iterator[Problem]:
     yield from _radial(shaft, seats)
     yield from _located(seats)
     layout = design.layout.get(shaft)
+    ratio = design.shafting.bore_ratio if layout is None or layout.bore_ratio is None else layout.bore_ratio
+    if ratio > MOST_HOLLOW:
+        path = "shafting.bore_ratio" if layout is None or layout.bore_ratio is None else f"layout.{shaft}.bore_ratio"
+        yield Problem(path, f"{ratio:g} leaves too thin a wall in the seats of bearings; give {MOST_HOLLOW:g} or less")
     for key in ("first_bearing", "second_bearing"):
         if layout is not None and getattr(layout, key) is not None:
             yield Problem(f"layout.{shaft}.{key}", "its bearings stand in [bearings] already; leave this out")
