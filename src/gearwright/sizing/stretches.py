@@ -20,7 +20,7 @@ from typing import Literal
 from gearwright.catalogue.bearings import Bearing
 from gearwright.errors import DesignError, Problem
 
-SHOULDER = 0.18
+SHOULDER = 0.175
 """Shoulder over bore of a bearing, on the diameter, over D − d [-]."""
 BEARING_FILLET = 0.025
 """Fillet at the seat of a bearing over D − d [-]."""
