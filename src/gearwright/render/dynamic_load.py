@@ -12,8 +12,9 @@ from gearwright.sizing import MeshSizing, Sizing
 from gearwright.units import Origin, Quantity
 
 NOTE = (
-    "Tangential peak of the worst line of each mesh row over its simulated mean, and over the force it is sized for."
-    " Sizing has no dynamic factor; a margin below 1 here asks for one (gears.bending_safety, gears.contact_safety)."
+    "Tangential peak of the worst line of each mesh row over its simulated mean, and over the force it is sized for:"
+    " F_t K_A K_V where ISO 6336 or ISO 10300 rates the mesh, else F_t alone; a margin below 1 there asks for a dynamic"
+    " factor (gears.bending_safety, gears.contact_safety)."
 )
 
 
@@ -26,7 +27,9 @@ class DynamicLoad:
     """Dynamic factor of the run [-]."""
     peak_force: Annotated[float, Quantity("force"), Origin("F_t = F cos α_t", "run")]
     """Largest tangential force of one mesh [N]."""
-    rated_force: Annotated[float, Quantity("force"), Origin("F_t of the worst case", "sizing")]
+    rated_force: Annotated[
+        float, Quantity("force"), Origin("F_t of the worst case, times K_A K_V where rated", "sizing")
+    ]
     """Tangential force that the mesh is sized for [N]."""
     bending_margin: Annotated[float, Quantity("ratio"), Origin("margin · F_t / F_t,max", "Lewis")]
     """Bending margin at the peak [-]."""
@@ -68,12 +71,20 @@ def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:
     found = [trace.force.of(name) for name in lines]
     peak = max(max(abs(float(each["most"].max())), abs(float(each["least"].min()))) for each in found)
     mean = max(abs(float(each["mean"].mean())) for each in found)
-    force = peak * math.cos(transverse) / together
+    force, sized_for = peak * math.cos(transverse) / together, _sized_for(mesh)
     return DynamicLoad(
         mesh=mesh.name,
         peak_over_mean=peak / mean if mean else math.inf,
         peak_force=force,
-        rated_force=mesh.tangential_force,
-        bending_margin=mesh.bending_margin * mesh.tangential_force / force,
-        contact_margin=mesh.contact_margin * math.sqrt(mesh.tangential_force / force),
+        rated_force=sized_for,
+        bending_margin=mesh.bending_margin * sized_for / force,
+        contact_margin=mesh.contact_margin * math.sqrt(sized_for / force),
     )
+
+
+def _sized_for(mesh: MeshSizing) -> float:
+    """Return the tangential force of one mesh with the factors for load peaks that its rating has in it [N]."""
+    if mesh.rating is None:
+        return mesh.tangential_force
+    loads = mesh.rating.factors.loads
+    return mesh.tangential_force * float(loads.application) * float(loads.dynamic)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
@@ -14,6 +15,8 @@ from gearwright.units import text
 
 _IN_THE_HEAD = ("schema_version", "name", "description")
 """What the page's head shows already."""
+_OF_A_STAGE = re.compile(r"(pairs|planetaries)\.[^.]+\.gears\..")
+"""Rules of one stage, which are the design's where it does not state its own."""
 _LARGER = {"time": ((3600.0, "life"), (60.0, "flight_time")), "energy": ((3.6e6, "electric_energy"),)}
 """Dimension -> values from which on it is shown as another dimension does, the largest first."""
 
@@ -46,6 +49,8 @@ def _record(path: str, record: Record, given: set[str]) -> Iterator[Entry]:
         value = getattr(record, name)
         where = f"{path}.{name}" if path else name
         if value is None or value in ({}, "", []) or where in _IN_THE_HEAD:
+            continue
+        if _OF_A_STAGE.match(where) and name not in given:
             continue
         if isinstance(value, Record):
             yield from _record(where, value, value.model_fields_set)

@@ -1,0 +1,82 @@
+"""What a report says of gears that ISO 6336 rates."""
+
+import pytest
+
+from gearwright.dynamics.assemble import assemble
+from gearwright.dynamics.simulate import simulate
+from gearwright.parts.bevel_rating import BevelRating
+from gearwright.render.dynamic_load import dynamic_loads
+from gearwright.render.factor_tables import factor_tables
+from gearwright.render.inputs import entries
+from gearwright.render.pair_data import pair_data
+from gearwright.render.views import margins
+from gearwright.shipped import shipped_design
+from gearwright.sizing import size
+from gearwright.spec import read
+
+DESIGN = read(shipped_design("ec120b"))
+SIZING = size(DESIGN)
+
+
+def test_every_factor_of_both_standards_stands_in_a_table_with_its_clause():
+    helical, bevel = factor_tables(SIZING)
+    for one, standard in ((helical, "ISO 6336"), (bevel, "ISO 10300")):
+        rows = {row[2].text.partition(" = ")[0]: [cell.text for cell in row] for row in one.rows}
+        assert all(row[-1] for row in rows.values())
+        assert standard in one.title
+    symbols = {row[2].text.partition(" = ")[0] for row in helical.rows}
+    assert {
+        "K_A",
+        "K_V",
+        "K_Hβ",
+        "K_Hα",
+        "Z_H",
+        "Z_E",
+        "Z_ε",
+        "Z_NT",
+        "Z_L",
+        "Y_F",
+        "Y_S",
+        "Y_NT",
+        "S_H",
+        "S_F",
+    } <= symbols
+
+
+def test_the_tables_values_are_those_of_the_rating():
+    """S_H and S_F as printed, to the digits that are shown (5)."""
+    helical = next(mesh for mesh in SIZING.meshes if mesh.name == "helical")
+    rows = {row[2].text.partition(" = ")[0]: row for row in factor_tables(SIZING)[0].rows}
+    pinion, wheel = (float(rows["S_H"][k].text) for k in (3, 4))
+    assert (pinion, wheel) == pytest.approx([float(each) for each in helical.rating.factors.pitting.safeties], rel=5e-5)
+
+
+def test_tooth_data_of_a_bevel_pair_are_its_cones():
+    bevel = next(mesh for mesh in SIZING.meshes if mesh.name == "bevel")
+    data = pair_data(SIZING, bevel)
+    assert isinstance(bevel.rating.factors, BevelRating)
+    assert data.outer_module == pytest.approx(bevel.rating.factors.virtual.bevel.outer_module, rel=1e-12)
+    assert sum(data.pitch_angle) == pytest.approx(data.shaft_angle, rel=1e-12)
+
+
+def test_a_margin_says_value_limit_and_clause():
+    worst = margins(SIZING)[0]
+    assert worst.sentence.startswith(f"{worst.part}: {worst.check} ")
+    assert "limit" in worst.sentence
+    assert worst.source in worst.sentence
+
+
+def test_rules_that_a_stage_does_not_state_are_not_listed_as_its_own():
+    listed = {entry.path for entry in entries(DESIGN)}
+    assert "pairs.helical.gears.helix_angle" in listed
+    assert "pairs.helical.gears.rating" not in listed
+    assert "gears.rating" in listed
+
+
+def test_peaks_of_a_run_are_held_against_the_force_with_application_and_dynamic_factor():
+    trace = simulate(assemble(SIZING), 0.02)
+    load = next(each for each in dynamic_loads(SIZING, trace) if each.mesh == "helical")
+    mesh = next(each for each in SIZING.meshes if each.name == "helical")
+    loads = mesh.rating.factors.loads
+    assert load.rated_force == pytest.approx(mesh.tangential_force * 1.25 * float(loads.dynamic), rel=1e-12)
+    assert load.bending_margin > 1.0
