@@ -2,7 +2,7 @@
 
 sizing    100 000 first sizings of In-Line H2, two workers, journal on disk; once
 scaling   the same cases with one worker and with two, in turn, seven times
-overhead  cases of 10 ms: time of the run over cases times 10 ms, start of the workers apart; five times
+overhead  cases of 10 ms of CPU: CPU time of runner and worker over that of the cases, start apart; five times
 journal   rows a second into the journal, each transaction on disk before the next; five times
 
 It prints a table with medians and the spread from least to most, and how busy the machine was with other work: the
@@ -56,8 +56,8 @@ count = {count}
 
 def waiting(study: Study, design: object, case: Case) -> Row:
     """Return a row after 10 ms of work."""
-    until = time.perf_counter() + CASE_TIME
-    while time.perf_counter() < until:
+    until = time.process_time() + CASE_TIME
+    while time.process_time() < until:
         pass
     return Row(case.design, case.inputs, {name: Named(1.0, "mass") for name in study.asked})
 
@@ -111,45 +111,43 @@ def scaling(count: int = 3000, repeats: int = 7) -> str:
     return f"{count} cases, one worker, then two | {spread(one, '.0f')}/s, {spread(two, '.0f')}/s: {gain} times"
 
 
-def overhead(count: int = 300, repeats: int = 5) -> str:
-    found = [1e2 * (_each(count) / CASE_TIME - 1.0) for _ in range(repeats)]
-    return f"runner and journal at 10 ms a case, one worker | {spread(found, '.1f')} %"
+def overhead(few: int = 100, many: int = 500, repeats: int = 5) -> str:
+    found = [(_spent(many) - _spent(few)) / (many - few) / CASE_TIME - 1.0 for _ in range(repeats)]
+    return f"runner and journal at 10 ms a case, one worker | {spread((1e2 * each for each in found), '.1f')} %"
 
 
-def _each(count: int) -> float:
-    """Return the time of a case in a run with its journal, start of the worker apart [s]."""
-    study = study_of(count)
+def _spent(count: int) -> float:
+    """Return the CPU time of a run with its journal, its runner and its worker together [s]."""
+    study, before = study_of(count), cpu_time()
     with tempfile.TemporaryDirectory() as folder:
         begin(Path(folder) / "j", study, DESIGNS)
         with opened(Path(folder) / "j") as book, local(study, DESIGNS, 1, function=waiting) as compute:
             book.begin_run(1)
-            start, first, done = 0.0, 0, 0
             for rows in compute(cases(study), count):
                 book.append(rows)
-                done += len(rows)
-                if not start:
-                    start, first = time.perf_counter(), done
-            return (time.perf_counter() - start) / (count - first)
+    return cpu_time() - before
 
 
 def journal(count: int = 20_000, repeats: int = 5) -> str:
-    rates = {batch: [_rows_a_second(count, batch) for _ in range(repeats)] for batch in (100, 1000)}
-    return " | ".join([
-        "rows into the journal, 100 and 1000 a transaction",
-        ", ".join(f"{spread(found, '.0f')}/s" for found in rates.values()),
-    ])  # fmt: skip
+    found = {batch: [_rows_a_second(count, batch) for _ in range(repeats)] for batch in (100, 1000)}
+    words = (
+        f"{spread((wall for wall, _ in each), '.0f')}/s, {spread((cpu for _, cpu in each), '.0f')} a second of CPU"
+        for each in found.values()
+    )
+    return f"rows into the journal, 100 and 1000 a transaction | {'; '.join(words)}"
 
 
-def _rows_a_second(count: int, batch: int) -> float:
+def _rows_a_second(count: int, batch: int) -> tuple[float, float]:
+    """Return rows a second, and rows a second of CPU time."""
     row = run(study_of(1), DESIGNS).rows[0]
     with tempfile.TemporaryDirectory() as folder:
         begin(Path(folder) / "j", study_of(count), DESIGNS)
         with opened(Path(folder) / "j") as book:
             book.begin_run(1)
-            start = time.perf_counter()
+            start, cpu = time.perf_counter(), cpu_time()
             for first in range(0, count, batch):
                 book.append((number, row) for number in range(first, first + batch))
-            return count / (time.perf_counter() - start)
+            return count / (time.perf_counter() - start), count / (cpu_time() - cpu)
 
 
 def main() -> None:

@@ -93,13 +93,20 @@ def solve_speeds(train: Train, matrix: Array, asked: Mapping[str, float]) -> tup
             kept.append(machine)
     if len(kept) < freedoms:
         raise _free(train, free, np.array(motions), len(kept))
-    omega: Array = free @ np.linalg.solve(motions, speeds) if kept else np.zeros(len(train.nodes))
+    omega: Array = free @ _amounts(motions, speeds) if kept else np.zeros(len(train.nodes))
     yielded = [
         Yielded(machine, abs(speed), abs(float(omega[train.column[train.machines[machine]]])))
         for machine, speed in asked.items()
         if machine not in kept and speed
     ]
     return omega, yielded
+
+
+def _amounts(motions: list[list[float]], speeds: list[float]) -> Array:
+    """Return how much of each free motion gives the kept speeds; most trains have one freedom."""
+    if len(speeds) == 1:
+        return np.array([speeds[0] / motions[0][0]])
+    return np.asarray(np.linalg.solve(motions, speeds), dtype=np.float64)
 
 
 @remembered
