@@ -8,6 +8,7 @@ what was being computed, nothing else.
 from __future__ import annotations
 
 import json
+import logging
 from collections import deque
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -32,6 +33,8 @@ AHEAD = 3
 PATIENCE = 10.0
 """Time in which a scheduler must answer [s]."""
 
+_NOISY = ("distributed", "tornado", "asyncio")
+"""Libraries that log what they lose."""
 GONE = "the scheduler is gone; what is finished is kept: start it again and `gearwright resume` the journal"
 
 
@@ -64,8 +67,24 @@ class Cluster:
         Raises:
             DesignError: If Dask is not installed, or no scheduler answers.
         """
-        with _client(self.address) as client:
+        client = _client(self.address)
+        with _quiet(), client:
             yield lambda cases, count: _Tasks(client, study, designs, cases).work()
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep what Dask logs of a lost scheduler, tracebacks among it, from the terminal: the error says it."""
+    names = [name for name in logging.root.manager.loggerDict if name.partition(".")[0] in _NOISY]
+    loggers = [logging.getLogger(name) for name in names]
+    before = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL)
+    try:
+        yield
+    finally:
+        for logger, level in zip(loggers, before, strict=True):
+            logger.setLevel(level)
 
 
 def _client(address: str) -> Any:

@@ -56,6 +56,7 @@ def command(folder: Path, *arguments: str, limit: int | None = None) -> subproce
     """Start a command of gearwright in a session of its own."""
 
     def bounded() -> None:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # what runs tests in the background may have it ignored
         if limit is not None:
             resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
 
