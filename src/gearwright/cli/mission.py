@@ -30,6 +30,9 @@ def fly(
         ),
     ] = None,
     report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page")] = None,
+    window: Annotated[
+        list[str] | None, typer.Option(help="Window of the mission to fly dynamically and draw on the page; or: all")
+    ] = None,
     csv: Annotated[Path | None, typer.Option(help="Write the histories as CSV, in SI")] = None,
     json: Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of words")] = False,
 ) -> None:
@@ -42,13 +45,20 @@ def fly(
 
     typer.echo(flight_json(flight, parts, life) if json else flight_text(flight, parts, life))
     if report is not None:
+        from gearwright.mission.windows import fly_window
         from gearwright.render.flight_page import flight_page
 
-        report.write_text(flight_page(flight, parts, life), encoding="utf-8")
+        flown = [fly_window(flight, name) for name in _windows(flight, window or [])]
+        report.write_text(flight_page(flight, parts, life, windows=flown), encoding="utf-8")
         typer.echo(f"wrote {report}", err=True)
     if csv is not None:
         csv.write_text(flight_csv(flight), encoding="utf-8")
         typer.echo(f"wrote {csv}", err=True)
+
+
+def _windows(flight: Flight, names: list[str]) -> list[str]:
+    """Return the windows that are asked for; all of them for the word."""
+    return list(flight.mission.windows) if "all" in names else names
 
 
 def _list() -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from matplotlib.figure import Figure as Drawing
 
 from gearwright.mission import Durability, Flight, LifeSizing
+from gearwright.mission.windows import DynamicWindow
 from gearwright.render import theme
+from gearwright.render.figures_window import window_figure
 from gearwright.render.flight_figures import (
     KELVIN,
     KNOT,
@@ -24,6 +26,7 @@ from gearwright.render.inputs import entries
 from gearwright.render.pages import environment
 from gearwright.render.report_parts import Figure, Section, formulas
 from gearwright.render.tables import MARKS
+from gearwright.render.window_text import window_verdict
 from gearwright.version import __version__
 
 _HOUR, _LITRE_PER_MINUTE, _MILE = 3600.0, 1e-3 / 60.0, 1852.0
@@ -42,13 +45,16 @@ BASIS = (
 """Quantity, model, source."""
 
 
-def flight_page(flight: Flight, parts: Durability, life: LifeSizing | None = None) -> str:
+def flight_page(
+    flight: Flight, parts: Durability, life: LifeSizing | None = None, *, windows: Sequence[DynamicWindow] = ()
+) -> str:
     """Return the page; it makes no request to anywhere, and the same input gives the same bytes.
 
     Args:
         flight: As flown.
         parts: Lives of its gears and bearings.
         life: How the design was strengthened, if it was.
+        windows: Of its mission, as flown dynamically.
     """
     sections = [_verdict(flight, parts, life), *_way(flight), *_effects(flight, parts)]
     if life is not None:
@@ -56,6 +62,8 @@ def flight_page(flight: Flight, parts: Durability, life: LifeSizing | None = Non
             mass_of_life_figure(life), "mass", "Round by round: the stage that fails first is strengthened."
         )
         sections.append(Section("What a life costs", figures=(drawn,), notes=(f"{life_text(life)}.",)))
+    if flight.mission.windows:
+        sections.append(_windows(flight, windows))
     tables = [table for section in sections for table in section.tables]
     return environment().get_template("flight_page.html.j2").render(
         design=flight.sizing.design, mission=flight.mission, numbers=_numbers(flight, parts), sections=sections,
@@ -78,6 +86,17 @@ def _numbers(flight: Flight, parts: Durability) -> Iterator[tuple[str, str]]:
     yield "gearbox efficiency", f"{balance.propeller / (balance.propeller + balance.gearbox_loss):.2%}"
     if first is not None and first.damage:
         yield f"first to fail: {first.name}", f"{first.flights:,.0f} flights"
+
+
+def _windows(flight: Flight, flown: Sequence[DynamicWindow]) -> Section:
+    """Return the dynamic windows: those that were flown as figures, and all of the mission by name."""
+    figures = tuple(
+        _figure(window_figure(each), f"window{k}", f"Window {each.name}: {window_verdict(each)}.")
+        for k, each in enumerate(flown)
+    )
+    named = ", ".join(f"{name} ({rules.phase}, {rules.event})" for name, rules in flight.mission.windows.items())
+    note = f"Windows of the mission: {named}. Those that were flown with the page are drawn here."
+    return Section("Dynamic windows", figures=figures, notes=(note,))
 
 
 def _verdict(flight: Flight, parts: Durability, life: LifeSizing | None) -> Section:

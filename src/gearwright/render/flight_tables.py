@@ -29,7 +29,7 @@ class AskedView:
     name: str
     mode: str
     to: Annotated[float, Quantity("altitude")]
-    speed: str
+    airspeed: str
     lasts: str
     asks: str
     electric_share: float | None

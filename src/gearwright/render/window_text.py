@@ -88,7 +88,7 @@ def window_text(window: DynamicWindow) -> str:
         f"{'':28} {'start':>11} {'least':>11} {'greatest':>11} {'end':>11}",
         *(_line(row) for row in ranges(window)),
         "",
-        _rest(window),
+        window_verdict(window),
         f"Steps of {trace.step * 1e6:.3g} µs; line forces within {trace.error:.1e}; energies close within"
         f" {trace.work.imbalance:.1e}",
     ]
@@ -100,7 +100,12 @@ def _line(row: Range) -> str:
     return f"{row.name:28} {numbers} {unit(row.dimension)}"
 
 
-def _rest(window: DynamicWindow) -> str:
+def window_verdict(window: DynamicWindow) -> str:
+    """Return whether the governor comes to rest in a window.
+
+    Args:
+        window: As flown.
+    """
     found = window.limit_cycle
     if found is None:
         return "The governor does not limit-cycle"

@@ -53,9 +53,11 @@ def test_a_life_is_bought_with_mass():
 
 def test_one_command_writes_the_page_of_a_flight(tmp_path):
     page = tmp_path / "flight.html"
-    result = run("in-line-h2", "thesis", "--report", str(page))
+    result = run("in-line-h2", "thesis", "--report", str(page), "--window", "gust")
     assert result.exit_code == 0
-    assert "First gear to fail: second.planet" in page.read_text(encoding="utf-8")
+    told = page.read_text(encoding="utf-8")
+    assert "First gear to fail: second.planet" in told
+    assert "Window gust" in told
 
 
 THESIS = shipped_mission("thesis").read_text(encoding="utf-8")

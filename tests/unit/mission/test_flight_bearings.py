@@ -168,3 +168,12 @@ def test_a_bearing_that_does_not_sit_between_pin_and_rim_is_refused(given):
     sizing = size(parse(PLANETS.format(given)))
     with pytest.raises(DesignError, match=r"planetaries\.second\.planet_bearing: NU .* has a bore of"):
         bearing_lives(fly(sizing, parse_mission(STEADY)))
+
+
+def test_the_helicopters_mast_lives_on_tapers_that_take_the_rotors_thrust():
+    """The upper taper takes 16.8 kN of thrust and what the bevel adds; every bearing of the design has its life."""
+    sizing = size(read(shipped_design("ec120b")))
+    flight = fly(sizing, read_mission(shipped_mission("ec120b-sortie")))
+    assert {row.seat for row in bearing_lives(flight).rows} == set(sizing.design.bearings)
+    upper = next(duty for seat, duty in seat_duties(flight) if seat.name == "mast-upper")
+    assert upper.axial.min() > 16.8e3
