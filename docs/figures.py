@@ -8,14 +8,17 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 import gearwright as gw
+from gearwright.mission import fly
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.svg import sheet_svg
 from gearwright.render.figures_sizing import margin_figure, mass_figure
+from gearwright.render.flight_sankey import sankey_figure
 from gearwright.render.schematic import power_flow_figure, schematic_figure
 from gearwright.render.study_figures import study_figure
 from gearwright.render.theme import to_svg
-from gearwright.shipped import shipped_study
+from gearwright.shipped import shipped_mission, shipped_study
 from gearwright.sizing import Sizing
+from gearwright.spec.mission import read_mission
 from gearwright.spec.study import read_study
 from gearwright.study import run
 
@@ -40,6 +43,7 @@ FIGURES: Mapping[str, Callable[[], Figure]] = {
     "in-line-h2-mass": lambda: mass_figure(_sized("in-line-h2")),
     "motor-speed": lambda: _study("motor-speed"),
     "architectures": lambda: _study("architectures"),
+    "flight-energy": lambda: sankey_figure(fly(_sized("in-line-h2"), read_mission(shipped_mission("thesis")))),
 }
 """Name of the file -> what draws it."""
 SHEETS: Mapping[str, str] = {

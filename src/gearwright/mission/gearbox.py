@@ -19,6 +19,7 @@ from gearwright.sizing.result import GearSizing
 from gearwright.spec import GROUND, Design, Drive
 from gearwright.train.flow import PowerFlow, power_flow
 from gearwright.train.graph import INTERNAL
+from gearwright.train.turning import Turning
 
 Array = NDArray[np.float64]
 OIL_DENSITY = 950.0
@@ -87,6 +88,8 @@ class Gearbox:
     """Narrower face of each mesh row, shape (meshes,) [m]."""
     inertia: float
     """Of everything that turns, at the propeller [kg m²]."""
+    turning: Turning
+    """Speeds of the train: intervals often turn alike."""
     seats: tuple[Seat, ...]
     """Of the bearings whose load follows from the meshes."""
 
@@ -116,6 +119,7 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
         radii=np.array([one.pitch_diameter / 2.0 for one, _ in pairs]),
         widths=np.array([min(one.face_width, other.face_width) for one, other in pairs]),
         inertia=_inertia(sizing, propeller),
+        turning=Turning(sizing.design, sizing.train, sizing.teeth),
         seats=bearing_seats(sizing),
     )
 
@@ -166,7 +170,8 @@ def operate(
     drives[gearbox.propeller] = Drive(speed=propeller_speed)
     sizing = gearbox.sizing
     design = sizing.design.model_copy(update={"cases": {_CASE: drives}})
-    return _point(gearbox, power_flow(design, sizing.train, sizing.teeth, _CASE, efficiency=efficiency))
+    flow = power_flow(design, sizing.train, sizing.teeth, _CASE, efficiency=efficiency, turning=gearbox.turning)
+    return _point(gearbox, flow)
 
 
 def _point(gearbox: Gearbox, flow: PowerFlow) -> Point:

@@ -68,7 +68,7 @@ class PowerFlow:
 
 def power_flow(
     design: Design, train: Train, teeth: Mapping[str, float], case: str = RATED, *,
-    efficiency: Mapping[str, float] | None = None,
+    efficiency: Mapping[str, float] | None = None, turning: Turning | None = None,
 ) -> PowerFlow:  # fmt: skip
     """Return the speeds, torques and powers of a case.
 
@@ -78,12 +78,13 @@ def power_flow(
         teeth: Tooth number of every gear.
         case: Name of the case.
         efficiency: Stage -> efficiency of each of its meshes [-]; left out: lossless.
+        turning: Of this train and teeth, where many cases are solved; left out: made anew.
 
     Raises:
         DesignError: If shafts are locked or free, or no torques balance.
         SolveError: If losses leave no steady direction of the power.
     """
-    return _flow(design, Turning(design, train, teeth), case, efficiency or {})
+    return _flow(design, turning or Turning(design, train, teeth), case, efficiency or {})
 
 
 def power_flows(
