@@ -1,10 +1,10 @@
 """The page on the thesis: whole, self-contained, the same at every run; and the page in the documentation is it."""
 
 import re
-from html.parser import HTMLParser
 from pathlib import Path
 
 import typer
+from html_checks import stands_alone
 from typer.testing import CliRunner
 
 from gearwright.catalogue.errata import errata, printed_claims
@@ -21,26 +21,8 @@ def test_the_page_holds_every_claim_and_every_erratum():
     assert "{" not in re.sub(r"<style>.*?</style>", "", page, flags=re.DOTALL), "a number was not filled in"
 
 
-def test_the_page_asks_for_nothing_from_elsewhere():
-    page = thesis_page()
-    assert not re.search(r"https?:|src=|@import|<script|<link", page)
-
-
-def test_every_tag_of_the_page_is_closed():
-    class Balance(HTMLParser):
-        stack: list[str]
-
-        def handle_starttag(self, tag, attributes):
-            if tag not in ("meta", "br"):
-                self.stack.append(tag)
-
-        def handle_endtag(self, tag):
-            assert self.stack.pop() == tag
-
-    parser = Balance()
-    parser.stack = []
-    parser.feed(thesis_page())
-    assert parser.stack == []
+def test_the_page_stands_alone_with_closed_tags_and_links_that_lead_somewhere():
+    stands_alone(thesis_page())
 
 
 def test_the_page_is_the_same_at_every_run():
