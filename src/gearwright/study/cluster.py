@@ -110,6 +110,13 @@ class _Tasks:
         self.flying: dict[str, list[Case]] = {}
 
     def work(self) -> Iterator[Finished]:
+        """Yield finished cases; wherever the connection is lost, the scheduler is gone."""
+        try:
+            yield from self._work()
+        except OSError:
+            raise SolveError(GONE) from None
+
+    def _work(self) -> Iterator[Finished]:
         from distributed import as_completed
 
         first = [future for future in (self._fly() for _ in range(self._room())) if future is not None]
@@ -148,7 +155,7 @@ class _Tasks:
                 return []
             case = chunk[0]
             return [(case.number, Row(case.design, case.inputs, {}, "it killed every worker that tried it"))]
-        except (FutureCancelledError, OSError):
+        except FutureCancelledError:
             raise SolveError(GONE) from None
         return found
 
