@@ -26,7 +26,7 @@ from gearwright.dynamics.reference import line_state
 DURATION, INTERVALS = 0.02, 400
 HEAD = "| solver | setting | error | time for 20 ms [ms] | times slower |"
 TARGETS = (1e-3, 1e-5)
-PACKAGES = ("numpy", "scipy", "numba", "jax", "diffrax", "casadi")
+PACKAGES = ("numpy", "scipy", "numba", "jax", "diffrax", "casadi", "numbalsoda")
 
 
 def prepare(system: System) -> Case:

@@ -91,6 +91,19 @@ def numba_slope(arrays: Arrays) -> Callable:
 
 def numba_slope_of(arrays: Arrays) -> Callable:
     """Return dy/dt(t, y, k) as a compiled loop over the sparse lines; k: mean stiffnesses."""
+    fill, size = numba_fill_of(arrays), len(arrays.mass)
+
+    @njit(error_model="numpy", fastmath=True)
+    def slope(t, y, mean):
+        out = np.empty(2 * size)
+        fill(t, y, mean, out)
+        return out
+
+    return slope
+
+
+def numba_fill_of(arrays: Arrays) -> Callable:
+    """Return what fills dy/dt for (t, y, k)."""
     start, dof, weight = arrays.line_start, arrays.line_dof, arrays.line_weight
     damping, backlash, rate = arrays.damping, arrays.backlash, arrays.tone_rate
     vs, vt, vc, vn = arrays.variation
@@ -98,8 +111,7 @@ def numba_slope_of(arrays: Arrays) -> Callable:
     mass, constant, size = arrays.mass, arrays.loads.constant, len(arrays.mass)
 
     @njit(error_model="numpy", fastmath=True)
-    def slope(t, y, mean):
-        out = np.empty(2 * size)
+    def fill(t, y, mean, out):
         cos, sin = np.cos(rate * t), np.sin(rate * t)
         out[:size], out[size:] = y[size:], constant
         for j in range(len(mean)):
@@ -119,9 +131,8 @@ def numba_slope_of(arrays: Arrays) -> Callable:
             for i in range(start[j], start[j + 1]):
                 out[size + dof[i]] -= weight[i] * f
         out[size:] /= mass
-        return out
 
-    return slope
+    return fill
 
 
 def gearwright(case: Case, setting: float) -> Callable[[], np.ndarray]:
@@ -228,6 +239,21 @@ def diffrax_run(name: str) -> Callable:
     return make
 
 
+def numbalsoda_dop853(case: Case, setting: float) -> Callable[[], np.ndarray]:
+    """DOP853 of numbalsoda, the slope compiled behind a pointer; setting: relative tolerance."""
+    from numba import carray, cfunc
+    from numbalsoda import dop853, lsoda_sig
+
+    fill, mean, count = numba_fill_of(case.arrays), case.arrays.stiffness, len(case.start)
+
+    @cfunc(lsoda_sig)
+    def slope(t, y, out, _):
+        fill(t, carray(y, (count,)), mean, carray(out, (count,)))
+
+    scale, grid = float(np.max(np.abs(case.start))), case.grid
+    return lambda: dop853(slope.address, case.start, grid, np.zeros(1), rtol=setting, atol=setting * scale)[0]
+
+
 def casadi_slope(arrays: Arrays):
     """Return the function (t, y) → dy/dt in CasADi's words, sparse."""
     import casadi
@@ -271,7 +297,8 @@ def has(module: str) -> bool:
     return importlib.util.find_spec(module) is not None
 
 
-LOOSE, STEPS = [10.0 ** (-power / 3) for power in range(6, 37)], [2, 3, 4, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64]
+LOOSE = [10.0 ** (-power / 3) for power in range(6, 37)]
+STEPS = [2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 24, 28, 32, 40, 48, 64]
 PEERS: dict[str, tuple[Callable, list[float]]] = {
     "gearwright RK4": (gearwright, STEPS),
     "gearwright Tsit5": (gearwright_adaptive, LOOSE),
@@ -279,6 +306,8 @@ PEERS: dict[str, tuple[Callable, list[float]]] = {
     "scipy DOP853, numba slope": (scipy_run(numba_slope, "DOP853"), LOOSE),
     "scipy RK45, numpy slope": (scipy_run(lambda arrays: array_slope(arrays, np), "RK45"), LOOSE),
 }
+if has("numbalsoda"):
+    PEERS["numbalsoda DOP853"] = (numbalsoda_dop853, LOOSE)
 if has("jax"):
     PEERS["JAX RK4, jit"] = (jax_runge_kutta, STEPS)
 if has("diffrax"):

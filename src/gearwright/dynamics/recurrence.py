@@ -7,9 +7,11 @@ eight steps, and sums for a strip of rows stay in vector registers, so that the 
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import lru_cache
 from typing import NamedTuple
+
+import numpy as np
 
 from gearwright.dynamics.assembler import address, aligned, machine_code
 from gearwright.dynamics.emit import CHUNK
@@ -21,7 +23,7 @@ VECTOR = "<8 x double>"
 SIDE = 8
 """Steps that go side by side."""
 STRIP = 3
-"""Vectors of rows in a strip: three times eight sums fill the registers."""
+"""Most vectors of rows in a strip: three times eight sums fill the registers."""
 
 
 class Size(NamedTuple):
@@ -55,10 +57,10 @@ def recurrence(step: Floats, output: Floats, size: Size) -> Run:
         output: C, shape (outputs, states).
         size: Sizes.
     """
-    code = _compiled(size)
     states, chunks = size.state_chunks * CHUNK, size.output_chunks * CHUNK
     columns = aligned(size.states, states + chunks)
     columns[:, : size.states], columns[:, states : states + size.outputs] = step.T, output.T
+    code = _compiled(size, tuple(_strips(columns, size)))
     buffers = aligned(2, SIDE, states)
 
     def run(start: Floats, record: Floats) -> None:
@@ -68,17 +70,34 @@ def recurrence(step: Floats, output: Floats, size: Size) -> Run:
     return run
 
 
+class Strip(NamedTuple):
+    """Vectors of rows that are summed together, over the columns in which one of them is not zero."""
+
+    chunks: range
+    """Which vectors."""
+    columns: range
+    """Deflections need no velocities, for example."""
+
+
+def _strips(columns: Floats, size: Size) -> Iterator[Strip]:
+    """Return the strips of the states, then of the outputs."""
+    past = size.state_chunks + size.output_chunks
+    for start, stop in ((0, size.state_chunks), (size.state_chunks, past)):
+        for first in range(start, stop, STRIP):
+            chunks = range(first, min(first + STRIP, stop))
+            used = np.flatnonzero(np.any(columns[:, CHUNK * chunks.start : CHUNK * chunks.stop], axis=1))
+            yield Strip(chunks, range(int(used[0]), int(used[-1]) + 1) if len(used) else range(1))
+
+
 @lru_cache(maxsize=64)
-def _compiled(size: Size) -> tuple[Callable[..., None], object]:
+def _compiled(size: Size, strips: tuple[Strip, ...]) -> tuple[Callable[..., None], object]:
     """Return the function and the engine that keeps it in memory."""
-    engine = machine_code(_assembly(size))
+    engine = machine_code(_assembly(size, strips))
     signature = ctypes.CFUNCTYPE(None, ctypes.c_int64, *[ctypes.c_void_p] * 4)
     return signature(engine.get_function_address("recur")), engine
 
 
-def _assembly(size: Size) -> str:
-    chunks = size.state_chunks + size.output_chunks
-    strips = [range(first, min(first + STRIP, chunks)) for first in range(0, chunks, STRIP)]
+def _assembly(size: Size, strips: tuple[Strip, ...]) -> str:
     body = "\n".join(_strip(number, strip, size) for number, strip in enumerate(strips))
     pointers = ", ".join(f"ptr noalias %{name}" for name in ("columns", "one", "other", "record"))
     return f"""declare void @llvm.masked.store.v8f64.p0({VECTOR}, ptr, i32, <8 x i1>)
@@ -104,16 +123,16 @@ end:
 }}"""
 
 
-def _strip(number: int, strip: range, size: Size) -> str:
+def _strip(number: int, strip: Strip, size: Size) -> str:
     """Return the sums of a strip of rows of Φ⁸ or C for all eight steps, and their stores."""
     width = CHUNK * (size.state_chunks + size.output_chunks)
-    tags = [(step, chunk) for step in range(SIDE) for chunk in strip]
+    tags = [(step, chunk) for step in range(SIDE) for chunk in strip.chunks]
     start, loop = f"%before{number}", f"%column{number}"
     lines = [f"before{number}:", f"  br label {loop}", f"column{number}:"]
-    lines.append(f"  %j{number} = phi i64 [0, {start}], [%n{number}, {loop}]")
+    lines.append(f"  %j{number} = phi i64 [{strip.columns.start}, {start}], [%n{number}, {loop}]")
     lines += [f"  %a{s}.{c} = phi {VECTOR} [zeroinitializer, {start}], [%b{s}.{c}, {loop}]" for s, c in tags]
     lines.append(f"  %row{number} = mul i64 %j{number}, {width}")
-    for c in strip:
+    for c in strip.chunks:
         lines.append(f"  %at{c} = add i64 %row{number}, {CHUNK * c}")
         lines.append(f"  %cp{c} = getelementptr double, ptr %columns, i64 %at{c}")
         lines.append(f"  %c{c} = load {VECTOR}, ptr %cp{c}, align 64")
@@ -124,10 +143,10 @@ def _strip(number: int, strip: range, size: Size) -> str:
         lines.append(f"  %zs{z} = load double, ptr %zp{z}, align 8")
         lines.append(f"  %zl{z} = insertelement {VECTOR} poison, double %zs{z}, i64 0")
         lines.append(f"  %z{z} = shufflevector {VECTOR} %zl{z}, {VECTOR} poison, <8 x i32> zeroinitializer")
-        for c in strip:
+        for c in strip.chunks:
             lines.append(f"  %f{s}.{c} = fmul contract {VECTOR} %c{c}, %z{z}")
             lines.append(f"  %b{s}.{c} = fadd contract {VECTOR} %a{s}.{c}, %f{s}.{c}")
-    lines += [f"  %n{number} = add i64 %j{number}, 1", f"  %m{number} = icmp slt i64 %n{number}, {size.states}"]
+    lines += [f"  %n{number} = add i64 %j{number}, 1", f"  %m{number} = icmp slt i64 %n{number}, {strip.columns.stop}"]
     lines += [f"  br i1 %m{number}, label {loop}, label %after{number}", f"after{number}:"]
     lines += [_store(f"%b{s}.{c}", *_place(s, c, size), f"r{s}.{c}") for s, c in tags]
     return "\n".join([*lines, f"  br label %before{number + 1}"])

@@ -191,7 +191,8 @@ def _notes(recorder: Recorder, done: int) -> list[str]:
         if first >= 0
     ]
     if done < recorder.steps:
-        notes.append(f"interrupted at {done * recorder.step:.6g} s of {recorder.steps * recorder.step:.6g} s")
+        late = "; its statistics had not begun" if done <= recorder.edges[0] else ""
+        notes.append(f"interrupted at {done * recorder.step:.6g} s of {recorder.steps * recorder.step:.6g} s{late}")
     return notes
 
 

@@ -108,6 +108,11 @@ class Statistics:
     rms: Floats
     """Root mean square of the value itself, shape (bins, names)."""
 
+    @property
+    def bins(self) -> int:
+        """Time bins: none if the run was interrupted before the time from which statistics look."""
+        return len(self.edges) - 1
+
     def of(self, name: str) -> dict[str, Floats]:
         """Return mean, least, most and rms of one line or coordinate, shape (bins,) each.
 

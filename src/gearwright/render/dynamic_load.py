@@ -44,7 +44,8 @@ def dynamic_loads(sizing: Sizing, trace: Trace) -> tuple[DynamicLoad, ...]:
         sizing: As sized.
         trace: A run of it.
     """
-    loads = [load for mesh in sizing.meshes if (load := _load(sizing, mesh, trace)) is not None]
+    meshes = sizing.meshes if trace.force.bins else ()
+    loads = [load for mesh in meshes if (load := _load(sizing, mesh, trace)) is not None]
     return tuple(sorted(loads, key=lambda load: min(load.bending_margin, load.contact_margin)))
 
 

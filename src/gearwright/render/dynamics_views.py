@@ -110,11 +110,13 @@ def _mode(modes: Modes, frequency: float, first: int, count: int) -> Mode:
 
 
 def motion_tables(trace: Trace) -> tuple[Table, ...]:
-    """Return the statistics of forces and of torques, over all bins together.
+    """Return the statistics of forces and of torques, over all bins together; nothing where there are none.
 
     Args:
         trace: As simulated.
     """
+    if not trace.force.bins:
+        return ()
     forces, torques = [], []
     weights = np.diff(trace.force.edges) / np.sum(np.diff(trace.force.edges))
     for name, unit in zip(trace.labels.lines, trace.labels.line_units, strict=True):

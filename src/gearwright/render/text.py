@@ -165,7 +165,7 @@ def print_trace(trace: Trace, sizing: Sizing | None = None) -> None:
         sizing: That it is a run of.
     """
     Console().print(trace_text(trace))
-    if sizing is not None:
+    if sizing is not None and trace.force.bins:
         Console().print(table_text(dynamic_table(sizing, trace)))
 
 

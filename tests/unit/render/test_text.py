@@ -3,6 +3,9 @@ import json
 
 from rich.console import Console
 
+from gearwright.dynamics import Outputs, simulate
+from gearwright.dynamics.assemble import assemble
+from gearwright.render.dynamic_load import dynamic_table
 from gearwright.render.text import modes_json, modes_text, sizing_json, sizing_text, summary, trace_json, trace_text
 
 
@@ -34,6 +37,20 @@ def test_json_of_a_sizing_has_units_in_its_keys_and_sources(in_line_h2) -> None:
     assert sun["face_width_mm"] == 1e3 * in_line_h2.gears[0].face_width
     assert set(read["cases"]) == {"rated", "cruise"}
     assert any("Pulvirenti 2023" in column.get("source", "") for column in read["gears"]["columns"])
+
+
+def test_a_run_interrupted_before_its_statistics_begin_is_told_all_the_same(in_line_h2) -> None:
+    """Statistics of the command begin at a quarter of the duration."""
+
+    def stop(_: float) -> None:
+        raise KeyboardInterrupt
+
+    trace = simulate(assemble(in_line_h2), 0.1, outputs=Outputs(start=0.025), progress=stop)
+    text = on_screen(trace_text(trace))
+    assert "interrupted at" in text
+    assert "its statistics had not begun" in text
+    assert "Energy" in text
+    assert not dynamic_table(in_line_h2, trace).rows
 
 
 def test_modes_and_runs_are_told_in_words_and_in_json(modal, run) -> None:
