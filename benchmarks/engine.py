@@ -30,13 +30,13 @@ def median(run: Callable[[], object], rounds: int = 5) -> float:
 
 
 def medians(runs: Sequence[Callable[[], object]], rounds: int = 9) -> list[float]:
-    """Return the median time of each run, all taken in turn after one round to warm up [s]."""
+    """Return the median processor time of each run, all taken in turn after one round to warm up [s]."""
     times = np.zeros((rounds + 1, len(runs)))
     for turn in times:
         for number, run in enumerate(runs):
-            start = time.perf_counter()
+            start = time.process_time()
             run()
-            turn[number] = time.perf_counter() - start
+            turn[number] = time.process_time() - start
     return list(np.median(times[1:], axis=0))
 
 

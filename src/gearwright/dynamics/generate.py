@@ -12,6 +12,9 @@ from gearwright.dynamics.energy import WORKS
 from gearwright.dynamics.topology import LineShape, filled
 from gearwright.dynamics.writer import Writer, drive_width, wave_width
 
+PART = 8
+"""Lines that share what they have loaded: among more, registers run out."""
+
 
 def slope(writer: Writer, name: str, output: Literal["", "record", "statistics"]) -> str:
     """Return the function that works out the forces at (q, q̇) and from them the next stage of a step.
@@ -26,8 +29,12 @@ def slope(writer: Writer, name: str, output: Literal["", "record", "statistics"]
     code, works = Emitter(writer.lanes), [Emitter(writer.lanes).zero] * WORKS
     if writer.shape.drives.records:
         _drives(writer, code, output)
-    position, velocity = (_state(writer, code, name) for name in ("%q", "%v"))
-    carried = [_line(writer, code, j, (position, velocity, works), output) for j in range(writer.count)]
+    carried = []
+    for j in range(writer.count):
+        if j % PART == 0:
+            code.part(f"lines{j}")
+            position, velocity = (_state(writer, code, name) for name in ("%q", "%v"))
+        carried.append(_line(writer, code, j, (position, velocity, works), output))
     code.part("next")
     position, velocity = (_state(writer, code, name) for name in ("%q", "%v"))
     factor = writer.clock(code, 0)
