@@ -46,7 +46,7 @@ def _loop(writer: Writer) -> str:
     pointers = ", ".join(f"ptr noalias %{name}" for name in ("p", "own", "table", "turn", "state", "out"))
     return f"""define void @advance(i64 %steps, {pointers}) {{
 entry:
-{_arrays(writer, STAGES)}
+{_arrays(writer, STAGES, STAGES)}
 {_lines(*_copies(writer, "%state", ("q", "v", "works"), inwards=True))}
   %one = load double, ptr %p, align 8
   %lone = insertelement {VECTOR} poison, double %one, i64 0
@@ -83,34 +83,32 @@ done:
 
 
 def _alone(writer: Writer) -> str:
-    """Return the function that works out one derivative, for steps of any length."""
-    wave = wave_width(writer.shape)
-    ones = [f"store {VECTOR} {splat(1.0)}, ptr %o{i}, align 8" for i in range(0, wave, CHUNK)]
-    places = [f"%o{i} = getelementptr double, ptr %turn, i64 {i}" for i in range(0, wave, CHUNK)]
+    """Return the function that works out one derivative, for steps of any length: a stage from nothing with c = 1."""
+    wave, room = wave_width(writer.shape), _room(writer)
+    turn = ", ".join([f"double {1.0 if i < wave else 0.0}" for i in range(2 * wave)])
     pointers = ", ".join(f"ptr noalias %{name}" for name in ("p", "row", "y", "dy", "seen"))
     stage = _stage("look", "%row", ("bq", "bv", "q", "v", "qa", "v2"), (splat(1.0), splat(1.0)))
-    return f"""define void @derivative({pointers}) {{
-{_arrays(writer, ("q", "v", "qa", "v2", "bq", "bv"))}
-  %turn = alloca [{2 * wave} x double], align 64
-  call void @llvm.memset.p0.i64(ptr %turn, i8 0, i64 {16 * wave}, i1 false)
-{_lines(*places, *ones, *_copies(writer, "%y", ("q", "v"), inwards=True))}
-  {_instant("%row").replace("%own", "%p")}
-  {stage.replace("%own", "%p")}
+    body = "\n  ".join([_instant("%row"), stage]).replace("%own", "%p").replace("%turn", "@unturned")
+    return f"""@unturned = private constant [{2 * wave} x double] [{turn}], align 64
+@nothing = private constant [{room} x double] zeroinitializer, align 64
+
+define void @derivative({pointers}) {{
+{_arrays(writer, ("q", "v", "qa", "v2"), ("works",))}
+{_lines(*_copies(writer, "%y", ("q", "v"), inwards=True))}
+  {body.replace("%bq", "@nothing").replace("%bv", "@nothing")}
 {_lines(*_copies(writer, "%dy", ("qa", "v2", "works"), inwards=False))}
   ret void
 }}"""
 
 
-def _arrays(writer: Writer, names: tuple[str, ...]) -> str:
-    """Return zeroed work arrays."""
+def _arrays(writer: Writer, names: tuple[str, ...], cleared: tuple[str, ...]) -> str:
+    """Return work arrays, some of them cleared; what fills up the others to whole vectors does not matter."""
     shape, lanes = writer.shape, writer.lanes
     rooms = dict.fromkeys(names, _room(writer))
     rooms |= {"works": filled(WORKS * lanes), "now": 4 * filled(len(shape.lines) * lanes)}
     rooms["wave"] = 4 * wave_width(shape, writer.clocks)
     lines = [f"%{name} = alloca [{room} x double], align 64" for name, room in rooms.items()]
-    lines += [
-        f"call void @llvm.memset.p0.i64(ptr %{name}, i8 0, i64 {8 * room}, i1 false)" for name, room in rooms.items()
-    ]
+    lines += [f"call void @llvm.memset.p0.i64(ptr %{name}, i8 0, i64 {8 * rooms[name]}, i1 false)" for name in cleared]
     return _lines(*lines)
 
 
