@@ -164,6 +164,8 @@ def _none(duty: BearingSpectrum, seat: BearingSeat, room: tuple[float, float], c
     around = f"bores from {1e3 * least:.4g} mm" + (
         f" to {1e3 * most:.4g} mm, the root of the gear," if most < math.inf else ""
     )
+    if least == most:
+        around = f"a bore of {1e3 * least:.4g} mm"
     best = max(checks, key=lambda each: min(each.life_margin, each.static_margin))
     outer = seat.largest_outer_diameter
     inside = f" and {1e3 * outer:.4g} mm outside" if outer else ""

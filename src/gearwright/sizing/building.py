@@ -2,13 +2,14 @@
 
 Forces do not depend on diameters, as two bearings are statically determinate. So a shaft is built from thin to thick:
 stretches are laid, every section is judged, and what is too weak grows by the cube root of what its safety lacks, until
-nothing does. Then slopes are judged, and the whole shaft grows by their fourth root. Sizes that the user gives stay.
+nothing does. Then slopes are judged, and the whole shaft grows by their fourth root. Sizes that the user gives stay. On
+a shaft that the user gives as a whole nothing grows and nothing is refused: `as_given` says what does not fit.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -16,19 +17,20 @@ from gearwright.catalogue.bearings import Bearing
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.material import Material
 from gearwright.parts.shaft import shaft_mass
+from gearwright.sizing.as_given import cylinder, joint_checks, room_checks, seat_checks
 from gearwright.sizing.bearings import Seating, bearing_sizings, seating
 from gearwright.sizing.bending import bend, slope_excess
 from gearwright.sizing.context import Context
 from gearwright.sizing.forces import ShaftForces
 from gearwright.sizing.joints import Seat, joint_fits, refuse_long, refuse_thick, size_joint, spline_root
-from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, SectionStrength, ShaftStep
+from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing, SectionStrength, ShaftStep
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.roots import root_diameter
 from gearwright.sizing.seats import seats_of
 from gearwright.sizing.sections import HubNotch, Strength, sections_of, strengths
 from gearwright.sizing.stretches import Item, Stretch, Wanted, lay
 from gearwright.spec.check_mounting import MOST_HOLLOW
-from gearwright.spec.design import ShaftLayout
+from gearwright.spec.design import NOTHING_GIVEN
 from gearwright.spec.mounting import Joint
 
 THINNEST = 10e-3
@@ -51,6 +53,8 @@ class Built(NamedTuple):
     shaft: BuiltShaft
     bearings: tuple[BearingSizing, ...]
     joints: tuple[JointSizing, ...]
+    fits: tuple[Check, ...] = ()
+    """Whether its parts fit, where it is taken as given."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +71,11 @@ class _Task:
     """Thickest diameter that the user gives [m]."""
     joints: Mapping[str, Joint] = field(default_factory=dict)
     """Hub or gear on this shaft -> its joint."""
+
+    @property
+    def as_given(self) -> float | None:
+        """Diameter of a shaft that is taken as it is [m]; None where it is to be built."""
+        return self.core if self.given.design.layout.get(self.name, NOTHING_GIVEN).as_given else None
 
 
 class _Attempt(NamedTuple):
@@ -133,7 +142,7 @@ def _settled(task: _Task, *, slim: bool) -> Built:
     tried: list[Mapping[str, str]] = []
     for _ in range(TAPER_ROUNDS):
         seated = seating(task.given, task.name, task.forces, chosen, slim=slim)
-        attempt = _stiff(task, seated)
+        attempt = _stiff(task, seated) if task.as_given is None else _attempt(task, seated, {})
         chosen, names = attempt.chosen, {each: one.designation for each, one in attempt.chosen.items()}
         if names in tried or not any(seat.kind == "taper" for seat in seated.seats.values()):
             break
@@ -202,7 +211,7 @@ def _attempt(task: _Task, seated: Seating, needed: Mapping[str, float]) -> _Atte
     chosen: Mapping[str, Bearing] = {}
     for _ in range(2):  # seats are as wide as their bearings, which are known after the first time
         items = _items(task, chosen)
-        stretches, chosen = lay(task.name, _wanted(task, items, needed), seated.choose)
+        stretches, chosen = _laid(task, seated, _wanted(task, items, needed))
     bore = _bore(task, chosen)
     joints = tuple(_joint(task, each, stretches, bore) for each in task.joints)
     roots = {each.part: spline_root(task.joints[each.part], each.diameter) for each in joints if each.kind == "spline"}
@@ -211,6 +220,15 @@ def _attempt(task: _Task, seated: Seating, needed: Mapping[str, float]) -> _Atte
     judge = Strength(task.name, task.given.design, task.material, tuple(task.given.flows))
     sized = strengths(sections, task.forces, judge, bore=bore)
     return _Attempt(stretches, chosen, bore, sized, tuple(each.owner for each in sections), joints)
+
+
+def _laid(task: _Task, seated: Seating, wanted: Wanted) -> tuple[tuple[Stretch, ...], dict[str, Bearing]]:
+    """Return the stretches of the shaft and its bearings; of one that is taken as given, what is given."""
+    diameter = task.as_given
+    if diameter is None:
+        return lay(task.name, wanted, seated.choose)
+    chosen = {each: seated.choose(each, diameter, diameter) for each in seated.seats}
+    return cylinder(wanted.items, wanted.length, diameter, wanted.fixed), chosen
 
 
 def _items(task: _Task, chosen: Mapping[str, Bearing]) -> tuple[Item, ...]:
@@ -254,18 +272,18 @@ def _loaded(task: _Task, items: tuple[Item, ...]) -> tuple[str, ...]:
     """Return the stretches beyond the outermost items that carry a load, and every hub."""
     stations = task.forces.drawn.position
     hubs = tuple(each.name for each in items if each.kind == "hub")
-    first = ("after",) if stations[0] < items[0].middle - items[0].width / 2.0 else ()
-    last = (f"after {items[-1].name}",) if stations[-1] > items[-1].middle + items[-1].width / 2.0 else ()
+    first = ("after",) if stations[0] < items[0].start else ()
+    last = (f"after {items[-1].name}",) if stations[-1] > items[-1].end else ()
     return (*hubs, *first, *last)
 
 
 def _bore(task: _Task, chosen: Mapping[str, Bearing]) -> float:
     """Return the bore: given, or its ratio to the thinnest bearing seat [m]."""
-    layout, rules = task.given.design.layout.get(task.name, ShaftLayout()), task.given.design.shafting
+    layout, rules = task.given.design.layout.get(task.name, NOTHING_GIVEN), task.given.design.shafting
     if layout.bore is not None:
         return layout.bore
     ratio = rules.bore_ratio if layout.bore_ratio is None else layout.bore_ratio
-    return ratio * min(each.bore for each in chosen.values())
+    return ratio * (task.as_given or min(each.bore for each in chosen.values()))
 
 
 def _joint(task: _Task, part: str, stretches: tuple[Stretch, ...], bore: float) -> JointSizing:
@@ -307,12 +325,8 @@ def _torque(given: Context, shaft: str, part: str) -> float:
 
 def _finished(task: _Task, seated: Seating, attempt: _Attempt) -> Built:
     """Return what was built, or say what does not fit."""
-    _refuse_overlaps(task, attempt)
-    _refuse_thin(task, attempt)
-    for joint in attempt.joints:
-        seat = _seat(task, joint.part, attempt.bore)
-        refuse_long(task.joints[joint.part], seat, joint)
-        refuse_thick(joint, seat)
+    if task.as_given is None:
+        _refuse(task, attempt)
     bent = bend(task.forces, attempt.stretches, task.material, bore=attempt.bore)
     seats = {name: seat.position for name, seat in seated.seats.items()}
     places = {name: task.forces.plan.places[name] for name in task.gears}
@@ -327,7 +341,25 @@ def _finished(task: _Task, seated: Seating, attempt: _Attempt) -> Built:
         highest_speed=max(abs(flow.speeds[task.name]) for flow in task.given.flows.values()),
     )
     sized = bearing_sizings(seated, attempt.chosen, task.name, tuple(task.given.flows))
-    return Built(shaft, sized, attempt.joints)
+    return Built(shaft, sized, attempt.joints, () if task.as_given is None else tuple(_fits(task, attempt)))
+
+
+def _refuse(task: _Task, attempt: _Attempt) -> None:
+    """Raise where parts do not fit."""
+    _refuse_overlaps(task, attempt)
+    _refuse_thin(task, attempt)
+    for joint in attempt.joints:
+        seat = _seat(task, joint.part, attempt.bore)
+        refuse_long(task.joints[joint.part], seat, joint)
+        refuse_thick(joint, seat)
+
+
+def _fits(task: _Task, attempt: _Attempt) -> Iterator[Check]:
+    """Yield whether the parts of a shaft that is taken as given fit."""
+    yield from room_checks(task.name, _items(task, attempt.chosen), task.forces.plan.length)
+    yield from seat_checks(attempt.stretches, attempt.chosen)
+    for joint in attempt.joints:
+        yield from joint_checks(task.joints[joint.part], _seat(task, joint.part, attempt.bore), joint)
 
 
 def _sits(stretch: Stretch) -> str:
@@ -341,14 +373,14 @@ def _mass(gear: GearSizing) -> float:
 def _refuse_overlaps(task: _Task, attempt: _Attempt) -> None:
     """Raise where parts stand into each other or out over an end of the shaft."""
     items, length = _items(task, attempt.chosen), task.forces.plan.length
-    edges = [("the first end", 0.0), *((each.name, each.middle + each.width / 2.0) for each in items)]
+    edges = [("the first end", 0.0), *((each.name, each.end) for each in items)]
     problems = []
     for (before, reached), item in zip(edges, items, strict=False):
-        over = reached - (item.middle - item.width / 2.0)
+        over = reached - item.start
         if over > _OVERLAP:
             problems.append(Problem(_path(item), _close(item, before, over, item.middle + over)))
     last = items[-1]
-    over = last.middle + last.width / 2.0 - length
+    over = last.end - length
     if over > _OVERLAP:
         problems.append(Problem(_path(last), _close(last, "the second end", over, last.middle - over)))
     if problems:

@@ -28,6 +28,7 @@ def checks_of(built: Built, design: Design) -> Iterator[Check]:
         yield from _bearing(bearing)
     for joint in built.joints:
         yield from _joint(joint)
+    yield from built.fits
 
 
 def _shaft(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
@@ -64,5 +65,5 @@ def _joint(joint: JointSizing) -> Iterator[Check]:
     part, clause = f"{joint.part} on {joint.shaft}", _CLAUSES[joint.kind]
     pressure, allowed = joint.pressure, joint.allowed_pressure
     yield Check(part, f"{joint.kind} pressure", clause, pressure, allowed, "stress", at_most=True)
-    if joint.rim is not None:
+    if joint.rim is not None and joint.rim > 0.0:
         yield Check(part, "rim under the teeth s_R/h_t", "ISO 6336-3:2019, Y_B", joint.rim, THICKEST_RIM)

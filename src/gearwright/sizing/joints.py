@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from gearwright.catalogue.keys import LENGTHS, StandardKey, key_for_shaft
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.key import LONGEST_BEARING, bearing_length, key_length, key_pressure
+from gearwright.parts.key import LONGEST_BEARING, key_length, key_pressure
 from gearwright.parts.material import Material
 from gearwright.parts.press_fit import FitPart, fit_interference, fit_torque, hub_stress, shaft_fit_stress
 from gearwright.parts.spline import MODULES, SHORTEST_RATIO, Spline, spline, spline_length, spline_pressure
@@ -59,8 +59,17 @@ def size_joint(joint: Joint, seat: Seat, diameter: float, steel: Material) -> Jo
     sized = law(joint, seat, diameter, steel)
     if joint.kind == "integral" or not math.isfinite(seat.root):
         return sized
-    cut = key_for_shaft(diameter).section.hub_depth if joint.kind == "key" else 0.0
-    return replace(sized, rim=((seat.root - diameter) / 2.0 - cut) / seat.tooth)
+    return replace(sized, rim=((seat.root - diameter) / 2.0 - keyway_depth(joint, diameter)) / seat.tooth)
+
+
+def keyway_depth(joint: Joint, diameter: float) -> float:
+    """Return how deep a joint cuts into its hub: t_2 of a key, else nothing [m].
+
+    Args:
+        joint: As the design gives it.
+        diameter: Of the shaft [m].
+    """
+    return key_for_shaft(diameter).section.hub_depth if joint.kind == "key" else 0.0
 
 
 def refuse_thick(sized: JointSizing, seat: Seat) -> None:
@@ -95,7 +104,7 @@ def joint_fits(joint: Joint, seat: Seat, sized: JointSizing) -> bool:
 
 
 def refuse_long(joint: Joint, seat: Seat, sized: JointSizing) -> None:
-    """Raise where a joint is longer than its hub, or a key than what bears.
+    """Raise where a joint is longer than its hub, a key longer than what bears or too short for its round ends.
 
     Args:
         joint: As the design gives it.
@@ -105,10 +114,18 @@ def refuse_long(joint: Joint, seat: Seat, sized: JointSizing) -> None:
     Raises:
         DesignError: With what would do.
     """
+    if math.isinf(sized.pressure):
+        least = 1e3 * key_for_shaft(sized.diameter).section.width
+        message = (
+            f"{1e3 * sized.length:g} mm leaves no flat flank between round ends; give more than {least:g} mm, or write"
+            ' form = "B"'
+        )
+        raise DesignError([Problem(f"joints.{seat.part}.length", message)])
     room, why = seat.hub_length, f"its hub has {1e3 * seat.hub_length:.4g} mm"
     if joint.kind == "key" and joint.length is None:
         key = key_for_shaft(sized.diameter)
-        useful = min(key.longest, LONGEST_BEARING * sized.diameter + key.section.width)
+        ends = key.section.width if joint.form == "A" else 0.0
+        useful = min(key.longest, LONGEST_BEARING * sized.diameter + ends)
         if useful < room:
             room, why = useful, f"more than {1e3 * useful:.4g} mm does not bear on {1e3 * sized.diameter:.4g} mm"
     if sized.length > room + 1e-9:
@@ -143,17 +160,19 @@ def _integral(joint: Joint, seat: Seat, diameter: float, steel: Material) -> Joi
 def _key(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
     """Return the shortest standard key that bears the torque, or what it would have to be."""
     key, allowed = key_for_shaft(diameter), joint.pressure or KEY_PRESSURE
-    asked = key_length(seat.torque, diameter, key.section, allowable=allowed) + key.section.width
+    ends = key.section.width if joint.form == "A" else 0.0
+    asked = key_length(seat.torque, diameter, key.section, allowable=allowed) + ends
     least = max(asked, key.shortest)
     length = joint.length or next((each for each in LENGTHS if each >= least - 1e-9), _whole(least))
-    bears = bearing_length(key.section, length, math.inf)
-    pressure = key_pressure(seat.torque, diameter, key.section, bearing_length=bears)
-    return _sized(joint, seat, _key_name(key, length), diameter, length=length, pressure=pressure, allowed=allowed)
+    flank = length - ends
+    pressure = key_pressure(seat.torque, diameter, key.section, bearing_length=flank) if flank > 0.0 else math.inf
+    name = _key_name(key, joint.form, length)
+    return _sized(joint, seat, name, diameter, length=length, pressure=pressure, allowed=allowed)
 
 
-def _key_name(key: StandardKey, length: float) -> str:
+def _key_name(key: StandardKey, form: str, length: float) -> str:
     width, height = 1e3 * key.section.width, 1e3 * key.section.height
-    return f"DIN 6885 - A {width:g} x {height:g} x {1e3 * length:g}"
+    return f"DIN 6885 - {form} {width:g} x {height:g} x {1e3 * length:.5g}"
 
 
 def _instead(joint: Joint, seat: Seat, diameter: float) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
@@ -44,6 +44,8 @@ THINNEST = 0.97
 """Bore over diameter beyond which a section counts as if it had this wall, until it has grown [-]."""
 NO_LIMIT = 99.0
 """Safety that stands for a section without load, for tables [-]."""
+_BESIDE = 1e-6
+"""Places of a hub that are nearer to each other are one [m]."""
 HubNotch = Literal["", "key", "spline", "press-fit"]
 
 
@@ -99,7 +101,8 @@ def sections_of(
     for each in stretches:
         if hubs.get(each.name):
             root = roots.get(each.name, each.diameter)
-            for at in (each.start, (each.start + each.end) / 2.0, each.end):
+            inside = (at for at in forces.drawn.position.tolist() if each.start < at < each.end)
+            for at in _unlike((each.start, (each.start + each.end) / 2.0, each.end, *inside)):
                 found.append(
                     Section(f"{hubs[each.name]} at {each.name}", each.name, at, root, blank, hub=hubs[each.name])
                 )
@@ -108,6 +111,15 @@ def sections_of(
         if each.kind != "integral" and not hubs.get(each.name):
             found.append(Section(_words(each, at, forces), each.name, at, each.diameter, blank))
     return tuple(sorted(found, key=lambda section: section.position))
+
+
+def _unlike(places: Iterable[float]) -> list[float]:
+    """Return places without those that are the same but for rounding."""
+    found: list[float] = []
+    for place in places:
+        if all(abs(place - each) > _BESIDE for each in found):
+            found.append(place)
+    return found
 
 
 def _words(stretch: Stretch, position: float, forces: ShaftForces) -> str:

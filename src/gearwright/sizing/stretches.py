@@ -48,6 +48,16 @@ class Item:
     limit: float = math.inf
     """Root diameter of a gear of one piece [m]."""
 
+    @property
+    def start(self) -> float:
+        """From the shaft's first end [m]."""
+        return self.middle - self.width / 2.0
+
+    @property
+    def end(self) -> float:
+        """From the shaft's first end [m]."""
+        return self.middle + self.width / 2.0
+
 
 @dataclass(frozen=True)
 class Stretch:
@@ -125,10 +135,9 @@ def _bare(items: Sequence[Item], length: float) -> list[Stretch]:
     """Return the stretches without diameters: between, item, between, and so on; those between may have no length."""
     found, reached, before = [], 0.0, ""
     for item in items:
-        start, end = item.middle - item.width / 2.0, item.middle + item.width / 2.0
-        found += [Stretch(f"after {before}".strip(), "between", reached, start)]
-        found += [Stretch(item.name, item.kind, start, end)]
-        reached, before = end, item.name
+        found += [Stretch(f"after {before}".strip(), "between", reached, item.start)]
+        found += [Stretch(item.name, item.kind, item.start, item.end)]
+        reached, before = item.end, item.name
     return [*found, Stretch(f"after {before}".strip(), "between", reached, length)]
 
 

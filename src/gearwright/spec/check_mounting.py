@@ -39,6 +39,7 @@ def mounting_problems(design: Design) -> Iterator[Problem]:
         yield from _seat(name, seat, design)
     for shaft in dict.fromkeys(seat.shaft for seat in design.bearings.values()):
         yield from _held(shaft, design)
+    yield from _as_given(design)
     yield from _strength(design)
     for part, joint in design.joints.items():
         yield from _joint(part, joint, design)
@@ -138,6 +139,16 @@ def _held(shaft: str, design: Design) -> Iterator[Problem]:
             yield Problem(f"layout.{shaft}.{key}", "its bearings stand in [bearings] already; leave this out")
 
 
+def _as_given(design: Design) -> Iterator[Problem]:
+    """Find shafts that are to be taken as given and of which too little is."""
+    for shaft, layout in design.layout.items():
+        if layout.as_given and layout.diameter is None:
+            yield Problem(f"layout.{shaft}.diameter_mm", "is required with as_given = true: how thick the shaft is")
+        if layout.as_given and not any(seat.shaft == shaft for seat in design.bearings.values()):
+            message = f"{shaft!r} has no bearings and is one cylinder in any case; give it [bearings], or leave it out"
+            yield Problem(f"layout.{shaft}.as_given", message)
+
+
 def _radial(shaft: str, seats: Mapping[str, BearingSeat]) -> Iterator[Problem]:
     radial = [name for name, seat in seats.items() if seat.radial]
     path = f"bearings.{radial[-1] if radial else next(iter(seats))}"
@@ -192,7 +203,7 @@ def _joint(part: str, joint: Joint, design: Design) -> Iterator[Problem]:
     given = joint.model_fields_set
     only = {"module": ("spline",), "friction": ("press-fit",), "safety": ("press-fit",),
             "length": ("key", "spline", "press-fit"), "hub_length": ("key", "spline", "press-fit"),
-            "pressure": ("key", "spline")}  # fmt: skip
+            "pressure": ("key", "spline"), "form": ("key",)}  # fmt: skip
     for field, kinds in only.items():
         if field in given and joint.kind not in kinds:
             message = f"it says nothing about a joint of kind {joint.kind!r}, only about {' and '.join(kinds)}"

@@ -273,6 +273,11 @@ class ShaftLayout(Record):
     diameter: Length | None = Field(
         None, gt=0, description="Outer diameter, on a shaft with bearings its thickest between gears; left out: sized"
     )
+    as_given: bool = Field(
+        False,
+        description="True: the shaft is one cylinder of its diameter, its bearings and joints are as given; nothing"
+        " grows, and what does not fit is a failed check",
+    )
     bore_ratio: Ratio | None = Field(None, ge=0, lt=0.95, description="Bore over outer diameter")
     bore: Length | None = Field(None, gt=0, description="Bore diameter")
     inertia: Inertia | None = Field(None, ge=0, description="Polar inertia without gears; left out: of the cylinder")

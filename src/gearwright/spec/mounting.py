@@ -46,6 +46,9 @@ class Joint(Record):
     hub_length: Length | None = Field(
         None, gt=0, description="Length of the hub; left out: the gear's face width; machines have none, and need it"
     )
+    form: Literal["A", "B"] = Field(
+        "A", description="Form of a key: A has round ends, which do not bear; B has square ones"
+    )
     module: Length | None = Field(None, gt=0, description="Module of a spline; left out: chosen from DIN 5480's series")
     pressure: Stress | None = Field(
         None, gt=0, description="Allowed flank pressure; left out: 150 MPa for keys, 100 MPa for splines"

@@ -51,7 +51,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Slot:
-    """A keyway with round ends, for a key of DIN 6885 form A."""
+    """A keyway for a key of DIN 6885, with ends as the key has them."""
 
     start: float
     """[mm]"""
@@ -61,6 +61,11 @@ class Slot:
     """Of the shaft [mm]."""
     section: KeySection
     designation: str
+
+    @property
+    def form(self) -> str:
+        """A with round ends, B with square ones."""
+        return "B" if self.designation.startswith("DIN 6885 - B") else "A"
 
 
 @dataclass(frozen=True)

@@ -209,7 +209,8 @@ def _notes(sizing: Sizing, body: ShaftBody) -> Iterator[str]:
         yield f"Bearing seats (assumed): k6 under balls, m6 under rollers, n6 over Ø100; {SEAT_SOURCE}; {SEAT_TEXTURE}."
         yield "Total radial run-out of bearing seats IT5/2, axial run-out of their shoulders IT5 (usual; assumed)."
     if body.slots:
-        yield "Keyways DIN 6885-1, form A, width P9 (assumed)."
+        forms = " and ".join(sorted({slot.form for slot in body.slots}))
+        yield f"Keyways DIN 6885-1, form {forms}, width P9 (assumed)."
     if all(shaft.name != body.name for shaft in sizing.built_shafts):
         yield (
             "First sizing: one cylinder that bears bending and torsion. Shoulders, seats and joints are not sized, "
