@@ -18,6 +18,7 @@ from gearwright.render.drawings.dxf import sheet_document, sheet_dxf
 from gearwright.render.drawings.entities import Arc, Corner, Distance, Layer, Words, millimetres, runs
 from gearwright.render.drawings.frame import inside
 from gearwright.render.drawings.positions import positions
+from gearwright.render.drawings.shaft_parts import shaft_body
 from gearwright.render.drawings.sheets import SCALES
 from gearwright.render.drawings.svg import sheet_svg
 from gearwright.render.drawings.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
@@ -130,6 +131,18 @@ def test_dimensions_of_a_keyway_are_those_of_din_6885(drawings):
     for value in (50.0, 20.0, 58.5):
         assert any(math.isclose(value, each, abs_tol=1e-6) for each in values), value
     assert any(math.isclose(70.9, each, abs_tol=1e-6) for each in measured(drawings["gear-helical.wheel"]))
+
+
+def test_keyways_have_the_ends_of_their_keys(built):
+    """Form A with round ones, form B with square ones: 5 mm of a gearbox that is drawn although it does not fit."""
+    (slot,) = shaft_body(built, "middle").slots
+    (square,) = shaft_body(shipped("ec120b-as-reported"), "input").slots
+    assert (slot.form, square.form) == ("A", "B")
+    assert square.end - square.start == pytest.approx(5.0)
+    texts = [
+        words.text for sheet in sheets(shipped("ec120b-as-reported"), ["shaft-input"]) for words in words_of(sheet)
+    ]
+    assert any("DIN 6885-1, form B" in each for each in texts)
 
 
 def test_dimensions_of_a_bevel_gear_are_its_cones(built, drawings):

@@ -1,4 +1,4 @@
-"""A shaft that is taken as given: nothing on it grows, and what does not fit is a check with a margin, not a refusal."""
+"""A shaft that is taken as given: nothing on it grows, and what does not fit is a check, not a refusal."""
 
 import math
 from itertools import pairwise

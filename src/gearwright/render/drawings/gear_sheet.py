@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from gearwright.catalogue.materials import materials
 from gearwright.render.drawings.compose import Content, Rows
-from gearwright.render.drawings.dimensions import corner_leader
+from gearwright.render.drawings.dimensions import corner_leader, corner_words, words_corners
 from gearwright.render.drawings.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words
 from gearwright.render.drawings.frame import Title
 from gearwright.render.drawings.gear_parts import Hub, hub_of
@@ -155,8 +155,9 @@ def _bevel(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entit
     ]
     entities += bevel_section(axis, profile, hub, away=1.0, lean=LEAN)
     entities += bore_edges(axis, (front.real, heel.real), hub)
-    entities += _bevel_lengths(axis, profile, heel.real if hub.bore else None)
-    entities += _bevel_angles(sizing, gear, axis, profile)
+    angles = list(_bevel_angles(sizing, gear, axis, profile))
+    entities += _bevel_lengths(axis, profile, heel.real if hub.bore else None, angles)
+    entities += angles
     tip = profile.large[0]
     right = scale_to(axis, max(heel.real, tip.real)) + 9.0
     entities.append(_at(axis, tip, right + 8.0))
@@ -181,8 +182,8 @@ def _at(axis: Axis, point: complex, x: float, suffix: str = "") -> Distance:
     return Distance(low, high, complex(x, 0.0), math.pi / 2.0, axis.scale, "Ø", suffix)
 
 
-def _bevel_lengths(axis: Axis, profile: BevelProfile, back: float | None) -> Iterator[Entity]:
-    """Yield face width and cone distance along the pitch cone, crown and, of a hub, back from the apex."""
+def _bevel_lengths(axis: Axis, profile: BevelProfile, back: float | None, angles: Sequence[Entity]) -> Iterator[Entity]:
+    """Yield face width and, beyond the texts of angles, cone distance; crown and, of a hub, back from the apex."""
     apex = axis.at(profile.apex)
     near, far = (axis.at(point.real, point.imag) for point in (profile.small[1], profile.large[1]))
     turn = cmath.phase(far - apex)
@@ -190,7 +191,9 @@ def _bevel_lengths(axis: Axis, profile: BevelProfile, back: float | None) -> Ite
     tip = axis.at(profile.large[0].real, profile.large[0].imag)
     clear = ((tip - far) * above.conjugate()).real
     yield Distance(near, far, far + above * (clear + 9.0), turn, axis.scale)
-    yield Distance(apex, far, far + above * (clear + 17.0), turn, axis.scale)
+    texts = [point for each in angles if isinstance(each, Corner) for point in words_corners(corner_words(each))]
+    over = max(((point - far) * above.conjugate()).real for point in texts)
+    yield Distance(apex, far, far + above * max(clear + 17.0, over + 1.0), turn, axis.scale)
     crown = axis.at(profile.large[0].real, -profile.large[0].imag)
     low = crown.imag - 9.0
     yield Distance(apex, crown, complex(0.0, low), 0.0, axis.scale)
