@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from gearwright.catalogue.bearings import Bearing
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError
 from gearwright.parts.material import Material
 from gearwright.parts.shaft import shaft_mass
 from gearwright.sizing.as_given import cylinder, joint_checks, room_checks, seat_checks
@@ -25,6 +25,7 @@ from gearwright.sizing.forces import ShaftForces
 from gearwright.sizing.joints import Seat, joint_fits, refuse_long, refuse_thick, size_joint, spline_root
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing, SectionStrength, ShaftStep
 from gearwright.sizing.result import GearSizing
+from gearwright.sizing.room import refuse_overlaps, refuse_thin
 from gearwright.sizing.roots import root_diameter
 from gearwright.sizing.seats import seats_of
 from gearwright.sizing.sections import HubNotch, Strength, sections_of, strengths
@@ -43,8 +44,6 @@ TAPER_ROUNDS = 8
 """How often taper bearings are chosen anew for the thrust that they make [-]."""
 TOOTH_HEIGHT = 2.25
 """Height of teeth over their module [-] (ISO 53)."""
-_OVERLAP = 1e-6
-"""How far parts may stand into each other [m]."""
 
 
 class Built(NamedTuple):
@@ -346,8 +345,8 @@ def _finished(task: _Task, seated: Seating, attempt: _Attempt) -> Built:
 
 def _refuse(task: _Task, attempt: _Attempt) -> None:
     """Raise where parts do not fit."""
-    _refuse_overlaps(task, attempt)
-    _refuse_thin(task, attempt)
+    refuse_overlaps(_items(task, attempt.chosen), task.forces.plan.length)
+    refuse_thin(task.name, attempt.stretches, bore=attempt.bore)
     for joint in attempt.joints:
         seat = _seat(task, joint.part, attempt.bore)
         refuse_long(task.joints[joint.part], seat, joint)
@@ -368,42 +367,3 @@ def _sits(stretch: Stretch) -> str:
 
 def _mass(gear: GearSizing) -> float:
     return gear.mass * gear.bodies / len(gear.shafts)
-
-
-def _refuse_overlaps(task: _Task, attempt: _Attempt) -> None:
-    """Raise where parts stand into each other or out over an end of the shaft."""
-    items, length = _items(task, attempt.chosen), task.forces.plan.length
-    edges = [("the first end", 0.0), *((each.name, each.end) for each in items)]
-    problems = []
-    for (before, reached), item in zip(edges, items, strict=False):
-        over = reached - item.start
-        if over > _OVERLAP:
-            problems.append(Problem(_path(item), _close(item, before, over, item.middle + over)))
-    last = items[-1]
-    over = last.end - length
-    if over > _OVERLAP:
-        problems.append(Problem(_path(last), _close(last, "the second end", over, last.middle - over)))
-    if problems:
-        raise DesignError(problems)
-
-
-def _refuse_thin(task: _Task, attempt: _Attempt) -> None:
-    """Raise where the bore leaves too thin a wall."""
-    thin = min(attempt.stretches, key=lambda each: each.diameter)
-    if thin.diameter < attempt.bore / MOST_HOLLOW - 1e-9:
-        message = (
-            f"{1e3 * attempt.bore:.4g} mm leave too thin a wall in {1e3 * thin.diameter:.4g} mm ({thin.name}); the bore"
-            f" may be {MOST_HOLLOW:.0%} of that: give {1e3 * MOST_HOLLOW * thin.diameter:.4g} mm or less"
-        )
-        raise DesignError([Problem(f"layout.{task.name}.bore", message)])
-
-
-def _close(item: Item, other: str, over: float, place: float) -> str:
-    return (
-        f"{item.name} is {1e3 * item.width:.4g} mm wide and stands {1e3 * over:.3g} mm into {other}; put its middle at"
-        f" {1e3 * place:.4g} mm, or make room"
-    )
-
-
-def _path(item: Item) -> str:
-    return f"bearings.{item.name}.position" if item.kind == "bearing" else f"layout.places.{item.name}"
