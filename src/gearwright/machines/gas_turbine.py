@@ -34,8 +34,19 @@ class Engine(NamedTuple):
         return self._replace(rated_power=factor * power, thermal_power=factor * core, rated_torque=factor * torque)
 
 
-def available_power(engine: Engine, theta: float, delta: float, speed: float) -> float:
-    """Return the most power that an engine gives [W].
+class PowerLimits(NamedTuple):
+    """What bounds the power of an engine; the least one counts."""
+
+    core: float
+    """What its core gives in this air [W]."""
+    rating: float
+    """Flat rating [W]."""
+    torque: float
+    """Torque limit at this speed [W]."""
+
+
+def power_limits(engine: Engine, theta: float, delta: float, speed: float) -> PowerLimits:
+    """Return what bounds the power of an engine [W].
 
     Args:
         engine: The engine.
@@ -49,7 +60,7 @@ def available_power(engine: Engine, theta: float, delta: float, speed: float) ->
     Valid for: first estimates; hot days cost a real engine more.
     """
     core = engine.thermal_power * delta * theta**engine.temperature_exponent
-    return float(min(core, engine.rated_power, engine.rated_torque * speed))
+    return PowerLimits(core, engine.rated_power, engine.rated_torque * speed)
 
 
 def fuel_flow(engine: Engine, theta: float, delta: float, power: float) -> float:

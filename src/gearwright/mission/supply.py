@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from gearwright.air.airspeed import stagnation_ratios
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines.battery import Battery, BatteryStep, battery_step
-from gearwright.machines.gas_turbine import Engine, available_power, fuel_flow
+from gearwright.machines.gas_turbine import Engine, PowerLimits, fuel_flow, power_limits
 from gearwright.machines.motor_efficiency import MotorLosses, motor_loss, rated_losses
 from gearwright.mission.gearbox import Array, Gearbox, Point
 from gearwright.mission.profile import Moment
@@ -115,15 +115,24 @@ class Supply:
         ratios = stagnation_ratios(moment.air, moment.mach)
         for name, usual in self.engines.items():
             engine = usual.rated(rating)
-            most = available_power(engine, *ratios, speeds[name])
-            available += most
-            if powers[name] > most * (1.0 + _SLACK):
-                message = f"needs {powers[name] / 1e3:.0f} kW at {moment.altitude:.0f} m, and gives {most / 1e3:.0f} kW"
-                fix = "; climb slower, fly slower, or give the motors a larger electric_share"
-                raise DesignError([Problem(name, message + fix)])
+            limits = power_limits(engine, *ratios, speeds[name])
+            available += min(limits)
+            if powers[name] > min(limits) * (1.0 + _SLACK):
+                raise DesignError([Problem(name, self._too_weak(moment, powers[name], limits))])
+            if powers[name] < 0.0:
+                raise DesignError([Problem(name, _braked(powers[name]))])
             if powers[name] > 0.0:
                 fuel += fuel_flow(engine, *ratios, powers[name])
         return fuel, available
+
+    def _too_weak(self, moment: Moment, power: float, limits: PowerLimits) -> str:
+        """Return what is wrong with a power that a turbine cannot give, and what helps."""
+        bound, most = limits._fields[limits.index(min(limits))], min(limits)
+        fix = "climb slower, fly slower" if moment.power is None else "ask for less power"
+        if self.motors:
+            fix += ", or give the motors a larger electric_share"
+        given = f"gives {most / 1e3:.0f} kW (by its {bound})"
+        return f"needs {power / 1e3:.0f} kW at {moment.altitude:.0f} m, and {given}; {fix}"
 
     def _heat(self, name: str, power: float, speed: float) -> float:
         motor = self.motors[name]
@@ -153,6 +162,13 @@ class Supply:
             )
             raise DesignError([Problem("battery", message)])
         return step
+
+
+def _braked(power: float) -> str:
+    return (
+        f"would take {-power / 1e3:.3g} kW from the gearbox, and a turbine only gives; raise pitch or power, fly"
+        " electric so that the motors take it, or slow the propeller down within a longer ramp_s"
+    )
 
 
 def _machine_speeds(gearbox: Gearbox, point: Point) -> dict[str, float]:
