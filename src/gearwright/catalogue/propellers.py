@@ -91,7 +91,7 @@ def propeller_map(name: str) -> PropellerMap:
         DesignError: There is none of this name; with the nearest one.
     """
     if name not in MAPS:
-        raise DesignError([Problem("propeller.map", f"there is no shipped map {name!r}; {near(name, MAPS)}")])
+        raise DesignError([Problem("propeller_map", f"there is no shipped map {name!r}; {near(name, MAPS)}")])
     return map_of(_data(f"propeller_{name}.csv"), name)
 
 
@@ -107,7 +107,7 @@ def read_propeller_map(path: str | Path) -> PropellerMap:
     try:
         text = Path(path).read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError):
-        raise DesignError([Problem("propeller.map", f"{str(path)!r} is no text file that can be read")]) from None
+        raise DesignError([Problem("propeller_map", f"{str(path)!r} is no text file that can be read")]) from None
     return map_of(text, str(path))
 
 
@@ -159,7 +159,7 @@ def _points(text: str, source: str) -> list[list[float]]:
 
 
 def _unusable(source: str, reason: str) -> DesignError:
-    return DesignError([Problem("propeller.map", f"{source}: {reason}")])
+    return DesignError([Problem("propeller_map", f"{source}: {reason}")])
 
 
 def charted_point(blades: Blades, advance_ratio: float, blade_angle: float) -> tuple[float, float] | None:

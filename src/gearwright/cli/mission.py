@@ -40,6 +40,10 @@ def fly(
     if design is None:
         _list()
         return
+    from gearwright.errors import DesignError, Problem
+
+    if window and report is None:
+        raise DesignError([Problem("--window", "windows are drawn on the page; name its file with --report, too")])
     flight, parts, life = _flown(design_of(design), mission, life_h=life_h)
     from gearwright.render.flight_text import flight_csv, flight_json, flight_text
 

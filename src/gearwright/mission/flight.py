@@ -100,6 +100,26 @@ class Flight:
         """Burnt by one gearbox's turbines [kg]."""
         return float((self.history["fuel_flow"] * self.history["duration"]).sum())
 
+    @property
+    def has_battery(self) -> bool:
+        """True where a battery flies: the mission has one, and the design a motor."""
+        return self.mission.battery is not None and bool(self.sizing.design.motors)
+
+    def efficiency(self, own: NDArray[np.bool_] | None = None) -> Ratio:
+        """Return the efficiency of the gearbox over some intervals [-]; left out: over all of them.
+
+        Args:
+            own: True for the intervals that count.
+        """
+        taken, given = self.passed()
+        weights = self.history["duration"] if own is None else np.where(own, self.history["duration"], 0.0)
+        return float((given * weights).sum() / (taken * weights).sum())
+
+    def passed(self) -> tuple[Array, Array]:
+        """Return what the gearbox takes and gives in every interval [W]; a propeller that the air drives gives."""
+        work, loss = self.history["propeller_power"], self.history["gearbox_heat"]
+        return np.maximum(work + loss, -work), np.maximum(np.maximum(work, -work - loss), 0.0)
+
 
 @dataclass(frozen=True)
 class PhaseSummary:
@@ -117,7 +137,7 @@ class PhaseSummary:
     loss: Energy
     """Of the gearbox: meshes, bearings, windage, churning [J]."""
     efficiency: Ratio
-    """Of the gearbox: propeller over propeller and loss [-]."""
+    """Of the gearbox: what it gives over what it takes [-]."""
 
 
 def phase_summaries(flight: Flight) -> tuple[PhaseSummary, ...]:
@@ -134,15 +154,14 @@ def _summary(flight: Flight, name: str, own: NDArray[np.bool_]) -> PhaseSummary:
     def total(key: str) -> float:
         return float((flight.history[key] * flight.history["duration"])[own].sum())
 
-    work, loss = total("propeller_power"), total("gearbox_heat")
     return PhaseSummary(
         name=name,
         duration=float(flight.history["duration"][own].sum()),
         fuel=total("fuel_flow"),
         battery=total("battery_power"),
-        propeller=work,
-        loss=loss,
-        efficiency=work / (work + loss),
+        propeller=total("propeller_power"),
+        loss=total("gearbox_heat"),
+        efficiency=flight.efficiency(own),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -124,11 +125,16 @@ def _interval(
 def _operating(
     flown: Flown, parts: Mapping[str, float], moment: Moment, *, asked: tuple[float | None, Point | None, float]
 ) -> Point:
-    """Return the operating point for a propeller power, or for the machines' power where that is given."""
+    """Return the operating point for a propeller power, or for the machines' power where that is given.
+
+    A propeller that the air drives has a negative power: it is found with machines that take power, so that losses
+    stay losses.
+    """
     gearbox, _, supply = flown
     wanted, last, spin_up = asked
     efficiency = efficiencies(gearbox, last) if last is not None else {}
-    trial = {name: part * TRIAL_POWER for name, part in parts.items()}
+    trial_power = math.copysign(TRIAL_POWER, wanted or 0.0)
+    trial = {name: part * trial_power for name, part in parts.items()}
     point = operate(gearbox, trial, moment.propeller_speed, efficiency)
     if wanted is not None:
         return point.scaled(wanted / float(point.machine_powers.sum() - point.mesh_losses.sum()))

@@ -247,8 +247,8 @@ def heat_figure(flight: Flight) -> Figure:
     losses.set_ylabel("heat of the\ngearbox [kW]")
     losses.set_ylim(0.0, 1.25 * float(history["gearbox_heat"].max()) / _KILO)
     losses.legend(loc="upper right", ncols=4)
-    work = history["propeller_power"]
-    share.plot(time, 100.0 * work / (work + history["gearbox_heat"]), color=theme.INK)
+    taken, given = flight.passed()
+    share.plot(time, 100.0 * given / taken, color=theme.INK)
     share.set_ylabel("efficiency\n[%]")
     oil.plot(time, history["oil_outlet"] - KELVIN, color=theme.ORANGE, label="behind the gearbox")
     oil.axhline(flight.mission.oil.inlet_temperature_k - KELVIN, color=theme.BLUE, label="into it")

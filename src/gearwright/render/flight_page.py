@@ -80,10 +80,10 @@ def _numbers(flight: Flight, parts: Durability) -> Iterator[tuple[str, str]]:
     balance, first = flight.balance, next(iter(parts.parts), None)
     yield "flown", f"{flight.duration / _HOUR:.2f} h"
     yield "fuel", f"{flight.fuel:.0f} kg"
-    if flight.mission.battery is not None:
+    if flight.has_battery:
         yield "charge", f"{balance.battery / KWH:.0f} kWh"
     yield "hottest oil", f"{float(flight.history['oil_outlet'].max()) - KELVIN:.0f} °C"
-    yield "gearbox efficiency", f"{balance.propeller / (balance.propeller + balance.gearbox_loss):.2%}"
+    yield "gearbox efficiency", f"{flight.efficiency():.2%}"
     if first is not None and first.damage:
         yield f"first to fail: {first.name}", f"{first.flights:,.0f} flights"
 
@@ -114,7 +114,7 @@ def _took(flight: Flight) -> Iterator[str]:
     balance, history = flight.balance, flight.history
     miles = float((history["true_airspeed"] * history["duration"]).sum()) / _MILE
     words = f"One gearbox burns {flight.fuel:.1f} kg of fuel over {miles:.0f} NM"
-    if flight.mission.battery is not None:
+    if flight.has_battery:
         words += (
             f" and takes {balance.battery / KWH:.1f} kWh from its battery, which ends at a state of charge of"
             f" {float(history['state_of_charge'][-1]):.1%}"

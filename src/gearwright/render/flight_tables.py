@@ -49,7 +49,7 @@ class PhaseView:
     greatest_power: Power
     """Of the propeller."""
     gearbox_heat: ElectricEnergy
-    efficiency: Annotated[float, Quantity("percent"), Origin("E_p/(E_p + E_loss)", "energies of the phase")]
+    efficiency: Annotated[float, Quantity("percent"), Origin("E_given/E_taken", "energies of the phase")]
     oil_out: Number
     """Hottest, behind the gearbox [°C]."""
 
@@ -86,7 +86,7 @@ class LifeView:
     mode: str
     damage_a_flight: Annotated[float, Quantity("ratio"), Origin("D = Σ n_i/N_i", "Miner; ISO 6336-6, ISO 281")]
     flights: Number
-    life: Annotated[float, Quantity("life")]
+    flight_hours: Annotated[float, Quantity("life")]
     reached_by: str
 
 
@@ -252,5 +252,11 @@ def _bearing(row: BearingDamage) -> BearingView:
         static_safety=row.static_safety,
         life=3600.0 * row.life,
         mass=row.mass,
-        origin="named by the design" if row.asked is None else f"lightest for {row.asked:,.0f} h",
+        origin=_origin(row),
     )
+
+
+def _origin(row: BearingDamage) -> str:
+    if row.asked is None:
+        return "named by the design"
+    return f"nearest to {row.asked:,.0f} h" if row.falls_short else f"lightest for {row.asked:,.0f} h"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 from collections.abc import Sequence
 
 from gearwright.mission import Durability, Flight, LifeSizing, PartLife, PhaseSummary, phase_summaries
@@ -78,7 +79,8 @@ def _totals(flight: Flight) -> list[str]:
     balance, history = flight.balance, flight.history
     hottest = float(history["oil_outlet"].max())
     lines = [
-        f"Fuel {flight.fuel:.1f} kg and {balance.battery / _KWH:.1f} kWh of charge in {flight.duration / 3600.0:.2f} h",
+        f"Fuel {flight.fuel:.1f} kg and {balance.battery / _KWH:.1f} kWh of charge in {flight.duration / 3600.0:.2f} h,"
+        " of one gearbox",
         f"Lost in meshes {balance.mesh_loss / _KWH:.2f} kWh, bearings {balance.bearing_loss / _KWH:.2f} kWh,"
         f" windage {balance.windage_loss / _KWH:.2f} kWh, churning {balance.churning_loss / _KWH:.2f} kWh,"
         f" motors {balance.motor_loss / _KWH:.2f} kWh, battery {balance.battery_loss / _KWH:.2f} kWh",
@@ -86,7 +88,7 @@ def _totals(flight: Flight) -> list[str]:
         f" a cooler of {flight.cooler_conductance:.0f} W/K",
         f"Energies close within {balance.residual:.1e}",
     ]
-    if flight.mission.battery is not None:
+    if flight.has_battery:
         lines.insert(1, f"State of charge at the end {history['state_of_charge'][-1]:.3f}")
     return lines
 
@@ -148,7 +150,10 @@ def flight_json(flight: Flight, parts: Durability, life: LifeSizing | None = Non
         "oil_flow": flight.oil_flow,
         "oil_hottest": float(flight.history["oil_outlet"].max()),
         "phases": [vars(row) for row in phase_summaries(flight)],
-        "damage": [{"part": row.name, "mode": row.mode, "damage": row.damage} for row in parts.parts],
+        "damage": [
+            {"part": row.name, "mode": row.mode, "damage": _finite(row.damage), "flights": _finite(row.flights)}
+            for row in parts.parts
+        ],
         "bearings": [
             {"seat": row.seat, "designation": row.bearing.designation, "count": row.count, "mean_load": row.mean_load}
             for row in parts.bearings.rows
@@ -157,4 +162,9 @@ def flight_json(flight: Flight, parts: Durability, life: LifeSizing | None = Non
     }
     if life is not None:
         told["life"] = {"hours": life.hours, "mass": life.sizing.mass, "mass_before": life.mass_before}
-    return json.dumps(told, indent=2)
+    return json.dumps(told, indent=2, allow_nan=False)
+
+
+def _finite(number: float) -> float | None:
+    """Return a number, or None for ∞, which JSON does not have."""
+    return number if math.isfinite(number) else None

@@ -15,7 +15,7 @@ ROUNDING = 1e-6
 """How near to it a written angle must be [rad]."""
 
 
-_STEEL_KEYS = {"material": "steel", "grade": "grade", "hardness": "hardness_hv"}
+STEEL_KEYS = {"material": "steel", "grade": "grade", "hardness": "hardness_hv"}
 """What the table of steels complains of -> key of the design file."""
 
 
@@ -42,7 +42,7 @@ def _steel(path: str, rules: GearRules) -> Iterator[Problem]:
         gear_steel(own.steel, own.grade, own.hardness_hv)
     except DesignError as error:
         for each in error.problems:
-            yield Problem(f"{path}.{_STEEL_KEYS.get(each.path, each.path)}", each.message)
+            yield Problem(f"{path}.{STEEL_KEYS.get(each.path, each.path)}", each.message)
 
 
 def _crossing(name: str, pair: Pair, design: Design) -> Iterator[Problem]:

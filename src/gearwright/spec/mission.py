@@ -8,7 +8,9 @@ from typing import Literal, cast
 
 from pydantic import Field
 
+from gearwright.catalogue.gear_strength import gear_steel
 from gearwright.errors import DesignError, Problem
+from gearwright.spec.check_gears import STEEL_KEYS
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.spec.windows import GovernorRules, WindowRules, window_problems
@@ -205,7 +207,16 @@ def mission_problems(mission: Mission) -> list[Problem]:
         problems += [Problem(at, message) for message in (*_speed(phase), *_power(phase, mission))]
         problems += [Problem(at, message) for message in _altitude(phase, last)]
         last = phase.altitude
+    problems += _steel(mission.gears)
     return [*problems, *window_problems(mission.windows, mission.phases)]
+
+
+def _steel(rules: GearLifeRules) -> list[Problem]:
+    try:
+        gear_steel(rules.steel, rules.grade, rules.hardness_hv)
+    except DesignError as error:
+        return [Problem(f"gears.{STEEL_KEYS.get(each.path, each.path)}", each.message) for each in error.problems]
+    return []
 
 
 def _speed(phase: Phase) -> Iterator[str]:

@@ -39,6 +39,22 @@ def test_json_is_for_machines():
     assert json.loads(result.stdout)["balance"]["residual"] < 1e-6
 
 
+def test_json_has_no_infinity():
+    """The second pinion's flanks pass their static limit in hover: its damage is ∞, and it lives no flight."""
+    result = run("face-gear-split-torque", "rotor-schedule", "--json")
+    told = json.loads(result.stdout, parse_constant=pytest.fail)
+    assert told["damage"][0] == {"part": "second.pinion", "mode": "pitting", "damage": None, "flights": 0.0}
+
+
+def test_a_window_without_a_page_is_refused():
+    with pytest.raises(DesignError, match="name its file with --report"):
+        run("in-line-h2", "thesis", "--window", "gust", catch=False)
+
+
+def test_a_battery_that_no_motor_uses_is_not_told():
+    assert "State of charge" not in run("in-line", "equal-power").output
+
+
 def test_a_flight_with_gears_that_are_not_rated_says_why():
     result = run("face-gear-split-torque", "rotor-schedule")
     assert result.exit_code == 0
@@ -71,7 +87,7 @@ REFUSED = {
     ),
     "a climb without power": (
         ("in-line", REGIONAL, "ft_min = 900", "ft_min = 2900"),
-        "phases.climb: at 437 s, gas-turbine: needs 2728 kW at 74 m, and gives 1930 kW; climb slower",
+        "phases.climb: at 437 s, gas-turbine: needs 2728 kW at 74 m, and gives 1930 kW .by its torque.; climb slower",
     ),
     "an empty battery": (
         ("in-line-h2", THESIS, "energy_kwh = 700", "energy_kwh = 400"),
@@ -80,6 +96,10 @@ REFUSED = {
     "a gap between phases": (
         ("in-line-h2", THESIS, "rate_of_climb_ft_min = 1500", "rate_of_climb_ft_min = 1500\nfrom_altitude_ft = 3000"),
         "phases.climb: it starts at 914 m, but the phase before ended at 457 m; make them equal",
+    ),
+    "a map that is not there": (
+        ("in-line-h2", THESIS, '"6-blades-af115"', '"nowhere.csv"'),
+        "propeller_map: '.*nowhere.csv' is no text file that can be read",
     ),
     "two speeds": (
         ("in-line-h2", THESIS, "tas_kt = 313", "tas_kt = 313\nmach = 0.52"),

@@ -91,6 +91,38 @@ def test_regeneration_charges_the_battery():
     assert flight.balance.residual < 1e-9
 
 
+@pytest.fixture
+def windmill(tmp_path):
+    """A mission on a map of one's own, C_P = 0.01 (β - 20 J): at 15° and J = 1.2 the air drives the propeller."""
+    rows = [f"{j},{b},{0.01 * (b - 20 * j):.6f},{0.01 * (b - 20 * j):.6f}" for j in (0, 1, 2) for b in (10, 25, 50)]
+    head = "advance_ratio,blade_angle_deg,power_coefficient,thrust_coefficient"
+    (tmp_path / "own.csv").write_text("\n".join([head, *rows]), encoding="utf-8")
+    text = BASE.replace("power_kw = 900", 'pitch_deg = 15\nmode = "electric"')
+    text = text.replace("energy_kwh = 100", "energy_kwh = 300\nstart_charge = 0.5")
+    return text.replace('"test"', '"test"\npropeller_map = "own.csv"'), tmp_path
+
+
+def test_a_propeller_that_the_air_drives_charges_through_the_teeth_at_a_loss(windmill):
+    """Propeller → gearbox → motor: the teeth lose in this sense, too, as much as at the same power in the other."""
+    text, folder = windmill
+    flight = fly(HYBRID, parse_mission(text), folder=folder)
+    history, row = flight.history, phase_summaries(flight)[0]
+    assert history["propeller_power"].max() < -500e3
+    assert history["mesh_loss"].min() > 0.0
+    assert flight.balance.residual < 1e-9
+    motor = flight.machine_powers["electric"]
+    assert -motor == pytest.approx(-history["propeller_power"] - history["gearbox_heat"], rel=1e-12)
+    assert row.efficiency == pytest.approx(float(motor.sum() / history["propeller_power"].sum()), rel=1e-12)
+    driven = flown(text.replace("pitch_deg = 15", "power_kw = 690").replace('propeller_map = "own.csv"', ""))
+    assert 1.0 - row.efficiency == pytest.approx(1.0 - phase_summaries(driven)[0].efficiency, rel=0.1)
+
+
+def test_a_turbine_does_not_take_what_the_air_drives(windmill):
+    text, folder = windmill
+    with pytest.raises(DesignError, match="a turbine only gives"):
+        fly(HYBRID, parse_mission(text.replace("electric", "conventional")), folder=folder)
+
+
 def test_thrust_carries_the_weight_up_the_slope():
     """T = D + m g sin γ with C_D = C_D0 + k C_L², by hand in the middle of the phase; 1e-3 for the fuel burnt."""
     aircraft = "[aircraft]\nmass_kg = 9000\nwing_area_m2 = 61\nzero_lift_drag = 0.028\ninduced_drag = 0.034\n"
@@ -109,8 +141,16 @@ def test_thrust_carries_the_weight_up_the_slope():
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [
-        ("power_kw = 900", "power_kw = 1500", "gas-turbine: needs 1500 kW at 1524 m, and gives 1046 kW"),
-        ("thermal_power_kw = 2600", "thermal_power_kw = 800", "needs 900 kW at 1524 m, and gives"),
+        (
+            "power_kw = 900",
+            "power_kw = 1500",
+            r"gas-turbine: needs 1500 kW at 1524 m, and gives 1046 kW \(by its rating\); ask for less power",
+        ),
+        (
+            "thermal_power_kw = 2600",
+            "thermal_power_kw = 800",
+            r"needs 900 kW at 1524 m, and gives \d+ kW \(by its core\)",
+        ),
         ("power_kw = 900", 'power_kw = 2000\nmode = "electric"', "electric: needs 2000 kW"),
         ("duration_min = 2", 'duration_min = 20\nmode = "electric"', "empty"),
         ("energy_kwh = 100", "energy_kwh = 10\nstart_charge = 1", "overloaded"),

@@ -59,6 +59,10 @@ def test_what_contradicts_itself_is_refused(line, expected):
     assert expected in message(f"[phases.a]\n{line}\n{PHASE}")
 
 
+def test_a_steel_that_no_table_has_is_refused():
+    assert "gears.steel: 'butter' is not known" in message('[gears]\nsteel = "butter"\n[phases.a]\n' + PHASE)
+
+
 def test_nothing_that_sets_the_power_is_refused():
     assert "nothing sets its power" in message("[phases.a]\n" + PHASE.replace("power_kw = 500\n", ""))
 
