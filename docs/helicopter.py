@@ -39,7 +39,7 @@ $ gearwright check ec120b-as-reported
 
 `gearwright size ec120b` prints teeth, forces, shafts, bearings, joints and every margin; with `--factors` every
 factor of both ratings. `gearwright run ec120b` writes all
-of it as a page, `gearwright draw ec120b` [draws it](drawings.md), `gearwright fly ec120b rotor-schedule` flies it.
+of it as a page, `gearwright draw ec120b` [draws it](drawings.md), `gearwright fly ec120b ec120b-sortie` flies it.
 
 ## What differs
 

@@ -80,6 +80,9 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
     "altitude": ("ft", FOOT),
     "flight_time": ("min", 60.0),
     "bearing_force": ("kN", 1e3),
+    "elasticity_factor": ("√MPa", 1e3),
+    "mass_per_length": ("g/mm", 1.0),
+    "temperature": ("°C", 1.0),
 }
 
 

@@ -12,10 +12,13 @@ from gearwright.parts.bearing_life import basic_life, life_time, system_life
 from gearwright.parts.material import Material
 from gearwright.parts.notch import Shoulder
 from gearwright.parts.rolling_bearing import BearingKind
-from gearwright.sizing.forces import ShaftForces
-from gearwright.sizing.layout import ShaftPlan
+from gearwright.sizing.axes import axes_of
+from gearwright.sizing.context import context
+from gearwright.sizing.forces import ShaftForces, shaft_forces
+from gearwright.sizing.layout import ShaftPlan, plan_of
 from gearwright.sizing.sections import Section, Strength, strengths
 from gearwright.spec import parse
+from gearwright.spec.overrides import Overrides
 from gearwright.units import INCH, POUND_FORCE, RPM
 from mounted_designs import HELICOPTER, PAIR, ROTOR, given, sized
 
@@ -31,6 +34,14 @@ def bearing(sizing, name):
 def shaft(sizing, name):
     """Return a shaft of a sizing by its name."""
     return next(each for each in sizing.shafts if each.name == name)
+
+
+def _forces(text, name):
+    """Return what acts on a shaft."""
+    sizing = sized(text)
+    given = context(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(sizing.design.overrides, {}))
+    axes, gears = axes_of(given, sizing.gears), {gear.name: gear for gear in sizing.gears}
+    return shaft_forces(given, name, plan_of(given, name, sizing.gears), axes=axes, gears=gears)
 
 
 @pytest.mark.parametrize("text", [PAIR, ROTOR, HELICOPTER])
@@ -100,6 +111,26 @@ def test_a_turned_design_has_the_same_loads():
         assert bearing(other, name).designation == bearing(one, name).designation
         assert bearing(other, name).radial == pytest.approx(bearing(one, name).radial, rel=1e-9)
         assert bearing(other, name).axial == pytest.approx(bearing(one, name).axial, rel=1e-9)
+
+
+def test_each_bearing_of_a_mast_bears_its_rotor_where_that_loads_it_most():
+    """Mesh reaction plus (M + F l)/L and (M + F (l + L))/L: a rotor may point anywhere; equilibrium by hand, floats."""
+    bare = changed(HELICOPTER, "in_plane_force_kn = 0.5\nhub_moment_nm = 1400\n", "")
+    mesh, loaded = sized(bare), sized(HELICOPTER)
+    lower, upper, rotor = 0.040, 0.340, 0.620
+    for name, place in (("3a", upper), ("3b", lower)):
+        rotors = (1400.0 + 500.0 * (rotor - place)) / (upper - lower)
+        assert bearing(loaded, name).radial == pytest.approx(bearing(mesh, name).radial + rotors, rel=1e-9)
+
+
+def test_each_section_of_a_mast_is_bent_by_its_rotor_as_much_as_can_be():
+    """Outside the bearings the rotor bends alone, inside its moment adds to that of the mesh; floats."""
+    bare = changed(HELICOPTER, "in_plane_force_kn = 0.5\nhub_moment_nm = 1400\n", "")
+    places = np.array([0.200, 0.300, 0.500])
+    mesh, loaded = (_forces(text, "mast").moments(places)[0][0] for text in (bare, HELICOPTER))
+    reaction = (1400.0 + 500.0 * (0.620 - 0.340)) / 0.300
+    rotors = [reaction * (0.200 - 0.040), reaction * (0.300 - 0.040), 1400.0 + 500.0 * (0.620 - 0.500)]
+    assert loaded == pytest.approx(mesh + rotors, rel=1e-6)
 
 
 def test_a_shoulder_of_a_built_shaft_has_the_safeties_of_shigley_example_7_1():

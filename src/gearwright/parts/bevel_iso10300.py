@@ -67,7 +67,7 @@ class BevelDuty:
 class BevelDynamics:
     """K_V of a bevel pair and what it is made of."""
 
-    reduced_mass: Annotated[float, Quantity("number"), Origin("m_red", f"{_PART1}, eq. 10")]
+    reduced_mass: Annotated[float, Quantity("mass_per_length"), Origin("m_red", f"{_PART1}, eq. 10")]
     """Reduced mass per face width m_red [kg/m]."""
     resonance_ratio: Annotated[float, Quantity("ratio"), Origin("N = n_1/n_E1", f"{_PART1}, eq. 8")]
     """Reference speed N [-]."""
@@ -85,7 +85,7 @@ class BevelPitting:
     """Mid-zone factor Z_M-B [-]."""
     load_sharing: Annotated[float, Quantity("ratio"), Origin("Z_LS", f"{_PART2}, eq. 10")]
     """Load sharing factor Z_LS [-]."""
-    elasticity: Annotated[float, Quantity("number"), Origin("Z_E", f"{_PART2}, eq. 51")]
+    elasticity: Annotated[float, Quantity("elasticity_factor"), Origin("Z_E", f"{_PART2}, eq. 51")]
     """Elasticity factor Z_E [√Pa]."""
     film: Annotated[tuple[float, float, float], Quantity("ratio"), Origin("Z_L, Z_v, Z_R", f"{_PART2}, eqs 54 to 60")]
     """Z_L, Z_v, Z_R [-]."""
@@ -98,7 +98,7 @@ class BevelPitting:
     permissible: Annotated[
         tuple[float, float],
         Quantity("stress"),
-        Origin("σ_HP = σ_Hlim Z_NT Z_X Z_L Z_v Z_R Z_W Z_KP", f"{_PART2}, eq. 4"),
+        Origin("σ_HP = σ_Hlim Z_NT Z_X Z_L Z_v Z_R Z_W Z_KP; Z_X = Z_W = 1, Z_KP = 1.2", f"{_PART2}, eq. 4"),
     ]
     """Permissible contact stress of pinion and wheel σ_HP [Pa]."""
     safeties: Annotated[tuple[float, float], Quantity("ratio"), Origin("S_H = σ_HP/σ_H", f"{_PART2}, eq. 5")]

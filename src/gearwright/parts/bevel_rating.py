@@ -47,14 +47,16 @@ class BevelRating:
     """Nominal tangential force at the mean cone F_mt [N]."""
     speed: Annotated[float, Quantity("velocity"), Origin("v_mt = ω_1 d_m1/2", "ISO 10300-1:2023")]
     """Velocity at the mean diameters v_mt [m/s]."""
-    cycles: tuple[float, float]
+    cycles: Annotated[tuple[float, float], Quantity("number"), Origin("N_L", "ISO 10300-2:2023")]
     """Load cycles of pinion and wheel N_L [-]."""
     dynamic: BevelDynamics
     """K_V and its terms."""
     loads: LoadFactors
     """All K factors."""
-    lives: tuple[tuple[float, float], tuple[float, float]]
-    """Z_NT of pinion and wheel; Y_NT of pinion and wheel [-]."""
+    contact_life: Annotated[tuple[float, float], Quantity("ratio"), Origin("Z_NT", "ISO 6336-2:2019, clause 11")]
+    """Z_NT of pinion and wheel [-]."""
+    root_life: Annotated[tuple[float, float], Quantity("ratio"), Origin("Y_NT", "ISO 6336-3:2019, clause 11")]
+    """Y_NT of pinion and wheel [-]."""
     pitting: BevelPitting
     """Pitting."""
     bending: tuple[BevelBending, BevelBending]
@@ -107,10 +109,8 @@ def rate_bevel(
         for gear in (0, 1)
     )
     speed = 0.5 * abs(duty.pinion_speed) * pair.mean_diameters[0]
-    lives = ((contact[0], contact[1]), (root[0], root[1]))
-    return BevelRating(
-        virtual, virtual_force(pair, duty), speed, cycles, dynamic, loads, lives, pitting, (first, second)
-    )
+    force, lives = virtual_force(pair, duty), ((contact[0], contact[1]), (root[0], root[1]))
+    return BevelRating(virtual, force, speed, cycles, dynamic, loads, *lives, pitting, (first, second))
 
 
 def bevel_pitch_tolerance(diameter: float, module: float, grade: int) -> float:

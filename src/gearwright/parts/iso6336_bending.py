@@ -71,13 +71,15 @@ class BendingRating:
     deep_tooth: Annotated[Value, Quantity("ratio"), Origin("Y_DT", f"{_PART3}, clause 10")]
     """Deep tooth factor Y_DT [-]."""
     nominal_stress: Annotated[
-        Value, Quantity("stress"), Origin("σ_F0 = F_t/(b m_n) Y_F Y_S Y_β Y_B Y_DT", f"{_PART3}, clause 5")
+        Value, Quantity("stress"), Origin("σ_F0 = F_t/(b m_n) Y_F f_ε Y_S Y_β Y_B Y_DT", f"{_PART3}, clause 5")
     ]
     """Nominal root stress σ_F0 [Pa]."""
     stress: Annotated[Value, Quantity("stress"), Origin("σ_F = σ_F0 K_A K_γ K_V K_Fβ K_Fα", f"{_PART3}, clause 5")]
     """Root stress σ_F [Pa]."""
     permissible: Annotated[
-        Value, Quantity("stress"), Origin("σ_FG = σ_Flim Y_ST Y_NT Y_δrelT Y_RrelT Y_X Y_M", f"{_PART3}, clause 5")
+        Value,
+        Quantity("stress"),
+        Origin("σ_FG = σ_Flim Y_ST Y_NT Y_δrelT Y_RrelT Y_X Y_M, Y_ST = 2", f"{_PART3}, clause 5"),
     ]
     """Root stress limit σ_FG [Pa]."""
     safety: Annotated[Value, Quantity("ratio"), Origin("S_F = σ_FG/σ_F", f"{_PART3}, clause 5")]

@@ -33,7 +33,9 @@ class MeshDeviations:
 class DynamicFactor:
     """K_V with what it is made of."""
 
-    reduced_mass: Annotated[Value, Quantity("number"), Origin("m_red = m*_1 m*_2/(m*_1 + m*_2)", f"{_PART1}, 6.5.3")]
+    reduced_mass: Annotated[
+        Value, Quantity("mass_per_length"), Origin("m_red = m*_1 m*_2/(m*_1 + m*_2)", f"{_PART1}, 6.5.3")
+    ]
     """Reduced mass of the pair per face width m_red [kg/m]."""
     resonance_ratio: Annotated[Value, Quantity("ratio"), Origin("N = n_1/n_E1", f"{_PART1}, 6.5.3")]
     """Reference speed N [-]; 1 is the main resonance."""

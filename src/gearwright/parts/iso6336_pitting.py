@@ -76,7 +76,7 @@ class ContactGeometryFactors:
     """Zone factor Z_H [-]."""
     single_contact: Annotated[tuple[Value, Value], Quantity("ratio"), Origin("Z_B, Z_D", f"{_PART2}, clause 6")]
     """Single pair contact factors Z_B of the pinion and Z_D of the wheel [-]."""
-    elasticity: Annotated[Value, Quantity("number"), Origin("Z_E", f"{_PART2}, clause 7")]
+    elasticity: Annotated[Value, Quantity("elasticity_factor"), Origin("Z_E", f"{_PART2}, clause 7")]
     """Elasticity factor Z_E [√Pa]; 189.8 √(N/mm²) is 189.8e3 √Pa."""
     contact_ratio: Annotated[Value, Quantity("ratio"), Origin("Z_ε", f"{_PART2}, clause 8")]
     """Contact ratio factor Z_ε [-]."""

@@ -60,7 +60,7 @@ class PairRating:
     """Nominal tangential force of one mesh F_t [N]."""
     speed: Annotated[Value, Quantity("velocity"), Origin("v = ω_1 d_1/2", "ISO 6336-1:2019, clause 4")]
     """Pitch-line velocity v [m/s]."""
-    cycles: tuple[Value, Value]
+    cycles: Annotated[tuple[Value, Value], Quantity("number"), Origin("N_L", "ISO 6336-2:2019, clause 11")]
     """Load cycles of pinion and wheel N_L [-]."""
     dynamic: DynamicFactor
     """K_V and its terms."""

@@ -33,11 +33,11 @@ class IntegralTemperature:
     """Tip relief factor X_Ca [-]."""
     contact_ratio: Annotated[float, Quantity("ratio"), Origin("X_ε", f"{_SOURCE}, eqs 39 to 44")]
     """Contact ratio factor X_ε [-]."""
-    flash_mean: Annotated[float, Quantity("number"), Origin("ϑ_flaint = ϑ_flaE X_ε", f"{_SOURCE}, eq. 18")]
+    flash_mean: Annotated[float, Quantity("temperature"), Origin("ϑ_flaint = ϑ_flaE X_ε", f"{_SOURCE}, eq. 18")]
     """Mean flash temperature ϑ_flaint [K]."""
-    integral: Annotated[float, Quantity("number"), Origin("ϑ_int = ϑ_M + 1.5 ϑ_flaint", f"{_SOURCE}, eq. 17")]
+    integral: Annotated[float, Quantity("temperature"), Origin("ϑ_int = ϑ_M + 1.5 ϑ_flaint", f"{_SOURCE}, eq. 17")]
     """Integral temperature ϑ_int [°C]."""
-    scuffing: Annotated[float, Quantity("number"), Origin("ϑ_intS by the FZG test", f"{_SOURCE}, eqs 94 to 97")]
+    scuffing: Annotated[float, Quantity("temperature"), Origin("ϑ_intS by the FZG test", f"{_SOURCE}, eqs 94 to 97")]
     """Scuffing integral temperature ϑ_intS [°C]."""
     safety: Annotated[float, Quantity("ratio"), Origin("S_intS = ϑ_intS/ϑ_int", f"{_SOURCE}, eq. 14")]
     """S_intS [-]; below 1 high, 1 to 2 some, above 2 low risk."""

@@ -12,7 +12,9 @@ from gearwright.parts.bevel_rating import BevelRating
 from gearwright.render.pair_data import pair_data
 from gearwright.render.tables import Table, table, written
 from gearwright.sizing.gear_rating import MeshRating
+from gearwright.sizing.rating import rating_of
 from gearwright.sizing.result import MeshSizing, Sizing
+from gearwright.sizing.standard_teeth import steel_of
 from gearwright.units import Origin, Quantity, shown, unit
 
 _PARTS = {
@@ -65,7 +67,8 @@ def rated(sizing: Sizing) -> tuple[MeshSizing, ...]:
 
 def _table(sizing: Sizing, mesh: MeshSizing, found: MeshRating) -> Table:
     standard = "ISO 10300, method B1" if isinstance(found.factors, BevelRating) else "ISO 6336, method B"
-    rows = [*_rows(pair_data(sizing, mesh), "geometry"), *_rows(found.factors, "mesh")]
+    steel = steel_of(rating_of(sizing.design, mesh.name.partition(".")[0]))
+    rows = [*_rows(pair_data(sizing, mesh), "geometry"), *_rows(steel, "steel"), *_rows(found.factors, "mesh")]
     if found.scuffing is not None:
         rows += _rows(found.scuffing, "scuffing")
     names = tuple(field.name for field in fields(Factor))

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 from rich import box
-from rich.console import Console, Group, RenderableType
+from rich.console import Console, ConsoleOptions, Group, RenderableType
 from rich.table import Table as RichTable
 from rich.text import Text
 
@@ -19,6 +21,8 @@ from gearwright.render.views import flow_tables, tables_of
 from gearwright.sizing.result import Sizing
 from gearwright.units import text
 
+_WORD = 14
+"""Letters of the longest word that a narrow terminal need not break."""
 _ORDER = (
     "margins",
     "speeds",
@@ -181,21 +185,69 @@ def trace_json(trace: Trace) -> str:
 
 
 def table_text(one: Table) -> RenderableType:
-    """Return a table for the terminal.
+    """Return a table for the terminal, in several blocks where it is too narrow for all columns.
 
     Args:
         one: The table.
     """
-    shape = RichTable(title=one.title, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD,
-                      pad_edge=False, padding=(0, 1, 0, 0))  # fmt: skip
-    for k, column in enumerate(one.columns):
-        right = any(row[k].is_number for row in one.rows)
-        shape.add_column(_head(column), justify="right" if right else "left", no_wrap=right or k == 0, overflow="fold")
-    for row in one.rows:
-        shape.add_row(*(_shown(cell) for cell in row))
+    shape = _Fitted(one)
     legend = [f"{MARKS[mark][0]} {MARKS[mark][1]}" for mark in one.marks]
     below = " ".join([*([one.note] if one.note else []), *(f"{words}." for words in legend)])
     return Group(shape, Text(f"{below}\n", style="dim")) if below else shape
+
+
+@dataclass(frozen=True)
+class _Fitted:
+    """A table that keeps every digit: columns without room stand in a block below, beside the rows' names again."""
+
+    one: Table
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[RenderableType]:
+        for k, columns in enumerate(_blocks(self.one, options.max_width)):
+            yield _block(self.one, columns, title=f"{self.one.title}, continued" if k else self.one.title)
+
+
+def _blocks(one: Table, width: int) -> list[list[int]]:
+    """Return the columns of every block."""
+    least, names = [_least(one, k) + 1 for k in range(len(one.columns))], _names(one)
+    blocks = [list(names)]
+    for k in range(len(names), len(least)):
+        if sum(least[each] for each in (*blocks[-1], k)) > width - 2 and len(blocks[-1]) > len(names):
+            blocks.append(list(names))
+        blocks[-1].append(k)
+    return blocks
+
+
+def _names(one: Table) -> range:
+    """Return the columns that name a row: the first, or where it repeats itself all words before the first number."""
+    if len({row[0].text for row in one.rows}) == len(one.rows):
+        return range(1)
+    return range(max(next((k for k in range(len(one.columns)) if _is_number(one, k)), 1), 1))
+
+
+def _least(one: Table, k: int) -> int:
+    """Return the least width of a column: that of its numbers, or of its words up to `_WORD`."""
+    head = max(map(len, _head(one.columns[k]).split()), default=0)
+    cells = (_shown(row[k]).plain for row in one.rows)
+    if _is_number(one, k):
+        return max(head, *map(len, cells))
+    words = (len(word) for cell in cells for word in cell.split())
+    return min(max([head, *words]), _WORD)
+
+
+def _is_number(one: Table, k: int) -> bool:
+    return any(row[k].is_number for row in one.rows)
+
+
+def _block(one: Table, columns: list[int], *, title: str) -> RichTable:
+    shape = RichTable(title=title, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD,
+                      pad_edge=False, padding=(0, 1, 0, 0))  # fmt: skip
+    for k in columns:
+        right = _is_number(one, k)
+        shape.add_column(_head(one.columns[k]), justify="right" if right else "left", no_wrap=right, overflow="fold")
+    for row in one.rows:
+        shape.add_row(*(_shown(row[k]) for k in columns))
+    return shape
 
 
 def _head(column: Column) -> str:

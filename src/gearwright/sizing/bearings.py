@@ -76,7 +76,7 @@ class Seating:
         if seat.designation is not None:
             return sizes[0]
         if seat.bore is not None:
-            least, most = 0.0, math.inf
+            least = most = sizes[0].bore
         room = [each for each in sizes if least - 1e-9 <= each.bore <= most + 1e-9]
         for each in room:
             if _bears(self.check(name, each)):
@@ -99,7 +99,7 @@ def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str
         DesignError: If nothing takes a force along the shaft, or the catalogue has no such bore.
     """
     seats = seats_of(given.design, shaft)
-    reactions = np.hypot(*forces.radial().swapaxes(0, 1))
+    reactions = forces.largest_radial()
     carried = iter(reactions.T)
     radial = {name: next(carried) if seat.radial else np.zeros(len(reactions)) for name, seat in seats.items()}
     factors = {

@@ -2,8 +2,9 @@
 
 To the meshes and machines of `loads` come the rotors: a propeller's thrust along the shaft, its force across and the
 moment at its hub. These two turn with the flow and not with the shaft, so that they bend a turning shaft as a mesh
-does. Where they point is not known; they are taken to point where they bend the shaft most, the moment in the sense
-in which the force bends it. They act in every load case.
+does. Where they point is not known, the moment but in the sense in which the force bends: every bearing and every
+section is judged with them where they load it most, and diagrams and deflections show them where they bend the shaft
+most. They act in every load case.
 """
 
 from __future__ import annotations
@@ -28,6 +29,14 @@ _BESIDE = 1e-9
 """How far left and right of a section its moments are read [m]; they jump where a couple acts."""
 
 
+class Part(NamedTuple):
+    """Some of what acts on one shaft, in balance by itself."""
+
+    loads: PointLoads
+    """The two last ones are the reactions of its bearings."""
+    drawn: Diagram
+
+
 class ShaftForces(NamedTuple):
     """What acts on one shaft, reactions included, and what that makes inside it."""
 
@@ -38,19 +47,30 @@ class ShaftForces(NamedTuple):
     axial: Array
     """Force along the shaft that its bearings take, positive towards its second end [N], (cases,)."""
     bends: bool
+    apart: tuple[Part, ...] = ()
+    """Where rotors bend the shaft: the meshes alone, and each rotor alone, which may point anywhere."""
 
     def radial(self) -> Array:
         """Return the forces of both radial bearings [N], (cases, 2 planes, 2); zero where nothing bends."""
         return self.whole.force[..., -2:] if self.bends else np.zeros((len(self.axial), 2, 2))
 
+    def largest_radial(self) -> Array:
+        """Return what both radial bearings must bear [N], (cases, 2): rotors point where they load each one most."""
+        parts = [each.loads.force[..., -2:] for each in self.apart] or [self.radial()]
+        return np.asarray(np.sum([np.hypot(each[:, 0], each[:, 1]) for each in parts], axis=0))
+
     def moments(self, positions: Array) -> tuple[Array, Array]:
         """Return bending moment and torque at sections, the larger of both sides [N m], each (cases, n).
 
         Args:
-            positions: From the shaft's first end [m], (n,).
+            positions: From the shaft's first end [m], (n,). Rotors point where they bend each one most.
         """
-        left, right = (_at(self.drawn, positions + beside) for beside in (-_BESIDE, _BESIDE))
-        return _cleaned(np.maximum(left[0], right[0])), _cleaned(np.maximum(left[1], right[1]))
+        parts = [each.drawn for each in self.apart] or [self.drawn]
+        left, right = (
+            np.sum([_at(each, positions + beside) for each in parts], axis=0) for beside in (-_BESIDE, _BESIDE)
+        )
+        bending, torque = np.maximum(left, right)
+        return _cleaned(bending), _cleaned(torque)
 
     def bearing_loads(self, case: int) -> tuple[BearingLoad, ...]:
         """Return what both radial bearings give to the shaft in one case; none where only torque acts.
@@ -106,16 +126,24 @@ def shaft_forces(
     Raises:
         DesignError: If a load stands outside the shaft.
     """
-    loads, axial = shaft_loads(given, name, plan, axes=axes, gears=gears)
+    meshes, axial = shaft_loads(given, name, plan, axes=axes, gears=gears)
+    loads, apart = meshes, [meshes]
     for each, rotor in given.design.propellers.items():
         if rotor.shaft == name:
             side = rotor_side(plan, each)
             axial = axial + side * rotor.thrust
             if rotor.in_plane_force or rotor.hub_moment:
-                loads = _with_rotor(loads, plan, rotor, position=plan.places[each])
+                alone = _alone(loads, plan, rotor, position=plan.places[each])
+                loads, apart = _joined(loads, alone, plan), [*apart, alone]
     bends = bool(loads.force.any() or loads.couple.any())
     whole = supported(loads, plan.bearings, length=plan.length) if bends else loads
-    return ShaftForces(plan, whole, diagram(whole), axial, bends)
+    parts = tuple(_part(each, plan) for each in apart) if len(apart) > 1 else ()
+    return ShaftForces(plan, whole, diagram(whole), axial, bends, parts)
+
+
+def _part(loads: PointLoads, plan: ShaftPlan) -> Part:
+    held = supported(loads, plan.bearings, length=plan.length)
+    return Part(held, diagram(held))
 
 
 def rotor_side(plan: ShaftPlan, rotor: str) -> float:
@@ -129,23 +157,27 @@ def rotor_side(plan: ShaftPlan, rotor: str) -> float:
     return 1.0 if plan.places[rotor] >= sum(others) / len(others) else -1.0
 
 
-def _with_rotor(loads: PointLoads, plan: ShaftPlan, rotor: Propeller, *, position: float) -> PointLoads:
-    """Return loads with a rotor's force and moment among them, in the direction that bends the shaft most."""
+def _alone(loads: PointLoads, plan: ShaftPlan, rotor: Propeller, *, position: float) -> PointLoads:
+    """Return a rotor's force and moment along y, beside other loads of nothing."""
     side = 1.0 if position >= sum(plan.bearings) / 2.0 else -1.0
-    without = _padded(loads, position)
-    alone = PointLoads(*(np.zeros_like(each) for each in without))._replace(position=without.position)
+    wider = _padded(loads, position)
+    alone = PointLoads(wider.position, *(np.zeros_like(each) for each in wider[1:]))
     alone.force[:, 0, -1], alone.couple[:, 0, -1] = rotor.in_plane_force, side * rotor.hub_moment
-    own, others = (
-        diagram(supported(each, plan.bearings, length=plan.length)).bending.swapaxes(0, 1) for each in (alone, without)
-    )
+    return alone
+
+
+def _joined(loads: PointLoads, alone: PointLoads, plan: ShaftPlan) -> PointLoads:
+    """Return loads with a rotor's among them, in the direction that bends the shaft most."""
+    whole = _padded(loads, alone.position[-1])
+    own, others = (_part(each, plan).drawn.bending.swapaxes(0, 1) for each in (alone, whole))
     meshes = others[0] + 1j * others[1]
     worst = np.argmax(np.abs(meshes) + np.abs(own[0]), axis=-1)
     cases = np.arange(len(worst))
     turn = np.exp(1j * np.angle(meshes[cases, worst] * np.sign(own[0][cases, worst])))
     direction = np.stack([turn.real, turn.imag], axis=-1)
-    without.force[..., -1] = rotor.in_plane_force * direction
-    without.couple[..., -1] = side * rotor.hub_moment * direction
-    return without
+    whole.force[..., -1] = alone.force[:, :1, -1] * direction
+    whole.couple[..., -1] = alone.couple[:, :1, -1] * direction
+    return whole
 
 
 def _padded(loads: PointLoads, position: float) -> PointLoads:

@@ -195,7 +195,7 @@ def strain(rated: PairRating | BevelRating, mode: int, gear: int) -> Strain:
             root = rated.bending[gear]
             stress, limit, life = root.stress, root.permissible, rated.root_strength[gear].life
     else:
-        life = rated.lives[mode][gear]
+        life = (rated.contact_life, rated.root_life)[mode][gear]
         if mode == 0:
             stress, limit = rated.pitting.stress, rated.pitting.permissible[gear]
         else:

@@ -30,7 +30,8 @@ def refusal(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: flo
     least = design.teeth.pinion_minimum or fewest
     given = [teeth for teeth in (stage.pinion_teeth, stage.wheel_teeth) if teeth is not None and teeth < least]
     if given:
-        message = f"{given[0]} teeth are undercut; use at least {least}, or more gears.profile_shift"
+        more = "" if stage.kind == "bevel" else ", or more gears.profile_shift"
+        message = f"{given[0]} teeth are undercut; use at least {least}{more}"
         return DesignError([Problem(f"pairs.{name}.pinion_teeth", message)])
     message = (
         f"no tooth numbers from {least} to {design.teeth.pinion_maximum} on the pinion give the ratio {tooth_ratio:.4g}"

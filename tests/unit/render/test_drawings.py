@@ -12,6 +12,7 @@ from built_design import BORES, JOINTS, STEPS, built_sizing
 import gearwright as gw
 from gearwright.errors import DesignError
 from gearwright.parts.tooth_measurement import span_measurement, spanned_teeth
+from gearwright.render.drawings.arrangement_sheet import arrangement_content
 from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.dimensions import drawn, extent, words_corners
 from gearwright.render.drawings.dxf import sheet_document, sheet_dxf
@@ -266,6 +267,15 @@ def test_the_arrangement_lists_every_part_and_shows_the_centre_distance(built, d
     assert {"Shaft mast", "Gear bevel.wheel", "Bearing 2a", "QJ 312", "with helical.pinion"} <= texts
     distance = sum(gear_of(built, f"helical.{role}").pitch_diameter for role in ("pinion", "wheel")) / 2.0
     assert any(math.isclose(1e3 * distance, each, rel_tol=1e-9) for each in measured(sheet))
+
+
+def test_a_shaft_weighs_what_is_cut_from_its_piece():
+    """Parts, bearings left out, weigh what the gearbox weighs; within the three digits of the list."""
+    sizing = shipped("ec120b")
+    (grid,) = arrangement_content(sizing).grids
+    parts = [row for row in grid.rows if row[2].startswith(("Shaft", "Gear"))]
+    assert len(parts) == 5
+    assert sum(int(row[1]) * float(row[4]) for row in parts) == pytest.approx(sizing.mass, rel=2e-3)
 
 
 def test_what_is_not_sized_is_not_drawn_and_the_sheet_says_so():

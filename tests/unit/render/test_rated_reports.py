@@ -1,5 +1,7 @@
 """What a report says of gears that ISO 6336 rates."""
 
+import math
+
 import pytest
 
 from gearwright.dynamics.assemble import assemble
@@ -49,6 +51,45 @@ def test_the_tables_values_are_those_of_the_rating():
     rows = {row[2].text.partition(" = ")[0]: row for row in factor_tables(SIZING)[0].rows}
     pinion, wheel = (float(rows["S_H"][k].text) for k in (3, 4))
     assert (pinion, wheel) == pytest.approx([float(each) for each in helical.rating.factors.pitting.safeties], rel=5e-5)
+
+
+def _numbers(one, column):
+    """Return the values of a gear by their symbols; of the mesh where there is one value."""
+    rows = {row[2].text.partition(" = ")[0]: (row[column].text or row[3].text) for row in one.rows}
+    return {symbol: float(text.replace("−", "-")) for symbol, text in rows.items() if "," not in text}
+
+
+@pytest.mark.parametrize("column", [3, 4])
+def test_stresses_and_limits_are_the_products_of_the_shown_factors(column):
+    """σ_H0, σ_HG, σ_F0 and σ_FG by hand from the other lines, in MPa and mm; to the digits that are shown."""
+    it, pinion = _numbers(factor_tables(SIZING)[0], column), _numbers(factor_tables(SIZING)[0], 3)
+    ratio = _numbers(factor_tables(SIZING)[0], 4)["z"] / pinion["z"]
+    flank = it["F_t"] / (pinion["d"] * it["b"]) * (ratio + 1.0) / ratio
+    assert math.prod(it[each] for each in ("Z_H", "Z_E", "Z_ε", "Z_β")) * math.sqrt(flank) == pytest.approx(
+        it["σ_H0"], rel=2e-4
+    )
+    assert math.prod(it[each] for each in ("σ_Hlim", "Z_NT", "Z_L", "Z_v", "Z_R", "Z_W", "Z_X")) == pytest.approx(
+        it["σ_HG"], rel=2e-4
+    )
+    root = it["F_t"] / (it["b"] * it["m_n"])
+    assert root * math.prod(it[each] for each in ("Y_F", "f_ε", "Y_S", "Y_β", "Y_B", "Y_DT")) == pytest.approx(
+        it["σ_F0"], rel=2e-4
+    )
+    limit = 2.0 * it["σ_Flim"]
+    assert limit * math.prod(it[each] for each in ("Y_NT", "Y_δrelT", "Y_RrelT", "Y_X", "Y_M")) == pytest.approx(
+        it["σ_FG"], rel=2e-4
+    )
+
+
+def test_limits_of_a_bevel_pair_are_the_products_of_the_shown_factors():
+    """σ_HP with Z_X = Z_W = 1 and Z_KP = 1.2, σ_FP with Y_ST = 2; to the digits that are shown."""
+    bevel = factor_tables(SIZING)[1]
+    films = next(row[3].text for row in bevel.rows if row[2].text == "Z_L, Z_v, Z_R")
+    for it in (_numbers(bevel, 3), _numbers(bevel, 4)):
+        flank = 1.2 * it["σ_Hlim"] * it["Z_NT"] * math.prod(map(float, films.split(", ")))
+        assert flank == pytest.approx(it["σ_HP"], rel=2e-4)
+        root = 2.0 * it["σ_Flim"] * math.prod(it[each] for each in ("Y_NT", "Y_δrelT", "Y_R,relT", "Y_X"))
+        assert root == pytest.approx(it["σ_FP"], rel=2e-4)
 
 
 def test_tooth_data_of_a_bevel_pair_are_its_cones():

@@ -1,5 +1,6 @@
 import io
 import json
+import re
 
 from rich.console import Console
 
@@ -24,6 +25,14 @@ def test_the_terminal_report_tells_what_an_engineer_asks(in_line_h2) -> None:
 
 def test_no_line_of_the_report_is_wider_than_the_terminal(in_line_h2) -> None:
     assert max(len(line) for line in on_screen(sizing_text(in_line_h2), width=80).splitlines()) <= 80
+
+
+def test_a_narrow_terminal_shows_every_number_whole(in_line_h2) -> None:
+    wide, narrow = (on_screen(sizing_text(in_line_h2), width=width) for width in (400, 60))
+    numbers = re.compile(r"[−\d.e+-]*\d")
+    assert set(numbers.findall(wide)) - set(numbers.findall(narrow)) == set()
+    assert "continued" in narrow
+    assert "continued" not in wide
 
 
 def test_motors_are_named_only_where_there_are_some(designs) -> None:

@@ -12,7 +12,7 @@ from gearwright.render.drawings.entities import Entity, Layer, Path
 from gearwright.render.drawings.gear_parts import Hub, hub_of
 from gearwright.render.drawings.gear_view import bevel_section, cylinder_section, ring_section
 from gearwright.render.drawings.positions import PLATE_GAP, Lying, Positions
-from gearwright.render.drawings.shaft_parts import MM, Piece, ShaftBody, bevel_profile, shaft_body
+from gearwright.render.drawings.shaft_parts import MM, Piece, ShaftBody, bevel_profile, mass_with_gears, shaft_body
 from gearwright.render.drawings.shaft_view import Axis, shaft_outline
 from gearwright.render.drawings.teeth import cylindrical_gear, is_internal, kind_of, meshes_of
 from gearwright.sizing.result import CarrierSizing, GearSizing, Sizing
@@ -57,12 +57,10 @@ def shaft_parts(sizing: Sizing, found: Positions, name: str, scale: float) -> tu
     axis, body = axis_of(lying, scale), _drawn_body(sizing, name, lying)
     entities: list[Entity] = []
     items: list[Item] = []
-    sized = next(shaft for shaft in sizing.shafts if shaft.name == name)
     if body.pieces[0].diameter > 0.0 and body.length > 0.0:
         entities += shaft_outline(axis, body)
-        items.append(
-            Item(f"Shaft {name}", ", ".join(f"with {gear}" for gear in body.gears), 1, sized.mass, _free(axis, body))
-        )
+        remark, mass = ", ".join(f"with {gear}" for gear in body.gears), mass_with_gears(sizing, body, name)
+        items.append(Item(f"Shaft {name}", remark, 1, mass, _free(axis, body)))
     lean = math.pi / 4.0 * (1.0 if sizing.design.shafts.index(name) % 2 == 0 else 3.0)
     for gear in sizing.gears:
         if name in gear.shafts and gear.name not in body.gears:

@@ -130,6 +130,19 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
     )
 
 
+def mass_with_gears(sizing: Sizing, body: ShaftBody, name: str) -> float:
+    """Return the mass of a shaft with the gears that are one piece with it [kg].
+
+    Args:
+        sizing: What was sized.
+        body: The shaft as drawn.
+        name: Of the shaft.
+    """
+    own = [gear_of(sizing, each) for each in body.gears]
+    shaft = next(each for each in sizing.shafts if each.name == name)
+    return shaft.mass + sum(gear.mass * gear.bodies / len(gear.shafts) for gear in own)
+
+
 def _turned(sizing: Sizing, step: ShaftStep) -> Piece:
     bearing = next((each.bearing for each in sizing.bearings if each.name == step.seat), None)
     tolerance = seat_tolerance(bearing.kind, bearing.bore) if bearing else ""

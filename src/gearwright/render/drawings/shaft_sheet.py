@@ -22,7 +22,7 @@ from gearwright.render.drawings.entities import (
     words_length,
 )
 from gearwright.render.drawings.frame import Title
-from gearwright.render.drawings.shaft_parts import MM, Piece, ShaftBody, Slot, shaft_body
+from gearwright.render.drawings.shaft_parts import MM, Piece, ShaftBody, Slot, mass_with_gears, shaft_body
 from gearwright.render.drawings.shaft_view import Axis, end_chamfer, key_section, shaft_outline
 from gearwright.render.drawings.symbols import cutting_plane, spread, texture, texture_length
 from gearwright.render.drawings.tables import Grid
@@ -59,10 +59,8 @@ def shaft_content(sizing: Sizing, name: str) -> Content:
     """
     body = shaft_body(sizing, name)
     material = materials()[sizing.design.shafting.material or sizing.design.gears.material]
-    sized = next(shaft for shaft in sizing.shafts if shaft.name == name)
-    title = Title(
-        sizing.design.name, f"Shaft {name}", f"shaft-{name}", "Component drawing", material.name, f"{sized.mass:.2f}"
-    )
+    mass = f"{mass_with_gears(sizing, body, name):.2f}"
+    title = Title(sizing.design.name, f"Shaft {name}", f"shaft-{name}", "Component drawing", material.name, mass)
     grids = [tooth_grid(sizing, gear_of(sizing, gear), name) for gear in body.gears]
     fits = (*_fits(body), *_fillets(body))
     return Content(
