@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from gearwright.errors import DesignError, SolveError
+from gearwright.render.validation import by_source, source_table, verdict
 from gearwright.validate import check, published
 
 
@@ -31,3 +32,13 @@ def test_cases_are_chosen_by_name_or_source_and_unknown_words_list_the_sources()
     assert {case.source.partition(" et")[0] for case in published("friswell")} == {"Friswell"}
     with pytest.raises(DesignError, match="Timoshenko 1921"):
         published("Leonardo da Vinci")
+
+
+def test_the_table_marks_what_is_missed_and_says_why_so_much_is_allowed():
+    case = published("five inertias")[0]
+    wrong = replace(case, expected=(*case.expected[:-1], case.expected[-1] + 0.02))
+    found = tuple(one for numbers in by_source([wrong]) for one in numbers)
+    shown = source_table(found)
+    assert [row[2].text.endswith("missed") for row in shown.rows] == [False, False, False, False, True]
+    assert shown.title == case.source and f"{case.name}, 5 (allowed because {case.reason})" in shown.note
+    assert verdict(found) == "4 of 5 published numbers come out within their tolerance."

@@ -108,13 +108,21 @@ def validate(
 ) -> None:
     """Compare gearwright with every published number that it knows: case, source, expected, got, error, verdict."""
     from gearwright.errors import SolveError
-    from gearwright.render.validation import validation_table
-    from gearwright.validate import published
+    from gearwright.render.validation import by_source, source_table, validation_table, verdict
+    from gearwright.validate import Checked, published
 
-    table, missed = validation_table(published(pattern or ""))
-    _show([table], json=json)
+    found: list[Checked] = []
+    for numbers in by_source(published(pattern or "")):
+        found += numbers
+        if not json:
+            _show([source_table(numbers)], json=False)
+    if json:
+        _show([validation_table(found)], json=True)
+    else:
+        typer.echo(verdict(found))
+    missed = sum(not one.holds for one in found)
     if missed:
-        raise SolveError(f"{missed} published numbers are missed; the table says which")
+        raise SolveError(f"{missed} published numbers are missed; the tables say which")
 
 
 def _show(tables: list[Table], *, json: bool) -> None:

@@ -23,7 +23,7 @@ RANGE = (0.05, 0.5, 0.95)
 SELDOM = 0.02
 """Part of the weights below which a design that is never first with equal ones is left out [-]."""
 LOGARITHMIC = 30.0
-"""Ratio of the largest to the least value from which an axis is logarithmic [-]."""
+"""Ratio of the largest to the least value that is drawn from which an axis is logarithmic [-]."""
 
 
 @theme.styled
@@ -62,8 +62,9 @@ def draw_ranges(panel: Axes, spreads: Sequence[Floats], best: int | None = None)
         spreads: Values of each design, as they are shown.
         best: Row that stands out.
     """
-    finite = np.concatenate([values[np.isfinite(values)] for values in spreads])
-    if len(finite) and 0.0 < finite.min() < finite.max() / LOGARITHMIC:
+    finite = [values[np.isfinite(values)] for values in spreads]
+    drawn = np.array([end for values in finite if len(values) for end in np.quantile(values, RANGE)])
+    if len(drawn) and 0.0 < drawn.min() < drawn.max() / LOGARITHMIC:
         panel.set_xscale("log")
     else:
         panel.xaxis.set_major_locator(MaxNLocator(3))

@@ -95,7 +95,8 @@ def _duel(study: Study, table: Table, found: Verdict) -> Iterator[str]:
             gains = int(((ratios < 1.0) if sense == "least" else (ratios > 1.0)).sum())
             low, high = confidence(gains, len(ratios)) if len(ratios) > 1 else (gains, gains)
             place = better if low > 0.5 else worse if high < 0.5 else open_
-            place.append(f"{heading(name)} {_more(median)} ({gains:,} of {len(ratios):,} better)")
+            much = "" if place is open_ else f" {_more(median)}"
+            place.append(f"{heading(name)}{much} ({gains:,} of {len(ratios):,} better)")
     groups = ((better, "better in"), (worse, "worse in"), (open_, "no difference to tell in"))
     said = "; ".join(f"{words} {', '.join(names)}" for names, words in groups if names)
     yield f"{first} against {second}, medians at equal inputs: {said}."

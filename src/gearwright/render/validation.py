@@ -1,42 +1,64 @@
-"""The validation table: every published number beside what gearwright finds."""
+"""The validation tables: every published number beside what gearwright finds."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from itertools import groupby
 
-from gearwright.render.tables import Table, table
+from gearwright.render.tables import Cell, Table, table
 from gearwright.validate import Case, Checked, check
 
-
-@dataclass(frozen=True)
-class Row:
-    """One number."""
-
-    case: str
-    source: str
-    unit: str
-    expected: str
-    """With the digits that are compared."""
-    got: str
-    error: str
-    """Deviation over the number."""
-    verdict: str
+FIELDS = ("case", "source", "expected", "got", "unit", "error", "holds", "reason")
+"""Columns for machines."""
+SHOWN = ("expected", "got", "error", "unit", "case")
+"""Columns for the terminal; the source is the title."""
+DIGITS = 7
+"""Significant digits that are shown [-]."""
 
 
-def validation_table(cases: Iterable[Case]) -> tuple[Table, int]:
-    """Return the table, and how many numbers are missed.
+def by_source(cases: Iterable[Case]) -> Iterator[tuple[Checked, ...]]:
+    """Compute and yield the numbers of one source after the other.
 
     Args:
-        cases: Published results.
+        cases: Published results, those of one source together.
     """
-    found = [one for case in cases for one in check(case)]
-    missed = sum(not one.holds for one in found)
-    note = f"{len(found) - missed} of {len(found)} published numbers come out within their tolerance."
-    fields = ("case", "source", "expected", "got", "unit", "error", "verdict")
-    return table("Validation", [_row(one) for one in found], fields, note=note), missed
+    for _, group in groupby(cases, key=lambda case: case.source):
+        yield tuple(one for case in group for one in check(case))
 
 
-def _row(one: Checked) -> Row:
-    words = "holds" if one.holds else f"missed ({one.reason})"
-    return Row(one.case, one.source, one.unit, f"{one.expected:.7g}", f"{one.got:.7g}", f"{one.error:+.1e}", words)
+def source_table(found: tuple[Checked, ...]) -> Table:
+    """Return the numbers of one source for the terminal; what is missed is said below, with its tolerance's reason.
+
+    Args:
+        found: Numbers of that source.
+    """
+    plain = table(found[0].source, found, SHOWN)
+    rows = tuple(_written(row, one) for row, one in zip(plain.rows, found, strict=True))
+    missed = "; ".join(f"{one.case} (allowed because {one.reason})" for one in found if not one.holds)
+    return replace(plain, rows=rows, note=f"Missed: {missed}." if missed else "")
+
+
+def validation_table(found: Iterable[Checked]) -> Table:
+    """Return all numbers for machines.
+
+    Args:
+        found: Of all sources.
+    """
+    return table("Validation", found, FIELDS)
+
+
+def verdict(found: Iterable[Checked]) -> str:
+    """Return how many numbers come out.
+
+    Args:
+        found: Of all sources.
+    """
+    holds = [one.holds for one in found]
+    return f"{sum(holds)} of {len(holds)} published numbers come out within their tolerance."
+
+
+def _written(row: tuple[Cell, ...], one: Checked) -> tuple[Cell, ...]:
+    expected, got, error, *words = row
+    shown = [replace(cell, text=f"{cell.value:.{DIGITS}g}") for cell in (expected, got)]
+    return (*shown, replace(error, text=f"{one.error:+.1e}{'' if one.holds else ' missed'}"), *words)

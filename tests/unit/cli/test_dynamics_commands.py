@@ -1,6 +1,7 @@
 """The commands campbell, response, runup and validate, as a shell calls them."""
 
 import json
+import re
 
 import pytest
 from typer.testing import CliRunner
@@ -47,8 +48,20 @@ def test_runup_prints_the_loudest_speeds_and_writes_the_waterfall(tmp_path):
 def test_validate_prints_case_source_and_verdict_and_chooses_by_words():
     rows = json.loads(run("validate", "Friswell", "--json"))[0]["rows"]
     assert len(rows) == 9
-    assert {row["verdict"] for row in rows} == {"holds"}
-    assert all("Friswell" in row["source"] for row in rows)
+    assert all(row["holds"] is True and "Friswell" in row["source"] for row in rows)
+    assert all(row["error"] * row["expected"] == pytest.approx(row["got"] - row["expected"]) for row in rows)
+
+
+def test_validate_fits_a_terminal_of_80_columns_and_breaks_no_number():
+    shown = run("validate", "planetary set")
+    assert "Lin & Parker 1999, J. Vib. Acoust. 121, table 2" in shown
+    assert max(len(line) for line in shown.splitlines()) <= 80
+    for words in (
+        r"11775\.3 +11775\.27 +-2\.9e-06 +Hz +planetary set, N = 3",
+        r"0\.9296 +0\.9295744 +-2\.8e-05 +√\(k_p/m_p\)",
+    ):
+        assert re.search(words, shown)
+    assert shown.rstrip().endswith("published numbers come out within their tolerance.")
 
 
 @pytest.mark.parametrize(

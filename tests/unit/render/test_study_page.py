@@ -14,6 +14,8 @@ from gearwright.render.study_figures import study_figure
 from gearwright.render.study_page import study_page
 from gearwright.render.study_spread import contour_figure, figure_of, parallel_figure
 from gearwright.render.study_tables import reasons, spread
+from gearwright.render.study_trade import draw_ranges
+from gearwright.render.study_words import answer
 from gearwright.shipped import shipped_design
 from gearwright.sizing.named import Named
 from gearwright.spec import read
@@ -160,6 +162,31 @@ def test_results_without_an_end_are_written_so_and_break_no_figure(
     page = study_page(study, table, {name: read(shipped_design(name)) for name in designs})
     assert "nan" not in re.sub(r"<svg.*?</svg>", "", page, flags=re.DOTALL)
     assert figure_of(study, table)
+
+
+def test_one_life_of_nothing_leaves_an_axis_over_decades_logarithmic() -> None:
+    """Quantiles are drawn: a gear that does not live at all in one case of fifty is not among them."""
+    lives = [np.array([0.0, *np.geomspace(1.0, 100.0, 49)]), np.geomspace(1e4, 1e7, 50)]
+    panel = theme.sheet(80.0, 40.0).subplots()
+    draw_ranges(panel, lives)
+    assert panel.get_xscale() == "log"
+
+
+def test_what_makes_no_difference_has_no_number_of_more_or_less() -> None:
+    objectives = '[objectives]\nmass = "least"\nefficiency = "most"\n'
+    study = parse_study(HEAD + FILL + objectives + '[sampling]\nmethod = "sobol"\ncount = 8\n')
+    rows = [
+        Row(name, {"carriers.fill": 0.5 + 0.01 * k}, {
+            "mass": Named(50.0 - 10.0 * place, "mass"), "efficiency": Named(0.97 + 0.01 * ((k + place) % 2), ""),
+        })
+        for place, name in enumerate(study.designs)
+        for k in range(8)
+    ]  # fmt: skip
+    said = " ".join(answer(study, Table("s", "", study.asked, tuple(rows))))
+    assert (
+        "in-line-h2 against in-line-h1, medians at equal inputs: better in gearbox 20 % less (8 of 8 better);" in said
+    )
+    assert "no difference to tell in efficiency (4 of 8 better)." in said
 
 
 def test_the_best_of_an_objective_keeps_the_constraints() -> None:
