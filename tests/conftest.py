@@ -1,6 +1,10 @@
 """Puts this folder on the path, so that every test can import `designs`; says how often faults are made to happen."""
 
 import pytest
+from hypothesis import settings
+
+settings.register_profile("no time is asserted", deadline=None)
+settings.load_profile("no time is asserted")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -19,7 +19,7 @@ def random_state(seed: int, size: int):
     return np.concatenate([rng.normal(0.0, 0.1, size), rng.normal(0.0, 1.0, size), np.zeros(WORKS)])
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     seed=st.integers(0, 2**32 - 1),
     bodies=st.integers(4, 20),
@@ -60,7 +60,7 @@ def runge_kutta_step(arrays, time, h, state):
     return state + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(seed=st.integers(0, 2**32 - 1))
 def test_generated_and_generic_code_agree_over_a_run_with_works(seed):
     """600 steps across a block boundary; rounding grows with the motion, to less than 1e-9 of the largest state."""
@@ -76,7 +76,7 @@ def test_generated_and_generic_code_agree_over_a_run_with_works(seed):
     np.testing.assert_allclose(ends[0], ends[1], rtol=1e-9, atol=1e-9 * np.max(np.abs(ends[1])))
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(seed=st.integers(0, 40), other=st.integers(0, 40), lines=st.integers(1, 2), coarse=st.booleans())
 def test_families_are_of_one_structure_where_topologies_are_equal(seed, other, lines, coarse):
     """Few lines, so that equal structures occur; numbers alone never matter."""

@@ -9,7 +9,7 @@ from gearwright.dynamics import kernel, reference
 from gearwright.dynamics.energy import WORKS, stored_energy
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(seed=st.integers(0, 2**32 - 1), bodies=st.integers(4, 12), lines=st.integers(1, 25), time=st.floats(-0.5, 1.5))
 def test_generic_kernel_agrees_with_plain_numpy(seed, bodies, lines, time):
     """1e-12 of the largest term: both add the same numbers in another order."""
@@ -29,7 +29,7 @@ def test_generic_kernel_agrees_with_plain_numpy(seed, bodies, lines, time):
     assert np.array_equal(slope[:size], state[size : 2 * size])
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(seed=st.integers(0, 2**32 - 1), time=st.floats(0.45, 0.65))
 def test_powers_are_the_rates_of_the_energies(seed, time):
     """d(stored)/dt by central differences along the flow equals what the six powers add up to.

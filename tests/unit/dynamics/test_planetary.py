@@ -52,7 +52,7 @@ def loaded(given_set, torque=100.0, **more):
     return model.build()
 
 
-@settings(deadline=None, max_examples=25)
+@settings(max_examples=25)
 @given(st.integers(3, 7), st.floats(7.0, 9.5), st.floats(7.0, 9.5), st.floats(0.0, math.pi))
 def test_modes_come_in_three_families(planets, support, pin, turn):
     """Lin & Parker 1999: 6 rotational (one of them rigid), 6 translational pairs, 3 planet modes of multiplicity N − 3.

@@ -17,7 +17,7 @@ HEAD = "advance_ratio,blade_angle_deg,power_coefficient,thrust_coefficient\n"
 SMALL = HEAD + "0,10,0.1,0.2\n0,20,0.3,0.4\n1,10,0.05,0.1\n1,20,0.2,0.3\n"
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.floats(0.0, 3.9), st.floats(0.01, 0.99))
 def test_the_angle_for_a_power_takes_that_power(ratio, part):
     """The inverse is exact for the bilinear map; 1e-9 is rounding."""

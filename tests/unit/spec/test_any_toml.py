@@ -29,7 +29,7 @@ tables = st.recursive(
 VALUES = ["0", "1", "7", "1e6", "-3", "nan", "true", '"slow"', '"ground"', "[]", "{}"]
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(raw=st.dictionaries(names, tables, max_size=8))
 def test_any_table_gives_a_record_or_problems(raw):
     """What a TOML reader can return, not only what a text can be made to say."""
@@ -42,7 +42,7 @@ def test_any_table_gives_a_record_or_problems(raw):
     assert all(each.message for each in found)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(text=st.text(max_size=80))
 def test_any_text_gives_a_design_error(text):
     """No text of 80 characters is a design: name, shafts, a machine and a taker need more."""
@@ -54,7 +54,7 @@ def test_any_text_gives_a_design_error(text):
         raise AssertionError("this cannot be a design")
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(data=st.data())
 def test_any_damage_to_a_design_gives_a_design_or_a_design_error(data):
     """Lines of a good file are dropped, doubled, swapped or get another value; what still reads is sized."""

@@ -38,7 +38,7 @@ def largest_power(flow):
     )
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(drawn=tables(), lossy=st.booleans())
 def test_power_closes_and_every_shaft_is_in_balance(drawn, lossy):
     table, teeth, efficiency = drawn
@@ -56,7 +56,7 @@ def test_power_closes_and_every_shaft_is_in_balance(drawn, lossy):
         assert flow.machine_powers[name] == flow.machine_torques[name] * flow.speeds[shaft]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(drawn=tables())
 def test_losses_are_what_the_efficiency_says_of_the_driving_side(drawn):
     """Tooth power loses 1 − η of what the driving gear gives, in either direction."""
@@ -72,7 +72,7 @@ def test_losses_are_what_the_efficiency_says_of_the_driving_side(drawn):
         assert driven == pytest.approx(eta * driving, rel=1e-9, abs=1e-9 * max(scale, 1e-300))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(data=st.data())
 def test_the_order_of_the_file_does_not_matter(data):
     """1e-9: the same equations in another order, solved by singular values."""
