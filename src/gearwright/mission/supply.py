@@ -119,7 +119,7 @@ class Supply:
             available += min(limits)
             if powers[name] > min(limits) * (1.0 + _SLACK):
                 raise DesignError([Problem(name, self._too_weak(moment, powers[name], limits))])
-            if powers[name] < 0.0:
+            if powers[name] < -_SLACK * limits.rating:
                 raise DesignError([Problem(name, _braked(powers[name]))])
             if powers[name] > 0.0:
                 fuel += fuel_flow(engine, *ratios, powers[name])
@@ -131,8 +131,8 @@ class Supply:
         fix = "climb slower, fly slower" if moment.power is None else "ask for less power"
         if self.motors:
             fix += ", or give the motors a larger electric_share"
-        given = f"gives {most / 1e3:.0f} kW (by its {bound})"
-        return f"needs {power / 1e3:.0f} kW at {moment.altitude:.0f} m, and {given}; {fix}"
+        given = f"gives {most / 1e3:.4g} kW (by its {bound})"
+        return f"needs {power / 1e3:.4g} kW at {moment.altitude:.0f} m, and {given}; {fix}"
 
     def _heat(self, name: str, power: float, speed: float) -> float:
         motor = self.motors[name]

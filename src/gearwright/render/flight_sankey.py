@@ -41,6 +41,8 @@ class Energies(NamedTuple):
     battery: float
     slowed: float
     """From what turns, as it slows down."""
+    air: float
+    """From a propeller that the air has driven."""
     turbine: float
     """Turbines to gearbox."""
     electric: float
@@ -57,7 +59,7 @@ class Energies(NamedTuple):
     @property
     def total(self) -> float:
         """What came in [J]."""
-        return self.fuel + self.battery + self.slowed
+        return self.fuel + self.battery + self.slowed + self.air
 
 
 def energies(balance: Balance) -> Energies:
@@ -66,7 +68,7 @@ def energies(balance: Balance) -> Energies:
     Args:
         balance: Of a flight.
 
-    Source: balance of each node; charge and discharge of one flight are netted.
+    Source: balance of each node; charge and discharge of one flight are netted, and so is the propeller's work.
     """
     from_motors = balance.battery - balance.battery_loss - balance.motor_loss
     gearbox = [Sink(words, getattr(balance, name), colour) for name, (words, colour) in LOSSES.items()]
@@ -74,6 +76,7 @@ def energies(balance: Balance) -> Energies:
         fuel=balance.fuel,
         battery=max(balance.battery, 0.0),
         slowed=max(-balance.stored, 0.0),
+        air=max(-balance.propeller, 0.0),
         turbine=balance.fuel - balance.turbine_heat,
         electric=max(from_motors, 0.0),
         generated=max(-from_motors, 0.0),
@@ -105,7 +108,7 @@ def sankey_figure(flight: Flight) -> Figure:
     figure = theme.sheet(WIDTH, 112.0)
     axes, bar = figure.subplots(2, 1, height_ratios=[5.2, 1.0])
     _flows(axes, flows)
-    _magnified(bar, flight.balance)
+    _magnified(bar, flight.balance, 1.0 - flight.efficiency())
     return figure
 
 
@@ -115,7 +118,7 @@ def _flows(axes: Axes, flows: Energies) -> None:
     first, second, third, _ = _COLUMNS
     heat = sum(sink.energy for sink in flows.hot) / unit
     turbine, electric, generated = (each / unit for each in (flows.turbine, flows.electric, flows.generated))
-    fuel, battery, slowed = (each / unit for each in (flows.fuel, flows.battery, flows.slowed))
+    fuel, battery, slowed, air = (each / unit for each in (flows.fuel, flows.battery, flows.slowed, flows.air))
     used, lost = (sum(sink.energy for sink in sinks) / unit for sinks in (flows.used, flows.lost))
     motors_top, gearbox_top = -(fuel + 4.0 * gap), -(heat + 2.0 * gap)
     below = gearbox_top - turbine - electric
@@ -126,9 +129,12 @@ def _flows(axes: Axes, flows: Energies) -> None:
         _node(axes, second, 0.0, fuel, "turbines")
         sinks.draw(flows.hot, second + _NODE, 0.0, 0.0)
         _band(axes, (second + _NODE, -heat), (third, gearbox_top), turbine, theme.BLUE)
-    _node(axes, third, gearbox_top, max(turbine + electric + slowed, used + generated), "gearbox")
+    _node(axes, third, gearbox_top, max(turbine + electric + slowed + air, used + generated), "gearbox")
     _band(axes, (third - 0.06, below), (third, below), slowed, theme.SKY)
     sinks.draw(flows.used, third + _NODE, gearbox_top, gearbox_top)
+    if air:  # it comes from the right, below what leaves there
+        wind = Sink("from the air", flows.air, theme.GREEN)
+        sinks.draw([wind], third + _NODE, gearbox_top - used, gearbox_top - used)
     if battery or lost:
         _node(axes, first, motors_top, battery, f"battery  {flows.battery / KWH:,.0f} kWh" if battery else "")
         _band(axes, (first + _NODE, motors_top), (second, motors_top), battery, theme.AMBER)
@@ -197,8 +203,8 @@ def _band(axes: Axes, start: tuple[float, float], end: tuple[float, float], high
     axes.add_patch(PathPatch(Path(corners, codes), facecolor=colour, alpha=0.55, edgecolor=colour, lw=0.3))
 
 
-def _magnified(axes: Axes, balance: Balance) -> None:
-    """Draw the gearbox's own losses as one bar of their own scale."""
+def _magnified(axes: Axes, balance: Balance, share: float) -> None:
+    """Draw the gearbox's own losses, a share of what enters it, as one bar of their own scale."""
     left, total = 0.0, balance.gearbox_loss
     for name, (words, colour) in LOSSES.items():
         part = getattr(balance, name) / total
@@ -206,7 +212,6 @@ def _magnified(axes: Axes, balance: Balance) -> None:
             label = f"{words} {getattr(balance, name) / KWH:.2f} kWh, {part:.0%}"
             axes.barh(0.0, part, left=left, height=0.8, color=colour, label=label)
             left += part
-    share = total / (balance.propeller + total)
     axes.set_title(f"The gearbox's own losses, magnified: {total / KWH:.2f} kWh, {share:.2%} of what enters it")
     axes.set_xlim(0.0, 1.0)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.05), ncols=4)

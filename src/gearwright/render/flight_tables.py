@@ -13,6 +13,7 @@ from gearwright.mission import BearingDamage, Durability, Flight, PhaseSummary, 
 from gearwright.mission.bearings import USUAL_RELIABILITY
 from gearwright.render.flight_figures import KELVIN, KNOT
 from gearwright.render.flight_lives import LONGEST, lasting_parts
+from gearwright.render.flight_sankey import energies
 from gearwright.render.tables import Table, table
 from gearwright.spec.mission import Phase
 from gearwright.units import FOOT, Mass, Number, Origin, Power, Quantity
@@ -73,7 +74,7 @@ class LossView:
     name: str
     energy: ElectricEnergy
     share: Annotated[float, Quantity("percent")]
-    """Of fuel and battery."""
+    """Of what came in."""
     model: str
     source: str
 
@@ -205,7 +206,7 @@ def loss_table(flight: Flight) -> Table:
     Args:
         flight: As flown.
     """
-    came = flight.balance.fuel + max(flight.balance.battery, 0.0)
+    came = energies(flight.balance).total
     rows = [
         LossView(words, getattr(flight.balance, name), getattr(flight.balance, name) / came, model, source)
         for name, (words, model, source) in MODELS.items()

@@ -116,9 +116,8 @@ def file_text(path: Path) -> str:
             raise DesignError([Problem("", message)], name)
         return content.decode("utf-8-sig").replace("\r\n", "\n")
     except FileNotFoundError:
-        raise DesignError(
-            [Problem("", "there is no such file; `gearwright new` lists the designs to start from")], name
-        ) from None
+        message = "there is no such file; `gearwright new` lists the shipped designs, `fly` missions, `study` studies"
+        raise DesignError([Problem("", message)], name) from None
     except UnicodeDecodeError:
         raise DesignError([Problem("", "this is not a text file in UTF-8; a design file is TOML")], name) from None
     except OSError as error:

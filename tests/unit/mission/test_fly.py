@@ -149,7 +149,7 @@ def test_thrust_carries_the_weight_up_the_slope():
         (
             "thermal_power_kw = 2600",
             "thermal_power_kw = 800",
-            r"needs 900 kW at 1524 m, and gives \d+ kW \(by its core\)",
+            r"needs 900 kW at 1524 m, and gives [\d.]+ kW \(by its core\)",
         ),
         ("power_kw = 900", 'power_kw = 2000\nmode = "electric"', "electric: needs 2000 kW"),
         ("duration_min = 2", 'duration_min = 20\nmode = "electric"', "empty"),

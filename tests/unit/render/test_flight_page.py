@@ -12,7 +12,7 @@ from gearwright.render.flight_sankey import energies
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import read
-from gearwright.spec.mission import read_mission
+from gearwright.spec.mission import parse_mission, read_mission
 
 FLIGHT = fly(size(read(shipped_design("in-line-h2"))), read_mission(shipped_mission("thesis")))
 PAGE = flight_page(FLIGHT, durability(FLIGHT))
@@ -53,17 +53,33 @@ def test_a_life_shows_what_it_costs():
 
 
 def test_what_flows_into_the_sankey_flows_out():
-    """Sum of sources against sum of sinks, with a battery that gives or takes; 1e-12 is rounding."""
-    for battery, stored in ((0.3, 0.01), (-0.2, -0.01)):
+    """Sum of sources against sum of sinks, a battery and a propeller that give or take; 1e-12 is rounding."""
+    for battery, stored in ((0.3, 0.01), (-0.2, -0.01), (-0.8, 0.0)):
         rest = dict.fromkeys(("mesh_loss", "bearing_loss", "windage_loss", "churning_loss"), 0.01)
         work = 1.0 + battery - 0.7 - 0.04 - 0.02 - 0.01 - stored
         balance = Balance(1.0, battery, work, 0.7, motor_loss=0.02, battery_loss=0.01, stored=stored, **rest)
         flows = energies(balance)
         out = sum(sink.energy for sinks in (flows.hot, flows.used, flows.lost) for sink in sinks)
         assert flows.total == pytest.approx(out, rel=1e-12)
-        assert flows.turbine + flows.electric + flows.slowed == pytest.approx(
+        assert flows.turbine + flows.electric + flows.slowed + flows.air == pytest.approx(
             flows.generated + sum(sink.energy for sink in flows.used), rel=1e-12
         )
+
+
+def test_a_flight_that_only_charges_has_a_page(tmp_path):
+    """Nothing but the air gives energy: no fuel, a battery that takes, on a map of one's own below C_P = 0."""
+    rows = [f"{j},{b},{0.01 * (b - 20 * j)},{0.01 * (b - 20 * j)}" for j in (0, 2) for b in (10, 50)]
+    head = "advance_ratio,blade_angle_deg,power_coefficient,thrust_coefficient"
+    (tmp_path / "own.csv").write_text("\n".join([head, *rows]), encoding="utf-8")
+    words = 'altitude_ft = 5000\ncas_kt = 170\nduration_min = 1\nmode = "electric"\npitch_deg = 15'
+    mission = parse_mission(
+        'schema = 1\nname = "descent"\npropeller_map = "own.csv"\n[battery]\nenergy_kwh = 300\nstart_charge = 0.5\n'
+        f"[phases.down]\n{words}\npropeller_speed_rpm = 1212"
+    )
+    flight = fly(FLIGHT.sizing, mission, folder=tmp_path)
+    page = flight_page(flight, durability(flight))
+    assert "from the air" in page
+    assert "charge of the battery" in page
 
 
 def test_labels_keep_apart_and_stay_where_they_may():
