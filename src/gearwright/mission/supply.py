@@ -122,7 +122,7 @@ class Supply:
             if powers[name] < -_SLACK * limits.rating:
                 raise DesignError([Problem(name, _braked(powers[name]))])
             if powers[name] > 0.0:
-                fuel += fuel_flow(engine, *ratios, powers[name])
+                fuel += fuel_flow(usual, *ratios, powers[name])  # the rating does not change what a power burns
         return fuel, available
 
     def _too_weak(self, moment: Moment, power: float, limits: PowerLimits) -> str:

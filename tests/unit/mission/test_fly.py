@@ -267,6 +267,11 @@ def test_a_contingency_rating_holds_only_while_an_engine_is_out():
         flown(BASE.replace("power_kw = 900", "power_kw = 2300").replace("2600", "2600\ncontingency = 1.05"), TWIN)
 
 
+def test_a_contingency_rating_does_not_change_what_a_power_burns():
+    rated = ONE_OUT.replace("thermal_power_kw = 2600", "thermal_power_kw = 2600\ncontingency = 1.15")
+    assert flown(rated, TWIN).fuel == pytest.approx(flown(ONE_OUT, TWIN).fuel, rel=1e-12)
+
+
 @pytest.mark.parametrize(
     ("given", "expected"),
     [('["turbine-3"]', "there is no machine 'turbine-3'"), ('["turbine-1", "turbine-2"]', "mode needs one")],
