@@ -111,7 +111,7 @@ def cluster(
 
 
 def show_table(table: Table, study: Study | None = None, *, csv: Path | None, json: bool) -> None:
-    """Print the table of a study (its spread if it is long, then the front if it has one) or JSON; write it as CSV."""
+    """Print the table of a study (its spread if it is long, then what follows from it) or JSON; write it as CSV."""
     from rich.console import Console
 
     from gearwright.render.study_tables import study_csv, study_grid, study_json, summary_grid
@@ -120,7 +120,7 @@ def show_table(table: Table, study: Study | None = None, *, csv: Path | None, js
         typer.echo(study_json(table))
     else:
         Console().print(study_grid(table) if len(table.rows) <= LISTED else summary_grid(table))
-        if study is not None and study.objectives:
+        if study is not None and (study.objectives or study.sampling.method != "grid"):
             _show_answer(study, table)
     if csv is not None:
         csv.write_text(study_csv(table), encoding="utf-8")

@@ -31,6 +31,7 @@ count = 8
 [objectives]
 mass = "least"
 """
+SAFETY = '"gears.contact_safety" = {from = 1.3, to = 1.7}\n[sampling]'
 
 
 def call(*arguments: object, code: int = 0) -> str:
@@ -56,6 +57,17 @@ def test_a_study_with_a_journal_is_complete_and_shown_again(folder: Path) -> Non
     again = call("resume", journal, "--workers", 0, "--json", "--export", folder / "t.nc")
     assert len(json.loads(again[: again.rindex("}") + 1])["rows"]) == 8
     assert (folder / "t.nc").stat().st_size > 0
+
+
+def test_samples_and_sensitivities_are_answered_in_the_terminal_as_on_the_page(folder: Path) -> None:
+    drawn = TEXT.partition("[objectives]")[0]
+    (folder / "study.toml").write_text(drawn, encoding="utf-8")
+    assert "gearbox: median 4" in call("study", folder / "study.toml", "--workers", 0)
+    (folder / "study.toml").write_text(
+        drawn.replace("sobol", "saltelli").replace("[sampling]", SAFETY), encoding="utf-8"
+    )
+    said = " ".join(call("study", folder / "study.toml", "--workers", 0).split())
+    assert "gearbox depends most on gears.contact_safety" in said
 
 
 def test_a_stopped_study_says_what_to_do_next(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 import h5netcdf
 import numpy as np
 import pytest
+from scipy.stats import sobol_indices
 
 from gearwright.errors import DesignError, SolveError
 from gearwright.shipped import shipped_design
@@ -139,6 +140,19 @@ def test_sensitivities_are_ishigamis() -> None:
         assert low <= found[axis].total <= high
         assert high - low < 0.25
     assert [each.axis for each in sensitivity(study, table_of(study, rows), "f")] == ["x.0", "x.1", "x.2"]
+    assert sensitivity(study, table_of(study, rows), "f") == tuple(found.values()), "the seed gives the intervals, too"
+
+
+def test_sensitivities_are_scipys_to_rounding() -> None:
+    """scipy.stats.sobol_indices has the same estimators; its bootstrap takes no seed."""
+    study = study_of('[sampling]\nmethod = "saltelli"\ncount = 64\n', axes=3, low=-np.pi, high=np.pi)
+    rows = [row_of(case, {"f": ishigami(case)}) for case in cases(study)]
+    blocks = np.array([row.number("f") for row in rows]).reshape(5, 1, 64)
+    wanted = sobol_indices(func={"f_A": blocks[0], "f_B": blocks[1], "f_AB": blocks[2:]}, n=64)
+    found = {each.axis: each for each in sensitivity(study, table_of(study, rows), "f")}
+    for k in range(3):
+        assert found[f"x.{k}"].first == pytest.approx(float(np.ravel(wanted.first_order)[k]), abs=1e-12)
+        assert found[f"x.{k}"].total == pytest.approx(float(np.ravel(wanted.total_order)[k]), abs=1e-12)
 
 
 def test_no_sensitivity_without_its_sample_or_with_failed_cases() -> None:
