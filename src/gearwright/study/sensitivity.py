@@ -100,4 +100,4 @@ def _indices(blocks: np.ndarray) -> np.ndarray:
         return np.full((2, len(mixed)), np.nan)
     first = np.mean(other * (mixed - one), axis=-1)
     total = 0.5 * np.mean((one - mixed) ** 2, axis=-1)
-    return np.array([first, total]) / spread
+    return np.array([first / spread, total / spread])
