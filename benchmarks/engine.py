@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import statistics
 import time
+import tracemalloc
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -122,6 +123,18 @@ def sizes() -> None:
     print(f"exponent {slope:.2f}")
 
 
+def memory() -> None:
+    """Most memory at once of runs of case 1 of different length."""
+    system = two_stage()
+    simulate(system, 0.05)
+    tracemalloc.start()
+    for duration in (0.5, 2.0, 8.0):
+        tracemalloc.reset_peak()
+        simulate(system, duration)
+        print(f"memory of {duration:g} s of case 1: {tracemalloc.get_traced_memory()[1] / 1e6:.1f} MB")
+    tracemalloc.stop()
+
+
 if __name__ == "__main__":
-    for part in (long_run, exact_step, ensembles, sizes):
+    for part in (long_run, memory, exact_step, ensembles, sizes):
         part()

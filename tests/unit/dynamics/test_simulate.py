@@ -1,6 +1,7 @@
 """Running a system: outputs, replay, refusals, interruption."""
 
 import math
+import tracemalloc
 from dataclasses import replace
 
 import numpy as np
@@ -159,6 +160,20 @@ def test_divergence_is_named_with_time_line_and_value():
     model.load("rotor", constant=1.0, damping=-60.0)
     with pytest.raises(SolveError, match=r"diverged at .* s: line anchor carries"):
         simulate(model.build(), 5.0, start="rigid", method="runge-kutta")
+
+
+def test_memory_does_not_grow_with_the_duration():
+    """Samples, bins and checkpoints have their numbers: eight times the time takes less than a third more."""
+    system = driven_pair()
+    simulate(system, 0.05)
+    peaks = []
+    tracemalloc.start()
+    for duration in (5.0, 40.0):
+        tracemalloc.reset_peak()
+        simulate(system, duration)
+        peaks.append(tracemalloc.get_traced_memory()[1])
+    tracemalloc.stop()
+    assert peaks[1] < 1.33 * peaks[0]
 
 
 def test_an_interruption_keeps_what_was_done():
