@@ -17,6 +17,7 @@ from gearwright.units import Length, Mass, Origin, Quantity, Ratio, Speed, shown
 
 NOT_IN_THE_MASS = "Not in the mass: housing, bearings, oil system, accessories, motors."
 _BEARINGS = "Positions from the shaft's first end; shafts that only torque acts on need none for it."
+_THICKEST = "d of a shaft with steps is its thickest; the stress is of a section, listed with its own d under strength."
 _ENVELOPE = "Box around tip circles and shafts, without housing."
 _JUST_ENOUGH = (
     "Margin: limit over value, or value over limit where more is better; 1 is just enough. Limits of stresses include"
@@ -235,7 +236,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
                          "contact_stress", "contact_margin")),
         "shafts": table("Shafts: loads and stresses", sizing.shafts,
                         ("name", "case", "torque", "bending_moment", "axial_force", "diameter", "stress", "margin"),
-                        mark=mark),
+                        mark=mark, note=_THICKEST if sizing.built_shafts else ""),
         "shaft_sizes": table("Shafts: sizes", sizing.shafts,
                              ("name", "length", "diameter", "bore", "stiffness", "mass", "inertia"), mark=mark),
         "bearings": table("Bearing loads", bearings(sizing), ("shaft", "case", "position", "radial_force"),

@@ -18,12 +18,14 @@ from gearwright.render.drawings.dimensions import drawn, extent, words_corners
 from gearwright.render.drawings.dxf import sheet_document, sheet_dxf
 from gearwright.render.drawings.entities import Arc, Corner, Distance, Layer, Words, millimetres, runs
 from gearwright.render.drawings.frame import inside
+from gearwright.render.drawings.gear_parts import hub_of
 from gearwright.render.drawings.positions import positions
 from gearwright.render.drawings.shaft_parts import shaft_body
 from gearwright.render.drawings.sheets import SCALES
 from gearwright.render.drawings.svg import sheet_svg
 from gearwright.render.drawings.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
 from gearwright.shipped import shipped_designs
+from gearwright.spec.edit import edited
 
 ezdxf = pytest.importorskip("ezdxf")
 
@@ -276,6 +278,28 @@ def test_a_shaft_weighs_what_is_cut_from_its_piece():
     parts = [row for row in grid.rows if row[2].startswith(("Shaft", "Gear"))]
     assert len(parts) == 5
     assert sum(int(row[1]) * float(row[4]) for row in parts) == pytest.approx(sizing.mass, rel=2e-3)
+
+
+def test_a_bevel_wheel_has_a_hub_as_long_as_its_seat_on_the_shaft():
+    """Seat: the step of the mast that carries the wheel; its place from the apex: cone distance and pitch angle."""
+    sizing = shipped("ec120b")
+    wheel, (mast,) = gear_of(sizing, "bevel.wheel"), [each for each in sizing.built_shafts if each.name == "mast"]
+    (seat,) = [step for step in mast.steps if step.seat == "bevel.wheel"]
+    hub, pair = hub_of(sizing, wheel, "mast"), bevel_pair(sizing, "bevel")
+    assert hub.boss.end - hub.boss.start == pytest.approx(1e3 * (seat.end - seat.start), rel=1e-9)
+    apex = 1e3 * pair.mean_cone_distance * math.cos(pair.pitch_angles[1])
+    (sheet,) = sheets(sizing, ["gear-bevel.wheel"])
+    for value in (1e3 * (seat.end - seat.start), 1.4 * hub.reach, apex + hub.boss.start):
+        assert any(math.isclose(value, each, rel_tol=1e-9) for each in measured(sheet)), value
+    assert hub_of(sizing, gear_of(sizing, "helical.wheel"), "intermediate").boss is None
+
+
+def test_a_bevel_wheel_drawn_into_a_bearing_is_named_on_the_arrangement():
+    """The mast's lower bearing, 2 mm nearer to a wheel whose back clears it by 1.4 mm."""
+    design = gw.read(gw.shipped_design("ec120b"))
+    near = edited(design, {"bearings.mast-lower.position_mm": 27.0})
+    said = [[note for note in arrangement_content(gw.size(each)).notes if "stands" in note] for each in (design, near)]
+    assert said == [[], ["bevel.wheel as drawn stands 0.594 mm into mast-lower: put one of them elsewhere."]]
 
 
 def test_what_is_not_sized_is_not_drawn_and_the_sheet_says_so():

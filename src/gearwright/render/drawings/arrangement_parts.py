@@ -12,9 +12,17 @@ from gearwright.render.drawings.entities import Entity, Layer, Path
 from gearwright.render.drawings.gear_parts import Hub, hub_of
 from gearwright.render.drawings.gear_view import bevel_section, cylinder_section, ring_section
 from gearwright.render.drawings.positions import PLATE_GAP, Lying, Positions
-from gearwright.render.drawings.shaft_parts import MM, Piece, ShaftBody, bevel_profile, mass_with_gears, shaft_body
+from gearwright.render.drawings.shaft_parts import (
+    MM,
+    Piece,
+    ShaftBody,
+    away_of,
+    bevel_profile,
+    mass_with_gears,
+    shaft_body,
+)
 from gearwright.render.drawings.shaft_view import Axis, shaft_outline
-from gearwright.render.drawings.teeth import cylindrical_gear, is_internal, kind_of, meshes_of
+from gearwright.render.drawings.teeth import cylindrical_gear, is_internal, kind_of
 from gearwright.sizing.result import CarrierSizing, GearSizing, Sizing
 from gearwright.spec import GROUND
 
@@ -116,12 +124,11 @@ def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, seat: tuple[str, fl
         lean: Of the hatching [rad].
     """
     shaft, middle = seat
-    hub = Hub(hub_of(sizing, gear, shaft).bore)
+    full = hub_of(sizing, gear, shaft)
+    hub = Hub(full.bore, boss=full.boss)
     if kind_of(sizing, gear) == "bevel":
-        stage, side = sizing.design.pairs[gear.stage], meshes_of(sizing, gear.name)[0][1]
-        apex = stage.pinion_apex if side == 0 else stage.wheel_apex
         moved = Axis(axis.at(middle), axis.along, axis.scale)
-        return bevel_section(moved, bevel_profile(sizing, gear), hub, away=1.0 if apex == "first" else -1.0, lean=lean)
+        return bevel_section(moved, bevel_profile(sizing, gear), hub, away=away_of(sizing, gear), lean=lean)
     halves = gear.bodies // len(gear.shafts) if gear.role in ("pinion", "wheel") else 1
     half = MM * gear.face_width * max(halves, 1) / 2.0
     span = (middle - half, middle + half)
@@ -150,9 +157,7 @@ def gear_item(sizing: Sizing, gear: GearSizing, axis: Axis, middle: float) -> It
     offset = 0.2 * MM * gear.face_width
     if kind_of(sizing, gear) == "bevel":
         profile = bevel_profile(sizing, gear)
-        stage, side = sizing.design.pairs[gear.stage], meshes_of(sizing, gear.name)[0][1]
-        sign = 1.0 if (stage.pinion_apex if side == 0 else stage.wheel_apex) == "first" else -1.0
-        offset, radius = sign * profile.roots[1].real, profile.roots[1].imag
+        offset, radius = away_of(sizing, gear) * profile.roots[1].real, profile.roots[1].imag
     return Item(f"Gear {gear.name}", remark, 1, gear.mass, axis.at(middle + offset, share * radius))
 
 

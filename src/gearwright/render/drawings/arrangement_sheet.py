@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import product
 
 from gearwright.render.drawings.arrangement_parts import Item, axis_of, planetary_parts, shaft_parts
 from gearwright.render.drawings.compose import Content, Rows
@@ -11,12 +12,15 @@ from gearwright.render.drawings.dimensions import extent
 from gearwright.render.drawings.end_view import end_view
 from gearwright.render.drawings.entities import SMALL, Box, Distance, Entity, Layer, Path, Words
 from gearwright.render.drawings.frame import Title
+from gearwright.render.drawings.gear_parts import Hub, hub_of
+from gearwright.render.drawings.gear_view import bevel_corners
 from gearwright.render.drawings.positions import Positions, positions
-from gearwright.render.drawings.shaft_parts import MM
+from gearwright.render.drawings.shaft_parts import MM, away_of, bevel_profile, toothed_piece
 from gearwright.render.drawings.symbols import balloon, spread
 from gearwright.render.drawings.tables import Grid
+from gearwright.render.drawings.teeth import kind_of
 from gearwright.render.schematic_layout import pair_meshes
-from gearwright.sizing.result import Sizing
+from gearwright.sizing.result import GearSizing, Sizing
 
 NAME = "arrangement"
 AROUND = 9.0
@@ -55,10 +59,35 @@ def _notes(sizing: Sizing, found: Positions) -> Iterator[str]:
         )
     else:
         yield "No bearings, shoulders and joints are sized: shafts are the cylinders of the first sizing."
+    yield from _crowded(sizing)
     if any(pair.kind == "face" for pair in sizing.design.pairs.values()):
         yield "Face-gear wheels are drawn by their pitch circle alone: their tooth form is not sized."
     yield "Mass: gears, shafts and carriers, without bearings and housing."
     yield "Gears in section by ISO 2203. Housing, seals and lubrication are not sized; they are not drawn."
+
+
+def _crowded(sizing: Sizing) -> Iterator[str]:
+    """Yield where a bevel gear's body stands into a bearing; its seat is sized beside bearings, its body is not."""
+    bevels = [gear for gear in sizing.gears if kind_of(sizing, gear) == "bevel"]
+    for gear, each in product(bevels, sizing.bearings):
+        if each.shaft in gear.shafts:
+            hub = hub_of(sizing, gear, each.shaft)
+            within = hub.boss is not None and MM * each.bearing.outer_diameter <= hub.boss.diameter
+            place, (start, end) = MM * each.position, _bevel_span(sizing, gear, each.shaft, hub)
+            over = min(end - place, place - start) + MM * each.bearing.width / 2.0
+            if over > 0.0 and not within:
+                yield f"{gear.name} as drawn stands {over:.3g} mm into {each.name}: put one of them elsewhere."
+
+
+def _bevel_span(sizing: Sizing, gear: GearSizing, shaft: str, hub: Hub) -> tuple[float, float]:
+    """Return where a bevel gear's body begins and ends along its shaft, beyond its hub [mm]."""
+    middle = next(joint.position for joint in sizing.joints if joint.part == gear.name and joint.shaft == shaft)
+    if not hub.bore:
+        piece = toothed_piece(sizing, gear, middle)
+        return piece.start, piece.end
+    body = bevel_corners(bevel_profile(sizing, gear), hub)[:3]
+    ends = [MM * middle + away_of(sizing, gear) * each.real for each in body]
+    return min(ends), max(ends)
 
 
 def _views(sizing: Sizing, found: Positions, scale: float) -> Rows:

@@ -3,18 +3,34 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gearwright.catalogue.keys import key_for_shaft
 from gearwright.parts.key import KeySection
 from gearwright.parts.spline import Spline, spline
-from gearwright.render.drawings.shaft_parts import MM, toothed_piece
+from gearwright.render.drawings.shaft_parts import MM, away_of, bevel_profile, toothed_piece
 from gearwright.render.drawings.teeth import cylindrical_gear, is_internal, kind_of
 from gearwright.sizing.mounted import JointSizing
 from gearwright.sizing.result import GearSizing, Sizing
 
 LEAST_WALL = 1.0
 """Wall between a bore and the roots of the teeth below which no bore is drawn, in modules [-]."""
+
+
+BOSS = 1.4
+"""Diameter of a bevel gear's hub over that of its bore with what is cut into it, where its body is not sized [-]."""
+
+
+@dataclass(frozen=True)
+class Boss:
+    """The hub of a bevel gear where it sits on its shaft, along the axis away from the apex, from the mean point."""
+
+    start: float
+    """[mm]"""
+    end: float
+    """[mm]"""
+    diameter: float
+    """[mm]"""
 
 
 @dataclass(frozen=True)
@@ -30,6 +46,8 @@ class Hub:
     designation: str = ""
     note: str = ""
     """Where the bore comes from, or why there is none."""
+    boss: Boss | None = None
+    """Of a bevel gear whose seat is sized."""
 
     @property
     def reach(self) -> float:
@@ -49,7 +67,8 @@ def hub_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hub:
     """
     joint = next((each for each in sizing.joints if each.part == gear.name and each.shaft == shaft), None)
     if joint is not None:
-        return _joined(joint)
+        hub = _joined(joint)
+        return replace(hub, boss=_boss(sizing, gear, joint, hub)) if kind_of(sizing, gear) == "bevel" else hub
     if is_internal(sizing, gear):
         return Hub(0.0, note="What holds the ring is not sized; it is not drawn.")
     carrier = next((each for each in sizing.carriers if each.stage == gear.stage), None)
@@ -74,6 +93,18 @@ def _joined(joint: JointSizing) -> Hub:
         note = f"Hub {designation}; the bore shown is its tip circle."
         return Hub(MM * teeth.hub_tip, teeth=teeth, designation=designation, note=note)
     return Hub(diameter, "H7", note="Bore H7 (assumed); press fit by its joint's calculation.")
+
+
+def _boss(sizing: Sizing, gear: GearSizing, joint: JointSizing, hub: Hub) -> Boss | None:
+    """Return the hub over the gear's seat on its shaft, within the root at the small end; None of one piece with it."""
+    built = next(each for each in sizing.built_shafts if each.name == joint.shaft)
+    seats = [step for step in built.steps if step.seat == gear.name]
+    if not hub.bore or not seats:
+        return None
+    away = away_of(sizing, gear)
+    ends = sorted(away * MM * (edge - joint.position) for edge in (seats[0].start, seats[-1].end))
+    root = 2.0 * bevel_profile(sizing, gear).roots[0].imag
+    return Boss(ends[0], ends[1], max(min(BOSS * hub.reach, root), hub.bore))
 
 
 def _fitting(sizing: Sizing, gear: GearSizing, diameter: float, note: str) -> Hub:

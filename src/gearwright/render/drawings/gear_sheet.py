@@ -11,7 +11,7 @@ from gearwright.render.drawings.compose import Content, Rows
 from gearwright.render.drawings.dimensions import corner_leader, corner_words, words_corners
 from gearwright.render.drawings.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words
 from gearwright.render.drawings.frame import Title
-from gearwright.render.drawings.gear_parts import Hub, hub_of
+from gearwright.render.drawings.gear_parts import BOSS, Boss, Hub, hub_of
 from gearwright.render.drawings.gear_view import (
     BACKUP,
     bevel_corners,
@@ -30,6 +30,8 @@ from gearwright.sizing.result import GearSizing, Sizing
 
 LEAN = math.pi / 4.0
 """Of the hatching [rad]."""
+BESIDE = 0.85
+"""Share of the way from the apex to the hub that angles take, so that their texts stay clear of it [-]."""
 ASIDE = 9.0
 """From a part to its nearest dimension line [mm]."""
 
@@ -70,6 +72,11 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
         yield "Assumed: teeth taper towards the apex (standard depth, ISO 23509)."
         if hub.bore:
             yield f"Assumed: rim {BACKUP:g} × tooth depth behind the root; the apex-to-back distance follows from it."
+        if hub.boss is not None:
+            yield (
+                f"Assumed: hub as long as its seat, Ø {BOSS:g} × the bore with what is cut into it, at most the root Ø"
+                " at the small end."
+            )
     if kind_of(sizing, gear) == "face":
         yield "Face-gear pair: the wheel's tooth form is not sized; drawn by its pitch circle alone."
 
@@ -149,22 +156,37 @@ def _hub(hub: Hub, axis: Axis) -> list[Entity]:
 def _bevel(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entity]:
     profile = bevel_profile(sizing, gear)
     beyond = OVERSHOOT / axis.scale
-    front, _, heel, *_ = bevel_corners(profile, hub.bore)
+    corners = bevel_corners(profile, hub)
+    heel, bored = corners[2], _bored(corners, hub)
     entities: list[Entity] = [
         Path((axis.at(profile.apex - beyond), axis.at(max(heel.real, profile.large[0].real) + beyond)), Layer.CENTRE)
     ]
     entities += bevel_section(axis, profile, hub, away=1.0, lean=LEAN)
-    entities += bore_edges(axis, (front.real, heel.real), hub)
-    angles = list(_bevel_angles(sizing, gear, axis, profile))
-    entities += _bevel_lengths(axis, profile, heel.real if hub.bore else None, angles)
+    entities += bore_edges(axis, bored, hub)
+    angles = list(_bevel_angles(sizing, gear, axis, (profile, hub.boss)))
+    entities += _bevel_lengths(axis, profile, (hub, heel.real), angles)
     entities += angles
     tip = profile.large[0]
-    right = scale_to(axis, max(heel.real, tip.real)) + 9.0
-    entities.append(_at(axis, tip, right + 8.0))
+    right = scale_to(axis, max(heel.real, tip.real, bored[1])) + 9.0
+    entities.append(_at(axis, tip, right + (8.0 if hub.boss is None else 16.0)))
     if hub.bore:
         suffix = f" {hub.tolerance}" if hub.tolerance else ""
-        entities.append(_at(axis, complex(heel.real, hub.bore / 2.0), right, suffix))
+        entities.append(_at(axis, complex(bored[1], hub.bore / 2.0), right, suffix))
+    if hub.boss is not None:
+        outer = complex(max(hub.boss.end, heel.real), hub.boss.diameter / 2.0)
+        entities += [_at(axis, outer, right + 8.0), _hub_length(axis, hub.boss, hub.bore / 2.0)]
     return entities
+
+
+def _bored(corners: Sequence[complex], hub: Hub) -> tuple[float, float]:
+    """Return where the bore begins and ends [mm]."""
+    return (corners[0].real, corners[2].real) if hub.boss is None else (hub.boss.start, hub.boss.end)
+
+
+def _hub_length(axis: Axis, boss: Boss, bore: float) -> Distance:
+    """Return the length of the hub, within its bore."""
+    line = axis.at(0.0, -bore) + 2.0j
+    return Distance(axis.at(boss.start, -bore), axis.at(boss.end, -bore), line, 0.0, axis.scale)
 
 
 def scale_to(axis: Axis, x: float) -> float:
@@ -182,8 +204,11 @@ def _at(axis: Axis, point: complex, x: float, suffix: str = "") -> Distance:
     return Distance(low, high, complex(x, 0.0), math.pi / 2.0, axis.scale, "Ø", suffix)
 
 
-def _bevel_lengths(axis: Axis, profile: BevelProfile, back: float | None, angles: Sequence[Entity]) -> Iterator[Entity]:
-    """Yield face width and, beyond the texts of angles, cone distance; crown and, of a hub, back from the apex."""
+def _bevel_lengths(
+    axis: Axis, profile: BevelProfile, body: tuple[Hub, float], angles: Sequence[Entity]
+) -> Iterator[Entity]:
+    """Yield face width and, beyond the texts of angles, cone distance; hub, crown and back of a body from the apex."""
+    hub, back = body
     apex = axis.at(profile.apex)
     near, far = (axis.at(point.real, point.imag) for point in (profile.small[1], profile.large[1]))
     turn = cmath.phase(far - apex)
@@ -195,18 +220,24 @@ def _bevel_lengths(axis: Axis, profile: BevelProfile, back: float | None, angles
     over = max(((point - far) * above.conjugate()).real for point in texts)
     yield Distance(apex, far, far + above * max(clear + 17.0, over + 1.0), turn, axis.scale)
     crown = axis.at(profile.large[0].real, -profile.large[0].imag)
-    low = crown.imag - 9.0
-    yield Distance(apex, crown, complex(0.0, low), 0.0, axis.scale)
-    if back is not None:
-        yield Distance(apex, axis.at(back, -profile.roots[0].imag), complex(0.0, low - 8.0), 0.0, axis.scale)
+    points = [] if hub.boss is None else [axis.at(hub.boss.start, -hub.boss.diameter / 2.0)]
+    points += [crown, *([axis.at(back, -profile.roots[0].imag)] if hub.bore else [])]
+    for row, point in enumerate(sorted(points, key=lambda each: each.real)):
+        yield Distance(apex, point, complex(0.0, crown.imag - 9.0 - 8.0 * row), 0.0, axis.scale)
 
 
-def _bevel_angles(sizing: Sizing, gear: GearSizing, axis: Axis, profile: BevelProfile) -> Iterator[Entity]:
+def _bevel_angles(
+    sizing: Sizing, gear: GearSizing, axis: Axis, body: tuple[BevelProfile, Boss | None]
+) -> Iterator[Entity]:
     """Yield pitch, face and root cone angle about the apex."""
+    profile, boss = body
     pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
     apex = axis.at(profile.apex)
     face, root = cones(pair, side)
-    clear = min(axis.scale * (profile.roots[0].real - profile.apex), abs(axis.at(*_pair(profile.small[0])) - apex))
+    free = profile.roots[0].real - profile.apex
+    if boss is not None and boss.start > profile.apex:
+        free = min(free, BESIDE * (boss.start - profile.apex))
+    clear = min(axis.scale * free, abs(axis.at(*_pair(profile.small[0])) - apex))
     arcs = [Corner(apex, 0.0, angle, share * clear)
             for share, angle in ((0.94, pair.pitch_angles[side]), (0.7, face), (0.46, root))]  # fmt: skip
     # Where the apex is too near for all three, the table has the others.

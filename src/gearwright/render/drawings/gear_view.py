@@ -68,22 +68,27 @@ def ring_section(
     return entities
 
 
-def bevel_corners(profile: BevelProfile, bore: float) -> list[complex]:
-    """Return the body of a bevel gear below the roots of its teeth, with the rim that is assumed, upper half.
+def bevel_corners(profile: BevelProfile, hub: Hub) -> list[complex]:
+    """Return the body of a bevel gear below the roots of its teeth, with rim and hub that are assumed, upper half.
 
     Args:
         profile: Corners of its teeth.
-        bore: [mm].
+        hub: Its bore, and the hub over its seat; where that ends within the body, its face is recessed.
 
     Returns:
-        Root at the small end, root at the large end, heel of the back cone, back at the bore, front at the bore:
+        Root at the small end, root at the large end, heel of the back cone, back to the bore, front from the bore:
         along the axis away from the apex, from the mean point, and radius [mm].
     """
+    bore, boss = hub.bore / 2.0, hub.boss
     small, large = profile.roots
     depth = large - profile.large[0]
     heel = large + BACKUP * depth
-    heel = complex(heel.real, max(heel.imag, bore / 2.0))
-    return [small, large, heel, complex(heel.real, bore / 2.0), complex(small.real, bore / 2.0)]
+    heel = complex(heel.real, max(heel.imag, bore if boss is None else boss.diameter / 2.0))
+    if boss is None:
+        return [small, large, heel, complex(heel.real, bore), complex(small.real, bore)]
+    outer, start, end = boss.diameter / 2.0, boss.start, boss.end
+    back = [complex(heel.real, outer), complex(end, outer), complex(end, bore)]
+    return [small, large, heel, *back, complex(start, bore), complex(start, outer), complex(small.real, outer)]
 
 
 def bevel_section(axis: Axis, profile: BevelProfile, hub: Hub, *, away: float, lean: float) -> list[Entity]:
@@ -97,7 +102,7 @@ def bevel_section(axis: Axis, profile: BevelProfile, hub: Hub, *, away: float, l
         lean: Angle of the hatching [rad].
     """
     entities: list[Entity] = []
-    body = bevel_corners(profile, hub.bore)
+    body = bevel_corners(profile, hub)
     for side in (1.0, -1.0):
         below = [(away * each.real, side * each.imag) for each in body]
         tooth = [(away * each.real, side * each.imag)

@@ -182,11 +182,7 @@ def toothed_piece(sizing: Sizing, gear: GearSizing, position: float) -> Piece:
 def _cone(sizing: Sizing, gear: GearSizing, middle: float) -> Piece:
     """Return the tip cone of a bevel gear, from the tip of its small end to that of its large end."""
     points = bevel_profile(sizing, gear)
-    pair, (mesh, side) = sizing.design.pairs[gear.stage], meshes_of(sizing, gear.name)[0]
-    del mesh
-    apex = pair.pinion_apex if side == 0 else pair.wheel_apex
-    # Profile counts from the mean point away from the apex.
-    sign = -1.0 if apex == "second" else 1.0
+    sign = away_of(sizing, gear)
     ends = sorted(
         ((middle + sign * tip.real, 2.0 * tip.imag, 2.0 * pitch.imag) for tip, pitch in (points.small, points.large)),
     )
@@ -231,6 +227,17 @@ def bevel_profile(sizing: Sizing, gear: GearSizing) -> BevelProfile:
         roots=(corner(near, root), corner(far, root)),
         apex=-shift,
     )
+
+
+def away_of(sizing: Sizing, gear: GearSizing) -> float:
+    """Return +1 where the apex of a bevel gear lies towards its shaft's first end, −1 where it lies towards the second.
+
+    Args:
+        sizing: What was sized.
+        gear: A bevel gear.
+    """
+    pair, side = sizing.design.pairs[gear.stage], meshes_of(sizing, gear.name)[0][1]
+    return -1.0 if (pair.pinion_apex if side == 0 else pair.wheel_apex) == "second" else 1.0
 
 
 def _overlaid(pieces: list[Piece], own: Piece) -> list[Piece]:
