@@ -15,7 +15,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from gearwright.errors import DesignError, Problem, SolveError, near
-from gearwright.machines.hamilton_standard import Blades, Charts, performance
+from gearwright.machines.hamilton_standard import SMALL_THRUST, Blades, Charts, compressibility, performance
 from gearwright.machines.propeller_map import PropellerMap
 
 MAPS: Mapping[str, Blades] = {
@@ -93,6 +93,41 @@ def propeller_map(name: str) -> PropellerMap:
     if name not in MAPS:
         raise DesignError([Problem("propeller_map", f"there is no shipped map {name!r}; {near(name, MAPS)}")])
     return map_of(_data(f"propeller_{name}.csv"), name)
+
+
+def compressed(name: str, advance_ratio: float, thrust_coefficient: float, *, mach: float, tip_mach: float) -> float:
+    """Return the factor of the air's compressibility on the thrust of a propeller map [-].
+
+    Args:
+        name: Of a shipped map; a map of the user's own stays as it is: 1.
+        advance_ratio: J [-].
+        thrust_coefficient: C_T of the map [-].
+        mach: Flight Mach number [-].
+        tip_mach: π n D over the speed of sound [-].
+
+    Source: Worobel and Mayo, NASA CR-114399 (1971).
+
+    Raises:
+        DesignError: The charts do not hold the Mach number.
+    """
+    if name not in MAPS:
+        return 1.0
+    factor, left = compressibility(
+        hamilton_standard_charts(),
+        MAPS[name],
+        advance_ratio,
+        thrust_coefficient=thrust_coefficient,
+        mach=mach,
+        tip_mach=tip_mach,
+    )
+    held = [each for each in left if each != SMALL_THRUST]
+    if held:
+        message = (
+            f"Mach {mach:.3f}, {tip_mach:.3f} at the tips, at advance ratio {advance_ratio:.3g} lies outside the charts"
+            f" ({', '.join(held)}); fly slower, turn slower, or give a map of your own"
+        )
+        raise DesignError([Problem("propeller.map", message)])
+    return factor
 
 
 def read_propeller_map(path: str | Path) -> PropellerMap:

@@ -24,6 +24,8 @@ STATIC_FADE = 0.5
 """Advance ratio at which the static tip Mach number no longer counts [-]: the next chart's advance ratio."""
 _MOST_THRUST = 3.0
 """Upper end of the search for C_T; the charts end at 0.8 for twice the base activity factor."""
+SMALL_THRUST = "compressibility at small thrust"
+"""Table that is left where there is hardly a thrust: its factor is held, and does not count."""
 
 
 class Charts(NamedTuple):
@@ -157,6 +159,28 @@ def performance(
     return Performance(math.radians(angle), float(thrust * factor), float(factor), tuple(sorted(look.held)))
 
 
+def compressibility(
+    charts: Charts, blades: Blades, advance_ratio: float, *, thrust_coefficient: float, mach: float, tip_mach: float
+) -> tuple[float, tuple[str, ...]]:
+    """Return the factor of the air's compressibility on C_T [-], and the tables that were left.
+
+    Args:
+        charts: From the catalogue.
+        blades: The propeller.
+        advance_ratio: J = V/(n D) [-].
+        thrust_coefficient: C_T without compressibility [-].
+        mach: Flight Mach number [-].
+        tip_mach: π n D over the speed of sound [-].
+
+    Source: Worobel and Mayo, NASA CR-114399 (1971); as in `performance`.
+
+    Valid for: where no table was left.
+    """
+    look = Look()
+    factor = _compressibility(look, charts, blades, (advance_ratio, mach, tip_mach, thrust_coefficient))
+    return float(factor), tuple(sorted(look.held))
+
+
 def _around(nodes: Array, x: float) -> range:
     """The nodes that count at a point: itself, or the three or four around it."""
     k = int(np.searchsorted(nodes, x, side="right")) - 1
@@ -254,7 +278,8 @@ def _compressibility(look: Look, charts: Charts, blades: Blades, where: tuple[fl
     scale = look.at(advance_ratio, (charts.advance_ratio, charts.lift_scale[1]), "advance ratio")
     lifted = effective * number * _lift_thrust(look, charts, blades, (count, scale, effective))
     machs, thrusts, factors = charts.compressibility
-    rows = np.array([look.at(lifted, (thrusts, row), "compressibility") for row in factors])
+    name = SMALL_THRUST if lifted < thrusts[0] else "compressibility"
+    rows = np.array([look.at(lifted, (thrusts, row), name) for row in factors])
     return look.at(excess, (machs, rows), "compressibility")
 
 

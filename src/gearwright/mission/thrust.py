@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import math
 
+from gearwright.catalogue.propellers import compressed
 from gearwright.errors import DesignError, Problem
 from gearwright.machines.propeller_map import PropellerMap, angle_for_power, angle_for_thrust, coefficients
 from gearwright.mission.gearbox import Gearbox
 from gearwright.mission.profile import Moment
 from gearwright.spec.mission import Mission, Phase
 from gearwright.units import GRAVITY
+
+_ROUNDS = 8
+"""Rounds in which the factor of compressibility settles: it hardly changes with the thrust [-]."""
 
 
 def propeller_power(
@@ -30,11 +34,11 @@ def propeller_power(
     phase = mission.phases[moment.phase]
     if moment.power is not None or chart is None:
         return None
-    diameter, turns, ratio = _advance(gearbox, moment)
+    advance = diameter, turns, ratio = _advance(gearbox, moment)
     angle = phase.pitch
     if angle is None:
-        thrust = _needed_thrust(mission, moment, phase, burnt)
-        angle = angle_for_thrust(chart, ratio, thrust / (moment.air.density * turns**2 * diameter**4))
+        thrust = _needed_thrust(mission, moment, phase, burnt) / (moment.air.density * turns**2 * diameter**4)
+        angle = angle_for_thrust(chart, ratio, _incompressible(mission.propeller_map, moment, advance, thrust))
     return coefficients(chart, ratio, angle).power * moment.air.density * turns**3 * diameter**5
 
 
@@ -58,19 +62,35 @@ def _needed_thrust(mission: Mission, moment: Moment, phase: Phase, burnt: float)
     return (drag_force + weight * slope) / (phase.engines or mission.engines)
 
 
-def performed(chart: PropellerMap | None, gearbox: Gearbox, moment: Moment, work: float) -> dict[str, float]:
+def _incompressible(name: str, moment: Moment, advance: tuple[float, float, float], thrust: float) -> float:
+    """Return the C_T of the map that compressibility brings down to a thrust coefficient."""
+    found = thrust
+    for _ in range(_ROUNDS):
+        found = thrust / _factor(name, moment, advance, found)
+    return found
+
+
+def _factor(name: str, moment: Moment, advance: tuple[float, float, float], thrust: float) -> float:
+    diameter, turns, ratio = advance
+    tip_mach = math.pi * turns * diameter / moment.air.sound_speed
+    return compressed(name, ratio, thrust, mach=moment.mach, tip_mach=tip_mach)
+
+
+def performed(
+    chart: tuple[str, PropellerMap | None], gearbox: Gearbox, moment: Moment, work: float
+) -> dict[str, float]:
     """Return where the aircraft is and what its propeller does with a power.
 
     Args:
-        chart: Map of the propeller; None: powers are schedules.
+        chart: Name and map of the propeller; None: powers are schedules.
         gearbox: With the propeller's diameter.
         moment: Where it is flown.
         work: Power that reaches the propeller [W].
 
     Raises:
-        DesignError: The power lies outside the map.
+        DesignError: The power lies outside the map, or the Mach number outside its charts.
     """
-    diameter, turns, ratio = _advance(gearbox, moment)
+    name, table = chart
     return {
         "time": moment.time,
         "duration": moment.duration,
@@ -81,12 +101,15 @@ def performed(chart: PropellerMap | None, gearbox: Gearbox, moment: Moment, work
         "air_density": moment.air.density,
         "propeller_speed": moment.propeller_speed,
         "propeller_power": work,
-        "advance_ratio": ratio,
-        **(_pulled(chart, (diameter, turns, ratio), moment.air.density, work) if chart is not None else {}),
+        "advance_ratio": _advance(gearbox, moment)[2],
+        **(_pulled(name, table, gearbox, moment, work) if table is not None else {}),
     }
 
 
-def _pulled(chart: PropellerMap, advance: tuple[float, float, float], density: float, work: float) -> dict[str, float]:
+def _pulled(name: str, chart: PropellerMap, gearbox: Gearbox, moment: Moment, work: float) -> dict[str, float]:
+    density, advance = moment.air.density, _advance(gearbox, moment)
     diameter, turns, ratio = advance
     angle = angle_for_power(chart, ratio, work / (density * turns**3 * diameter**5))
-    return {"pitch": angle, "thrust": coefficients(chart, ratio, angle).thrust * density * turns**2 * diameter**4}
+    thrust = coefficients(chart, ratio, angle).thrust
+    factor = _factor(name, moment, advance, thrust)
+    return {"pitch": angle, "compressibility": factor, "thrust": factor * thrust * density * turns**2 * diameter**4}
