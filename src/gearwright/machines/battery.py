@@ -56,6 +56,17 @@ def stored_energy(battery: Battery, state_of_charge: float) -> float:
     return battery.charge * (battery.empty_voltage * state_of_charge + 0.5 * rise * state_of_charge**2)
 
 
+def highest_current(battery: Battery) -> float:
+    """Return the largest current that its C-rate allows, charging or discharging [A].
+
+    Args:
+        battery: The battery.
+
+    Source: definition of the C-rate: current over capacity, per hour.
+    """
+    return battery.highest_rate * battery.charge / 3600.0
+
+
 def battery_step(battery: Battery, state_of_charge: float, power: float, duration: float) -> BatteryStep:
     """Return a battery after an interval of constant power at its terminals.
 
@@ -78,7 +89,7 @@ def battery_step(battery: Battery, state_of_charge: float, power: float, duratio
     after = state_of_charge - current * duration / battery.charge
     middle = battery.empty_voltage + rise * 0.5 * (state_of_charge + after)
     fault = ""
-    if square < 0.0 or abs(current) > battery.highest_rate * battery.charge / 3600.0 * (1.0 + 1e-9):
+    if square < 0.0 or abs(current) > highest_current(battery) * (1.0 + 1e-9):
         fault = OVERLOADED
     elif after < battery.least:
         fault = EMPTY

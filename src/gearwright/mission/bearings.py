@@ -107,6 +107,8 @@ class BearingLives:
     """The worst first."""
     notes: tuple[str, ...]
     """Seats without a bearing, and why."""
+    unrated: tuple[str, ...] = ()
+    """Seats that bear a load and have no bearing."""
 
     @property
     def mass(self) -> Mass:
@@ -127,7 +129,7 @@ def bearing_lives(flight: Flight) -> BearingLives:
         DesignError: A named bearing that does not fit its seat, or cannot bear its kind of load.
     """
     rows, notes, problems = [], [], []
-    idle, opened = [], []
+    idle, opened, failed = [], [], []
     for seat, duty in seat_duties(flight):
         named = _named(flight, seat)
         if float(np.hypot(duty.radial, duty.axial).max()) < _LEAST_LOAD:
@@ -140,6 +142,7 @@ def bearing_lives(flight: Flight) -> BearingLives:
             except DesignError as error:
                 problems += [Problem(_path(seat), each.message) for each in error.problems if named]
                 notes += [f"{seat.name}: {each.message}" for each in error.problems if not named]
+                failed.append(seat.name)
     if problems:
         raise DesignError(problems)
     notes += [f"{', '.join(idle)}: nothing to rate, as the forces of the meshes cancel"] if idle else []
@@ -150,7 +153,7 @@ def bearing_lives(flight: Flight) -> BearingLives:
         for row in rows
         if row.falls_short
     ]
-    return BearingLives(tuple(sorted(rows, key=lambda row: -row.damage)), tuple(notes))
+    return BearingLives(tuple(sorted(rows, key=lambda row: -row.damage)), tuple(notes), (*opened, *failed))
 
 
 def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:

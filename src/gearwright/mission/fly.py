@@ -39,7 +39,7 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
         DesignError: A power that the machines cannot give, a battery that is empty or overloaded, a point outside the
             propeller map; with phase and time.
 
-    Valid for: steady flight; the propeller map has no compressibility.
+    Valid for: steady flight; a propeller map of one's own has the compressibility that it was measured with.
     """
     problems = mission_problems(mission)
     if problems:
@@ -108,9 +108,9 @@ def _interval(
     lost = float(point.mesh_losses.sum())
     work = float(point.machine_powers.sum()) - lost
     rating = mission.engine.contingency if engine_out(mission, mission.phases[moment.phase]) else 1.0
-    driven = supply.drive(gearbox, moment, (point, powers), (charge, rating))
+    driven = supply.drive(gearbox, moment, (point, powers), (charge, rating, mission.phases[moment.phase].mode))
     return {
-        **performed(chart, gearbox, moment, work),
+        **performed((mission.propeller_map, chart), gearbox, moment, work),
         **driven,
         "mesh_loss": lost,
         "bearing_loss": friction.bearings,

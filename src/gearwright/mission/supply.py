@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from gearwright.air.airspeed import stagnation_ratios
 from gearwright.errors import DesignError, Problem, near
-from gearwright.machines.battery import Battery, BatteryStep, battery_step
+from gearwright.machines.battery import EMPTY, FULL, Battery, BatteryStep, battery_step, highest_current
 from gearwright.machines.gas_turbine import Engine, PowerLimits, fuel_flow, power_limits
 from gearwright.machines.motor_efficiency import MotorLosses, motor_loss, rated_losses
 from gearwright.mission.gearbox import Array, Gearbox, Point
@@ -62,7 +62,7 @@ class Supply:
         return {**_divided(1.0 - share, turbines), **_divided(share, motors)}
 
     def drive(
-        self, gearbox: Gearbox, moment: Moment, now: tuple[Point, Array], state: tuple[float, float]
+        self, gearbox: Gearbox, moment: Moment, now: tuple[Point, Array], state: tuple[float, float, str]
     ) -> dict[str, float]:
         """Return fuel, charge and losses of an interval.
 
@@ -70,18 +70,18 @@ class Supply:
             gearbox: With the machines' names.
             moment: Where it is flown.
             now: The operating point, and the machines' powers [W].
-            state: State of charge at the start, and the turbines' rating over the usual one [-].
+            state: State of charge at the start, the turbines' rating over the usual one [-], and the phase's mode.
 
         Raises:
             DesignError: A machine or the battery cannot give its power.
         """
-        (point, values), (charge, rating) = now, state
+        (point, values), (charge, rating, mode) = now, state
         speeds = _machine_speeds(gearbox, point)
         powers = dict(zip(gearbox.machines, (float(each) for each in values), strict=True))
         fuel, available = self._burn(moment, powers, speeds, rating)
-        lost = sum(self._heat(name, powers[name], speeds[name]) for name in self.motors if powers[name])
+        lost = sum(self._heat(name, (powers[name], speeds[name]), mode) for name in self.motors if powers[name])
         electric = sum(powers[name] for name in self.motors) + lost
-        step = self._discharge(charge, electric, moment)
+        step = self._discharge(charge, electric, moment, mode)
         return {
             **{f"power.{name}": power for name, power in powers.items()},
             "fuel_flow": fuel,
@@ -134,18 +134,18 @@ class Supply:
         given = f"gives {most / 1e3:.4g} kW (by its {bound})"
         return f"needs {power / 1e3:.4g} kW at {moment.altitude:.0f} m, and {given}; {fix}"
 
-    def _heat(self, name: str, power: float, speed: float) -> float:
-        motor = self.motors[name]
+    def _heat(self, name: str, point: tuple[float, float], mode: str) -> float:
+        motor, (power, speed) = self.motors[name], point
         torque = power / speed if speed else 0.0
         if abs(torque) > motor.peak_torque * (1.0 + _SLACK) or abs(power) > motor.peak_power * (1.0 + _SLACK):
             message = (
                 f"needs {power / 1e3:.0f} kW and {torque:.0f} N m; its limits are {motor.peak_power / 1e3:.0f} kW and"
-                f" {motor.peak_torque:.0f} N m; lower electric_share or power, or raise motor.overload"
+                f" {motor.peak_torque:.0f} N m; {_less(mode)}, or raise motor.overload"
             )
             raise DesignError([Problem(name, message)])
         return motor_loss(motor, torque, speed)
 
-    def _discharge(self, charge: float, power: float, moment: Moment) -> BatteryStep:
+    def _discharge(self, charge: float, power: float, moment: Moment, mode: str) -> BatteryStep:
         if self.battery is None:
             if power > 0.0:
                 message = (
@@ -155,13 +155,30 @@ class Supply:
             return BatteryStep(0.0, 0.0, 0.0, 0.0, 0.0, "")
         step = battery_step(self.battery, charge, power, moment.duration)
         if step.fault:
-            message = (
-                f"{step.fault}: {power / 1e3:.0f} kW at a state of charge of {charge:.3f}"
-                f" (least {self.battery.least:g}, {abs(step.current):.0f} A); lower electric_share, or give more"
-                " energy_kwh"
-            )
-            raise DesignError([Problem("battery", message)])
+            raise DesignError([Problem("battery", _faulty(self.battery, (charge, power), step, mode))])
         return step
+
+
+def _less(mode: str) -> str:
+    """Return what makes the motors' power less; only a hybrid phase divides it."""
+    return "lower electric_share or power" if mode == "hybrid" else "ask for less power"
+
+
+def _faulty(battery: Battery, asked: tuple[float, float], step: BatteryStep, mode: str) -> str:
+    """Return what is wrong with a power that a battery cannot give or take, its limit, and what helps."""
+    charge, power = asked
+    said = f"{step.fault}: {power / 1e3:.0f} kW at a state of charge of {charge:.3f}"
+    less = _less(mode)
+    if step.fault == FULL:
+        return f"{said} (most 1); start with a lower start_charge, charge less or shorter, or give more energy_kwh"
+    if step.fault == EMPTY:
+        return f"{said} (least {battery.least:g}); {less}, fly shorter, or give more energy_kwh"
+    most = highest_current(battery)
+    if abs(step.current) <= most:  # no current gives this power behind the resistance
+        limit = f"more than its resistance of {battery.resistance:g} Ω lets through"
+        return f"{said}, {limit}; {less}, or lower resistance_ohm"
+    limit = f"{abs(step.current):.0f} A, of {most:.0f} A (highest_c_rate {battery.highest_rate:g})"
+    return f"{said}: {limit}; {less}, or give more energy_kwh or highest_c_rate"
 
 
 def _braked(power: float) -> str:

@@ -49,6 +49,11 @@ class Durability:
     """What is not rated, and why."""
 
     @property
+    def is_partial(self) -> bool:
+        """True where a gear or a bearing under load is not rated: then it may be the first to fail."""
+        return bool(self.bearings.unrated) or len(self.notes) > len(self.bearings.notes)
+
+    @property
     def parts(self) -> tuple[PartLife, ...]:
         """Every part and every way to fail, the one that governs first."""
         rows = [PartLife(each.gear, each.mode, each.damage, each.flights, each.life) for each in self.gears]

@@ -21,7 +21,7 @@ from gearwright.render.flight_figures import (
 from gearwright.render.flight_lives import lasting_parts, life_figure, mass_of_life_figure, spectrum_figure
 from gearwright.render.flight_sankey import KWH, sankey_figure
 from gearwright.render.flight_tables import asked_table, bearing_table, life_table, loss_table, mode_table, phase_table
-from gearwright.render.flight_text import life_text, verdict_text
+from gearwright.render.flight_text import count_text, life_text, verdict_text
 from gearwright.render.inputs import entries
 from gearwright.render.pages import environment
 from gearwright.render.report_parts import Figure, Section, formulas
@@ -85,7 +85,8 @@ def _numbers(flight: Flight, parts: Durability) -> Iterator[tuple[str, str]]:
     yield "hottest oil", f"{float(flight.history['oil_outlet'].max()) - KELVIN:.0f} °C"
     yield "gearbox efficiency", f"{flight.efficiency():.2%}"
     if first is not None and first.damage:
-        yield f"first to fail: {first.name}", f"{first.flights:,.0f} flights"
+        scope = " of what is rated" if parts.is_partial else ""
+        yield f"first to fail{scope}: {first.name}", f"{count_text(first.flights)} flights"
 
 
 def _windows(flight: Flight, flown: Sequence[DynamicWindow]) -> Section:
@@ -103,8 +104,8 @@ def _verdict(flight: Flight, parts: Durability, life: LifeSizing | None) -> Sect
     gear = next((row for row in parts.parts if not row.is_bearing and row.damage), None)
     notes = [f"{verdict_text(parts)}."]
     if gear is not None and gear is not parts.parts[0]:
-        words = f"First gear to fail: {gear.name}, {gear.mode}, after {gear.flights:,.0f} flights"
-        notes.append(f"{words} or {gear.life:,.0f} h.")
+        words = f"First gear to fail: {gear.name}, {gear.mode}, after {count_text(gear.flights)} flights"
+        notes.append(f"{words} or {count_text(gear.life)} h.")
     notes += [*_took(flight), *([f"{life_text(life)}."] if life is not None else [])]
     return Section("Verdict", notes=tuple(notes))
 

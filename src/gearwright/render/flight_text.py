@@ -17,7 +17,7 @@ _KWH = 3.6e6
 MOST_ROWS = 8
 """Parts that are shown in words [-]."""
 _MOST_LIFE = 1e6
-"""Lives above this many hours are shown as such."""
+"""Flights and hours above this many are shown as such."""
 
 
 def flight_text(flight: Flight, parts: Durability, life: LifeSizing | None = None) -> str:
@@ -45,7 +45,18 @@ def verdict_text(parts: Durability) -> str:
     if not rows or not rows[0].damage:
         return "Nothing that is rated fails"
     first = rows[0]
-    return f"First to fail: {first.name}, {first.mode}, after {first.flights:.0f} flights or {first.life:.0f} h"
+    scope = " of what is rated" if parts.is_partial else ""
+    lasts = f"{count_text(first.flights)} flights or {count_text(first.life)} h"
+    return f"First to fail{scope}: {first.name}, {first.mode}, after {lasts}"
+
+
+def count_text(number: float) -> str:
+    """Return a number of flights or hours, or what it is greater than where it is beyond any sense.
+
+    Args:
+        number: [-] or [h].
+    """
+    return f"{number:.0f}" if number < _MOST_LIFE else f"> {_MOST_LIFE:.0e}"
 
 
 def life_text(life: LifeSizing) -> str:
@@ -96,7 +107,7 @@ def _totals(flight: Flight) -> list[str]:
 def _damage(rows: Sequence[PartLife]) -> list[str]:
     lines = [f"{'part':24} {'mode':16} {'damage a flight':>16} {'flights':>10} {'life h':>10}"]
     for row in rows[:MOST_ROWS]:
-        numbers = [f"{each:.0f}" if each < _MOST_LIFE else f"> {_MOST_LIFE:.0e}" for each in (row.flights, row.life)]
+        numbers = [count_text(each) for each in (row.flights, row.life)]
         lines.append(f"{row.name:24} {row.mode:16} {row.damage:16.2e} {numbers[0]:>10} {numbers[1]:>10}")
     return lines
 

@@ -59,7 +59,7 @@ def test_a_flight_with_gears_that_are_not_rated_says_why():
     result = run("face-gear-split-torque", "rotor-schedule")
     assert result.exit_code == 0
     assert "ISO 6336 rates cylindrical gears only" in result.output
-    assert "First to fail: " in result.output
+    assert "First to fail of what is rated: " in result.output
 
 
 def test_a_life_is_bought_with_mass():

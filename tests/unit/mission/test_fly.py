@@ -5,7 +5,9 @@ import math
 import numpy as np
 import pytest
 
+from gearwright.catalogue.propellers import MAPS, compressed, hamilton_standard_charts
 from gearwright.errors import DesignError
+from gearwright.machines.hamilton_standard import performance
 from gearwright.mission import (
     durability,
     fly,
@@ -15,7 +17,7 @@ from gearwright.mission import (
     shaft_spectrum,
     unrated_stages,
 )
-from gearwright.render.flight_text import flight_csv, flight_json, flight_text
+from gearwright.render.flight_text import flight_csv, flight_json, flight_text, verdict_text
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import read
@@ -123,11 +125,35 @@ def test_a_turbine_does_not_take_what_the_air_drives(windmill):
         fly(HYBRID, parse_mission(text.replace("electric", "conventional")), folder=folder)
 
 
-def test_thrust_carries_the_weight_up_the_slope():
-    """T = D + m g sin γ with C_D = C_D0 + k C_L², by hand in the middle of the phase; 1e-3 for the fuel burnt."""
+def test_a_fast_propeller_loses_thrust_to_compressibility_as_its_charts_say():
+    """The cruise of the thesis, Mach 0.52, by the method of the charts from its power: 0.963; 1e-4: the map's grid."""
+    h, k = THESIS.history, THESIS.phase.index("cruise") + 5
+    turns, diameter = h["propeller_speed"][k] / (2 * np.pi), HYBRID.design.propellers["propeller"].diameter
+    power = h["propeller_power"][k] / (h["air_density"][k] * turns**3 * diameter**5)
+    found = performance(hamilton_standard_charts(), MAPS["6-blades-af115"], h["advance_ratio"][k],
+                        power_coefficient=power, mach=h["mach"][k])  # fmt: skip
+    assert found.compressibility == pytest.approx(0.963, abs=1e-3)
+    assert h["compressibility"][k] == pytest.approx(found.compressibility, abs=1e-4)
+    scale = h["air_density"][k] * turns**2 * diameter**4
+    assert h["thrust"][k] == pytest.approx(found.thrust_coefficient * scale, rel=2e-3)
+
+
+def test_a_mach_number_beyond_the_charts_is_refused():
+    """The excess over the critical Mach number ends at 0.3; a map of one's own is taken as it is."""
+    with pytest.raises(DesignError, match=r"Mach 0\.900, 0\.950 at the tips, .* outside the charts"):
+        compressed("6-blades-af115", 2.0, 0.1, mach=0.9, tip_mach=0.95)
+    assert compressed("mine.csv", 2.0, 0.1, mach=0.9, tip_mach=0.95) == 1.0
+
+
+@pytest.mark.parametrize("turning", [1212, 1500])
+def test_thrust_carries_the_weight_up_the_slope(turning):
+    """T = D + m g sin γ with C_D = C_D0 + k C_L², by hand in the middle of the phase; 1e-3 for the fuel burnt.
+
+    The faster propeller loses some thrust to compressibility, and pitch makes up for it.
+    """
     aircraft = "[aircraft]\nmass_kg = 9000\nwing_area_m2 = 61\nzero_lift_drag = 0.028\ninduced_drag = 0.034\n"
     text = BASE.replace("power_kw = 900\n", "from_altitude_ft = 4000\n").replace("[engine]", aircraft + "[engine]")
-    flight = flown(text, CONVENTIONAL)
+    flight = flown(text.replace("1212", str(turning)), CONVENTIONAL)
     k, h = len(flight.phase) // 2, flight.history
     speed, slope = h["true_airspeed"][k], 1000 * 0.3048 / 120 / h["true_airspeed"][k]
     from gearwright.air.atmosphere import air_at
@@ -136,6 +162,7 @@ def test_thrust_carries_the_weight_up_the_slope():
     lift = 9000 * 9.80665 * math.sqrt(1 - slope**2) / dynamic
     thrust = dynamic * (0.028 + 0.034 * lift**2) + 9000 * 9.80665 * slope
     assert h["thrust"][k] == pytest.approx(thrust, rel=1e-3)
+    assert (h["compressibility"][k] < 0.999) == (turning > 1400)
 
 
 @pytest.mark.parametrize(
@@ -169,6 +196,26 @@ def test_what_cannot_be_flown_is_refused_with_phase_and_value(old, new, expected
         text = text.replace("energy_kwh = 100", "energy_kwh = 200\nhighest_c_rate = 20")
     with pytest.raises(DesignError, match=expected):
         flown(text)
+
+
+def test_a_battery_names_its_limit_and_what_helps_in_the_mode():
+    """1 C of 100 kWh at 2.5 % less than its mean voltage; only a hybrid phase has a share to lower."""
+    electric = BASE.replace("power_kw = 900", 'power_kw = 900\nmode = "electric"')
+    weak = electric.replace("energy_kwh = 100", "energy_kwh = 100\nhighest_c_rate = 1")
+    expected = r"overloaded: .* A, of [\d.]+ A \(highest_c_rate 1\); ask for less power, or give more energy_kwh or"
+    with pytest.raises(DesignError, match=expected):
+        flown(weak)
+    with pytest.raises(DesignError, match="; lower electric_share or power, or give"):
+        flown(weak.replace('"electric"', '"hybrid"\nelectric_share = 0.5'))
+    with pytest.raises(DesignError, match="its resistance of 50 Ω lets through; ask for less power, or lower"):
+        flown(electric.replace("energy_kwh = 100", "energy_kwh = 100\nhighest_c_rate = 100\nresistance_ohm = 50"))
+
+
+def test_a_full_battery_is_told_to_start_with_less(windmill):
+    text, folder = windmill
+    full = text.replace("start_charge = 0.5", "start_charge = 1")
+    with pytest.raises(DesignError, match=r"full: .*\(most 1\); start with a lower start_charge, charge less"):
+        fly(HYBRID, parse_mission(full), folder=folder)
 
 
 def test_an_electric_phase_needs_a_motor():
@@ -213,6 +260,21 @@ def test_a_flight_is_told_in_words_numbers_and_histories():
     assert len(table) == len(THESIS.phase) + 1
     assert "bearing.second.planet" in table[0]
     assert '"fuel"' in flight_json(THESIS, parts)
+
+
+def test_lives_beyond_any_sense_are_not_printed_in_full():
+    """The worst part of a light flight lives longer than a million flights, and the sentence says just that."""
+    parts = durability(flown(BASE.replace("power_kw = 900", "power_kw = 600")))
+    assert parts.parts[0].flights > 1e6
+    assert " after > 1e+06 flights or " in verdict_text(parts)
+
+
+def test_a_verdict_without_all_bearings_is_of_what_is_rated():
+    """Without [bearings] the planets' bearings are unknown; with it, one that falls short is rated all the same."""
+    assert verdict_text(durability(flown(BASE))).startswith("First to fail of what is rated: ")
+    parts = durability(THESIS)
+    assert parts.notes
+    assert verdict_text(parts).startswith("First to fail: ")
 
 
 def test_a_rotor_flies_by_its_schedules_and_its_face_gears_are_not_rated():
