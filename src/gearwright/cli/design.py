@@ -27,27 +27,52 @@ DurationOption = Annotated[float, typer.Option(help="Time to simulate [s]", min=
 
 
 def new(
-    name: Annotated[str | None, typer.Argument(help="Name of a shipped design; left out: list them")] = None,
+    name: Annotated[str | None, typer.Argument(help="A shipped design, mission or study; left out: list them")] = None,
     file: Annotated[Path | None, typer.Argument(help="File to write; left out: NAME.toml here")] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace a file that is there")] = False,
 ) -> None:
-    """Write a shipped design as a file to start from, or list all of them."""
+    """Write a shipped design, mission or study as a file to start from, or list all of them."""
     from gearwright.errors import DesignError, Problem
-    from gearwright.shipped import shipped_design, shipped_designs
-    from gearwright.spec import read
+    from gearwright.shipped import shipped_file
 
     if name is None:
-        for each in shipped_designs():
-            typer.echo(f"{each:24} {read(shipped_design(each)).name}")
+        _list()
         return
-    text = shipped_design(name).read_text(encoding="utf-8")
+    source = shipped_file(name)
+    text = source.read_text(encoding="utf-8")
     target = file or Path(f"{name}.toml")
     if target.exists() and not force:
         raise DesignError(
             [Problem("", "the file is there already; give another name, or --force to replace it")], str(target)
         )
     target.write_text(text, encoding="utf-8")
-    typer.echo(f"wrote {target}; next: gearwright run {target}")
+    follows = {"designs": "run", "missions": "fly DESIGN", "studies": "study"}[source.parent.name]
+    typer.echo(f"wrote {target}; next: gearwright {follows} {target}")
+
+
+def _list() -> None:
+    """Print every shipped file with its name, under what it is."""
+    from gearwright.shipped import (
+        shipped_design,
+        shipped_designs,
+        shipped_mission,
+        shipped_missions,
+        shipped_studies,
+        shipped_study,
+    )
+    from gearwright.spec import read
+    from gearwright.spec.mission import read_mission
+    from gearwright.spec.study import read_study
+
+    typer.echo("designs")
+    for each in shipped_designs():
+        typer.echo(f"{each:24} {read(shipped_design(each)).name}")
+    typer.echo("\nmissions")
+    for each in shipped_missions():
+        typer.echo(f"{each:24} {read_mission(shipped_mission(each)).name}")
+    typer.echo("\nstudies")
+    for each in shipped_studies():
+        typer.echo(f"{each:24} {read_study(shipped_study(each)).name}")
 
 
 def check(design: DesignArgument) -> None:

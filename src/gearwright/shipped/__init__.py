@@ -1,4 +1,4 @@
-"""Design, mission and study files that come with gearwright; `gearwright new` copies the designs."""
+"""Design, mission and study files that come with gearwright; `gearwright new` copies them."""
 
 from __future__ import annotations
 
@@ -29,6 +29,25 @@ def shipped_design(name: str) -> Path:
     if name not in shipped_designs():
         raise DesignError([Problem("name", f"there is no shipped design {name!r}; {near(name, shipped_designs())}")])
     return _DESIGNS / f"{name}.toml"
+
+
+def shipped_file(name: str) -> Path:
+    """Return the path of a shipped design, mission or study file; no two share a name.
+
+    Args:
+        name: Such as ``in-line-h2`` or ``thesis``.
+
+    Raises:
+        DesignError: If there is none of this name; with the nearest one.
+    """
+    if name in shipped_missions():
+        return shipped_mission(name)
+    if name in shipped_studies():
+        return shipped_study(name)
+    if name in shipped_designs():
+        return shipped_design(name)
+    names = (*shipped_designs(), *shipped_missions(), *shipped_studies())
+    raise DesignError([Problem("name", f"there is no shipped design, mission or study {name!r}; {near(name, names)}")])
 
 
 def find_design(name: str, folder: Path = Path()) -> Path:

@@ -11,7 +11,14 @@ from designs import HYBRID, PAIR, changed
 from gearwright import __version__
 from gearwright.cli import app, main
 from gearwright.errors import SolveError
-from gearwright.shipped import shipped_design, shipped_designs
+from gearwright.shipped import (
+    shipped_design,
+    shipped_designs,
+    shipped_mission,
+    shipped_missions,
+    shipped_studies,
+    shipped_study,
+)
 
 DONE, FAILED, WRONG = 0, 1, 2
 
@@ -91,6 +98,20 @@ def test_new_lists_and_copies_and_does_not_overwrite(call, tmp_path):
     assert target.read_text(encoding="utf-8") == "mine"
     assert call("new", "in-line", "--force").code == DONE
     assert target.read_bytes() == shipped_design("in-line").read_bytes()
+
+
+def test_new_lists_and_copies_missions_and_studies_too(call, tmp_path):
+    """Under headings; every file is written as it is shipped, and told how it is used; names are unique."""
+    listed = call("new").out.splitlines()
+    assert [line for line in listed if line in ("designs", "missions", "studies")] == ["designs", "missions", "studies"]
+    names = [*shipped_designs(), *shipped_missions(), *shipped_studies()]
+    assert [line.split()[0] for line in listed if " " in line] == names
+    assert len(set(names)) == len(names)
+    assert "next: gearwright fly DESIGN thesis.toml" in call("new", "thesis").out
+    assert (tmp_path / "thesis.toml").read_bytes() == shipped_mission("thesis").read_bytes()
+    assert "next: gearwright study motor-speed.toml" in call("new", "motor-speed").out
+    assert (tmp_path / "motor-speed.toml").read_bytes() == shipped_study("motor-speed").read_bytes()
+    assert "did you mean thesis?" in call("new", "thesiss").err
 
 
 def test_new_names_the_nearest_design(call):
