@@ -45,7 +45,8 @@ def fly(
     if window and report is None:
         raise DesignError([Problem("--window", "windows are drawn on the page; name its file with --report, too")])
     flight, parts, life = _flown(design_of(design), mission, life_h=life_h)
-    from gearwright.render.flight_text import flight_csv, flight_json, flight_text
+    from gearwright.render.flight_data import flight_csv, flight_json
+    from gearwright.render.flight_text import flight_text
 
     typer.echo(flight_json(flight, parts, life) if json else flight_text(flight, parts, life))
     if report is not None:

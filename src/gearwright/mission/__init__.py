@@ -6,7 +6,7 @@ from gearwright.mission.flight import Balance, Flight, PhaseSummary, phase_summa
 from gearwright.mission.fly import fly
 from gearwright.mission.governed import Window, governed_window, rotor_at, trim_at
 from gearwright.mission.life import LifeSizing, size_for_life
-from gearwright.mission.spectrum import DutyBin, mesh_spectrum, shaft_spectrum
+from gearwright.mission.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
 from gearwright.mission.verdict import Durability, PartLife, durability
 
 __all__ = [
@@ -22,6 +22,7 @@ __all__ = [
     "PhaseSummary",
     "Window",
     "bearing_lives",
+    "bearing_spectra",
     "durability",
     "fly",
     "gear_damage",

@@ -97,14 +97,14 @@ def _joined(flight: Flight, gear: str, parts: Sequence[float]) -> float:
 
 def _mesh_damage(flight: Flight, mesh: Mesh) -> list[tuple[float, float]]:
     """Return (pitting, bending) of gear a and gear b of a mesh."""
-    bins = [each for each in mesh_spectrum(flight, mesh.name) if each.torque > _LEAST_TORQUE and each.turns > 0.0]
+    bins = [each for each in mesh_spectrum(flight, mesh.name) if each.load > _LEAST_TORQUE and each.turns > 0.0]
     if not bins:
         return [(0.0, 0.0), (0.0, 0.0)]
     rating, ask = _rating(flight, mesh.stage), _ask(flight, mesh)
     gear = next(gear for gear in flight.sizing.gears if gear.name == mesh.gears[0])
     mate = next(gear for gear in flight.sizing.gears if gear.name == mesh.gears[1])
     size = (gear.module, min(gear.face_width, mate.face_width))
-    loads = [each.torque * rating.load_factor for each in bins]
+    loads = [each.load * rating.load_factor for each in bins]
     strains = strains_under(rating, ask, loads, [each.speed for each in bins], size)
     treatment = steel_of(rating).treatment
     curves = (contact_life_curve(treatment), bending_life_curve(treatment))

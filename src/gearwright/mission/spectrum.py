@@ -1,4 +1,4 @@
-"""The duty spectrum of a flight: cycles against load for every mesh, time against torque for every shaft."""
+"""The duty spectrum of a flight: turns and time against load for every mesh, shaft and bearing."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.mission.bearings import seat_duties
 from gearwright.mission.flight import Flight
 from gearwright.spec import GROUND
 
@@ -19,14 +20,14 @@ CLASSES = 40
 class DutyBin:
     """One class of a spectrum."""
 
-    torque: float
-    """Mean over its turns, without sign: on gear a of one mesh, or inside a shaft [N m]."""
+    load: float
+    """Mean over its turns, without sign: torque on gear a of one mesh or inside a shaft [N m], radial force [N]."""
     speed: float
-    """Mean over its time, without sign; of gear a relative to the carrier, or of the shaft [rad/s]."""
+    """Mean over its time, without sign: of gear a relative to the carrier, of the shaft, or of the bearing [rad/s]."""
     time: float
     """[s]"""
     turns: float
-    """Revolutions, of gear a relative to the carrier, or of the shaft [-]."""
+    """Revolutions, of the same [-]."""
 
 
 def mesh_spectrum(flight: Flight, mesh: str, *, classes: int = CLASSES) -> tuple[DutyBin, ...]:
@@ -54,9 +55,19 @@ def shaft_spectrum(flight: Flight, shaft: str, *, classes: int = CLASSES) -> tup
     return _binned(flight, flight.shaft_torques[shaft], flight.speeds[shaft], classes)
 
 
-def _binned(flight: Flight, torque: Array, speed: Array, classes: int) -> tuple[DutyBin, ...]:
+def bearing_spectra(flight: Flight, *, classes: int = CLASSES) -> dict[str, tuple[DutyBin, ...]]:
+    """Return the spectrum of the radial force in every bearing seat, by the seat's name.
+
+    Args:
+        flight: As flown.
+        classes: Number of load classes [-].
+    """
+    return {seat.name: _binned(flight, duty.radial, duty.speed, classes) for seat, duty in seat_duties(flight)}
+
+
+def _binned(flight: Flight, load_of: Array, speed: Array, classes: int) -> tuple[DutyBin, ...]:
     """Sum what falls into each class of equal width; empty classes are left out."""
-    load, turning, time = np.abs(torque), np.abs(speed), flight.history["duration"]
+    load, turning, time = np.abs(load_of), np.abs(speed), flight.history["duration"]
     turns = turning * time / (2.0 * np.pi)
     top = float(load.max()) or 1.0
     place = np.minimum((load / top * classes).astype(int), classes - 1)

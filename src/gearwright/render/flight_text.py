@@ -1,15 +1,10 @@
-"""A flight in words: phases, energies, heat and the part that fails first; and its histories as CSV and JSON."""
+"""A flight in words: phases, energies, heat and the part that fails first."""
 
 from __future__ import annotations
 
-import csv
-import io
-import json
-import math
 from collections.abc import Sequence
 
 from gearwright.mission import Durability, Flight, LifeSizing, PartLife, PhaseSummary, phase_summaries
-from gearwright.mission.bearings import seat_duties
 
 _KELVIN = 273.15
 _LITRE_PER_MINUTE = 1e-3 / 60.0
@@ -119,63 +114,3 @@ def _bearings(parts: Durability) -> list[str]:
         for row in parts.bearings.rows
     ]
     return [verdict_text(parts), *lines]
-
-
-def flight_csv(flight: Flight) -> str:
-    """Return the histories as CSV, one row per interval, in SI.
-
-    Args:
-        flight: As flown.
-    """
-    columns = {
-        **flight.history,
-        **{f"speed.{name}": values for name, values in flight.speeds.items()},
-        **{f"torque.{name}": values for name, values in flight.shaft_torques.items()},
-        **{f"power.{name}": values for name, values in flight.machine_powers.items()},
-        **{f"force.{name}": values for name, values in flight.mesh_forces.items()},
-        **{f"bearing.{seat.name}": duty.radial for seat, duty in seat_duties(flight)},
-    }
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(["phase", *columns])
-    writer.writerows(
-        [phase, *(float(values[k]) for values in columns.values())] for k, phase in enumerate(flight.phase)
-    )
-    return out.getvalue()
-
-
-def flight_json(flight: Flight, parts: Durability, life: LifeSizing | None = None) -> str:
-    """Return the flight's sums as JSON, in SI.
-
-    Args:
-        flight: As flown.
-        parts: Lives of its gears and bearings.
-        life: How the design was strengthened, if it was.
-    """
-    told = {
-        "mission": flight.mission.name,
-        "design": flight.sizing.design.name,
-        "duration": flight.duration,
-        "fuel": flight.fuel,
-        "balance": {**vars(flight.balance), "residual": flight.balance.residual},
-        "oil_flow": flight.oil_flow,
-        "oil_hottest": float(flight.history["oil_outlet"].max()),
-        "phases": [vars(row) for row in phase_summaries(flight)],
-        "damage": [
-            {"part": row.name, "mode": row.mode, "damage": _finite(row.damage), "flights": _finite(row.flights)}
-            for row in parts.parts
-        ],
-        "bearings": [
-            {"seat": row.seat, "designation": row.bearing.designation, "count": row.count, "mean_load": row.mean_load}
-            for row in parts.bearings.rows
-        ],
-        "not_rated": parts.notes,
-    }
-    if life is not None:
-        told["life"] = {"hours": life.hours, "mass": life.sizing.mass, "mass_before": life.mass_before}
-    return json.dumps(told, indent=2, allow_nan=False)
-
-
-def _finite(number: float) -> float | None:
-    """Return a number, or None for ∞, which JSON does not have."""
-    return number if math.isfinite(number) else None

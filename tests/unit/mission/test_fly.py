@@ -17,7 +17,8 @@ from gearwright.mission import (
     shaft_spectrum,
     unrated_stages,
 )
-from gearwright.render.flight_text import flight_csv, flight_json, flight_text, verdict_text
+from gearwright.render.flight_data import flight_csv, flight_json
+from gearwright.render.flight_text import flight_text, verdict_text
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import read
