@@ -13,12 +13,13 @@ from gearwright.mission.flight import Flight
 from gearwright.mission.spectrum import mesh_spectrum
 from gearwright.parts.iso6336_damage import StressBin, damage_parts
 from gearwright.parts.iso6336_life import LifeCurve, bending_life_curve, contact_life_curve
+from gearwright.sizing.context import row_ask
 from gearwright.sizing.gear_rating import Strain, strains_under
-from gearwright.sizing.rating import Ask, Rating, rating_of
+from gearwright.sizing.rating import Rating, rating_of
 from gearwright.sizing.standard_teeth import steel_of
 from gearwright.spec import Design
 from gearwright.spec.service import Iso6336Rules
-from gearwright.train.graph import INTERNAL, Mesh
+from gearwright.train.graph import Mesh
 from gearwright.units import Ratio
 
 PITTING, BENDING = "pitting", "bending"
@@ -100,7 +101,7 @@ def _mesh_damage(flight: Flight, mesh: Mesh) -> list[tuple[float, float]]:
     bins = [each for each in mesh_spectrum(flight, mesh.name) if each.load > _LEAST_TORQUE and each.turns > 0.0]
     if not bins:
         return [(0.0, 0.0), (0.0, 0.0)]
-    rating, ask = _rating(flight, mesh.stage), _ask(flight, mesh)
+    rating, ask = _rating(flight, mesh.stage), row_ask(flight.sizing.train, flight.sizing.teeth, mesh)
     gear = next(gear for gear in flight.sizing.gears if gear.name == mesh.gears[0])
     mate = next(gear for gear in flight.sizing.gears if gear.name == mesh.gears[1])
     size = (gear.module, min(gear.face_width, mate.face_width))
@@ -121,19 +122,6 @@ def _sum(cycles: Sequence[float], strain: Strain, curve: LifeCurve) -> float:
     count = len(cycles)
     rows = zip(cycles, np.broadcast_to(strain.stress, count), np.broadcast_to(strain.endurance, count), strict=True)
     return sum(damage_parts([StressBin(float(stress), turns)], float(limit), curve)[0] for turns, stress, limit in rows)
-
-
-def _ask(flight: Flight, mesh: Mesh) -> Ask:
-    """Return teeth and kind of a mesh; a tooth meets as many mates in a turn as equal ones pass it."""
-    one, other = (flight.sizing.train.gear(gear) for gear in mesh.gears)
-    return Ask(
-        0.0,
-        (flight.sizing.teeth[one.name], flight.sizing.teeth[other.name]),
-        1.0,
-        internal=mesh.sign == INTERNAL,
-        idlers=(one.role == "planet", other.role == "planet"),
-        passes=(max(mesh.count / one.bodies, 1.0), max(mesh.count / other.bodies, 1.0)),
-    )
 
 
 def _rating(flight: Flight, stage: str) -> Rating:

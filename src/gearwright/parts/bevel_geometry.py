@@ -14,6 +14,7 @@ from typing import Annotated
 
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.involute import least_profile_shift
+from gearwright.parts.iso6336_geometry import Value
 from gearwright.units import Origin, Quantity
 
 WIDEST = 1.0 / 3.0
@@ -168,13 +169,32 @@ def bevel_forces(pair: BevelPair, torque: float, *, hand: Hand, rotation: Rotati
     """
     sign = 1.0 if (hand is Hand.LEFT) == (rotation is Rotation.CLOCKWISE) else -1.0
     force = 2.0 * torque / pair.mean_diameters[0]
-    scale = force / math.cos(pair.spiral_angle)
-    tangent, sine = math.tan(pair.pressure_angle), math.sin(pair.spiral_angle)
-    axial, radial = [], []
-    for angle, lean in zip(pair.pitch_angles, (sign * sine, -sign * sine), strict=True):
-        axial.append(scale * (tangent * math.sin(angle) + lean * math.cos(angle)))
-        radial.append(scale * (tangent * math.cos(angle) - lean * math.sin(angle)))
-    return BevelForces(force, (axial[0], axial[1]), (radial[0], radial[1]))
+    (axial_1, radial_1), (axial_2, radial_2) = (
+        cone_forces(force, cone, pressure_angle=pair.pressure_angle, spiral_angle=pair.spiral_angle, pushed=pushed)
+        for cone, pushed in zip(pair.pitch_angles, (sign, -sign), strict=True)
+    )
+    return BevelForces(force, (float(axial_1), float(axial_2)), (float(radial_1), float(radial_2)))
+
+
+def cone_forces(
+    force: Value, cone: float, *, pressure_angle: float, spiral_angle: float, pushed: Value = 1.0
+) -> tuple[Value, Value]:
+    """Return the axial force away from the apex and the radial force towards its axis on one bevel gear [N].
+
+    Args:
+        force: Tangential force at the mean cone F_mt [N].
+        cone: Pitch angle δ of the gear [rad].
+        pressure_angle: α_n [rad].
+        spiral_angle: β_m [rad].
+        pushed: +1 where the spiral pushes this gear away from the apex, −1 where it draws it in [-].
+
+    Source: ISO 23509:2016, annex D: F_a = F_mt/cos β_m (tan α_n sin δ ± sin β_m cos δ),
+        F_r = F_mt/cos β_m (tan α_n cos δ ∓ sin β_m sin δ).
+    """
+    scale, tangent = force / math.cos(spiral_angle), math.tan(pressure_angle)
+    lean = pushed * math.sin(spiral_angle)
+    axial = scale * (tangent * math.sin(cone) + lean * math.cos(cone))
+    return axial, scale * (tangent * math.cos(cone) - lean * math.sin(cone))
 
 
 def _limits(pair: BevelPair) -> list[Problem]:

@@ -7,11 +7,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.parts.bevel_geometry import BevelTooth
-from gearwright.parts.involute import least_teeth
 from gearwright.parts.planets import assembles, neighbours_clear
 from gearwright.sizing.front import Floats, Front, Integers, Task
 from gearwright.sizing.rating import Rating
+from gearwright.sizing.standard_teeth import fewest_virtual_teeth
 from gearwright.spec import Design, Pair, Planetary
 from gearwright.train.graph import gear_of
 
@@ -94,13 +93,6 @@ def candidates(
 def _virtual_pinion(small: Integers, large: Integers) -> Floats:
     """Return the virtual tooth number of the pinion of a bevel pair on square axes, z_1/cos δ_1 [-]."""
     return np.asarray(small * np.hypot(small, large) / large)
-
-
-def _fewest_virtual(rating: Rating) -> float:
-    """Return the virtual tooth number below which the cutter undercuts a bevel pinion [-]."""
-    tool, angle = BevelTooth(), rating.rules.pressure_angle
-    straight = tool.dedendum - tool.edge_radii[0] * (1.0 - math.sin(angle))
-    return least_teeth(straight, pressure_angle=angle, helix_angle=rating.helix_angle)
 
 
 def all_candidates(task: Task, design: Design) -> tuple[Integers, Integers, Integers]:
@@ -198,7 +190,7 @@ def admissible(task: Task, design: Design, small: Integers, large: Integers) -> 
         return good
     good = np.minimum(small, large) >= (rules.pinion_minimum or fewest_teeth(task.rating))
     if task.rating.kind == "bevel":
-        good &= _virtual_pinion(small, large) >= _fewest_virtual(task.rating)
+        good &= _virtual_pinion(small, large) >= fewest_virtual_teeth(task.rating)
     if rules.hunting:
         good &= np.gcd(small, large) == 1
     return good

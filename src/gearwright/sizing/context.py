@@ -89,15 +89,29 @@ def ask_of(given: Context, mesh: Mesh, case: str, per_tooth: float) -> Ask:
         case: Of the design.
         per_tooth: Torque per tooth of one mesh, load factor included [N m].
     """
-    one, other = (given.train.gear(gear) for gear in mesh.gears)
     speeds = given.flows[case].speeds
+    return row_ask(given.train, given.teeth, mesh)._replace(
+        per_tooth=per_tooth,
+        width_ratio=width_ratio_of(given, mesh.stage),
+        speed=abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]),
+    )
+
+
+def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh) -> Ask:
+    """Return teeth and kind of a mesh, without load; a tooth meets as many mates in a turn as equal ones pass it.
+
+    Args:
+        train: The graph.
+        teeth: Tooth number of every gear [-].
+        mesh: A row of the train.
+    """
+    one, other = (train.gear(gear) for gear in mesh.gears)
     return Ask(
-        per_tooth,
-        (given.teeth[one.name], given.teeth[other.name]),
-        width_ratio_of(given, mesh.stage),
+        0.0,
+        (teeth[one.name], teeth[other.name]),
+        1.0,
         internal=mesh.sign == INTERNAL,
         idlers=(one.role == "planet", other.role == "planet"),
-        speed=abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]),
         passes=(max(mesh.count / one.bodies, 1.0), max(mesh.count / other.bodies, 1.0)),
     )
 

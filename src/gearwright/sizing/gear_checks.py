@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES, BevelTooth
+from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
 from gearwright.parts.bevel_rating import BevelRating
 from gearwright.parts.cylindrical_gear import ISO53_A
 from gearwright.parts.involute import least_teeth
@@ -15,7 +15,7 @@ from gearwright.sizing.mounted import Check
 from gearwright.sizing.rating import Rating
 from gearwright.sizing.result import GearSizing, MeshSizing
 from gearwright.sizing.stage_sizes import StageSize
-from gearwright.sizing.standard_teeth import cylindrical_mesh
+from gearwright.sizing.standard_teeth import cone_ratio, cylindrical_mesh, fewest_virtual_teeth
 
 LEAST_CONTACT_RATIO = 1.0
 """Least transverse contact ratio ε_α with which motion is passed on without a gap [-]."""
@@ -78,13 +78,11 @@ def _cylinder(rating: Rating, pair: tuple[GearSizing, GearSizing], size: StageSi
 
 def _cone(rating: Rating, pair: tuple[GearSizing, GearSizing], size: StageSize) -> Iterator[Check]:
     one, other = pair
-    cone = 0.5 * math.hypot(one.teeth, other.teeth)
+    cone = float(cone_ratio(one.teeth, other.teeth))
     outer = size.module / math.cos(rating.helix_angle) + size.face_width / (2.0 * cone)
     limit = min(WIDEST * cone, WIDEST_MODULES) * outer
     clause = "ISO 23509, annex B: R_e/3 and 10 m_et"
     yield Check(one.name, "face width", clause, size.asked_width, limit, "length", at_most=True)
-    tool, angle = BevelTooth(), rating.rules.pressure_angle
-    straight = tool.dedendum - tool.edge_radii[0] * (1.0 - math.sin(angle))
-    least = least_teeth(straight, pressure_angle=angle, helix_angle=rating.helix_angle)
+    least = fewest_virtual_teeth(rating)
     virtual = one.teeth * math.hypot(one.teeth, other.teeth) / other.teeth
     yield Check(one.name, "virtual teeth free of undercut", "ISO 23509, z_1/cos δ_1", virtual, least, "number")

@@ -160,7 +160,8 @@ def _bevel_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, comple
     rated = given.flows[RATED].meshes[mesh.name].torques[side]
     pushed = np.sign(torque * rated) * (1.0 if side == 0 else -1.0)
     own, other = (given.teeth[mesh.gears[each]] for each in (side, 1 - side))
-    away, radial = bevel_push(rating, np.abs(tangential), own / other, pushed=pushed)
+    forces = bevel_push(rating, np.abs(tangential), own / other, pushed=pushed)
+    away, radial = np.asarray(forces[0]), np.asarray(forces[1])
     apex = pair.pinion_apex if side == 0 else pair.wheel_apex
     axial = away if apex == "first" else -away
     toward = _toward_mesh(mesh, side, axes)

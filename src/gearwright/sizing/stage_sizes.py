@@ -10,7 +10,7 @@ from gearwright.parts.bevel_geometry import WIDEST, WIDEST_MODULES
 from gearwright.sizing.context import Context, width_ratio_of
 from gearwright.sizing.gear_rating import rate_row
 from gearwright.sizing.rating import Rating
-from gearwright.sizing.standard_teeth import bevel_pair, mean_module
+from gearwright.sizing.standard_teeth import bevel_pair, cone_ratio, mean_module
 from gearwright.sizing.teeth import groups_of
 
 STANDARD_MODULES = (
@@ -150,7 +150,7 @@ def _bevel_size(given: Context, stage: str, needed: float, ratio: float) -> Stag
     rating, take, teeth = given.ratings[stage], given.overrides.take, _teeth(given, stage)
     outer = bevel_pair(teeth, needed, ratio * needed, rating).outer_module
     outer = take(f"{stage}.outer_module", "length", _rounded(given, stage, outer))
-    cone = 0.5 * math.hypot(*teeth) * outer
+    cone = float(cone_ratio(*teeth)) * outer
     limit = min(WIDEST * cone, WIDEST_MODULES * outer)
     width = ratio * outer / (1.0 / math.cos(rating.helix_angle) + 0.5 * ratio * outer / cone)
 

@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from gearwright.catalogue.gear_strength import gear_steel
-from gearwright.parts.bevel_geometry import WIDEST_MODULES, BevelPair
+from gearwright.parts.bevel_geometry import WIDEST_MODULES, BevelPair, BevelTooth, cone_forces
 from gearwright.parts.bevel_iso10300 import BOTH_OVERHUNG, ONE_OVERHUNG, STRADDLE, BevelDuty
 from gearwright.parts.bevel_rating import BevelSurfaces, bevel_pitch_tolerance
+from gearwright.parts.involute import least_teeth
 from gearwright.parts.iso6336_distribution import (
     CENTRED,
     CORRECTED_AND_CROWNED,
@@ -22,7 +23,7 @@ from gearwright.parts.iso6336_distribution import (
     UNMODIFIED,
     PinionShaft,
 )
-from gearwright.parts.iso6336_geometry import MeshGeometry, ToothProportions
+from gearwright.parts.iso6336_geometry import MeshGeometry, ToothProportions, Value
 from gearwright.parts.iso6336_loads import MeshDuty, MeshQuality
 from gearwright.parts.iso6336_strength import GearSteel
 from gearwright.sizing.rating import Array, Rating
@@ -51,15 +52,22 @@ def stage_width_ratio(rating: Rating, small: ArrayLike, large: ArrayLike) -> Arr
     if rating.given_width_ratio is not None:
         return np.full(first.shape, rating.given_width_ratio)
     if rating.kind == "bevel":
-        cones = _cone_ratio(first, second)
+        cones = cone_ratio(first, second)
         share = np.minimum(USUAL_BEVEL_WIDTH, WIDEST_MODULES / cones)
         return np.asarray(share * cones / (math.cos(rating.helix_angle) * (1.0 - 0.5 * share)))
     rules = rating.rules.iso6336
     return np.minimum(rules.widest_modules, rules.widest_diameters * first / math.cos(rating.helix_angle))
 
 
-def _cone_ratio(first: ArrayLike, second: ArrayLike) -> Array:
-    """R_e/m_et of square axes, √(z_1² + z_2²)/2 [-]."""
+def cone_ratio(first: ArrayLike, second: ArrayLike) -> Array:
+    """Return R_e/m_et of a bevel pair on square axes [-].
+
+    Args:
+        first: z_1 [-].
+        second: z_2 [-].
+
+    Source: ISO 23509:2016, R_e = d_e1/(2 sin δ_1), hence √(z_1² + z_2²)/2.
+    """
     return np.asarray(0.5 * np.hypot(first, second))
 
 
@@ -77,13 +85,13 @@ def bevel_pair(teeth: tuple[int, int], module: float, face_width: float, rating:
     Raises:
         DesignError: A face that reaches too near to the apex, undercut teeth.
     """
-    outer = module / math.cos(rating.helix_angle) + face_width / (2.0 * float(_cone_ratio(*teeth)))
+    outer = module / math.cos(rating.helix_angle) + face_width / (2.0 * float(cone_ratio(*teeth)))
     return BevelPair(
         teeth, outer, face_width, spiral_angle=rating.helix_angle, pressure_angle=rating.rules.pressure_angle
     )
 
 
-def bevel_push(rating: Rating, force: ArrayLike, slope: float, *, pushed: ArrayLike = 1.0) -> tuple[Array, Array]:
+def bevel_push(rating: Rating, force: Value, slope: float, *, pushed: Value = 1.0) -> tuple[Value, Value]:
     """Return the axial force away from the apex and the radial force towards its axis on one gear of a bevel mesh [N].
 
     Args:
@@ -91,15 +99,27 @@ def bevel_push(rating: Rating, force: ArrayLike, slope: float, *, pushed: ArrayL
         force: Tangential force at the mean cone [N].
         slope: Its teeth over those of its mate, tan δ on square axes [-].
         pushed: +1 where the spiral pushes this gear away from the apex, −1 where it draws it in [-].
-
-    Source: ISO 23509:2016, annex D: F_a = F/cos β_m (tan α_n sin δ ± sin β_m cos δ),
-        F_r = F/cos β_m (tan α_n cos δ ∓ sin β_m sin δ).
     """
-    cone, lean = math.atan(slope), np.asarray(pushed) * math.sin(rating.helix_angle)
-    scale, tangent = np.asarray(force) / math.cos(rating.helix_angle), math.tan(rating.rules.pressure_angle)
-    axial = scale * (tangent * math.sin(cone) + lean * math.cos(cone))
-    radial = scale * (tangent * math.cos(cone) - lean * math.sin(cone))
-    return np.asarray(axial), np.asarray(radial)
+    return cone_forces(
+        force,
+        math.atan(slope),
+        pressure_angle=rating.rules.pressure_angle,
+        spiral_angle=rating.helix_angle,
+        pushed=pushed,
+    )
+
+
+def fewest_virtual_teeth(rating: Rating) -> float:
+    """Return the virtual tooth number z/cos δ below which the cutter undercuts a bevel pinion [-].
+
+    Args:
+        rating: Resolved rules: pressure and spiral angle.
+
+    Source: ISO 21771:2007, z_min = 2 h* cos β / sin² α_t, with the cutter of `BevelTooth`.
+    """
+    tool, angle = BevelTooth(), rating.rules.pressure_angle
+    straight = tool.dedendum - tool.edge_radii[0] * (1.0 - math.sin(angle))
+    return least_teeth(straight, pressure_angle=angle, helix_angle=rating.helix_angle)
 
 
 def mean_module(teeth: tuple[int, int], outer_module: float, face_width: float, rating: Rating) -> float:
@@ -113,7 +133,7 @@ def mean_module(teeth: tuple[int, int], outer_module: float, face_width: float, 
 
     Source: ISO 23509:2016, m_mn = m_et cos β_m R_m/R_e.
     """
-    return math.cos(rating.helix_angle) * (outer_module - face_width / (2.0 * float(_cone_ratio(*teeth))))
+    return math.cos(rating.helix_angle) * (outer_module - face_width / (2.0 * float(cone_ratio(*teeth))))
 
 
 def cylindrical_mesh(

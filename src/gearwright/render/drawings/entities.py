@@ -220,17 +220,6 @@ def runs(text: str) -> list[tuple[str, bool]]:
     return [(part, k % 2 == 1) for k, part in enumerate(parts) if part]
 
 
-def polyline(layer: Layer, *points: complex, closed: bool = False) -> Path:
-    """Return straight lines from point to point.
-
-    Args:
-        layer: Where it lies.
-        points: Of the line [mm].
-        closed: Back to the first point.
-    """
-    return Path(points, layer, closed=closed)
-
-
 def moved(entities: Iterable[Entity], by: complex) -> list[Entity]:
     """Return entities at another place.
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
 from gearwright.parts.bevel_geometry import BevelPair, Hand
 from gearwright.parts.cylindrical_gear import BasicRack, CylindricalGear
+from gearwright.sizing import standard_teeth
 from gearwright.sizing.hands import helix_hand
+from gearwright.sizing.rating import rating_of
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.spec import Pair
 from gearwright.train.flow import RATED
@@ -78,15 +79,8 @@ def bevel_pair(sizing: Sizing, stage: str) -> BevelPair:
     """
     mesh = next(mesh for mesh in sizing.train.meshes if mesh.stage == stage)
     pinion, wheel = (gear_of(sizing, name) for name in mesh.gears)
-    cone_ratio = 0.5 * math.hypot(pinion.teeth, wheel.teeth)
-    outer = pinion.module / math.cos(pinion.helix_angle) + pinion.face_width / (2.0 * cone_ratio)
-    return BevelPair(
-        (pinion.teeth, wheel.teeth),
-        outer,
-        pinion.face_width,
-        spiral_angle=pinion.helix_angle,
-        pressure_angle=sizing.design.rules(stage).pressure_angle,
-    )
+    rating = rating_of(sizing.design, stage)
+    return standard_teeth.bevel_pair((pinion.teeth, wheel.teeth), pinion.module, pinion.face_width, rating)
 
 
 def meshes_of(sizing: Sizing, gear: str) -> list[tuple[Mesh, int]]:
