@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from gearwright.cli.options import JsonOption
+from gearwright.writing import write_text
 
 
 class Part(StrEnum):
@@ -51,5 +52,5 @@ def colibri(
             console.print(findings_table(found.findings))
         console.print(counts_text(found))
     if out is not None:
-        out.write_text(colibri_markdown() if out.suffix == ".md" else colibri_page(), encoding="utf-8")
+        write_text(out, colibri_markdown() if out.suffix == ".md" else colibri_page())
         typer.echo(f"wrote {out}", err=json)

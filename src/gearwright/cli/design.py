@@ -11,6 +11,7 @@ from gearwright.cli.designs import sized
 from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
 from gearwright.cli.output import progress
 from gearwright.cli.weights import show_mass, stated_mass
+from gearwright.writing import make_folder, write_text
 
 if TYPE_CHECKING:
     from gearwright.dynamics import System, Trace
@@ -45,7 +46,7 @@ def new(
         raise DesignError(
             [Problem("", "the file is there already; give another name, or --force to replace it")], str(target)
         )
-    target.write_text(text, encoding="utf-8")
+    write_text(target, text)
     follows = {"designs": "run", "missions": "fly DESIGN", "studies": "study"}[source.parent.name]
     typer.echo(f"wrote {target}; next: gearwright {follows} {target}")
 
@@ -169,12 +170,12 @@ def run(
     trace = _simulate(system, duration)
     print_trace(trace, sizing)
     folder = folder or Path(f"{Path(design).stem}-results")
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "sizing.json").write_text(sizing_json(sizing) + "\n", encoding="utf-8")
+    make_folder(folder)
+    write_text(folder / "sizing.json", sizing_json(sizing) + "\n")
     save(folder / "run.nc", trace, design=sizing.design, case=case)
     campbell = critical_speeds(sizing)
     page = make_report(sizing, modes=found, trace=trace, case=case, system=system, campbell=campbell)
-    (folder / "report.html").write_text(page, encoding="utf-8")
+    write_text(folder / "report.html", page)
     typer.echo(f"wrote {folder / 'report.html'}, {folder / 'run.nc'} and {folder / 'sizing.json'}")
 
 
@@ -201,7 +202,7 @@ def report(
         system=system,
         campbell=critical_speeds(sizing),
     )
-    file.write_text(page, encoding="utf-8")
+    write_text(file, page)
     typer.echo(f"wrote {file}")
 
 

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.writing import make_folder, write_text
+
 if TYPE_CHECKING:
     from gearwright.render.drawings.sheets import Sheet
     from gearwright.sizing import Sizing
@@ -33,9 +35,9 @@ def draw(
     # Everything is drawn before anything is written: what cannot be drawn leaves no half of it.
     texts = {f"{sheet.name}.{suffix}": _text(sheet, suffix) for sheet in drawn for suffix in wanted}
     folder = folder or Path(f"{Path(design).stem}-drawings")
-    folder.mkdir(parents=True, exist_ok=True)
+    make_folder(folder)
     for name, text in texts.items():
-        (folder / name).write_text(text, encoding="utf-8")
+        write_text(folder / name, text)
     for sheet in drawn:
         typer.echo(f"{sheet.name:32} {sheet.size.name}  {scale_text(sheet.scale)}")
     typer.echo(f"wrote {len(drawn)} sheets as {' and '.join(wanted)} to {folder}")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.designs import design_of
+from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from gearwright.mission import Durability, Flight, LifeSizing
@@ -54,10 +55,10 @@ def fly(
         from gearwright.render.flight_page import flight_page
 
         flown = [fly_window(flight, name) for name in _windows(flight, window or [])]
-        report.write_text(flight_page(flight, parts, life, windows=flown), encoding="utf-8")
+        write_text(report, flight_page(flight, parts, life, windows=flown))
         typer.echo(f"wrote {report}", err=True)
     if csv is not None:
-        csv.write_text(flight_csv(flight), encoding="utf-8")
+        write_text(csv, flight_csv(flight))
         typer.echo(f"wrote {csv}", err=True)
 
 

@@ -8,6 +8,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gearwright.writing import write_bytes, write_text
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -27,9 +29,9 @@ def write_figure(drawn: Figure, path: Path) -> None:
 
     match path.suffix:
         case ".svg":
-            path.write_text(to_svg(drawn), encoding="utf-8")
+            write_text(path, to_svg(drawn))
         case ".png":
-            path.write_bytes(to_png(drawn))
+            write_bytes(path, to_png(drawn))
         case other:
             raise DesignError([Problem("--figure", f"{other!r} is not drawn; end the name with .svg or .png")])
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.designs import design_of
+from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -123,7 +124,7 @@ def show_table(table: Table, study: Study | None = None, *, csv: Path | None, js
         if study is not None and (study.objectives or study.sampling.method != "grid"):
             _show_answer(study, table)
     if csv is not None:
-        csv.write_text(study_csv(table), encoding="utf-8")
+        write_text(csv, study_csv(table))
 
 
 def _show_answer(study: Study, table: Table) -> None:
@@ -168,7 +169,7 @@ def write_files(
     if report is not None:
         from gearwright.render.study_page import study_page
 
-        report.write_text(study_page(study, table, designs), encoding="utf-8")
+        write_text(report, study_page(study, table, designs))
         typer.echo(f"wrote {report}", err=True)
 
 

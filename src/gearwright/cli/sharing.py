@@ -13,6 +13,7 @@ import typer
 from gearwright.cli.designs import sized
 from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
 from gearwright.cli.output import write_figure
+from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from gearwright.dynamics.sharing_study import SharingStudy
@@ -64,7 +65,7 @@ def sharing(
 
         page = split_torque_page if Path(design).stem == SPLIT_TORQUE else sharing_page
         drawn = page(sizing, [study], counts=[] if counts is None else [counts], target=share)
-        report.write_text(drawn, encoding="utf-8")
+        write_text(report, drawn)
         typer.echo(f"wrote {report}", err=True)
 
 

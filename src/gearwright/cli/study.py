@@ -25,6 +25,7 @@ from gearwright.cli.runs import (
     show_table,
     write_files,
 )
+from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from gearwright.spec import Design
@@ -116,7 +117,7 @@ def _write_comparison(path: Path, table: Table, designs: dict[str, Design], chan
     from gearwright.spec.edit import edited
 
     sizings = {row.design: size(edited(designs[row.design], changes)) for row in table.rows if not row.problem}
-    path.write_text(comparison(table, sizings), encoding="utf-8")
+    write_text(path, comparison(table, sizings))
     typer.echo(f"wrote {path}", err=True)
 
 

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from gearwright.writing import make_folder, write_bytes, write_text
+
 PAGE_RESOLUTION = 110.0
 """Of the figures beside the page of chapter 4: enough to read, and light [dots per inch]."""
 
@@ -37,7 +39,7 @@ def thesis(
     if errata:
         console.print(errata_table(all_errata()))
     page = thesis_markdown() if out.suffix == ".md" else thesis_page()
-    out.write_text(page, encoding="utf-8")
+    write_text(out, page)
     typer.echo(f"wrote {out}, with the reasons")
 
 
@@ -52,11 +54,11 @@ def _chapter(page: Path, figures: Path | None) -> None:
     runs = chapter_runs()
     images = {window: f"{page.stem}-{window}.png" for window in PANELS}
     for window, name in images.items():
-        page.with_name(name).write_bytes(to_png(chapter_figure(runs, window, PANELS[window]), PAGE_RESOLUTION))
-    page.write_text(chapter_markdown(flight_claims(runs), phased(runs), images), encoding="utf-8")
+        write_bytes(page.with_name(name), to_png(chapter_figure(runs, window, PANELS[window]), PAGE_RESOLUTION))
+    write_text(page, chapter_markdown(flight_claims(runs), phased(runs), images))
     typer.echo(f"wrote {page} and {len(images)} figures beside it")
     if figures is not None:
-        figures.mkdir(parents=True, exist_ok=True)
+        make_folder(figures)
         for number, (window, panel) in FIGURES.items():
             write_figure(chapter_figure(runs, window, (panel,)), figures / f"{number}.svg")
         typer.echo(f"wrote {len(FIGURES)} figures to {figures}")

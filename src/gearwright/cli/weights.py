@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.writing import write_text
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -159,5 +161,5 @@ def _sort_keys() -> dict[Order, Callable[[CheckedEngine], float | str]]:
 
 
 def _write(path: Path, content: str) -> None:
-    path.write_text(content, encoding="utf-8")
+    write_text(path, content)
     typer.echo(f"wrote {path}")

@@ -20,6 +20,7 @@ from gearwright.dynamics.system import Tone
 from gearwright.dynamics.trace import Checkpoints, Orders
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import Design
+from gearwright.store.image import new_netcdf
 from gearwright.version import __version__
 
 FORMAT = "gearwright trace 1"
@@ -69,21 +70,13 @@ def save(path: str | Path, trace: Trace, *, design: Design, case: str) -> None:
         case: Load case that was run.
 
     Raises:
-        DesignError: If the file cannot be written.
+        DesignError: If no file can be there.
+        SolveError: If the disk does not take it.
     """
-    final = Path(path)
-    partial = final.with_name(final.name + ".part")
-    try:
-        with h5netcdf.File(partial, "w") as file:
-            file.attrs["format"], file.attrs["gearwright"] = FORMAT, __version__
-            file.attrs["design"], file.attrs["case"] = design.model_dump_json(by_alias=True, exclude_unset=True), case
-            _write_trace(file, trace)
-        partial.replace(final)
-    except OSError as error:
-        message = f"the file cannot be written: {error}; name one in a folder that is there"
-        raise DesignError([Problem("", message)], str(path)) from None
-    finally:
-        partial.unlink(missing_ok=True)
+    with new_netcdf(Path(path)) as file:
+        file.attrs["format"], file.attrs["gearwright"] = FORMAT, __version__
+        file.attrs["design"], file.attrs["case"] = design.model_dump_json(by_alias=True, exclude_unset=True), case
+        _write_trace(file, trace)
 
 
 def _write_trace(file: Any, trace: Trace) -> None:

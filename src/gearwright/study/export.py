@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from importlib.util import find_spec
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
 from gearwright.study.table import Table
+from gearwright.writing import write_bytes
 
 Column = tuple[list[float] | list[str], str]
 
@@ -43,7 +45,8 @@ def write_table(path: Path, table: Table) -> None:
         table: Of a study.
 
     Raises:
-        DesignError: If the name ends otherwise, or Parquet is not installed.
+        DesignError: If the name ends otherwise, Parquet is not installed, or no file can be there.
+        SolveError: If the disk does not take it.
     """
     refuse_export(path)
     if path.suffix == ".nc":
@@ -74,10 +77,11 @@ def refuse_export(path: Path) -> None:
 
 
 def _write_netcdf(path: Path, table: Table) -> None:
-    import h5netcdf
     import h5py
 
-    with h5netcdf.File(path, "w") as file:
+    from gearwright.store.image import new_netcdf
+
+    with new_netcdf(path) as file:
         file.attrs.update({"title": table.name, "comment": table.description})
         file.dimensions = {"case": len(table.rows)}
         for name, (values, written) in columns(table).items():
@@ -100,4 +104,6 @@ def _write_parquet(path: Path, table: Table) -> None:
         for name, (values, u) in found.items()
     ]
     schema = pyarrow.schema(fields, metadata={"title": table.name, "comment": table.description})
-    parquet.write_table(pyarrow.table([values for values, _ in found.values()], schema=schema), path)
+    image = BytesIO()
+    parquet.write_table(pyarrow.table([values for values, _ in found.values()], schema=schema), image)
+    write_bytes(path, image.getbuffer())
