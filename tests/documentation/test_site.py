@@ -19,6 +19,9 @@ from gearwright.spec.study import Study
 ROOT = Path(__file__).parents[2]
 
 
+SITE = pytest.mark.extra("mkdocs", "material", "mkdocstrings", "latex2mathml")
+
+
 def beside(name):
     """Return a script of the documentation's folder, which is no package."""
     spec = importlib.util.spec_from_file_location(f"docs_{name}", ROOT / "docs" / f"{name}.py")
@@ -30,11 +33,10 @@ def beside(name):
 
 @pytest.fixture(scope="module")
 def hooks():
-    pytest.importorskip("mkdocs")
-    pytest.importorskip("latex2mathml")
     return beside("hooks")
 
 
+@SITE
 @pytest.mark.parametrize(
     "text",
     [
@@ -50,6 +52,7 @@ def test_code_and_prices_are_no_formulas(hooks, text):
     assert hooks.taken_out(text) == (text, [])
 
 
+@SITE
 def test_formulas_become_mathml_in_their_places(hooks):
     marked, formulas = hooks.taken_out("A $z_a$ and\n\n$$\\frac{1}{2}$$\n\nend")
     assert "$" not in marked
@@ -129,6 +132,7 @@ class Requests(HTMLParser):
             self.found.append(given.get("href") or "")
 
 
+@SITE
 def test_the_site_builds_without_warnings_and_asks_for_nothing_from_elsewhere(tmp_path, hooks, monkeypatch):
     """As in continuous integration; mkdocs counts every warning."""
     monkeypatch.setenv("NO_MKDOCS_2_WARNING", "1")

@@ -50,8 +50,8 @@ def propeller_inertia(diameter: float, blades: int) -> float:
 
     Source: uniform composite bars, B m R²/3; an estimate (12 kg a blade at 3.93 m).
 
-    >>> round(propeller_inertia(3.93, 6))
-    95
+    >>> round(propeller_inertia(3.93, 6), 1)  # 6 · 12.24 kg · (1.965 m)² / 3
+    94.5
     """
     section = BLADE_FILL * BLADE_CHORD_RATIO * BLADE_THICKNESS_RATIO * BLADE_CHORD_RATIO * diameter**2
     blade = section * diameter / 2.0 * BLADE_DENSITY

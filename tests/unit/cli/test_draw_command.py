@@ -4,8 +4,6 @@ import os
 import subprocess
 import sys
 
-import pytest
-
 from gearwright.cli import main
 
 
@@ -32,7 +30,6 @@ def test_sheets_are_written_in_the_formats_that_are_asked_for(tmp_path, monkeypa
 
 
 def test_dxf_is_written_too(tmp_path, monkeypatch, capsys):
-    pytest.importorskip("ezdxf")
     monkeypatch.chdir(tmp_path)
     code, _ = run(monkeypatch, capsys, "off-set", "--what", "shaft-left", "--out", "made")
     assert code == 0 and {path.suffix for path in (tmp_path / "made").iterdir()} == {".svg", ".dxf"}
@@ -40,7 +37,6 @@ def test_dxf_is_written_too(tmp_path, monkeypatch, capsys):
 
 def test_every_process_writes_the_same_file(tmp_path):
     """Whatever the order of Python's sets."""
-    pytest.importorskip("ezdxf")
     start = "from gearwright.cli import main; main()"
     call = [sys.executable, "-c", start, "draw", "off-set", "--what", "shaft-left"]
     for seed in ("1", "2"):

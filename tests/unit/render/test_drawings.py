@@ -6,6 +6,7 @@ import math
 import sys
 import xml.etree.ElementTree as ET
 
+import ezdxf
 import pytest
 from built_design import BORES, JOINTS, STEPS, built_sizing
 
@@ -26,8 +27,6 @@ from gearwright.render.drawings.svg import sheet_svg
 from gearwright.render.drawings.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
 from gearwright.shipped import shipped_designs
 from gearwright.spec.edit import edited
-
-ezdxf = pytest.importorskip("ezdxf")
 
 
 def shipped(name):

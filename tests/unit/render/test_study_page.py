@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import doctest
 import math
 import re
 
 import numpy as np
 import pytest
 
-from gearwright.render import study_tables, theme
+from gearwright.render import theme
 from gearwright.render.study_figures import study_figure
 from gearwright.render.study_page import study_page
 from gearwright.render.study_spread import contour_figure, figure_of, parallel_figure
@@ -91,10 +90,6 @@ def test_figures_are_the_same_each_time_and_leave_out_what_is_constant() -> None
     assert [label.get_text() for label in drawn.axes[0].get_xticklabels()][-1] == "gearbox\n[kg]"
     assert theme.to_svg(contour_figure(table, "mass")) == theme.to_svg(contour_figure(table, "mass"))
     assert contour_figure(table, "mass").axes[0].get_xlabel() == "carriers.fill"
-
-
-def test_the_examples_in_the_docstrings_hold() -> None:
-    assert doctest.testmod(study_tables).failed == 0
 
 
 def test_the_spread_is_that_of_the_numbers() -> None:

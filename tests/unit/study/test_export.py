@@ -48,8 +48,10 @@ def test_netcdf_is_read_again(tmp_path: Path) -> None:
         assert read.attrs["title"] == "three cases"
 
 
+@pytest.mark.extra("pyarrow")
 def test_parquet_is_read_again(tmp_path: Path) -> None:
-    parquet = pytest.importorskip("pyarrow.parquet", reason="pyarrow (170 MB) is an extra")
+    from pyarrow import parquet
+
     write_table(tmp_path / "t.parquet", TABLE)
     read = parquet.read_table(tmp_path / "t.parquet")
     assert read.schema.field("mass").metadata == {b"unit": b"kg"}

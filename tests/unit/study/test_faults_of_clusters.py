@@ -17,7 +17,7 @@ from fault_studies import assert_whole, done, ended, members, started, undisturb
 
 from gearwright.study.journal import rows_of
 
-pytest.importorskip("distributed")
+pytestmark = pytest.mark.extra("distributed")
 
 COUNT = 600
 """Enough that every worker has several chunks."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import doctest
 import math
 
 import numpy as np
@@ -10,7 +9,7 @@ import pytest
 
 from gearwright.sizing.named import Named
 from gearwright.spec.study import Study
-from gearwright.study import Row, Table, verdict
+from gearwright.study import Row, Table
 from gearwright.study.verdict import bound, confidence, kept, scenarios
 from gearwright.study.verdict import verdict as found_of
 
@@ -97,7 +96,3 @@ def test_a_bound_holds_for_95_per_cent_in_95_per_cent_of_samples() -> None:
 def test_kept_constraints_are_counted() -> None:
     table = table_of(((1.0, 3.0), (2.0, 2.0), (math.inf, 5.0)))
     assert kept(study_of(constraints={"a": {"most": 1.5}, "b": {"least": 0.0}}), table) == {"a": 1, "b": 2}
-
-
-def test_the_examples_in_the_docstrings_hold() -> None:
-    assert doctest.testmod(verdict).failed == 0
