@@ -16,8 +16,8 @@ from cases import split_torque, two_stage
 from scipy.signal import StateSpace, lsim
 
 from gearwright.dynamics import DampingRatio, Model, Periodic, System, replay, simulate, simulate_many
-from gearwright.dynamics.linear import linear, state_matrix
-from gearwright.dynamics.steppers import blank_record, stepper
+from gearwright.dynamics.equations import linear, state_matrix
+from gearwright.dynamics.motion import blank_record, stepper
 
 
 def median(run: Callable[[], object], rounds: int = 5) -> float:

@@ -21,7 +21,7 @@ from peers import PEERS, Case, numba_slope
 from scipy.integrate import solve_ivp
 
 from gearwright.dynamics import System, statics
-from gearwright.dynamics.reference import line_state
+from gearwright.dynamics.equations import line_state
 
 DURATION, INTERVALS = 0.02, 400
 HEAD = "| solver | setting | error | processor time for 20 ms [ms] | times slower |"

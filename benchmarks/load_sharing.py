@@ -13,10 +13,16 @@ from collections.abc import Callable
 import numpy as np
 
 from gearwright.dynamics import simulate_many
-from gearwright.dynamics.error_sources import as_forces, peak_shares, random_sets, with_errors
-from gearwright.dynamics.load_sharing import slow_position
-from gearwright.dynamics.sharing_study import SharingProblem, sharing_problem
-from gearwright.dynamics.stepsize import default_step
+from gearwright.dynamics.equations import slow_position
+from gearwright.dynamics.motion import default_step
+from gearwright.dynamics.sharing import (
+    SharingProblem,
+    as_forces,
+    peak_shares,
+    random_sets,
+    sharing_problem,
+    with_errors,
+)
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import read

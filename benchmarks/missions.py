@@ -12,7 +12,7 @@ import gearwright as gw
 from gearwright.mission import durability, fly
 from gearwright.mission.windows import fly_window
 from gearwright.shipped import shipped_design, shipped_mission
-from gearwright.spec.mission import read_mission
+from gearwright.spec import read_mission
 
 FLIGHTS = {"thesis": "in-line-h2", "regional-250nm": "in-line", "ec120b-sortie": "ec120b"}
 """Mission -> design."""

@@ -15,9 +15,9 @@ import numpy as np
 from numba import njit
 from scipy.integrate import solve_ivp
 
-from gearwright.dynamics.reference import line_state
-from gearwright.dynamics.steppers import blank_record, stepper
-from gearwright.dynamics.system import Arrays, line_matrix
+from gearwright.dynamics.equations import line_state
+from gearwright.dynamics.model import Arrays, line_matrix
+from gearwright.dynamics.motion import blank_record, stepper
 
 
 @dataclass

@@ -14,10 +14,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from gearwright.catalogue.gear_strength import gear_steel
-from gearwright.parts.iso6336_geometry import MeshGeometry
-from gearwright.parts.iso6336_loads import MeshDuty
-from gearwright.parts.iso6336_rating import PairRating, rate_mesh
+from gearwright.catalogue import gear_steel
+from gearwright.parts.iso6336 import MeshDuty, MeshGeometry, PairRating, rate_mesh
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import read

@@ -23,15 +23,12 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from gearwright.shipped import shipped_design
-from gearwright.sizing.named import Named
-from gearwright.spec import read
-from gearwright.spec.study import Study, parse_study
+from gearwright.sizing import Named
+from gearwright.spec import Study, parse_study, read
 from gearwright.study import run
-from gearwright.study.journal import begin, opened
-from gearwright.study.runner import Progress, run_study
-from gearwright.study.sampling import Case, cases
-from gearwright.study.table import Row
-from gearwright.study.workers import local
+from gearwright.study.answers import Row
+from gearwright.study.cases import Case, cases
+from gearwright.study.running import Progress, begin, local, opened, run_study
 
 NAME = "in-line-h2"
 DESIGNS = {NAME: read(shipped_design(NAME))}

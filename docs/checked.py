@@ -13,15 +13,12 @@ from functools import cache
 from pathlib import Path
 
 import gearwright as gw
-from gearwright.parts.hertz import hertz_coefficient
-from gearwright.parts.planets import most_planets
+from gearwright.parts.gears import hertz_coefficient
+from gearwright.parts.planetary import most_planets
+from gearwright.replays.pulvirenti.claims import claims
 from gearwright.sizing import Sizing
-from gearwright.sizing.statistical.ndarc import mass_afdd00, mass_afdd83
-from gearwright.sizing.statistical.requirement import beta
-from gearwright.sizing.statistical.tm215680 import mass_tm215680
-from gearwright.sizing.statistical.wate2 import mass_wate2
-from gearwright.study.claims import claims
 from gearwright.units import RPM
+from gearwright.weights import beta, mass_afdd00, mass_afdd83, mass_tm215680, mass_wate2
 
 TESTS = Path(__file__).parents[1] / "tests"
 PW127 = (2051e3, 20204.0 * RPM, 1212.0 * RPM)

@@ -10,16 +10,15 @@ from matplotlib.figure import Figure
 import gearwright as gw
 from gearwright.mission import fly
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.svg import sheet_svg
-from gearwright.render.figures_sizing import margin_figure, mass_figure
-from gearwright.render.flight_sankey import sankey_figure
-from gearwright.render.schematic import power_flow_figure, schematic_figure
-from gearwright.render.study_figures import study_figure
-from gearwright.render.theme import to_svg
+from gearwright.render.drawings.sheet.svg import sheet_svg
+from gearwright.render.figures.sankey import sankey_figure
+from gearwright.render.figures.sizing import margin_figure, mass_figure
+from gearwright.render.figures.study import study_figure
+from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
+from gearwright.render.style.theme import to_svg
 from gearwright.shipped import shipped_mission, shipped_study
 from gearwright.sizing import Sizing
-from gearwright.spec.mission import read_mission
-from gearwright.spec.study import read_study
+from gearwright.spec import read_mission, read_study
 from gearwright.study import run
 
 FOLDER = Path(__file__).parent / "figures"

@@ -7,10 +7,10 @@ import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from gearwright.catalogue.materials import materials
-from gearwright.parts.material import Material
-from gearwright.render.colibri_page import colibri_markdown
-from gearwright.render.design_file import design_file_markdown, mission_file_markdown, study_file_markdown
+from gearwright.catalogue import materials
+from gearwright.parts import Material
+from gearwright.render.words.design_file import design_file_markdown, mission_file_markdown, study_file_markdown
+from gearwright.replays.colibri.page import colibri_markdown
 
 FOLDER = Path(__file__).parent
 

@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from gearwright.catalogue.gear_strength import gear_steel
-from gearwright.parts.bevel_geometry import BevelPair
-from gearwright.parts.bevel_iso10300 import BevelDuty
-from gearwright.parts.bevel_rating import BevelRating, BevelSurfaces, bevel_pitch_tolerance, rate_bevel
-from gearwright.render.views import margins
+from gearwright.catalogue import gear_steel
+from gearwright.parts.bevel import BevelDuty, BevelPair, BevelRating, BevelSurfaces, bevel_pitch_tolerance, rate_bevel
+from gearwright.render.tables.sizing import margins
 from gearwright.shipped import shipped_design
 from gearwright.sizing import GearSizing, MeshSizing, Sizing, size
 from gearwright.spec import read

@@ -7,11 +7,10 @@ stiffnesses in u = r θ.
 from math import radians
 
 from gearwright.dynamics import Model, modes
-from gearwright.dynamics.planetary import add_planetary
-from gearwright.dynamics.planetary_results import mode_families
-from gearwright.dynamics.planetary_set import Member, PlanetarySet
-from gearwright.parts.planet_phasing import even_positions
-from gearwright.parts.stiffness_curve import StiffnessCurve
+from gearwright.dynamics.model import Member, PlanetarySet, add_planetary
+from gearwright.dynamics.vibration import mode_families
+from gearwright.parts.planetary import even_positions
+from gearwright.parts.stiffness import StiffnessCurve
 
 
 def member(mass, inertia, diameter, turn=0.0):

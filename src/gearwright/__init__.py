@@ -16,9 +16,9 @@ from gearwright.version import __version__ as __version__
 
 if TYPE_CHECKING:
     from gearwright.dynamics import Model, Outputs, modes, simulate
-    from gearwright.dynamics.assemble import assemble
+    from gearwright.dynamics.assembly import assemble
     from gearwright.errors import DesignError, SolveError
-    from gearwright.render.report import report
+    from gearwright.render.pages.report import report
     from gearwright.shipped import shipped_design, shipped_designs
     from gearwright.sizing import size
     from gearwright.spec import parse, read, schema

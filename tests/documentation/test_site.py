@@ -8,13 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from gearwright.catalogue.materials import materials
-from gearwright.render.design_file import design_file_markdown, mission_file_markdown, study_file_markdown
+from gearwright.catalogue import materials
+from gearwright.render.words.design_file import design_file_markdown, mission_file_markdown, study_file_markdown
+from gearwright.spec import Mission, Study, keys_of, records
 from gearwright.spec.design import Design
-from gearwright.spec.mission import Mission
-from gearwright.spec.record import keys_of
-from gearwright.spec.schema import records
-from gearwright.spec.study import Study
 
 ROOT = Path(__file__).parents[2]
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 import functools
 import math
 
-from gearwright.dynamics.assemble import assemble
-from gearwright.dynamics.system import System
+from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.model import System
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size
 from gearwright.spec import Design, read
-from gearwright.spec.tolerance import PartErrors
+from gearwright.spec.design import PartErrors
 
 SIZE = 25e-6
 GEARS = {

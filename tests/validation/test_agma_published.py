@@ -3,19 +3,26 @@
 import numpy as np
 import pytest
 
-from gearwright.parts.agma2001 import AgmaGear, AgmaLoad, AgmaSteel, agma_rating, agma_strength
-from gearwright.parts.agma2001_factors import (
+from gearwright.parts.agma2001 import (
     BENDING_HB250,
     PITTING,
+    AgmaGear,
+    AgmaLoad,
+    AgmaSteel,
+    HobbedPair,
+    LoadPlace,
+    agma_rating,
+    agma_strength,
+    bending_geometry,
     cycle_factor,
     dynamic_factor_agma,
     hardness_ratio_factor,
     load_distribution_factor,
+    pitting_geometry_factor,
     reliability_factor,
     size_factor,
 )
-from gearwright.parts.agma2001_geometry import HobbedPair, LoadPlace, bending_geometry, pitting_geometry_factor
-from gearwright.parts.lewis import lewis_form_factor
+from gearwright.parts.gears import lewis_form_factor
 from gearwright.units import FOOT, HORSEPOWER, INCH, POUND_FORCE, RPM
 from gearwright.validate.gear_rating import AGMA_FACTORS
 

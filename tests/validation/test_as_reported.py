@@ -2,16 +2,14 @@
 
 import pytest
 
-from gearwright.catalogue.bearings import bearings
-from gearwright.parts.bearing_life import basic_life, life_time
-from gearwright.parts.rolling_bearing import BearingKind
+from gearwright.catalogue import bearings
+from gearwright.parts.bearings import BearingKind, basic_life, life_time
+from gearwright.replays.colibri.facts import colibri_facts
+from gearwright.replays.colibri.findings import flank_pressure
+from gearwright.replays.colibri.replay import replay
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.spec import read
-from gearwright.spec.edit import edited
-from gearwright.study.colibri.facts import colibri_facts
-from gearwright.study.colibri.findings import flank_pressure
-from gearwright.study.colibri.replay import replay
+from gearwright.spec import edited, read
 from gearwright.units import RPM
 
 HOUR = 3600.0

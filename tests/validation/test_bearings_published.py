@@ -4,22 +4,22 @@ import math
 
 import pytest
 
-from gearwright.parts.bearing_distribution import load_distribution
-from gearwright.parts.bearing_life import basic_life
-from gearwright.parts.bearing_load import (
+from gearwright.parts.bearings import (
     ISO_R281_1962,
     SHIGLEY_11_1,
+    BearingGeometry,
+    BearingKind,
+    ball_dynamic_factor,
+    basic_life,
     deep_groove_factors,
+    dynamic_rating,
     equivalent_load,
+    life_modification,
+    load_distribution,
+    reference_viscosity,
+    static_rating,
     taper_factors,
 )
-from gearwright.parts.bearing_modified_life import life_modification, reference_viscosity
-from gearwright.parts.bearing_rating import (
-    ball_dynamic_factor,
-    dynamic_rating,
-    static_rating,
-)
-from gearwright.parts.rolling_bearing import BearingGeometry, BearingKind
 from gearwright.units import RPM
 from gearwright.validate.bearings import BALL_FACTORS, REFERENCE, REFERENCE_LIVES, inside
 

@@ -8,11 +8,16 @@ import math
 
 import pytest
 
-from gearwright.parts.bevel_bending import bevel_bending
-from gearwright.parts.bevel_geometry import BevelPair, BevelTooth
-from gearwright.parts.bevel_iso10300 import BevelDuty, bevel_load_factors, bevel_pitting
-from gearwright.parts.bevel_virtual import VirtualPair
-from gearwright.parts.iso6336_strength import GearSteel, Treatment
+from gearwright.parts.bevel import (
+    BevelDuty,
+    BevelPair,
+    BevelTooth,
+    VirtualPair,
+    bevel_bending,
+    bevel_load_factors,
+    bevel_pitting,
+)
+from gearwright.parts.iso6336 import GearSteel, Treatment
 from gearwright.units import RPM
 
 PAIR = BevelPair(

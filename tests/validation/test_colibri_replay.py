@@ -8,12 +8,12 @@ from dataclasses import replace
 
 import pytest
 
-from gearwright.catalogue.colibri import colibri_errata, printed_numbers
-from gearwright.study.colibri import chain, steps
-from gearwright.study.colibri.chain import executed
-from gearwright.study.colibri.facts import colibri_facts
-from gearwright.study.colibri.findings import Sense, findings
-from gearwright.study.colibri.replay import Outcome, replay
+from gearwright.replays.colibri import chain, steps
+from gearwright.replays.colibri.chain import executed
+from gearwright.replays.colibri.facts import colibri_facts
+from gearwright.replays.colibri.findings import Sense, findings
+from gearwright.replays.colibri.printed import colibri_errata, printed_numbers
+from gearwright.replays.colibri.replay import Outcome, replay
 
 NUMBERS = {one.printed.key: one for one in replay().numbers}
 COARSE = {"shaft-1.axial-limit": 6e-3}

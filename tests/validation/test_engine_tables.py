@@ -2,8 +2,8 @@
 
 import pytest
 
-from gearwright.catalogue.engines import all_series, engines
-from gearwright.sizing.statistical.engine_check import Verdict, checked_engines, gearbox_mass
+from gearwright.catalogue import all_series, engines
+from gearwright.weights import Verdict, checked_engines, gearbox_mass
 
 FINE = (Verdict.AGREES, Verdict.ROUNDED)
 ROWS = {"PW100": 28, "PT6A-60": 13, "PT6T-3": 8, "PW210": 3, "PW200": 12, "AE2100": 3, "M250": 11}

@@ -4,15 +4,20 @@ import math
 
 import pytest
 
-from gearwright.sizing.statistical import willis
-from gearwright.sizing.statistical.brown import EXISTING_GEARBOXES, mass_brown
-from gearwright.sizing.statistical.ndarc import mass_afdd00, mass_afdd83
-from gearwright.sizing.statistical.refit import mass_refit, refit
-from gearwright.sizing.statistical.requirement import Requirement
-from gearwright.sizing.statistical.scoreboard import scores
-from gearwright.sizing.statistical.tm215680 import mass_tm215680
-from gearwright.sizing.statistical.wate2 import mass_wate2
 from gearwright.units import HORSEPOWER, POUND, RPM
+from gearwright.weights import (
+    EXISTING_GEARBOXES,
+    Requirement,
+    mass_afdd00,
+    mass_afdd83,
+    mass_brown,
+    mass_refit,
+    mass_tm215680,
+    mass_wate2,
+    refit,
+    scores,
+    willis,
+)
 
 PW127 = (2051e3, 20204 * RPM, 1212 * RPM)
 PRINTED_TENTH = 0.05

@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import Outputs, modes, simulate
-from gearwright.dynamics.assemble import assemble
+from gearwright.dynamics.assembly import assemble
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size
-from gearwright.spec import read
-from gearwright.spec.edit import edited
-from gearwright.train.flow import PowerFlow
+from gearwright.spec import edited, read
+from gearwright.train import PowerFlow
 
 
 @pytest.fixture(scope="module")

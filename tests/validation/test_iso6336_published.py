@@ -8,15 +8,18 @@ import math
 
 import pytest
 
-from gearwright.catalogue.gear_strength import gear_steel
-from gearwright.parts.cylindrical_gear import ISO53_D, CylindricalGear
-from gearwright.parts.gear_pair import GearPair
-from gearwright.parts.iso6336_distribution import face_load_factor
-from gearwright.parts.iso6336_geometry import mesh_geometry
-from gearwright.parts.iso6336_loads import MeshDuty, MeshQuality
-from gearwright.parts.iso6336_pitting import LoadFactors, pitting_rating
-from gearwright.parts.iso6336_rating import rate_pair
-from gearwright.parts.mesh_stiffness_iso6336 import mesh_stiffness_iso6336
+from gearwright.catalogue import gear_steel
+from gearwright.parts.gears import ISO53_D, CylindricalGear, GearPair
+from gearwright.parts.iso6336 import (
+    LoadFactors,
+    MeshDuty,
+    MeshQuality,
+    face_load_factor,
+    mesh_geometry,
+    pitting_rating,
+    rate_pair,
+)
+from gearwright.parts.stiffness import mesh_stiffness_iso6336
 from gearwright.units import RPM
 
 BETA = math.radians(15.8)

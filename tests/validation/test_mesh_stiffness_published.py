@@ -5,11 +5,14 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.parts.cylindrical_gear import CylindricalGear
-from gearwright.parts.gear_pair import GearPair
-from gearwright.parts.material import Material
-from gearwright.parts.mesh_stiffness_energy import mesh_stiffness_energy, pair_stiffness
-from gearwright.parts.mesh_stiffness_iso6336 import mesh_stiffness_iso6336, theoretical_stiffness
+from gearwright.parts import Material
+from gearwright.parts.gears import CylindricalGear, GearPair
+from gearwright.parts.stiffness import (
+    mesh_stiffness_energy,
+    mesh_stiffness_iso6336,
+    pair_stiffness,
+    theoretical_stiffness,
+)
 
 STEEL = Material("steel", 206e9, 0.3, 7850.0)
 

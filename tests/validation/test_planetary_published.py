@@ -5,9 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.dynamics.model import Model
-from gearwright.dynamics.planetary import add_planetary
-from gearwright.dynamics.system import entry_matrix, line_matrix
+from gearwright.dynamics.model import Model, add_planetary, entry_matrix, line_matrix
 from gearwright.validate.planetary_sets import by_family, lin_parker, sharing
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwright.parts.beam import diagram, supported
+from gearwright.parts.shafts import diagram, supported
 from gearwright.units import INCH
 from gearwright.validate.shafts import BEARINGS, LENGTH, POUND_INCH, countershaft
 

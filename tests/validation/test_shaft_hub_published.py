@@ -5,44 +5,45 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.catalogue.keys import key_for_shaft, standard_keys
-from gearwright.parts.critical_speed import critical_speed, critical_speed_dunkerley, critical_speed_rayleigh
-from gearwright.parts.key import (
+from gearwright.catalogue import key_for_shaft, standard_keys
+from gearwright.parts.joints import (
+    MODULES,
     KeySection,
     key_length,
     key_length_in_bearing,
     key_length_in_shear,
     key_pressure,
+    spline,
+    spline_length,
 )
-from gearwright.parts.notch import (
+from gearwright.parts.shafts import (
     Concentration,
-    Shoulder,
-    fatigue_notch_factor,
-    felt_concentration,
-    notch_sensitivity,
-    stress_concentration,
-)
-from gearwright.parts.shaft_din743 import (
-    ShaftSection,
-    ShaftSteel,
-    SteelGroup,
-    section_factor,
-    surface_factors,
-    yield_limits,
-)
-from gearwright.parts.shaft_fatigue import (
     FatigueStrength,
     SectionLoad,
+    ShaftSection,
+    ShaftSteel,
+    Shoulder,
+    SteelGroup,
     asme_diameter,
     asme_safety,
+    critical_speed,
+    critical_speed_dunkerley,
+    critical_speed_rayleigh,
     endurance_limit,
+    fatigue_notch_factor,
+    felt_concentration,
     goodman_diameter,
     goodman_safety,
+    influence,
+    notch_sensitivity,
+    plain_shaft,
+    section_factor,
     section_stress,
+    stress_concentration,
+    surface_factors,
+    yield_limits,
     yield_safety,
 )
-from gearwright.parts.shaft_stiffness import influence, plain_shaft
-from gearwright.parts.spline import MODULES, spline, spline_length
 from gearwright.units import GRAVITY, INCH, POUND, POUND_FORCE
 
 POUND_INCH = POUND_FORCE * INCH

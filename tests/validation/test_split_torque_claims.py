@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 from split_torque import shipped
 
-from gearwright.dynamics.sharing_study import sharing_problem, sharing_study
-from gearwright.render.sharing_page import split_torque_page
+from gearwright.dynamics.sharing import sharing_problem, sharing_study
+from gearwright.render.pages.sharing import split_torque_page
+from gearwright.replays.pulvirenti.claims import Verdict
+from gearwright.replays.wang.claims import split_torque_claims
 from gearwright.sizing import size
-from gearwright.study.claims import Verdict
-from gearwright.study.split_torque_claims import split_torque_claims
 
 VERDICTS = {
     "Without floating": Verdict.HOLDS,

@@ -12,14 +12,10 @@ import pytest
 from split_torque import ALL, STAGES, TURN, built, errors, shipped
 
 from gearwright.dynamics import Outputs, simulate
-from gearwright.dynamics.assemble import assemble
-from gearwright.dynamics.error_sources import error_sources
-from gearwright.dynamics.geometry import contacts_of
-from gearwright.dynamics.load_sharing import redundancy
-from gearwright.dynamics.share_coefficients import line_numbers, share_coefficients
-from gearwright.dynamics.sharing import load_sharing
-from gearwright.dynamics.sharing_studies import influences
-from gearwright.dynamics.sidebands import steady_forces
+from gearwright.dynamics.assembly import assemble, contacts_of
+from gearwright.dynamics.equations import redundancy
+from gearwright.dynamics.sharing import error_sources, influences, line_numbers, load_sharing, share_coefficients
+from gearwright.dynamics.vibration import steady_forces
 from gearwright.sizing import size
 
 RANGES = {

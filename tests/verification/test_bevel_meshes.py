@@ -6,17 +6,15 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import modes
-from gearwright.dynamics.assemble import assemble
-from gearwright.parts.bevel_geometry import Hand, Rotation, bevel_forces
+from gearwright.dynamics.assembly import assemble
+from gearwright.parts.bevel import Hand, Rotation, bevel_forces
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.axes import axes_of
-from gearwright.sizing.context import context
-from gearwright.sizing.layout import plan_of
+from gearwright.sizing.arrangement import axes_of, plan_of
 from gearwright.sizing.loads import shaft_loads
-from gearwright.spec import read
-from gearwright.spec.edit import edited
-from gearwright.spec.overrides import Overrides
+from gearwright.sizing.rating import context
+from gearwright.spec import edited, read
+from gearwright.spec.design import Overrides
 
 DESIGN = read(shipped_design("ec120b"))
 SIZING = size(DESIGN)

@@ -7,7 +7,7 @@ meshes point down, those of the bearings up, as in the thesis; the numbers are c
 import numpy as np
 import pytest
 
-from gearwright.parts.beam import PointLoads, diagram, supported
+from gearwright.parts.shafts import PointLoads, diagram, supported
 
 L3, L4, B1, L2 = 0.053, 0.073, 0.039, 0.034
 LENGTH = L3 + L4 + B1 + L2

@@ -6,19 +6,16 @@ import numpy as np
 import pytest
 
 from designs import changed
-from gearwright.catalogue.bearings import with_ratings
-from gearwright.parts.beam import PointLoads, diagram, supported
-from gearwright.parts.bearing_life import basic_life, life_time, system_life
-from gearwright.parts.material import Material
-from gearwright.parts.notch import Shoulder
-from gearwright.parts.rolling_bearing import BearingKind
-from gearwright.sizing.axes import axes_of
-from gearwright.sizing.context import context
-from gearwright.sizing.forces import ShaftForces, shaft_forces
-from gearwright.sizing.layout import ShaftPlan, plan_of
-from gearwright.sizing.sections import Section, Strength, strengths
+from gearwright.catalogue import with_ratings
+from gearwright.parts import Material
+from gearwright.parts.bearings import BearingKind, basic_life, life_time, system_life
+from gearwright.parts.shafts import PointLoads, Shoulder, diagram, supported
+from gearwright.sizing.arrangement import ShaftPlan, axes_of, plan_of
+from gearwright.sizing.loads import ShaftForces, shaft_forces
+from gearwright.sizing.rating import context
+from gearwright.sizing.shafts import Section, Strength, strengths
 from gearwright.spec import parse
-from gearwright.spec.overrides import Overrides
+from gearwright.spec.design import Overrides
 from gearwright.units import INCH, POUND_FORCE, RPM
 from mounted_designs import HELICOPTER, PAIR, ROTOR, given, sized
 

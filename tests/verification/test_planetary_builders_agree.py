@@ -6,13 +6,10 @@ from importlib.resources import files
 import numpy as np
 import pytest
 
-from gearwright.dynamics.assemble import assemble, gear_pairs, mesh_curve
-from gearwright.dynamics.model import Model
-from gearwright.dynamics.modes import modes
-from gearwright.dynamics.planetary import add_planetary
-from gearwright.dynamics.planetary_set import Member, PlanetarySet
-from gearwright.dynamics.reference import line_state
-from gearwright.parts.planet_phasing import even_positions, planet_phases
+from gearwright.dynamics.assembly import assemble, gear_pairs, mesh_curve
+from gearwright.dynamics.equations import line_state, modes
+from gearwright.dynamics.model import Member, Model, PlanetarySet, add_planetary
+from gearwright.parts.planetary import even_positions, planet_phases
 from gearwright.sizing import size
 from gearwright.spec import read
 

@@ -5,8 +5,7 @@ import pytest
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.spec import Drive, parse, read
-from gearwright.train.flow import power_flow
-from gearwright.train.graph import build_train
+from gearwright.train import build_train, power_flow
 
 CLOSURE = 1e-12
 """Part of the supplied power that rounding may leave."""

@@ -10,9 +10,16 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.iso6336_geometry import MeshGeometry
-from gearwright.parts.scuffing import Oil, ScuffingMesh, flash_temperature, load_sharing, thermo_elastic_factor
-from gearwright.parts.scuffing_integral import contact_ratio_factor_integral, integral_temperature
+from gearwright.parts.iso6336 import MeshGeometry
+from gearwright.parts.scuffing import (
+    Oil,
+    ScuffingMesh,
+    contact_ratio_factor_integral,
+    flash_temperature,
+    integral_temperature,
+    load_sharing,
+    thermo_elastic_factor,
+)
 
 TYPE_A = MeshGeometry((16.0, 24.0), 4.5e-3, 20e-3, 91.5e-3, (88.77e-3 / 2, 112.5e-3 / 2))
 

@@ -1,6 +1,6 @@
 """The corrections to Pulvirenti (2023) that a line of algebra, a balance or a limit case decides, one test for each.
 
-Names begin with the equation, as `gearwright.catalogue.errata` quotes them.
+Names begin with the equation, as `gearwright.replays.pulvirenti.errata` quotes them.
 """
 
 import math
@@ -8,33 +8,35 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.dynamics.linear import damped_modes, linear
+from gearwright.dynamics.equations import damped_modes, linear
 from gearwright.dynamics.model import DampingRatio, Model
-from gearwright.machines.motor import motor_mass_ndarc, motor_mass_thesis
-from gearwright.parts.carrier import pin_diameter
-from gearwright.parts.gear_body import disc_inertia, disc_mass
-from gearwright.parts.hertz import HERTZ_COEFFICIENT, hertz_coefficient
-from gearwright.parts.involute import least_teeth
-from gearwright.parts.lewis import bending_stress_lewis, lewis_form_factor, module_lewis
-from gearwright.parts.mesh_stiffness_pulvirenti import square_wave_pulvirenti
-from gearwright.parts.planet_phasing import even_positions
-from gearwright.parts.planets import assembles, most_planets, neighbours_clear
-from gearwright.parts.shaft import shaft_stress
-from gearwright.parts.stiffness_curve import stiffness_at
+from gearwright.machines import motor_mass_ndarc, motor_mass_thesis
+from gearwright.parts.gears import (
+    HERTZ_COEFFICIENT,
+    bending_stress_lewis,
+    disc_inertia,
+    disc_mass,
+    hertz_coefficient,
+    least_teeth,
+    lewis_form_factor,
+    module_lewis,
+)
+from gearwright.parts.planetary import assembles, even_positions, most_planets, neighbours_clear, pin_diameter
+from gearwright.parts.shafts import shaft_stress
+from gearwright.parts.stiffness import square_wave_pulvirenti, stiffness_at
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import width_ratio
-from gearwright.sizing.statistical.ndarc import mass_afdd00
-from gearwright.sizing.statistical.wate2 import mass_wate2
-from gearwright.sizing.statistical.willis import (
+from gearwright.spec import edited, read
+from gearwright.units import RPM
+from gearwright.weights import (
     bracket_epicyclic,
     bracket_planetary,
     bracket_star,
     lightest_planet,
+    mass_afdd00,
+    mass_wate2,
 )
-from gearwright.spec import read
-from gearwright.spec.edit import edited
-from gearwright.units import RPM
 
 ROUNDING = 1e-12
 """A few operations in double precision."""

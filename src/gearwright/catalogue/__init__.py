@@ -1,1 +1,75 @@
 """Data that comes with gearwright: materials, engines, gearbox weights; each with its provenance."""
+
+from gearwright.catalogue.bearing_choice import (
+    BearingCheck,
+    BearingDuty,
+    BearingSpectrum,
+    check_bearing,
+    choose_bearing,
+    equivalent_loads,
+    fitting_bearings,
+)
+from gearwright.catalogue.bearings import Bearing, bearing, bearings, with_ratings
+from gearwright.catalogue.engines import Engine, Printed, Series, all_series, engines, nearest, notes, select
+from gearwright.catalogue.fits import LARGEST, SEAT_SOURCE, SMALLEST, seat_tolerance, shaft_limits, standard_tolerance
+from gearwright.catalogue.gear_strength import gear_steel, gear_steel_names
+from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
+from gearwright.catalogue.keys import LENGTHS, StandardKey, choose_key_length, key_for_shaft, standard_keys
+from gearwright.catalogue.load_factors import load_factor_tables, load_factors
+from gearwright.catalogue.materials import materials
+from gearwright.catalogue.propellers import (
+    MAPS,
+    charted_point,
+    compressed,
+    hamilton_standard_charts,
+    map_of,
+    propeller_map,
+    read_propeller_map,
+)
+
+__all__ = [
+    "LARGEST",
+    "LENGTHS",
+    "MAPS",
+    "SEAT_SOURCE",
+    "SMALLEST",
+    "Bearing",
+    "BearingCheck",
+    "BearingDuty",
+    "BearingSpectrum",
+    "Engine",
+    "Printed",
+    "Series",
+    "StandardKey",
+    "all_series",
+    "bearing",
+    "bearings",
+    "charted_point",
+    "check_bearing",
+    "choose_bearing",
+    "choose_key_length",
+    "compressed",
+    "engines",
+    "equivalent_loads",
+    "fitting_bearings",
+    "gear_steel",
+    "gear_steel_names",
+    "gearbox_classes",
+    "hamilton_standard_charts",
+    "key_for_shaft",
+    "load_factor_tables",
+    "load_factors",
+    "map_of",
+    "materials",
+    "nearest",
+    "notes",
+    "propeller_map",
+    "read_propeller_map",
+    "seat_tolerance",
+    "select",
+    "shaft_limits",
+    "standard_keys",
+    "standard_tolerance",
+    "weighed_gearboxes",
+    "with_ratings",
+]

@@ -9,21 +9,24 @@ from typing import Annotated
 
 from gearwright.catalogue.bearings import Bearing, bearings
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.bearing_life import basic_life, life_exponent, life_time
-from gearwright.parts.bearing_load import (
+from gearwright.parts.bearings import (
     DEEP_GROOVE_STATIC,
     FOUR_POINT,
     FOUR_POINT_STATIC,
+    BearingGeometry,
+    BearingKind,
+    ball_static_factor,
+    basic_life,
     deep_groove_factors,
     equivalent_load,
+    life_exponent,
+    life_time,
     mean_load,
     static_equivalent_load,
     static_safety,
     taper_factors,
     taper_static_factors,
 )
-from gearwright.parts.bearing_rating import ball_static_factor
-from gearwright.parts.rolling_bearing import BearingGeometry, BearingKind
 from gearwright.units import Force, Length, Origin, Quantity, Ratio, Speed, Time
 
 _HOUR = 3600.0

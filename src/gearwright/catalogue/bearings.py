@@ -18,8 +18,7 @@ from importlib.resources import files
 from types import MappingProxyType
 
 from gearwright.errors import DesignError, Problem, near
-from gearwright.parts.bearing_rating import dynamic_rating, fatigue_load_limit, static_rating
-from gearwright.parts.rolling_bearing import BearingGeometry, BearingKind
+from gearwright.parts.bearings import BearingGeometry, BearingKind, dynamic_rating, fatigue_load_limit, static_rating
 from gearwright.units import Force, Length, Mass
 
 _MM = 1e3

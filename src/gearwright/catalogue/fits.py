@@ -7,7 +7,7 @@ from functools import cache
 from importlib.resources import files
 
 from gearwright.errors import DesignError, Problem, near
-from gearwright.parts.rolling_bearing import BearingKind
+from gearwright.parts.bearings import BearingKind
 from gearwright.units import Length
 
 SMALLEST, LARGEST = 0.006, 0.500

@@ -9,7 +9,7 @@ from importlib.resources import files
 from typing import Any
 
 from gearwright.errors import DesignError, Problem, near
-from gearwright.parts.iso6336_strength import GearSteel, StrengthLine, Treatment, allowable_stress
+from gearwright.parts.iso6336 import GearSteel, StrengthLine, Treatment, allowable_stress
 
 _MPA = 1e6
 

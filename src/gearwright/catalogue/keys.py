@@ -8,7 +8,7 @@ from functools import cache
 from importlib.resources import files
 
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.key import LONGEST_BEARING, KeySection, bearing_length, key_length
+from gearwright.parts.joints import LONGEST_BEARING, KeySection, bearing_length, key_length
 from gearwright.units import Length
 
 LENGTHS = tuple(

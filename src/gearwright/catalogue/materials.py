@@ -8,7 +8,7 @@ from importlib.resources import files
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from gearwright.parts.material import Material
+from gearwright.parts import Material
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

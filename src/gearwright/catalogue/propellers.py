@@ -15,8 +15,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from gearwright.errors import DesignError, Problem, SolveError, near
-from gearwright.machines.hamilton_standard import SMALL_THRUST, Blades, Charts, compressibility, performance
-from gearwright.machines.propeller_map import PropellerMap
+from gearwright.machines import SMALL_THRUST, Blades, Charts, PropellerMap, compressibility, performance
 
 MAPS: Mapping[str, Blades] = {
     "6-blades-af115": Blades(6, 115.0, 0.5),

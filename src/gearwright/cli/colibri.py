@@ -37,9 +37,9 @@ def colibri(
 
     from rich.console import Console
 
-    from gearwright.render.colibri_page import colibri_markdown, colibri_page
-    from gearwright.render.colibri_text import chosen, counts_text, findings_table, replay_record, replay_tables
-    from gearwright.study.colibri.replay import replay
+    from gearwright.replays.colibri.page import colibri_markdown, colibri_page
+    from gearwright.replays.colibri.replay import replay
+    from gearwright.replays.colibri.words import chosen, counts_text, findings_table, replay_record, replay_tables
 
     found = replay()
     numbers = chosen(found, part=part or "", wrong=wrong)

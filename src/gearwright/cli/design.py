@@ -61,9 +61,7 @@ def _list() -> None:
         shipped_studies,
         shipped_study,
     )
-    from gearwright.spec import read
-    from gearwright.spec.mission import read_mission
-    from gearwright.spec.study import read_study
+    from gearwright.spec import read, read_mission, read_study
 
     typer.echo("designs")
     for each in shipped_designs():
@@ -78,7 +76,7 @@ def _list() -> None:
 
 def check(design: DesignArgument) -> None:
     """Check a design file and say everything that is wrong with it; a margin below 1 ends with exit code 1."""
-    from gearwright.render.views import margins
+    from gearwright.render.tables.sizing import margins
 
     sizing = sized(design)
     weak = [each for each in margins(sizing) if not each.holds]
@@ -97,7 +95,7 @@ def size(
     ] = False,
 ) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
-    from gearwright.render.text import print_factors, print_sizing, sizing_json
+    from gearwright.render.words.text import print_factors, print_sizing, sizing_json
 
     sizing = sized(design)
     if json:
@@ -111,7 +109,7 @@ def size(
 def modes(design: DesignArgument, case: CaseOption = None, json: JsonOption = False) -> None:
     """Natural frequencies and mode shapes of a design's drive train."""
     from gearwright.dynamics import modes as find_modes
-    from gearwright.render.text import modes_json, print_modes
+    from gearwright.render.words.text import modes_json, print_modes
 
     found = find_modes(_assemble(sized(design), case))
     if json:
@@ -129,8 +127,8 @@ def simulate(
     json: JsonOption = False,
 ) -> None:
     """Simulate a design's drive train in a load case."""
-    from gearwright.dynamics.assemble import default_case
-    from gearwright.render.text import print_trace, trace_json
+    from gearwright.dynamics.assembly import default_case
+    from gearwright.render.words.text import print_trace, trace_json
     from gearwright.store import save
 
     sizing = sized(design)
@@ -155,10 +153,10 @@ def run(
 ) -> None:
     """Do everything: size, find modes, simulate, and write the report and the results."""
     from gearwright.dynamics import modes as find_modes
-    from gearwright.dynamics.assemble import default_case
-    from gearwright.dynamics.critical_speeds import critical_speeds
-    from gearwright.render.report import report as make_report
-    from gearwright.render.text import print_modes, print_sizing, print_trace, sizing_json
+    from gearwright.dynamics.assembly import default_case
+    from gearwright.dynamics.vibration import critical_speeds
+    from gearwright.render.pages.report import report as make_report
+    from gearwright.render.words.text import print_modes, print_sizing, print_trace, sizing_json
     from gearwright.store import save
 
     sizing = sized(design)
@@ -186,9 +184,9 @@ def report(
 ) -> None:
     """Write the report of a design as one self-contained HTML file that also prints well."""
     from gearwright.dynamics import modes as find_modes
-    from gearwright.dynamics.assemble import default_case
-    from gearwright.dynamics.critical_speeds import critical_speeds
-    from gearwright.render.report import report as make_report
+    from gearwright.dynamics.assembly import default_case
+    from gearwright.dynamics.vibration import critical_speeds
+    from gearwright.render.pages.report import report as make_report
 
     sizing = sized(design)
     stored = _run_of(sizing, results) if results is not None else None
@@ -246,7 +244,7 @@ def _run_of(sizing: Sizing, results: Path) -> StoredRun:
 
 
 def _assemble(sizing: Sizing, case: str | None, stiffness: str | None = None) -> System:
-    from gearwright.dynamics.assemble import assemble
+    from gearwright.dynamics.assembly import assemble
 
     return assemble(sizing, case, stiffness=stiffness)
 

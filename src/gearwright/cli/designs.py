@@ -35,7 +35,7 @@ def sized(name: str) -> Sizing:
     from gearwright.errors import DesignError
     from gearwright.shipped import find_design
     from gearwright.sizing import size
-    from gearwright.spec.read import placed
+    from gearwright.spec import placed
 
     design = design_of(name)
     try:

@@ -10,7 +10,7 @@ import typer
 from gearwright.writing import make_folder, write_text
 
 if TYPE_CHECKING:
-    from gearwright.render.drawings.sheets import Sheet
+    from gearwright.render.drawings.sheet.sheets import Sheet
     from gearwright.sizing import Sizing
 
 FORMATS = ("svg", "dxf")
@@ -28,7 +28,7 @@ def draw(
 ) -> None:
     """Draw the general arrangement, every shaft and every gear as sheets to ISO conventions."""
     from gearwright.render.drawings.catalogue import sheets
-    from gearwright.render.drawings.sheets import scale_text
+    from gearwright.render.drawings.sheet.sheets import scale_text
 
     wanted = _formats(formats)
     drawn = sheets(_sized(design), _names(what))
@@ -67,7 +67,7 @@ def _formats(given: str) -> tuple[str, ...]:
 
 
 def _text(sheet: Sheet, suffix: str) -> str:
-    from gearwright.render.drawings.dxf import sheet_dxf
-    from gearwright.render.drawings.svg import sheet_svg
+    from gearwright.render.drawings.sheet.dxf import sheet_dxf
+    from gearwright.render.drawings.sheet.svg import sheet_svg
 
     return sheet_svg(sheet) if suffix == "svg" else sheet_dxf(sheet)

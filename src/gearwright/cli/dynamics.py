@@ -17,7 +17,7 @@ from gearwright.cli.output import progress, write_figure
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from gearwright.render.tables import Table
+    from gearwright.render.tables.tables import Table
 
 
 def campbell(
@@ -27,10 +27,10 @@ def campbell(
     json: JsonOption = False,
 ) -> None:
     """Show critical speeds with their margins to the operating speed, worst first, and draw the Campbell diagram."""
-    from gearwright.dynamics.assumptions import assumptions
-    from gearwright.dynamics.critical_speeds import critical_speeds
-    from gearwright.render.dynamics_tables import assumption_table, critical_table
-    from gearwright.render.figures_dynamics import campbell_figure
+    from gearwright.dynamics.assembly import assumptions
+    from gearwright.dynamics.vibration import critical_speeds
+    from gearwright.render.figures.dynamics import campbell_figure
+    from gearwright.render.tables.dynamics import assumption_table, critical_table
 
     sizing = sized(design)
     found = critical_speeds(sizing, cases=None if case is None else [case])
@@ -52,10 +52,10 @@ def response(
     json: JsonOption = False,
 ) -> None:
     """Show how mesh forces answer to a transmission error of one mesh row, against frequency."""
-    from gearwright.dynamics.assemble import assemble
-    from gearwright.dynamics.transmission import answer, first_meshes
-    from gearwright.render.dynamics_tables import peak_table
-    from gearwright.render.figures_dynamics import response_figure
+    from gearwright.dynamics.assembly import assemble
+    from gearwright.dynamics.vibration import answer, first_meshes
+    from gearwright.render.figures.dynamics import response_figure
+    from gearwright.render.tables.dynamics import peak_table
 
     sizing = sized(design)
     system = assemble(sizing, case)
@@ -81,11 +81,10 @@ def runup(
     """Run at many speeds and show where each mesh is loudest, and its waterfall with orders."""
     import numpy as np
 
-    from gearwright.dynamics.assemble import assemble, default_case
-    from gearwright.dynamics.runup import run_up
-    from gearwright.dynamics.transmission import first_meshes
-    from gearwright.render.dynamics_tables import loudest_table
-    from gearwright.render.figures_dynamics_maps import waterfall_figure
+    from gearwright.dynamics.assembly import assemble, default_case
+    from gearwright.dynamics.vibration import first_meshes, run_up
+    from gearwright.render.figures.maps import waterfall_figure
+    from gearwright.render.tables.dynamics import loudest_table
 
     sizing = sized(design)
     system = assemble(sizing, case)
@@ -108,7 +107,7 @@ def validate(
 ) -> None:
     """Compare gearwright with every published number that it knows: case, source, expected, got, error, verdict."""
     from gearwright.errors import SolveError
-    from gearwright.render.validation import by_source, source_table, validation_table, verdict
+    from gearwright.render.tables.validation import by_source, source_table, validation_table, verdict
     from gearwright.validate import Checked, published
 
     found: list[Checked] = []
@@ -130,8 +129,8 @@ def _show(tables: list[Table], *, json: bool) -> None:
 
     from rich.console import Console
 
-    from gearwright.render.tables import as_json
-    from gearwright.render.text import table_text
+    from gearwright.render.tables.tables import as_json
+    from gearwright.render.words.text import table_text
 
     if json:
         typer.echo(words.dumps([as_json(each) for each in tables], indent=2, ensure_ascii=False, allow_nan=False))

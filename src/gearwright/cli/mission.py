@@ -15,8 +15,7 @@ from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from gearwright.mission import Durability, Flight, LifeSizing
-    from gearwright.spec import Design
-    from gearwright.spec.mission import Mission
+    from gearwright.spec import Design, Mission
 
 
 def fly(
@@ -46,13 +45,13 @@ def fly(
     if window and report is None:
         raise DesignError([Problem("--window", "windows are drawn on the page; name its file with --report, too")])
     flight, parts, life = _flown(design_of(design), mission, life_h=life_h)
-    from gearwright.render.flight_data import flight_csv, flight_json
-    from gearwright.render.flight_text import flight_text
+    from gearwright.render.words.flight import flight_text
+    from gearwright.render.words.flight_data import flight_csv, flight_json
 
     typer.echo(flight_json(flight, parts, life) if json else flight_text(flight, parts, life))
     if report is not None:
         from gearwright.mission.windows import fly_window
-        from gearwright.render.flight_page import flight_page
+        from gearwright.render.pages.flight import flight_page
 
         flown = [fly_window(flight, name) for name in _windows(flight, window or [])]
         write_text(report, flight_page(flight, parts, life, windows=flown))
@@ -69,7 +68,7 @@ def _windows(flight: Flight, names: list[str]) -> list[str]:
 
 def _list() -> None:
     from gearwright.shipped import shipped_mission, shipped_missions
-    from gearwright.spec.mission import read_mission
+    from gearwright.spec import read_mission
 
     for each in shipped_missions():
         typer.echo(f"{each:20} {read_mission(shipped_mission(each)).name}")
@@ -78,7 +77,7 @@ def _list() -> None:
 def mission_of(name: str) -> tuple[Mission, Path]:
     """Return a mission, and the folder in which its propeller map may lie."""
     from gearwright.shipped import find_mission
-    from gearwright.spec.mission import read_mission
+    from gearwright.spec import read_mission
 
     path = find_mission(name)
     return read_mission(path), path.parent
@@ -91,7 +90,7 @@ def _flown(design: Design, name: str, *, life_h: float | None) -> tuple[Flight, 
     from gearwright.mission import fly as flown_by
     from gearwright.shipped import find_mission
     from gearwright.sizing import size
-    from gearwright.spec.read import placed
+    from gearwright.spec import placed
 
     mission, folder = mission_of(name)
     try:

@@ -25,7 +25,7 @@ def write_figure(drawn: Figure, path: Path) -> None:
         DesignError: If the name ends otherwise.
     """
     from gearwright.errors import DesignError, Problem
-    from gearwright.render.theme import to_png, to_svg
+    from gearwright.render.style.theme import to_png, to_svg
 
     match path.suffix:
         case ".svg":

@@ -20,10 +20,9 @@ from gearwright.writing import write_text
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from gearwright.spec import Design
-    from gearwright.spec.study import Study
+    from gearwright.spec import Design, Study
     from gearwright.study import Table
-    from gearwright.study.runner import Progress, Start
+    from gearwright.study.running import Progress, Start
 
 JournalArgument = Annotated[Path, typer.Argument(help="Journal that a study writes", metavar="JOURNAL")]
 WorkersOption = Annotated[
@@ -47,8 +46,8 @@ def run_shown(
     origin: str,
 ) -> Table:  # fmt: skip
     """Run a study and show its progress on a terminal."""
-    from gearwright.spec.study import case_count
-    from gearwright.study.runner import run_study
+    from gearwright.spec import case_count
+    from gearwright.study.running import run_study
 
     count = _workers(workers, case_count(study))
     with _stopped_cleanly(journal), _watched() as watch:
@@ -59,7 +58,7 @@ def run_shown(
 
 def status(journal: JournalArgument) -> None:
     """Show how far a study is: also while it runs, from another terminal."""
-    from gearwright.study.journal import status as look
+    from gearwright.study.running import status as look
 
     found = look(journal)
     known = found.recorded
@@ -85,8 +84,8 @@ def resume(
     json: JsonOption = False,
 ) -> None:
     """Continue a study that was stopped, or show a complete one: no finished case is computed again."""
-    from gearwright.study.journal import recorded
-    from gearwright.study.runner import resume as go_on
+    from gearwright.study.running import recorded
+    from gearwright.study.running import resume as go_on
 
     refuse_files(csv, export, report)
     known = recorded(journal)
@@ -105,7 +104,7 @@ def cluster(
     processes: Annotated[int, typer.Option(help="Workers on one machine: its cores", min=1)] = os.cpu_count() or 1,
 ) -> None:
     """Print the commands that start a Dask cluster for studies; every machine needs gearwright[cluster] only."""
-    from gearwright.study.cluster import commands
+    from gearwright.study.running import commands
 
     scheduler, workers, start = commands(host, processes)
     typer.echo(f"once:              {scheduler}\non every machine:  {workers}\nthen:              {start}")
@@ -115,7 +114,7 @@ def show_table(table: Table, study: Study | None = None, *, csv: Path | None, js
     """Print the table of a study (its spread if it is long, then what follows from it) or JSON; write it as CSV."""
     from rich.console import Console
 
-    from gearwright.render.study_tables import study_csv, study_grid, study_json, summary_grid
+    from gearwright.render.tables.study import study_csv, study_grid, study_json, summary_grid
 
     if json:
         typer.echo(study_json(table))
@@ -131,10 +130,9 @@ def _show_answer(study: Study, table: Table) -> None:
     """Print the front of several objectives, and in sentences what wins, by how much, and how sure that is."""
     from rich.console import Console
 
-    from gearwright.render.study_tables import study_grid
-    from gearwright.render.study_words import answer
-    from gearwright.study.pareto import front_table
-    from gearwright.study.verdict import verdict
+    from gearwright.render.tables.study import study_grid
+    from gearwright.render.words.study import answer
+    from gearwright.study.answers import front_table, verdict
 
     if len(study.objectives) > 1 and verdict(study, table) is None:
         Console().print(study_grid(front_table(study, table)))
@@ -152,7 +150,7 @@ def refuse_files(csv: Path | None, export: Path | None, *others: Path | None) ->
             Problem("", f"there is no folder {folder}; make it, or name another one") for folder in sorted(folders)
         )
     if export is not None:
-        from gearwright.study.export import refuse_export
+        from gearwright.study.answers import refuse_export
 
         refuse_export(export)
 
@@ -162,12 +160,12 @@ def write_files(
 ) -> None:
     """Write the table for other programs and the page of a study, where they are asked for."""
     if export is not None:
-        from gearwright.study.export import write_table
+        from gearwright.study.answers import write_table
 
         write_table(export, table)
         typer.echo(f"wrote {export}", err=True)
     if report is not None:
-        from gearwright.render.study_page import study_page
+        from gearwright.render.pages.study import study_page
 
         write_text(report, study_page(study, table, designs))
         typer.echo(f"wrote {report}", err=True)
@@ -175,7 +173,7 @@ def write_files(
 
 def _refuse_changed_mission(journal: Path, study: Study, folder: Path) -> None:
     from gearwright.errors import DesignError, Problem
-    from gearwright.spec.study import mission_changed
+    from gearwright.spec import mission_changed
 
     if mission_changed(study, folder):
         fix = "begin a new journal, or continue --anyway with the mission in the journal"
@@ -199,10 +197,10 @@ def _workers(asked: int | None, cases: int) -> int:
 def _start(cluster: str | None) -> Start:
     """Return what holds workers: processes here, or a cluster."""
     if cluster is not None:
-        from gearwright.study.cluster import Cluster
+        from gearwright.study.running import Cluster
 
         return Cluster(cluster)
-    from gearwright.study.workers import local
+    from gearwright.study.running import local
 
     return local
 

@@ -16,7 +16,7 @@ from gearwright.cli.output import write_figure
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
-    from gearwright.dynamics.sharing_study import SharingStudy
+    from gearwright.dynamics.sharing import SharingStudy
 
 SPLIT_TORQUE = "face-gear-split-torque"
 """Shipped design whose page carries the paper's figures and claims."""
@@ -42,10 +42,9 @@ def sharing(
     """Say how parallel paths share their load, what each error does, and which tolerance to tighten."""
     from rich.console import Console
 
-    from gearwright.dynamics.planet_counts import planet_counts
-    from gearwright.dynamics.sharing_study import sharing_problem, sharing_study
-    from gearwright.render.sharing_planets import planets_text
-    from gearwright.render.sharing_text import sharing_json, sharing_text
+    from gearwright.dynamics.sharing import planet_counts, sharing_problem, sharing_study
+    from gearwright.render.figures.planets import planets_text
+    from gearwright.render.words.sharing import sharing_json, sharing_text
 
     share = asked_share(target)
     sizing = sized(design)
@@ -61,7 +60,7 @@ def sharing(
     if figure is not None:
         _draw(study, figure)
     if report is not None:
-        from gearwright.render.sharing_page import sharing_page, split_torque_page
+        from gearwright.render.pages.sharing import sharing_page, split_torque_page
 
         page = split_torque_page if Path(design).stem == SPLIT_TORQUE else sharing_page
         drawn = page(sizing, [study], counts=[] if counts is None else [counts], target=share)
@@ -95,7 +94,7 @@ def asked_share(target: str | None) -> float | None:
 
 
 def _draw(study: SharingStudy, path: Path) -> None:
-    from gearwright.render.split_figures import allocation_figure, sharing_figure, tornado_figure
+    from gearwright.render.figures.sharing import allocation_figure, sharing_figure, tornado_figure
 
     if study.allocation is not None:
         drawn = allocation_figure(study.allocation)

@@ -28,9 +28,8 @@ from gearwright.cli.runs import (
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
-    from gearwright.spec import Design
+    from gearwright.spec import Design, Study
     from gearwright.spec.axis import Value
-    from gearwright.spec.study import Study
     from gearwright.study import Table
 
 JournalOption = Annotated[Path | None, typer.Option(help="Keep every finished case in this file, for `resume`")]
@@ -55,7 +54,7 @@ def study(
 ) -> None:
     """Run a study: designs along axes or over samples, one row per variant."""
     from gearwright.shipped import find_study, shipped_studies, shipped_study
-    from gearwright.spec.study import read_study
+    from gearwright.spec import read_study
 
     if name is None:
         for each in shipped_studies():
@@ -86,7 +85,7 @@ def compare(
 ) -> None:
     """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
     from gearwright.shipped import shipped_study
-    from gearwright.spec.study import read_study
+    from gearwright.spec import read_study
     from gearwright.study import for_engine, run
     from gearwright.units import RPM
 
@@ -112,9 +111,9 @@ def compare(
 
 
 def _write_comparison(path: Path, table: Table, designs: dict[str, Design], changes: dict[str, Value]) -> None:
-    from gearwright.render.comparison import comparison
+    from gearwright.render.pages.comparison import comparison
     from gearwright.sizing import size
-    from gearwright.spec.edit import edited
+    from gearwright.spec import edited
 
     sizings = {row.design: size(edited(designs[row.design], changes)) for row in table.rows if not row.problem}
     write_text(path, comparison(table, sizings))
@@ -122,7 +121,7 @@ def _write_comparison(path: Path, table: Table, designs: dict[str, Design], chan
 
 
 def _draw(study: Study, table: Table, path: Path) -> None:
-    from gearwright.render.study_spread import figure_of
+    from gearwright.render.figures.study_spread import figure_of
 
     write_figure(figure_of(study, table), path)
 

@@ -30,9 +30,9 @@ def thesis(
         return
     from rich.console import Console
 
-    from gearwright.catalogue.errata import errata as all_errata
-    from gearwright.render.thesis_page import claims_table, errata_table, thesis_markdown, thesis_page
-    from gearwright.study.claims import claims
+    from gearwright.replays.pulvirenti.claims import claims
+    from gearwright.replays.pulvirenti.errata import errata as all_errata
+    from gearwright.replays.pulvirenti.page import claims_table, errata_table, thesis_markdown, thesis_page
 
     console = Console()
     console.print(claims_table(claims()))
@@ -46,10 +46,10 @@ def thesis(
 def _chapter(page: Path, figures: Path | None) -> None:
     """Write the page of chapter 4 with a figure for each window beside it, and all counterparts into a folder."""
     from gearwright.cli.output import write_figure
-    from gearwright.render.theme import to_png
-    from gearwright.render.thesis_flight import FIGURES, PANELS, chapter_figure, chapter_markdown
-    from gearwright.study.flight_claims import chapter_runs, flight_claims
-    from gearwright.study.flight_phases import phased
+    from gearwright.render.style.theme import to_png
+    from gearwright.replays.pulvirenti.flight_claims import chapter_runs, flight_claims
+    from gearwright.replays.pulvirenti.flight_page import FIGURES, PANELS, chapter_figure, chapter_markdown
+    from gearwright.replays.pulvirenti.flight_phases import phased
 
     runs = chapter_runs()
     images = {window: f"{page.stem}-{window}.png" for window in PANELS}

@@ -16,8 +16,7 @@ from gearwright.writing import write_text
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from gearwright.sizing.statistical.comparison import Comparison, StatedMass
-    from gearwright.sizing.statistical.engine_check import CheckedEngine
+    from gearwright.weights import CheckedEngine, Comparison, StatedMass
 
 _KW = 1e3
 
@@ -54,9 +53,10 @@ def engines(
     """List the 121 engines of the catalogue with what is printed, and the reason where a number is wrong."""
     from rich.console import Console
 
-    from gearwright.catalogue.engines import select
-    from gearwright.render import weights, weights_data
-    from gearwright.sizing.statistical.engine_check import check_engine
+    from gearwright.catalogue import select
+    from gearwright.render.tables import weights
+    from gearwright.render.words import weights_data
+    from gearwright.weights import check_engine
 
     span = (min_power_kw * _KW, max_power_kw * _KW)
     chosen = select(series=series, manufacturer=manufacturer, kind=kind or "", model=model, power=span)
@@ -96,7 +96,7 @@ def stated_mass(mass_kg: float | None, origin: str) -> StatedMass | None:
         DesignError: A mass without an origin, or an origin without a mass.
     """
     from gearwright.errors import DesignError, Problem
-    from gearwright.sizing.statistical.comparison import StatedMass
+    from gearwright.weights import StatedMass
 
     if mass_kg is not None:
         return StatedMass(mass_kg, origin, overridden=True)
@@ -128,11 +128,10 @@ def show_mass(
     """
     from rich.console import Console
 
-    from gearwright.render import weights, weights_data
-    from gearwright.sizing.statistical.comparison import compare
-    from gearwright.sizing.statistical.requirement import Requirement
-    from gearwright.sizing.statistical.scoreboard import scores
+    from gearwright.render.tables import weights
+    from gearwright.render.words import weights_data
     from gearwright.units import RPM
+    from gearwright.weights import Requirement, compare, scores
 
     need = Requirement(power_kw * _KW, engine_rpm * RPM, propeller_rpm * RPM)
     found = compare(need, bottom_up=bottom_up, stated=stated)
@@ -142,14 +141,14 @@ def show_mass(
     if json is not None:
         _write(json, weights_data.to_json(weights_data.comparison_record(found)))
     if report is not None:
-        from gearwright.render.weights_page import weights_page
+        from gearwright.render.pages.weights import weights_page
 
         _write(report, weights_page(found))
     return found
 
 
 def _sort_keys() -> dict[Order, Callable[[CheckedEngine], float | str]]:
-    from gearwright.sizing.statistical.engine_check import gearbox_mass
+    from gearwright.weights import gearbox_mass
 
     return {
         Order.MODEL: lambda row: row.engine.model,

@@ -17,7 +17,7 @@ from gearwright.cli.options import DesignArgument, FigureOption, JsonOption
 from gearwright.cli.output import write_figure
 
 if TYPE_CHECKING:
-    from gearwright.spec.mission import Mission
+    from gearwright.spec import Mission
 
 
 def window(
@@ -38,8 +38,8 @@ def window(
         return
     from gearwright.mission import fly
     from gearwright.mission.windows import fly_window, window_rules
-    from gearwright.render.window_text import window_json, window_text
-    from gearwright.train.flow import RATED
+    from gearwright.render.words.window import window_json, window_text
+    from gearwright.train import RATED
 
     sizing = sized(design)
     flight = fly(sizing, flown, folder=folder)
@@ -54,7 +54,7 @@ def window(
         save(output, found.trace, design=sizing.design, case=RATED)
         typer.echo(f"wrote {output}", err=True)
     if figure is not None:
-        from gearwright.render.figures_window import window_figure
+        from gearwright.render.figures.window import window_figure
 
         write_figure(window_figure(found), figure)
         typer.echo(f"wrote {figure}", err=True)

@@ -1,1 +1,78 @@
 """Turbine, motor and propeller as the gearbox sees them: mass and inertia by closed laws."""
+
+from gearwright.machines.battery import EMPTY, FULL, Battery, BatteryStep, battery_step, highest_current, stored_energy
+from gearwright.machines.gas_turbine import HEATING_VALUE, Engine, PowerLimits, fuel_flow, power_limits
+from gearwright.machines.governor import (
+    Governor,
+    GovernorState,
+    LimitCycle,
+    Rotor,
+    commanded_pitch,
+    governed_response,
+    governor_rates,
+    limit_cycle,
+    marched,
+    refuse_limit_cycle,
+)
+from gearwright.machines.hamilton_standard import SMALL_THRUST, Blades, Charts, compressibility, performance
+from gearwright.machines.motor import LENGTH_RATIO, motor_diameter, motor_mass_ndarc, motor_mass_thesis, rotor_inertia
+from gearwright.machines.motor_efficiency import MotorLosses, efficiency_map, motor_loss, rated_losses
+from gearwright.machines.propeller_map import (
+    INSIDE,
+    PropellerMap,
+    angle_for_power,
+    angle_for_thrust,
+    blade_angles,
+    coefficients,
+    look_up,
+)
+from gearwright.machines.rotors import propeller_inertia, turbine_diameter, turbine_inertia
+
+__all__ = [
+    "EMPTY",
+    "FULL",
+    "HEATING_VALUE",
+    "INSIDE",
+    "LENGTH_RATIO",
+    "SMALL_THRUST",
+    "Battery",
+    "BatteryStep",
+    "Blades",
+    "Charts",
+    "Engine",
+    "Governor",
+    "GovernorState",
+    "LimitCycle",
+    "MotorLosses",
+    "PowerLimits",
+    "PropellerMap",
+    "Rotor",
+    "angle_for_power",
+    "angle_for_thrust",
+    "battery_step",
+    "blade_angles",
+    "coefficients",
+    "commanded_pitch",
+    "compressibility",
+    "efficiency_map",
+    "fuel_flow",
+    "governed_response",
+    "governor_rates",
+    "highest_current",
+    "limit_cycle",
+    "look_up",
+    "marched",
+    "motor_diameter",
+    "motor_loss",
+    "motor_mass_ndarc",
+    "motor_mass_thesis",
+    "performance",
+    "power_limits",
+    "propeller_inertia",
+    "rated_losses",
+    "refuse_limit_cycle",
+    "rotor_inertia",
+    "stored_energy",
+    "turbine_diameter",
+    "turbine_inertia",
+]

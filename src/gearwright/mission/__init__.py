@@ -1,13 +1,13 @@
 """A mission flown by a sized gearbox: Mission x Sizing becomes a Flight."""
 
-from gearwright.mission.bearings import BearingDamage, BearingLives, bearing_lives
-from gearwright.mission.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.mission.flight import Balance, Flight, PhaseSummary, phase_summaries
 from gearwright.mission.fly import fly
-from gearwright.mission.governed import Window, governed_window, rotor_at, trim_at
-from gearwright.mission.life import LifeSizing, size_for_life
-from gearwright.mission.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
-from gearwright.mission.verdict import Durability, PartLife, durability
+from gearwright.mission.lives.bearings import BearingDamage, BearingLives, bearing_lives
+from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
+from gearwright.mission.lives.life import LifeSizing, size_for_life
+from gearwright.mission.lives.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
+from gearwright.mission.lives.verdict import Durability, PartLife, durability
+from gearwright.mission.windows.governed import Window, governed_window, rotor_at, trim_at
 
 __all__ = [
     "Balance",

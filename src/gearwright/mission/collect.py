@@ -7,13 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.machines.battery import stored_energy
-from gearwright.machines.propeller_map import PropellerMap
+from gearwright.machines import PropellerMap, stored_energy
 from gearwright.mission.flight import Balance, Flight, fuel_energy
 from gearwright.mission.gearbox import Array, Gearbox, Point
 from gearwright.mission.supply import Supply
-from gearwright.parts.losses_oil import cooler_conductance, oil_flow
-from gearwright.spec.mission import Mission
+from gearwright.parts.losses import cooler_conductance, oil_flow
+from gearwright.spec import Mission
 
 
 class Interval(NamedTuple):

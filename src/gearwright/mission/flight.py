@@ -8,10 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.machines.gas_turbine import HEATING_VALUE
-from gearwright.machines.propeller_map import PropellerMap
+from gearwright.machines import HEATING_VALUE, PropellerMap
 from gearwright.sizing import Sizing
-from gearwright.spec.mission import Mission
+from gearwright.spec import Mission
 from gearwright.units import Energy, Mass, Ratio, Time
 
 Array = NDArray[np.float64]

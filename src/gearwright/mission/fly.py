@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from gearwright.catalogue.propellers import propeller_map, read_propeller_map
+from gearwright.catalogue import propeller_map, read_propeller_map
 from gearwright.errors import DesignError, Problem, near
-from gearwright.machines.propeller_map import PropellerMap
+from gearwright.machines import PropellerMap
 from gearwright.mission.collect import Flown, Interval, collect
 from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Oil, Point, drag, efficiencies, gearbox_of, operate
@@ -18,7 +18,7 @@ from gearwright.mission.profile import Moment, moments
 from gearwright.mission.supply import supply_of
 from gearwright.mission.thrust import performed, propeller_power
 from gearwright.sizing import Sizing
-from gearwright.spec.mission import NO_MAP, Mission, engine_out, mission_problems
+from gearwright.spec import NO_MAP, Mission, engine_out, mission_problems
 
 TRIAL_POWER = 1e5
 """Power at which an operating point is found before it is scaled [W]; torques and powers are proportional."""

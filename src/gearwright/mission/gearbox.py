@@ -10,16 +10,20 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.parts.losses_bearing import bearing_torque_constant
-from gearwright.parts.losses_mesh import ToothContact, mesh_efficiency, mesh_friction, tooth_contact
-from gearwright.parts.losses_oil import churning_power, oil_viscosity, windage_power
-from gearwright.sizing import Sizing
-from gearwright.sizing.bearing_seats import Seat, bearing_seats, seat_forces
-from gearwright.sizing.result import GearSizing
+from gearwright.parts.losses import (
+    ToothContact,
+    bearing_torque_constant,
+    churning_power,
+    mesh_efficiency,
+    mesh_friction,
+    oil_viscosity,
+    tooth_contact,
+    windage_power,
+)
+from gearwright.sizing import GearSizing, Sizing
+from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
 from gearwright.spec import GROUND, Design, Drive
-from gearwright.train.flow import PowerFlow, power_flow
-from gearwright.train.graph import INTERNAL
-from gearwright.train.turning import Turning
+from gearwright.train import INTERNAL, PowerFlow, Turning, power_flow
 
 Array = NDArray[np.float64]
 OIL_DENSITY = 950.0

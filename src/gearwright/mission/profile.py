@@ -7,10 +7,9 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
-from gearwright.air.airspeed import true_of_calibrated
-from gearwright.air.atmosphere import Air, air_at
+from gearwright.air import Air, air_at, true_of_calibrated
 from gearwright.errors import DesignError, Problem
-from gearwright.spec.mission import Mission, Phase
+from gearwright.spec import Mission, Phase
 
 
 class Moment(NamedTuple):

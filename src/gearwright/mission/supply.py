@@ -5,15 +5,27 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from gearwright.air.airspeed import stagnation_ratios
+from gearwright.air import stagnation_ratios
 from gearwright.errors import DesignError, Problem, near
-from gearwright.machines.battery import EMPTY, FULL, Battery, BatteryStep, battery_step, highest_current
-from gearwright.machines.gas_turbine import Engine, PowerLimits, fuel_flow, power_limits
-from gearwright.machines.motor_efficiency import MotorLosses, motor_loss, rated_losses
+from gearwright.machines import (
+    EMPTY,
+    FULL,
+    Battery,
+    BatteryStep,
+    Engine,
+    MotorLosses,
+    PowerLimits,
+    battery_step,
+    fuel_flow,
+    highest_current,
+    motor_loss,
+    power_limits,
+    rated_losses,
+)
 from gearwright.mission.gearbox import Array, Gearbox, Point
 from gearwright.mission.profile import Moment
 from gearwright.sizing import Sizing
-from gearwright.spec.mission import BatteryRules, Mission, Phase
+from gearwright.spec import BatteryRules, Mission, Phase
 
 _SECONDS = 3600.0
 _SLACK = 1e-9

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 
-from gearwright.catalogue.propellers import compressed
+from gearwright.catalogue import compressed
 from gearwright.errors import DesignError, Problem
-from gearwright.machines.propeller_map import PropellerMap, angle_for_power, angle_for_thrust, coefficients
+from gearwright.machines import PropellerMap, angle_for_power, angle_for_thrust, coefficients
 from gearwright.mission.gearbox import Gearbox
 from gearwright.mission.profile import Moment
-from gearwright.spec.mission import Mission, Phase
+from gearwright.spec import Mission, Phase
 from gearwright.units import GRAVITY
 
 _ROUNDS = 8

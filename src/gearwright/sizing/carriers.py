@@ -6,9 +6,9 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from gearwright.parts.carrier import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
-from gearwright.parts.material import Material
-from gearwright.sizing.context import Context
+from gearwright.parts import Material
+from gearwright.parts.planetary import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
+from gearwright.sizing.rating import Context
 from gearwright.sizing.result import CarrierSizing, GearSizing, ShaftSizing
 from gearwright.sizing.shafts import shaft_material
 from gearwright.spec import GROUND, Planetary

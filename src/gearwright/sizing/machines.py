@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-from gearwright.machines.motor import LENGTH_RATIO, motor_diameter, motor_mass_ndarc, motor_mass_thesis, rotor_inertia
-from gearwright.machines.rotors import propeller_inertia, turbine_diameter, turbine_inertia
-from gearwright.sizing.context import Context
+from gearwright.machines import (
+    LENGTH_RATIO,
+    motor_diameter,
+    motor_mass_ndarc,
+    motor_mass_thesis,
+    propeller_inertia,
+    rotor_inertia,
+    turbine_diameter,
+    turbine_inertia,
+)
+from gearwright.sizing.rating import Context
 from gearwright.sizing.result import MachineSizing
 from gearwright.spec import Motor, Propeller, Turbine
-from gearwright.train.flow import RATED
+from gearwright.train import RATED
 
 _MASS_LAWS = {"ndarc": motor_mass_ndarc, "thesis": motor_mass_thesis}
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from gearwright.catalogue.bearings import Bearing
+from gearwright.catalogue import Bearing
 from gearwright.units import Force, Length, Life, Mass, Number, Origin, Quantity, Ratio, Slope, Speed, Stress, Torque
 
 

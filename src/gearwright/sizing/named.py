@@ -7,9 +7,9 @@ from dataclasses import fields
 from typing import NamedTuple, get_args, get_type_hints
 
 from gearwright.errors import DesignError, Problem, near
-from gearwright.sizing.envelope import envelope
+from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, MeshSizing, ShaftSizing, Sizing
-from gearwright.train.flow import RATED, PowerFlow
+from gearwright.train import RATED, PowerFlow
 from gearwright.units import Quantity
 
 TEXT = "text"

@@ -7,12 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
-from gearwright.parts.bearing_life import system_life, weibull_slope
-from gearwright.sizing.gear_rating import MeshRating
+from gearwright.parts.bearings import system_life, weibull_slope
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing
+from gearwright.sizing.rating import MeshRating
 from gearwright.spec import Design
-from gearwright.train.flow import PowerFlow
-from gearwright.train.graph import Train
+from gearwright.train import PowerFlow, Train
 from gearwright.units import Force, Inertia, Length, Mass, Number, Origin, Quantity, Ratio, Speed, Torque
 
 _THESIS = "Pulvirenti 2023"

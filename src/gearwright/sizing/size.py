@@ -3,22 +3,15 @@
 from __future__ import annotations
 
 from gearwright.sizing.carriers import size_carriers
-from gearwright.sizing.checks import checks_of
-from gearwright.sizing.context import context
-from gearwright.sizing.gear_checks import gear_checks
-from gearwright.sizing.gears import size_gears, size_meshes
 from gearwright.sizing.machines import size_machines
-from gearwright.sizing.refusal import refuse_bores, refuse_contradictions
+from gearwright.sizing.rating import context
 from gearwright.sizing.result import Sizing
-from gearwright.sizing.shafts import size_shafts
-from gearwright.sizing.stage_sizes import stage_sizes
-from gearwright.sizing.teeth import choose_teeth
+from gearwright.sizing.shafts import checks_of, size_shafts
+from gearwright.sizing.stages import gear_checks, size_gears, size_meshes, stage_sizes
+from gearwright.sizing.teeth import choose_teeth, refuse_bores, refuse_contradictions
 from gearwright.spec import Design
-from gearwright.spec.overrides import Overrides
-from gearwright.train.flow import power_flows
-from gearwright.train.graph import build_train
-from gearwright.train.targets import targets
-from gearwright.train.turning import Turning
+from gearwright.spec.design import Overrides
+from gearwright.train import Turning, build_train, power_flows, targets
 
 
 def size(design: Design) -> Sizing:

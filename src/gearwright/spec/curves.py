@@ -10,9 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from gearwright.errors import DesignError, Problem, near
-from gearwright.parts.stiffness_curve import sampled_curve
-from gearwright.spec.design import Design
-from gearwright.spec.dynamics import MeshCurve
+from gearwright.parts.stiffness import sampled_curve
+from gearwright.spec.design import Design, MeshCurve
 
 COLUMNS = ("phase_cycles", "stiffness_n_m")
 """Of the file, in its first row; others are left alone."""

@@ -9,7 +9,7 @@ from typing import Any, TypeVar, Union, get_args, get_origin
 from pydantic import ValidationError
 
 from gearwright.errors import DesignError, Problem, near
-from gearwright.spec.check import reference_problems
+from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import Design
 from gearwright.spec.mission import Mission, mission_problems
 from gearwright.spec.record import Record, keys_of

@@ -8,9 +8,9 @@ from typing import Literal, cast
 
 from pydantic import Field
 
-from gearwright.catalogue.gear_strength import gear_steel
+from gearwright.catalogue import gear_steel
 from gearwright.errors import DesignError, Problem
-from gearwright.spec.check_gears import STEEL_KEYS
+from gearwright.spec.checks import STEEL_KEYS
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.spec.windows import GovernorRules, WindowRules, window_problems

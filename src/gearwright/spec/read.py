@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from gearwright.errors import DesignError, Problem
-from gearwright.spec.check import reference_problems
-from gearwright.spec.check_bearings import bearing_problems
+from gearwright.spec.checks import bearing_problems, reference_problems
 from gearwright.spec.curves import with_curves
 from gearwright.spec.design import Design
 from gearwright.spec.lines import key_lines, line_of

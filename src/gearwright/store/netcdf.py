@@ -15,9 +15,9 @@ import h5netcdf
 import numpy as np
 
 from gearwright.dynamics import Labels, Samples, Statistics, Trace
-from gearwright.dynamics.energy import Work
-from gearwright.dynamics.system import Tone
-from gearwright.dynamics.trace import Checkpoints, Orders
+from gearwright.dynamics.equations import Work
+from gearwright.dynamics.model import Tone
+from gearwright.dynamics.motion import Checkpoints, Orders
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import Design
 from gearwright.store.image import new_netcdf

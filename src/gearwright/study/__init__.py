@@ -1,7 +1,7 @@
 """Studies: the same verbs over many designs."""
 
-from gearwright.study.engine import for_engine
-from gearwright.study.run import run
-from gearwright.study.table import Row, Table
+from gearwright.study.answers import Row, Table
+from gearwright.study.cases import for_engine
+from gearwright.study.running import run
 
 __all__ = ["Row", "Table", "for_engine", "run"]

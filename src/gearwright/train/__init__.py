@@ -1,1 +1,34 @@
 """The power train: its graph, speeds, torques and powers, and the ratios asked of its stages."""
+
+from gearwright.train.edges import Edge, members_of, willis_ratio, willis_speed
+from gearwright.train.flow import RATED, MeshFlow, PowerFlow, power_flow, power_flows
+from gearwright.train.graph import EXTERNAL, INTERNAL, Gear, Joint, Mesh, Train, build_train, gear_of
+from gearwright.train.memory import remembered
+from gearwright.train.recirculation import recirculation
+from gearwright.train.targets import Targets, targets
+from gearwright.train.turning import Turning
+
+__all__ = [
+    "EXTERNAL",
+    "INTERNAL",
+    "RATED",
+    "Edge",
+    "Gear",
+    "Joint",
+    "Mesh",
+    "MeshFlow",
+    "PowerFlow",
+    "Targets",
+    "Train",
+    "Turning",
+    "build_train",
+    "gear_of",
+    "members_of",
+    "power_flow",
+    "power_flows",
+    "recirculation",
+    "remembered",
+    "targets",
+    "willis_ratio",
+    "willis_speed",
+]

@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import Literal
 
 from gearwright.spec import GROUND, Design, Pair, Planetary
-from gearwright.spec.check import as_list
+from gearwright.spec.checks import as_list
 
 EXTERNAL, INTERNAL = -1, 1
 

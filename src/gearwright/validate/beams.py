@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gearwright.dynamics import Model, System, campbell, modes, statics
-from gearwright.dynamics.beam import Segment, bending_shaft
+from gearwright.dynamics.model import Segment, bending_shaft
 from gearwright.validate.case import Case
 
 LENGTH = 0.25

@@ -5,11 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import partial
 
-from gearwright.parts.bearing_distribution import RingLoad, load_distribution
-from gearwright.parts.bearing_life import basic_life, life_time
-from gearwright.parts.bearing_rating import ball_dynamic_factor, ball_static_factor, roller_dynamic_factor
-from gearwright.parts.bearing_reference_life import basic_reference_life
-from gearwright.parts.rolling_bearing import BearingGeometry, BearingKind
+from gearwright.parts.bearings import (
+    BearingGeometry,
+    BearingKind,
+    RingLoad,
+    ball_dynamic_factor,
+    ball_static_factor,
+    basic_life,
+    basic_reference_life,
+    life_time,
+    load_distribution,
+    roller_dynamic_factor,
+)
 from gearwright.units import RPM
 from gearwright.validate.case import Case
 

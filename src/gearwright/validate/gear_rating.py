@@ -6,12 +6,10 @@ import math
 from collections.abc import Sequence
 from functools import cache
 
-from gearwright.catalogue.gear_strength import gear_steel
-from gearwright.parts.agma2001_geometry import HobbedPair, bending_geometry, pitting_geometry_factor
-from gearwright.parts.cylindrical_gear import ISO53_D, CylindricalGear
-from gearwright.parts.gear_pair import GearPair
-from gearwright.parts.iso6336_loads import MeshDuty, MeshQuality
-from gearwright.parts.iso6336_rating import PairRating, rate_pair
+from gearwright.catalogue import gear_steel
+from gearwright.parts.agma2001 import HobbedPair, bending_geometry, pitting_geometry_factor
+from gearwright.parts.gears import ISO53_D, CylindricalGear, GearPair
+from gearwright.parts.iso6336 import MeshDuty, MeshQuality, PairRating, rate_pair
 from gearwright.units import RPM
 from gearwright.validate.case import Case
 

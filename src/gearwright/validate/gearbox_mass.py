@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gearwright.sizing.statistical import willis
-from gearwright.sizing.statistical.ndarc import mass_afdd00
-from gearwright.sizing.statistical.refit import refit
-from gearwright.sizing.statistical.scoreboard import scores
 from gearwright.units import RPM
 from gearwright.validate.case import Case
+from gearwright.weights import mass_afdd00, refit, scores, willis
 
 INCH_POUND = 0.112984829
 """[N m]"""

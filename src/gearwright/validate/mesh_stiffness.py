@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from gearwright.parts.cylindrical_gear import ISO53_D, CylindricalGear
-from gearwright.parts.gear_pair import GearPair
-from gearwright.parts.mesh_stiffness_iso6336 import MeshStiffness, mesh_stiffness_iso6336
+from gearwright.parts.gears import ISO53_D, CylindricalGear, GearPair
+from gearwright.parts.stiffness import MeshStiffness, mesh_stiffness_iso6336
 from gearwright.validate.case import Case
 
 

@@ -9,15 +9,20 @@ from functools import partial
 
 import numpy as np
 
-from gearwright.dynamics.model import Model
-from gearwright.dynamics.modes import modes
-from gearwright.dynamics.planetary import add_planetary
-from gearwright.dynamics.planetary_results import load_shares, mode_families
-from gearwright.dynamics.planetary_set import Member, PlanetarySet, PlanetError, rotational
-from gearwright.dynamics.statics import statics
-from gearwright.dynamics.system import Floats, System
-from gearwright.parts.planet_phasing import even_positions
-from gearwright.parts.stiffness_curve import StiffnessCurve
+from gearwright.dynamics.equations import modes, statics
+from gearwright.dynamics.model import (
+    Floats,
+    Member,
+    Model,
+    PlanetarySet,
+    PlanetError,
+    System,
+    add_planetary,
+    rotational,
+)
+from gearwright.dynamics.vibration import load_shares, mode_families
+from gearwright.parts.planetary import even_positions
+from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.validate.case import Case
 
 ANGLE = math.radians(24.6)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gearwright.parts.beam import PointLoads, diagram, supported
+from gearwright.parts.shafts import PointLoads, diagram, supported
 from gearwright.units import INCH, POUND_FORCE
 from gearwright.validate.case import Case
 

@@ -4,10 +4,9 @@ import math
 
 import pytest
 
-from gearwright.catalogue.bearing_choice import BearingDuty, check_bearing, choose_bearing
-from gearwright.catalogue.bearings import bearing, bearings, with_ratings
+from gearwright.catalogue import BearingDuty, bearing, bearings, check_bearing, choose_bearing, with_ratings
 from gearwright.errors import DesignError
-from gearwright.parts.rolling_bearing import BearingKind
+from gearwright.parts.bearings import BearingKind
 from gearwright.units import RPM
 
 HOUR = 3600.0

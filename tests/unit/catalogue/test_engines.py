@@ -2,8 +2,7 @@
 
 import pytest
 
-from gearwright.catalogue.engines import Printed, engines, nearest, notes, select
-from gearwright.catalogue.gearbox_weights import weighed_gearboxes
+from gearwright.catalogue import Printed, engines, nearest, notes, select, weighed_gearboxes
 from gearwright.errors import DesignError
 from gearwright.units import RPM
 

@@ -2,9 +2,9 @@
 
 import pytest
 
-from gearwright.catalogue.fits import seat_tolerance, shaft_limits, standard_tolerance
+from gearwright.catalogue import seat_tolerance, shaft_limits, standard_tolerance
 from gearwright.errors import DesignError
-from gearwright.parts.rolling_bearing import BearingKind
+from gearwright.parts.bearings import BearingKind
 
 
 @pytest.mark.parametrize(

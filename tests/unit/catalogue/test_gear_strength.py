@@ -2,7 +2,7 @@
 
 import pytest
 
-from gearwright.catalogue.gear_strength import gear_steel, gear_steel_names
+from gearwright.catalogue import gear_steel, gear_steel_names
 from gearwright.errors import DesignError
 
 

@@ -1,6 +1,6 @@
 """The published mesh load factors as a table; their values gate nothing."""
 
-from gearwright.catalogue.load_factors import load_factor_tables, load_factors
+from gearwright.catalogue import load_factor_tables, load_factors
 
 
 def test_every_row_says_how_sure_it_is_and_exceeds_an_equal_share():

@@ -14,10 +14,8 @@ import gearwright.cli.runs as runs
 from gearwright.cli import app
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
-from gearwright.spec import read
-from gearwright.spec.study import read_study
-from gearwright.study.journal import begin
-from gearwright.study.runner import Progress
+from gearwright.spec import read, read_study
+from gearwright.study.running import Progress, begin
 
 TEXT = """schema = 1
 name = "fill"
@@ -74,7 +72,7 @@ def test_a_stopped_study_says_what_to_do_next(folder: Path, monkeypatch: pytest.
     def stopped(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("gearwright.study.runner._missing", stopped)
+    monkeypatch.setattr("gearwright.study.running.runner._missing", stopped)
     said = call("study", folder / "study.toml", "--journal", folder / "j", "--workers", 0, code=130)
     assert "what is finished is kept; next: gearwright resume" in said
     assert "stopped; next: gearwright resume" in call("status", folder / "j")

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
-from gearwright.catalogue.propellers import propeller_map
+from gearwright.catalogue import propeller_map
 from gearwright.dynamics import DampingRatio, Model, Periodic, System
-from gearwright.dynamics.drives import ClutchDrive, MachineDrive, PropellerDrive
-from gearwright.machines.governor import Governor, GovernorState
+from gearwright.dynamics.model import ClutchDrive, MachineDrive, PropellerDrive
+from gearwright.machines import Governor, GovernorState
 
 PITCH, SPEED, RATIO = math.radians(42.3), 126.9, 4.0
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import modes, simulate, statics
-from gearwright.dynamics.assemble import assemble
-from gearwright.dynamics.linear import linear, state_matrix
+from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.equations import linear, state_matrix
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size

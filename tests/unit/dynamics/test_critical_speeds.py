@@ -6,12 +6,9 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import Model, campbell
-from gearwright.dynamics.assemble import assemble
-from gearwright.dynamics.assumptions import assumptions
-from gearwright.dynamics.critical_speeds import critical_speeds, order_name
-from gearwright.dynamics.runup import run_up
-from gearwright.dynamics.system import Tone
-from gearwright.dynamics.transmission import answer, first_meshes
+from gearwright.dynamics.assembly import assemble, assumptions
+from gearwright.dynamics.model import Tone
+from gearwright.dynamics.vibration import answer, critical_speeds, first_meshes, order_name, run_up
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size

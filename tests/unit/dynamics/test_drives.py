@@ -7,10 +7,10 @@ import pytest
 from driven_train import PITCH, SPEED, driven_state, driven_train, propeller
 
 from designs import HYBRID
-from gearwright.dynamics import Model, kernel, reference, replay, simulate
-from gearwright.dynamics.drives import ClutchDrive, MachineDrive
-from gearwright.dynamics.energy import WORKS
-from gearwright.dynamics.ensemble import simulate_many
+from gearwright.dynamics import Model, replay, simulate
+from gearwright.dynamics.equations import WORKS, kernel, reference
+from gearwright.dynamics.model import ClutchDrive, MachineDrive
+from gearwright.dynamics.motion import simulate_many
 from gearwright.errors import DesignError, SolveError
 from gearwright.spec import parse
 from gearwright.store import load, save

@@ -7,7 +7,7 @@ import pytest
 from random_systems import random_system
 
 from gearwright.dynamics import Outputs, simulate, simulate_many
-from gearwright.dynamics.stepsize import STABLE, fastest_rate
+from gearwright.dynamics.motion import STABLE, fastest_rate
 from gearwright.errors import DesignError, SolveError
 
 

@@ -5,12 +5,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from random_systems import random_system
 
-from gearwright.dynamics import reference
-from gearwright.dynamics.energy import WORKS
-from gearwright.dynamics.family import check_structure, stacked
-from gearwright.dynamics.native import compiled
-from gearwright.dynamics.steppers import blank_record, stepper
-from gearwright.dynamics.topology import parameter_rows, parameters, topology
+from gearwright.dynamics.codegen import compiled, parameter_rows, parameters, topology
+from gearwright.dynamics.equations import WORKS, reference
+from gearwright.dynamics.model import check_structure, stacked
+from gearwright.dynamics.motion import blank_record, stepper
 from gearwright.errors import DesignError
 
 

@@ -5,8 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from random_systems import random_system
 
-from gearwright.dynamics import kernel, reference
-from gearwright.dynamics.energy import WORKS, stored_energy
+from gearwright.dynamics.equations import WORKS, kernel, reference, stored_energy
 
 
 @settings(max_examples=60)

@@ -9,31 +9,30 @@ import pytest
 from scipy.optimize import brentq
 
 from gearwright.dynamics import DampingRatio, Model, Periodic, statics
-from gearwright.dynamics.assemble import assemble
-from gearwright.dynamics.error_sources import drawn_set, error_sources, random_sets, with_errors
-from gearwright.dynamics.geometry import contacts_of
-from gearwright.dynamics.load_sharing import line_forces, redundancy, slow_position
-from gearwright.dynamics.planetary import add_planetary
-from gearwright.dynamics.planetary_set import Member, PlanetarySet, PlanetError
-from gearwright.dynamics.reference import acceleration
-from gearwright.dynamics.share_coefficients import (
+from gearwright.dynamics.assembly import assemble, contacts_of
+from gearwright.dynamics.equations import acceleration, line_forces, redundancy, slow_position
+from gearwright.dynamics.model import Member, PlanetarySet, PlanetError, add_planetary
+from gearwright.dynamics.sharing import (
+    allocate,
+    drawn_set,
+    error_sources,
     errors_at,
+    influences,
+    load_sharing,
     mesh_load_factor,
+    random_sets,
     share_coefficients,
+    sharing_problem,
     tooth_cycle_shares,
+    with_errors,
 )
-from gearwright.dynamics.sharing import load_sharing
-from gearwright.dynamics.sharing_studies import influences
-from gearwright.dynamics.sharing_study import sharing_problem
-from gearwright.dynamics.tolerance_allocation import allocate
 from gearwright.errors import DesignError, SolveError
-from gearwright.parts.planet_phasing import even_positions
-from gearwright.parts.stiffness_curve import StiffnessCurve
+from gearwright.parts.planetary import even_positions
+from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import read
-from gearwright.spec.support import Support
-from gearwright.spec.tolerance import PartErrors
+from gearwright.spec.design import PartErrors, Support
 
 
 def paths(count, *, backlash=0.0, errors=(), torque=100.0):

@@ -6,12 +6,10 @@ import functools
 
 import pytest
 
-from gearwright.dynamics.planet_counts import planet_counts
-from gearwright.dynamics.sharing_studies import influences
-from gearwright.dynamics.sharing_study import sharing_problem, sharing_study
-from gearwright.render.sharing_page import sharing_page
-from gearwright.render.sharing_planets import planets_figure, planets_text
-from gearwright.render.theme import to_svg
+from gearwright.dynamics.sharing import influences, planet_counts, sharing_problem, sharing_study
+from gearwright.render.figures.planets import planets_figure, planets_text
+from gearwright.render.pages.sharing import sharing_page
+from gearwright.render.style.theme import to_svg
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import read

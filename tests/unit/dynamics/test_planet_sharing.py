@@ -8,24 +8,25 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import Model
-from gearwright.dynamics.contact import (
+from gearwright.dynamics.assembly import contacts_of
+from gearwright.dynamics.model import (
+    Member,
+    PlanetarySet,
+    PlanetError,
+    add_planetary,
     contact_errors,
     crossing_axis,
     face_push_direction,
     push_direction,
     shift_weights,
 )
-from gearwright.dynamics.geometry import contacts_of
-from gearwright.dynamics.planet_sharing import PlanetTolerances, planet_sharing
-from gearwright.dynamics.planetary import add_planetary
-from gearwright.dynamics.planetary_set import Member, PlanetarySet, PlanetError
-from gearwright.parts.planet_load_factor import pin_error_share
-from gearwright.parts.planet_phasing import even_positions
-from gearwright.parts.stiffness_curve import StiffnessCurve
+from gearwright.dynamics.sharing import PlanetTolerances, planet_sharing
+from gearwright.parts.planetary import even_positions, pin_error_share
+from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import read
-from gearwright.spec.tolerance import PartErrors
+from gearwright.spec.design import PartErrors
 
 ANGLE = math.radians(24.6)
 

@@ -9,16 +9,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gearwright.dynamics.model import Model
-from gearwright.dynamics.modes import modes
-from gearwright.dynamics.planetary import add_planetary
-from gearwright.dynamics.planetary_results import load_shares, mode_families
-from gearwright.dynamics.planetary_set import Member, PlanetarySet, PlanetError, rotational
-from gearwright.dynamics.reference import line_state
-from gearwright.dynamics.statics import statics
+from gearwright.dynamics.equations import line_state, modes, statics
+from gearwright.dynamics.model import Member, Model, PlanetarySet, PlanetError, add_planetary, rotational
+from gearwright.dynamics.vibration import load_shares, mode_families
 from gearwright.errors import DesignError
-from gearwright.parts.planet_phasing import PlanetPhases, even_positions
-from gearwright.parts.stiffness_curve import StiffnessCurve, stiffness_at
+from gearwright.parts.planetary import PlanetPhases, even_positions
+from gearwright.parts.stiffness import StiffnessCurve, stiffness_at
 
 ANGLE = math.radians(22.0)
 

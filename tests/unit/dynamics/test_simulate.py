@@ -20,7 +20,7 @@ from gearwright.dynamics import (
     statics,
     tone_amplitudes,
 )
-from gearwright.dynamics.recorder import CHECKPOINTS
+from gearwright.dynamics.motion import CHECKPOINTS
 from gearwright.errors import DesignError, SolveError
 
 

@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from gearwright.dynamics.recorder import summary_of
-from gearwright.dynamics.steppers import blank_summary
-from gearwright.dynamics.summary import summariser
+from gearwright.dynamics.codegen import summariser
+from gearwright.dynamics.motion import blank_summary, summary_of
 
 
 @pytest.mark.parametrize("width", [8, 32, 40, 72])

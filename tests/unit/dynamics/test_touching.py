@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import Model, simulate
-from gearwright.dynamics.load_sharing import slow_position
-from gearwright.dynamics.sharing import load_sharing
-from gearwright.dynamics.sharing_study import sharing_problem
-from gearwright.dynamics.touching import slack_lines
+from gearwright.dynamics.equations import slow_position
+from gearwright.dynamics.motion import slack_lines
+from gearwright.dynamics.sharing import load_sharing, sharing_problem
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size

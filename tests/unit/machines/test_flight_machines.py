@@ -6,11 +6,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gearwright.air.airspeed import stagnation_ratios
-from gearwright.air.atmosphere import air_at
-from gearwright.machines.battery import Battery, battery_step, stored_energy
-from gearwright.machines.gas_turbine import Engine, fuel_flow, power_limits
-from gearwright.machines.motor_efficiency import efficiency_map, motor_loss, rated_losses
+from gearwright.air import air_at, stagnation_ratios
+from gearwright.machines import (
+    Battery,
+    Engine,
+    battery_step,
+    efficiency_map,
+    fuel_flow,
+    motor_loss,
+    power_limits,
+    rated_losses,
+    stored_energy,
+)
 
 ENGINE = Engine(1e6, 2e6, 500.0, 7.75e-8, 0.2, -0.5)
 PACK = Battery(1e6, 800.0, 600.0, 0.05, 3.0, 0.1)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.machines.governor import (
+from gearwright.machines import (
     Governor,
     GovernorState,
     Rotor,

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gearwright.catalogue.propellers import map_of, propeller_map, read_propeller_map
+from gearwright.catalogue import map_of, propeller_map, read_propeller_map
 from gearwright.errors import DesignError
-from gearwright.machines.propeller_map import angle_for_power, angle_for_thrust, coefficients, look_up
+from gearwright.machines import angle_for_power, angle_for_thrust, coefficients, look_up
 
 SIX = propeller_map("6-blades-af115")
 HEAD = "advance_ratio,blade_angle_deg,power_coefficient,thrust_coefficient\n"

@@ -7,13 +7,11 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.mission import bearing_lives, durability, fly
-from gearwright.mission.bearings import seat_duties
+from gearwright.mission.lives import seat_duties
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.sizing.bearing_seats import bearing_seats, seat_forces
-from gearwright.spec import read
-from gearwright.spec.mission import parse_mission, read_mission
-from gearwright.spec.read import parse
+from gearwright.sizing.bearings import bearing_seats, seat_forces
+from gearwright.spec import parse, parse_mission, read, read_mission
 
 STEADY = """
 schema = 1

@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.catalogue.propellers import MAPS, compressed, hamilton_standard_charts
+from gearwright.catalogue import MAPS, compressed, hamilton_standard_charts
 from gearwright.errors import DesignError
-from gearwright.machines.hamilton_standard import performance
+from gearwright.machines import performance
 from gearwright.mission import (
     durability,
     fly,
@@ -17,12 +17,11 @@ from gearwright.mission import (
     shaft_spectrum,
     unrated_stages,
 )
-from gearwright.render.flight_data import flight_csv, flight_json
-from gearwright.render.flight_text import flight_text, verdict_text
+from gearwright.render.words.flight import flight_text, verdict_text
+from gearwright.render.words.flight_data import flight_csv, flight_json
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.spec import read
-from gearwright.spec.mission import parse_mission, read_mission
+from gearwright.spec import parse_mission, read, read_mission
 
 HYBRID = size(read(shipped_design("in-line-h2")))
 CONVENTIONAL = size(read(shipped_design("in-line")))
@@ -157,7 +156,7 @@ def test_thrust_carries_the_weight_up_the_slope(turning):
     flight = flown(text.replace("1212", str(turning)), CONVENTIONAL)
     k, h = len(flight.phase) // 2, flight.history
     speed, slope = h["true_airspeed"][k], 1000 * 0.3048 / 120 / h["true_airspeed"][k]
-    from gearwright.air.atmosphere import air_at
+    from gearwright.air import air_at
 
     dynamic = 0.5 * air_at(h["altitude"][k]).density * speed**2 * 61
     lift = 9000 * 9.80665 * math.sqrt(1 - slope**2) / dynamic

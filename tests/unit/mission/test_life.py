@@ -3,11 +3,10 @@
 import pytest
 
 from gearwright.errors import SolveError
-from gearwright.mission import life as life_module
-from gearwright.mission.life import size_for_life
+from gearwright.mission.lives import life as life_module
+from gearwright.mission.lives import size_for_life
 from gearwright.shipped import shipped_design, shipped_mission
-from gearwright.spec import read
-from gearwright.spec.mission import read_mission
+from gearwright.spec import read, read_mission
 
 DESIGN = read(shipped_design("in-line-h2"))
 MISSION = read_mission(shipped_mission("thesis"))

@@ -4,7 +4,7 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_mission, shipped_missions
-from gearwright.spec.mission import parse_mission, read_mission
+from gearwright.spec import parse_mission, read_mission
 
 HEAD = 'schema = 1\nname = "test"\n'
 PHASE = "altitude_m = 0\nmach = 0.1\nduration_s = 60\npower_kw = 500\npropeller_speed_rpm = 1000\n"

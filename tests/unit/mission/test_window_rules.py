@@ -7,9 +7,7 @@ from gearwright.mission import fly
 from gearwright.mission.windows import fly_window, window_rules
 from gearwright.shipped import find_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.spec import read
-from gearwright.spec.mission import parse_mission, read_mission
-from gearwright.spec.windows import WindowRules
+from gearwright.spec import WindowRules, parse_mission, read, read_mission
 
 
 @pytest.fixture(scope="module")

@@ -7,33 +7,29 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.parts.agma2001 import (
-    AgmaGear,
-    AgmaLoad,
-    AgmaSteel,
-    AgmaStrength,
-    agma_rating,
-    agma_strength,
-    elastic_coefficient,
-    rim_factor_agma,
-)
-from gearwright.parts.agma2001_factors import (
     BENDING_CARBURISED,
     EXTRA_PRECISION,
     OPEN_GEARING,
     PITTING,
-    cycle_factor,
-    dynamic_factor_agma,
-    hardness_ratio_factor,
-    load_distribution_factor,
-    reliability_factor,
-)
-from gearwright.parts.agma2001_geometry import (
+    AgmaGear,
+    AgmaLoad,
+    AgmaSteel,
+    AgmaStrength,
     HobbedPair,
     LoadPlace,
+    agma_rating,
+    agma_strength,
     bending_geometry,
+    cycle_factor,
+    dynamic_factor_agma,
+    elastic_coefficient,
+    hardness_ratio_factor,
     helical_overlap_factor,
+    load_distribution_factor,
     load_sharing_ratio,
     pitting_geometry_factor,
+    reliability_factor,
+    rim_factor_agma,
     stress_correction,
 )
 

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
-from gearwright.parts.beam import PointLoads, bearing_reactions, diagram, supported
+from gearwright.parts.shafts import PointLoads, bearing_reactions, diagram, supported
 
 
 def loads(position, force, couple=None, torque=None):

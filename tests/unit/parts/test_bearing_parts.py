@@ -8,48 +8,46 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
-from gearwright.parts.bearing_contact import (
-    Curvature,
-    ball_contacts,
-    ellipse_ratio,
-    load_at_pressure,
-    load_deflection_constant,
-)
-from gearwright.parts.bearing_distribution import RingLoad, load_distribution
-from gearwright.parts.bearing_life import (
-    basic_life,
-    life_time,
-    rating_for_life,
-    reliability_factor,
-    system_life,
-    weibull_slope,
-)
-from gearwright.parts.bearing_load import (
+from gearwright.parts.bearings import (
     CYLINDRICAL_STATIC,
     DEEP_GROOVE_STATIC,
     FOUR_POINT,
     FOUR_POINT_STATIC,
     RIBBED_NARROW,
     RIBBED_WIDE,
+    BearingGeometry,
+    BearingKind,
+    Cleanliness,
+    Curvature,
+    OilFilter,
+    RingLoad,
+    ball_contacts,
+    basic_life,
+    basic_reference_life,
+    cleanliness_factor,
+    contamination_factor,
+    dynamic_rating,
+    ellipse_ratio,
     equivalent_load,
+    fatigue_load_limit,
+    life_modification,
+    life_time,
+    load_at_pressure,
+    load_deflection_constant,
+    load_distribution,
     mean_load,
+    rating_for_life,
+    reference_load,
+    reference_viscosity,
+    reliability_factor,
     static_equivalent_load,
     static_safety,
+    system_life,
     taper_factors,
     taper_pair_thrusts,
     taper_static_factors,
+    weibull_slope,
 )
-from gearwright.parts.bearing_modified_life import (
-    Cleanliness,
-    OilFilter,
-    cleanliness_factor,
-    contamination_factor,
-    life_modification,
-    reference_viscosity,
-)
-from gearwright.parts.bearing_rating import dynamic_rating, fatigue_load_limit
-from gearwright.parts.bearing_reference_life import basic_reference_life, reference_load
-from gearwright.parts.rolling_bearing import BearingGeometry, BearingKind
 
 BALL = BearingGeometry(BearingKind.DEEP_GROOVE, 8, 17.462e-3, 72.5e-3)
 """A 6309."""

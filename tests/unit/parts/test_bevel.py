@@ -6,10 +6,19 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.bevel_bending import contact_ratio_factor_bending, spiral_angle_factor
-from gearwright.parts.bevel_geometry import BevelPair, BevelTooth, Hand, Rotation, bevel_forces
-from gearwright.parts.bevel_iso10300 import BevelDuty, bevel_load_factors, mid_zone_factor
-from gearwright.parts.bevel_virtual import VirtualPair
+from gearwright.parts.bevel import (
+    BevelDuty,
+    BevelPair,
+    BevelTooth,
+    Hand,
+    Rotation,
+    VirtualPair,
+    bevel_forces,
+    bevel_load_factors,
+    contact_ratio_factor_bending,
+    mid_zone_factor,
+    spiral_angle_factor,
+)
 
 STRAIGHT = BevelPair((17, 43), 4e-3, 30e-3)
 SPIRAL = BevelPair((17, 43), 8.5e-3, 51e-3, math.radians(35.0))

@@ -7,8 +7,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
-from gearwright.parts.cylindrical_gear import CylindricalGear, half_angle_at, tip_thickness
-from gearwright.parts.tooth_measurement import ball_measurement, span_measurement, spanned_teeth
+from gearwright.parts.gears import (
+    CylindricalGear,
+    ball_measurement,
+    half_angle_at,
+    span_measurement,
+    spanned_teeth,
+    tip_thickness,
+)
 
 
 @given(st.integers(20, 120), st.floats(-0.5, 0.5), st.floats(0.0, 0.5), st.floats(0.97, 1.03))

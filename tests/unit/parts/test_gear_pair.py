@@ -8,11 +8,15 @@ from hypothesis import strategies as st
 from scipy.optimize import brentq
 
 from gearwright.errors import DesignError
-from gearwright.parts.cylindrical_gear import ISO53_D, CylindricalGear, half_angle_at, pressure_angle_at
-from gearwright.parts.gear_pair import GearPair, contact_radii
-from gearwright.parts.internal_interference import (
+from gearwright.parts.gears import (
+    ISO53_D,
+    CylindricalGear,
+    GearPair,
+    contact_radii,
+    half_angle_at,
     interference,
     involute_clearance,
+    pressure_angle_at,
     radial_assembly_gap,
     tip_clearance_angle,
 )

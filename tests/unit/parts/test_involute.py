@@ -7,15 +7,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
-from gearwright.parts.involute import (
+from gearwright.parts.gears import (
     involute,
     involute_angle,
     least_profile_shift,
     least_teeth,
     shift_sum,
-    virtual_teeth,
     working_pressure_angle,
 )
+from gearwright.parts.gears.involute import virtual_teeth
 
 TWENTY = math.radians(20.0)
 

@@ -8,51 +8,51 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearwright.errors import DesignError, SolveError
-from gearwright.parts.cylindrical_gear import ISO53_A, ISO53_D, CylindricalGear
-from gearwright.parts.gear_pair import GearPair
-from gearwright.parts.iso6336_bending import (
-    Edition,
-    bending_size_factor,
-    contact_ratio_factor_root,
-    deep_tooth_factor,
-    helix_factor,
-    load_sharing_factor,
-    notch_sensitivity_factor,
-    rim_factor,
-    surface_factor,
-)
-from gearwright.parts.iso6336_damage import StressBin, spectrum_damage
-from gearwright.parts.iso6336_distribution import (
+from gearwright.parts.gears import ISO53_A, ISO53_D, CylindricalGear, GearPair, load_point, tooth_form
+from gearwright.parts.iso6336 import (
     CORRECTED_AND_CROWNED,
-    PinionShaft,
-    deflection_misalignment,
-    face_load_factor,
-    lead_allowance,
-    transverse_load_factor,
-)
-from gearwright.parts.iso6336_dynamic import (
-    MeshDeviations,
-    dynamic_factor,
-    reduced_mass,
-    running_in_allowance,
-)
-from gearwright.parts.iso6336_film import contact_size_factor, work_hardening_factor
-from gearwright.parts.iso6336_geometry import MeshGeometry, mesh_geometry
-from gearwright.parts.iso6336_life import bending_life_curve, contact_life_curve, endurable_cycles, life_factor
-from gearwright.parts.iso6336_loads import MeshDuty
-from gearwright.parts.iso6336_pitting import single_contact_factors
-from gearwright.parts.iso6336_rating import rate_mesh, rate_pair
-from gearwright.parts.iso6336_root import (
+    Edition,
+    GearSteel,
     LoadedTooth,
+    MeshDeviations,
+    MeshDuty,
+    MeshGeometry,
+    PinionShaft,
+    StressBin,
     ToothProportions,
+    Treatment,
+    bending_life_curve,
+    bending_size_factor,
+    contact_life_curve,
+    contact_ratio_factor_root,
+    contact_size_factor,
+    deep_tooth_factor,
+    deflection_misalignment,
+    dynamic_factor,
+    endurable_cycles,
+    face_load_factor,
+    helix_factor,
+    lead_allowance,
+    life_factor,
+    load_sharing_factor,
+    mesh_geometry,
+    mesh_springs,
+    notch_sensitivity_factor,
     outer_single_contact,
+    rate_mesh,
+    rate_pair,
+    reduced_mass,
+    rim_factor,
     root_section,
+    running_in_allowance,
     shaped_fillet_radius,
+    single_contact_factors,
+    spectrum_damage,
+    surface_factor,
+    transverse_load_factor,
+    work_hardening_factor,
 )
-from gearwright.parts.iso6336_stiffness import mesh_springs
-from gearwright.parts.iso6336_strength import GearSteel, Treatment
-from gearwright.parts.mesh_stiffness_iso6336 import mesh_stiffness_iso6336
-from gearwright.parts.tooth_form import load_point, tooth_form
+from gearwright.parts.stiffness import mesh_stiffness_iso6336
 
 HARD = GearSteel("hard", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 461e6)
 SOFT = GearSteel("soft", Treatment.THROUGH_HARDENED, "MQ", 300.0, 760e6, 310e6, yield_strength=700e6)

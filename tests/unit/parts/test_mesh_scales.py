@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import Model, modes
-from gearwright.parts.mesh_scales import mesh_frequency_scale, mesh_length_scale
-from gearwright.parts.planet_load_factor import pin_error_share
+from gearwright.parts.gears import mesh_frequency_scale, mesh_length_scale
+from gearwright.parts.planetary import pin_error_share
 
 RADII = (0.0256 * math.cos(math.radians(20.0)), 0.0992 * math.cos(math.radians(20.0)))
 

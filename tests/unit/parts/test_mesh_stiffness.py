@@ -6,29 +6,24 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.cylindrical_gear import BasicRack, CylindricalGear
-from gearwright.parts.gear_pair import GearPair
-from gearwright.parts.material import Material
-from gearwright.parts.mesh_stiffness_energy import (
-    contact_compliance,
-    mesh_cycle_energy,
-    mesh_stiffness_energy,
-    pair_stiffness,
-)
-from gearwright.parts.mesh_stiffness_iso6336 import (
+from gearwright.parts import Material
+from gearwright.parts.gears import BasicRack, CylindricalGear, GearPair
+from gearwright.parts.stiffness import (
     GearBlank,
     blank_factor,
+    contact_compliance,
     load_factor,
     mesh_curve_iso6336,
+    mesh_cycle_energy,
+    mesh_stiffness_energy,
     mesh_stiffness_iso6336,
-    rack_factor,
-)
-from gearwright.parts.mesh_stiffness_pulvirenti import (
     mesh_stiffness_kuang_yang,
+    pair_stiffness,
+    rack_factor,
     square_wave_pulvirenti,
+    stiffness_at,
     tooth_stiffness_kuang_yang,
 )
-from gearwright.parts.stiffness_curve import stiffness_at
 
 STEEL = Material("steel", 206e9, 0.3, 7850.0)
 

@@ -7,9 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
-from gearwright.parts.cylindrical_gear import CylindricalGear, half_angle_at
-from gearwright.parts.gear_pair import GearPair
-from gearwright.parts.planet_phasing import even_positions, excited_modes, planet_phases, sun_to_ring_phase
+from gearwright.parts.gears import CylindricalGear, GearPair, half_angle_at
+from gearwright.parts.planetary import even_positions, excited_modes, planet_phases, sun_to_ring_phase
 
 
 def planetary(sun, planet, *, shifts=(0.0, 0.0, 0.0)):

@@ -7,46 +7,54 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gearwright.catalogue.keys import choose_key_length, key_for_shaft
+from gearwright.catalogue import choose_key_length, key_for_shaft
 from gearwright.errors import DesignError
-from gearwright.parts.beam import PointLoads, diagram, supported
-from gearwright.parts.critical_speed import (
-    critical_speed,
-    critical_speed_dunkerley,
-    critical_speed_rayleigh,
-    lumped_shaft,
-)
-from gearwright.parts.key import KeySection, bearing_length, key_pressure
-from gearwright.parts.notch import Concentration, Shoulder, stress_concentration
-from gearwright.parts.press_fit import (
+from gearwright.parts.joints import (
     FitPart,
+    KeySection,
+    bearing_length,
     fit_interference,
     fit_pressure,
     fit_torque,
     hub_stress,
     joining_temperature,
+    key_pressure,
     shaft_fit_stress,
+    spline,
+    spline_length,
+    spline_pressure,
 )
-from gearwright.parts.shaft_din743 import (
+from gearwright.parts.shafts import (
+    Concentration,
+    FatigueStrength,
+    PointLoads,
+    SectionLoad,
+    Sections,
     ShaftSection,
     ShaftSteel,
+    Shoulder,
     SteelGroup,
-    blank_factor,
-    din743_safety,
-    yield_limits,
-)
-from gearwright.parts.shaft_fatigue import (
-    FatigueStrength,
-    SectionLoad,
     asme_safety,
+    at_place,
+    bent_line,
+    blank_factor,
+    critical_speed,
+    critical_speed_dunkerley,
+    critical_speed_rayleigh,
+    diagram,
+    din743_safety,
     endurance_limit,
     goodman_diameter,
     goodman_safety,
+    influence,
+    lumped_shaft,
+    plain_shaft,
     section_stress,
+    stress_concentration,
+    supported,
+    yield_limits,
     yield_safety,
 )
-from gearwright.parts.shaft_stiffness import Sections, at_place, bent_line, influence, plain_shaft
-from gearwright.parts.spline import spline, spline_length, spline_pressure
 
 STEEL = 210e9
 KEY = KeySection(14e-3, 9e-3, 5.5e-3, 3.8e-3)

@@ -8,8 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
-from gearwright.parts.passing_pairs import pair_curve, rectangular_curve
-from gearwright.parts.stiffness_curve import StiffnessCurve, sampled_curve, stiffness_at
+from gearwright.parts.stiffness import StiffnessCurve, pair_curve, rectangular_curve, sampled_curve, stiffness_at
 
 
 def test_a_curve_is_its_series():

@@ -9,15 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
-from gearwright.parts.cylindrical_gear import BasicRack, CylindricalGear, half_angle_at
-from gearwright.parts.material import Material
-from gearwright.parts.tooth_compliance import (
-    SHEAR_FACTOR,
-    half_plane_foundation,
-    held_body_foundation,
-    tooth_compliance,
-)
-from gearwright.parts.tooth_form import load_point, tooth_form
+from gearwright.parts import Material
+from gearwright.parts.gears import BasicRack, CylindricalGear, half_angle_at, load_point, tooth_form
+from gearwright.parts.stiffness import SHEAR_FACTOR, half_plane_foundation, held_body_foundation, tooth_compliance
 
 STEEL = Material("steel", 206e9, 0.3, 7850.0)
 

@@ -2,9 +2,8 @@
 
 from dataclasses import replace
 
-from gearwright.catalogue.bearings import bearing
-from gearwright.sizing import size
-from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
+from gearwright.catalogue import bearing
+from gearwright.sizing import BearingSizing, BuiltShaft, JointSizing, ShaftStep, size
 from gearwright.spec import parse
 
 DESIGN = """\

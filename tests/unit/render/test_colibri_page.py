@@ -9,11 +9,11 @@ from html_checks import stands_alone
 from rich.console import Console
 from typer.testing import CliRunner
 
-from gearwright.catalogue.colibri import printed_numbers
 from gearwright.cli.colibri import Part, colibri
-from gearwright.render.colibri_page import colibri_page, indexed
-from gearwright.render.colibri_text import PARTS, chosen, findings_table, replay_tables
-from gearwright.study.colibri.replay import replay
+from gearwright.replays.colibri.page import colibri_page, indexed
+from gearwright.replays.colibri.printed import printed_numbers
+from gearwright.replays.colibri.replay import replay
+from gearwright.replays.colibri.words import PARTS, chosen, findings_table, replay_tables
 
 
 def command(*arguments):

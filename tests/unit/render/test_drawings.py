@@ -12,21 +12,21 @@ from built_design import BORES, JOINTS, STEPS, built_sizing
 
 import gearwright as gw
 from gearwright.errors import DesignError
-from gearwright.parts.tooth_measurement import span_measurement, spanned_teeth
+from gearwright.parts.gears import span_measurement, spanned_teeth
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
 from gearwright.render.drawings.catalogue import sheets
-from gearwright.render.drawings.dimensions import drawn, extent, words_corners
-from gearwright.render.drawings.dxf import sheet_document, sheet_dxf
-from gearwright.render.drawings.entities import Arc, Corner, Distance, Layer, Words, millimetres, runs
-from gearwright.render.drawings.frame import inside
-from gearwright.render.drawings.gear_parts import hub_of
-from gearwright.render.drawings.positions import positions
-from gearwright.render.drawings.shaft_parts import shaft_body
-from gearwright.render.drawings.sheets import SCALES
-from gearwright.render.drawings.svg import sheet_svg
-from gearwright.render.drawings.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
+from gearwright.render.drawings.sheet.dimensions import drawn, extent, words_corners
+from gearwright.render.drawings.sheet.dxf import sheet_document, sheet_dxf
+from gearwright.render.drawings.sheet.entities import Arc, Corner, Distance, Layer, Words, millimetres, runs
+from gearwright.render.drawings.sheet.frame import inside
+from gearwright.render.drawings.sheet.sheets import SCALES
+from gearwright.render.drawings.sheet.svg import sheet_svg
+from gearwright.render.drawings.views.gear_parts import hub_of
+from gearwright.render.drawings.views.positions import positions
+from gearwright.render.drawings.views.shaft_parts import shaft_body
+from gearwright.render.drawings.views.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
 from gearwright.shipped import shipped_designs
-from gearwright.spec.edit import edited
+from gearwright.spec import edited
 
 
 def shipped(name):

@@ -6,23 +6,16 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import Outputs, modes, simulate
-from gearwright.dynamics.assemble import assemble
-from gearwright.dynamics.critical_speeds import critical_speeds
-from gearwright.dynamics.runup import run_up
-from gearwright.dynamics.transmission import answer, first_meshes
+from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.vibration import answer, critical_speeds, first_meshes, run_up
 from gearwright.errors import DesignError
-from gearwright.render.dynamics_sections import dynamics_sections
-from gearwright.render.dynamics_tables import critical_table, loudest_table, peak_table
-from gearwright.render.figures_dynamics import campbell_figure, response_figure
-from gearwright.render.figures_dynamics_maps import waterfall_figure
-from gearwright.render.figures_dynamics_modes import drawn_modes_figure
-from gearwright.render.figures_dynamics_paths import (
-    moving_centres,
-    orbit_figure,
-    phase_figure,
-    transmission_error_figure,
-)
-from gearwright.render.theme import to_svg
+from gearwright.render.figures.dynamics import campbell_figure, response_figure
+from gearwright.render.figures.maps import waterfall_figure
+from gearwright.render.figures.paths import moving_centres, orbit_figure, phase_figure, transmission_error_figure
+from gearwright.render.pages.dynamics_sections import dynamics_sections
+from gearwright.render.schematic.mode_shapes import drawn_modes_figure
+from gearwright.render.style.theme import to_svg
+from gearwright.render.tables.dynamics import critical_table, loudest_table, peak_table
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.spec import parse

@@ -4,9 +4,9 @@ import pytest
 
 from gearwright.dynamics import Outputs, simulate
 from gearwright.errors import DesignError
-from gearwright.render import theme
-from gearwright.render.figures_motion import mesh_frequencies, mode_figure, spectrum, spectrum_figure, time_figure
-from gearwright.render.figures_sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
+from gearwright.render.figures.motion import mesh_frequencies, mode_figure, spectrum, spectrum_figure, time_figure
+from gearwright.render.figures.sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
+from gearwright.render.style import theme
 
 
 def every_figure(sizing, modal, run):

@@ -4,15 +4,13 @@ import re
 
 import pytest
 
-from gearwright.mission import durability, fly, size_for_life
-from gearwright.mission.flight import Balance
-from gearwright.render.flight_figures import apart
-from gearwright.render.flight_page import flight_page
-from gearwright.render.flight_sankey import energies
+from gearwright.mission import Balance, durability, fly, size_for_life
+from gearwright.render.figures.flight import apart
+from gearwright.render.figures.sankey import energies
+from gearwright.render.pages.flight import flight_page
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.spec import read
-from gearwright.spec.mission import parse_mission, read_mission
+from gearwright.spec import parse_mission, read, read_mission
 
 FLIGHT = fly(size(read(shipped_design("in-line-h2"))), read_mission(shipped_mission("thesis")))
 PAGE = flight_page(FLIGHT, durability(FLIGHT))

@@ -4,14 +4,14 @@ import math
 
 import pytest
 
-from gearwright.dynamics.assemble import assemble
-from gearwright.dynamics.simulate import simulate
-from gearwright.parts.bevel_rating import BevelRating
-from gearwright.render.dynamic_load import dynamic_loads
-from gearwright.render.factor_tables import factor_tables
-from gearwright.render.inputs import entries
-from gearwright.render.pair_data import pair_data
-from gearwright.render.views import margins
+from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.motion import simulate
+from gearwright.parts.bevel import BevelRating
+from gearwright.render.tables.dynamic_load import dynamic_loads
+from gearwright.render.tables.factors import factor_tables
+from gearwright.render.tables.pair_data import pair_data
+from gearwright.render.tables.sizing import margins
+from gearwright.render.words.inputs import entries
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import read

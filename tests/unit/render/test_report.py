@@ -4,9 +4,9 @@ from html.parser import HTMLParser
 import pytest
 from drawn_designs import MIXED, sized
 
-from gearwright.render.inputs import entries
-from gearwright.render.pages import symbols
-from gearwright.render.report import report
+from gearwright.render.pages.report import report
+from gearwright.render.style.templates import symbols
+from gearwright.render.words.inputs import entries
 
 VOID = {"meta", "br", "hr", "img", "link", "input"}
 

@@ -5,14 +5,14 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from gearwright.render.schematic import power_flow_figure, schematic_figure
-from gearwright.render.schematic_labels import Board, text_width
-from gearwright.render.schematic_layout import lay_out
-from gearwright.render.schematic_power import trace_power
+from gearwright.render.schematic.layout import lay_out
+from gearwright.render.schematic.power import trace_power
+from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
+from gearwright.render.style.labels import Board, text_width
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.spec import parse, read
-from gearwright.train.graph import build_train
+from gearwright.train import build_train
 
 NAMES = ["in-line-h2", "off-set", "mixed", "twin", "star"]
 DIFFERENTIAL = """

@@ -8,8 +8,8 @@ import json
 import numpy as np
 import pytest
 
-from gearwright.dynamics.planet_sharing import PlanetSharing
-from gearwright.dynamics.sharing_study import (
+from gearwright.dynamics.sharing import (
+    PlanetSharing,
     SharingStudy,
     parallel_meshes,
     sharing_problem,
@@ -17,9 +17,7 @@ from gearwright.dynamics.sharing_study import (
     support_sweep,
 )
 from gearwright.errors import DesignError
-from gearwright.render.sharing_page import SINGLE_ERRORS, sharing_page
-from gearwright.render.sharing_text import sharing_json, summary
-from gearwright.render.split_figures import (
+from gearwright.render.figures.sharing import (
     allocation_figure,
     displacement_figure,
     distribution_figure,
@@ -29,7 +27,9 @@ from gearwright.render.split_figures import (
     support_figure,
     tornado_figure,
 )
-from gearwright.render.theme import to_svg
+from gearwright.render.pages.sharing import SINGLE_ERRORS, sharing_page
+from gearwright.render.style.theme import to_svg
+from gearwright.render.words.sharing import sharing_json, summary
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size
 from gearwright.spec import read

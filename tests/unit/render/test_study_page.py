@@ -8,17 +8,16 @@ import re
 import numpy as np
 import pytest
 
-from gearwright.render import theme
-from gearwright.render.study_figures import study_figure
-from gearwright.render.study_page import study_page
-from gearwright.render.study_spread import contour_figure, figure_of, parallel_figure
-from gearwright.render.study_tables import reasons, spread
-from gearwright.render.study_trade import draw_ranges
-from gearwright.render.study_words import answer
+from gearwright.render.figures.study import study_figure
+from gearwright.render.figures.study_spread import contour_figure, figure_of, parallel_figure
+from gearwright.render.figures.study_trade import draw_ranges
+from gearwright.render.pages.study import study_page
+from gearwright.render.style import theme
+from gearwright.render.tables.study import reasons, spread
+from gearwright.render.words.study import answer
 from gearwright.shipped import shipped_design
-from gearwright.sizing.named import Named
-from gearwright.spec import read
-from gearwright.spec.study import Study, parse_study
+from gearwright.sizing import Named
+from gearwright.spec import Study, parse_study, read
 from gearwright.study import Row, Table, run
 
 HEAD = 'schema = 1\nname = "s"\ndesigns = ["in-line-h1", "in-line-h2"]\nresults = ["mass", "efficiency"]\n'

@@ -4,8 +4,8 @@ from typing import Annotated
 import pytest
 from drawn_designs import MIXED, sized
 
-from gearwright.render.tables import as_json, table, written
-from gearwright.render.views import given_by_user, tables_of
+from gearwright.render.tables.sizing import given_by_user, tables_of
+from gearwright.render.tables.tables import as_json, table, written
 from gearwright.units import Length, Origin, Quantity
 
 

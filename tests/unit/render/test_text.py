@@ -5,9 +5,17 @@ import re
 from rich.console import Console
 
 from gearwright.dynamics import Outputs, simulate
-from gearwright.dynamics.assemble import assemble
-from gearwright.render.dynamic_load import dynamic_table
-from gearwright.render.text import modes_json, modes_text, sizing_json, sizing_text, summary, trace_json, trace_text
+from gearwright.dynamics.assembly import assemble
+from gearwright.render.tables.dynamic_load import dynamic_table
+from gearwright.render.words.text import (
+    modes_json,
+    modes_text,
+    sizing_json,
+    sizing_text,
+    summary,
+    trace_json,
+    trace_text,
+)
 
 
 def on_screen(what, width=100) -> str:

@@ -7,9 +7,9 @@ import typer
 from html_checks import stands_alone
 from typer.testing import CliRunner
 
-from gearwright.catalogue.errata import errata, printed_claims
 from gearwright.cli.thesis import thesis
-from gearwright.render.thesis_page import thesis_markdown, thesis_page
+from gearwright.replays.pulvirenti.errata import errata, printed_claims
+from gearwright.replays.pulvirenti.page import thesis_markdown, thesis_page
 
 DOCS = Path(__file__).parents[3] / "docs" / "theory" / "thesis.md"
 

@@ -10,20 +10,18 @@ from html.parser import HTMLParser
 import pytest
 from rich.console import Console
 
-from gearwright.render import weights, weights_data
-from gearwright.render.weights_figures import (
+from gearwright.render.figures.weights import (
     figure_densities,
     figure_mass_over_power,
     figure_methods,
     fit_of_all_rows,
     turboprop_fit,
 )
-from gearwright.render.weights_page import weights_page, weights_sections
-from gearwright.sizing.statistical.comparison import StatedMass, compare
-from gearwright.sizing.statistical.engine_check import checked_engines
-from gearwright.sizing.statistical.requirement import Requirement
-from gearwright.sizing.statistical.scoreboard import scores
+from gearwright.render.pages.weights import weights_page, weights_sections
+from gearwright.render.tables import weights
+from gearwright.render.words import weights_data
 from gearwright.units import RPM
+from gearwright.weights import Requirement, StatedMass, checked_engines, compare, scores
 
 PW127 = Requirement(2051e3, 20204 * RPM, 1212 * RPM)
 STATED = StatedMass(190.0, "weighed, <maintenance> manual", overridden=True)

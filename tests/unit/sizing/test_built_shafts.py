@@ -5,11 +5,11 @@ from itertools import pairwise
 import pytest
 
 from designs import changed, problems
-from gearwright.catalogue.bearings import bearings
+from gearwright.catalogue import bearings
 from gearwright.dynamics import modes
-from gearwright.dynamics.assemble import assemble
+from gearwright.dynamics.assembly import assemble
 from gearwright.sizing import size
-from gearwright.sizing.envelope import envelope
+from gearwright.sizing.arrangement import envelope
 from gearwright.spec import parse
 from mounted_designs import HELICOPTER, PAIR, ROTOR, given, sized
 

@@ -6,7 +6,7 @@ import pytest
 
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.envelope import envelope
+from gearwright.sizing.arrangement import envelope
 from gearwright.spec import read
 
 

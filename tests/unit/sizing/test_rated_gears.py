@@ -4,18 +4,13 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.bevel_rating import BevelRating
-from gearwright.parts.iso6336_damage import StressBin, spectrum_damage
-from gearwright.parts.iso6336_life import contact_life_curve
-from gearwright.parts.iso6336_rating import PairRating
-from gearwright.parts.iso6336_strength import Treatment
+from gearwright.parts.bevel import BevelRating
+from gearwright.parts.iso6336 import PairRating, StressBin, Treatment, contact_life_curve, spectrum_damage
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.modules import modules
-from gearwright.sizing.rating import Ask, rating_of
-from gearwright.sizing.stage_sizes import STANDARD_MODULES
-from gearwright.spec import parse, read
-from gearwright.spec.edit import edited
+from gearwright.sizing.rating import Ask, modules, rating_of
+from gearwright.sizing.stages import STANDARD_MODULES
+from gearwright.spec import edited, parse, read
 
 HELICOPTER = read(shipped_design("ec120b"))
 SIZED = size(HELICOPTER)

@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 from shaft_designs import INTERNAL, OFF_SET, SINGLE_HELIX, sized
 
-from gearwright.sizing.axes import axes_of
-from gearwright.sizing.context import context
-from gearwright.sizing.layout import plan_of
+from gearwright.sizing.arrangement import axes_of, plan_of
 from gearwright.sizing.loads import shaft_loads
-from gearwright.spec.overrides import Overrides
+from gearwright.sizing.rating import context
+from gearwright.spec.design import Overrides
 
 
 def loads_on(text, shaft):

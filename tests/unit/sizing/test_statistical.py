@@ -7,14 +7,24 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
-from gearwright.sizing.statistical import tm215680, willis
-from gearwright.sizing.statistical.comparison import StatedMass, compare
-from gearwright.sizing.statistical.method import estimate
-from gearwright.sizing.statistical.methods import methods
-from gearwright.sizing.statistical.refit import bands, log_line, refit
-from gearwright.sizing.statistical.requirement import Requirement, from_beta
-from gearwright.sizing.statistical.scoreboard import corners, left_out_scatter, middle, scores
 from gearwright.units import RPM
+from gearwright.weights import (
+    Requirement,
+    StatedMass,
+    bands,
+    compare,
+    corners,
+    estimate,
+    from_beta,
+    left_out_scatter,
+    log_line,
+    methods,
+    middle,
+    refit,
+    scores,
+    tm215680,
+    willis,
+)
 
 PW127 = Requirement(2051e3, 20204 * RPM, 1212 * RPM)
 
@@ -148,7 +158,7 @@ def test_the_prediction_band_of_five_points_is_that_of_students_t():
 
 def test_about_95_of_100_weights_lie_in_their_95_per_cent_band():
     """61 weights of which each lies inside with 0.95: 54 to 61 cover 99 % of the binomial distribution."""
-    from gearwright.catalogue.gearbox_weights import weighed_gearboxes
+    from gearwright.catalogue import weighed_gearboxes
     from gearwright.units import POUND
 
     inside = 0

@@ -4,8 +4,7 @@ import pytest
 
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.spec import read
-from gearwright.spec.edit import edited
+from gearwright.spec import edited, read
 from gearwright.study import for_engine
 from gearwright.units import RPM
 

@@ -6,10 +6,8 @@ from hypothesis import strategies as st
 from designs import HYBRID, PAIR
 from gearwright.errors import DesignError
 from gearwright.sizing import size
-from gearwright.spec import Design, parse
-from gearwright.spec.check import reference_problems
-from gearwright.spec.lines import key_lines, line_of
-from gearwright.spec.record import build
+from gearwright.spec import Design, build, key_lines, line_of, parse
+from gearwright.spec.checks import reference_problems
 
 scalars = st.one_of(
     st.none().map(lambda _: "ground"), st.booleans(), st.integers(), st.floats(), st.text(max_size=8),

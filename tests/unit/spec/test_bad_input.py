@@ -4,10 +4,7 @@ import pytest
 
 from designs import HYBRID, PAIR, changed, problem, problems
 from gearwright.errors import DesignError
-from gearwright.spec import parse, read
-from gearwright.spec.mission import parse_mission
-from gearwright.spec.read import LARGEST_FILE
-from gearwright.spec.study import parse_study
+from gearwright.spec import LARGEST_FILE, parse, parse_mission, parse_study, read
 
 
 def test_an_unknown_key_names_the_nearest_one():

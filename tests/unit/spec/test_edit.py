@@ -6,8 +6,8 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
-from gearwright.spec import Design, read
-from gearwright.spec.edit import Value, edited
+from gearwright.spec import Design, edited, read
+from gearwright.spec.edit import Value
 from gearwright.units import RPM
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from gearwright.dynamics.assemble import assemble
+from gearwright.dynamics.assembly import assemble
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size

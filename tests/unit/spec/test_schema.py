@@ -7,10 +7,8 @@ import pytest
 
 from designs import HYBRID, PAIR, changed, problems
 from gearwright.shipped import shipped_design, shipped_designs
-from gearwright.spec import parse, schema
+from gearwright.spec import keys_of, parse, quantity_of, records, schema
 from gearwright.spec.design import Design
-from gearwright.spec.record import keys_of, quantity_of
-from gearwright.spec.schema import records
 
 SCHEMA = schema()
 SAYS_NOTHING = ("title", "description", "default", "$schema", "$defs")

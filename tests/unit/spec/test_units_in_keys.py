@@ -5,8 +5,7 @@ import math
 import pytest
 
 from designs import PAIR, changed, problem
-from gearwright.spec import parse
-from gearwright.spec.record import Record, build, keys_of
+from gearwright.spec import Record, build, keys_of, parse
 from gearwright.units import RPM, SUFFIXES, Angle, Inertia, Length, Mass, Power, Speed, shown, text, unit
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from designs import HYBRID
 from gearwright.dynamics import Outputs, replay, simulate
-from gearwright.dynamics.assemble import assemble
+from gearwright.dynamics.assembly import assemble
 from gearwright.errors import DesignError
 from gearwright.sizing import size
 from gearwright.spec import parse

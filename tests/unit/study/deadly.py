@@ -4,8 +4,8 @@ import os
 import signal
 from pathlib import Path
 
-from gearwright.sizing.named import Named
-from gearwright.study.table import Row
+from gearwright.sizing import Named
+from gearwright.study.answers import Row
 
 
 def sized_at_once(study, design, case):

@@ -13,11 +13,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from gearwright.shipped import shipped_design
-from gearwright.spec import read
-from gearwright.spec.study import Study, parse_study
+from gearwright.spec import Study, parse_study, read
 from gearwright.study import Table, run
-from gearwright.study.journal import rows_of, status
-from gearwright.study.runner import resume
+from gearwright.study.running import resume, rows_of, status
 
 NAME = "in-line-h2"
 DESIGNS = {NAME: read(shipped_design(NAME))}

@@ -4,10 +4,10 @@ import math
 
 import pytest
 
-from gearwright.catalogue.errata import PrintedClaim, printed_claims
-from gearwright.study.claim_masses import MASS_CLAIMS
-from gearwright.study.claim_torques import TORQUE_CLAIMS
-from gearwright.study.claims import Claim, Verdict
+from gearwright.replays.pulvirenti.claim_masses import MASS_CLAIMS
+from gearwright.replays.pulvirenti.claim_torques import TORQUE_CLAIMS
+from gearwright.replays.pulvirenti.claims import Claim, Verdict
+from gearwright.replays.pulvirenti.errata import PrintedClaim, printed_claims
 
 PRINTED = PrintedClaim("key", "p. 1", "twice", "ratio", "the other way", "ratio", 1.8, 2.2, "")
 

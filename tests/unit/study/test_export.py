@@ -11,10 +11,10 @@ import pytest
 import xarray
 
 from gearwright.errors import DesignError
-from gearwright.render.study_tables import study_csv
-from gearwright.sizing.named import TEXT, Named
-from gearwright.study import Row, Table, export
-from gearwright.study.export import columns, refuse_export, write_table
+from gearwright.render.tables.study import study_csv
+from gearwright.sizing import TEXT, Named
+from gearwright.study import Row, Table
+from gearwright.study.answers import columns, export, refuse_export, write_table
 
 GOOD = {"mass": Named(43.5, "mass"), "n": Named(2.0 * math.pi, "speed"), "fly.governing": Named("first.sun", TEXT)}
 ENDLESS = {**GOOD, "n": Named(math.inf, "speed")}

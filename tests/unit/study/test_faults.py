@@ -28,8 +28,7 @@ from fault_studies import (
     until,
 )
 
-from gearwright.study.journal import rows_of, status
-from gearwright.study.runner import run_study
+from gearwright.study.running import rows_of, run_study, status
 
 COUNT = 300
 

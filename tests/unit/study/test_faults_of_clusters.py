@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from fault_studies import assert_whole, done, ended, members, started, undisturbed, until
 
-from gearwright.study.journal import rows_of
+from gearwright.study.running import rows_of
 
 pytestmark = pytest.mark.extra("distributed")
 

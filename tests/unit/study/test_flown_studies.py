@@ -8,16 +8,13 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.mission import fly, gear_damage, size_for_life
-from gearwright.render.study_tables import study_csv, study_records
+from gearwright.render.tables.study import study_csv, study_records
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.spec import read
-from gearwright.spec.edit import edited_mission
-from gearwright.spec.mission import read_mission
-from gearwright.spec.study import Study, case_count, mission_changed, parse_study
+from gearwright.spec import Study, case_count, edited_mission, mission_changed, parse_study, read, read_mission
 from gearwright.study import Table, run
-from gearwright.study.evaluate import refuse_unknown_paths
-from gearwright.study.runner import resume, run_study
+from gearwright.study.cases import refuse_unknown_paths
+from gearwright.study.running import resume, run_study
 
 HEAD = 'schema = 1\nname = "s"\ndesigns = ["in-line-h2"]\n[fly]\nmission = "thesis"\n'
 COARSE = '[changes]\n"mission.step_s" = 300\n'

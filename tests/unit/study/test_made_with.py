@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from gearwright.study.made_with import changes_of, digest, made_with
+from gearwright.study.running import changes_of, digest, made_with
 
 
 def test_an_edited_file_a_new_one_and_a_new_name_are_noticed_and_compiled_files_are_not(tmp_path: Path) -> None:

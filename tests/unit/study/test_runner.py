@@ -9,18 +9,13 @@ from pathlib import Path
 import deadly
 import pytest
 
-import gearwright.study.runner as runner_module
+import gearwright.study.running.runner as runner_module
 from gearwright.errors import DesignError, SolveError
 from gearwright.shipped import shipped_design
-from gearwright.spec import read
-from gearwright.spec.edit import edited
-from gearwright.spec.study import Study, parse_study
+from gearwright.spec import Study, edited, parse_study, read
 from gearwright.study import run
-from gearwright.study.journal import begin, opened, recorded, rows_of, status
-from gearwright.study.made_with import made_with
-from gearwright.study.runner import resume, run_study
-from gearwright.study.sampling import cases
-from gearwright.study.workers import local
+from gearwright.study.cases import cases
+from gearwright.study.running import begin, local, made_with, opened, recorded, resume, rows_of, run_study, status
 
 NAME = "in-line-h2"
 DESIGNS = {NAME: read(shipped_design(NAME))}

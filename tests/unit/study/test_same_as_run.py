@@ -7,11 +7,9 @@ from pathlib import Path
 from fault_studies import DESIGNS, NAME
 
 from gearwright.shipped import shipped_design
-from gearwright.sizing import size
-from gearwright.sizing.named import named_results
-from gearwright.spec import read
-from gearwright.spec.study import parse_study
-from gearwright.study.runner import run_study
+from gearwright.sizing import named_results, size
+from gearwright.spec import parse_study, read
+from gearwright.study.running import run_study
 
 STUDY = f"""
 schema = 1

@@ -7,12 +7,8 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
-from gearwright.spec import read
-from gearwright.spec.axis import Axis, value_at
-from gearwright.spec.edit import edited
-from gearwright.spec.study import Study, case_count, parse_study
-from gearwright.study.evaluate import refuse_unknown_paths
-from gearwright.study.sampling import cases, unit_sample
+from gearwright.spec import Axis, Study, case_count, edited, parse_study, read, value_at
+from gearwright.study.cases import cases, refuse_unknown_paths, unit_sample
 
 
 def study_of(method: str, *, count: int = 64, axes: str = "") -> Study:

@@ -11,18 +11,12 @@ from scipy.stats import sobol_indices
 
 from gearwright.errors import DesignError, SolveError
 from gearwright.shipped import shipped_design
-from gearwright.sizing.named import Named
-from gearwright.spec import read
-from gearwright.spec.study import Study, parse_study
+from gearwright.sizing import Named
+from gearwright.spec import Study, parse_study, read
 from gearwright.study import run
-from gearwright.study.export import write_table
-from gearwright.study.pareto import pareto_front, ranks
-from gearwright.study.run import table_of
-from gearwright.study.runner import resume, run_study
-from gearwright.study.sampling import Case, cases
-from gearwright.study.search import generations
-from gearwright.study.sensitivity import sensitivity
-from gearwright.study.table import Row, Table
+from gearwright.study.answers import Row, Table, pareto_front, ranks, sensitivity, write_table
+from gearwright.study.cases import Case, cases
+from gearwright.study.running import generations, resume, run_study, table_of
 
 
 def study_of(text: str, *, axes: int = 2, designs: str = '"d"', low: float = 0.0, high: float = 1.0) -> Study:

@@ -7,16 +7,12 @@ from pathlib import Path
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.render.study_tables import study_csv, study_records
+from gearwright.render.tables.study import study_csv, study_records
 from gearwright.shipped import shipped_design, shipped_studies, shipped_study
-from gearwright.sizing import size
-from gearwright.sizing.named import named_results
-from gearwright.spec import read
-from gearwright.spec.axis import axis_values
-from gearwright.spec.edit import edited
-from gearwright.spec.study import Study, case_count, read_study
+from gearwright.sizing import named_results, size
+from gearwright.spec import Study, axis_values, case_count, edited, read, read_study
 from gearwright.study import for_engine, run
-from gearwright.study.evaluate import refuse_unknown_paths
+from gearwright.study.cases import refuse_unknown_paths
 from gearwright.units import RPM
 
 HEAD = 'schema = 1\nname = "s"\ndesigns = ["in-line-h2"]\n'

@@ -7,11 +7,11 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.sizing.named import Named
-from gearwright.spec.study import Study
+from gearwright.sizing import Named
+from gearwright.spec import Study
 from gearwright.study import Row, Table
-from gearwright.study.verdict import bound, confidence, kept, scenarios
-from gearwright.study.verdict import verdict as found_of
+from gearwright.study.answers import bound, confidence, kept, scenarios
+from gearwright.study.answers import verdict as found_of
 
 DESIGNS = ("one", "two", "three")
 

@@ -7,8 +7,7 @@ from hypothesis import strategies as st
 from random_trains import design_of, shuffled, tables
 
 from gearwright.spec import GROUND
-from gearwright.train.flow import power_flow
-from gearwright.train.graph import build_train
+from gearwright.train import build_train, power_flow
 
 CLOSURE = 1e-12
 """Of the largest power: what rounding leaves after at most five stages."""

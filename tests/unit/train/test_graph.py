@@ -2,7 +2,7 @@
 
 from designs import HYBRID, PAIR, changed
 from gearwright.spec import GROUND, parse
-from gearwright.train.graph import EXTERNAL, INTERNAL, build_train
+from gearwright.train import EXTERNAL, INTERNAL, build_train
 
 LAYSHAFTS = """\
 schema = 1

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwright.train.memory import remembered
+from gearwright.train import remembered
 
 
 def test_a_matrix_is_solved_once_and_its_transpose_is_another_one():

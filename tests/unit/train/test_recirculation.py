@@ -6,9 +6,7 @@ import pytest
 
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.spec import parse, read
-from gearwright.train.flow import power_flow
-from gearwright.train.graph import build_train
-from gearwright.train.recirculation import recirculation
+from gearwright.train import build_train, power_flow, recirculation
 
 LOOP = """
 schema = 1

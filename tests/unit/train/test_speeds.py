@@ -6,8 +6,7 @@ from test_graph import LAYSHAFTS
 from designs import PAIR, changed
 from gearwright.errors import DesignError
 from gearwright.spec import parse
-from gearwright.train.flow import power_flow
-from gearwright.train.graph import build_train
+from gearwright.train import build_train, power_flow
 from gearwright.units import RPM
 
 ROUNDING = 1e-12

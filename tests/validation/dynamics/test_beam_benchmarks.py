@@ -1,7 +1,7 @@
 """Bending shafts: how the frequencies converge to the closed form. The closed forms themselves are published cases."""
 
 from gearwright.dynamics import modes
-from gearwright.dynamics.beam import Segment
+from gearwright.dynamics.model import Segment
 from gearwright.validate.beams import simply_supported, timoshenko_frequency
 
 

@@ -2,8 +2,7 @@
 
 import pytest
 
-from gearwright.air.airspeed import calibrated_of_true, true_of_calibrated
-from gearwright.air.atmosphere import air_at
+from gearwright.air import air_at, calibrated_of_true, true_of_calibrated
 from gearwright.errors import DesignError
 from gearwright.units import FOOT
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from gearwright.air.atmosphere import air_at
-from gearwright.catalogue.propellers import MAPS, charted_point, hamilton_standard_charts
-from gearwright.machines.hamilton_standard import Blades, performance
+from gearwright.air import air_at
+from gearwright.catalogue import MAPS, charted_point, hamilton_standard_charts
+from gearwright.machines import Blades, performance
 from gearwright.units import FOOT, HORSEPOWER
 
 KNOT = 1852.0 / 3600.0

@@ -4,20 +4,19 @@ import math
 
 import pytest
 
-from gearwright.parts.losses_bearing import bearing_torque_constant, bearing_torque_palmgren
-from gearwright.parts.losses_mesh import (
+from gearwright.parts.losses import (
     HIGHEST_FRICTION,
+    bearing_torque_constant,
+    bearing_torque_palmgren,
+    churning_power,
+    cooler_conductance,
     mesh_efficiency,
     mesh_friction,
+    oil_flow,
+    oil_viscosity,
     tip_contact_ratio,
     tooth_contact,
     tooth_loss_factor,
-)
-from gearwright.parts.losses_oil import (
-    churning_power,
-    cooler_conductance,
-    oil_flow,
-    oil_viscosity,
     windage_power,
 )
 

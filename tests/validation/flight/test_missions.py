@@ -6,9 +6,7 @@ import pytest
 from gearwright.mission import fly, phase_summaries
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.spec import read
-from gearwright.spec.mission import parse_mission, read_mission
-from gearwright.spec.read import parse
+from gearwright.spec import parse, parse_mission, read, read_mission
 
 HYBRID = size(read(shipped_design("in-line-h2")))
 FLIGHT = fly(HYBRID, read_mission(shipped_mission("thesis")))

@@ -8,13 +8,13 @@ import pytest
 
 from gearwright.mission import fly
 from gearwright.mission.windows import fly_window
-from gearwright.render.thesis_flight import FIGURES, PANELS, TITLES, chapter_figure, covered_text, number_text
+from gearwright.replays.pulvirenti.claim_runs import sized
+from gearwright.replays.pulvirenti.flight_claims import CLAIMS, CONSTANT, DESIGN, MISSION, VARYING, JudgedClaim
+from gearwright.replays.pulvirenti.flight_measures import mesh_means, mesh_swing, off_ideal, steady
+from gearwright.replays.pulvirenti.flight_page import FIGURES, PANELS, TITLES, chapter_figure, covered_text, number_text
+from gearwright.replays.pulvirenti.flight_phases import phased
 from gearwright.shipped import shipped_mission
-from gearwright.spec.mission import read_mission
-from gearwright.study.claim_runs import sized
-from gearwright.study.flight_claims import CLAIMS, CONSTANT, DESIGN, MISSION, VARYING, JudgedClaim
-from gearwright.study.flight_measures import mesh_means, mesh_swing, off_ideal, steady
-from gearwright.study.flight_phases import phased
+from gearwright.spec import read_mission
 
 PAGE = Path(__file__).parents[3] / "docs/theory/thesis-flight.md"
 STIFFNESSES = (CONSTANT, VARYING)

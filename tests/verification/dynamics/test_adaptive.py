@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from test_integration import chain, oscillator
 
-from gearwright.dynamics import Accuracy, Outputs, Periodic, kernel, replay, simulate, tsit5
+from gearwright.dynamics import Accuracy, Outputs, Periodic, replay, simulate
+from gearwright.dynamics.equations import kernel
+from gearwright.dynamics.motion import tsit5
 from gearwright.errors import DesignError, SolveError
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import Model, campbell
-from gearwright.dynamics.planetary import add_planetary
+from gearwright.dynamics.model import add_planetary
 from gearwright.validate.planetary_sets import lin_parker
 
 

@@ -5,12 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.catalogue.propellers import propeller_map
+from gearwright.catalogue import propeller_map
 from gearwright.dynamics import Model, simulate, statics
-from gearwright.dynamics.drives import ClutchDrive, MachineDrive, PropellerDrive
-from gearwright.machines.governor import Governor, GovernorState, Rotor, governed_response, limit_cycle
-from gearwright.machines.propeller_map import coefficients
-from gearwright.mission.governed import Trim, governed_window
+from gearwright.dynamics.model import ClutchDrive, MachineDrive, PropellerDrive
+from gearwright.machines import Governor, GovernorState, Rotor, coefficients, governed_response, limit_cycle
+from gearwright.mission.windows import Trim, governed_window
 
 PITCH, SPEED, DIAMETER, DENSITY, AIRSPEED = math.radians(42.3), 126.9, 3.93, 0.549, 161.0
 CHART = propeller_map("6-blades-af115")

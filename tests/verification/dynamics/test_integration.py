@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import DampingRatio, Line, Model, Outputs, Periodic, modes, simulate, statics
-from gearwright.dynamics.stepsize import default_step
+from gearwright.dynamics.motion import default_step
 from gearwright.errors import SolveError
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import DampingRatio, Model, Outputs, Periodic, periodic, simulate
-from gearwright.dynamics.steady import common_period
+from gearwright.dynamics.vibration import common_period
 from gearwright.errors import DesignError
 
 

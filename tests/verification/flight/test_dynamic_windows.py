@@ -7,15 +7,13 @@ import numpy as np
 import pytest
 
 from gearwright.dynamics import simulate
-from gearwright.dynamics.rigid_pass import followed, with_profile
-from gearwright.machines.governor import Governor
+from gearwright.dynamics.motion import followed, with_profile
+from gearwright.machines import Governor
 from gearwright.mission import fly, governed_window, trim_at
 from gearwright.mission.windows import fly_window, window_step
 from gearwright.shipped import find_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.spec import read
-from gearwright.spec.mission import parse_mission, read_mission
-from gearwright.spec.windows import GovernorRules, WindowRules
+from gearwright.spec import GovernorRules, WindowRules, parse_mission, read, read_mission
 
 STIFFNESSES = ("constant", "varying")
 

@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.machines.governor import Governor
+from gearwright.machines import Governor
 from gearwright.mission import fly, governed_window, rotor_at, trim_at
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.spec import read
-from gearwright.spec.mission import read_mission
+from gearwright.spec import read, read_mission
 
 FLIGHT = fly(size(read(shipped_design("in-line-h2"))), read_mission(shipped_mission("thesis")))
 TRIM = trim_at(FLIGHT, 2000.0)

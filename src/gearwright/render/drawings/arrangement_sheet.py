@@ -6,21 +6,21 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import product
 
-from gearwright.render.drawings.arrangement_parts import Item, axis_of, planetary_parts, shaft_parts
-from gearwright.render.drawings.compose import Content, Rows
-from gearwright.render.drawings.dimensions import extent
-from gearwright.render.drawings.end_view import end_view
-from gearwright.render.drawings.entities import SMALL, Box, Distance, Entity, Layer, Path, Words
-from gearwright.render.drawings.frame import Title
-from gearwright.render.drawings.gear_parts import Hub, hub_of
-from gearwright.render.drawings.gear_view import bevel_corners
-from gearwright.render.drawings.positions import Positions, positions
-from gearwright.render.drawings.shaft_parts import MM, away_of, bevel_profile, toothed_piece
-from gearwright.render.drawings.symbols import balloon, spread
-from gearwright.render.drawings.tables import Grid
-from gearwright.render.drawings.teeth import kind_of
-from gearwright.render.schematic_layout import pair_meshes
-from gearwright.sizing.result import GearSizing, Sizing
+from gearwright.render.drawings.sheet.compose import Content, Rows
+from gearwright.render.drawings.sheet.dimensions import extent
+from gearwright.render.drawings.sheet.entities import SMALL, Box, Distance, Entity, Layer, Path, Words
+from gearwright.render.drawings.sheet.frame import Title
+from gearwright.render.drawings.sheet.symbols import balloon, spread
+from gearwright.render.drawings.sheet.tables import Grid
+from gearwright.render.drawings.views.arrangement_parts import Item, axis_of, planetary_parts, shaft_parts
+from gearwright.render.drawings.views.end_view import end_view
+from gearwright.render.drawings.views.gear_parts import Hub, hub_of
+from gearwright.render.drawings.views.gear_view import bevel_corners
+from gearwright.render.drawings.views.positions import Positions, positions
+from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_profile, toothed_piece
+from gearwright.render.drawings.views.teeth import kind_of
+from gearwright.render.schematic.layout import pair_meshes
+from gearwright.sizing import GearSizing, Sizing
 
 NAME = "arrangement"
 AROUND = 9.0

@@ -7,13 +7,13 @@ from dataclasses import replace
 
 from gearwright.errors import DesignError, Problem, near
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
-from gearwright.render.drawings.compose import Content, compose
-from gearwright.render.drawings.gear_parts import hub_of
 from gearwright.render.drawings.gear_sheet import gear_content
 from gearwright.render.drawings.shaft_sheet import shaft_content
-from gearwright.render.drawings.sheets import Sheet
-from gearwright.render.drawings.teeth import hand_of, kind_of
-from gearwright.sizing.result import GearSizing, Sizing
+from gearwright.render.drawings.sheet.compose import Content, compose
+from gearwright.render.drawings.sheet.sheets import Sheet
+from gearwright.render.drawings.views.gear_parts import hub_of
+from gearwright.render.drawings.views.teeth import hand_of, kind_of
+from gearwright.sizing import GearSizing, Sizing
 
 
 def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:

@@ -6,13 +6,14 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
-from gearwright.catalogue.materials import materials
-from gearwright.render.drawings.compose import Content, Rows
-from gearwright.render.drawings.dimensions import corner_leader, corner_words, words_corners
-from gearwright.render.drawings.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words
-from gearwright.render.drawings.frame import Title
-from gearwright.render.drawings.gear_parts import BOSS, Boss, Hub, hub_of
-from gearwright.render.drawings.gear_view import (
+from gearwright.catalogue import materials
+from gearwright.render.drawings.sheet.compose import Content, Rows
+from gearwright.render.drawings.sheet.dimensions import corner_leader, corner_words, words_corners
+from gearwright.render.drawings.sheet.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words
+from gearwright.render.drawings.sheet.frame import Title
+from gearwright.render.drawings.sheet.symbols import texture
+from gearwright.render.drawings.views.gear_parts import BOSS, Boss, Hub, hub_of
+from gearwright.render.drawings.views.gear_view import (
     BACKUP,
     bevel_corners,
     bevel_section,
@@ -21,12 +22,11 @@ from gearwright.render.drawings.gear_view import (
     hub_view,
     ring_section,
 )
-from gearwright.render.drawings.shaft_parts import MM, BevelProfile, bevel_profile
-from gearwright.render.drawings.shaft_view import OVERSHOOT, Axis
-from gearwright.render.drawings.symbols import texture
-from gearwright.render.drawings.teeth import bevel_pair, cylindrical_gear, is_internal, kind_of, meshes_of
-from gearwright.render.drawings.tooth_data import cones, tooth_grid
-from gearwright.sizing.result import GearSizing, Sizing
+from gearwright.render.drawings.views.shaft_parts import MM, BevelProfile, bevel_profile
+from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis
+from gearwright.render.drawings.views.teeth import bevel_pair, cylindrical_gear, is_internal, kind_of, meshes_of
+from gearwright.render.drawings.views.tooth_data import cones, tooth_grid
+from gearwright.sizing import GearSizing, Sizing
 
 LEAN = math.pi / 4.0
 """Of the hatching [rad]."""

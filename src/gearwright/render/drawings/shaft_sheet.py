@@ -6,11 +6,10 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from gearwright.catalogue.fits import SEAT_SOURCE, shaft_limits
-from gearwright.catalogue.materials import materials
-from gearwright.render.drawings.compose import Content, Rows
-from gearwright.render.drawings.dimensions import extent
-from gearwright.render.drawings.entities import (
+from gearwright.catalogue import SEAT_SOURCE, materials, shaft_limits
+from gearwright.render.drawings.sheet.compose import Content, Rows
+from gearwright.render.drawings.sheet.dimensions import extent
+from gearwright.render.drawings.sheet.entities import (
     GAP,
     TEXT,
     Distance,
@@ -21,14 +20,14 @@ from gearwright.render.drawings.entities import (
     millimetres,
     words_length,
 )
-from gearwright.render.drawings.frame import Title
-from gearwright.render.drawings.shaft_parts import MM, Piece, ShaftBody, Slot, mass_with_gears, shaft_body
-from gearwright.render.drawings.shaft_view import Axis, end_chamfer, key_section, shaft_outline
-from gearwright.render.drawings.symbols import cutting_plane, spread, texture, texture_length
-from gearwright.render.drawings.tables import Grid
-from gearwright.render.drawings.teeth import gear_of
-from gearwright.render.drawings.tooth_data import tooth_grid
-from gearwright.sizing.result import Sizing
+from gearwright.render.drawings.sheet.frame import Title
+from gearwright.render.drawings.sheet.symbols import cutting_plane, spread, texture, texture_length
+from gearwright.render.drawings.sheet.tables import Grid
+from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, Slot, mass_with_gears, shaft_body
+from gearwright.render.drawings.views.shaft_view import Axis, end_chamfer, key_section, shaft_outline
+from gearwright.render.drawings.views.teeth import gear_of
+from gearwright.render.drawings.views.tooth_data import tooth_grid
+from gearwright.sizing import Sizing
 
 LEVEL = 8.0
 """Between parallel dimension lines [mm]."""

@@ -1,0 +1,20 @@
+"""A sized design becomes a System: meshes, their places in space, planetary sets, and what is assumed on the way.
+
+The builder that it fills is in `model`.
+"""
+
+from gearwright.dynamics.assembly.assemble import Driving, assemble, default_case
+from gearwright.dynamics.assembly.assumptions import Assumption, assumptions
+from gearwright.dynamics.assembly.geometry import contacts_of
+from gearwright.dynamics.assembly.meshes import gear_pairs, mesh_curve
+
+__all__ = [
+    "Assumption",
+    "Driving",
+    "assemble",
+    "assumptions",
+    "contacts_of",
+    "default_case",
+    "gear_pairs",
+    "mesh_curve",
+]

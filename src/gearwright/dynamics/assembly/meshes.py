@@ -1,0 +1,125 @@
+"""Meshes of a sizing: their geometry, and their stiffness by the model that the design names."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from gearwright.catalogue import materials
+from gearwright.errors import DesignError, Problem
+from gearwright.parts import Material
+from gearwright.parts.gears import BasicRack, CylindricalGear, GearPair
+from gearwright.parts.stiffness import (
+    MeshStiffness,
+    StiffnessCurve,
+    mesh_curve_iso6336,
+    mesh_stiffness_energy,
+    mesh_stiffness_iso6336,
+    mesh_stiffness_kuang_yang,
+    sampled_curve,
+    square_wave_pulvirenti,
+)
+from gearwright.sizing import GearSizing, MeshSizing, Sizing
+from gearwright.spec import Pair
+from gearwright.spec.design import MeshCurve
+
+
+def gear_pairs(sizing: Sizing) -> dict[str, GearPair]:
+    """Return the geometry of every mesh row, one mesh of it, gear a first; of bevel gears the virtual pair.
+
+    Args:
+        sizing: What was sized.
+    """
+    gears = {gear.name: gear for gear in sizing.gears}
+    pairs = {}
+    for mesh in sizing.train.meshes:
+        angle = sizing.design.rules(mesh.stage).pressure_angle
+        one, other = (_cylindrical(gears[gear], angle) for gear in mesh.gears)
+        if is_bevel(sizing, mesh.stage):
+            one, other = _virtual(one, other)
+        pairs[mesh.name] = GearPair(one, replace(other, teeth=-other.teeth) if mesh.sign > 0 else other)
+    return pairs
+
+
+def is_bevel(sizing: Sizing, stage: str) -> bool:
+    """Tell whether a stage is a bevel pair.
+
+    Args:
+        sizing: What was sized.
+        stage: Of its design.
+    """
+    pair = sizing.design.stages[stage]
+    return isinstance(pair, Pair) and pair.kind == "bevel"
+
+
+def _virtual(one: CylindricalGear, other: CylindricalGear) -> tuple[CylindricalGear, CylindricalGear]:
+    """Return Tredgold's cylindrical gears at the mean cone, z/cos δ to whole teeth: for the stiffness of a tooth."""
+    slant = math.hypot(one.teeth, other.teeth)
+    first, second = round(one.teeth * slant / other.teeth), round(other.teeth * slant / one.teeth)
+    return replace(one, teeth=first), replace(other, teeth=second)
+
+
+def _cylindrical(gear: GearSizing, pressure_angle: float) -> CylindricalGear:
+    rack = BasicRack(pressure_angle=pressure_angle)
+    return CylindricalGear(gear.teeth, gear.module, gear.face_width, gear.helix_angle, rack=rack)
+
+
+def mesh_curve(sizing: Sizing, mesh: MeshSizing, pair: GearPair, *, harmonics: int | None = None) -> StiffnessCurve:
+    """Return the stiffness of one mesh of a row along its line of action, by the design's model.
+
+    Args:
+        sizing: What was sized.
+        mesh: The row at its worst case, whose specific load counts.
+        pair: Its geometry.
+        harmonics: Of the mesh frequency; 0 gives the mean; left out: as the design says.
+
+    Raises:
+        DesignError: If the model does not hold for these gears, with the mesh.
+    """
+    rules, name = sizing.design.dynamics, mesh.name.partition(".")[0]
+    orders = rules.harmonics if harmonics is None else harmonics
+    own = rules.curves.get(mesh.name) or rules.curves.get(name)
+    try:
+        curve = _own(own, orders) if own is not None else _by_model(sizing, mesh, pair, orders)
+    except DesignError as error:
+        at = f"dynamics.curves.{mesh.name}" if own is not None else "dynamics.mesh_stiffness"
+        raise DesignError([Problem(at, f"{mesh.name}: {each.message}") for each in error.problems]) from None
+    stage = sizing.design.stages[name]
+    return _known(curve, stage) if isinstance(stage, Pair) else curve
+
+
+def _own(own: MeshCurve, harmonics: int) -> StiffnessCurve:
+    phase = 2.0 * math.pi * np.array(own.phase_cycles)
+    return sampled_curve(phase, own.stiffness_n_m, harmonics=harmonics, source=own.file or "design")
+
+
+def _by_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair, harmonics: int) -> StiffnessCurve:
+    steel = materials()[sizing.design.rules(mesh.name.partition(".")[0]).material]
+    match sizing.design.dynamics.mesh_stiffness:
+        case "energy":
+            return mesh_stiffness_energy(pair, materials=(steel, steel), harmonics=harmonics)
+        case "kuang-yang":
+            return mesh_stiffness_kuang_yang(pair, harmonics=harmonics)
+        case "square-wave":
+            wave = square_wave_pulvirenti(_iso(mesh, pair, steel).mesh * pair.face_width)
+            return replace(wave, cosine=wave.cosine[:harmonics], sine=wave.sine[:harmonics])
+    return mesh_curve_iso6336(pair, _iso(mesh, pair, steel), harmonics=harmonics)
+
+
+def _iso(mesh: MeshSizing, pair: GearPair, steel: Material) -> MeshStiffness:
+    # A mesh that idles in every case has no load; the standard's method asks for some.
+    load = max(mesh.tangential_force / pair.face_width, 1.0)
+    return mesh_stiffness_iso6336(pair, specific_load=load, elastic_moduli=(steel.elastic_modulus,) * 2)
+
+
+def _known(curve: StiffnessCurve, pair: Pair) -> StiffnessCurve:
+    """Return a stiffness curve with what the design gives of it: its mean, its first harmonic."""
+    mean = pair.mesh_stiffness or curve.mean
+    if pair.stiffness_swing is not None and curve.cosine:
+        return StiffnessCurve(mean, (pair.stiffness_swing * mean,), (0.0,), "design")
+    if pair.mesh_stiffness is None:
+        return curve
+    scale = mean / curve.mean
+    return StiffnessCurve(mean, tuple(scale * a for a in curve.cosine), tuple(scale * b for b in curve.sine), "design")

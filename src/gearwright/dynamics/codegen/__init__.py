@@ -1,0 +1,33 @@
+"""Machine code for one structure of System: assembly written, compiled in memory, called.
+
+What is solved with it is decided in `motion`.
+"""
+
+from gearwright.dynamics.codegen.assembler import aligned
+from gearwright.dynamics.codegen.clock import clock, speed_factors, waves_of
+from gearwright.dynamics.codegen.native import Compiled, compiled
+from gearwright.dynamics.codegen.recurrence import SIDE, Size, recurrence
+from gearwright.dynamics.codegen.summary import summariser
+from gearwright.dynamics.codegen.topology import Topology, parameter_rows, parameters, topology
+from gearwright.dynamics.codegen.writer import drive_width, record_width, table_width, wave_width
+
+__all__ = [
+    "SIDE",
+    "Compiled",
+    "Size",
+    "Topology",
+    "aligned",
+    "clock",
+    "compiled",
+    "drive_width",
+    "parameter_rows",
+    "parameters",
+    "record_width",
+    "recurrence",
+    "speed_factors",
+    "summariser",
+    "table_width",
+    "topology",
+    "wave_width",
+    "waves_of",
+]

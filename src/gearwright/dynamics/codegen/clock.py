@@ -1,0 +1,139 @@
+"""Clock table: what time alone decides, for every half step of a block."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.dynamics.codegen.assembler import aligned
+from gearwright.dynamics.codegen.topology import topology
+from gearwright.dynamics.codegen.writer import table_width, wave_width
+from gearwright.dynamics.model import Arrays, Floats, Profile
+
+Clock = Callable[[int, int], tuple[Floats, Floats]]
+"""(first step, steps) returns the table, a row for each half step, and by how much its tones are to be turned.
+
+A row holds the cosines of all tones, their sines, s, ṡ, scheduled loads and drives' inputs; the turn cosines and sines.
+"""
+
+
+class Harmonic(NamedTuple):
+    """How a tone's wave is made."""
+
+    tone: int
+    """Its number."""
+    below: int
+    """A slower tone, or -1: then by cosine and sine."""
+    again: int
+    """The tone that is added to it."""
+
+
+def clock(arrays: Arrays, h: float, steps: int) -> Clock:
+    """Return the clock of a run.
+
+    At constant speed all blocks share the tones of one table, turned by the exact angles at the block's start: no
+    trigonometry in the run, and no drift.
+
+    Args:
+        arrays: The system's numbers.
+        h: Step [s].
+        steps: Most steps of a block.
+    """
+    shape = topology(arrays)
+    waves, table = wave_width(shape), aligned(2 * steps + 1, table_width(shape))
+    factor = float(arrays.profile.factor[0])
+    if np.any(arrays.profile.factor != factor):
+        harmonics, unturned = _harmonics(arrays.tone_rate), waves_of(np.zeros(waves), waves)
+        return lambda first, count: (_ramped(arrays, harmonics, _times(first, h, count), (table, waves)), unturned)
+    rate = arrays.tone_rate * factor
+    table[:, : 2 * waves] = waves_of(np.outer(_times(0, h, steps), rate), waves)
+    table[:, 2 * waves] = factor
+
+    def steady(first: int, count: int) -> tuple[Floats, Floats]:
+        if table.shape[1] > 2 * waves + 2:
+            _fill_loads(arrays, _times(first, h, count), table[:, 2 * waves + 2 :])
+        return table, waves_of(rate * (first * h), waves)
+
+    return steady
+
+
+def waves_of(angle: Floats, width: int) -> Floats:
+    """Return cosines and sines, each filled up to a width, shape (…, 2 width).
+
+    Args:
+        angle: [rad], shape (…, tones).
+        width: Numbers for each.
+    """
+    waves = np.zeros((*angle.shape[:-1], 2, width))
+    np.cos(angle, out=waves[..., 0, : angle.shape[-1]])
+    np.sin(angle, out=waves[..., 1, : angle.shape[-1]])
+    return waves.reshape(*angle.shape[:-1], 2 * width)
+
+
+def _times(first: int, h: float, steps: int) -> Floats:
+    return np.asarray((first + 0.5 * np.arange(2 * steps + 1)) * h, dtype=np.float64)
+
+
+def _ramped(arrays: Arrays, harmonics: Sequence[Harmonic], time: Floats, room: tuple[Floats, int]) -> Floats:
+    (table, width), tones = room, len(harmonics)
+    factor, slope, travel = speed_factors(arrays.profile, time)
+    waves, rows = np.empty((tones, len(time)), dtype=np.complex128), slice(len(time))
+    for tone, below, again in harmonics:
+        if below < 0:
+            angle = arrays.tone_rate[tone] * travel
+            np.cos(angle, out=waves.real[tone])
+            np.sin(angle, out=waves.imag[tone])
+        else:
+            np.multiply(waves[below], waves[again], out=waves[tone])
+    table[rows, :tones], table[rows, width : width + tones] = waves.real.T, waves.imag.T
+    table[rows, 2 * width], table[rows, 2 * width + 1] = factor, slope
+    _fill_loads(arrays, time, table[:, 2 * width + 2 :])
+    return table
+
+
+def _harmonics(rates: Floats) -> list[Harmonic]:
+    """Return how each tone is made: a harmonic is the product of two slower tones whose rates add up to its own."""
+    found, made = list[Harmonic](), list[int]()
+    for tone in (int(each) for each in np.argsort(np.abs(rates), kind="stable")):
+        sums = (
+            (one, two) for one in made for two in made if np.isclose(rates[one] + rates[two], rates[tone], 1e-14, 0)
+        )
+        found.append(Harmonic(tone, *next(sums, (-1, -1))))
+        made.append(tone)
+    return found
+
+
+def _fill_loads(arrays: Arrays, time: Floats, columns: Floats) -> None:
+    column = 0
+    for schedules in (arrays.loads.schedules, arrays.drives.inputs):
+        for number in range(len(schedules.dof)):
+            part = slice(schedules.start[number], schedules.start[number + 1])
+            points, values = schedules.time[part], schedules.value[part]
+            constant = len(points) == 1 or time[0] >= points[-1] or time[-1] <= points[0]
+            # Held values need no look-up, and most loads are held most of the time.
+            held = values[-1] if time[0] >= points[-1] else values[0]
+            columns[: len(time), column] = held if constant else np.interp(time, points, values)
+            column += 1
+
+
+def speed_factors(profile: Profile, time: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return s [-], ṡ [1/s] and τ [s] at many times; `reference.speed_factor` does it for one.
+
+    Args:
+        profile: Speed factor against time.
+        time: Rising [s], shape (times,).
+    """
+    t, s = profile.time, profile.factor
+    factor, slope, travel = np.empty((3, len(time)))
+    first, last = (int(np.searchsorted(t, each, side="right")) - 1 for each in (time[0], time[-1]))
+    cuts = [0, *np.searchsorted(time, t[first + 1 : last + 1]).tolist(), len(time)]
+    for piece, (low, high) in zip(range(first, last + 1), pairwise(cuts), strict=True):
+        i = max(piece, 0)
+        elapsed = time[low:high] - t[i]
+        rate = (s[i + 1] - s[i]) / (t[i + 1] - t[i]) if 0 <= piece < len(t) - 1 else 0.0
+        factor[low:high], slope[low:high] = s[i] + rate * elapsed, rate
+        travel[low:high] = profile.travel[i] + 0.5 * (s[i] + factor[low:high]) * elapsed
+    return factor, slope, travel

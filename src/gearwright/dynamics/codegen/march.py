@@ -1,0 +1,181 @@
+"""March: the loop of classical Runge–Kutta steps around a generated right-hand side, as LLVM assembly.
+
+Every stage is (bq + c q̇, bv + c q̈) of the one before; so is the end, with bv = (v₂ + 2 v₃ + v₄ − v₀)/3 and c = h/6.
+"""
+
+from __future__ import annotations
+
+from gearwright.dynamics.codegen.emit import CHUNK, VECTOR, splat
+from gearwright.dynamics.codegen.generate import slope
+from gearwright.dynamics.codegen.instant import instant
+from gearwright.dynamics.codegen.topology import filled
+from gearwright.dynamics.codegen.writer import Writer, record_width, table_width, wave_width
+from gearwright.dynamics.equations import WORKS
+
+STAGES = ("q", "v", "qa", "qb", "v2", "v3", "v4", "bq", "bv")
+"""Work arrays: the state, positions of stages in turn, velocities of stages two to four, what the last begins from."""
+
+
+def assembly(writer: Writer) -> str:
+    """Return the LLVM assembly of a structure.
+
+    Args:
+        writer: Of its functions.
+    """
+    alone = writer.lanes == 1
+    look = slope(writer, "look", "record" if alone else "statistics")
+    parts = [_DECLARATIONS, instant(writer), look, slope(writer, "slope", ""), _loop(writer)]
+    return "\n\n".join([*parts, *([_alone(writer)] if alone else [])])
+
+
+_DECLARATIONS = """declare double @llvm.fabs.f64(double)
+declare <8 x double> @llvm.fabs.v8f64(<8 x double>)
+declare <8 x double> @llvm.minnum.v8f64(<8 x double>, <8 x double>)
+declare <8 x double> @llvm.maxnum.v8f64(<8 x double>, <8 x double>)
+declare void @llvm.memcpy.inline.p0.p0.i64(ptr, ptr, i64, i1)
+declare void @llvm.memcpy.p0.p0.i64(ptr, ptr, i64, i1)
+declare void @llvm.memset.p0.i64(ptr, i8, i64, i1)"""
+
+
+def _loop(writer: Writer) -> str:
+    """Return the function that takes the steps."""
+    shape, lanes = writer.shape, writer.lanes
+    row, numbers = table_width(shape, writer.clocks), shape.size * lanes
+    stride = record_width(shape) if lanes == 1 else 0
+    keep = _moved("%place", 0, "%q", numbers) + _moved("%place", numbers, "%v", numbers) if lanes == 1 else []
+    pointers = ", ".join(f"ptr noalias %{name}" for name in ("p", "own", "table", "turn", "state", "out"))
+    return f"""define void @advance(i64 %steps, {pointers}) {{
+entry:
+{_arrays(writer, STAGES, STAGES)}
+{_lines(*_copies(writer, "%state", ("q", "v", "works"), inwards=True))}
+  %one = load double, ptr %p, align 8
+  %lone = insertelement {VECTOR} poison, double %one, i64 0
+  %h = shufflevector {VECTOR} %lone, {VECTOR} poison, <8 x i32> zeroinitializer
+  %half = fmul {VECTOR} %h, {splat(0.5)}
+  %third = fmul {VECTOR} %h, {splat(1.0 / 3.0)}
+  %sixth = fmul {VECTOR} %h, {splat(1.0 / 6.0)}
+  {_instant("%table")}
+  br label %head
+head:
+  %i = phi i64 [0, %entry], [%next, %head]
+  %twice = mul i64 %i, {2 * row}
+  %row0 = getelementptr double, ptr %table, i64 %twice
+  %row1 = getelementptr double, ptr %row0, i64 {row}
+  %row2 = getelementptr double, ptr %row1, i64 {row}
+  %offset = mul i64 %i, {stride}
+  %place = getelementptr double, ptr %out, i64 %offset
+  %seen = getelementptr double, ptr %place, i64 {2 * numbers if lanes == 1 else 0}
+{_lines(*keep)}
+  {_stage("look", "%row0", ("q", "v", "q", "v", "qa", "v2"), ("%half", "%sixth"))}
+  {_instant("%row1")}
+  {_stage("slope", "%row1", ("q", "v", "qa", "v2", "qb", "v3"), ("%half", "%third"))}
+  {_stage("slope", "%row1", ("q", "v", "qb", "v3", "qa", "v4"), ("%h", "%third"))}
+{_last_base(_room(writer))}
+  {_instant("%row2")}
+  {_stage("slope", "%row2", ("bq", "bv", "qa", "v4", "q", "v"), ("%sixth", "%sixth"))}
+  %next = add i64 %i, 1
+  %more = icmp slt i64 %next, %steps
+  br i1 %more, label %head, label %done
+done:
+{_lines(*_copies(writer, "%state", ("q", "v", "works"), inwards=False))}
+  ret void
+}}"""
+
+
+def _alone(writer: Writer) -> str:
+    """Return the function that works out one derivative, for steps of any length: a stage from nothing with c = 1."""
+    wave, room = wave_width(writer.shape), _room(writer)
+    turn = ", ".join([f"double {1.0 if i < wave else 0.0}" for i in range(2 * wave)])
+    pointers = ", ".join(f"ptr noalias %{name}" for name in ("p", "row", "y", "dy", "seen"))
+    stage = _stage("look", "%row", ("bq", "bv", "q", "v", "qa", "v2"), (splat(1.0), splat(1.0)))
+    body = "\n  ".join([_instant("%row"), stage]).replace("%own", "%p").replace("%turn", "@unturned")
+    return f"""@unturned = private constant [{2 * wave} x double] [{turn}], align 64
+@nothing = private constant [{room} x double] zeroinitializer, align 64
+
+define void @derivative({pointers}) {{
+{_arrays(writer, ("q", "v", "qa", "v2"), ("works",))}
+{_lines(*_copies(writer, "%y", ("q", "v"), inwards=True))}
+  {body.replace("%bq", "@nothing").replace("%bv", "@nothing")}
+{_lines(*_copies(writer, "%dy", ("qa", "v2", "works"), inwards=False))}
+  ret void
+}}"""
+
+
+def _arrays(writer: Writer, names: tuple[str, ...], cleared: tuple[str, ...]) -> str:
+    """Return work arrays, some of them cleared; what fills up the others to whole vectors does not matter."""
+    shape, lanes = writer.shape, writer.lanes
+    rooms = dict.fromkeys(names, _room(writer))
+    rooms |= {"works": filled(WORKS * lanes), "now": 4 * filled(len(shape.lines) * lanes)}
+    rooms["wave"] = 4 * wave_width(shape, writer.clocks)
+    lines = [f"%{name} = alloca [{room} x double], align 64" for name, room in rooms.items()]
+    lines += [f"call void @llvm.memset.p0.i64(ptr %{name}, i8 0, i64 {8 * rooms[name]}, i1 false)" for name in cleared]
+    return _lines(*lines)
+
+
+def _room(writer: Writer) -> int:
+    """Return the numbers of a work array: one for each coordinate, and in velocities the drives' states after them."""
+    return filled(writer.shape.size * writer.lanes) + filled(writer.shape.drives.states)
+
+
+def _copies(writer: Writer, state: str, names: tuple[str, ...], *, inwards: bool) -> list[str]:
+    """Return the copies between a state (q, q̇, works, drives) and work arrays; works that are not named stay."""
+    shape, numbers, works = writer.shape, writer.shape.size * writer.lanes, WORKS * writer.lanes
+    arrays = {f"%{name}": number * numbers for number, name in enumerate(names)}
+    x = f"%{'in' if inwards else 'out'}.x"
+    lines = [f"{x} = getelementptr double, ptr %{names[1]}, i64 {filled(numbers)}"]
+    for name, first in arrays.items():
+        lines += _moved(state, first, name, works if name == "%works" else numbers, back=inwards)
+    return lines + _moved(state, 2 * numbers + works, x, shape.drives.states, back=inwards)
+
+
+def _moved(base: str, first: int, array: str, count: int, *, back: bool = False) -> list[str]:
+    """Return the copy of an array to a place in another, or back."""
+    place = f"%{'in' if back else 'out'}.{base[1:]}.{array[1:]}"
+    pair = (array, place) if back else (place, array)
+    return [f"{place} = getelementptr double, ptr {base}, i64 {first}", _copy(*pair, count)]
+
+
+def _copy(to: str, source: str, count: int) -> str:
+    kind = "memcpy.inline" if count <= 64 else "memcpy"
+    return f"call void @llvm.{kind}.p0.p0.i64(ptr {to}, ptr {source}, i64 {8 * count}, i1 false)"
+
+
+def _instant(row: str) -> str:
+    return f"call void @instant(ptr %p, ptr %own, ptr {row}, ptr %turn, ptr %wave, ptr %now)"
+
+
+def _stage(name: str, row: str, arrays: tuple[str, ...], factors: tuple[str, str]) -> str:
+    pointers = ", ".join(f"ptr {each}" for each in ("%p", "%own", row, "%now", *(f"%{one}" for one in arrays)))
+    c, share = factors
+    return f"call void @{name}({pointers}, ptr %works, ptr %seen, {VECTOR} {c}, {VECTOR} {share})"
+
+
+def _last_base(width: int) -> str:
+    """The last stage begins from: bq = q + h/6 (v + 2 v₂ + 2 v₃), bv = v + (d₂ + 2 d₃ + d₄)/3, dᵢ = vᵢ − v."""
+    lines, flags = [], f"contract {VECTOR}"
+    for i in range(0, width, CHUNK):
+        for name in ("q", "v", "v2", "v3", "v4", "bq", "bv"):
+            lines.append(f"%p{name}.{i} = getelementptr double, ptr %{name}, i64 {i}")
+        for name in ("q", "v", "v2", "v3", "v4"):
+            lines.append(f"%l{name}.{i} = load {VECTOR}, ptr %p{name}.{i}, align 64")
+        lines += [
+            f"%twice{i} = fadd {VECTOR} %lv3.{i}, %lv3.{i}",
+            f"%inner{i} = fadd {VECTOR} %lv2.{i}, %twice{i}",
+            f"%middle{i} = fadd {VECTOR} %lv2.{i}, %inner{i}",
+            f"%sum{i} = fadd {VECTOR} %lv.{i}, %middle{i}",
+            f"%gone{i} = fmul {flags} %sixth, %sum{i}",
+            f"%to{i} = fadd {flags} %lq.{i}, %gone{i}",
+            f"store {VECTOR} %to{i}, ptr %pbq.{i}, align 64",
+            *(f"%d{n}.{i} = fsub {VECTOR} %lv{n}.{i}, %lv.{i}" for n in (2, 3, 4)),  # small, so that rounding is too
+            f"%both{i} = fadd {VECTOR} %d3.{i}, %d3.{i}",
+            f"%ends{i} = fadd {VECTOR} %d2.{i}, %d4.{i}",
+            f"%all{i} = fadd {VECTOR} %both{i}, %ends{i}",
+            f"%third{i} = fmul {flags} %all{i}, {splat(1.0 / 3.0)}",
+            f"%mean{i} = fadd {flags} %lv.{i}, %third{i}",
+            f"store {VECTOR} %mean{i}, ptr %pbv.{i}, align 64",
+        ]
+    return _lines(*lines)
+
+
+def _lines(*lines: str) -> str:
+    return "\n".join(f"  {line}" for line in lines)

@@ -1,0 +1,245 @@
+"""Topology: which numbers a generated right-hand side needs, and where each stands in its parameter array.
+
+Code is generated for the structure alone (who joins whom, which lines have backlash, which tones act where); the
+numbers are parameters, so that all systems of one structure share one compiled code.
+"""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from gearwright.dynamics.codegen.assembler import aligned
+from gearwright.dynamics.codegen.emit import CHUNK
+from gearwright.dynamics.model import Arrays, Drives, Entries, Floats, Ints, Series, stacked, weight_numbers
+
+
+class LineShape(NamedTuple):
+    """Structure of one line."""
+
+    dofs: tuple[int, ...]
+    """Coordinates."""
+    weights: tuple[int, ...]
+    """Number of each weight; equal weights share one, so that sums with them are worked out once."""
+    signs: tuple[int, ...]
+    """1 or −1 for weights of exactly that, 0 for any other."""
+    variation: tuple[int, ...]
+    """Tones of its stiffness."""
+    error: tuple[int, ...]
+    """Tones of its error."""
+    gap: bool
+    """Whether it has backlash."""
+    damped: bool
+    """Whether it has damping."""
+
+
+class DriveShape(NamedTuple):
+    """Structure of the drives."""
+
+    dofs: tuple[int, ...]
+    """Coordinates that feel them."""
+    states: int
+    """States of all."""
+    inputs: int
+    """What they read against time."""
+    records: int
+    """Drives."""
+    length: int
+    """Numbers in their table."""
+
+
+class Topology(NamedTuple):
+    """Structure of a system: hashable, the key of the generated code."""
+
+    size: int
+    """Coordinates."""
+    tones: int
+    """Tones."""
+    lines: tuple[LineShape, ...]
+    """Structure of each line."""
+    loaded: tuple[tuple[int, bool, bool], ...]
+    """Coordinates with a load: number, whether it depends on speed, whether on its square."""
+    scheduled: tuple[int, ...]
+    """Coordinates with a schedule, one for each schedule."""
+    turning: tuple[int, ...]
+    """Coordinates whose rigid motion may speed up: empty when the speed is constant."""
+    gyroscopic: tuple[tuple[int, int], ...]
+    """Rows and columns."""
+    centripetal: tuple[tuple[int, int], ...]
+    """Rows and columns."""
+    drives: DriveShape
+    """Of the drives."""
+
+
+def topology(arrays: Arrays) -> Topology:
+    """Return the structure of a system.
+
+    Args:
+        arrays: The system's numbers.
+    """
+    loads = arrays.loads
+    scheduled = tuple(int(dof) for dof in loads.schedules.dof)
+    acting = (loads.constant != 0.0) | (loads.damping != 0.0) | (loads.quadratic != 0.0)
+    acting[list(scheduled)] = True
+    acting[list(_drives(arrays.drives).dofs)] = True
+    steady = bool(np.all(arrays.profile.factor == arrays.profile.factor[0]))
+    number = weight_numbers(arrays.line_weight)[0]
+    return Topology(
+        size=len(arrays.mass),
+        tones=len(arrays.tone_rate),
+        lines=tuple(_line(arrays, j, number) for j in range(len(arrays.stiffness))),
+        loaded=tuple((int(i), bool(loads.damping[i]), bool(loads.quadratic[i])) for i in np.flatnonzero(acting)),
+        scheduled=scheduled,
+        turning=() if steady else tuple(int(i) for i in np.flatnonzero(arrays.speed)),
+        gyroscopic=_places(arrays.gyroscopic),
+        centripetal=_places(arrays.centripetal),
+        drives=_drives(arrays.drives),
+    )
+
+
+def _drives(drives: Drives) -> DriveShape:
+    dofs, table, place = set[int](), drives.table, 2
+    while place < len(table):
+        dofs |= {int(table[place + 2]), int(table[place + 4])} - {-1}
+        place += int(table[place])
+    records = int(table[0]) if len(table) else 0
+    return DriveShape(tuple(sorted(dofs)), len(drives.start), len(drives.inputs.dof), records, len(table))
+
+
+def _line(arrays: Arrays, j: int, number: Ints) -> LineShape:
+    part = slice(arrays.line_start[j], arrays.line_start[j + 1])
+    weights = arrays.line_weight[part]
+    return LineShape(
+        dofs=tuple(int(dof) for dof in arrays.line_dof[part]),
+        weights=tuple(int(each) for each in number[part]),
+        signs=tuple(int(weight) if abs(weight) == 1.0 else 0 for weight in weights),
+        variation=_tones(arrays.variation, j),
+        error=_tones(arrays.error, j),
+        gap=bool(arrays.backlash[j] > 0.0),
+        damped=bool(arrays.damping[j] > 0.0),
+    )
+
+
+def _tones(series: Series, j: int) -> tuple[int, ...]:
+    return tuple(int(tone) for tone in series.tone[series.start[j] : series.start[j + 1]])
+
+
+def _places(entries: Entries) -> tuple[tuple[int, int], ...]:
+    return tuple((int(row), int(column)) for row, column in zip(entries.row, entries.column, strict=True))
+
+
+class Layout(NamedTuple):
+    """First place of each group of numbers in the parameter array."""
+
+    step: int
+    """h."""
+    weight: int
+    """Distinct weights."""
+    stiffness: int
+    """Mean stiffness."""
+    damping: int
+    """c."""
+    backlash: int
+    """B."""
+    variation_cos: int
+    """Stiffness coefficients k a, of eight lines for each tone that one of them has."""
+    variation_sin: int
+    """Stiffness coefficients k b."""
+    error_cos: int
+    """Error coefficients a."""
+    error_sin: int
+    """Error coefficients b."""
+    rate: int
+    """ω of each tone."""
+    mobility: int
+    """1/M."""
+    inertia: int
+    """M Ω."""
+    speed: int
+    """Ω."""
+    constant: int
+    """Constant load."""
+    loss: int
+    """Load lost per speed."""
+    quadratic: int
+    """Load lost per speed squared."""
+    gyroscopic: int
+    """Ω G."""
+    centripetal: int
+    """Ω² C."""
+    drives: int
+    """Table of the drives."""
+
+
+def parameters(arrays: Arrays, h: float) -> tuple[Layout, Floats]:
+    """Return where each number stands, and the numbers.
+
+    Args:
+        arrays: The system's numbers.
+        h: Step [s].
+    """
+    layout, rows = parameter_rows(stacked([arrays]), h)
+    return layout, rows[0]
+
+
+def parameter_rows(family: Arrays, h: float) -> tuple[Layout, Floats]:
+    """Return where each number stands, and a row of numbers for each system, each group filled up to whole vectors.
+
+    Args:
+        family: Systems of one structure, `stacked`.
+        h: Step [s].
+    """
+    variation = _coefficients(family, family.variation, family.stiffness)
+    error = _coefficients(family, family.error, np.ones_like(family.stiffness))
+    weights = np.array([weight_numbers(row)[1] for row in family.line_weight])
+    lines = [weights, family.stiffness, family.damping, family.backlash]
+    bodies = [1.0 / family.mass, family.mass * family.speed, family.speed]
+    loads = [family.loads.constant, family.loads.damping, family.loads.quadratic]
+    frames = [family.gyroscopic.value, family.centripetal.value]
+    groups = [
+        np.array([[h]]),
+        *lines,
+        *variation,
+        *error,
+        family.tone_rate,
+        *bodies,
+        *loads,
+        *frames,
+        family.drives.table,
+    ]
+    starts = [int(start) for start in np.cumsum([0, *(filled(group.shape[1]) for group in groups)])]
+    rows = aligned(max(len(group) for group in groups), starts[-1])
+    for start, group in zip(starts, groups, strict=False):
+        rows[:, start : start + group.shape[1]] = group
+    return Layout(*starts[:-1]), rows
+
+
+def filled(count: int) -> int:
+    """Return a count of numbers filled up to whole vectors.
+
+    Args:
+        count: Numbers.
+    """
+    return -(-count // CHUNK) * CHUNK
+
+
+def slots(shape: Topology, group: Literal["variation", "error"]) -> dict[tuple[int, int], int]:
+    """Return where the coefficients of a tone stand for each eight lines of which one has it, by (eight, tone).
+
+    Args:
+        shape: Structure.
+        group: Which series.
+    """
+    pairs = {(j // CHUNK, tone) for j, line in enumerate(shape.lines) for tone in getattr(line, group)}
+    return {pair: CHUNK * place for place, pair in enumerate(sorted(pairs))}
+
+
+def _coefficients(family: Arrays, series: Series, scale: Floats) -> list[Floats]:
+    tone, line = series.tone[0], np.repeat(np.arange(scale.shape[1]), np.diff(series.start[0]))
+    pairs, slot = np.unique(line // CHUNK * family.tone_rate.shape[1] + tone, return_inverse=True)
+    sums = []
+    for values in (series.cosine * scale[:, line], series.sine * scale[:, line]):
+        sums.append(np.zeros((len(values), CHUNK * len(pairs))))
+        np.add.at(sums[-1].T, slot * CHUNK + line % CHUNK, values.T)
+    return sums

@@ -1,0 +1,37 @@
+"""What follows from a System without going through time: right-hand side, statics, modes, redundancy, energy.
+
+Compiled code for speed is in `codegen`, motion in `motion`.
+"""
+
+from gearwright.dynamics.equations.drive_laws import apply_drives, drive_columns
+from gearwright.dynamics.equations.energy import WORKS, Work, stored_energy
+from gearwright.dynamics.equations.linear import Complexes, damped_modes, linear, state_matrix
+from gearwright.dynamics.equations.modes import Modes, modes, split_rigid
+from gearwright.dynamics.equations.redundancy import Redundancy, line_forces, redundancy, slow_position
+from gearwright.dynamics.equations.reference import acceleration, dead_zone, line_state
+from gearwright.dynamics.equations.statics import Equilibrium, statics, unbalanced
+
+__all__ = [
+    "WORKS",
+    "Complexes",
+    "Equilibrium",
+    "Modes",
+    "Redundancy",
+    "Work",
+    "acceleration",
+    "apply_drives",
+    "damped_modes",
+    "dead_zone",
+    "drive_columns",
+    "line_forces",
+    "line_state",
+    "linear",
+    "modes",
+    "redundancy",
+    "slow_position",
+    "split_rigid",
+    "state_matrix",
+    "statics",
+    "stored_energy",
+    "unbalanced",
+]

@@ -1,0 +1,100 @@
+"""Modes: natural frequencies and shapes of a system at its mean stiffness, all lines in contact, undamped."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import linalg
+
+from gearwright.dynamics.model import Arrays, Floats, Labels, System, line_matrix
+
+RANK_TOLERANCE = 1e-10
+"""Singular value of the lines' directions, over the largest, below which a motion stretches no line [-]."""
+REPEATED = 1e-6
+"""Relative distance under which two natural frequencies count as one [-]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Modes:
+    """Natural modes, rigid ones first, then by rising frequency."""
+
+    frequency: Floats
+    """Natural frequencies [Hz], shape (modes,)."""
+    shapes: Floats
+    """Mass-normalised shapes [1/√kg or 1/(√kg m)], shape (coordinates, modes)."""
+    line_energy: Floats
+    """Share of each mode's elastic energy in each line [-], shape (lines, modes); zero for rigid modes."""
+    labels: Labels
+    """Names of coordinates and lines."""
+
+    @property
+    def rigid(self) -> int:
+        """Number of rigid modes."""
+        return int(np.count_nonzero(self.frequency == 0.0))
+
+    def groups(self) -> Iterator[tuple[float, int]]:
+        """Yield each distinct frequency [Hz] with its multiplicity."""
+        first = 0
+        for last in range(1, len(self.frequency) + 1):
+            reference = self.frequency[first]
+            if last == len(self.frequency) or self.frequency[last] - reference > REPEATED * reference:
+                yield float(np.mean(self.frequency[first:last])), last - first
+                first = last
+
+
+def split_rigid(arrays: Arrays) -> tuple[Floats, Floats]:
+    """Return mass-normalised rigid and elastic motions: bases of what stretches no line, and of the rest.
+
+    Found from the lines' directions alone, so that soft and stiff lines side by side cannot blur it.
+
+    Args:
+        arrays: The system's numbers.
+
+    Returns:
+        Shapes (coordinates, rigid) and (coordinates, elastic), both orthonormal in the mass matrix.
+    """
+    root = np.sqrt(arrays.mass)
+    direction = line_matrix(arrays) / root
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    _, singular, basis = np.linalg.svd(direction)
+    rank = int(np.count_nonzero(singular > RANK_TOLERANCE * np.max(singular, initial=1e-300)))
+    return basis[rank:].T / root[:, None], basis[:rank].T / root[:, None]
+
+
+def stiffness_matrix(arrays: Arrays, stiffness: Floats) -> Floats:
+    """Return K = Σ d k d.
+
+    Args:
+        arrays: The system's numbers.
+        stiffness: Of each line [N/m or N m/rad], shape (lines,).
+
+    Returns:
+        Shape (coordinates, coordinates).
+    """
+    matrix = line_matrix(arrays)
+    return matrix.T @ (stiffness[:, None] * matrix)
+
+
+def modes(system: System) -> Modes:
+    """Return natural frequencies, shapes and the lines that hold each mode's elastic energy.
+
+    Args:
+        system: Gyroscopic and centripetal terms are left out: see `campbell` for those.
+
+    Source:
+        Symmetric eigenproblem K φ = ω² M φ, rigid motions taken out beforehand.
+    """
+    arrays = system.arrays
+    rigid, elastic = split_rigid(arrays)
+    matrix = line_matrix(arrays)
+    reduced = elastic.T @ stiffness_matrix(arrays, arrays.stiffness) @ elastic
+    square, vectors = linalg.eigh(0.5 * (reduced + reduced.T))
+    shapes = np.hstack([rigid, elastic @ vectors])
+    frequency = np.concatenate([np.zeros(rigid.shape[1]), np.sqrt(np.maximum(square, 0.0))]) / (2.0 * np.pi)
+    energy = arrays.stiffness[:, None] * (matrix @ shapes) ** 2
+    energy[:, : rigid.shape[1]] = 0.0
+    total = np.sum(energy, axis=0)
+    share = np.divide(energy, total, out=np.zeros_like(energy), where=total > 0.0)
+    return Modes(frequency, shapes, share, system.labels)

@@ -1,0 +1,241 @@
+"""A planetary set as bodies and lines: with translations (Lin & Parker 1999) or purely rotational, by its supports.
+
+Translations are written in the frame of the carrier: x and y of sun, ring and carrier, radial and tangential ones of
+each planet. Rotations are absolute angles, so that the mass matrix is diagonal.
+
+Coordinates are named ``sun``, ``sun.x``, ``sun.y`` (likewise ``ring``, ``carrier``), ``planet-1``, ``planet-1.radial``,
+``planet-1.tangential``; lines ``sun-planet-1``, ``planet-ring-1``, ``planet-1.pin.radial``, ``sun.support.x`` …
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
+from gearwright.dynamics.model.model import Model
+from gearwright.dynamics.model.planetary_set import Member, PlanetarySet, PlanetError, set_problems
+from gearwright.dynamics.model.written import Body
+from gearwright.errors import DesignError
+from gearwright.parts.stiffness import StiffnessCurve
+
+
+def add_planetary(
+    model: Model, planetary: PlanetarySet, *, name: str = "", speeds: Mapping[str, float] | None = None
+) -> None:
+    """Add a planetary set to a model; shafts and loads join it by the names of its coordinates.
+
+    Args:
+        model: Model that gets coordinates and lines.
+        planetary: The set.
+        name: Put before every name, with a point.
+        speeds: Reference speeds [rad/s] of sun, ring or carrier that are given; the others follow from the lines. The
+            carrier's brings Coriolis and centripetal terms and the centrifugal load of the planets on their pins.
+
+    Source: Lin & Parker 1999, J. Vib. Acoust. 121, 316-321. The geometric stiffness of the preload is left out, so that
+        with a carrier speed the rigid rotation diverges slowly.
+
+    Raises:
+        DesignError: With everything that is missing.
+    """
+    found = list(set_problems(planetary, speeds or {}))
+    if found:
+        raise DesignError(found)
+    writer = _Writer(model, planetary, f"{name}." if name else "", speeds or {})
+    carried = len(planetary.positions) * planetary.planet.mass if math.isinf(planetary.planet.support) else 0.0
+    _central(writer, "sun", planetary.sun)
+    _central(writer, "ring", planetary.ring)
+    _central(writer, "carrier", planetary.carrier, carried=carried)
+    for number, position in enumerate(planetary.positions, start=1):
+        _planet(writer, number, position)
+        _sun_mesh(writer, number, position)
+        _ring_mesh(writer, number, position)
+
+
+class _Motion(NamedTuple):
+    """A displacement: coordinates with their weights, and what errors add."""
+
+    weights: Mapping[str, float]
+    constant: float = 0.0
+
+
+@dataclass(frozen=True)
+class _Writer:
+    """Where a set is written to."""
+
+    model: Model
+    planetary: PlanetarySet
+    prefix: str
+    speeds: Mapping[str, float]
+
+    @property
+    def frame(self) -> float:
+        """Speed of the carrier's frame [rad/s]."""
+        return self.speeds.get("carrier", 0.0)
+
+    def coordinate(self, name: str, stiffness: float) -> _Motion:
+        """Return a coordinate's motion, which is nothing where an infinite stiffness holds it."""
+        return _Motion({} if math.isinf(stiffness) else {self.prefix + name: 1.0})
+
+    def line(self, name: str, motion: _Motion, stiffness: float) -> None:
+        """Add a spring on a motion, unless it is zero or infinite."""
+        if motion.weights and 0.0 < stiffness < math.inf:
+            errors = (Periodic(constant=-motion.constant),) if motion.constant else ()
+            damping = DampingRatio(self.planetary.damping)
+            line = Line(self.prefix + name, motion.weights, stiffness, damping, errors=errors, kind="support")
+            self.model.add(line)
+
+
+def _central(writer: _Writer, name: str, member: Member, *, carried: float = 0.0) -> None:
+    """Add sun, ring or carrier with its supports; `carried` is the mass of planets on rigid pins [kg]."""
+    full = writer.prefix + name
+    if not math.isinf(member.torsion):
+        inertia = member.inertia + carried * member.radius**2
+        writer.model.rotation(full, inertia=inertia, speed=writer.speeds.get(name))
+        writer.line(f"{name}.support.rotation", writer.coordinate(name, member.torsion), member.torsion)
+    if not math.isinf(member.support):
+        for axis in ("x", "y"):
+            writer.model.translation(f"{full}.{axis}", mass=member.mass + carried)
+            writer.line(f"{name}.support.{axis}", writer.coordinate(f"{name}.{axis}", member.support), member.support)
+        if writer.frame:
+            writer.model.rotating_frame(f"{full}.x", f"{full}.y", speed=writer.frame)
+
+
+def _planet(writer: _Writer, number: int, position: float) -> None:
+    """Add a planet and, where it is elastic, its pin."""
+    planet, name = writer.planetary.planet, f"planet-{number}"
+    full = writer.prefix + name
+    writer.model.rotation(full, inertia=planet.inertia)
+    writer.line(f"{name}.support.rotation", writer.coordinate(name, planet.torsion), planet.torsion)
+    if math.isinf(planet.support):
+        return
+    writer.model.translation(f"{full}.radial", mass=planet.mass)
+    # The tangential path turns with the carrier, so its reference speed follows from the pin's line.
+    writer.model.bodies.append(Body(f"{full}.tangential", planet.mass, "m", None))
+    own = _own_places(writer, number)
+    for direction, pin, place in zip(("radial", "tangential"), _pin(writer, number, position), own, strict=True):
+        writer.line(f"{name}.pin.{direction}", _combined((1.0, pin), (-1.0, place)), planet.support)
+    if writer.frame:
+        writer.model.rotating_frame(f"{full}.radial", f"{full}.tangential", speed=writer.frame)
+        centrifugal = planet.mass * writer.planetary.carrier.radius * writer.frame**2
+        writer.model.load(f"{full}.radial", constant=centrifugal)
+
+
+def _pin(writer: _Writer, number: int, position: float) -> tuple[_Motion, _Motion]:
+    """Radial and tangential motion of the carrier at a pin, with the pin's error."""
+    carrier = writer.planetary.carrier
+    error = writer.planetary.errors.get(number, PlanetError())
+    x, y = (writer.coordinate(f"carrier.{axis}", carrier.support) for axis in ("x", "y"))
+    turn = writer.coordinate("carrier", carrier.torsion)
+    sine, cosine = math.sin(position), math.cos(position)
+    return (
+        _combined((cosine, x), (sine, y), (1.0, _Motion({}, error.radial))),
+        _combined((-sine, x), (cosine, y), (carrier.radius, turn), (1.0, _Motion({}, error.tangential))),
+    )
+
+
+def _own_places(writer: _Writer, number: int) -> tuple[_Motion, _Motion]:
+    support = writer.planetary.planet.support
+    return (
+        writer.coordinate(f"planet-{number}.radial", support),
+        writer.coordinate(f"planet-{number}.tangential", support),
+    )
+
+
+def _centre(writer: _Writer, number: int, position: float) -> tuple[_Motion, _Motion]:
+    """Radial and tangential motion of a planet's centre."""
+    rigid = math.isinf(writer.planetary.planet.support)
+    return _pin(writer, number, position) if rigid else _own_places(writer, number)
+
+
+def _sun_mesh(writer: _Writer, number: int, position: float) -> None:
+    """Add f [−x sin(ψ − fα) + y cos(ψ − fα) + r_s θ_s − η cos α + r_p θ_p] − ζ sin α."""
+    p, flank = writer.planetary, writer.planetary.flank
+    angle = p.pressure_angles[0]
+    radial, tangential = _centre(writer, number, position)
+    thickness = p.errors.get(number, PlanetError()).tooth_thickness
+    motion = _combined(
+        (flank, _tooth(writer, "sun", p.sun, position - flank * angle)),
+        (-flank * math.cos(angle), tangential),
+        (flank * p.planet.radius, _Motion({f"{writer.prefix}planet-{number}": 1.0})),
+        (-math.sin(angle), radial),
+        (1.0, _Motion({}, thickness)),
+    )
+    phase = p.phases.sun[number - 1] if p.phases else 0.0
+    run_out = _run_out(writer, "sun", p.sun, position - flank * angle)
+    _mesh(writer, f"sun-planet-{number}", motion, curve=p.sun_mesh, phase=phase, run_out=run_out)
+
+
+def _ring_mesh(writer: _Writer, number: int, position: float) -> None:
+    """Add f [−x sin(ψ + fα) + y cos(ψ + fα) + r_r θ_r − η cos α − r_p θ_p] + ζ sin α."""
+    p, flank = writer.planetary, writer.planetary.flank
+    angle = p.pressure_angles[1]
+    radial, tangential = _centre(writer, number, position)
+    motion = _combined(
+        (flank, _tooth(writer, "ring", p.ring, position + flank * angle)),
+        (-flank * math.cos(angle), tangential),
+        (-flank * p.planet.radius, _Motion({f"{writer.prefix}planet-{number}": 1.0})),
+        (math.sin(angle), radial),
+    )
+    phase = p.phases.ring[number - 1] if p.phases else 0.0
+    run_out = _run_out(writer, "ring", p.ring, position + flank * angle)
+    _mesh(writer, f"planet-ring-{number}", motion, curve=p.ring_mesh, phase=phase, run_out=run_out)
+
+
+def _tooth(writer: _Writer, name: str, member: Member, direction: float) -> _Motion:
+    """Motion of a central gear's flank along the line of action, which stands at `direction` to its y axis."""
+    x, y = (writer.coordinate(f"{name}.{axis}", member.support) for axis in ("x", "y"))
+    turn = writer.coordinate(name, member.torsion)
+    return _combined((-math.sin(direction), x), (math.cos(direction), y), (member.radius, turn))
+
+
+def _run_out(writer: _Writer, name: str, member: Member, direction: float) -> tuple[Periodic, ...]:
+    """Error of an eccentric gear: its centre circles once per turn against the carrier."""
+    if not member.run_out:
+        return ()
+    turns = {name: 1, "carrier": -1}
+    amplitude = -writer.planetary.flank * member.run_out
+    return (Periodic(_rotations(writer, turns), sine=(amplitude,), offset=-direction),)
+
+
+def _mesh(
+    writer: _Writer, name: str, motion: _Motion, *, curve: StiffnessCurve, phase: float, run_out: tuple[Periodic, ...]
+) -> None:
+    """Add one mesh."""
+    p = writer.planetary
+    variation = None
+    if curve.cosine:
+        teeth = p.flank * p.sun_teeth
+        variation = Periodic(
+            phase=_rotations(writer, {"sun": teeth, "carrier": -teeth}),
+            cosine=[value / curve.mean for value in curve.cosine],
+            sine=[value / curve.mean for value in curve.sine],
+            offset=2.0 * math.pi * phase,
+        )
+    constant = (Periodic(constant=-motion.constant),) if motion.constant else ()
+    writer.model.mesh(
+        writer.prefix + name,
+        motion.weights,
+        stiffness=curve.mean,
+        damping=DampingRatio(p.damping),
+        backlash=p.backlash,
+        variation=variation,
+        errors=(*constant, *run_out),
+    )
+
+
+def _rotations(writer: _Writer, counts: Mapping[str, int]) -> dict[str, int]:
+    """Counts of the rotations that can turn, by full name."""
+    free = {name: not math.isinf(getattr(writer.planetary, name).torsion) for name in counts}
+    return {writer.prefix + name: count for name, count in counts.items() if free[name]}
+
+
+def _combined(*parts: tuple[float, _Motion]) -> _Motion:
+    """Weighted sum of motions."""
+    weights: dict[str, float] = {}
+    for factor, motion in parts:
+        for name, weight in motion.weights.items():
+            weights[name] = weights.get(name, 0.0) + factor * weight
+    return _Motion(weights, sum(factor * motion.constant for factor, motion in parts))

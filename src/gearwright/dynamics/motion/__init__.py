@@ -1,0 +1,40 @@
+"""Systems in time: steps and their size, recording, one run or many side by side, and the trace that is left.
+
+Spectra, steady states and maps over speed are in `vibration`.
+"""
+
+from gearwright.dynamics.motion.ensemble import Ensemble, simulate_many
+from gearwright.dynamics.motion.recorder import CHECKPOINTS, Outputs, summary_of
+from gearwright.dynamics.motion.rigid_pass import followed, with_profile
+from gearwright.dynamics.motion.simulate import replay, simulate
+from gearwright.dynamics.motion.steppers import blank_record, blank_summary, stepper
+from gearwright.dynamics.motion.stepsize import STABLE, Accuracy, default_step, fastest_rate
+from gearwright.dynamics.motion.touching import check_shared_load, slack_lines
+from gearwright.dynamics.motion.trace import Checkpoints, Orders, Samples, Statistics, Trace, index_of
+
+__all__ = [
+    "CHECKPOINTS",
+    "STABLE",
+    "Accuracy",
+    "Checkpoints",
+    "Ensemble",
+    "Orders",
+    "Outputs",
+    "Samples",
+    "Statistics",
+    "Trace",
+    "blank_record",
+    "blank_summary",
+    "check_shared_load",
+    "default_step",
+    "fastest_rate",
+    "followed",
+    "index_of",
+    "replay",
+    "simulate",
+    "simulate_many",
+    "slack_lines",
+    "stepper",
+    "summary_of",
+    "with_profile",
+]

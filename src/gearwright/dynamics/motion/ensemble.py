@@ -1,0 +1,213 @@
+"""Ensembles: many systems of one structure side by side, eight to a vector, spread over the processor's cores."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.dynamics.codegen import (
+    Compiled,
+    Topology,
+    aligned,
+    compiled,
+    parameter_rows,
+    table_width,
+    topology,
+    wave_width,
+    waves_of,
+)
+from gearwright.dynamics.equations import WORKS, statics
+from gearwright.dynamics.model import Arrays, Floats, Labels, System, check_structure, envelope, own_groups, stacked
+from gearwright.dynamics.motion.recorder import RUNAWAY
+from gearwright.dynamics.motion.stepsize import STABLE, check_duration, check_step, default_step, fastest_rate
+from gearwright.dynamics.motion.trace import index_of
+from gearwright.errors import DesignError, Problem, SolveError
+
+LANES = 8
+"""Trajectories in one vector."""
+STEPS = 1024
+"""Steps between two settings of the clock: long enough that threads seldom wait for each other to leave Python."""
+
+
+@dataclass(frozen=True, eq=False)
+class Ensemble:
+    """Line forces of many trajectories, from every step after the transient; shape (trajectories, lines) each."""
+
+    mean: Floats
+    """[N or N m]."""
+    least: Floats
+    """[N or N m]."""
+    most: Floats
+    """[N or N m]."""
+    rms: Floats
+    """Root mean square [N or N m]."""
+    state: Floats
+    """q and q̇ at the end, shape (trajectories, 2 coordinates)."""
+    step: float
+    """[s]."""
+    labels: Labels
+    """Names."""
+
+    def of(self, line: str) -> dict[str, Floats]:
+        """Return mean, least, most and rms of one line's force, shape (trajectories,) each.
+
+        Args:
+            line: Its name.
+        """
+        column = index_of(line, self.labels.lines, "line")
+        return {key: getattr(self, key)[:, column] for key in ("mean", "least", "most", "rms")}
+
+
+def simulate_many(
+    systems: Sequence[System],
+    duration: float,
+    *,
+    step: float | None = None,
+    settle: float = 0.0,
+    start: Floats | None = None,
+    threads: int | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Ensemble:
+    """Return force statistics of many systems that differ in their numbers only.
+
+    Args:
+        systems: All of one structure: the same lines, tones and kinds of loads.
+        duration: [s].
+        step: [s]; left out, the smallest that any of them asks for.
+        settle: Time at the beginning that the statistics leave out [s].
+        start: q and q̇ of each, shape (systems, 2 coordinates); left out, static equilibrium.
+        threads: Threads to use; left out, one for each core.
+        progress: Called with the fraction done.
+
+    Raises:
+        DesignError: If structures differ (with the first that does), or step or duration cannot be.
+        SolveError: If a trajectory diverges, with its number and line.
+    """
+    if not systems:
+        raise DesignError([Problem("systems", "there is none")])
+    members = [system.arrays for system in systems]
+    family = stacked(members)
+    _check_family(family)
+    step = min(default_step(system.arrays) for system in systems) if step is None else step
+    steps, first = check_duration(duration, step), round(settle / step)
+    if not 0 <= first < steps:
+        raise DesignError([Problem("settle", f"{settle:g} s; it must lie within the duration of {duration:g} s")])
+    states = _states(systems, start)
+    groups = [slice(low, low + LANES) for low in range(0, len(systems), LANES)]
+    shape, (layout, rows) = topology(members[0]), parameter_rows(family, step)
+    own, numbers = (
+        own_groups(family, layout, layout._fields, rows),
+        np.broadcast_to(rows, (len(systems), rows.shape[1])),
+    )
+    _check_step(members, family, step, own)
+    code, results = compiled(shape, layout, LANES, own), []
+    clock = _Timing(step, first, steps, None if "clock" in own else _Clock(members[:1], shape, step))
+    with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+        runs = [
+            pool.submit(_run, code, shape, members[group], (numbers[group], states[group]), clock) for group in groups
+        ]
+        for number, run in enumerate(runs, start=1):
+            results.append(run.result())
+            if progress is not None:
+                progress(number / len(runs))
+    summary, ends = (np.concatenate([result[part] for result in results]) for part in range(2))
+    return _ensemble(systems[0].labels, summary, ends, (step, steps - first))
+
+
+def _states(systems: Sequence[System], start: Floats | None) -> Floats:
+    size = len(systems[0].arrays.mass)
+    states = np.zeros((len(systems), 2 * size + WORKS))
+    if start is None:
+        states[:, :size] = [statics(system, balance="accelerate").position for system in systems]
+    elif np.shape(start) != (len(systems), 2 * size):
+        raise DesignError([Problem("start", f"its shape is {np.shape(start)}; it must be {(len(systems), 2 * size)}")])
+    else:
+        states[:, : 2 * size] = start
+    return states
+
+
+class _Timing(NamedTuple):
+    """When, and the clock if it is one for all lanes."""
+
+    step: float
+    settled: int
+    steps: int
+    shared: _Clock | None
+
+
+def _run(
+    code: Compiled, shape: Topology, group: Sequence[Arrays], rows: tuple[Floats, Floats], clock: _Timing
+) -> tuple[Floats, Floats]:
+    """March one vector of trajectories from their numbers and states; missing ones repeat the last."""
+    step, settled, steps, shared = clock
+    own, states = (np.vstack([each, np.repeat(each[-1:], LANES - len(group), axis=0)]) for each in rows)
+    lanes = [*group, *[group[-1]] * (LANES - len(group))]
+    numbers, state = aligned(*own.T.shape), aligned(*states.T.shape)
+    numbers[:], state[:] = own.T, states.T
+    alike = numbers[:, 0].copy()
+    turn = shared or _Clock(lanes, shape, step)
+    first, summary = 0, np.zeros(0)
+    while first < steps:
+        if first == 0 or first == settled:
+            summary = aligned(4, len(shape.lines), LANES)
+            summary[0], summary[1] = np.inf, -np.inf
+        stop = settled if first < settled else steps
+        count = min(STEPS, stop - first)
+        code.advance(count, alike, numbers, turn.table, turn(first), state, summary)
+        first += count
+    return summary.transpose(2, 0, 1)[: len(group)], state.T[: len(group)]
+
+
+class _Clock:
+    """Clock table of a block: one for all lanes if they run at one speed, each lane's own if not."""
+
+    def __init__(self, lanes: Sequence[Arrays], shape: Topology, step: float) -> None:
+        factor = np.array([arrays.profile.factor[0] for arrays in lanes])
+        self.rate = (np.array([arrays.tone_rate for arrays in lanes]).T * factor).ravel()
+        self.step, self.waves = step, wave_width(shape, len(lanes))
+        self.table = aligned(2 * STEPS + 1, table_width(shape, len(lanes)))
+        half = 0.5 * step * np.arange(len(self.table))
+        self.table[:, : 2 * self.waves] = waves_of(np.outer(half, self.rate), self.waves)
+        self.table[:, 2 * self.waves : 2 * self.waves + len(lanes)] = factor
+
+    def __call__(self, first: int) -> Floats:
+        return waves_of(self.rate * (first * self.step), self.waves)
+
+
+def _check_family(family: Arrays) -> None:
+    check_structure(family)
+    timed = family.loads.schedules.dof.size or family.drives.table.size
+    if timed or np.any(family.profile.factor != family.profile.factor[:, :1]):
+        message = "ensembles run at constant speed, without schedules and drives; use simulate"
+        raise DesignError([Problem("systems", message)])
+
+
+def _check_step(members: Sequence[Arrays], family: Arrays, step: float, own: frozenset[str]) -> None:
+    """Refuse a step that is too large for any; one envelope over all spares most an eigenvalue problem for each."""
+    if not own & _SHAPING and 0.0 < step * fastest_rate(envelope(members[0], family)) <= STABLE:
+        return
+    for arrays in members:
+        check_step(arrays, step)
+
+
+_SHAPING = frozenset({"weight", "mobility", "speed", "loss", "quadratic", "gyroscopic", "clock"})
+"""Numbers for which no envelope is taken; the fastest rate rises with all others that it depends on."""
+
+
+def _ensemble(labels: Labels, summary: Floats, ends: Floats, clock: tuple[float, int]) -> Ensemble:
+    step, count = clock
+    least, most, total, square = (summary[:, part] for part in range(4))
+    wrong = ~(np.isfinite(square) & (most < RUNAWAY) & (least > -RUNAWAY))
+    if np.any(wrong):
+        number, line = (int(place[0]) for place in np.nonzero(wrong))
+        raise SolveError(
+            f"trajectory {number} diverged on line {labels.lines[line]} (largest force {most[number, line]:.3g}); "
+            f"take a smaller step than {step:.3g} s"
+        )
+    state = ends[:, : 2 * len(labels.coordinates)]
+    return Ensemble(total / count, least, most, np.sqrt(square / count), state, step, labels)

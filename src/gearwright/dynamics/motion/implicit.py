@@ -1,0 +1,83 @@
+"""Implicit steps for truly stiff systems: the generalized-α method with Newton's method on contact and stiffness.
+
+Source: Chung, Hulbert 1993, J. Appl. Mech. 60, 371: second order, stable at any step, its high-frequency damping set by
+ρ∞. It starts afresh at every block, so that a replay repeats itself.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+from gearwright.dynamics.equations import kernel
+from gearwright.dynamics.model import Arrays, Floats
+
+RADIUS = 0.8
+"""ρ∞: what is left of an unresolved vibration after each step [-]."""
+NEWTON = 12
+"""Rounds in which contact must settle within a step; what is left then shows in the error estimate."""
+SETTLED = 1e-10
+"""Change of acceleration over the largest at which Newton's method stops [-]."""
+
+
+@njit(cache=True, error_model="numpy")
+def fill_tangent(arrays: Arrays, shares: tuple[Floats, float, float, float], closed: Floats, tangent: Floats) -> None:
+    """Fill the derivative of the unbalanced force by the acceleration from shares of damping, stiffness and mass."""
+    damping, of_damping, of_stiffness, of_mass = shares
+    for i in range(len(arrays.mass)):
+        for j in range(len(arrays.mass)):
+            tangent[i, j] = of_damping * damping[i, j]
+        tangent[i, i] += of_mass * arrays.mass[i]
+    for line in range(len(closed)):
+        for a in range(arrays.line_start[line], arrays.line_start[line + 1]):
+            for b in range(arrays.line_start[line], arrays.line_start[line + 1]):
+                part = arrays.line_weight[a] * arrays.line_weight[b] * closed[line]
+                tangent[arrays.line_dof[a], arrays.line_dof[b]] += of_stiffness * part
+
+
+@njit(cache=True, error_model="numpy")
+def touching_stiffness(arrays: Arrays, now: kernel.Instant, deflection: Floats, out: Floats) -> None:
+    """Fill the stiffness of each line, nothing where it stands open."""
+    for j in range(len(out)):
+        open_ = arrays.backlash[j] > 0.0 and -arrays.backlash[j] <= deflection[j] <= 0.0
+        out[j] = 0.0 if open_ else now.stiffness[j]
+
+
+@njit(cache=True, error_model="numpy")
+def march(
+    arrays: Arrays,
+    now: kernel.Instant,
+    clock: tuple[int, float],
+    damping: Floats,
+    record: Floats,
+    state: Floats,
+) -> None:
+    """Advance by one step for each row of `record`, as `kernel.runge_kutta` does; `damping` of the whole system."""
+    first, h = clock
+    size, lines = len(arrays.mass), len(arrays.stiffness)
+    am, af = (2.0 * RADIUS - 1.0) / (RADIUS + 1.0), RADIUS / (RADIUS + 1.0)
+    gamma = 0.5 - am + af
+    beta = 0.25 * (gamma + 0.5) ** 2
+    slope, ahead, trial = np.empty_like(state), np.empty_like(state), state.copy()
+    output, closed, tangent = np.empty(2 * lines), np.empty(lines), np.empty((size, size))
+    kernel.set_instant(arrays, first * h, now)
+    kernel.derivative(arrays, now, state, slope, output)
+    inner = slope[size : 2 * size].copy()
+    for row in range(len(record)):
+        record[row, : 2 * size], record[row, 2 * size : 2 * (size + lines)] = state[: 2 * size], output
+        kernel.set_instant(arrays, (first + row + 1) * h, now)
+        guess = inner.copy()
+        for _ in range(NEWTON):
+            trial[:size] = state[:size] + h * (state[size : 2 * size] + h * ((0.5 - beta) * inner + beta * guess))
+            trial[size : 2 * size] = state[size : 2 * size] + h * ((1.0 - gamma) * inner + gamma * guess)
+            kernel.derivative(arrays, now, trial, ahead, output)
+            wanted = ((1.0 - am) * guess + am * inner - af * slope[size : 2 * size]) / (1.0 - af)
+            rest = arrays.mass * (ahead[size : 2 * size] - wanted)
+            touching_stiffness(arrays, now, output[lines:], closed)
+            fill_tangent(arrays, (damping, h * gamma, h * h * beta, (1.0 - am) / (1.0 - af)), closed, tangent)
+            change = np.linalg.solve(tangent, rest)
+            guess += change
+            if np.max(np.abs(change)) <= SETTLED * (np.max(np.abs(guess)) + 1e-300):
+                break
+        trial[2 * size :] = state[2 * size :] + 0.5 * h * (slope[2 * size :] + ahead[2 * size :])
+        state[:], slope[:], inner[:] = trial, ahead, guess

@@ -1,0 +1,209 @@
+"""Recorder: takes blocks of steps as they come and keeps what was asked for; its memory does not grow with time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearwright.dynamics.model import OUTSIDE_MAP, Floats, Ints, System
+from gearwright.dynamics.motion.orders import OrderSums
+from gearwright.dynamics.motion.trace import Checkpoints, Samples, Statistics
+from gearwright.errors import DesignError, Problem, SolveError
+
+BLOCK = 512
+"""Steps in a block; replays start at its multiples."""
+CHECKPOINTS = 1000
+"""Most states that are kept for replay."""
+RUNAWAY = 1e12
+"""Line force at which a run has diverged [N or N m]: no gear comes near it."""
+
+
+@dataclass(frozen=True)
+class Outputs:
+    """What to keep of a run."""
+
+    samples: int = 4000
+    """Most evenly spaced instants that are kept."""
+    bins: int = 1
+    """Time bins of the statistics."""
+    start: float = 0.0
+    """Time before which the statistics do not look [s]: leave out the transient."""
+    windows: tuple[tuple[float, float], ...] = ()
+    """Stretches of time of which every step is kept, (from, to) [s]."""
+    orders: tuple[str, ...] = ()
+    """Lines whose force is split into the amplitudes of the tones, in each bin."""
+
+
+class Recorder:
+    """Keeps samples, windows, statistics and checkpoints of one run."""
+
+    def __init__(self, system: System, outputs: Outputs, *, step: float, steps: int) -> None:
+        self.system, self.step, self.steps = system, step, steps
+        self.size = len(system.labels.coordinates)
+        self.past = 2 * self.size + 2 * len(system.labels.lines) + len(system.labels.drives)
+        self.outside = [number for number, name in enumerate(system.labels.drives) if name.endswith(OUTSIDE_MAP)]
+        self.stride = max(1, -(-(steps + 1) // max(2, outputs.samples)))
+        self.spans = [_span(window, step, steps) for window in outputs.windows]
+        self.edges = _edges(outputs, step, steps)
+        width, bins = self.past - self.size, len(self.edges) - 1
+        self.sums = np.zeros((2, bins, width))
+        self.least, self.most = np.full((bins, width), np.inf), np.full((bins, width), -np.inf)
+        self.kept: list[list[tuple[int, Floats]]] = [[] for _ in range(1 + len(self.spans))]
+        self.points: list[tuple[int, Floats]] = []
+        self.spacing = BLOCK * max(1, -(-steps // (BLOCK * CHECKPOINTS)))
+        self.gaps = np.flatnonzero(system.arrays.backlash > 0.0)
+        self.lost = np.full(len(self.gaps), -1)
+        self.orders = OrderSums(system, outputs.orders, step=step, bins=bins) if outputs.orders else None
+
+    def checkpoint(self, first: int, state: Floats) -> None:
+        """Keep the state before a step, if it is time to.
+
+        Args:
+            first: Step.
+            state: q, q̇ and works.
+        """
+        if first % self.spacing == 0:
+            self.points.append((first, state.copy()))
+
+    def take(self, first: int, record: Floats, summary: Floats) -> None:
+        """Take a block of rows (q, q̇, line forces, deflections, drives).
+
+        Args:
+            first: Step of the first row.
+            record: Shape (steps, at least 2 coordinates + 2 lines + numbers of the drives).
+            summary: Its `summary_of`.
+
+        Raises:
+            SolveError: If the run has diverged, with time, line and value; if a propeller has left its map.
+        """
+        least, most, _, square = summary[:, 2 * self.size : self.past - len(self.system.labels.drives)]
+        if not (np.max(most) < RUNAWAY and np.min(least) > -RUNAWAY and np.all(np.isfinite(square))):
+            self._diverged(first, record)
+        self._check_maps(first, record, summary)
+        self._keep(0, first, record, range(-(-first // self.stride) * self.stride, first + len(record), self.stride))
+        for number, (start, stop) in enumerate(self.spans, start=1):
+            self._keep(number, first, record, range(max(start, first), min(stop, first + len(record))))
+        begin = int(np.searchsorted(self.edges, first, side="right")) - 1
+        for place in range(max(begin, 0), len(self.edges) - 1):
+            low, high = max(int(self.edges[place]), first), min(int(self.edges[place + 1]), first + len(record))
+            if low >= high:
+                break
+            whole = high - low == len(record)
+            part = record[low - first : high - first]
+            self._count(place, summary if whole else summary_of(part))
+            if self.orders is not None:
+                self.orders.add(place, low, part[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
+        self._watch(first, record)
+
+    def _check_maps(self, first: int, record: Floats, summary: Floats) -> None:
+        """Refuse what a propeller does outside its map: the laws go on with the nearest cell's edge."""
+        labels = self.system.labels
+        start = self.past - len(labels.drives)
+        for number in self.outside:
+            if summary[1, start + number] > 0.0:
+                row = int(np.argmax(record[:, start + number] > 0.0))
+                name = labels.drives[number].removesuffix(f" {OUTSIDE_MAP}")
+                seen = {what: record[row, start + labels.drives.index(f"{name} {what}")] for what in ("speed", "pitch")}
+                raise SolveError(
+                    f"{name} leaves its map at {(first + row) * self.step:.4g} s: {abs(seen['speed']) * 30 / np.pi:.4g}"
+                    f" rpm at a pitch of {np.degrees(seen['pitch']):.4g}°; take a smaller change, tighter pitch stops,"
+                    " or a map that covers the point"
+                )
+
+    def _diverged(self, first: int, record: Floats) -> None:
+        forces = record[:, 2 * self.size : self.past - len(self.system.labels.drives)]
+        row = int(np.argmin(np.all(np.abs(forces) < RUNAWAY, axis=1)))
+        lines = self.system.labels.lines
+        column = int(np.argmin(np.abs(forces[row, : len(lines)]) < RUNAWAY))
+        raise SolveError(
+            f"the run diverged at {(first + row) * self.step:.6g} s: line {lines[column]} carries "
+            f"{forces[row, column]:.3g}; take a smaller step than {self.step:.3g} s, or more damping"
+        )
+
+    def _keep(self, number: int, first: int, record: Floats, steps: range) -> None:
+        self.kept[number] += [(step, record[step - first, : self.past].copy()) for step in steps]
+
+    def _count(self, place: int, summary: Floats) -> None:
+        least, most, total, square = summary[:, self.size : self.past]
+        self.sums[0, place] += total
+        self.sums[1, place] += square
+        np.minimum(self.least[place], least, out=self.least[place])
+        np.maximum(self.most[place], most, out=self.most[place])
+
+    def _watch(self, first: int, record: Floats) -> None:
+        if len(self.gaps):
+            open_ = record[:, 2 * self.size + len(self.system.labels.lines) + self.gaps] <= 0.0
+            new = np.any(open_, axis=0) & (self.lost < 0)
+            self.lost[new] = first + np.argmax(open_[:, new], axis=0)
+
+    def samples(self, number: int = 0) -> Samples:
+        """Return the evenly spaced instants (0) or a window (1, 2, …).
+
+        Args:
+            number: Which.
+        """
+        rows = self.kept[number]
+        size, lines = self.size, len(self.system.labels.lines)
+        table = np.array([row for _, row in rows]).reshape(-1, self.past)
+        time = np.array([step for step, _ in rows]) * self.step
+        ends = [size, 2 * size, 2 * size + lines, 2 * size + 2 * lines]
+        position, velocity, force, deflection, drive = np.split(table, ends, axis=1)
+        return Samples(time, position, velocity, force, deflection, self.system.labels, drive)
+
+    def statistics(self, names: tuple[str, ...], first: int, what: str) -> Statistics:
+        """Return the statistics of some of the columns after q.
+
+        Args:
+            names: Lines or coordinates.
+            first: Column of the first.
+            what: ``"line"``, ``"coordinate"`` or ``"drive"``.
+        """
+        part = slice(first, first + len(names))
+        count = np.diff(self.edges)[:, None]
+        mean, square = self.sums[:, :, part] / count
+        rms = np.sqrt(square)
+        edges = self.edges.astype(np.float64) * self.step
+        return Statistics(names, what, edges, mean, self.least[:, part], self.most[:, part], rms)
+
+    def checkpoints(self) -> Checkpoints:
+        """Return the states that were kept for replay."""
+        return Checkpoints(np.array([step for step, _ in self.points]), np.array([state for _, state in self.points]))
+
+    def stop(self, done: int) -> None:
+        """Cut the bins to the steps that were done.
+
+        Args:
+            done: Steps.
+        """
+        keep = int(np.searchsorted(self.edges, done, side="left"))
+        self.edges = np.concatenate([self.edges[:keep], [max(done, self.edges[0])]])
+        bins = len(self.edges) - 1
+        self.sums, self.least, self.most = self.sums[:, :bins], self.least[:bins], self.most[:bins]
+
+
+def summary_of(record: Floats) -> Floats:
+    """Return least, most, sum and sum of squares of each column, shape (4, columns).
+
+    Args:
+        record: Shape (steps, columns).
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        square = np.einsum("ij,ij->j", record, record)
+        return np.array([np.min(record, axis=0), np.max(record, axis=0), np.sum(record, axis=0), square])
+
+
+def _span(window: tuple[float, float], step: float, steps: int) -> tuple[int, int]:
+    first, last = round(window[0] / step), round(window[1] / step)
+    if not 0 <= first < last <= steps:
+        message = f"({window[0]:g}, {window[1]:g}) s; it must lie within 0 and {steps * step:g} s and have a length"
+        raise DesignError([Problem("outputs.windows", message)])
+    return first, last + 1
+
+
+def _edges(outputs: Outputs, step: float, steps: int) -> Ints:
+    first = round(outputs.start / step)
+    if not 0 <= first < steps or not 1 <= outputs.bins <= steps - first:
+        message = f"{outputs.bins} bins from {outputs.start:g} s do not fit a run of {steps} steps of {step:.3g} s"
+        raise DesignError([Problem("outputs", message)])
+    return np.unique(np.linspace(first, steps, outputs.bins + 1).round().astype(np.int64))

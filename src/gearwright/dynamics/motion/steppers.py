@@ -1,0 +1,160 @@
+"""Steppers: each fills a block of rows (q, q̇, line forces, deflections) and carries the state on.
+
+A stepper is a plain function of (first step, record, state) that returns least, most, sum and sum of squares of the
+record's columns. Blocks begin at multiples of `BLOCK`, so that a run that
+is taken up again at a checkpoint repeats itself bit for bit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from gearwright.dynamics.codegen import (
+    SIDE,
+    Size,
+    aligned,
+    clock,
+    compiled,
+    parameters,
+    record_width,
+    recurrence,
+    summariser,
+    table_width,
+    topology,
+)
+from gearwright.dynamics.equations import linear
+from gearwright.dynamics.model import Arrays, Floats
+from gearwright.dynamics.motion import exact
+from gearwright.dynamics.motion.recorder import BLOCK
+from gearwright.errors import SolveError
+
+Stepper = Callable[[int, Floats, Floats], Floats]
+METHODS = ("exact", "runge-kutta", "runge-kutta generic", "tsit5", "tsit5 generic", "implicit")
+"""Names of the methods; those without ``generic`` run code that is generated for the system's structure."""
+
+
+def blank_record(arrays: Arrays, steps: int) -> Floats:
+    """Return rows for a stepper to fill: q, q̇, line forces, deflections, and zeros up to a whole vector.
+
+    Args:
+        arrays: The system's numbers.
+        steps: Rows.
+    """
+    return aligned(steps, record_width(topology(arrays)))
+
+
+def blank_summary(width: int) -> Floats:
+    """Return the summary of no rows, shape (4, width).
+
+    Args:
+        width: Numbers in a row.
+    """
+    summary = np.zeros((4, width))
+    summary[0], summary[1] = np.inf, -np.inf
+    return summary
+
+
+def _summary(record: Floats, width: int) -> Floats:
+    """Return what `summary_of` returns of a record that is as wide as `blank_record` makes it."""
+    summary = blank_summary(width)
+    summariser(width)(record, summary)
+    return summary
+
+
+def stepper(arrays: Arrays, method: str, h: float, *, tolerance: float = 0.0) -> Stepper:
+    """Return the stepper of a method.
+
+    Args:
+        arrays: The system's numbers.
+        method: One of `METHODS`.
+        h: Step [s]; for adaptive methods the spacing of the record's rows.
+        tolerance: Root of the energy that the error of one adaptive step may hold [√J].
+    """
+    if method.startswith("tsit5"):
+        return _adaptive(arrays, method, (h, tolerance))
+    builders = {"exact": _exact, "runge-kutta": _generated, "runge-kutta generic": _generic, "implicit": _implicit}
+    return builders[method](arrays, h)
+
+
+def _generated(arrays: Arrays, h: float) -> Stepper:
+    shape = topology(arrays)
+    layout, numbers = parameters(arrays, h)
+    code, width = compiled(shape, layout), record_width(shape)
+    now = clock(arrays, h, BLOCK)
+
+    def advance(first: int, record: Floats, state: Floats) -> Floats:
+        table, turn = now(first, len(record))
+        code.advance(len(record), numbers, numbers, table, turn, state, record)
+        return _summary(record, width)
+
+    return advance
+
+
+def _generic(arrays: Arrays, h: float) -> Stepper:
+    # Loaded here because the generated code does without it, and compiling it the first time takes seconds.
+    from gearwright.dynamics.equations import kernel
+
+    instants, width = (kernel.empty_instant(arrays), kernel.empty_instant(arrays)), record_width(topology(arrays))
+
+    def advance(first: int, record: Floats, state: Floats) -> Floats:
+        kernel.runge_kutta(arrays, instants, (first, h), record, state)
+        return _summary(record, width)
+
+    return advance
+
+
+def _adaptive(arrays: Arrays, method: str, pace: tuple[float, float]) -> Stepper:
+    from gearwright.dynamics.equations import kernel
+    from gearwright.dynamics.motion import tsit5
+
+    (h, tolerance), shape = pace, topology(arrays)
+    layout, numbers = parameters(arrays, h)
+    code = None if method.endswith("generic") else compiled(shape, layout)
+    row, now = np.zeros(table_width(shape)), kernel.empty_instant(arrays)
+    limit, width = tsit5.limits(arrays, tolerance), record_width(shape)
+
+    def advance(first: int, record: Floats, state: Floats) -> Floats:
+        right = tsit5.Right(code.derivative if code else 0, numbers, row, now)
+        _, done, reached = tsit5.march(arrays, right, (first, h), limit, record, state)
+        if not done:
+            raise SolveError(f"the run diverged at {reached:.6g} s: no step is short enough; it needs more damping")
+        return _summary(record, width)
+
+    return advance
+
+
+def _implicit(arrays: Arrays, h: float) -> Stepper:
+    from gearwright.dynamics.equations import kernel
+    from gearwright.dynamics.motion import implicit
+
+    now, damping = kernel.empty_instant(arrays), linear(arrays, float(arrays.profile.factor[0])).damping
+    width = record_width(topology(arrays))
+
+    def advance(first: int, record: Floats, state: Floats) -> Floats:
+        implicit.march(arrays, now, (first, h), damping, record, state)
+        return _summary(record, width)
+
+    return advance
+
+
+def _exact(arrays: Arrays, h: float) -> Stepper:
+    carry = exact.propagator(arrays, h, int(np.log2(BLOCK)))
+    kept, width = 2 * len(arrays.mass), record_width(topology(arrays))
+    size = Size(len(carry.step), kept, len(carry.output), width)
+    run, block = recurrence(carry.powers[SIDE.bit_length() - 1], carry.output, size), aligned(BLOCK, width)
+    eight = exact.first_powers(carry, SIDE)
+
+    def advance(first: int, record: Floats, state: Floats) -> Floats:
+        start = exact.extended_state(arrays, first * h, state)
+        whole = record if len(record) % SIDE == 0 else block[: -(-len(record) // SIDE) * SIDE]
+        run((eight @ start).reshape(SIDE, -1), whole)
+        if whole is not record:
+            record[:] = whole[: len(record)]
+        works, end = exact.works_during(carry, start, len(record))
+        state[:kept] = end[:kept]
+        state[kept:] += works
+        return _summary(record, width)
+
+    return advance

@@ -1,0 +1,93 @@
+"""Tolerance allocation: which tolerance to tighten, and how far, so that paths share as asked at least cost."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearwright.dynamics.equations import Redundancy
+from gearwright.dynamics.model import Floats, Ints
+from gearwright.dynamics.sharing.effects_of_errors import effect_gains, random_peaks
+from gearwright.dynamics.sharing.error_sources import ErrorSource
+from gearwright.errors import DesignError, Problem
+
+SETS = 2000
+"""Random gearboxes that judge an allocation."""
+HALVINGS = 40
+"""Halvings of the search: sizes within a billionth."""
+WIDEST = 1e16
+"""Range of the multiplier that is searched [-]: sizes down to a hundred-millionth of the given ones."""
+
+
+@dataclass(frozen=True)
+class Allocation:
+    """How tight every tolerance must be for a share, at least cost."""
+
+    target: float
+    """Share of the most loaded line [-]."""
+    percent: float
+    """Percentage of gearboxes that keep it."""
+    sizes: tuple[tuple[str, float, float], ...]
+    """Error, size as given, size that is allowed [m or rad]."""
+    reached: float
+    """Share that the allowed sizes keep for that percentage [-]."""
+    cost: float
+    """Σ given/allowed over all errors, less their number: 0 if nothing must be tightened [-]."""
+
+
+def allocate(
+    train: Redundancy, sources: Sequence[ErrorSource], lines: Ints, *, target: float, percent: float = 95.0,
+    seed: int = 1,
+) -> Allocation:  # fmt: skip
+    """Return the tolerances that keep a share in most gearboxes at least cost.
+
+    The cost of a tolerance is taken to grow as its reciprocal, and the peak as the sum of effects: then the cheapest
+    sizes are t = min(t₀, √(t₀/(λ g))), g the influence of a unit. One number λ is left, and chance decides it.
+
+    Args:
+        train: From `redundancy`.
+        sources: Every single error, with the sizes from which to tighten.
+        lines: Places of the n parallel lines.
+        target: Largest share that is allowed [-], such as 0.52.
+        percent: Percentage of gearboxes that must keep it.
+        seed: Of the random numbers.
+
+    Raises:
+        DesignError: If the target is no share, or below what the train gives without any error.
+
+    Source: reciprocal cost model and its Lagrange multiplier, Chase & Greenwood 1988, Manufacturing Review 1(1).
+    """
+    given = np.array([abs(source.size) for source in sources])
+    gain = effect_gains(train, sources, lines)
+    perfect = float(np.max(train.perfect[lines]) / np.sum(train.perfect[lines]))
+    if not perfect < target < 1.0:
+        message = (
+            f"{target:.4g} cannot be kept: without any error the most loaded path has {perfect:.4g}; "
+            "give more, or clock the gears so that the paths share equally"
+        )
+        raise DesignError([Problem("target", message)])
+
+    def share(sizes: Floats) -> float:
+        peaks = random_peaks(train, sources, lines, count=SETS, seed=seed, sizes=sizes)
+        return float(np.percentile(peaks, percent))
+
+    sizes = given if share(given) <= target else _tightened(given, gain, share, target=target)
+    rows = tuple((s.name, float(before), float(after)) for s, before, after in zip(sources, given, sizes, strict=True))
+    return Allocation(target, percent, rows, share(sizes), float(np.sum(given / sizes) - len(given)))
+
+
+def _tightened(given: Floats, gain: Floats, share: Callable[[Floats], float], *, target: float) -> Floats:
+    """Return the largest sizes of the family t(λ) that keep the target, by bisection in the logarithm of λ."""
+
+    def sizes(multiplier: float) -> Floats:
+        with np.errstate(divide="ignore"):
+            return np.asarray(np.minimum(given, np.sqrt(given / (multiplier * gain))))
+
+    low = 1.0 / float(np.max(gain * given))
+    high = low * WIDEST
+    for _ in range(HALVINGS):
+        middle = float(np.sqrt(low * high))
+        low, high = (low, middle) if share(sizes(middle)) <= target else (middle, high)
+    return sizes(high)

@@ -1,0 +1,49 @@
+"""What shakes a train and how it answers: Campbell diagram, critical speeds, responses, spectra, run-ups.
+
+Single runs through time are in `motion`.
+"""
+
+from gearwright.dynamics.vibration.campbell import Campbell, Order, campbell
+from gearwright.dynamics.vibration.critical_speeds import (
+    RESONANCE,
+    CriticalSpeed,
+    SpeedCase,
+    critical_speeds,
+    order_name,
+)
+from gearwright.dynamics.vibration.planetary_results import load_shares, mode_families
+from gearwright.dynamics.vibration.response import Response, frequency_response
+from gearwright.dynamics.vibration.runup import RunUp, run_up
+from gearwright.dynamics.vibration.sidebands import steady_forces
+from gearwright.dynamics.vibration.spectra import Waterfall, tone_amplitudes, waterfall
+from gearwright.dynamics.vibration.speed_map import SpeedMap, speed_map
+from gearwright.dynamics.vibration.steady import Orbit, common_period, periodic
+from gearwright.dynamics.vibration.transmission import answer, first_meshes
+
+__all__ = [
+    "RESONANCE",
+    "Campbell",
+    "CriticalSpeed",
+    "Orbit",
+    "Order",
+    "Response",
+    "RunUp",
+    "SpeedCase",
+    "SpeedMap",
+    "Waterfall",
+    "answer",
+    "campbell",
+    "common_period",
+    "critical_speeds",
+    "first_meshes",
+    "frequency_response",
+    "load_shares",
+    "mode_families",
+    "order_name",
+    "periodic",
+    "run_up",
+    "speed_map",
+    "steady_forces",
+    "tone_amplitudes",
+    "waterfall",
+]

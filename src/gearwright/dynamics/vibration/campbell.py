@@ -1,0 +1,132 @@
+"""Campbell diagram: damped natural frequencies against speed, the orders that excite, and where the two meet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from gearwright.dynamics.equations import Complexes, damped_modes, linear
+from gearwright.dynamics.model import Floats, System, Tone
+from gearwright.errors import DesignError, Problem
+
+
+@dataclass(frozen=True)
+class Order:
+    """An excitation whose frequency is proportional to speed."""
+
+    tone: Tone
+    """Which shafts' angles it is made of."""
+    frequency: float
+    """At the reference speeds [Hz]."""
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """A speed at which an order meets a natural frequency."""
+
+    order: Order
+    """What excites."""
+    mode: int
+    """Which mode, counted along the diagram's columns."""
+    factor: float
+    """Speed over reference speed [-]."""
+    frequency: float
+    """[Hz]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Campbell:
+    """Natural frequencies followed over speed by their shapes."""
+
+    factor: Floats
+    """Speed over reference speed [-], shape (speeds,)."""
+    frequency: Floats
+    """Damped natural frequencies [Hz], shape (speeds, modes)."""
+    damping: Floats
+    """Damping ratios [-], shape (speeds, modes)."""
+    orders: tuple[Order, ...]
+    """What excites."""
+    crossings: tuple[Crossing, ...]
+    """Every meeting within the range of speeds, by rising speed."""
+
+    def margins(self, factor: float = 1.0) -> list[tuple[float, Order, int]]:
+        """Return for each mode its nearest order at one speed: (relative distance, order, mode), nearest first.
+
+        Args:
+            factor: Speed over reference speed [-].
+        """
+        found = []
+        for mode, column in enumerate(self.frequency.T):
+            frequency = float(np.interp(factor, self.factor, column))
+            distances = [order.frequency * factor / frequency - 1.0 for order in self.orders]
+            if distances:
+                nearest = int(np.argmin(np.abs(distances)))
+                found.append((float(distances[nearest]), self.orders[nearest], mode))
+        return sorted(found, key=lambda margin: abs(margin[0]))
+
+
+def campbell(system: System, factors: Sequence[float]) -> Campbell:
+    """Return natural frequencies at each speed, followed by their shapes, with all tones and shaft speeds as orders.
+
+    Args:
+        system: With reference speeds.
+        factors: Rising speeds over the reference speeds [-].
+
+    Source:
+        Shapes are paired from speed to speed by the assignment of largest total modal assurance criterion,
+        Allemang 2003, Sound and Vibration 37(8).
+    """
+    if len(factors) < 2 or any(later <= earlier for earlier, later in pairwise(factors)):
+        raise DesignError([Problem("factors", f"give at least two rising speeds; given {list(factors)}")])
+    values, shapes = damped_modes(linear(system.arrays, factors[0]))
+    rows = [values]
+    for factor in factors[1:]:
+        values, later = damped_modes(linear(system.arrays, factor))
+        order = _pairing(system.arrays.mass, shapes, later, (rows[-1], values))
+        shapes, values = later[:, order], values[order]
+        rows.append(values)
+    table = np.array(rows)
+    frequency, orders = table.imag / (2.0 * np.pi), tuple(_orders(system))
+    damping = -table.real / np.abs(table)
+    speeds = np.array(factors, dtype=float)
+    crossings = sorted(_crossings(speeds, frequency, orders), key=lambda crossing: crossing.factor)
+    return Campbell(speeds, frequency, damping, orders, tuple(crossings))
+
+
+def _pairing(mass: Floats, before: Complexes, after: Complexes, values: tuple[Complexes, Complexes]) -> list[int]:
+    # Loaded here: it takes longer to load than the rest of this layer together.
+    from scipy.optimize import linear_sum_assignment
+
+    if before.shape != after.shape:
+        raise DesignError(
+            [Problem("factors", "a mode stops oscillating in this range of speeds; choose a smaller one")]
+        )
+    assurance = np.abs(before.conj().T @ (mass[:, None] * after)) ** 2
+    # Of repeated modes any pairing of shapes is as good: the nearest frequency decides.
+    apart = np.abs(values[0][:, None] - values[1]) / np.maximum(np.abs(values[0][:, None]), np.abs(values[1]))
+    return [int(place) for place in linear_sum_assignment(assurance - apart, maximize=True)[1]]
+
+
+def _orders(system: System) -> Iterator[Order]:
+    """Yield every tone that turns and every shaft speed, each frequency once."""
+    seen = set[float]()
+    arrays, labels = system.arrays, system.labels
+    used = np.unique(np.concatenate([arrays.variation.tone, arrays.error.tone])).astype(int)
+    shafts = [(Tone(((name, 1),)), speed) for name, speed in zip(labels.coordinates, arrays.speed, strict=True)]
+    for tone, rate in [*((labels.tones[i], arrays.tone_rate[i]) for i in used), *shafts]:
+        frequency = abs(float(rate)) / (2.0 * np.pi)
+        if frequency > 0.0 and not any(abs(frequency - other) < 1e-9 * frequency for other in seen):
+            seen.add(frequency)
+            yield Order(tone, frequency)
+
+
+def _crossings(factor: Floats, frequency: Floats, orders: Sequence[Order]) -> Iterator[Crossing]:
+    for order in orders:
+        for mode, column in enumerate(frequency.T):
+            gap = order.frequency * factor - column
+            for i in np.flatnonzero(gap[:-1] * gap[1:] < 0.0):
+                place = factor[i] + (factor[i + 1] - factor[i]) * gap[i] / (gap[i] - gap[i + 1])
+                yield Crossing(order, mode, float(place), order.frequency * float(place))

@@ -1,0 +1,229 @@
+"""Critical speeds of a sized train: where an order meets a natural frequency, how far from the operating speeds.
+
+And how hard the order shakes the mode there: estimated to first order, so that cancelled ones can be told apart.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.equations import Complexes, damped_modes, linear, statics
+from gearwright.dynamics.model import Floats, Ints, System, Tone, line_matrix
+from gearwright.dynamics.vibration.campbell import Campbell, Crossing, campbell
+from gearwright.errors import DesignError, Problem, near
+from gearwright.sizing import Sizing
+from gearwright.units import Frequency, Ratio, Speed
+
+RESONANCE = (0.85, 1.15)
+"""Operating over critical speed within which a gear runs in its main resonance range [-].
+
+Source: ISO 6336-1:2006, clause 6: N_S = 0.85 for F_t K_A/b ≥ 100 N/mm, to 1.15.
+"""
+SILENT = 0.01
+"""Force at resonance over the mean force below which a mode counts as not excited [-]."""
+SAME = 1e-3
+"""Relative distance of frequencies under which modes resonate together [-]."""
+FACTORS = tuple(np.linspace(0.1, 1.5, 29))
+"""Speeds over the operating speed that are looked at [-]."""
+
+
+@dataclass(frozen=True)
+class CriticalSpeed:
+    """One meeting of an order and a natural frequency."""
+
+    cases: str
+    """Load cases that run at the same speeds."""
+    order: str
+    """What excites: mesh and multiple of its frequency, or a shaft's turning."""
+    mode: str
+    """Which natural frequencies, counted from 1 with the rigid ones first, by frequency at the lowest speed."""
+    frequency: Frequency
+    """[Hz]"""
+    speed: Speed
+    """Of the shaft of the first machine [rad/s]."""
+    margin: Ratio
+    """Critical speed over operating speed, less 1 [-]: positive lies above."""
+    dynamic_force: Ratio
+    """Estimated amplitude of the worst mesh force at this resonance over its mean [-], from stiffness and errors."""
+
+    @property
+    def excited(self) -> bool:
+        """Whether the order shakes this mode: phases of planets may cancel it, and a shaft order needs an error."""
+        return self.dynamic_force >= SILENT
+
+    @property
+    def in_resonance(self) -> bool:
+        """Whether the operating speed lies in the main resonance range of this critical speed."""
+        return RESONANCE[0] <= 1.0 / (1.0 + self.margin) <= RESONANCE[1]
+
+
+@dataclass(frozen=True, eq=False)
+class SpeedCase:
+    """Load cases of one set of speeds, their Campbell diagram and their critical speeds, worst first."""
+
+    cases: str
+    """Names."""
+    system: System
+    """Of the first of them."""
+    campbell: Campbell
+    """Against speed over operating speed."""
+    critical: tuple[CriticalSpeed, ...]
+    """Excited ones first, then by distance to the operating speed."""
+
+
+def critical_speeds(
+    sizing: Sizing, *, cases: Sequence[str] | None = None, factors: Sequence[float] = FACTORS
+) -> tuple[SpeedCase, ...]:
+    """Return the Campbell diagrams of a sizing and the margins of every load case, cases of equal speeds together.
+
+    Args:
+        sizing: What was sized.
+        cases: Load cases; left out: all.
+        factors: Rising speeds over the operating speed [-].
+
+    Raises:
+        DesignError: If there is no such case.
+
+    Source: parametric excitation to first order: the mesh force amplitude k_n δ_0 of a stiffness harmonic at the static
+        deflection, on a mode of damping ratio ζ: q = φᵀ f/(2 ζ ω²).
+    """
+    groups: dict[tuple[float, ...], list[str]] = {}
+    for case in cases or sizing.flows:
+        if case not in sizing.flows:
+            raise DesignError([Problem("case", f"there is no case {case!r}; {near(case, sizing.flows)}")])
+        flow = sizing.flows[case]
+        groups.setdefault(tuple(round(speed, 6) for speed in flow.speeds.values()), []).append(case)
+    return tuple(_speed_case(sizing, cases, factors) for cases in groups.values())
+
+
+def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> SpeedCase:
+    systems = [assemble(sizing, case) for case in cases]
+    diagram = campbell(systems[0], factors)
+    speed = abs(sizing.flows[cases[0]].speeds[sizing.machines[0].shaft])
+    # Cases of equal speeds differ in their loads alone, so they share their modes.
+    shared: dict[float, tuple[Complexes, Complexes]] = {}
+    shakers = [Shaker(system, shared) for system in systems]
+    before = 1 + len(systems[0].labels.coordinates) - diagram.frequency.shape[1]
+    found = [
+        CriticalSpeed(
+            ", ".join(cases),
+            order_name(sizing, first.order.tone),
+            "–".join(dict.fromkeys((str(first.mode + before), str(last.mode + before)))),
+            first.frequency,
+            first.factor * speed,
+            first.factor - 1.0,
+            max(shaker.force(first) for shaker in shakers),
+        )
+        for first, last in _together(diagram.crossings)
+    ]
+    found.sort(key=lambda each: (not each.excited, abs(each.margin)))
+    return SpeedCase(", ".join(cases), systems[0], diagram, tuple(found))
+
+
+def _together(crossings: Sequence[Crossing]) -> Iterator[tuple[Crossing, Crossing]]:
+    """Yield first and last crossing of an order with modes of one frequency that follow each other."""
+    rows = sorted(crossings, key=lambda each: (each.order.frequency, each.mode))
+    first = 0
+    for place in range(1, len(rows) + 1):
+        one, before = rows[first], rows[place - 1]
+        joins = place < len(rows) and rows[place].order is one.order and rows[place].mode == before.mode + 1
+        if not (joins and abs(rows[place].frequency / one.frequency - 1.0) < SAME):
+            yield one, before
+            first = place
+
+
+def order_name(sizing: Sizing, tone: Tone) -> str:
+    """Return an order in words: ``first mesh × 2`` or ``gas-turbine turning``.
+
+    Args:
+        sizing: What was sized.
+        tone: Integers of rotations.
+    """
+    name, count = max(tone.counts, key=lambda each: abs(each[1]))
+    stage, gear = name.partition(".")[0], _gear(sizing, name)
+    teeth = sizing.teeth.get(f"{stage}.sun", 0) if stage in sizing.design.planetaries else sizing.teeth.get(gear, 0)
+    if teeth and abs(count) >= teeth and count % teeth == 0:
+        return f"{stage} mesh" if abs(count) == teeth else f"{stage} mesh × {abs(count) // teeth}"
+    turns = " and ".join(name for name, _ in tone.counts)
+    return f"{turns} turning" if abs(count) == 1 else f"{turns} turning × {abs(count)}"
+
+
+def _gear(sizing: Sizing, body: str) -> str:
+    """Return the gear of a body: ``off.wheel`` for ``off.wheel.left``."""
+    return next((gear for gear in sizing.teeth if body == gear or body.startswith(f"{gear}.")), "")
+
+
+class Shaker:
+    """What each order does at its resonances in one load case."""
+
+    def __init__(self, system: System, modes: dict[float, tuple[Complexes, Complexes]]) -> None:
+        self.system, self.matrix, self.modes = system, line_matrix(system.arrays), modes
+        self.mean = statics(system, balance="accelerate").force
+        arrays = system.arrays
+        self.changes = bool(len(arrays.gyroscopic.value) or np.any(arrays.loads.quadratic))
+
+    def force(self, crossing: Crossing) -> float:
+        """Return the estimated amplitude of the worst mesh force at a resonance over its mean force [-].
+
+        Args:
+            crossing: Order and natural frequency that meet.
+
+        Source: see `critical_speeds`.
+        """
+        exciting = _exciting(self.system, crossing.order.tone, self.mean)
+        if not np.any(exciting):
+            return 0.0
+        values, shapes = self._modes(crossing.factor)
+        rate = 2.0 * math.pi * crossing.frequency
+        apart = np.abs(values.imag / rate - 1.0)
+        near = apart < max(SAME, 1.01 * float(np.min(apart)))
+        found = shapes[:, near]
+        push = found.conj().T @ (self.matrix.T @ exciting)
+        # At its peak a mode moves by 1/(2 ζ ω²) = 1/(2 |Re λ| ω) of what pushes it. The shapes of a repeated frequency
+        # are any basis of their space: its mass matrix makes the answer independent of which one the solver gave.
+        together = found.conj().T @ (self.system.arrays.mass[:, None] * found)
+        moved = found @ (np.linalg.pinv(together) @ push) / (2.0 * np.mean(np.abs(values[near].real)) * rate)
+        alone = self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
+        # The mode decides whether the order excites it at all; how large the force is, all modes say together.
+        return self._answer(exciting, rate, crossing.factor) if alone > SILENT else alone
+
+    def _answer(self, exciting: Complexes, rate: float, factor: float) -> float:
+        """Return the worst mesh force over its mean when all modes answer an excitation [-]."""
+        system = linear(self.system.arrays, factor)
+        dynamic = np.diag(-(rate**2) * system.mass) + 1j * rate * system.damping + system.stiffness
+        moved = np.linalg.solve(dynamic, self.matrix.T @ exciting)
+        return self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
+
+    def _modes(self, factor: float) -> tuple[Complexes, Complexes]:
+        key = factor if self.changes else 1.0
+        if key not in self.modes:
+            self.modes[key] = damped_modes(linear(self.system.arrays, key))
+        return self.modes[key]
+
+    def _worst(self, amplitude: Floats) -> float:
+        """Return the largest amplitude over the mean force, of meshes that carry."""
+        meshes = np.array([kind == "mesh" for kind in self.system.labels.line_kinds])
+        mean = np.abs(self.mean)
+        carrying = meshes & (mean > SAME * np.max(mean[meshes], initial=0.0))
+        return float(np.max(amplitude[carrying] / mean[carrying], initial=0.0))
+
+
+def _exciting(system: System, tone: Tone, force: Floats) -> Complexes:
+    """Return the complex force amplitude that a tone puts on each line [N or N m]."""
+    arrays, exciting = system.arrays, np.zeros(len(force), dtype=np.complex128)
+    for series, scale in ((arrays.variation, force), (arrays.error, -arrays.stiffness)):
+        for row, place in _terms(series.start):
+            if system.labels.tones[series.tone[place]] == tone:
+                exciting[row] += scale[row] * complex(series.cosine[place], -series.sine[place])
+    return exciting
+
+
+def _terms(start: Ints) -> Iterator[tuple[int, int]]:
+    for row in range(len(start) - 1):
+        for place in range(int(start[row]), int(start[row + 1])):
+            yield row, place

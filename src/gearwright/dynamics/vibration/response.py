@@ -1,0 +1,84 @@
+"""Frequency response: the steady vibration under harmonic errors or loads at mean stiffness."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearwright.dynamics.equations import Complexes, linear
+from gearwright.dynamics.model import Floats, Labels, System, line_matrix
+from gearwright.dynamics.motion import index_of
+from gearwright.errors import DesignError, Problem
+
+
+@dataclass(frozen=True, eq=False)
+class Response:
+    """Complex amplitudes against frequency: the real part times e^(iωt) is the motion."""
+
+    frequency: Floats
+    """[Hz], shape (frequencies,)."""
+    position: Complexes
+    """q [rad or m], shape (frequencies, coordinates)."""
+    line_force: Complexes
+    """Line forces [N or N m], shape (frequencies, lines)."""
+    labels: Labels
+    """Names."""
+
+    def force(self, line: str) -> Complexes:
+        """Return the force of a line [N or N m], shape (frequencies,).
+
+        Args:
+            line: Its name.
+        """
+        return self.line_force[:, index_of(line, self.labels.lines, "line")]
+
+    def motion(self, coordinate: str) -> Complexes:
+        """Return a coordinate's vibration [rad or m], shape (frequencies,).
+
+        Args:
+            coordinate: Its name.
+        """
+        return self.position[:, index_of(coordinate, self.labels.coordinates, "coordinate")]
+
+
+def frequency_response(
+    system: System,
+    frequency: Sequence[float],
+    *,
+    errors: Mapping[str, complex] | None = None,
+    loads: Mapping[str, complex] | None = None,
+) -> Response:
+    """Return the steady response to errors on lines and loads on coordinates, all of one frequency at a time.
+
+    Args:
+        system: Taken at mean stiffness and reference speed, all lines in contact.
+        frequency: Exciting frequencies [Hz], positive.
+        errors: Line -> complex amplitude of its error [m or rad].
+        loads: Coordinate -> complex amplitude of its load [N or N m].
+
+    Raises:
+        DesignError: For a frequency that is not positive, or names that do not exist.
+    """
+    rates = 2.0 * np.pi * np.asarray(frequency, dtype=float)
+    if not np.all((rates > 0.0) & np.isfinite(rates)):
+        raise DesignError([Problem("frequency", "every exciting frequency must be positive and finite")])
+    arrays, labels = system.arrays, system.labels
+    error = _amplitudes(errors or {}, labels.lines, "line")
+    load = _amplitudes(loads or {}, labels.coordinates, "coordinate")
+    matrix, model = line_matrix(arrays), linear(arrays)
+    dynamic = arrays.stiffness + 1j * rates[:, None] * arrays.damping
+    inertia = np.diag(model.mass)
+    left = model.stiffness + 1j * rates[:, None, None] * model.damping - (rates**2)[:, None, None] * inertia
+    right = load + (dynamic * error) @ matrix
+    position = np.linalg.solve(left, right[:, :, None])[:, :, 0]
+    force = dynamic * (position @ matrix.T - error)
+    return Response(rates / (2.0 * np.pi), position.astype(np.complex128), force.astype(np.complex128), labels)
+
+
+def _amplitudes(given: Mapping[str, complex], names: tuple[str, ...], what: str) -> Complexes:
+    values = np.zeros(len(names), dtype=np.complex128)
+    for name, amplitude in given.items():
+        values[index_of(name, names, what)] = amplitude
+    return values

@@ -1,0 +1,71 @@
+"""Speed map: line forces of steady running at many speeds, all side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from gearwright.dynamics.model import Floats, System
+from gearwright.dynamics.motion import Ensemble, default_step, simulate_many
+from gearwright.errors import DesignError, Problem
+
+
+@dataclass(frozen=True, eq=False)
+class SpeedMap:
+    """Line forces against speed."""
+
+    factor: Floats
+    """Speed over reference speed [-], shape (speeds,)."""
+    forces: Ensemble
+    """Statistics at each speed."""
+
+    def swing(self, line: str) -> Floats:
+        """Return the root mean square of a line's force about its mean [N or N m], shape (speeds,).
+
+        Args:
+            line: Its name.
+        """
+        values = self.forces.of(line)
+        return np.sqrt(np.maximum(values["rms"] ** 2 - values["mean"] ** 2, 0.0))
+
+
+def speed_map(
+    system: System,
+    factors: Sequence[float],
+    *,
+    settle: float,
+    duration: float,
+    progress: Callable[[float], None] | None = None,
+) -> SpeedMap:
+    """Return the forces at steady running, each speed from its own static equilibrium.
+
+    Args:
+        system: Its loads are kept as they are at every speed.
+        factors: Speeds over the reference speeds [-], positive.
+        settle: Time left out, for the transient to decay [s].
+        duration: Whole time at each speed [s].
+        progress: Called with the fraction done.
+
+    Raises:
+        DesignError: For speeds that are not positive.
+    """
+    if not factors or not all(0.0 < factor < np.inf for factor in factors):
+        raise DesignError([Problem("factors", "every speed must be positive and finite")])
+    systems = [at_speed(system, factor) for factor in factors]
+    step = min(default_step(each.arrays) for each in systems)
+    forces = simulate_many(systems, duration, step=step, settle=settle, progress=progress)
+    return SpeedMap(np.array(factors, dtype=float), forces)
+
+
+def at_speed(system: System, factor: float) -> System:
+    """Return a system that runs steadily at another speed.
+
+    Args:
+        system: Any.
+        factor: Speed over reference speed [-].
+    """
+    zero = np.zeros(1)
+    profile = system.arrays.profile._replace(time=zero, factor=np.array([float(factor)]), travel=zero)
+    return replace(system, arrays=system.arrays._replace(profile=profile))

@@ -1,0 +1,30 @@
+"""What a flight does to gears and bearings: spectra, damage, lives, and the part that fails first.
+
+Flying itself is in `mission`.
+"""
+
+from gearwright.mission.lives.bearings import USUAL_RELIABILITY, BearingDamage, BearingLives, bearing_lives, seat_duties
+from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
+from gearwright.mission.lives.life import LifeSizing, size_for_life
+from gearwright.mission.lives.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
+from gearwright.mission.lives.verdict import Durability, PartLife, durability
+
+__all__ = [
+    "USUAL_RELIABILITY",
+    "BearingDamage",
+    "BearingLives",
+    "Durability",
+    "DutyBin",
+    "GearDamage",
+    "LifeSizing",
+    "PartLife",
+    "bearing_lives",
+    "bearing_spectra",
+    "durability",
+    "gear_damage",
+    "mesh_spectrum",
+    "seat_duties",
+    "shaft_spectrum",
+    "size_for_life",
+    "unrated_stages",
+]

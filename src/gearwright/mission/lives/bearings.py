@@ -1,0 +1,317 @@
+"""What a flight does to the rolling bearings: life by ISO 281 over their spectrum of loads, and which ones to take."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.catalogue import (
+    Bearing,
+    BearingDuty,
+    BearingSpectrum,
+    bearing,
+    check_bearing,
+    fitting_bearings,
+    with_ratings,
+)
+from gearwright.errors import DesignError, Problem
+from gearwright.mission.flight import Flight
+from gearwright.parts.bearings import (
+    BearingKind,
+    LoadFactors,
+    life_exponent,
+    mean_load,
+    reliability_factor,
+    taper_factors,
+)
+from gearwright.sizing.arrangement import axial_forces
+from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
+from gearwright.spec import GROUND, BearingLifeRules
+from gearwright.spec.checks import KINDS
+from gearwright.units import Force, Mass, Ratio, Speed
+
+Array = NDArray[np.float64]
+FATIGUE = "rolling fatigue"
+"""How bearings fail here."""
+USUAL_RELIABILITY = 0.9
+"""Of a basic rating life [-]; ISO 281."""
+_LEAST_LOAD = 1.0
+"""Force below which a bearing has nothing to bear but rounding and weight [N]."""
+_SHORT = 0.05
+"""Part of the asked life that may be missing: bearings are chosen by the mean of their loads [-]."""
+_ROUNDING = 1e-9
+"""Axial over the largest radial force below which opposite helices cancel [-]."""
+
+
+class SeatDuty(NamedTuple):
+    """What one seat bears over a flight; every array has one value per interval."""
+
+    radial: Array
+    """[N]"""
+    axial: Array
+    """[N]"""
+    speed: Array
+    """Of one ring against the other, without sign [rad/s]."""
+    time: Array
+    """Duration [s]."""
+
+    @property
+    def turns(self) -> Array:
+        """Revolutions of each interval [-]."""
+        return self.speed * self.time / (2.0 * math.pi)
+
+
+@dataclass(frozen=True)
+class BearingDamage:
+    """The bearing of one seat, or of several equal ones."""
+
+    seat: str
+    """Such as ``left.first`` or ``second.planet``."""
+    bearing: Bearing
+    """Which one."""
+    count: int
+    """Equal seats times bearings side by side [-]."""
+    mean_load: Force
+    """Equivalent load that tires it as the spectrum does, of one seat [N]."""
+    mean_speed: Speed
+    """Turns over the time of the flight [rad/s]."""
+    static_safety: Ratio
+    """C_0 over the largest load [-]."""
+    damage: Ratio
+    """Miner's sum of one flight at the asked reliability [-]."""
+    hours: float
+    """Of the flight [h]."""
+    asked: float | None
+    """Flight hours for which it was chosen; None where the design names it [h]."""
+
+    @property
+    def falls_short(self) -> bool:
+        """True where no bearing that fits reaches the asked life, and this one comes nearest."""
+        return self.asked is not None and self.life < self.asked * (1.0 - _SHORT)
+
+    @property
+    def flights(self) -> float:
+        """Flights until the sum is 1; ∞ where nothing is loaded [-]."""
+        return 1.0 / self.damage if self.damage > 0.0 else math.inf
+
+    @property
+    def life(self) -> float:
+        """Flight hours until then [h]."""
+        return self.flights * self.hours
+
+    @property
+    def mass(self) -> Mass:
+        """Of all of them [kg]."""
+        return self.count * self.bearing.mass
+
+
+@dataclass(frozen=True)
+class BearingLives:
+    """The bearings of a gearbox over a flight."""
+
+    rows: tuple[BearingDamage, ...]
+    """The worst first."""
+    notes: tuple[str, ...]
+    """Seats without a bearing, and why."""
+    unrated: tuple[str, ...] = ()
+    """Seats that bear a load and have no bearing."""
+
+    @property
+    def mass(self) -> Mass:
+        """Of all known bearings [kg]."""
+        return sum(row.mass for row in self.rows)
+
+
+def bearing_lives(flight: Flight) -> BearingLives:
+    """Return the life of every bearing that the design gives or the mission asks for, over the flight's spectrum.
+
+    Args:
+        flight: As flown; its mission may ask for bearings, its design may seat them or name those of planets.
+
+    Source: ISO 281:2007, 5.3 and 7.3, with the equivalent load of every interval and Palmgren's linear damage; equal
+        bearings side by side bear i^0.7 (balls) or i^(7/9) (rollers) times the rating of one, 5.1.2 and 7.1.2.
+
+    Raises:
+        DesignError: A named bearing that does not fit its seat, or cannot bear its kind of load.
+    """
+    rows, notes, problems = [], [], []
+    idle, opened, failed = [], [], []
+    for seat, duty in seat_duties(flight):
+        named = _named(flight, seat)
+        if float(np.hypot(duty.radial, duty.axial).max()) < _LEAST_LOAD:
+            idle.append(seat.name)
+        elif named is None and flight.mission.bearings is None:
+            opened.append(seat.name)
+        else:
+            try:
+                rows.append(_known(flight, seat, duty, named))
+            except DesignError as error:
+                problems += [Problem(_path(seat), each.message) for each in error.problems if named]
+                notes += [f"{seat.name}: {each.message}" for each in error.problems if not named]
+                failed.append(seat.name)
+    if problems:
+        raise DesignError(problems)
+    notes += [f"{', '.join(idle)}: nothing to rate, as the forces of the meshes cancel"] if idle else []
+    missing = "no bearing is named, and the mission has no [bearings] to choose one"
+    notes += [f"{', '.join(opened)}: {missing}"] if opened else []
+    notes += [
+        f"{row.seat}: no bearing that fits reaches the asked life; {row.bearing.designation} comes nearest"
+        for row in rows
+        if row.falls_short
+    ]
+    return BearingLives(tuple(sorted(rows, key=lambda row: -row.damage)), tuple(notes), (*opened, *failed))
+
+
+def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:
+    """Return every seat with what it bears in every interval of a flight.
+
+    The meshes' forces along a shaft and a propeller's thrust go to the bearings that locate the shaft, as in sizing; on
+    a shaft without bearings in the design, to the one that bears less across.
+
+    Args:
+        flight: As flown.
+    """
+    seats = {seat.name: seat for seat in bearing_seats(flight.sizing)}
+    speeds = {**flight.speeds, GROUND: np.zeros(len(flight.phase))}
+    torques = np.stack([flight.mesh_torques[mesh.name] for mesh in flight.sizing.train.meshes], axis=-1)
+    forces = {name: seat_forces(seat, torques, speeds[seat.carrier]) for name, seat in seats.items()}
+    axial: dict[str, Array] = {}
+    for shaft in dict.fromkeys(seat.nodes[0] for seat in seats.values()):
+        own = {name: seat for name, seat in seats.items() if seat.nodes[0] == shaft}
+        axial |= _located(flight, shaft, own, forces)
+    found = []
+    for name, seat in seats.items():
+        speed = np.abs(speeds[seat.nodes[0]] - speeds[seat.nodes[1]])
+        found.append((seat, SeatDuty(forces[name][0], axial[name], speed, flight.history["duration"])))
+    return tuple(found)
+
+
+def _located(
+    flight: Flight, shaft: str, seats: Mapping[str, Seat], forces: Mapping[str, tuple[Array, Array]]
+) -> dict[str, Array]:
+    """Return the axial force in every bearing of one shaft, without sign."""
+    radial = {name: forces[name][0] for name in seats}
+    first = next(iter(seats))
+    along = forces[first][1] + seats[first].rotor_side * _thrust(flight)
+    along = np.where(np.abs(along) > _ROUNDING * max(float(each.max()) for each in radial.values()), along, 0.0)
+    given = {name: seat.given for name, seat in seats.items() if seat.given is not None}
+    if given:
+        return axial_forces(shaft, given, (along, radial), _taper_factors(flight, given), cases=flight.phase)
+    least = min(radial, key=lambda name: float(radial[name].mean()))
+    return {name: np.abs(along) if name == least else np.zeros_like(along) for name in seats}
+
+
+def _thrust(flight: Flight) -> Array:
+    """Return the propeller's thrust, by the map where there is one, else as the design says [N]."""
+    stated = next(iter(flight.sizing.design.propellers.values())).thrust
+    return flight.history.get("thrust", np.full(len(flight.phase), stated))
+
+
+def _taper_factors(flight: Flight, names: Iterable[str]) -> dict[str, LoadFactors]:
+    sized = {each.name: each.bearing.geometry for each in flight.sizing.bearings if each.name in names}
+    return {
+        name: taper_factors(inside.contact_angle) for name, inside in sized.items() if inside.kind is BearingKind.TAPER
+    }
+
+
+def _path(seat: Seat) -> str:
+    """Return where the design says what sits there."""
+    return f"bearings.{seat.name}" if seat.given else f"planetaries.{seat.name.removesuffix('.planet')}.planet_bearing"
+
+
+class _Named(NamedTuple):
+    """A bearing that the design gives."""
+
+    bearing: Bearing
+    side_by_side: int
+
+
+def _named(flight: Flight, seat: Seat) -> _Named | None:
+    """Return the bearing that sizing took for a seat of the design, or that a planet names; None if it is open."""
+    if seat.given is not None:
+        return _Named(next(each.bearing for each in flight.sizing.bearings if each.name == seat.name), 1)
+    stage, _, last = seat.name.rpartition(".")
+    planetary = flight.sizing.design.planetaries.get(stage)
+    own = planetary.planet_bearing if planetary is not None and last == "planet" else None
+    if own is None:
+        return None
+    found = bearing(own.designation)
+    if own.dynamic_rating is not None and own.static_rating is not None:
+        made = "maker's ratings, given by the user"
+        found = with_ratings(found, own.dynamic_rating, own.static_rating, source=made)
+    return _Named(found, own.side_by_side)
+
+
+def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: _Named | None) -> BearingDamage:
+    rules = flight.mission.bearings
+    if named is None:
+        return _chosen(seat, duty, cast(BearingLifeRules, rules))
+    found, fits = named.bearing, seat.given is not None
+    if not fits and not (found.bore >= seat.bore - 1e-9 and found.outer_diameter <= seat.room + 1e-9):
+        message = (
+            f"{found.designation} has a bore of {1e3 * found.bore:g} mm and an outside of"
+            f" {1e3 * found.outer_diameter:g} mm; allowed: {1e3 * seat.bore:.4g} mm or more, and"
+            f" {1e3 * seat.room:.4g} mm or less; take another size"
+        )
+        raise DesignError([Problem("designation", message)])
+    reliability = rules.reliability if rules else USUAL_RELIABILITY
+    return _lived(seat, duty, found, (named.side_by_side, reliability), asked=None)
+
+
+def _chosen(seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
+    """Take the lightest bearing whose life is met by the mean of the loads at the mean speed, or what comes nearest."""
+    kind = BearingKind(KINDS[rules.thrust_kind if duty.axial.any() else rules.kind])
+    share, exponent = _pair_factor(kind, rules.side_by_side), life_exponent(kind)
+    turns = (duty.speed * duty.time).tolist()
+    radial, axial = (mean_load(each.tolist(), turns, exponent) / share for each in (duty.radial, duty.axial))
+    asked = BearingDuty(
+        radial=radial,
+        axial=axial,
+        speed=float(duty.speed @ duty.time / duty.time.sum()),
+        life=rules.life / reliability_factor(rules.reliability),
+        static_safety=rules.static_safety,
+        limit_factor=float(np.hypot(duty.radial, duty.axial).max()) / share / math.hypot(radial, axial),
+    )
+    sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_outer=seat.room)
+    able = (each for each in sizes if min(each.life_margin, each.static_margin) >= 1.0)
+    found = next(able, max(sizes, key=lambda each: min(each.life_margin, each.static_margin))).bearing
+    return _lived(seat, duty, found, (rules.side_by_side, rules.reliability), asked=rules.life)
+
+
+def _lived(
+    seat: Seat, duty: SeatDuty, found: Bearing, rules: tuple[int, float], *, asked: float | None
+) -> BearingDamage:
+    """Return the damage of a bearing, for bearings side by side and a reliability."""
+    (several, reliability), whole = rules, float(duty.time.sum())
+    share = _pair_factor(found.kind, several)
+    spectrum = BearingSpectrum(
+        radial=tuple(duty.radial.tolist()),
+        axial=tuple(duty.axial.tolist()),
+        speed=tuple(duty.speed.tolist()),
+        share=tuple((duty.time / whole).tolist()),
+        life=whole,
+        mean_factor=1.0 / share,
+        limit_factor=1.0 / several,
+    )
+    check = check_bearing(found, spectrum)
+    return BearingDamage(
+        seat=seat.name,
+        bearing=found,
+        count=seat.count * several,
+        mean_load=share * check.equivalent_load,
+        mean_speed=spectrum.mean_speed,
+        static_safety=check.static_safety,
+        damage=whole / (check.life * reliability_factor(reliability)),
+        hours=whole / 3600.0,
+        asked=None if asked is None else asked / 3600.0,
+    )
+
+
+def _pair_factor(kind: BearingKind, side_by_side: int) -> float:
+    """Rating of equal bearings side by side over that of one [-]."""
+    return math.pow(side_by_side, 0.7 if kind.is_ball else 7.0 / 9.0)

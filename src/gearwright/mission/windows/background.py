@@ -1,0 +1,170 @@
+"""What a mission asks during a window of it: machines' torques, losses, air, airspeed and set speed against time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.mission.flight import Array, Flight
+from gearwright.mission.gearbox import Gearbox, Oil, Point, drag, efficiencies, gearbox_of, operate
+from gearwright.mission.supply import Supply, supply_of
+from gearwright.spec import Phase, WindowRules
+
+Curve = list[tuple[float, float]]
+"""(time from the window's start [s], value)."""
+
+
+class Stage(NamedTuple):
+    """The gearbox in equilibrium at one instant, as curves need it."""
+
+    torques: Mapping[str, float]
+    """Machine -> torque without its own drag, with what spins the train up [N m]."""
+    resistances: Mapping[str, float]
+    """Shaft -> torque that mesh losses take from it [N m]."""
+
+
+@dataclass(frozen=True)
+class Background:
+    """What goes on in a window without its event."""
+
+    flight: Flight
+    gearbox: Gearbox
+    supply: Supply
+    phase: str
+    """In which it starts."""
+    start: float
+    """From the start of the mission [s]."""
+    torques: Mapping[str, Curve]
+    """Machine -> its torque without drag [N m]."""
+    resistances: Mapping[str, Curve]
+    """Shaft -> torque of losses [N m]."""
+    density: Curve
+    """[kg/m³]"""
+    airspeed: Curve
+    """[m/s]"""
+    speed: Curve
+    """Set speed of the propeller [rad/s]."""
+    pitch: Curve
+    """Added to the governor's reference [rad]."""
+    interval: int
+    """Interval of the flight in which it starts."""
+
+
+def background(flight: Flight, rules: WindowRules) -> Background:
+    """Return what a mission asks during a window.
+
+    Machines follow the mission into the next phase, within `over`. Air and airspeed stay those of the phase in which
+    the window starts: between two phases the mission leaves the aircraft's acceleration out, which takes longer than a
+    window.
+
+    Args:
+        flight: As flown.
+        rules: Where the window lies.
+    """
+    phase, at, duration, over = rules.phase, rules.at, rules.duration, rules.over
+    given = flight.mission.oil
+    oil = Oil(given.inlet_temperature_k, given.roughness, given.dip)
+    gearbox = gearbox_of(flight.sizing, next(iter(flight.sizing.design.propellers)), oil)
+    supply = supply_of(flight.sizing, flight.mission)
+    history, own = flight.history, np.flatnonzero(np.array(flight.phase) == phase)
+    first = history["time"] - 0.5 * history["duration"]
+    start = float(first[own[0]]) + at
+    seen = np.flatnonzero((first + history["duration"] > start) & (first < start + duration))
+    seen = np.union1d(seen, np.clip(seen + 1, 0, len(first) - 1))
+    seen = np.union1d(seen, np.clip(seen - 1, 0, len(first) - 1))
+    stages = {int(k): _stage(flight, gearbox, supply, int(k)) for k in seen}
+    times = _knots(flight, stages, start, over)
+    air = [(float(history["time"][k]) - start, int(k)) for k in own]
+    names, shafts = gearbox.machines, set(_shafts(gearbox).values()) if rules.losses else set()
+    return Background(
+        flight=flight,
+        gearbox=gearbox,
+        supply=supply,
+        phase=phase,
+        start=start,
+        torques={name: [(time, stages[k].torques[name]) for time, k in times] for name in names},
+        resistances={shaft: [(time, stages[k].resistances[shaft]) for time, k in times] for shaft in shafts},
+        density=[(time, float(history["air_density"][k])) for time, k in air],
+        airspeed=[(time, float(history["true_airspeed"][k])) for time, k in air],
+        speed=_speed_curve(history, seen, start),
+        pitch=[(0.0, 0.0)],
+        interval=int(np.searchsorted(first, start, side="right")) - 1,
+    )
+
+
+def _knots(flight: Flight, stages: Mapping[int, Stage], start: float, over: float) -> list[tuple[float, int]]:
+    """Return (time, interval): middles of intervals, and both ends of what happens between two phases."""
+    history, knots = flight.history, list[tuple[float, int]]()
+    for k in sorted(stages):
+        begin = float(history["time"][k] - 0.5 * history["duration"][k]) - start
+        if k - 1 in stages and flight.phase[k] != flight.phase[k - 1]:
+            knots += [(begin, k - 1), (begin + over, k)]
+        middle = float(history["time"][k]) - start
+        if not knots or middle > knots[-1][0]:
+            knots.append((middle, k))
+    return knots
+
+
+def _speed_curve(history: Mapping[str, Array], seen: NDArray[np.intp], start: float) -> Curve:
+    """Return the set speed at the edges of intervals."""
+    half, speed, gain = (history[name] for name in ("duration", "propeller_speed", "propeller_gain"))
+    edges = [(float(history["time"][k] - 0.5 * half[k]) - start, float(speed[k] - 0.5 * gain[k])) for k in seen]
+    last = seen[-1]
+    end = (float(history["time"][last] + 0.5 * half[last]) - start, float(speed[last] + 0.5 * gain[last]))
+    return [*edges, end]
+
+
+def _stage(flight: Flight, gearbox: Gearbox, supply: Supply, k: int) -> Stage:
+    phase = flight.mission.phases[flight.phase[k]]
+    powers = {name: float(flight.machine_powers[name][k]) for name in gearbox.machines}
+    return staged(gearbox, supply, phase, powers=powers, flown=(flight, k))
+
+
+def staged(
+    gearbox: Gearbox, supply: Supply, phase: Phase, *, powers: Mapping[str, float], flown: tuple[Flight, int]
+) -> Stage:
+    """Return the gearbox in equilibrium at an interval's speed, with machines of given powers.
+
+    Args:
+        gearbox: The gearbox.
+        supply: Its machines.
+        phase: Whose mode says which machines carry drag and spin-up.
+        powers: Of the machines, with drag and spin-up, as the flight records them [W].
+        flown: The flight, and the interval whose speeds count.
+    """
+    flight, k = flown
+    train, speed, parts = gearbox.sizing.train, float(flight.history["propeller_speed"][k]), supply.parts(phase)
+    lost, gain = 0.0, float(flight.history["spin_up"][k])
+    point = operate(gearbox, {name: power for name, power in powers.items() if power}, speed, {})
+    for _ in range(3):  # drag follows from the loads, which it hardly changes
+        wanted = {name: power - parts.get(name, 0.0) * (lost + gain) for name, power in powers.items() if power}
+        point = operate(gearbox, wanted, speed, efficiencies(gearbox, point))
+        lost = sum(drag(gearbox, point)) + supply.dragged(gearbox, point, parts)
+    speeds = {name: abs(float(value)) for name, value in zip(train.nodes, point.speeds, strict=True)}
+    torques = {
+        name: (power - parts.get(name, 0.0) * lost) / speeds[train.machines[name]] for name, power in powers.items()
+    }
+    return Stage(torques, _resistances(gearbox, point, speeds))
+
+
+def _resistances(gearbox: Gearbox, point: Point, speeds: Mapping[str, float]) -> dict[str, float]:
+    """Return the losses of each stage's meshes as a torque on its first shaft that turns."""
+    train = gearbox.sizing.train
+    found = dict.fromkeys(_shafts(gearbox).values(), 0.0)
+    for mesh, loss in zip(train.meshes, point.mesh_losses, strict=True):
+        shaft = _shafts(gearbox)[mesh.stage]
+        found[shaft] += float(loss) / speeds[shaft]
+    return found
+
+
+def _shafts(gearbox: Gearbox) -> dict[str, str]:
+    """Return the first shaft of each stage: of gear a, else the carrier, else of gear b."""
+    train, found = gearbox.sizing.train, dict[str, str]()
+    for mesh in train.meshes:
+        shafts = [node for node in (mesh.nodes[0], mesh.nodes[2], mesh.nodes[1]) if node in train.nodes]
+        found.setdefault(mesh.stage, next(node for node in shafts if not node.endswith(".planet")))
+    return found

@@ -1,0 +1,252 @@
+"""Dynamic windows: seconds of a mission in which propeller, governor and machines move the elastic train."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearwright.dynamics import Outputs, System, Trace, simulate
+from gearwright.dynamics.assembly import Driving, assemble
+from gearwright.dynamics.equations import statics
+from gearwright.dynamics.model import Floats, MachineDrive, PropellerDrive, line_matrix, top_rate
+from gearwright.dynamics.motion import fastest_rate, followed, with_profile
+from gearwright.errors import DesignError, Problem, near
+from gearwright.machines import Governor, GovernorState, LimitCycle, angle_for_power, blade_angles, limit_cycle
+from gearwright.mission.flight import Flight
+from gearwright.mission.windows.background import Background, Curve, background
+from gearwright.mission.windows.events import changed, value_at
+from gearwright.spec import GovernorRules, WindowRules
+from gearwright.train import RATED
+
+STEPS_PER_CYCLE = 1.6
+"""Steps in a cycle of the highest stiffness harmonic: line forces within 1e-3, in a quarter of the default steps."""
+STABLE = 1.0
+"""Step times fastest rate [-], as in `dynamics.stepsize`."""
+BINS = 400
+"""Time bins of a window's statistics."""
+CLOSE_CYCLES = 4.0
+"""Cycles of the slowest mesh at the end of a window of which every step is kept [-]."""
+NOTICED = 1e-4
+"""Swing of a propeller's speed over the speed itself from which on it is called a limit cycle [-]."""
+NEVER_SLIPS = 1e12
+"""Capacity of an overrunning clutch in the sense in which it holds [N m]."""
+
+
+@dataclass(frozen=True, eq=False)
+class DynamicWindow:
+    """A window as it was flown."""
+
+    name: str
+    rules: WindowRules
+    start: float
+    """From the start of the mission [s]."""
+    system: System
+    """With its drives, and the speed profile that the rigid pass found."""
+    trace: Trace
+    """Time runs from the window's start."""
+    limit_cycle: LimitCycle | None
+    """What the governor sustains; None where it comes to rest."""
+
+
+def window_rules(flight: Flight, name: str) -> WindowRules:
+    """Return the rules of a window of a flight's mission.
+
+    Args:
+        flight: As flown.
+        name: Of the window.
+
+    Raises:
+        DesignError: There is no such window; with the nearest one.
+    """
+    if name not in flight.mission.windows:
+        raise DesignError([Problem(f"windows.{name}", f"no such window; {near(name, flight.mission.windows)}")])
+    return flight.mission.windows[name]
+
+
+def fly_window(flight: Flight, name: str, rules: WindowRules | None = None) -> DynamicWindow:
+    """Return a window of a flight, with propeller, governor and machines coupled to the elastic train.
+
+    It starts in the equilibrium of the quasi-steady flight, its pitch the one that balances the torques. Mesh losses
+    are torques on the first shaft of their stage, which follow the mission and a change of mode, not a cut; drag stays
+    in the machines.
+
+    Args:
+        flight: As flown, with a propeller map.
+        name: Of the window.
+        rules: What happens in it; left out: those of the mission's window of this name.
+
+    Raises:
+        DesignError: The flight flies by schedules, or the window does not lie in its phase.
+        SolveError: The propeller leaves its map.
+    """
+    rules = rules or window_rules(flight, name)
+    _check(flight, name, rules)
+    back = changed(background(flight, rules), rules)
+    system = _system(back, rules)
+    state = _start(system, back, rules)
+    system = followed(system, rules.duration) if np.all(state[1] == 0.0) else system
+    trace = simulate(system, rules.duration, step=window_step(system), start=state, outputs=_outputs(system, rules))
+    return DynamicWindow(name, rules, back.start, system, trace, _cycle(back, trace))
+
+
+def _check(flight: Flight, name: str, rules: WindowRules) -> None:
+    at = f"windows.{name}"
+    if flight.propeller_map is None:
+        raise DesignError([Problem(at, "the mission flies by schedules; a window needs a propeller_map")])
+    own = float(flight.history["duration"][np.array(flight.phase) == rules.phase].sum())
+    if rules.at >= own:
+        message = f"{rules.at:g} s, but {rules.phase} ends after {own:g} s; start earlier, or in the next phase"
+        raise DesignError([Problem(f"{at}.at", message)])
+    joints = {joint.name for joint in flight.sizing.train.joints}
+    if rules.clutch is not None and rules.clutch not in joints:
+        raise DesignError([Problem(f"{at}.clutch", f"no such clutch: {rules.clutch}; {near(rules.clutch, joints)}")])
+
+
+def window_step(system: System) -> float:
+    """Return the step of a window: two for each cycle of the highest harmonic, and as the fastest mode allows [s].
+
+    Args:
+        system: Bodies, lines, drives.
+    """
+    excited = top_rate(system.arrays) / (2.0 * math.pi)
+    stable = STABLE / fastest_rate(system.arrays)
+    return min(stable, 1.0 / (STEPS_PER_CYCLE * excited)) if excited else stable
+
+
+def _outputs(system: System, rules: WindowRules) -> Outputs:
+    turning = np.abs(system.arrays.tone_rate[system.arrays.tone_rate != 0.0])
+    slowest = float(np.min(turning)) * float(system.arrays.profile.factor[-1]) if len(turning) else 0.0
+    close = min(2.0 * math.pi * CLOSE_CYCLES / slowest, rules.duration) if slowest else min(0.02, rules.duration)
+    return Outputs(bins=BINS, windows=((rules.duration - close, rules.duration),))
+
+
+def _system(back: Background, rules: WindowRules) -> System:
+    flight, design = back.flight, back.flight.sizing.design
+    machines = [_machine(back, rules, name) for name in back.gearbox.machines]
+    held = {} if rules.clutch is None else {rules.clutch: _capacity(back, rules)}
+    driving = Driving([_propeller(back, rules), *machines], back.resistances, held)
+    system = assemble(flight.sizing, RATED, stiffness=rules.stiffness or design.dynamics.stiffness, driving=driving)
+    column = system.labels.coordinates.index(_body(system, back.gearbox.propeller))
+    factor = value_at(back.speed, 0.0) / abs(float(system.arrays.speed[column]))
+    return with_profile(system, [(0.0, factor)])
+
+
+def _body(system: System, drive: str) -> str:
+    """Return the coordinate that a drive acts on."""
+    place, table = 2, system.arrays.drives.table
+    for name in system.labels.drives:
+        if name.endswith(" torque"):
+            if name == f"{drive} torque":
+                break
+            place += int(table[place])
+    return system.labels.coordinates[int(table[place + 2])]
+
+
+def _machine(back: Background, rules: WindowRules, name: str) -> MachineDrive:
+    """Return a machine whose torque at the set speed is the mission's."""
+    train, supply = back.flight.sizing.train, back.supply
+    turning = abs(float(back.flight.speeds[train.machines[name]][back.interval]))
+    own = back.flight.history["propeller_speed"][back.interval]
+    reference = turning * value_at(back.speed, 0.0) / float(own)
+    if name in supply.motors:
+        motor = supply.motors[name]
+        return MachineDrive(name, name, back.torques[name], reference, 0.0, motor.peak_torque, motor.peak_power)
+    engine = supply.engines[name]
+    slope, ratio = rules.turbine_slope, value_at(back.speed, 0.0)
+    times = sorted({time for curve in (back.torques[name], back.speed) for time, _ in curve})
+    command = [
+        (time, value_at(back.torques[name], time) / (1.0 + slope * (1.0 - value_at(back.speed, time) / ratio)))
+        for time in times
+    ]
+    return MachineDrive(name, name, command, reference, slope, engine.rated_torque, engine.rated_power)
+
+
+def _propeller(back: Background, rules: WindowRules) -> PropellerDrive:
+    chart = back.flight.propeller_map
+    assert chart is not None  # `_check` refuses a flight without one
+    name = back.gearbox.propeller
+    diameter = back.flight.sizing.design.propellers[name].diameter
+    speed, density, airspeed = (value_at(curve, 0.0) for curve in (back.speed, back.density, back.airspeed))
+    turns = speed / (2.0 * math.pi)
+    ratio = airspeed / (turns * diameter)
+    pitch = angle_for_power(chart, ratio, _taken(back, rules) / (density * turns**3 * diameter**5))
+    governor = _governor(rules.governor or back.flight.mission.governor, pitch, back, blade_angles(chart, ratio))
+    settled = (governor.reference - pitch) / governor.integral if governor.integral else 0.0
+    start = GovernorState(pitch, 0.0, settled)
+    return PropellerDrive(
+        name, name, chart, diameter, governor, start, back.density, back.airspeed, back.speed, back.pitch
+    )
+
+
+def _taken(back: Background, rules: WindowRules) -> float:
+    """Return the power that is left for the propeller at the window's start [W]."""
+    train, k = back.flight.sizing.train, back.interval
+    speed = value_at(back.speed, 0.0)
+    scale = speed / float(back.flight.history["propeller_speed"][k])
+    turning = {node: abs(float(values[k])) * scale for node, values in back.flight.speeds.items()}
+    given = sum(value_at(back.torques[name], 0.0) * turning[train.machines[name]] for name in back.gearbox.machines)
+    lost = sum(value_at(curve, 0.0) * turning[shaft] for shaft, curve in back.resistances.items())
+    small = 1e-3
+    gain = (value_at(back.speed, small) - speed) / small
+    return given - lost - back.gearbox.inertia * speed * gain
+
+
+def _governor(rules: GovernorRules, pitch: float, back: Background, ends: tuple[float, float]) -> Governor:
+    held = back.flight.mission.phases[back.phase].pitch
+    lowest = rules.lowest_pitch if rules.lowest_pitch is not None else held
+    return Governor(
+        reference=rules.reference_pitch if rules.reference_pitch is not None else pitch,
+        proportional=math.radians(rules.gain_deg_s),
+        integral=math.radians(rules.integral_deg_rad),
+        time_constant=rules.time_constant,
+        damping=rules.damping,
+        lower=min(pitch, ends[0] if lowest is None else lowest),
+        upper=ends[1] if rules.highest_pitch is None else rules.highest_pitch,
+        rate=math.radians(rules.rate_deg_s),
+    )
+
+
+def _capacity(back: Background, rules: WindowRules) -> float | Curve:
+    """Return an overrunning clutch's, which never slips forwards, or a friction clutch's, which grows at the event."""
+    joint = next(each for each in back.flight.sizing.train.joints if each.name == rules.clutch)
+    if joint.overrunning:
+        return NEVER_SLIPS
+    carried = float(back.flight.shaft_torques[joint.driving][back.interval])
+    full = rules.capacity or 2.0 * carried
+    return [(rules.event_at, 0.0), (rules.event_at + rules.over, full)]
+
+
+def _start(system: System, back: Background, rules: WindowRules) -> tuple[Floats, Floats]:
+    """Return the equilibrium; what stands before a clutch that engages later turns slower by its slip."""
+    arrays, labels = system.arrays, system.labels
+    velocity = np.zeros(len(arrays.mass))
+    if rules.clutch is not None and rules.slip is not None:
+        joint = next(each for each in back.flight.sizing.train.joints if each.name == rules.clutch)
+        machine = [name for name, shaft in back.flight.sizing.train.machines.items() if shaft == joint.driving]
+        own = _joined(system, labels.coordinates.index(_body(system, machine[0])))
+        leading = abs(float(arrays.speed[own][np.argmax(np.abs(arrays.speed[own]))]))
+        velocity[own] = -rules.slip / leading * arrays.speed[own]
+    return statics(system, balance="accelerate").position, velocity
+
+
+def _joined(system: System, first: int) -> Floats:
+    """Return the coordinates that lines join with one, as a mask."""
+    matrix = line_matrix(system.arrays) != 0.0
+    own = np.zeros(matrix.shape[1], bool)
+    own[first] = True
+    while True:
+        more = own | np.any(matrix[np.any(matrix & own, axis=1)], axis=0)
+        if np.array_equal(more, own):
+            return own
+        own = more
+
+
+def _cycle(back: Background, trace: Trace) -> LimitCycle | None:
+    """Return the oscillation that the speed keeps, by the means of time bins: teeth are averaged out."""
+    assert trace.drive is not None  # every window has drives
+    edges = trace.drive.edges
+    speed = trace.drive.of(f"{back.gearbox.propeller} speed")["mean"]
+    found = limit_cycle(0.5 * (edges[1:] + edges[:-1]), speed - value_at(back.speed, 0.0))
+    return found if found is not None and found.amplitude > NOTICED * float(np.mean(speed)) else None

@@ -1,0 +1,109 @@
+"""Rolling bearings: what is inside them, ratings, equivalent loads, lives by ISO 281 and ISO/TS 16281.
+
+Which size is taken is for the catalogue and `sizing`.
+"""
+
+from gearwright.parts.bearings.contact import (
+    Curvature,
+    ball_contacts,
+    ellipse_ratio,
+    load_at_pressure,
+    load_deflection_constant,
+)
+from gearwright.parts.bearings.distribution import RingLoad, load_distribution
+from gearwright.parts.bearings.life import (
+    basic_life,
+    life_exponent,
+    life_time,
+    rating_for_life,
+    reliability_factor,
+    system_life,
+    weibull_slope,
+)
+from gearwright.parts.bearings.load import (
+    CYLINDRICAL_STATIC,
+    DEEP_GROOVE_STATIC,
+    FOUR_POINT,
+    FOUR_POINT_STATIC,
+    ISO_R281_1962,
+    RIBBED_NARROW,
+    RIBBED_WIDE,
+    SHIGLEY_11_1,
+    LoadFactors,
+    deep_groove_factors,
+    equivalent_load,
+    mean_load,
+    static_equivalent_load,
+    static_safety,
+    taper_factors,
+    taper_pair_thrusts,
+    taper_static_factors,
+)
+from gearwright.parts.bearings.modified_life import (
+    Cleanliness,
+    OilFilter,
+    cleanliness_factor,
+    contamination_factor,
+    life_modification,
+    reference_viscosity,
+)
+from gearwright.parts.bearings.rating import (
+    ball_dynamic_factor,
+    ball_static_factor,
+    dynamic_rating,
+    fatigue_load_limit,
+    roller_dynamic_factor,
+    static_rating,
+)
+from gearwright.parts.bearings.reference_life import basic_reference_life, reference_load
+from gearwright.parts.bearings.rolling_bearing import BearingGeometry, BearingKind
+
+__all__ = [
+    "CYLINDRICAL_STATIC",
+    "DEEP_GROOVE_STATIC",
+    "FOUR_POINT",
+    "FOUR_POINT_STATIC",
+    "ISO_R281_1962",
+    "RIBBED_NARROW",
+    "RIBBED_WIDE",
+    "SHIGLEY_11_1",
+    "BearingGeometry",
+    "BearingKind",
+    "Cleanliness",
+    "Curvature",
+    "LoadFactors",
+    "OilFilter",
+    "RingLoad",
+    "ball_contacts",
+    "ball_dynamic_factor",
+    "ball_static_factor",
+    "basic_life",
+    "basic_reference_life",
+    "cleanliness_factor",
+    "contamination_factor",
+    "deep_groove_factors",
+    "dynamic_rating",
+    "ellipse_ratio",
+    "equivalent_load",
+    "fatigue_load_limit",
+    "life_exponent",
+    "life_modification",
+    "life_time",
+    "load_at_pressure",
+    "load_deflection_constant",
+    "load_distribution",
+    "mean_load",
+    "rating_for_life",
+    "reference_load",
+    "reference_viscosity",
+    "reliability_factor",
+    "roller_dynamic_factor",
+    "static_equivalent_load",
+    "static_rating",
+    "static_safety",
+    "system_life",
+    "taper_factors",
+    "taper_pair_thrusts",
+    "taper_static_factors",
+    "weibull_slope",
+]

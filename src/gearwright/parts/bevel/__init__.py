@@ -1,0 +1,55 @@
+"""Bevel gears: cones, virtual cylindrical gears, and rating by ISO 10300, method B1.
+
+Factors that ISO 10300 takes from ISO 6336 are in `iso6336`.
+"""
+
+from gearwright.parts.bevel.bending import bevel_bending, contact_ratio_factor_bending, spiral_angle_factor
+from gearwright.parts.bevel.geometry import (
+    WIDEST,
+    WIDEST_MODULES,
+    BevelForces,
+    BevelPair,
+    BevelTooth,
+    Hand,
+    Rotation,
+    bevel_forces,
+    cone_forces,
+)
+from gearwright.parts.bevel.pitting import (
+    BOTH_OVERHUNG,
+    ONE_OVERHUNG,
+    STRADDLE,
+    BevelDuty,
+    bevel_load_factors,
+    bevel_pitting,
+    mid_zone_factor,
+)
+from gearwright.parts.bevel.rating import BevelRating, BevelSurfaces, bevel_pitch_tolerance, rate_bevel
+from gearwright.parts.bevel.virtual import VirtualPair
+
+__all__ = [
+    "BOTH_OVERHUNG",
+    "ONE_OVERHUNG",
+    "STRADDLE",
+    "WIDEST",
+    "WIDEST_MODULES",
+    "BevelDuty",
+    "BevelForces",
+    "BevelPair",
+    "BevelRating",
+    "BevelSurfaces",
+    "BevelTooth",
+    "Hand",
+    "Rotation",
+    "VirtualPair",
+    "bevel_bending",
+    "bevel_forces",
+    "bevel_load_factors",
+    "bevel_pitch_tolerance",
+    "bevel_pitting",
+    "cone_forces",
+    "contact_ratio_factor_bending",
+    "mid_zone_factor",
+    "rate_bevel",
+    "spiral_angle_factor",
+]

@@ -1,0 +1,95 @@
+"""Cylindrical gears: involute, one gear, two in mesh, their bodies, and the first stresses of Lewis and Hertz.
+
+Rating by a standard lives in `iso6336` and `agma2001`, cones in `bevel`, mesh stiffness in `stiffness`.
+"""
+
+from gearwright.parts.gears.cylindrical_gear import (
+    ISO53_A,
+    ISO53_D,
+    BasicRack,
+    CylindricalGear,
+    half_angle_at,
+    pressure_angle_at,
+    tip_thickness,
+)
+from gearwright.parts.gears.gear_body import disc_inertia, disc_mass, ring_inertia, ring_mass
+from gearwright.parts.gears.gear_pair import GearPair, contact_radii
+from gearwright.parts.gears.hertz import (
+    HERTZ_COEFFICIENT,
+    ContactAngles,
+    contact_angles,
+    contact_stress,
+    hertz_coefficient,
+    module_hertz,
+)
+from gearwright.parts.gears.internal_interference import (
+    interference,
+    involute_clearance,
+    radial_assembly_gap,
+    tip_clearance_angle,
+)
+from gearwright.parts.gears.involute import (
+    base_helix_angle,
+    involute,
+    involute_angle,
+    least_profile_shift,
+    least_teeth,
+    shift_sum,
+    transverse_pressure_angle,
+    working_pressure_angle,
+)
+from gearwright.parts.gears.lewis import FEWEST_TEETH, bending_stress_lewis, lewis_form_factor, module_lewis
+from gearwright.parts.gears.mesh_scales import mesh_frequency_scale, mesh_length_scale
+from gearwright.parts.gears.tooth_allowance import feed_grade, least_backlash, runout_tolerance, span_allowances
+from gearwright.parts.gears.tooth_form import ToothForm, load_point, tooth_form
+from gearwright.parts.gears.tooth_measurement import ball_measurement, span_measurement, spanned_teeth
+
+__all__ = [
+    "FEWEST_TEETH",
+    "HERTZ_COEFFICIENT",
+    "ISO53_A",
+    "ISO53_D",
+    "BasicRack",
+    "ContactAngles",
+    "CylindricalGear",
+    "GearPair",
+    "ToothForm",
+    "ball_measurement",
+    "base_helix_angle",
+    "bending_stress_lewis",
+    "contact_angles",
+    "contact_radii",
+    "contact_stress",
+    "disc_inertia",
+    "disc_mass",
+    "feed_grade",
+    "half_angle_at",
+    "hertz_coefficient",
+    "interference",
+    "involute",
+    "involute_angle",
+    "involute_clearance",
+    "least_backlash",
+    "least_profile_shift",
+    "least_teeth",
+    "lewis_form_factor",
+    "load_point",
+    "mesh_frequency_scale",
+    "mesh_length_scale",
+    "module_hertz",
+    "module_lewis",
+    "pressure_angle_at",
+    "radial_assembly_gap",
+    "ring_inertia",
+    "ring_mass",
+    "runout_tolerance",
+    "shift_sum",
+    "span_allowances",
+    "span_measurement",
+    "spanned_teeth",
+    "tip_clearance_angle",
+    "tip_thickness",
+    "tooth_form",
+    "transverse_pressure_angle",
+    "working_pressure_angle",
+]

@@ -1,0 +1,101 @@
+"""Can a pinion run inside a ring, and can it be put there: the three interferences of internal pairs."""
+
+from __future__ import annotations
+
+import math
+
+from gearwright.errors import Problem
+from gearwright.parts.gears.cylindrical_gear import half_angle_at
+from gearwright.parts.gears.gear_pair import GearPair
+from gearwright.parts.gears.involute import involute
+
+
+def involute_clearance(pair: GearPair) -> float:
+    """Return by how much the ring's tip circle clears the point where the pinion's involute ends.
+
+    Args:
+        pair: An internal pair.
+
+    Returns:
+        Radius of the ring's tip less that of the ring's flank at the pinion's base tangent point [m]; negative: the
+        ring's tip digs into the pinion's root.
+
+    Source: Niemann & Winter, Maschinenelemente II: r_a2 ≥ √(r_b2² + (a_w sin α_wt)²).
+    """
+    tangent_point = math.hypot(pair.driven.base_radius, pair.centre_distance * math.sin(pair.working_pressure_angle))
+    return pair.driven.tip_radius - tangent_point
+
+
+def tip_clearance_angle(pair: GearPair) -> float:
+    """Return the angle by which the tips of pinion and ring miss each other outside the path of contact.
+
+    Args:
+        pair: An internal pair.
+
+    Returns:
+        Clearance angle at the ring's centre [rad]; negative: the tips foul (trochoidal interference).
+
+    Source: Colbourne 1987, The Geometry of Involute Gears, as
+        θ_1 z_1/z_2 + inv α_wt (1 − z_1/z_2) − θ_2 with θ_1 = γ_1 + inv α_a1, θ_2 = γ_2 + inv α_a2 and γ the angles at
+        the two centres of the point where the tip circles cross.
+    """
+    r_1, r_2, centre = pair.driver.tip_radius, pair.driven.tip_radius, pair.centre_distance
+    if r_1 + centre <= r_2:
+        return math.pi
+    gamma_1 = math.acos((r_2**2 - r_1**2 - centre**2) / (2.0 * r_1 * centre))
+    gamma_2 = math.acos((r_2**2 - r_1**2 + centre**2) / (2.0 * r_2 * centre))
+    theta_1 = gamma_1 + involute(math.acos(pair.driver.base_radius / r_1))
+    theta_2 = gamma_2 + involute(math.acos(min(1.0, pair.driven.base_radius / r_2)))
+    ratio = pair.driver.teeth / -pair.driven.teeth
+    return theta_1 * ratio + involute(pair.working_pressure_angle) * (1.0 - ratio) - theta_2
+
+
+def radial_assembly_gap(pair: GearPair) -> float:
+    """Return the least gap between pinion and ring teeth when the pinion is moved radially into mesh.
+
+    Args:
+        pair: An internal pair.
+
+    Returns:
+        Least tangential gap over the pinion's tips [m]; negative: the pinion must be put in axially.
+
+    Source: Colbourne 1987, The Geometry of Involute Gears (radial interference, trimming); each pinion tip on
+        its way to the working position must stay inside the ring's tooth space at the ring's tip circle.
+    """
+    pinion, ring = pair.driver, pair.driven
+    half_space = math.pi / -ring.teeth - half_angle_at(ring, ring.tip_radius)
+    half_tip = half_angle_at(pinion, pinion.tip_radius)
+    gaps = []
+    # A pinion tooth centred in its space is the symmetric position; tooth j then faces space j.
+    for j in range(pinion.teeth // 2 + 1):
+        angle = 2.0 * math.pi * j / pinion.teeth + half_tip
+        lateral = pinion.tip_radius * math.sin(angle)
+        if angle > 0.5 * math.pi or lateral > ring.tip_radius:
+            break
+        if pair.centre_distance + pinion.tip_radius * math.cos(angle) <= math.sqrt(ring.tip_radius**2 - lateral**2):
+            break
+        edge = ring.tip_radius * math.sin(2.0 * math.pi * j / -ring.teeth + half_space)
+        gaps.append(edge - lateral)
+    return min(gaps) if gaps else math.inf
+
+
+def interference(pair: GearPair) -> tuple[Problem, ...]:
+    """Return what keeps an internal pair from running, in words; empty when nothing does.
+
+    Args:
+        pair: The pair; an external one has none of these interferences.
+
+    Source: see `involute_clearance` and `tip_clearance_angle`. Radial assembly is not a condition for running.
+    """
+    if pair.side > 0:
+        return ()
+    problems = []
+    if (gap := involute_clearance(pair)) < 0.0:
+        fix = "shorten the ring's tip (tip_alteration) or give the pinion more teeth or profile shift"
+        problems.append(
+            Problem("driven", f"the ring's tip reaches {-1e6 * gap:.3g} µm past the pinion's involute; {fix}")
+        )
+    if (angle := tip_clearance_angle(pair)) < 0.0:
+        fix = "increase the difference of the tooth numbers or shorten the tips"
+        problems.append(Problem("driven", f"the tips foul by {math.degrees(-angle):.3g}°; {fix}"))
+    return tuple(problems)

@@ -1,0 +1,99 @@
+"""Damage of a gear under a load spectrum by ISO 6336-6: Miner's sum over the S-N curves of flank and root."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Annotated
+
+from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.parts.iso6336.life import LifeCurve, endurable_cycles
+from gearwright.units import Origin, Quantity
+
+_PART6 = "ISO 6336-6:2019"
+
+
+@dataclass(frozen=True)
+class StressBin:
+    """One level of a spectrum as the gear feels it."""
+
+    stress: Annotated[
+        float, Quantity("stress"), Origin("σ_H or σ_F with the K factors of the bin", f"{_PART6}, clause 4")
+    ]
+    """Contact or root stress with K_V, K_Hβ, K_Hα of the bin and K_A = 1 [Pa]."""
+    cycles: Annotated[float, Quantity("number"), Origin("n_i", f"{_PART6}, clause 4")]
+    """Load cycles at this level n_i [-]."""
+
+
+@dataclass(frozen=True)
+class Damage:
+    """What a spectrum does to one gear."""
+
+    parts: tuple[float, ...]
+    """Damage n_i/N_i of each bin [-]."""
+    total: Annotated[float, Quantity("ratio"), Origin("U = Σ n_i/N_i", f"{_PART6}, clause 5")]
+    """Miner's sum U [-]; 1 is failure at the safety of the curve."""
+    safety: Annotated[float, Quantity("ratio"), Origin("S: U(S σ) = 1", f"{_PART6}, clause 6")]
+    """Factor on all stresses at which the sum becomes 1, S_H or S_F [-]."""
+
+
+def damage_parts(bins: Sequence[StressBin], reference: float, curve: LifeCurve) -> tuple[float, ...]:
+    """Return the damage of every bin.
+
+    Args:
+        bins: The spectrum.
+        reference: Stress limit at a life factor of 1, σ_HG or σ_FG with Z_NT = 1 or Y_NT = 1 [Pa].
+        curve: S-N curve of the flank or the root.
+
+    Returns:
+        n_i/N_i [-], shape (bins,); ∞ above the static limit.
+
+    Source: ISO 6336-6:2019, clause 5. Stresses below the endurance corner damage along the last slope of the curve
+        (Z_NT or Y_NT = 0.85 at 1e10), and not at all where it is flat.
+    """
+    parts = []
+    for each in bins:
+        endured = endurable_cycles(curve, each.stress / reference) if each.stress > 0.0 else float("inf")
+        parts.append(each.cycles / endured if endured > 0.0 else float("inf"))
+    return tuple(parts)
+
+
+def spectrum_damage(bins: Sequence[StressBin], reference: float, curve: LifeCurve) -> Damage:
+    """Return Miner's sum of a spectrum and the safety that it leaves.
+
+    Args:
+        bins: The spectrum, at least one bin with cycles and stress.
+        reference: Stress limit at a life factor of 1 [Pa].
+        curve: S-N curve.
+
+    Source: ISO 6336-6:2019, clauses 5 and 6: the safety scales all stresses until U = 1.
+
+    Raises:
+        DesignError: an empty spectrum.
+        SolveError: no factor between 0.01 and 100 brings the sum to 1.
+
+    >>> from gearwright.parts.iso6336_life import contact_life_curve
+    >>> from gearwright.parts.iso6336_strength import Treatment
+    >>> curve = contact_life_curve(Treatment.CASE_HARDENED)
+    >>> round(spectrum_damage([StressBin(1000e6, 5e7)], 1500e6, curve).safety, 6)
+    1.5
+    """
+    if not any(each.cycles > 0.0 and each.stress > 0.0 for each in bins):
+        raise DesignError([Problem("spectrum", "no bin has both stress and cycles; give at least one")])
+    parts = damage_parts(bins, reference, curve)
+
+    def total(factor: float) -> float:
+        return sum(damage_parts(bins, reference / factor, curve))
+
+    return Damage(parts, sum(parts), _unit_root(total))
+
+
+def _unit_root(total: Callable[[float], float]) -> float:
+    """Factor at which a growing sum passes 1; bisection, since the sum jumps to ∞ at the static limit."""
+    low, high = 0.01, 100.0
+    if not total(low) <= 1.0 <= total(high):
+        raise SolveError("spectrum: the stresses are beyond a hundredth or a hundredfold of the strength")
+    while high / low > 1.0 + 1e-12:
+        middle = (low * high) ** 0.5
+        low, high = (middle, high) if total(middle) <= 1.0 else (low, middle)
+    return low

@@ -1,0 +1,113 @@
+"""Life factors Z_NT and Y_NT: the S-N curves of ISO 6336-2 and -3 by group of material, and their inverse."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from gearwright.parts.iso6336.geometry import Value, as_value
+from gearwright.parts.iso6336.strength import Treatment
+
+OPTIMUM = 1.0
+"""Life factor at 1e10 cycles with the best of material, lubrication, manufacture and experience [-]."""
+STANDARD = 0.85
+"""Life factor at 1e10 cycles otherwise [-]."""
+
+
+@dataclass(frozen=True)
+class LifeCurve:
+    """An S-N curve: straight lines in double logarithmic scale between corners."""
+
+    cycles: tuple[float, ...]
+    """Corners N_L [-], increasing."""
+    factors: tuple[float, ...]
+    """Life factors there [-], decreasing."""
+
+
+def _contact_corners(treatment: Treatment, *, some_pitting: bool) -> LifeCurve:
+    """Corners of Z_NT up to the reference, ISO 6336-2:2019, table 2."""
+    if treatment is Treatment.NITROCARBURISED:
+        return LifeCurve((1e5, 2e6), (1.1, 1.0))
+    if treatment.is_nitrided:
+        return LifeCurve((1e5, 2e6), (1.3, 1.0))
+    if some_pitting:
+        return LifeCurve((6e5, 1e7, 1e9), (1.6, 1.3, 1.0))
+    return LifeCurve((1e5, 5e7), (1.6, 1.0))
+
+
+def contact_life_curve(treatment: Treatment, *, some_pitting: bool = False, at_1e10: float = STANDARD) -> LifeCurve:
+    """Return the S-N curve of the flank.
+
+    Args:
+        treatment: Material group.
+        some_pitting: A little pitting may be left on the flanks, which moves the corner from 5e7 to 1e9 cycles.
+        at_1e10: Z_NT at 1e10 cycles, 0.85 to 1 [-].
+
+    Source: ISO 6336-2:2019, clause 11, table 2.
+    """
+    corners = _contact_corners(treatment, some_pitting=some_pitting)
+    return LifeCurve((*corners.cycles, 1e10), (*corners.factors, at_1e10))
+
+
+def bending_life_curve(treatment: Treatment, *, at_1e10: float = STANDARD) -> LifeCurve:
+    """Return the S-N curve of the tooth root.
+
+    Args:
+        treatment: Material group.
+        at_1e10: Y_NT at 1e10 cycles, 0.85 to 1 [-].
+
+    Source: ISO 6336-3:2019, clause 11, table 1.
+    """
+    least, greatest = {
+        Treatment.STRUCTURAL: (1e4, 2.5),
+        Treatment.THROUGH_HARDENED: (1e4, 2.5),
+        Treatment.CASE_HARDENED: (1e3, 2.5),
+        Treatment.INDUCTION_HARDENED: (1e3, 2.5),
+        Treatment.NITRIDED: (1e3, 1.6),
+        Treatment.NITRIDED_THROUGH_HARDENED: (1e3, 1.6),
+        Treatment.NITROCARBURISED: (1e3, 1.1),
+    }[treatment]
+    return LifeCurve((least, 3e6, 1e10), (greatest, 1.0, at_1e10))
+
+
+def life_factor(curve: LifeCurve, cycles: Value) -> Value:
+    """Return Z_NT or Y_NT at a number of load cycles.
+
+    Args:
+        curve: S-N curve.
+        cycles: N_L [-].
+
+    Returns:
+        Life factor [-]; the static value below the first corner, the last one beyond 1e10.
+
+    Source: ISO 6336-2:2019, clause 11; ISO 6336-3:2019, clause 11.
+
+    >>> round(float(life_factor(contact_life_curve(Treatment.CASE_HARDENED), 1.08e9)), 3)
+    0.91
+    """
+    return as_value(np.exp(np.interp(np.log(cycles), np.log(curve.cycles), np.log(curve.factors))))
+
+
+def endurable_cycles(curve: LifeCurve, factor: float) -> float:
+    """Return the cycles that a life factor corresponds to, the inverse of `life_factor`.
+
+    Args:
+        curve: S-N curve.
+        factor: Life factor that the stress asks for [-].
+
+    Returns:
+        N [-]; 0 above the static value; the last slope continues beyond 1e10; ∞ where the curve ends flat and the
+        stress lies below it.
+
+    Source: ISO 6336-6:2019, clause 5.
+    """
+    if factor > curve.factors[0]:
+        return 0.0
+    corners = tuple(zip(curve.cycles, curve.factors, strict=True))
+    for (n_1, f_1), (n_2, f_2) in pairwise(corners):
+        if f_1 > f_2 and (factor >= f_2 or n_2 == curve.cycles[-1]):
+            return n_1 * math.exp(math.log(n_2 / n_1) * math.log(f_1 / factor) / math.log(f_1 / f_2))
+    return math.inf

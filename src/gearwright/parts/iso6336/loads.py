@@ -1,0 +1,175 @@
+"""The loads of a cylindrical mesh by ISO 6336-1: what it carries, how it is made, and the K factors in their order."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gearwright.errors import DesignError, Problem
+from gearwright.parts.iso6336.distribution import (
+    CENTRED,
+    UNMODIFIED,
+    FaceLoadFactor,
+    HelixModification,
+    PinionShaft,
+    TransverseLoadFactor,
+    deflection_misalignment,
+    face_load_factor,
+    transverse_load_factor,
+)
+from gearwright.parts.iso6336.dynamic import DynamicFactor, MeshDeviations, dynamic_factor, mean_allowance, reduced_mass
+from gearwright.parts.iso6336.geometry import MeshGeometry, Value
+from gearwright.parts.iso6336.pitting import contact_ratio_factor
+from gearwright.parts.iso6336.stiffness import MeshSprings
+from gearwright.parts.iso6336.strength import GearSteel
+from gearwright.parts.iso6336.tolerances import flank_tolerances
+
+Steels = tuple[GearSteel, GearSteel]
+
+
+@dataclass(frozen=True)
+class MeshDuty:
+    """What the mesh carries, and for how long."""
+
+    pinion_torque: Value
+    """Nominal torque of one mesh on the pinion T_1 [N m]."""
+    pinion_speed: Value
+    """Speed of the pinion relative to the carrier ω_1 [rad/s]."""
+    life: Value
+    """Required life [s]."""
+    application_factor: float = 1.0
+    """K_A [-]."""
+    mesh_load_factor: float = 1.0
+    """K_γ of parallel paths [-]."""
+    meshes_per_turn: tuple[float, float] = (1.0, 1.0)
+    """Load cycles per turn of pinion and wheel [-]; for a sun the number of planets."""
+
+    def __post_init__(self) -> None:
+        problems = [
+            Problem(name, f"{np.min(np.asarray(value)):.6g} given; must be above 0")
+            for name, value in (
+                ("pinion_torque", self.pinion_torque),
+                ("pinion_speed", np.abs(self.pinion_speed)),
+                ("life", self.life),
+                ("application_factor", self.application_factor),
+                ("mesh_load_factor", self.mesh_load_factor),
+            )
+            if not np.all(np.asarray(value) > 0.0)
+        ]
+        if problems:
+            raise DesignError(problems)
+
+
+@dataclass(frozen=True)
+class MeshQuality:
+    """How the flanks are made and mounted."""
+
+    grade: int = 5
+    """Flank tolerance class of ISO 1328-1 [-]."""
+    flank_roughness: float = 4e-6
+    """Mean R_z of the two flanks [m]."""
+    root_roughness: float = 10e-6
+    """R_z of the root fillets [m]."""
+    tip_relief: float = 0.0
+    """C_a of well-made tip relief [m]."""
+    helix: HelixModification = UNMODIFIED
+    """Helix modification."""
+    shaft: PinionShaft = CENTRED
+    """Where the pinion sits."""
+    viscosity: float = 100e-6
+    """Kinematic viscosity of the oil at 40 °C ν_40 [m²/s]."""
+    rims: tuple[float, float] = (1.0, 1.0)
+    """Rim factors Y_B of pinion and wheel [-], from `rim_factor`."""
+    mean_stresses: tuple[float, float] = (1.0, 1.0)
+    """Y_M of pinion and wheel [-]; 0.7 for gears loaded on both flanks."""
+    profile_factor: float = 1.0
+    """f_ZCa of helical gears [-], see `single_contact_factors`."""
+
+
+USUAL = MeshQuality()
+"""Class 5, ground and without helix modification."""
+
+
+def load_cycles(mesh: MeshGeometry, duty: MeshDuty) -> tuple[Value, Value]:
+    """Return the load cycles of pinion and wheel N_L [-].
+
+    Args:
+        mesh: The pair.
+        duty: Speed, life and meshes per turn.
+
+    Source: ISO 6336-2:2019, clause 11.
+    """
+    turns = np.abs(duty.pinion_speed) * duty.life / (2.0 * np.pi)
+    return turns * duty.meshes_per_turn[0], turns * duty.meshes_per_turn[1] / np.abs(mesh.ratio)
+
+
+def specific_load(mesh: MeshGeometry, duty: MeshDuty) -> Value:
+    """Return the specific load before the dynamic factor F_t K_A K_γ / b [N/m].
+
+    Args:
+        mesh: The pair.
+        duty: Torque and factors.
+
+    Source: ISO 6336-1:2019, clause 4.
+    """
+    nominal = 2.0 * duty.pinion_torque / mesh.pitch_diameters[0] / mesh.face_width
+    return nominal * duty.application_factor * duty.mesh_load_factor
+
+
+def load_distribution(
+    mesh: MeshGeometry, springs: MeshSprings, steels: Steels, *, duty: MeshDuty, quality: MeshQuality
+) -> tuple[DynamicFactor, FaceLoadFactor, TransverseLoadFactor]:
+    """Return K_V, the face and the transverse load factors, in the order in which they build on each other.
+
+    Args:
+        mesh: The pair.
+        springs: Its stiffness.
+        steels: Of the two gears.
+        duty: Torque and speed.
+        quality: Flanks and mounting.
+
+    Source: ISO 6336-1:2019, clauses 6 to 9.
+    """
+    specific = specific_load(mesh, duty)
+    speed = 0.5 * np.abs(duty.pinion_speed) * mesh.pitch_diameters[0]
+    pitch, profile, slope = _deviations(mesh, quality.grade)
+    pitch_left = pitch - mean_allowance(pitch, steels, speed)
+    deviations = MeshDeviations(pitch_left, profile - mean_allowance(profile, steels, speed), quality.tip_relief)
+    dynamic = dynamic_factor(
+        mesh,
+        (springs.single, springs.mesh),
+        deviations,
+        specific_load=specific,
+        pinion_speed=np.abs(duty.pinion_speed),
+        mass=reduced_mass(mesh, (steels[0].density, steels[1].density)),
+    )
+    with_dynamic = specific * dynamic.factor
+    deflection = deflection_misalignment(mesh, with_dynamic, quality.shaft, paths=duty.meshes_per_turn[0])
+    face = face_load_factor(
+        mesh,
+        (deflection, slope),
+        steels,
+        stiffness=springs.face,
+        specific_load=with_dynamic,
+        speed=speed,
+        modification=quality.helix,
+    )
+    transverse = transverse_load_factor(
+        mesh,
+        pitch_left,
+        stiffness=springs.mesh,
+        specific_load=with_dynamic * face.contact,
+        contact_ratio_factor=contact_ratio_factor(mesh),
+    )
+    return dynamic, face, transverse
+
+
+def _deviations(mesh: MeshGeometry, grade: int) -> tuple[Value, Value, Value]:
+    """Greater f_pb and f_fα of the two gears, and f_ma = √(f_Hβ1² + f_Hβ2²) [m]."""
+    one, two = (flank_tolerances(d, mesh.module, mesh.face_width, grade=grade) for d in mesh.pitch_diameters)
+    return (
+        np.maximum(one.single_pitch, two.single_pitch) * np.cos(mesh.transverse_angle),
+        np.maximum(one.profile_form, two.profile_form),
+        np.hypot(one.helix_slope, two.helix_slope),
+    )

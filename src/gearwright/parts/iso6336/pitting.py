@@ -1,0 +1,228 @@
+"""Pitting of cylindrical gears by ISO 6336-2, method B: contact stress, permissible stress, safety, by factor."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
+from gearwright.parts.iso6336.strength import GearSteel
+from gearwright.units import Origin, Quantity
+
+_PART2 = "ISO 6336-2:2019"
+PairOf = tuple[Value, Value]
+
+
+@dataclass(frozen=True)
+class LoadFactors:
+    """The five load factors of ISO 6336-1, and the share of parallel paths."""
+
+    application: Annotated[Value, Quantity("ratio"), Origin("K_A", "ISO 6336-1:2019, clause 5")] = 1.0
+    """Application factor K_A [-]."""
+    mesh_load: Annotated[Value, Quantity("ratio"), Origin("K_γ", "ISO 6336-1:2019, clause 5")] = 1.0
+    """Mesh load factor K_γ of parallel paths [-]."""
+    dynamic: Annotated[Value, Quantity("ratio"), Origin("K_V", "ISO 6336-1:2019, clause 6")] = 1.0
+    """Dynamic factor K_V [-]."""
+    face_contact: Annotated[Value, Quantity("ratio"), Origin("K_Hβ", "ISO 6336-1:2019, clause 7")] = 1.0
+    """Face load factor for contact K_Hβ [-]."""
+    transverse_contact: Annotated[Value, Quantity("ratio"), Origin("K_Hα", "ISO 6336-1:2019, clause 8")] = 1.0
+    """Transverse load factor for contact K_Hα [-]."""
+    face_bending: Annotated[Value, Quantity("ratio"), Origin("K_Fβ", "ISO 6336-1:2019, clause 7")] = 1.0
+    """Face load factor for the root K_Fβ [-]."""
+    transverse_bending: Annotated[Value, Quantity("ratio"), Origin("K_Fα", "ISO 6336-1:2019, clause 8")] = 1.0
+    """Transverse load factor for the root K_Fα [-]."""
+
+    @property
+    def contact(self) -> Value:
+        """K_A K_γ K_V K_Hβ K_Hα [-]."""
+        return self.application * self.mesh_load * self.dynamic * self.face_contact * self.transverse_contact
+
+    @property
+    def bending(self) -> Value:
+        """K_A K_γ K_V K_Fβ K_Fα [-]."""
+        return self.application * self.mesh_load * self.dynamic * self.face_bending * self.transverse_bending
+
+
+@dataclass(frozen=True)
+class ContactStrengthFactors:
+    """What turns σ_Hlim of one gear into its permissible stress."""
+
+    life: Annotated[Value, Quantity("ratio"), Origin("Z_NT", f"{_PART2}, clause 11")] = 1.0
+    """Life factor Z_NT [-]."""
+    lubricant: Annotated[Value, Quantity("ratio"), Origin("Z_L", f"{_PART2}, clause 12")] = 1.0
+    """Lubricant factor Z_L [-]."""
+    speed: Annotated[Value, Quantity("ratio"), Origin("Z_v", f"{_PART2}, clause 12")] = 1.0
+    """Velocity factor Z_v [-]."""
+    roughness: Annotated[Value, Quantity("ratio"), Origin("Z_R", f"{_PART2}, clause 12")] = 1.0
+    """Roughness factor Z_R [-]."""
+    work_hardening: Annotated[Value, Quantity("ratio"), Origin("Z_W", f"{_PART2}, clause 13")] = 1.0
+    """Work hardening factor Z_W [-]."""
+    size: Annotated[Value, Quantity("ratio"), Origin("Z_X", f"{_PART2}, clause 14")] = 1.0
+    """Size factor Z_X [-]."""
+
+    @property
+    def product(self) -> Value:
+        """Z_NT Z_L Z_v Z_R Z_W Z_X [-]."""
+        return self.life * self.lubricant * self.speed * self.roughness * self.work_hardening * self.size
+
+
+@dataclass(frozen=True)
+class ContactGeometryFactors:
+    """What turns the tangential force into the stress at the pitch point and at the inner points of single contact."""
+
+    zone: Annotated[Value, Quantity("ratio"), Origin("Z_H", f"{_PART2}, clause 6")]
+    """Zone factor Z_H [-]."""
+    single_contact: Annotated[tuple[Value, Value], Quantity("ratio"), Origin("Z_B, Z_D", f"{_PART2}, clause 6")]
+    """Single pair contact factors Z_B of the pinion and Z_D of the wheel [-]."""
+    elasticity: Annotated[Value, Quantity("elasticity_factor"), Origin("Z_E", f"{_PART2}, clause 7")]
+    """Elasticity factor Z_E [√Pa]; 189.8 √(N/mm²) is 189.8e3 √Pa."""
+    contact_ratio: Annotated[Value, Quantity("ratio"), Origin("Z_ε", f"{_PART2}, clause 8")]
+    """Contact ratio factor Z_ε [-]."""
+    helix: Annotated[Value, Quantity("ratio"), Origin("Z_β = 1/√cos β", f"{_PART2}, clause 9")]
+    """Helix angle factor Z_β [-]."""
+
+
+@dataclass(frozen=True)
+class PittingRating:
+    """Contact stress and safety of both gears of a mesh."""
+
+    geometry: ContactGeometryFactors
+    """Z_H, Z_B, Z_D, Z_E, Z_ε, Z_β."""
+    nominal_stress: Annotated[
+        Value, Quantity("stress"), Origin("σ_H0 = Z_H Z_E Z_ε Z_β √(F_t/(d_1 b) (u+1)/u)", f"{_PART2}, clause 5")
+    ]
+    """Nominal contact stress at the pitch point σ_H0 [Pa]."""
+    stresses: Annotated[
+        tuple[Value, Value],
+        Quantity("stress"),
+        Origin("σ_H = Z_B,D σ_H0 √(K_A K_γ K_V K_Hβ K_Hα)", f"{_PART2}, clause 5"),
+    ]
+    """Contact stress of pinion and wheel σ_H [Pa]."""
+    permissible: Annotated[
+        tuple[Value, Value], Quantity("stress"), Origin("σ_HG = σ_Hlim Z_NT Z_L Z_v Z_R Z_W Z_X", f"{_PART2}, clause 5")
+    ]
+    """Pitting stress limit of pinion and wheel σ_HG [Pa]."""
+    safeties: Annotated[tuple[Value, Value], Quantity("ratio"), Origin("S_H = σ_HG/σ_H", f"{_PART2}, clause 5")]
+    """Safety against pitting of pinion and wheel S_H [-]."""
+
+
+def zone_factor(mesh: MeshGeometry) -> Value:
+    """Return the zone factor Z_H, which takes the force at the reference circle to the flank at the pitch point.
+
+    Args:
+        mesh: The pair.
+
+    Source: ISO 6336-2:2019, clause 6.2, √(2 cos β_b cos α_wt / (cos² α_t sin α_wt)).
+    """
+    numerator = 2.0 * np.cos(mesh.base_helix_angle) * np.cos(mesh.working_angle)
+    return as_value(np.sqrt(numerator / (np.cos(mesh.transverse_angle) ** 2 * np.sin(mesh.working_angle))))
+
+
+def elasticity_factor(steels: tuple[GearSteel, GearSteel]) -> float:
+    """Return the elasticity factor Z_E [√Pa].
+
+    Args:
+        steels: Of the two gears.
+
+    Source: ISO 6336-2:2019, clause 7, √(1/(π ((1−ν_1²)/E_1 + (1−ν_2²)/E_2))).
+    """
+    compliance = sum((1.0 - steel.poisson_ratio**2) / steel.elastic_modulus for steel in steels)
+    return float(1.0 / np.sqrt(np.pi * compliance))
+
+
+def contact_ratio_factor(mesh: MeshGeometry) -> Value:
+    """Return the contact ratio factor Z_ε.
+
+    Args:
+        mesh: The pair.
+
+    Source: ISO 6336-2:2019, clause 8: √((4 − ε_α)/3) for spur, √(1/ε_α) for ε_β ≥ 1, between them by ε_β.
+    """
+    alpha = mesh.transverse_contact_ratio
+    beta = np.minimum(mesh.overlap_ratio, 1.0)
+    return np.sqrt((4.0 - alpha) / 3.0 * (1.0 - beta) + beta / alpha)
+
+
+def single_contact_factors(mesh: MeshGeometry, *, profile_factor: Value = 1.0) -> PairOf:
+    """Return Z_B and Z_D, which take the stress from the pitch point to the inner points of single pair contact.
+
+    Args:
+        mesh: The pair.
+        profile_factor: f_ZCa of the 2019 edition for helical teeth [-]: 1 with well-made profile modifications (and
+            always in the 2006 edition), 1.07 with modifications by experience, 1.2 without any.
+
+    Source: ISO 6336-2:2019, clause 6.3; Z_D = 1 for an internal wheel.
+    """
+    turns = [2.0 * np.pi / mesh.teeth[0], 2.0 * np.pi / np.abs(mesh.teeth[1])]
+    beyond = mesh.transverse_contact_ratio - 1.0
+    one, two = mesh.tip_tangents
+    tangent = np.tan(mesh.working_angle)
+    first = tangent / np.sqrt((one - turns[0]) * (two - mesh.side * beyond * turns[1]))
+    second = tangent / np.sqrt(np.abs((two - mesh.side * turns[1]) * (one - beyond * turns[0])))
+    beta = np.minimum(mesh.overlap_ratio, 1.0)
+    helical = np.sqrt(profile_factor)
+    pinion, wheel = (
+        np.where(factor > 1.0, factor + beta * (helical - factor), 1.0 + beta * (helical - 1.0))
+        for factor in (np.asarray(first), np.asarray(second))
+    )
+    return as_value(pinion), as_value(np.where(np.asarray(mesh.side) > 0, wheel, 1.0))
+
+
+def contact_geometry_factors(
+    mesh: MeshGeometry, steels: tuple[GearSteel, GearSteel], *, profile_factor: Value = 1.0
+) -> ContactGeometryFactors:
+    """Return Z_H, Z_B, Z_D, Z_E, Z_ε and Z_β of a mesh.
+
+    Args:
+        mesh: The pair.
+        steels: Of the two gears.
+        profile_factor: f_ZCa [-], see `single_contact_factors`.
+
+    Source: ISO 6336-2:2019, clauses 6 to 9.
+    """
+    return ContactGeometryFactors(
+        zone=zone_factor(mesh),
+        single_contact=single_contact_factors(mesh, profile_factor=profile_factor),
+        elasticity=elasticity_factor(steels),
+        contact_ratio=contact_ratio_factor(mesh),
+        helix=1.0 / np.sqrt(np.cos(mesh.helix_angle)),
+    )
+
+
+def pitting_rating(
+    mesh: MeshGeometry,
+    steels: tuple[GearSteel, GearSteel],
+    tangential_force: Value,
+    *,
+    loads: LoadFactors,
+    strengths: tuple[ContactStrengthFactors, ContactStrengthFactors],
+    profile_factor: Value = 1.0,
+) -> PittingRating:
+    """Return the contact stress, its limit and the safety of both gears.
+
+    Args:
+        mesh: The pair.
+        steels: Of the two gears.
+        tangential_force: Nominal tangential force of one mesh at the reference circle F_t [N].
+        loads: K factors.
+        strengths: Z_NT, Z_L, Z_v, Z_R, Z_W, Z_X of the two gears.
+        profile_factor: f_ZCa [-], see `single_contact_factors`.
+
+    Source: ISO 6336-2:2019, clause 5.
+    Valid for: external and internal involute pairs, 1 < ε_α < 2.5.
+    """
+    factors = contact_geometry_factors(mesh, steels, profile_factor=profile_factor)
+    load = tangential_force / (mesh.pitch_diameters[0] * mesh.face_width) * (mesh.ratio + 1.0) / mesh.ratio
+    nominal = factors.zone * factors.elasticity * factors.contact_ratio * factors.helix * np.sqrt(load)
+    root = np.sqrt(loads.contact)
+    stresses = tuple(each * nominal * root for each in factors.single_contact)
+    limits = tuple(steel.contact_strength * strength.product for steel, strength in zip(steels, strengths, strict=True))
+    return PittingRating(
+        geometry=factors,
+        nominal_stress=nominal,
+        stresses=(stresses[0], stresses[1]),
+        permissible=(limits[0], limits[1]),
+        safeties=(limits[0] / stresses[0], limits[1] / stresses[1]),
+    )

@@ -1,0 +1,207 @@
+"""Rating of one cylindrical pair by ISO 6336 parts 1, 2, 3 and 5 in one call, every factor shown."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from gearwright.parts.gears import GearPair
+from gearwright.parts.iso6336.bending import (
+    BendingRating,
+    Edition,
+    RootStrengthFactors,
+    bending_rating,
+    bending_size_factor,
+    deep_tooth_factor,
+    notch_sensitivity_factor,
+    surface_factor,
+)
+from gearwright.parts.iso6336.distribution import FaceLoadFactor, TransverseLoadFactor
+from gearwright.parts.iso6336.dynamic import DynamicFactor
+from gearwright.parts.iso6336.film import (
+    contact_size_factor,
+    lubricant_factor,
+    roughness_factor,
+    speed_factor,
+    work_hardening_factor,
+)
+from gearwright.parts.iso6336.geometry import MeshGeometry, Value, mesh_geometry
+from gearwright.parts.iso6336.life import bending_life_curve, contact_life_curve, life_factor
+from gearwright.parts.iso6336.loads import (
+    USUAL,
+    MeshDuty,
+    MeshQuality,
+    Steels,
+    load_cycles,
+    load_distribution,
+    specific_load,
+)
+from gearwright.parts.iso6336.pitting import ContactStrengthFactors, LoadFactors, PittingRating, pitting_rating
+from gearwright.parts.iso6336.root import outer_single_contact, root_section
+from gearwright.parts.iso6336.stiffness import MeshSprings, mesh_springs
+from gearwright.parts.stiffness import LINEAR_LOAD, mesh_stiffness_iso6336
+from gearwright.units import Origin, Quantity
+
+_BRINELL_PER_VICKERS = 0.95  # ISO 18265:2013, table A.1, steels up to 400 HV
+
+
+@dataclass(frozen=True)
+class PairRating:
+    """A rated pair: loads, factors, stresses, safeties."""
+
+    tangential_force: Annotated[Value, Quantity("force"), Origin("F_t = 2 T_1/d_1", "ISO 6336-1:2019, clause 4")]
+    """Nominal tangential force of one mesh F_t [N]."""
+    speed: Annotated[Value, Quantity("velocity"), Origin("v = ω_1 d_1/2", "ISO 6336-1:2019, clause 4")]
+    """Pitch-line velocity v [m/s]."""
+    cycles: Annotated[tuple[Value, Value], Quantity("number"), Origin("N_L", "ISO 6336-2:2019, clause 11")]
+    """Load cycles of pinion and wheel N_L [-]."""
+    dynamic: DynamicFactor
+    """K_V and its terms."""
+    face: FaceLoadFactor
+    """K_Hβ, K_Fβ and their misalignment."""
+    transverse: TransverseLoadFactor
+    """K_Hα, K_Fα."""
+    loads: LoadFactors
+    """All K factors."""
+    contact_strength: tuple[ContactStrengthFactors, ContactStrengthFactors]
+    """Z factors of the strength of pinion and wheel."""
+    pitting: PittingRating
+    """Pitting."""
+    root_strength: tuple[RootStrengthFactors, RootStrengthFactors]
+    """Y factors of the strength of pinion and wheel."""
+    bending: tuple[BendingRating, BendingRating]
+    """Bending of pinion and wheel."""
+
+
+def rate_pair(
+    pair: GearPair,
+    steels: Steels,
+    duty: MeshDuty,
+    *,
+    quality: MeshQuality = USUAL,
+    edition: Edition = Edition.ISO2019,
+) -> PairRating:
+    """Return the rating of a pair by ISO 6336.
+
+    Args:
+        pair: The pair; its stiffness follows ISO 6336-1, clause 9.
+        steels: Of pinion and wheel.
+        duty: Torque, speed, life.
+        quality: Flanks, mounting and oil.
+        edition: Edition of part 3.
+
+    Source: ISO 6336-1:2019, -2:2019, -3:2019, -5:2016; K_V method B, K_Hβ method C, K_Hα method B.
+
+    Raises:
+        DesignError: undercut or interfering teeth, and what the stiffness of clause 9 does not cover.
+    """
+    mesh = mesh_geometry(pair)
+    stiff = mesh_stiffness_iso6336(pair, specific_load=min(LINEAR_LOAD, float(specific_load(mesh, duty))))
+    springs = MeshSprings(stiff.single, stiff.mesh, stiff.face)
+    widths = (pair.driver.face_width, pair.driven.face_width)
+    return rate_mesh(mesh, steels, duty, quality=quality, edition=edition, springs=springs, widths=widths)
+
+
+def rate_mesh(
+    mesh: MeshGeometry,
+    steels: Steels,
+    duty: MeshDuty,
+    *,
+    quality: MeshQuality = USUAL,
+    edition: Edition = Edition.ISO2019,
+    springs: MeshSprings | None = None,
+    widths: tuple[Value, Value] | None = None,
+) -> PairRating:
+    """Return the rating of one pair or of an array of them, whose teeth the caller has checked.
+
+    Args:
+        mesh: The pairs.
+        steels: Of pinion and wheel.
+        duty: Torque, speed, life.
+        quality: Flanks, mounting and oil.
+        edition: Edition of part 3.
+        springs: Stiffness; None: that of solid steel gears.
+        widths: Face widths of pinion and wheel [m], for the roots; None: the common one.
+
+    Source: as `rate_pair`.
+    """
+    springs = springs or mesh_springs(mesh, specific_load(mesh, duty))
+    dynamic, face, transverse = load_distribution(mesh, springs, steels, duty=duty, quality=quality)
+    loads = LoadFactors(
+        duty.application_factor,
+        duty.mesh_load_factor,
+        dynamic.factor,
+        face.contact,
+        transverse.contact,
+        face.bending,
+        transverse.bending,
+    )
+    force = 2.0 * duty.pinion_torque / mesh.pitch_diameters[0]
+    speed = 0.5 * np.abs(duty.pinion_speed) * mesh.pitch_diameters[0]
+    cycles = load_cycles(mesh, duty)
+    contact = _contact_strengths(mesh, steels, cycles, quality=quality, speed=speed)
+    pitting = pitting_rating(mesh, steels, force, loads=loads, strengths=contact, profile_factor=quality.profile_factor)
+    roots = _root_strengths(mesh, steels, cycles, quality=quality)
+    first, second = (
+        bending_rating(
+            mesh,
+            gear,
+            steels[gear],
+            specific_load=force / width,
+            loads=loads,
+            strength=roots[gear],
+            body=(quality.rims[gear], deep_tooth_factor(mesh, quality.grade), edition),
+        )
+        for gear, width in enumerate(widths or (mesh.face_width, mesh.face_width))
+    )
+    return PairRating(force, speed, cycles, dynamic, face, transverse, loads, contact, pitting, roots, (first, second))
+
+
+def _contact_strengths(
+    mesh: MeshGeometry, steels: Steels, cycles: tuple[Value, Value], *, quality: MeshQuality, speed: Value
+) -> tuple[ContactStrengthFactors, ContactStrengthFactors]:
+    """Z factors of the strength of both gears; the film factors go by the softer one."""
+    softer = min(steel.contact_strength for steel in steels)
+    first, second = (
+        ContactStrengthFactors(
+            life=life_factor(contact_life_curve(steel.treatment), count),
+            lubricant=lubricant_factor(quality.viscosity, softer),
+            speed=speed_factor(speed, softer),
+            roughness=roughness_factor(quality.flank_roughness, mesh.relative_curvature, softer),
+            work_hardening=_work_hardening(mesh, steels, gear, quality=quality),
+            size=contact_size_factor(mesh.module, steel.treatment),
+        )
+        for gear, (steel, count) in enumerate(zip(steels, cycles, strict=True))
+    )
+    return first, second
+
+
+def _work_hardening(mesh: MeshGeometry, steels: Steels, gear: int, *, quality: MeshQuality) -> Value:
+    """Z_W of one gear by the Brinell hardness of both."""
+    own, mate = steels[gear], steels[1 - gear]
+    return work_hardening_factor(
+        own.hardness * _BRINELL_PER_VICKERS,
+        (own.treatment, mate.treatment),
+        mate_hardness=mate.hardness * _BRINELL_PER_VICKERS,
+        mate_roughness=quality.flank_roughness,
+        ratio=np.abs(mesh.ratio),
+    )
+
+
+def _root_strengths(
+    mesh: MeshGeometry, steels: Steels, cycles: tuple[Value, Value], *, quality: MeshQuality
+) -> tuple[RootStrengthFactors, RootStrengthFactors]:
+    """Y factors of the strength of both gears."""
+    first, second = (
+        RootStrengthFactors(
+            life=life_factor(bending_life_curve(steel.treatment), count),
+            notch_sensitivity=notch_sensitivity_factor(root_section(outer_single_contact(mesh, gear)).notch, steel),
+            surface=surface_factor(quality.root_roughness, steel.treatment),
+            size=bending_size_factor(mesh.module, steel.treatment),
+            mean_stress=quality.mean_stresses[gear],
+        )
+        for gear, (steel, count) in enumerate(zip(steels, cycles, strict=True))
+    )
+    return first, second

@@ -1,0 +1,172 @@
+"""Critical section of a tooth by ISO 6336-3: 30° tangents for external, 60° for internal teeth; Y_F and Y_S.
+
+The tooth is that of the equivalent spur gear with z_n teeth; internal gears keep the standard's negative z_n and
+diameters inside these formulas. Lengths are in normal modules.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from gearwright.errors import SolveError
+from gearwright.parts.iso6336.geometry import MeshGeometry, ToothProportions, Value
+from gearwright.units import Origin, Quantity
+
+_PART3 = "ISO 6336-3:2019, clause 6"
+_STEPS = 25
+_NO_TOOTH = "tooth root: no tangent point on the fillet; check dedendum, fillet radius and profile shift"
+
+
+@dataclass(frozen=True)
+class RootSection:
+    """The critical section of one tooth and how the load bends it."""
+
+    tangent_angle: Annotated[Value, Quantity("angle"), Origin("ϑ = 2 G/z_n tan ϑ − H", _PART3)]
+    """Auxiliary angle of the tangent point ϑ [rad]."""
+    chord: Annotated[Value, Quantity("ratio"), Origin("s_Fn/m_n", _PART3)]
+    """Thickness of the critical section over the module s_Fn/m_n [-]."""
+    fillet_radius: Annotated[Value, Quantity("ratio"), Origin("ρ_F/m_n", _PART3)]
+    """Radius of the fillet at the tangent point over the module ρ_F/m_n [-]."""
+    lever: Annotated[Value, Quantity("ratio"), Origin("h_Fe/m_n", _PART3)]
+    """Bending moment arm over the module h_F/m_n [-]."""
+    load_angle: Annotated[Value, Quantity("angle"), Origin("α_Fen = α_en − γ_e", _PART3)]
+    """Angle of the load to the tooth's normal α_Fen [rad]."""
+    form: Annotated[Value, Quantity("ratio"), Origin("Y_F = 6 h_Fe cos α_Fen / (s_Fn² cos α_n)", _PART3)]
+    """Form factor Y_F, without the load sharing factor f_ε [-]."""
+    notch: Annotated[Value, Quantity("ratio"), Origin("q_s = s_Fn/(2 ρ_F)", "ISO 6336-3:2019, clause 7")]
+    """Notch parameter q_s [-]."""
+    stress_correction: Annotated[
+        Value, Quantity("ratio"), Origin("Y_S = (1.2 + 0.13 L) q_s^(1/(1.21 + 2.3/L))", "ISO 6336-3:2019, clause 7")
+    ]
+    """Stress correction factor Y_S [-]."""
+
+
+@dataclass(frozen=True)
+class LoadedTooth:
+    """One tooth of the equivalent spur gear, and the circle at which the load acts."""
+
+    teeth: Value
+    """z_n [-], negative for internal teeth."""
+    load_diameter: Value
+    """Diameter of the circle through the load over the module, d_en/m_n [-], negative for internal teeth."""
+    pressure_angle: Value
+    """α_n [rad]."""
+    tooth: ToothProportions
+    """Proportions; for internal teeth with the fillet radius that the cutter leaves."""
+    thickness_shift: Value = 0.0
+    """Thickness modification coefficient x_s, used by bevel gears [-]."""
+    force_angle: Value | None = None
+    """Pressure angle in the denominator of Y_F [rad]; None: `pressure_angle`."""
+
+
+def shaped_fillet_radius(tooth: ToothProportions, cutter_teeth: Value, cutter_shift: Value = 0.0) -> Value:
+    """Return the fillet radius that a shaper cutter leaves on an internal gear, over the module ρ_fPv/m_n.
+
+    Args:
+        tooth: Proportions of the internal gear.
+        cutter_teeth: z_0 [-].
+        cutter_shift: x_0 [-].
+
+    Source: ISO 6336-3:2006, clause 6.2.2, ρ_fP + (x_0 + h_fP − ρ_fP)^1.95 / (3.156 · 1.036^z_0), in modules.
+    """
+    height = cutter_shift + tooth.dedendum - tooth.fillet_radius
+    return tooth.fillet_radius + height**1.95 / (3.156 * 1.036**cutter_teeth)
+
+
+def outer_single_contact(mesh: MeshGeometry, gear: int) -> LoadedTooth:
+    """Return a tooth loaded at its outer point of single pair contact.
+
+    Args:
+        mesh: The pair.
+        gear: 0 for the pinion, 1 for the wheel.
+
+    Source: ISO 6336-3:2019, clause 6.4, d_en with ε_αn = ε_α/cos² β_b.
+    """
+    sign = np.sign(mesh.teeth[gear])
+    z_n = mesh.virtual_teeth[gear]
+    tip = 2.0 * (mesh.tip_radii[gear] - 0.5 * mesh.pitch_diameters[gear]) / mesh.module + np.abs(z_n)
+    base = np.abs(z_n) * np.cos(mesh.pressure_angle)
+    ratio = mesh.transverse_contact_ratio / np.cos(mesh.base_helix_angle) ** 2
+    reach = np.sqrt(0.25 * (tip**2 - base**2)) - sign * np.pi * np.cos(mesh.pressure_angle) * (ratio - 1.0)
+    diameter = 2.0 * sign * np.sqrt(reach**2 + 0.25 * base**2)
+    return LoadedTooth(z_n, diameter, mesh.pressure_angle, mesh.proportions[gear])
+
+
+def root_section(loaded: LoadedTooth) -> RootSection:
+    """Return the critical section, Y_F and Y_S of a loaded tooth.
+
+    Args:
+        loaded: The tooth and where the load acts.
+
+    Source: ISO 6336-3:2019, clauses 6 and 7 (2006: the same without f_ε).
+    Valid for: teeth without undercut, fillets made by a rack or shaper, 1 ≤ q_s < 8.
+
+    Raises:
+        SolveError: when the tangent point is not found, which means that the proportions make no tooth.
+
+    >>> pinion = LoadedTooth(20.0, 22.0, np.radians(20.0), ToothProportions())
+    >>> round(float(root_section(pinion).form), 3)
+    2.8
+    """
+    tooth, z_n, alpha = loaded.tooth, loaded.teeth, loaded.pressure_angle
+    corner = _corner(loaded)
+    drop = tooth.fillet_radius - tooth.dedendum + tooth.profile_shift
+    internal = np.asarray(z_n) < 0
+    opening = np.where(internal, np.pi / 6.0, np.pi / 3.0)
+    theta = _tangent_angle(drop, 2.0 / z_n * (0.5 * np.pi - corner) - opening, z_n, start=0.5 * np.pi - opening)
+    cosine = np.cos(theta)
+    offset = drop / cosine - tooth.fillet_radius
+    chord = z_n * np.sin(opening - theta) + np.where(internal, 1.0, np.sqrt(3.0)) * offset
+    fillet = tooth.fillet_radius + 2.0 * drop**2 / (cosine * (z_n * cosine**2 - 2.0 * drop))
+    angle, gamma = _load_angle(loaded)
+    arm = (np.cos(gamma) - np.sin(gamma) * np.tan(angle)) * loaded.load_diameter
+    lever = 0.5 * (arm - z_n * np.cos(opening - theta) - np.where(internal, np.sqrt(3.0), 1.0) * offset)
+    if not np.all((chord > 0.0) & (lever > 0.0) & (fillet > 0.0)):
+        raise SolveError(_NO_TOOTH)
+    force = alpha if loaded.force_angle is None else loaded.force_angle
+    form = 6.0 * lever * np.cos(angle) / (chord**2 * np.cos(force))
+    notch = chord / (2.0 * fillet)
+    return RootSection(theta, chord, fillet, lever, angle, form, notch, _stress_correction(chord / lever, notch))
+
+
+def _corner(loaded: LoadedTooth) -> Value:
+    """Auxiliary length E over the module: half width of the rack's tip between the centres of its roundings."""
+    tooth, alpha = loaded.tooth, loaded.pressure_angle
+    return (
+        np.pi / 4.0
+        - loaded.thickness_shift
+        - tooth.dedendum * np.tan(alpha)
+        + tooth.undercut / np.cos(alpha)
+        - (1.0 - np.sin(alpha)) * tooth.fillet_radius / np.cos(alpha)
+    )
+
+
+def _tangent_angle(drop: Value, constant: Value, teeth: Value, *, start: Value) -> Value:
+    """Solve ϑ = 2 G/z_n tan ϑ − H by Newton's iteration, for all variants at once."""
+    theta = start + np.zeros_like(np.asarray(constant, dtype=float))
+    for _ in range(_STEPS):
+        slope = 1.0 - 2.0 * drop / (teeth * np.cos(theta) ** 2)
+        step = (theta - 2.0 * drop / teeth * np.tan(theta) + constant) / slope
+        theta = theta - step
+        if np.all(np.abs(step) < 1e-14):
+            break
+    if not np.all((theta > 0.0) & (theta < 0.5 * np.pi)):
+        raise SolveError(_NO_TOOTH)
+    return theta
+
+
+def _load_angle(loaded: LoadedTooth) -> tuple[Value, Value]:
+    """Angle of the load α_Fen and half angle of the tooth γ_e at the load [rad]."""
+    at_load = np.arccos(loaded.teeth * np.cos(loaded.pressure_angle) / loaded.load_diameter)
+    shift = loaded.tooth.profile_shift * np.tan(loaded.pressure_angle) + loaded.thickness_shift
+    involutes = np.tan(loaded.pressure_angle) - loaded.pressure_angle - np.tan(at_load) + at_load
+    gamma = (0.5 * np.pi + 2.0 * shift) / loaded.teeth + involutes
+    return at_load - gamma, gamma
+
+
+def _stress_correction(slenderness: Value, notch: Value) -> Value:
+    """Y_S with L = s_Fn/h_Fe and the notch parameter q_s."""
+    return (1.2 + 0.13 * slenderness) * notch ** (1.0 / (1.21 + 2.3 / slenderness))

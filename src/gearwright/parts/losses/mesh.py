@@ -1,0 +1,126 @@
+"""Power lost in a gear mesh: Ohlendorf's tooth-loss factor and the mean friction of the teeth."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from gearwright.parts.gears import base_helix_angle, transverse_pressure_angle
+
+_LEAST_ROLLING = 1e-3
+"""Sum of the rolling speeds below which the friction formula is held [m/s]; at rest it would grow without bound."""
+HIGHEST_FRICTION = 0.2
+"""Friction at which the formula is held: boundary lubrication of steel [-]; an assumption."""
+
+
+class ToothContact(NamedTuple):
+    """What friction and loss of a pair of cylindrical gears depend on."""
+
+    loss_factor: float
+    """H_V [-]."""
+    curvature: float
+    """Reduced radius of curvature at the pitch point ρ_redC [m]."""
+    pressure_angle: float
+    """Working transverse pressure angle α_wt [rad]."""
+    base_helix: float
+    """β_b [rad]."""
+
+
+def tooth_loss_factor(teeth: tuple[float, float], base_helix: float, *, approach: float, recess: float) -> float:
+    """Return Ohlendorf's tooth-loss factor H_V [-]: the mean of sliding over rolling, weighted with the load.
+
+    Args:
+        teeth: z_1 and z_2, the latter negative for an internal gear [-].
+        base_helix: β_b [rad].
+        approach: Part of the contact ratio before the pitch point ε_2 [-].
+        recess: Part after it ε_1 [-].
+
+    Source: Ohlendorf (1958): H_V = π (1/z_1 + 1/z_2)/cos β_b · (1 - ε_α + ε_1² + ε_2²).
+
+    Valid for: 1 ≤ ε_α ≤ 2, the load shared by the pairs in contact.
+
+    >>> round(tooth_loss_factor((16, 24), 0.0, approach=0.707, recess=0.728), 3)
+    0.195
+    """
+    shape = 1.0 - (approach + recess) + approach**2 + recess**2
+    return math.pi * abs(1.0 / teeth[0] + 1.0 / teeth[1]) / math.cos(base_helix) * shape
+
+
+def tip_contact_ratio(teeth: float, tip_radius: float, base_radius: float, working_angle: float) -> float:
+    """Return the part of the transverse contact ratio that the tip of one gear adds [-].
+
+    Args:
+        teeth: z, negative for an internal gear [-].
+        tip_radius: r_a [m].
+        base_radius: r_b [m].
+        working_angle: α_wt [rad].
+
+    Source: ISO 21771:2007: z/(2π) (tan α_a - tan α_wt).
+    """
+    reach = math.sqrt(max((tip_radius / base_radius) ** 2 - 1.0, 0.0))
+    return teeth / (2.0 * math.pi) * (reach - math.tan(working_angle))
+
+
+def tooth_contact(
+    teeth: tuple[int, int],
+    module: float,
+    *,
+    pressure_angle: float,
+    helix_angle: float = 0.0,
+    profile_shift: float = 0.0,
+) -> ToothContact:
+    """Return the contact of a pair without backlash on its reference centre distance.
+
+    Args:
+        teeth: z_1 and z_2, the latter negative for an internal gear [-].
+        module: m_n [m].
+        pressure_angle: α_n [rad].
+        helix_angle: β [rad].
+        profile_shift: x of gear 1; gear 2 has the opposite one [-].
+
+    Source: ISO 21771:2007, addendum of one module; `tooth_loss_factor`.
+    """
+    angle = transverse_pressure_angle(pressure_angle, helix_angle)
+    radii = [0.5 * module * z / math.cos(helix_angle) for z in teeth]
+    tips = [radii[0] + module * (1.0 + profile_shift), radii[1] + module * (1.0 - profile_shift)]
+    ratios = [
+        tip_contact_ratio(z, abs(tip), abs(radius) * math.cos(angle), angle)
+        for z, tip, radius in zip(teeth, tips, radii, strict=True)
+    ]
+    base = base_helix_angle(pressure_angle, helix_angle)
+    curvature = radii[0] * radii[1] / (radii[0] + radii[1]) * math.sin(angle) / math.cos(base)
+    factor = tooth_loss_factor(teeth, base, approach=ratios[1], recess=ratios[0])
+    return ToothContact(factor, curvature, angle, base)
+
+
+def mesh_friction(
+    contact: ToothContact, line_load: float, velocity: float, *, viscosity: float, roughness: float
+) -> float:
+    """Return the mean coefficient of friction of a mesh μ_mz [-].
+
+    Args:
+        contact: Of the pair.
+        line_load: F_bt/b [N/m].
+        velocity: Pitch-line velocity v [m/s].
+        viscosity: Dynamic viscosity of the oil at its temperature η [Pa s].
+        roughness: Mean arithmetic roughness of both flanks R_a [m].
+
+    Source: Schlenk (1994): 0.048 (F_bt/b/(v_ΣC ρ_redC))^0.2 η^-0.05 R_a^0.25 with N/mm, m/s, mm, mPa s, µm, and
+        v_ΣC = 2 v sin α_wt; a mineral oil without factor X_L. Held at 0.2.
+    """
+    rolling = max(2.0 * abs(velocity) * math.sin(contact.pressure_angle), _LEAST_ROLLING)
+    loading = abs(line_load) * 1e-3 / (rolling * contact.curvature * 1e3)
+    oil, surface = math.pow(viscosity * 1e3, -0.05), math.pow(roughness * 1e6, 0.25)
+    return min(0.048 * math.pow(loading, 0.2) * oil * surface, HIGHEST_FRICTION)
+
+
+def mesh_efficiency(contact: ToothContact, friction: float) -> float:
+    """Return the efficiency of a mesh: power out of its teeth over power into them, relative to the carrier [-].
+
+    Args:
+        contact: Of the pair.
+        friction: μ_mz [-].
+
+    Source: P_VZP = P μ_mz H_V; ISO/TR 14179-2:2001.
+    """
+    return 1.0 - friction * contact.loss_factor

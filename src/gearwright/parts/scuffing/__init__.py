@@ -1,0 +1,30 @@
+"""Scuffing of cylindrical pairs by flash and by integral temperature (ISO/TS 6336-20 and -21).
+
+Pitting and bending are in `iso6336`.
+"""
+
+from gearwright.parts.scuffing.flash_temperature import (
+    SPRAY,
+    Oil,
+    ScuffingMesh,
+    flash_temperature,
+    load_sharing,
+    thermo_elastic_factor,
+)
+from gearwright.parts.scuffing.integral_temperature import (
+    IntegralTemperature,
+    contact_ratio_factor_integral,
+    integral_temperature,
+)
+
+__all__ = [
+    "SPRAY",
+    "IntegralTemperature",
+    "Oil",
+    "ScuffingMesh",
+    "contact_ratio_factor_integral",
+    "flash_temperature",
+    "integral_temperature",
+    "load_sharing",
+    "thermo_elastic_factor",
+]

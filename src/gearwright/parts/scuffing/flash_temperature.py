@@ -1,0 +1,250 @@
+"""Scuffing of external cylindrical pairs: flash temperature (ISO/TS 6336-20) with its load sharing and friction.
+
+Temperatures are in °C and their differences in K. The empirical formulas are in the standard's own units, converted
+inside. The integral temperature method is in `scuffing_integral`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.errors import DesignError, Problem
+from gearwright.parts.iso6336 import MeshGeometry, Value
+from gearwright.units import Origin, Quantity
+
+_SOURCE = "ISO/TS 6336-20:2017"
+_POINTS = 401
+_MM, _MICRON = 1e-3, 1e-6
+THERMAL_COEFFICIENT = 435.0
+"""Thermal contact coefficient B_M of martensitic steel [N/(mm^½ m^½ s^½ K)] (ISO/TS 6336-20, annex A.3)."""
+SPRAY, DIP, SUBMERGED = 1.2, 1.0, 0.2
+"""Lubrication factor X_S of the bulk temperature [-] (ISO/TS 6336-20, eq. 22)."""
+AUSTENITIC, CASE_HARDENED_USUAL, PHOSPHATED, COPPER_PLATED, NITRIDED = 0.85, 1.00, 1.25, 1.50, 1.50
+"""Structural factor X_W [-]: above average austenite; 10 to 20 % austenite; treated; nitrided (table 2)."""
+MINERAL, POLYALPHAOLEFIN, NON_WATER_POLYGLYCOL, WATER_POLYGLYCOL, PHOSPHATE_ESTER = 1.0, 0.8, 0.7, 0.6, 1.3
+"""Oil type in the lubricant factor X_L [-] (ISO/TS 6336-20, eq. 27)."""
+
+
+@dataclass(frozen=True)
+class Oil:
+    """The oil at work."""
+
+    temperature: float
+    """Oil temperature before the mesh ϑ_oil [°C]."""
+    dynamic_viscosity: float
+    """η_oil at that temperature [Pa s]."""
+    load_stage: float
+    """FZG A/8.3/90 load stage at which it scuffs [-]."""
+    kind: float = MINERAL
+    """Oil type factor [-]."""
+    supply: float = DIP
+    """X_S [-]."""
+    viscosity_40: float = 100e-6
+    """ν_40 [m²/s], for the integral method."""
+
+
+@dataclass(frozen=True)
+class ScuffingMesh:
+    """A mesh as the scuffing methods see it."""
+
+    geometry: MeshGeometry
+    """The pair, external."""
+    specific_load: float
+    """w_Bt = K_A K_γ K_V K_Hβ K_Hα F_t/b [N/m]."""
+    nominal_load: float
+    """K_A K_γ F_t/b [N/m], for the tip relief that the deflection asks for."""
+    speed: float
+    """Pitch-line velocity v [m/s]."""
+    roughness: float
+    """Mean R_a of the two new flanks [m]."""
+    stiffness: tuple[float, float] = (14e9, 20e9)
+    """c′ and c_γ [N/m²]."""
+    reliefs: tuple[float, float] = (0.0, 0.0)
+    """Tip reliefs C_a1 and C_a2 [m]."""
+    grade: int = 6
+    """Flank tolerance class [-]."""
+    elastic_modulus: float = 206e9
+    """E of both gears [Pa]."""
+    poisson_ratio: float = 0.3
+    """ν of both gears [-]."""
+    structure: float = CASE_HARDENED_USUAL
+    """X_W [-]."""
+
+    def __post_init__(self) -> None:
+        if np.any(np.asarray(self.geometry.side) < 0):
+            raise DesignError(
+                [Problem("geometry", "an internal pair given; scuffing is rated for external pairs only")]
+            )
+        for name in ("specific_load", "speed", "roughness"):
+            if not getattr(self, name) > 0.0:
+                raise DesignError([Problem(name, f"{getattr(self, name):.4g} given; must be above 0")])
+
+
+@dataclass(frozen=True)
+class FlashTemperature:
+    """Contact temperature along the path of contact and the safety against scuffing."""
+
+    friction: Annotated[float, Quantity("ratio"), Origin("μ_m", f"{_SOURCE}, eq. 25")]
+    """Mean coefficient of friction μ_m [-]."""
+    thermo_elastic: Annotated[float, Quantity("number"), Origin("X_M", f"{_SOURCE}, eq. A.13")]
+    """Thermo-elastic factor X_M [K N^−¾ s^½ m^−½ mm]; 50 for steel."""
+    place: NDArray[np.float64]
+    """Parameter Γ along the path of contact [-], shape (n,); 0 at the pitch point."""
+    flash: NDArray[np.float64]
+    """Flash temperature there [K], shape (n,)."""
+    bulk: Annotated[float, Quantity("number"), Origin("ϑ_M = ϑ_oil + 0.47 X_S ϑ_flm", f"{_SOURCE}, eq. 22")]
+    """Bulk temperature ϑ_M [°C]."""
+    contact: Annotated[float, Quantity("number"), Origin("ϑ_B = ϑ_M + ϑ_flmax", f"{_SOURCE}, eq. 2")]
+    """Greatest contact temperature ϑ_B [°C]."""
+    scuffing: Annotated[
+        float, Quantity("number"), Origin("ϑ_S = 80 + (0.85 + 1.4 X_W) X_L S_FZG²", f"{_SOURCE}, eq. 99")
+    ]
+    """Scuffing temperature ϑ_S [°C]."""
+    safety: Annotated[float, Quantity("ratio"), Origin("S_B = (ϑ_S − ϑ_oil)/(ϑ_B − ϑ_oil)", f"{_SOURCE}, eq. 100")]
+    """S_B [-]."""
+
+    @property
+    def margin(self) -> float:
+        """ϑ_S − ϑ_B [K]; the standard advises to look at it too, 50 K is comfortable."""
+        return self.scuffing - self.contact
+
+
+def lubricant_factor_scuffing(oil: Oil) -> float:
+    """Return the lubricant factor X_L of the flash temperature method [-].
+
+    Args:
+        oil: Kind and viscosity.
+
+    Source: ISO/TS 6336-20:2017, eq. 27, kind × η_oil^−0.05 with η in mPa s.
+    """
+    return oil.kind * float(np.exp(-0.05 * np.log(oil.dynamic_viscosity / 1e-3)))
+
+
+def thermo_elastic_factor(elastic_modulus: float, poisson_ratio: float) -> float:
+    """Return the thermo-elastic factor X_M [K N^−¾ s^½ m^−½ mm].
+
+    Args:
+        elastic_modulus: E of both gears [Pa].
+        poisson_ratio: ν of both gears [-].
+
+    Source: ISO/TS 6336-20:2017, eqs A.10 and A.13, 1000 E_r^¼/B_M with E_r = E/(1 − ν²) in N/mm².
+
+    >>> round(thermo_elastic_factor(206e9, 0.3), 1)
+    50.1
+    """
+    reduced = elastic_modulus / 1e6 / (1.0 - poisson_ratio**2)
+    return float(1000.0 * np.sqrt(np.sqrt(reduced)) / THERMAL_COEFFICIENT)
+
+
+def friction_coefficient(mesh: ScuffingMesh, oil: Oil) -> float:
+    """Return the mean coefficient of friction of the flash temperature method [-].
+
+    Args:
+        mesh: The mesh.
+        oil: The oil.
+
+    Source: ISO/TS 6336-20:2017, eqs 25 to 28: 0.060 (w_Bt/(v_ΣC ρ_relC))^0.2 X_L X_R, X_R = R_a^¼ in µm, v ≤ 50 m/s.
+    """
+    sine = np.sin(mesh.geometry.working_angle)
+    rolling = 2.0 * min(mesh.speed, 50.0) * sine
+    curvature = _relative_radius(mesh.geometry, 0.0) / _MM
+    load = (mesh.specific_load * _MM) / (rolling * curvature)
+    return float(0.060 * load**0.2 * lubricant_factor_scuffing(oil) * (mesh.roughness / _MICRON) ** 0.25)
+
+
+def flash_temperature(mesh: ScuffingMesh, oil: Oil) -> FlashTemperature:
+    """Return the contact temperature by the flash temperature method, the pinion driving.
+
+    Args:
+        mesh: The mesh.
+        oil: The oil.
+
+    Source: ISO/TS 6336-20:2017, eqs 1 to 5: ϑ_fl = 2.52 μ_m X_M/50 X_J (X_Γ w_Bt)^¾ √(n_1/60)
+        |√ρ_1 − √(ρ_2/u)|/ρ_rel^¼, in N, mm, 1/min.
+    Valid for: external pairs, unmodified profiles or tip relief that enters by X_J, steady load.
+    """
+    pair = mesh.geometry
+    ends = _path_ends(pair)
+    place = np.linspace(ends[0], ends[3], _POINTS)
+    sine, ratio = np.sin(pair.working_angle), pair.ratio
+    first = (1.0 + place) / (1.0 + ratio) * pair.centre_distance * sine / _MM
+    second = (ratio - place) / (1.0 + ratio) * pair.centre_distance * sine / _MM
+    relative = first * second / (first + second)
+    friction, elastic = friction_coefficient(mesh, oil), thermo_elastic_factor(mesh.elastic_modulus, mesh.poisson_ratio)
+    turns = mesh.speed / (np.pi * pair.pitch_diameters[0])
+    load = (load_sharing(mesh, place) * mesh.specific_load * _MM) ** 0.75
+    geometry = np.abs(np.sqrt(first) - np.sqrt(second / ratio)) / relative**0.25
+    flash = 2.52 * friction * elastic / 50.0 * approach_factor(mesh, place) * load * np.sqrt(turns) * geometry
+    bulk = oil.temperature + 0.47 * oil.supply * float(np.trapezoid(flash, place) / (place[-1] - place[0]))
+    contact = bulk + float(flash.max())
+    limit = 80.0 + (0.85 + 1.4 * mesh.structure) * lubricant_factor_scuffing(oil) * oil.load_stage**2
+    safety = (limit - oil.temperature) / (contact - oil.temperature)
+    return FlashTemperature(friction, elastic, place, flash, bulk, contact, limit, safety)
+
+
+def load_sharing(mesh: ScuffingMesh, place: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the load sharing factor X_Γ along the path of contact.
+
+    Args:
+        mesh: The mesh.
+        place: Γ [-], shape (n,).
+
+    Returns:
+        X_Γ [-], shape (n,).
+
+    Source: ISO/TS 6336-20:2017, clause 9: eqs 57 to 60 for spur and narrow helical, eq. 76 (1/ε_α) for ε_γ > 2, each
+        with the buttressing factor X_but of helical teeth (eqs 49 to 56).
+    """
+    pair = mesh.geometry
+    start, single_start, single_end, end = _path_ends(pair)
+    base = (max(float(mesh.grade), 7.0) - 2.0) / 15.0
+    rise = base + (1.0 - base) * (place - start) / (single_start - start)
+    fall = base + (1.0 - base) * (end - place) / (end - single_end)
+    spur = np.clip(np.minimum(rise, fall), 0.0, 1.0)
+    if pair.helix_angle > 0.0 and pair.total_contact_ratio > 2.0:
+        spur = np.full_like(place, 1.0 / pair.transverse_contact_ratio)
+    return spur * _buttressing(pair, place, (start, end))
+
+
+def approach_factor(mesh: ScuffingMesh, place: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the approach factor X_J of a driving pinion: shocks where the wheel's tip enters unrelieved.
+
+    Args:
+        mesh: The mesh.
+        place: Γ [-], shape (n,).
+
+    Source: ISO/TS 6336-20:2017, eqs 45 and 46: 1 + (C_eff − C_a2)/50 µm (−Γ/(Γ_E − Γ_A))³ before the pitch point.
+    """
+    needed = mesh.nominal_load / np.cos(mesh.geometry.transverse_angle) / mesh.stiffness[1]
+    missing = max(float(needed - mesh.reliefs[1]), 0.0) / (50.0 * _MICRON)
+    return np.asarray(1.0 + missing * np.maximum(-place / (place[-1] - place[0]), 0.0) ** 3)
+
+
+def _path_ends(pair: MeshGeometry) -> tuple[float, float, float, float]:
+    """Γ at A, B, D and E (eqs 30 to 35)."""
+    tangent = np.tan(pair.working_angle)
+    start = -pair.ratio * (pair.tip_tangents[1] / tangent - 1.0)
+    end = pair.tip_tangents[0] / tangent - 1.0
+    pitch = 2.0 * np.pi / (pair.teeth[0] * tangent)
+    return float(start), float(end - pitch), float(start + pitch), float(end)
+
+
+def _relative_radius(pair: MeshGeometry, place: float) -> Value:
+    """ρ_rel in the transverse section [m] (eqs 6 to 8)."""
+    reach = pair.centre_distance * np.sin(pair.working_angle)
+    first, second = (1.0 + place) / (1.0 + pair.ratio) * reach, (pair.ratio - place) / (1.0 + pair.ratio) * reach
+    return first * second / (first + second)
+
+
+def _buttressing(pair: MeshGeometry, place: NDArray[np.float64], ends: tuple[float, float]) -> NDArray[np.float64]:
+    """X_but: the ends of helical teeth stiffen the entry and exit."""
+    width = 0.2 * float(np.sin(pair.base_helix_angle))
+    if width < 1e-9:
+        return np.ones_like(place)
+    peak = 0.3 * min(float(pair.overlap_ratio), 1.0)
+    near = np.minimum(place - ends[0], ends[1] - place)
+    return np.asarray(1.0 + peak * np.clip(1.0 - near / width, 0.0, 1.0))

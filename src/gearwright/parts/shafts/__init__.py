@@ -1,0 +1,108 @@
+"""Shafts: equilibrium, bending, stress, notches, fatigue, critical speed.
+
+What joins hubs to them is in `joints`.
+"""
+
+from gearwright.parts.shafts.beam import Diagram, PointLoads, bearing_reactions, diagram, supported
+from gearwright.parts.shafts.critical_speed import (
+    critical_speed,
+    critical_speed_dunkerley,
+    critical_speed_rayleigh,
+    lumped_shaft,
+)
+from gearwright.parts.shafts.deflection import BentLine, Sections, at_place, bent_line, influence, plain_shaft
+from gearwright.parts.shafts.din743 import (
+    ShaftSection,
+    ShaftSteel,
+    SteelGroup,
+    blank_factor,
+    din743_safety,
+    section_factor,
+    surface_factors,
+    yield_limits,
+)
+from gearwright.parts.shafts.fatigue import (
+    NO_NOTCH,
+    RELIABILITY_DEVIATES,
+    FatigueStrength,
+    SectionLoad,
+    asme_diameter,
+    asme_safety,
+    endurance_limit,
+    goodman_diameter,
+    goodman_safety,
+    section_stress,
+    yield_safety,
+)
+from gearwright.parts.shafts.hub_notch import keyseat_concentration, keyway_factor, press_fit_factor, spline_factor
+from gearwright.parts.shafts.notch import (
+    LEAST_RADIUS,
+    Concentration,
+    Shoulder,
+    fatigue_notch_factor,
+    felt_concentration,
+    notch_sensitivity,
+    stress_concentration,
+)
+from gearwright.parts.shafts.shaft import (
+    shaft_diameter,
+    shaft_diameter_around,
+    shaft_inertia,
+    shaft_mass,
+    shaft_stress,
+    torsional_stiffness,
+)
+
+__all__ = [
+    "LEAST_RADIUS",
+    "NO_NOTCH",
+    "RELIABILITY_DEVIATES",
+    "BentLine",
+    "Concentration",
+    "Diagram",
+    "FatigueStrength",
+    "PointLoads",
+    "SectionLoad",
+    "Sections",
+    "ShaftSection",
+    "ShaftSteel",
+    "Shoulder",
+    "SteelGroup",
+    "asme_diameter",
+    "asme_safety",
+    "at_place",
+    "bearing_reactions",
+    "bent_line",
+    "blank_factor",
+    "critical_speed",
+    "critical_speed_dunkerley",
+    "critical_speed_rayleigh",
+    "diagram",
+    "din743_safety",
+    "endurance_limit",
+    "fatigue_notch_factor",
+    "felt_concentration",
+    "goodman_diameter",
+    "goodman_safety",
+    "influence",
+    "keyseat_concentration",
+    "keyway_factor",
+    "lumped_shaft",
+    "notch_sensitivity",
+    "plain_shaft",
+    "press_fit_factor",
+    "section_factor",
+    "section_stress",
+    "shaft_diameter",
+    "shaft_diameter_around",
+    "shaft_inertia",
+    "shaft_mass",
+    "shaft_stress",
+    "spline_factor",
+    "stress_concentration",
+    "supported",
+    "surface_factors",
+    "torsional_stiffness",
+    "yield_limits",
+    "yield_safety",
+]

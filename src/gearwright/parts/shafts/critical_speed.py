@@ -1,0 +1,77 @@
+"""First critical speed in bending of masses on a shaft: exact, Rayleigh's upper and Dunkerley's lower bound."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearwright.errors import DesignError, Problem
+from gearwright.parts.shafts.deflection import Sections
+
+Array = NDArray[np.float64]
+
+
+def critical_speed(coefficients: Array, masses: ArrayLike) -> float:
+    """Return the first critical speed of masses on a shaft without gyroscopic effect [rad/s].
+
+    Args:
+        coefficients: From `influence` [m/N], (n, n).
+        masses: [kg], (n,).
+
+    Source: largest root of |δ_ij m_j − I/ω²| = 0 (Budynas & Nisbett, Shigley, eqs (7-26) to (7-28)).
+    """
+    roots = np.sqrt(_weighty(masses))
+    return float(1.0 / math.sqrt(np.linalg.eigvalsh(roots[:, None] * coefficients * roots)[-1]))
+
+
+def critical_speed_rayleigh(coefficients: Array, masses: ArrayLike) -> float:
+    """Return the first critical speed by the shape under the masses' own weights, an upper bound [rad/s].
+
+    Args:
+        coefficients: From `influence` [m/N], (n, n).
+        masses: [kg], (n,).
+
+    Source: Rayleigh 1877; Shigley, eq. (7-23): ω² = g Σ w y/Σ w y²; gravity cancels.
+    """
+    weights = _weighty(masses)
+    shape = coefficients @ weights
+    return math.sqrt(float(weights @ shape) / float(weights @ shape**2))
+
+
+def critical_speed_dunkerley(coefficients: Array, masses: ArrayLike) -> float:
+    """Return the first critical speed by each mass alone, a lower bound [rad/s].
+
+    Args:
+        coefficients: From `influence` [m/N], (n, n).
+        masses: [kg], (n,).
+
+    Source: Dunkerley 1894; Shigley, eq. (7-32): 1/ω² = Σ m_i δ_ii.
+    """
+    return 1.0 / math.sqrt(float(_weighty(masses) @ np.diag(coefficients)))
+
+
+def _weighty(masses: ArrayLike) -> Array:
+    """Return masses as an array, or refuse those that nothing can swing."""
+    found = np.asarray(masses, dtype=float)
+    if found.min(initial=0.0) < 0.0 or found.sum() <= 0.0:
+        raise DesignError([Problem("masses", f"{found.tolist()} kg given; none is below 0, and some are above")])
+    return found
+
+
+def lumped_shaft(sections: Sections, density: float, *, pieces: int = 40) -> tuple[Array, Array]:
+    """Return a shaft's own mass as points: places [m] and masses [kg], each (pieces,).
+
+    Args:
+        sections: Of the shaft [m].
+        density: ρ [kg/m³].
+        pieces: Equal lengths [-].
+
+    Source: ρ π/4 (d² − d_i²) L of the cylinder in the middle of each piece.
+    """
+    edges = np.linspace(sections.edges[0], sections.edges[-1], pieces + 1)
+    middle = (edges[:-1] + edges[1:]) / 2.0
+    within = np.searchsorted(sections.edges, middle, side="right") - 1
+    area = math.pi / 4.0 * (sections.diameter**2 - sections.bore**2)[within]
+    return middle, density * area * np.diff(edges)

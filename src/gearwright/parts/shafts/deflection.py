@@ -1,0 +1,160 @@
+"""How a stepped shaft bends: deflection and slope along it, and the influence of loads on each other."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearwright.errors import DesignError, Problem
+from gearwright.parts.shafts.beam import Diagram, PointLoads, diagram, supported
+
+Array = NDArray[np.float64]
+
+
+class Sections(NamedTuple):
+    """A shaft of n cylinders, end to end."""
+
+    edges: Array
+    """x where cylinders begin and end [m], (n + 1,)."""
+    diameter: Array
+    """[m], (n,)."""
+    bore: Array
+    """[m], (n,)."""
+
+
+class BentLine(NamedTuple):
+    """A bent shaft between and beyond its bearings."""
+
+    position: Array
+    """x of the stations [m], (k,)."""
+    deflection: Array
+    """[m], (..., k)."""
+    slope: Array
+    """[rad], (..., k)."""
+
+
+def plain_shaft(diameter: float, length: float, *, bore: float = 0.0) -> Sections:
+    """Return a shaft of one diameter.
+
+    Args:
+        diameter: [m].
+        length: [m].
+        bore: Inner diameter [m].
+
+    Source: one cylinder.
+    """
+    return Sections(np.array([0.0, length]), np.array([diameter]), np.array([bore]))
+
+
+def flexural_rigidity(sections: Sections, position: Array, elastic_modulus: float) -> Array:
+    """Return E I of the cylinder in which each place stands [N m²], as position.
+
+    Args:
+        sections: Of the shaft [m].
+        position: x, not on an edge [m], (k,).
+        elastic_modulus: E [Pa].
+
+    Source: E π (d⁴ − d_i⁴)/64.
+    """
+    within = np.clip(np.searchsorted(sections.edges, position, side="right") - 1, 0, len(sections.diameter) - 1)
+    return elastic_modulus * math.pi / 64.0 * (sections.diameter**4 - sections.bore**4)[within]
+
+
+def bent_line(drawn: Diagram, sections: Sections, bearings: ArrayLike, *, elastic_modulus: float) -> BentLine:
+    """Return deflection and slope along a shaft under its bending moments.
+
+    The moment runs straight and the section is constant between stations, so that the integrals are exact.
+
+    Args:
+        drawn: Bending moments in balance [N m].
+        sections: Of the shaft [m].
+        bearings: x of the two bearings, where nothing deflects [m], (2,).
+        elastic_modulus: E [Pa].
+
+    Source: Euler and Bernoulli, E I w″ = M.
+
+    Valid for: slender shafts; shear is left out.
+
+    Raises:
+        DesignError: If a load or bearing stands outside the shaft, or there are not two bearings.
+    """
+    seats = np.asarray(bearings, dtype=float)
+    if seats.size != 2 or seats[0] == seats[1]:
+        message = f"{seats.tolist()} given; a bent line rests on two bearings at two places"
+        raise DesignError([Problem("bearings", message)])
+    places = np.unique(np.concatenate([drawn.position, sections.edges, seats]))
+    _check_inside(sections, np.concatenate([drawn.position, seats]))
+    steps = np.diff(places)
+    rigidity = flexural_rigidity(sections, places[:-1] + steps / 2.0, elastic_modulus)
+    left = _moments(drawn, places[:-1] + 1e-9 * steps) / rigidity
+    right = _moments(drawn, places[1:] - 1e-9 * steps) / rigidity
+    slope = _summed(steps * (left + right) / 2.0)
+    deflection = _summed(steps * slope[..., :-1] + steps**2 * (2.0 * left + right) / 6.0)
+    at = np.searchsorted(places, seats)
+    tilt = (deflection[..., at[1]] - deflection[..., at[0]]) / (places[at[1]] - places[at[0]])
+    chord = deflection[..., at[0], None] + tilt[..., None] * (places - places[at[0]])
+    return BentLine(places, deflection - chord, slope - tilt[..., None])
+
+
+def _check_inside(sections: Sections, places: Array) -> None:
+    first, last = sections.edges[0], sections.edges[-1]
+    outside = places[(places < first - 1e-12) | (places > last + 1e-12)]
+    if outside.size:
+        message = f"{1e3 * outside[0]:.6g} mm is outside the shaft; allowed: {1e3 * first:.6g} to {1e3 * last:.6g} mm"
+        raise DesignError([Problem("loads", message)])
+
+
+def _moments(drawn: Diagram, places: Array) -> Array:
+    """Return the bending moment at places, zero beyond the outermost loads, in every plane."""
+    flat = drawn.bending.reshape(-1, drawn.bending.shape[-1])
+    rows = [np.interp(places, drawn.position, row, left=0.0, right=0.0) for row in flat]
+    return np.stack(rows).reshape(*drawn.bending.shape[:-1], len(places))
+
+
+def _summed(pieces: Array) -> Array:
+    """Return running sums that begin at zero."""
+    return np.concatenate([np.zeros((*pieces.shape[:-1], 1)), np.cumsum(pieces, axis=-1)], axis=-1)
+
+
+def at_place(line: BentLine, position: float) -> tuple[Array, Array]:
+    """Return deflection [m] and slope [rad] at a place, each (...).
+
+    Args:
+        line: From `bent_line` [m].
+        position: x of a load, a bearing or an edge [m].
+
+    Source: one of the line's stations, so that nothing is interpolated.
+
+    Raises:
+        DesignError: If no station stands there.
+    """
+    nearest = int(np.argmin(np.abs(line.position - position)))
+    if abs(line.position[nearest] - position) > 1e-9:
+        message = f"no load, bearing or edge stands at {1e3 * position:.6g} mm; put a load of 0 N there"
+        raise DesignError([Problem("position", message)])
+    return line.deflection[..., nearest], line.slope[..., nearest]
+
+
+def influence(sections: Sections, bearings: ArrayLike, places: ArrayLike, *, elastic_modulus: float) -> Array:
+    """Return the deflection at every place for a force of 1 N at every other [m/N], (n, n), symmetric.
+
+    Args:
+        sections: Of the shaft [m].
+        bearings: x of the two bearings [m], (2,).
+        places: x of the forces [m], (n,).
+        elastic_modulus: E [Pa].
+
+    Source: Maxwell 1864; Budynas & Nisbett, Shigley's Mechanical Engineering Design, eq. (7-24).
+
+    Raises:
+        DesignError: If a place or bearing stands outside the shaft.
+    """
+    stations = np.asarray(places, dtype=float)
+    none = np.zeros((len(stations), len(stations)))
+    loads = PointLoads(stations, np.eye(len(stations)), none, none)
+    whole = supported(loads, bearings, length=float(sections.edges[-1]))
+    line = bent_line(diagram(whole), sections, bearings, elastic_modulus=elastic_modulus)
+    return line.deflection[:, np.searchsorted(line.position, stations)]

@@ -1,0 +1,137 @@
+"""Sheets as SVG, in mm, one group a layer."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator
+from html import escape
+
+from gearwright.render.drawings.sheet.dimensions import drawn
+from gearwright.render.drawings.sheet.entities import (
+    CAPITALS,
+    INDEX,
+    Arc,
+    Corner,
+    Distance,
+    Entity,
+    Hatch,
+    Layer,
+    Path,
+    Words,
+    runs,
+)
+from gearwright.render.drawings.sheet.sheets import Sheet
+
+_ANCHOR = {"left": "start", "middle": "middle", "right": "end"}
+_FONT = "Arial, 'Liberation Sans', Helvetica, sans-serif"
+
+
+def sheet_svg(sheet: Sheet) -> str:
+    """Return a sheet as an SVG image of its true size.
+
+    Args:
+        sheet: The sheet.
+    """
+    width, height = sheet.size.width, sheet.size.height
+    hatches = {(each.angle, each.spacing) for each in sheet.entities if isinstance(each, Hatch)}
+    lines = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" '
+        f'viewBox="0 0 {width:g} {height:g}" font-family="{_FONT}">',
+        f"<title>{escape(sheet.title)}</title>",
+        f'<rect width="{width:g}" height="{height:g}" fill="#fff"/>',
+        *(_pattern(angle, spacing) for angle, spacing in sorted(hatches)),
+    ]
+    for layer in Layer:
+        own = [line for each in sheet.entities if each.layer is layer for line in _element(each, height)]
+        if own:
+            lines += [_group(layer), *own, "</g>"]
+    return "\n".join([*lines, "</svg>"]) + "\n"
+
+
+def _group(layer: Layer) -> str:
+    dashes = f' stroke-dasharray="{" ".join(f"{each:g}" for each in layer.dashes)}"' if layer.dashes else ""
+    return (
+        f'<g id="{layer.name}" fill="none" stroke="#000" stroke-width="{layer.width:g}" stroke-linejoin="round" '
+        f'stroke-linecap="butt"{dashes}>'
+    )
+
+
+def _pattern(angle: float, spacing: float) -> str:
+    # The pattern's own lines lie across; SVG counts angles clockwise.
+    turn = -math.degrees(angle)
+    return (
+        f'<defs><pattern id="{_pattern_name(angle, spacing)}" width="{spacing:g}" height="{spacing:g}" '
+        f'patternUnits="userSpaceOnUse" patternTransform="rotate({turn:g})">'
+        f'<path d="M0 {spacing / 2:g}H{spacing:g}" stroke="#000" stroke-width="{Layer.HATCH.width:g}"/>'
+        "</pattern></defs>"
+    )
+
+
+def _pattern_name(angle: float, spacing: float) -> str:
+    return f"hatch{round(math.degrees(angle))}-{round(10 * spacing)}"
+
+
+def _element(entity: Entity, height: float) -> Iterator[str]:
+    match entity:
+        case Path():
+            ending = "Z" if entity.closed else ""
+            fill = ' fill="#000" stroke="none"' if entity.filled else ""
+            yield f'<path d="{_track(entity.points, height)}{ending}"{fill}/>'
+        case Arc():
+            yield _arc(entity, height)
+        case Hatch():
+            fill = f"url(#{_pattern_name(entity.angle, entity.spacing)})"
+            yield f'<path d="{_track(entity.points, height)}Z" fill="{fill}" stroke="none"/>'
+        case Words():
+            yield _words(entity, height)
+        case Distance() | Corner():
+            for part in drawn(entity):
+                yield from _element(part, height)
+
+
+def _track(points: Iterable[complex], height: float) -> str:
+    return "M" + "L".join(_point(point, height) for point in points)
+
+
+def _point(point: complex, height: float) -> str:
+    return f"{_short(point.real)} {_short(height - point.imag)}"
+
+
+def _short(value: float) -> str:
+    return (
+        f"{value:.3f}".rstrip("0").rstrip(".").replace("-0", "0")
+        if abs(value) < 5e-4
+        else (f"{value:.3f}".rstrip("0").rstrip("."))
+    )
+
+
+def _arc(arc: Arc, height: float) -> str:
+    if arc.whole:
+        x, y = _point(arc.centre, height).split()
+        return f'<circle cx="{x}" cy="{y}" r="{_short(arc.radius)}"/>'
+    start, end = (arc.centre + cmath.rect(arc.radius, angle) for angle in (arc.start, arc.end))
+    large = int(arc.end - arc.start > math.pi)
+    radius = _short(arc.radius)
+    return f'<path d="M{_point(start, height)}A{radius} {radius} 0 {large} 0 {_point(end, height)}"/>'
+
+
+def _words(words: Words, height: float) -> str:
+    x, y = _point(words.at, height).split()
+    turn = f' transform="rotate({_short(-math.degrees(words.turn))} {x} {y})"' if words.turn else ""
+    anchor = f' text-anchor="{_ANCHOR[words.align]}"' if words.align != "left" else ""
+    size = words.height / CAPITALS
+    return (
+        f'<text x="{x}" y="{y}" font-size="{_short(size)}" fill="#000" stroke="none"{anchor}{turn}>'
+        f"{''.join(_run(part, low, size) for part, low in runs(words.text))}</text>"
+    )
+
+
+def _run(part: str, low: bool, size: float) -> str:  # noqa: FBT001
+    if not low:
+        return escape(part)
+    drop = 0.25 * size
+    return (
+        f'<tspan font-size="{_short(INDEX * size)}" dy="{_short(drop)}">{escape(part)}</tspan>'
+        f'<tspan dy="{_short(-drop)}">\u200b</tspan>'
+    )

@@ -1,0 +1,230 @@
+"""What a general arrangement draws of each part, and where its item number points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+from gearwright.render.drawings.sheet.entities import Entity, Layer, Path
+from gearwright.render.drawings.views.bearing_view import bearing_section
+from gearwright.render.drawings.views.gear_parts import Hub, hub_of
+from gearwright.render.drawings.views.gear_view import bevel_section, cylinder_section, ring_section
+from gearwright.render.drawings.views.positions import PLATE_GAP, Lying, Positions
+from gearwright.render.drawings.views.shaft_parts import (
+    MM,
+    Piece,
+    ShaftBody,
+    away_of,
+    bevel_profile,
+    mass_with_gears,
+    shaft_body,
+)
+from gearwright.render.drawings.views.shaft_view import Axis, shaft_outline
+from gearwright.render.drawings.views.teeth import cylindrical_gear, is_internal, kind_of
+from gearwright.sizing import CarrierSizing, GearSizing, Sizing
+from gearwright.spec import GROUND
+
+
+@dataclass(frozen=True)
+class Item:
+    """A part of the arrangement."""
+
+    part: str
+    """What it is called in the list of parts."""
+    remark: str
+    """Designation, material, or what it is one piece with."""
+    count: int
+    mass: float | None
+    """Of one [kg]."""
+    anchor: complex
+    """Where its number points [mm of paper]."""
+
+
+def axis_of(lying: Lying, scale: float) -> Axis:
+    """Return where a shaft lies on the sheet.
+
+    Args:
+        lying: In the plane.
+        scale: mm of paper per mm [-].
+    """
+    return Axis(scale * lying.origin, lying.along, scale)
+
+
+def shaft_parts(sizing: Sizing, found: Positions, name: str, scale: float) -> tuple[list[Entity], list[Item]]:
+    """Return a shaft, its gears and its bearings.
+
+    Args:
+        sizing: What was sized.
+        found: Where everything lies.
+        name: Of the shaft.
+        scale: mm of paper per mm [-].
+    """
+    lying = found.shafts[name]
+    axis, body = axis_of(lying, scale), _drawn_body(sizing, name, lying)
+    entities: list[Entity] = []
+    items: list[Item] = []
+    if body.pieces[0].diameter > 0.0 and body.length > 0.0:
+        entities += shaft_outline(axis, body)
+        remark, mass = ", ".join(f"with {gear}" for gear in body.gears), mass_with_gears(sizing, body, name)
+        items.append(Item(f"Shaft {name}", remark, 1, mass, _free(axis, body)))
+    lean = math.pi / 4.0 * (1.0 if sizing.design.shafts.index(name) % 2 == 0 else 3.0)
+    for gear in sizing.gears:
+        if name in gear.shafts and gear.name not in body.gears:
+            middle = found.places[name][gear.name]
+            entities += gear_parts(sizing, gear, axis, (name, middle), lean=lean)
+            items.append(gear_item(sizing, gear, axis, middle))
+    for bearing in sizing.bearings:
+        if bearing.shaft == name:
+            seat = sizing.design.bearings.get(bearing.name)
+            opens = -1.0 if seat is not None and seat.locates == "second" else 1.0
+            middle = MM * bearing.position
+            entities += bearing_section(axis, bearing.bearing, middle, opens=opens)
+            radius = MM * (
+                bearing.bearing.outer_diameter / 2.0
+                - 0.15 * (bearing.bearing.outer_diameter - bearing.bearing.bore) / 2.0
+            )
+            items.append(
+                Item(
+                    f"Bearing {bearing.name}",
+                    bearing.bearing.designation,
+                    1,
+                    bearing.bearing.mass,
+                    axis.at(middle, radius),
+                )
+            )
+    return entities, items
+
+
+def _drawn_body(sizing: Sizing, name: str, lying: Lying) -> ShaftBody:
+    """Return a shaft over the length that the arrangement draws of it."""
+    body = shaft_body(sizing, name)
+    if len(body.pieces) == 1 and not body.gears:
+        piece = body.pieces[0]
+        return ShaftBody(name, (Piece(lying.start, lying.end, piece.diameters),), body.bore)
+    return body
+
+
+def _free(axis: Axis, body: ShaftBody) -> complex:
+    """Return a point of a shaft where nothing sits on it, or that of its longest piece."""
+    free = [piece for piece in body.pieces if not piece.seat] or list(body.pieces)
+    longest = max(free, key=lambda piece: piece.end - piece.start)
+    return axis.at(longest.start + 0.3 * (longest.end - longest.start), 0.3 * longest.diameter)
+
+
+def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, seat: tuple[str, float], *, lean: float) -> list[Entity]:
+    """Return a gear in section on its shaft.
+
+    Args:
+        sizing: What was sized.
+        gear: Not one piece with its shaft.
+        axis: Of the shaft.
+        seat: Shaft, and middle of the face along it [mm].
+        lean: Of the hatching [rad].
+    """
+    shaft, middle = seat
+    full = hub_of(sizing, gear, shaft)
+    hub = Hub(full.bore, boss=full.boss)
+    if kind_of(sizing, gear) == "bevel":
+        moved = Axis(axis.at(middle), axis.along, axis.scale)
+        return bevel_section(moved, bevel_profile(sizing, gear), hub, away=away_of(sizing, gear), lean=lean)
+    halves = gear.bodies // len(gear.shafts) if gear.role in ("pinion", "wheel") else 1
+    half = MM * gear.face_width * max(halves, 1) / 2.0
+    span = (middle - half, middle + half)
+    teeth = cylindrical_gear(sizing, gear)
+    if kind_of(sizing, gear) == "face" and gear.role == "wheel":
+        radius = MM * teeth.pitch_radius
+        ends = [(axis.at(middle, -radius), axis.at(middle, radius))]
+        return [Path(each, Layer.PITCH) for each in ends]
+    if is_internal(sizing, gear):
+        return ring_section(axis, teeth, MM * (teeth.pitch_radius + gear.rim), span, lean=lean)
+    return cylinder_section(axis, teeth, hub, span, lean=lean)
+
+
+def gear_item(sizing: Sizing, gear: GearSizing, axis: Axis, middle: float) -> Item:
+    """Return the item of a gear.
+
+    Args:
+        sizing: What was sized.
+        gear: The gear.
+        axis: Of its shaft.
+        middle: Of its face along the shaft [mm].
+    """
+    remark = f"z = {gear.teeth}, m = {MM * gear.module:.4g}"
+    radius = MM * gear.pitch_diameter / 2.0 + (0.6 * MM * gear.rim if is_internal(sizing, gear) else 0.0)
+    share = 1.0 if gear.rim else 0.8
+    offset = 0.2 * MM * gear.face_width
+    if kind_of(sizing, gear) == "bevel":
+        profile = bevel_profile(sizing, gear)
+        offset, radius = away_of(sizing, gear) * profile.roots[1].real, profile.roots[1].imag
+    return Item(f"Gear {gear.name}", remark, 1, gear.mass, axis.at(middle + offset, share * radius))
+
+
+def planetary_parts(
+    sizing: Sizing, stage: str, found: Positions, scale: float, *, lean: float
+) -> tuple[list[Entity], list[Item]]:
+    """Return planets, their carrier and what stands still of a planetary set.
+
+    Args:
+        sizing: What was sized.
+        stage: The set.
+        found: Where everything lies.
+        scale: mm of paper per mm [-].
+        lean: Of the hatching [rad].
+    """
+    planetary = sizing.design.planetaries[stage]
+    shaft = next(name for name in (planetary.sun, planetary.ring, planetary.carrier) if name != GROUND)
+    axis, middle = axis_of(found.shafts[shaft], scale), found.places[shaft][f"{stage}.planet"]
+    gears = {gear.role: gear for gear in sizing.gears if gear.stage == stage}
+    carrier = next(each for each in sizing.carriers if each.stage == stage)
+    planet, half = gears["planet"], MM * gears["planet"].face_width / 2.0
+    hub = Hub(hub_of(sizing, planet, planet.shafts[0]).bore)
+    entities: list[Entity] = []
+    for side in (1.0, -1.0):
+        own = Axis(axis.at(0.0, side * MM * carrier.radius), axis.along, scale)
+        entities += cylinder_section(
+            own, cylindrical_gear(sizing, planet), hub, (middle - half, middle + half), lean=lean
+        )
+    entities += _carrier(axis, carrier, middle, half, _towards(found, planetary.carrier, middle))
+    anchor = axis.at(middle - 0.3 * half, MM * (carrier.radius + 0.35 * planet.pitch_diameter))
+    remark = f"z = {planet.teeth}, m = {MM * planet.module:.4g}"
+    items = [Item(f"Planet {planet.name}", remark, planet.bodies, planet.mass, anchor)]
+    plate = middle + _towards(found, planetary.carrier, middle) * (
+        half + PLATE_GAP + MM * carrier.plate_thickness / 2.0
+    )
+    items.append(Item(f"Carrier {stage}", "plate and pins", 1, carrier.mass, axis.at(plate, 0.6 * MM * carrier.radius)))
+    if planetary.ring == GROUND:
+        ring = gears["ring"]
+        entities += gear_parts(sizing, ring, axis, (GROUND, middle), lean=math.pi - lean)
+        items.append(gear_item(sizing, ring, axis, middle))
+    return entities, items
+
+
+def _towards(found: Positions, shaft: str, middle: float) -> float:
+    """Return the side on which a member's shaft goes on: +1 towards the second end."""
+    if shaft == GROUND:
+        return 1.0
+    lying = found.shafts[shaft]
+    return 1.0 if lying.end - middle >= middle - lying.start else -1.0
+
+
+def _carrier(axis: Axis, carrier: CarrierSizing, middle: float, half: float, side: float) -> Iterator[Entity]:
+    """Yield the pins, and the plate beside the planets."""
+    pin, plate = MM * carrier.pin_diameter / 2.0, MM * carrier.plate_thickness
+    near, far = middle + side * (half + PLATE_GAP), middle + side * (half + PLATE_GAP + plate)
+    outer = MM * carrier.radius + 2.0 * pin
+    for sign in (1.0, -1.0):
+        pins = [(middle - side * half, -pin), (far, -pin), (far, pin), (middle - side * half, pin)]
+        yield Path(tuple(axis.at(x, sign * MM * carrier.radius + r) for x, r in pins), Layer.OUTLINE, closed=True)
+        yield Path(
+            (
+                axis.at(middle - side * (half + 3.0), sign * MM * carrier.radius),
+                axis.at(far + side * 3.0, sign * MM * carrier.radius),
+            ),
+            Layer.CENTRE,
+        )
+    corners = [(near, -outer), (far, -outer), (far, outer), (near, outer)]
+    yield from (
+        Path((axis.at(*one), axis.at(*other)), Layer.OUTLINE) for one, other in pairwise([*corners, corners[0]])
+    )

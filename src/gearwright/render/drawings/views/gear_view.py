@@ -1,0 +1,191 @@
+"""Sections of gears along their axis by ISO 2203, and of hubs across it."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+
+from gearwright.parts.gears import CylindricalGear
+from gearwright.render.drawings.sheet.entities import Arc, Entity, Hatch, Layer, Path
+from gearwright.render.drawings.views.gear_parts import Hub
+from gearwright.render.drawings.views.shaft_parts import MM, BevelProfile
+from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis
+
+BACKUP = 1.2
+"""Rim behind the root over the depth of the tooth, where a bevel gear's body is not sized [-] (AGMA 2001-D04)."""
+Point = tuple[float, float]
+
+
+def cylinder_section(
+    axis: Axis, teeth: CylindricalGear, hub: Hub, span: tuple[float, float], *, lean: float
+) -> list[Entity]:
+    """Return an external gear in section, both halves.
+
+    Args:
+        axis: Where its axis lies.
+        teeth: Its teeth.
+        hub: Its bore.
+        span: From face to face along the axis [mm].
+        lean: Angle of the hatching [rad].
+    """
+    root, tip = MM * teeth.root_radius, MM * teeth.tip_radius
+    entities: list[Entity] = []
+    for side in (1.0, -1.0):
+        inner = (hub.reach if side > 0.0 else _bottom(hub)) / 2.0
+        body = _box(span, inner, root, side)
+        outline = _box(span, hub.bore / 2.0, tip, side)
+        # Without a bore the two halves are one: no edge lies on the axis.
+        entities += [_hatched(axis, body, lean), _line(axis, outline[1:] + outline[:1], closed=hub.bore > 0.0)]
+        entities.append(_line(axis, [(span[0], side * root), (span[1], side * root)]))
+        if inner > hub.bore / 2.0:
+            entities.append(_line(axis, [(span[0], side * inner), (span[1], side * inner)]))
+        entities.append(_pitch(axis, span, side * MM * teeth.pitch_radius))
+    return entities
+
+
+def ring_section(
+    axis: Axis, teeth: CylindricalGear, outer: float, span: tuple[float, float], *, lean: float
+) -> list[Entity]:
+    """Return an internal gear in section, both halves.
+
+    Args:
+        axis: Where its axis lies.
+        teeth: Its teeth, with a negative number.
+        outer: Outer radius of the ring [mm].
+        span: From face to face along the axis [mm].
+        lean: Angle of the hatching [rad].
+    """
+    root, tip = MM * teeth.root_radius, MM * teeth.tip_radius
+    entities: list[Entity] = []
+    for side in (1.0, -1.0):
+        entities += [
+            _hatched(axis, _box(span, root, outer, side), lean),
+            _line(axis, _box(span, tip, outer, side), closed=True),
+            _line(axis, [(span[0], side * root), (span[1], side * root)]),
+            _pitch(axis, span, side * MM * teeth.pitch_radius),
+        ]
+    return entities
+
+
+def bevel_corners(profile: BevelProfile, hub: Hub) -> list[complex]:
+    """Return the body of a bevel gear below the roots of its teeth, with rim and hub that are assumed, upper half.
+
+    Args:
+        profile: Corners of its teeth.
+        hub: Its bore, and the hub over its seat; where that ends within the body, its face is recessed.
+
+    Returns:
+        Root at the small end, root at the large end, heel of the back cone, back to the bore, front from the bore:
+        along the axis away from the apex, from the mean point, and radius [mm].
+    """
+    bore, boss = hub.bore / 2.0, hub.boss
+    small, large = profile.roots
+    depth = large - profile.large[0]
+    heel = large + BACKUP * depth
+    heel = complex(heel.real, max(heel.imag, bore if boss is None else boss.diameter / 2.0))
+    if boss is None:
+        return [small, large, heel, complex(heel.real, bore), complex(small.real, bore)]
+    outer, start, end = boss.diameter / 2.0, boss.start, boss.end
+    back = [complex(heel.real, outer), complex(end, outer), complex(end, bore)]
+    return [small, large, heel, *back, complex(start, bore), complex(start, outer), complex(small.real, outer)]
+
+
+def bevel_section(axis: Axis, profile: BevelProfile, hub: Hub, *, away: float, lean: float) -> list[Entity]:
+    """Return a bevel gear in section, both halves, with its pitch cone from the apex on.
+
+    Args:
+        axis: Where its axis lies; x = 0 is the mean point.
+        profile: Corners of its teeth.
+        hub: Its bore.
+        away: +1 where the apex lies towards the first end, −1 where it lies towards the second [-].
+        lean: Angle of the hatching [rad].
+    """
+    entities: list[Entity] = []
+    body = bevel_corners(profile, hub)
+    for side in (1.0, -1.0):
+        below = [(away * each.real, side * each.imag) for each in body]
+        tooth = [(away * each.real, side * each.imag)
+                 for each in (profile.roots[0], profile.small[0], profile.large[0], profile.roots[1])]  # fmt: skip
+        entities += [_hatched(axis, below, lean), _line(axis, tooth)]
+        entities.append(_line(axis, below if hub.bore else [below[4], *below[:4]], closed=hub.bore > 0.0))
+        more = profile.large[1] + (profile.large[1] - profile.small[1]) * 0.12
+        ends = [(away * profile.apex, 0.0), (away * more.real, side * more.imag)]
+        entities.append(_line(axis, ends, Layer.PITCH))
+    return entities
+
+
+def hub_view(axis: Axis, hub: Hub) -> list[Entity]:
+    """Return the bore of a hub seen along its axis, keyway on top.
+
+    Args:
+        axis: Its origin is the middle.
+        hub: With a keyway.
+    """
+    assert hub.key is not None
+    radius, half = hub.bore / 2.0, MM * hub.key.width / 2.0
+    start = math.asin(half / radius)
+    arc = [start + (2.0 * math.pi - 2.0 * start) * k / 96 for k in range(97)]
+    rim = [axis.at(radius * math.sin(angle), radius * math.cos(angle)) for angle in arc]
+    top = hub.reach / 2.0
+    outline = (*rim, axis.at(-half, top), axis.at(half, top))
+    reach = radius + OVERSHOOT / axis.scale
+    return [
+        Path(outline, Layer.OUTLINE, closed=True),
+        Path((axis.at(-reach), axis.at(reach)), Layer.CENTRE),
+        Path((axis.at(0.0, -reach), axis.at(0.0, top + OVERSHOOT / axis.scale)), Layer.CENTRE),
+    ]
+
+
+def round_view(axis: Axis, circles: Sequence[tuple[float, Layer]]) -> list[Entity]:
+    """Return circles about one middle with their centre lines.
+
+    Args:
+        axis: Its origin is the middle.
+        circles: Radius [mm] and layer.
+    """
+    reach = max(radius for radius, _ in circles) + OVERSHOOT / axis.scale
+    cross = [
+        Path((axis.at(-reach), axis.at(reach)), Layer.CENTRE),
+        Path((axis.at(0.0, -reach), axis.at(0.0, reach)), Layer.CENTRE),
+    ]
+    return [*(Arc(axis.at(0.0), radius * axis.scale, layer) for radius, layer in circles), *cross]
+
+
+def _bottom(hub: Hub) -> float:
+    """Return the diameter that is cut out on the side without keyway [mm]."""
+    return hub.bore if hub.key is not None else hub.reach
+
+
+def bore_edges(axis: Axis, span: tuple[float, float], hub: Hub) -> Iterator[Entity]:
+    """Yield the edges of a bore that are seen behind the section.
+
+    Args:
+        axis: Where its axis lies.
+        span: From face to face along the axis [mm].
+        hub: The bore.
+    """
+    radius = hub.bore / 2.0
+    for x in span if hub.bore else ():
+        yield _line(axis, [(x, -radius), (x, radius)])
+    if hub.key is not None:
+        flank = math.sqrt(radius**2 - (MM * hub.key.width / 2.0) ** 2)
+        yield _line(axis, [(span[0], flank), (span[1], flank)])
+
+
+def _box(span: tuple[float, float], inner: float, outer: float, side: float) -> list[Point]:
+    return [(span[0], side * inner), (span[1], side * inner), (span[1], side * outer), (span[0], side * outer)]
+
+
+def _hatched(axis: Axis, corners: Sequence[Point], lean: float) -> Hatch:
+    turned = (lean + cmath.phase(axis.along)) % math.pi
+    return Hatch(tuple(axis.at(*corner) for corner in corners), turned)
+
+
+def _line(axis: Axis, corners: Sequence[Point], layer: Layer = Layer.OUTLINE, *, closed: bool = False) -> Path:
+    return Path(tuple(axis.at(*corner) for corner in corners), layer, closed=closed)
+
+
+def _pitch(axis: Axis, span: tuple[float, float], radius: float) -> Path:
+    more = 2.0 / axis.scale
+    return _line(axis, [(span[0] - more, radius), (span[1] + more, radius)], Layer.PITCH)

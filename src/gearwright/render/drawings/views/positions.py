@@ -1,0 +1,247 @@
+"""Where the shafts of a train lie in the plane of a general arrangement, unfolded where no plane holds all axes."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from gearwright.render.branches import attachments
+from gearwright.render.drawings.views.shaft_parts import MM
+from gearwright.render.drawings.views.teeth import bevel_pair, gear_of
+from gearwright.render.schematic.layout import element, lay_out, pair_meshes
+from gearwright.sizing import Sizing
+from gearwright.sizing.arrangement import ShaftPlan, plan_of
+from gearwright.sizing.rating import context
+from gearwright.spec.design import Overrides
+from gearwright.train import INTERNAL, Mesh
+
+TRUE = 0.05
+"""How far two gears in mesh may stand from where they mesh before a note says so [mm]."""
+BETWEEN = 20.0
+"""Between planetary sets, whose places along their axis are not sized [mm]."""
+
+
+PLATE_GAP = 5.0
+"""Between planets and the plate of their carrier, drawn only [mm]."""
+
+
+@dataclass(frozen=True)
+class Lying:
+    """A shaft in the plane of the drawing."""
+
+    origin: complex
+    """Of its first end [mm]."""
+    along: complex
+    """Direction to its second end [-]."""
+    start: float
+    """Where it is drawn from [mm from its first end]."""
+    end: float
+    """Where it is drawn to [mm from its first end]."""
+
+    def at(self, x: float, radius: float = 0.0) -> complex:
+        """Return a point in the plane [mm].
+
+        Args:
+            x: From the first end [mm].
+            radius: To the left of the axis [mm].
+        """
+        return self.origin + self.along * complex(x, radius)
+
+
+@dataclass(frozen=True)
+class Positions:
+    """Where everything lies."""
+
+    shafts: Mapping[str, Lying]
+    places: Mapping[str, Mapping[str, float]]
+    """Shaft -> gear, carrier, machine or clutch -> middle of its width [mm from the first end]."""
+    notes: tuple[str, ...] = field(default=())
+    """What the plane does not show as it is."""
+
+
+def positions(sizing: Sizing) -> Positions:
+    """Return where shafts lie: as sized along their axes, or in a row where planetary sets leave that open.
+
+    Args:
+        sizing: What was sized.
+    """
+    return _in_columns(sizing) if sizing.design.planetaries or sizing.design.clutches else _as_sized(sizing)
+
+
+def plans(sizing: Sizing) -> dict[str, ShaftPlan]:
+    """Return where things sit along every shaft, as the sizing has them.
+
+    Args:
+        sizing: What was sized.
+    """
+    given = context(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(sizing.design.overrides))
+    return {name: plan_of(given, name, sizing.gears) for name in sizing.design.shafts}
+
+
+def _as_sized(sizing: Sizing) -> Positions:
+    found = plans(sizing)
+    places = {name: {part: MM * x for part, x in plan.places.items()} for name, plan in found.items()}
+    lengths = {name: MM * plan.length for name, plan in found.items()}
+    shafts: dict[str, Lying] = {}
+    meshes = list(pair_meshes(sizing.train))
+    for name in sizing.design.shafts:
+        if name not in shafts:
+            shafts[name] = Lying(_below(shafts), 1 + 0j, 0.0, lengths[name])
+        while True:
+            ready = next((mesh for mesh in meshes if (mesh.nodes[0] in shafts) != (mesh.nodes[1] in shafts)), None)
+            if ready is None:
+                break
+            side = 0 if ready.nodes[0] in shafts else 1
+            new = ready.nodes[1 - side]
+            shafts[new] = _beside(sizing, ready, side, shafts, places, lengths[new])
+    return Positions(shafts, places, tuple(_untrue(sizing, meshes, shafts, places)))
+
+
+def _below(shafts: Mapping[str, Lying]) -> complex:
+    """Return where a shaft that nothing joins to the others begins."""
+    return -1j * 300.0 * len(shafts)
+
+
+def _beside(
+    sizing: Sizing,
+    mesh: Mesh,
+    side: int,
+    shafts: Mapping[str, Lying],
+    places: Mapping[str, Mapping[str, float]],
+    length: float,
+) -> Lying:
+    """Return a shaft that meshes with one that lies already."""
+    known, new = mesh.nodes[side], mesh.nodes[1 - side]
+    at, own = places[known][mesh.gears[side]], places[new][mesh.gears[1 - side]]
+    kind = getattr(sizing.design.stages[mesh.stage], "kind", "cylindrical")
+    if kind == "bevel":
+        return _bevel(sizing, mesh, side, shafts[known], at, own, length)
+    if kind == "face":
+        return _face(sizing, mesh, side, shafts[known], at, own, length, first=len(shafts) == 1)
+    lying = shafts[known]
+    apart = centre_distance(sizing, mesh)
+    choices = [Lying(lying.at(at - own, sign * apart), lying.along, 0.0, length) for sign in (1.0, -1.0)]
+    others = [(shaft, _reach(sizing, name)) for name, shaft in shafts.items() if name != known]
+    reach = _reach(sizing, new)
+    return min(choices, key=lambda each: sum(_overlap(each, reach, other, far) for other, far in others))
+
+
+def centre_distance(sizing: Sizing, mesh: Mesh) -> float:
+    """Return the centre distance of a mesh [mm].
+
+    Args:
+        sizing: What was sized.
+        mesh: Of parallel axes.
+    """
+    one, other = (MM * gear_of(sizing, name).pitch_diameter / 2.0 for name in mesh.gears)
+    return abs(other - one) if mesh.sign == INTERNAL else one + other
+
+
+def _reach(sizing: Sizing, shaft: str) -> float:
+    """Return the largest radius on a shaft [mm]."""
+    return max((MM * gear.pitch_diameter / 2.0 for gear in sizing.gears if shaft in gear.shafts), default=0.0)
+
+
+def _overlap(one: Lying, reach: float, other: Lying, far: float) -> float:
+    """Return how far two parallel shafts with their gears cover each other [mm]; 0 for shafts that cross."""
+    if abs((one.along * other.along.conjugate()).imag) > 1e-6:
+        return 0.0
+    apart = abs(((other.origin - one.origin) * one.along.conjugate()).imag)
+    return max(0.0, reach + far - apart)
+
+
+def _bevel(sizing: Sizing, mesh: Mesh, side: int, lying: Lying, at: float, own: float, length: float) -> Lying:
+    """Return the other shaft of a bevel pair: through the common apex, with its second end upwards or to the right."""
+    pair, stage = bevel_pair(sizing, mesh.stage), sizing.design.pairs[mesh.stage]
+    apexes = (stage.pinion_apex, stage.wheel_apex)
+    reach = [MM * pair.mean_cone_distance * math.cos(angle) for angle in pair.pitch_angles]
+    sense = [1.0 if apex == "second" else -1.0 for apex in apexes]
+    apex = lying.at(at + sense[side] * reach[side])
+    other = 1 - side
+    turns = [cmath.rect(1.0, sign * pair.shaft_angle) for sign in (1.0, -1.0)]
+    # Both gears lie on the apex's same side: the angle between the ways from the apex to them is the shaft angle.
+    ways = [-sense[side] * lying.along * turn for turn in turns]
+    along = max((-sense[other] * way for way in ways), key=lambda each: (round(each.imag, 6), each.real))
+    return Lying(apex - along * (own + sense[other] * reach[other]), along, 0.0, length)
+
+
+def _face(
+    sizing: Sizing, mesh: Mesh, side: int, lying: Lying, at: float, own: float, length: float, *, first: bool
+) -> Lying:
+    """Return the other shaft of a face-gear pair: across, the middle of the pinion on the wheel's pitch circle."""
+    pinion, wheel = (MM * gear_of(sizing, name).pitch_diameter / 2.0 for name in mesh.gears)
+    if side == 0:
+        sign = 1.0 if first else -1.0
+        along = lying.along * -1j
+        touch = lying.at(at, sign * pinion)
+        return Lying(touch - along * own + along * 1j * sign * wheel, along, 0.0, length)
+    along = lying.along * 1j
+    return Lying(lying.at(at + pinion, wheel) - along * own, along, 0.0, length)
+
+
+def _untrue(
+    sizing: Sizing, meshes: list[Mesh], shafts: Mapping[str, Lying], places: Mapping[str, Mapping[str, float]]
+) -> Iterator[str]:
+    """Yield a note for every mesh that the plane does not show where it is."""
+    for mesh in meshes:
+        if getattr(sizing.design.stages[mesh.stage], "kind", "cylindrical") != "cylindrical":
+            continue
+        one, other = (shafts[node].at(places[node][gear]) for node, gear in zip(mesh.nodes, mesh.gears, strict=False))
+        between = (other - one) * shafts[mesh.nodes[0]].along.conjugate()
+        if abs(abs(between.imag) - centre_distance(sizing, mesh)) > TRUE:
+            yield f"Unfolded: {mesh.name} ({mesh.nodes[0]}, {mesh.nodes[1]}) is not at its true distance in this plane."
+        if abs(between.real) > TRUE:
+            yield f"The sizing puts the gears of {mesh.name} {abs(between.real):.1f} mm apart along their axes."
+
+
+def _in_columns(sizing: Sizing) -> Positions:
+    """Return shafts whose stages stand side by side in the order of the schematic."""
+    kinds = {machine.name: machine.kind for machine in sizing.machines}
+    layout = lay_out(sizing.train, sizing.gears, kinds)
+    widths = {name: _width(sizing, name) for name in layout.places}
+    columns = sorted({place.x for place in layout.places.values()})
+    middle: dict[str, float] = {}
+    x = 0.0
+    for column in columns:
+        within = [name for name, place in layout.places.items() if place.x == column]
+        wide = max(widths[name] for name in within)
+        middle |= dict.fromkeys(within, x + wide / 2.0)
+        x += wide + BETWEEN
+    heights = {name: MM * height / layout.scale for name, height in layout.heights.items()}
+    shafts = {}
+    for name in layout.spans:
+        ends = list(_column_ends(sizing, name, middle))
+        shafts[name] = Lying(1j * heights[name], 1 + 0j, min(start for start, _ in ends), max(end for _, end in ends))
+    named = {gear.name: middle[gear.stage] for gear in sizing.gears} | middle
+    named |= {f"{carrier.stage}.carrier": middle[carrier.stage] for carrier in sizing.carriers}
+    notes = ["Places along the axes are not sized where planetary sets or clutches join shafts: drawn side by side."]
+    if not layout.exact:
+        notes.append("Unfolded: parallel paths meet again, so that not every centre distance is true in this plane.")
+    return Positions(shafts, dict.fromkeys(shafts, named), tuple(notes))
+
+
+def _column_ends(sizing: Sizing, shaft: str, middle: Mapping[str, float]) -> Iterator[tuple[float, float]]:
+    """Yield from where to where every part on a shaft takes it up [mm]."""
+    seats = [seat for seat in attachments(sizing.train) if seat.shaft == shaft]
+    centre = sum(middle[element(seat)] for seat in seats) / len(seats)
+    for seat in seats:
+        x = middle[element(seat)]
+        half = max((MM * gear.face_width / 2.0 for gear in sizing.gears if gear.stage == seat.stage), default=0.0)
+        if seat.kind in ("carrier", "ring"):
+            edge = x + math.copysign(half + PLATE_GAP, centre - x if centre != x else 1.0)
+            yield edge, edge
+        else:
+            more = half if seat.kind == "sun" else half + PLATE_GAP if seat.stage else 0.0
+            yield x - more, x + more
+
+
+def _width(sizing: Sizing, name: str) -> float:
+    """Return the width of a column [mm]."""
+    own = [gear for gear in sizing.gears if gear.stage == name]
+    if not own:
+        return 10.0
+    halves = max(gear.bodies // len(gear.shafts) if gear.role in ("pinion", "wheel") else 1 for gear in own)
+    plates = [MM * each.plate_thickness + PLATE_GAP for each in sizing.carriers if each.stage == name]
+    return max(MM * gear.face_width for gear in own) * max(halves, 1) + 2.0 * sum(plates)

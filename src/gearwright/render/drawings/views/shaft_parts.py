@@ -1,0 +1,265 @@
+"""A shaft as its drawing shows it: turned pieces, teeth that are one piece with it, keyways and splines; in mm."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+
+from gearwright.catalogue import key_for_shaft, seat_tolerance
+from gearwright.parts.joints import KeySection, Spline, spline
+from gearwright.render.drawings.views.teeth import bevel_pair, cylindrical_gear, gear_of, kind_of, meshes_of
+from gearwright.render.drawings.views.tooth_data import cones
+from gearwright.sizing import GearSizing, JointSizing, ShaftStep, Sizing
+
+MM = 1e3
+"""Millimetres in a metre."""
+CHAMFERS = ((50.0, 1.0), (math.inf, 2.0))
+"""Diameters up to this [mm] have ends with this chamfer [mm]; assumed."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A cylinder or cone of a shaft."""
+
+    start: float
+    """From the shaft's first end [mm]."""
+    end: float
+    """[mm]"""
+    diameters: tuple[float, float]
+    """At start and end [mm]."""
+    seat: str = ""
+    """What sits on it."""
+    tolerance: str = ""
+    """Tolerance class of the diameter, such as k6."""
+    pitch: tuple[float, float] | None = None
+    """Pitch diameters at start and end, where teeth are cut in it [mm]."""
+
+    @property
+    def diameter(self) -> float:
+        """The larger one [mm]."""
+        return max(self.diameters)
+
+    @property
+    def toothed(self) -> bool:
+        """True where teeth are cut in it."""
+        return self.pitch is not None
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A keyway for a key of DIN 6885, with ends as the key has them."""
+
+    start: float
+    """[mm]"""
+    end: float
+    """[mm]"""
+    diameter: float
+    """Of the shaft [mm]."""
+    section: KeySection
+    designation: str
+
+    @property
+    def form(self) -> str:
+        """A with round ends, B with square ones."""
+        return "B" if self.designation.startswith("DIN 6885 - B") else "A"
+
+
+@dataclass(frozen=True)
+class Toothing:
+    """Splines on a shaft."""
+
+    start: float
+    """[mm]"""
+    end: float
+    """[mm]"""
+    teeth: Spline
+    designation: str
+
+
+@dataclass(frozen=True)
+class ShaftBody:
+    """Everything that is turned and cut on a shaft."""
+
+    name: str
+    pieces: tuple[Piece, ...]
+    """Without gaps, from the first end on."""
+    bore: float
+    """[mm]"""
+    slots: tuple[Slot, ...] = ()
+    splines: tuple[Toothing, ...] = ()
+    gears: tuple[str, ...] = ()
+    """Gears that are one piece with it."""
+    fillets: tuple[tuple[float, float], ...] = ()
+    """Shoulder along the axis, and radius of its fillet [mm]."""
+
+    @property
+    def length(self) -> float:
+        """[mm]"""
+        return self.pieces[-1].end - self.pieces[0].start
+
+
+def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
+    """Return a shaft as it is built, or the cylinder of the first sizing where no bearings were asked for.
+
+    Args:
+        sizing: What was sized.
+        name: Of the shaft.
+    """
+    plain = next(shaft for shaft in sizing.shafts if shaft.name == name)
+    built = next((shaft for shaft in sizing.built_shafts if shaft.name == name), None)
+    if built is None:
+        piece = Piece(0.0, MM * plain.length, (MM * plain.diameter,) * 2)
+        return ShaftBody(name, (piece,), MM * plain.bore)
+    joints = [joint for joint in sizing.joints if joint.shaft == name]
+    own = [joint for joint in joints if joint.kind == "integral" and any(g.name == joint.part for g in sizing.gears)]
+    pieces = _merged([_turned(sizing, step) for step in built.steps])
+    for joint in own:
+        pieces = _overlaid(pieces, toothed_piece(sizing, gear_of(sizing, joint.part), joint.position))
+    return ShaftBody(
+        name,
+        tuple(pieces),
+        MM * built.bore,
+        slots=tuple(_slot(joint) for joint in joints if joint.kind == "key"),
+        splines=tuple(_toothing(joint) for joint in joints if joint.kind == "spline"),
+        gears=tuple(joint.part for joint in own),
+        fillets=tuple((MM * each.position, MM * each.fillet) for each in built.sections if each.fillet),
+    )
+
+
+def mass_with_gears(sizing: Sizing, body: ShaftBody, name: str) -> float:
+    """Return the mass of a shaft with the gears that are one piece with it [kg].
+
+    Args:
+        sizing: What was sized.
+        body: The shaft as drawn.
+        name: Of the shaft.
+    """
+    own = [gear_of(sizing, each) for each in body.gears]
+    shaft = next(each for each in sizing.shafts if each.name == name)
+    return shaft.mass + sum(gear.mass * gear.bodies / len(gear.shafts) for gear in own)
+
+
+def _turned(sizing: Sizing, step: ShaftStep) -> Piece:
+    bearing = next((each.bearing for each in sizing.bearings if each.name == step.seat), None)
+    tolerance = seat_tolerance(bearing.kind, bearing.bore) if bearing else ""
+    return Piece(MM * step.start, MM * step.end, (MM * step.diameter,) * 2, step.seat, tolerance)
+
+
+def _merged(pieces: list[Piece]) -> list[Piece]:
+    """Return pieces with those together that no shoulder and no tolerance parts."""
+    found = pieces[:1]
+    for piece in pieces[1:]:
+        last = found[-1]
+        if last.diameters == piece.diameters and last.tolerance == piece.tolerance == "":
+            found[-1] = Piece(last.start, piece.end, last.diameters, last.seat or piece.seat)
+        else:
+            found.append(piece)
+    return found
+
+
+def toothed_piece(sizing: Sizing, gear: GearSizing, position: float) -> Piece:
+    """Return the body of a gear's teeth: tip cylinder or face cone over its face width.
+
+    Args:
+        sizing: What was sized.
+        gear: External or bevel.
+        position: Middle of the face along the shaft [m].
+    """
+    if kind_of(sizing, gear) == "bevel":
+        return _cone(sizing, gear, MM * position)
+    middle, half = MM * position, MM * gear.face_width / 2.0
+    if gear.bodies > len(gear.shafts):
+        half *= gear.bodies / len(gear.shafts)
+    teeth = cylindrical_gear(sizing, gear)
+    pitch = 2.0 * MM * teeth.pitch_radius
+    return Piece(middle - half, middle + half, (2.0 * MM * teeth.tip_radius,) * 2, gear.name, pitch=(pitch, pitch))
+
+
+def _cone(sizing: Sizing, gear: GearSizing, middle: float) -> Piece:
+    """Return the tip cone of a bevel gear, from the tip of its small end to that of its large end."""
+    points = bevel_profile(sizing, gear)
+    sign = away_of(sizing, gear)
+    ends = sorted(
+        ((middle + sign * tip.real, 2.0 * tip.imag, 2.0 * pitch.imag) for tip, pitch in (points.small, points.large)),
+    )
+    (start, one, p_one), (end, other, p_other) = ends
+    return Piece(start, end, (one, other), gear.name, pitch=(p_one, p_other))
+
+
+@dataclass(frozen=True)
+class BevelProfile:
+    """Corners of a bevel tooth in its axial plane: distance along the axis from the mean point, and radius."""
+
+    small: tuple[complex, complex]
+    """Tip and pitch point of the small end [mm]."""
+    large: tuple[complex, complex]
+    """Tip and pitch point of the large end [mm]."""
+    roots: tuple[complex, complex]
+    """Root at the small and the large end [mm]."""
+    apex: float
+    """Where the apex lies along the axis, negative [mm]."""
+
+
+def bevel_profile(sizing: Sizing, gear: GearSizing) -> BevelProfile:
+    """Return the corners of a bevel gear's teeth, ended by back cones square to the pitch cone.
+
+    Args:
+        sizing: What was sized.
+        gear: A bevel gear.
+    """
+    pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
+    pitch, mean = pair.pitch_angles[side], MM * pair.mean_cone_distance
+    face, root = cones(pair, side)
+    shift = mean * math.cos(pitch)
+
+    def corner(distance: float, angle: float) -> complex:
+        reach = distance / math.cos(angle - pitch)
+        return complex(reach * math.cos(angle) - shift, reach * math.sin(angle))
+
+    near, far = (mean + sign * MM * pair.face_width / 2.0 for sign in (-1.0, 1.0))
+    return BevelProfile(
+        small=(corner(near, face), corner(near, pitch)),
+        large=(corner(far, face), corner(far, pitch)),
+        roots=(corner(near, root), corner(far, root)),
+        apex=-shift,
+    )
+
+
+def away_of(sizing: Sizing, gear: GearSizing) -> float:
+    """Return +1 where the apex of a bevel gear lies towards its shaft's first end, −1 where it lies towards the second.
+
+    Args:
+        sizing: What was sized.
+        gear: A bevel gear.
+    """
+    pair, side = sizing.design.pairs[gear.stage], meshes_of(sizing, gear.name)[0][1]
+    return -1.0 if (pair.pinion_apex if side == 0 else pair.wheel_apex) == "second" else 1.0
+
+
+def _overlaid(pieces: list[Piece], own: Piece) -> list[Piece]:
+    """Return pieces with teeth in place of what they cover."""
+    left = [
+        Piece(each.start, min(each.end, own.start), each.diameters, each.seat, each.tolerance, each.pitch)
+        for each in pieces
+        if each.start < own.start - 1e-6
+    ]
+    right = [
+        Piece(max(each.start, own.end), each.end, each.diameters, each.seat, each.tolerance, each.pitch)
+        for each in pieces
+        if each.end > own.end + 1e-6
+    ]
+    return [*left, own, *right]
+
+
+def _slot(joint: JointSizing) -> Slot:
+    section = key_for_shaft(joint.diameter).section
+    half = MM * joint.length / 2.0
+    middle = MM * joint.position
+    return Slot(middle - half, middle + half, MM * joint.diameter, section, joint.designation)
+
+
+def _toothing(joint: JointSizing) -> Toothing:
+    middle, half = MM * joint.position, MM * joint.length / 2.0
+    numbers = [float(each) for each in re.findall(r"[\d.]+", joint.designation.partition(" W ")[2])]
+    return Toothing(middle - half, middle + half, spline(numbers[0] / MM, numbers[1] / MM), joint.designation)

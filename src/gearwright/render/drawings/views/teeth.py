@@ -1,0 +1,115 @@
+"""The teeth of a sized gear as its drawing states them: cylinders, cones, hand, and what turns with what."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from gearwright.parts.bevel import BevelPair, Hand
+from gearwright.parts.gears import BasicRack, CylindricalGear
+from gearwright.sizing import GearSizing, Sizing
+from gearwright.sizing.arrangement import helix_hand
+from gearwright.sizing.rating import rating_of, standard_teeth
+from gearwright.spec import Pair
+from gearwright.train import INTERNAL, RATED, Mesh
+
+
+def gear_of(sizing: Sizing, name: str) -> GearSizing:
+    """Return a gear by its name.
+
+    Args:
+        sizing: What was sized.
+        name: Such as ``first.sun``.
+    """
+    return next(gear for gear in sizing.gears if gear.name == name)
+
+
+def kind_of(sizing: Sizing, gear: GearSizing) -> str:
+    """Return cylindrical, face or bevel.
+
+    Args:
+        sizing: What was sized.
+        gear: One of its gears.
+    """
+    stage = sizing.design.stages[gear.stage]
+    return stage.kind if isinstance(stage, Pair) else "cylindrical"
+
+
+def is_internal(sizing: Sizing, gear: GearSizing) -> bool:
+    """Return True for a gear with teeth inside.
+
+    Args:
+        sizing: What was sized.
+        gear: One of its gears.
+    """
+    return any(mesh.sign == INTERNAL and mesh.gears[1] == gear.name for mesh in sizing.train.meshes)
+
+
+def cylindrical_gear(sizing: Sizing, gear: GearSizing) -> CylindricalGear:
+    """Return the teeth of a cylindrical gear with the basic rack ISO 53 A and the profile shift of its stage.
+
+    Pinions and suns have +x, what meshes with them −x, so that no centre distance changes.
+
+    Args:
+        sizing: What was sized.
+        gear: One of its gears.
+    """
+    rules = sizing.design.rules(gear.stage)
+    sign = {"pinion": 1.0, "sun": 1.0, "ring": 1.0, "wheel": -1.0, "planet": -1.0}[gear.role]
+    inside = is_internal(sizing, gear)
+    shift = rules.profile_shift * (1.0 if inside else sign)
+    teeth = CylindricalGear(
+        gear.teeth,
+        gear.module,
+        gear.face_width,
+        gear.helix_angle,
+        profile_shift=shift,
+        rack=BasicRack(pressure_angle=rules.pressure_angle),
+    )
+    return replace(teeth, teeth=-gear.teeth) if inside else teeth
+
+
+def bevel_pair(sizing: Sizing, stage: str) -> BevelPair:
+    """Return the cones of a bevel pair; its gears are sized at their mean cones.
+
+    Args:
+        sizing: What was sized.
+        stage: The pair.
+    """
+    mesh = next(mesh for mesh in sizing.train.meshes if mesh.stage == stage)
+    pinion, wheel = (gear_of(sizing, name) for name in mesh.gears)
+    rating = rating_of(sizing.design, stage)
+    return standard_teeth.bevel_pair((pinion.teeth, wheel.teeth), pinion.module, pinion.face_width, rating)
+
+
+def meshes_of(sizing: Sizing, gear: str) -> list[tuple[Mesh, int]]:
+    """Return every mesh row of a gear, with 0 where it is the first gear of the row and 1 where it is the second.
+
+    Args:
+        sizing: What was sized.
+        gear: Its name.
+    """
+    return [(mesh, mesh.gears.index(gear)) for mesh in sizing.train.meshes if gear in mesh.gears]
+
+
+def hand_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hand | None:
+    """Return the hand of helix or spiral that the forces of the sizing belong to; None for straight teeth.
+
+    The spiral of a bevel pinion pushes it away from the apex in the rated case.
+
+    Args:
+        sizing: What was sized.
+        gear: One of its gears.
+        shaft: That carries it.
+    """
+    if gear.helix_angle == 0.0:
+        return None
+    if kind_of(sizing, gear) != "bevel":
+        return Hand.LEFT if helix_hand(sizing.design, sizing.train, sizing.flows, shaft) < 0.0 else Hand.RIGHT
+    (mesh, side), *_ = meshes_of(sizing, gear.name)
+    stage = sizing.design.pairs[mesh.stage]
+    pinion, flow = mesh.nodes[0], sizing.flows[RATED]
+    drives = flow.meshes[mesh.name].torques[0] * flow.speeds[pinion] < 0.0
+    # Seen from the back towards the apex; a positive speed turns clockwise about the way from first to second end.
+    clockwise = (flow.speeds[pinion] >= 0.0) == (stage.pinion_apex == "second")
+    left = (clockwise == drives) == (side == 0)
+    return Hand.LEFT if left else Hand.RIGHT

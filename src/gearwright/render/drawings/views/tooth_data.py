@@ -1,0 +1,193 @@
+"""The table of tooth data beside a gear: what is cut, what is measured, what it meshes with."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from gearwright.catalogue import LARGEST, SMALLEST, standard_tolerance
+from gearwright.parts.bevel import BevelPair
+from gearwright.parts.gears import (
+    CylindricalGear,
+    ball_measurement,
+    feed_grade,
+    least_backlash,
+    runout_tolerance,
+    span_allowances,
+    span_measurement,
+    spanned_teeth,
+)
+from gearwright.render.drawings.sheet.tables import Grid
+from gearwright.render.drawings.views.teeth import (
+    bevel_pair,
+    cylindrical_gear,
+    hand_of,
+    is_internal,
+    kind_of,
+    meshes_of,
+)
+from gearwright.sizing import GearSizing, Sizing
+from gearwright.spec import Pair
+
+BALL = 1.75
+"""Diameter of measuring balls over the module, rounded to 0.25 mm [-]."""
+Row = tuple[str, str, str]
+
+
+def tooth_grid(sizing: Sizing, gear: GearSizing, shaft: str) -> Grid:
+    """Return the table of tooth data of a gear.
+
+    Args:
+        sizing: What was sized.
+        gear: One of its gears.
+        shaft: That carries it.
+    """
+    rows = _bevel_rows(sizing, gear) if kind_of(sizing, gear) == "bevel" else _cylindrical_rows(sizing, gear)
+    named = {"hand": _hand(sizing, gear, shaft)}
+    filled = tuple((name, symbol, named.get(value, value)) for name, symbol, value in rows)
+    return Grid(f"Tooth data: {gear.name}", (*filled, *_quality(sizing, gear), *_mates(sizing, gear)))
+
+
+def _hand(sizing: Sizing, gear: GearSizing, shaft: str) -> str:
+    hand = hand_of(sizing, gear, shaft)
+    if hand is None:
+        return "straight"
+    stage = sizing.design.stages[gear.stage]
+    double = isinstance(stage, Pair) and stage.halves == 2
+    return "double-helical" if double else hand.value
+
+
+def _cylindrical_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
+    teeth = cylindrical_gear(sizing, gear)
+    internal = teeth.side < 0
+    yield "Kind", "", "internal" if internal else "external"
+    yield "Number of teeth", "z", f"{teeth.teeth}"
+    yield "Normal module", "m_{n}", _mm(teeth.module)
+    yield "Normal pressure angle", "α_{n}", _degrees(teeth.rack.pressure_angle)
+    yield "Basic rack", "", "ISO 53 A"
+    yield "Helix angle", "β", _degrees(teeth.helix_angle)
+    yield "Hand of helix", "", "hand"
+    yield "Profile shift coefficient", "x", f"{teeth.profile_shift + 0.0:g}"
+    yield "Reference diameter", "d", _mm(2.0 * teeth.pitch_radius)
+    yield "Base diameter", "d_{b}", _mm(2.0 * teeth.base_radius)
+    yield "Tip diameter", "d_{a}", _mm(2.0 * teeth.tip_radius)
+    yield "Root diameter", "d_{f}", _mm(2.0 * teeth.root_radius)
+    yield "Face width", "b", _mm(teeth.face_width)
+    if kind_of(sizing, gear) == "cylindrical":
+        yield from _measurement(sizing, gear, teeth)
+
+
+def _measurement(sizing: Sizing, gear: GearSizing, teeth: CylindricalGear) -> Iterator[Row]:
+    if is_internal(sizing, gear):
+        ball = max(round(4e3 * BALL * teeth.module), 1) / 4e3
+        yield "Ball diameter (assumed)", "D_{M}", _mm(ball)
+        yield "Distance between balls", "M_{dK}", f"{_mm(ball_measurement(teeth, ball))} without backlash"
+        return
+    count = spanned_teeth(teeth)
+    # The anvils reach over the whole span on a helical gear only if it is wide enough.
+    span = span_measurement(teeth, count)
+    if span * math.sin(teeth.base_helix_angle) > teeth.face_width:
+        ball = max(round(4e3 * BALL * teeth.module), 1) / 4e3
+        yield "Ball diameter (assumed)", "D_{M}", _mm(ball)
+        yield "Distance over balls", "M_{dK}", f"{_mm(ball_measurement(teeth, ball))} without backlash"
+        return
+    allowances = _allowances(sizing, gear, teeth)
+    yield "Span over teeth", "k", f"{count}"
+    yield "Span without backlash", "W_{k}", _mm(span)
+    if allowances is None:
+        yield "Allowances of the span", "E_{bn}", "none: no class, or d out of ISO 286-1"
+    else:
+        low, high = (f"{1e3 * each:.3f}".replace("-", "−") for each in allowances)
+        yield "Allowances of the span", "E_{bns} / E_{bni}", f"{high} / {low}"
+
+
+def _allowances(sizing: Sizing, gear: GearSizing, teeth: CylindricalGear) -> tuple[float, float] | None:
+    """Return allowances of the span, where the stage has a tolerance class that they are known for."""
+    rules, stage = sizing.design.rules(gear.stage), sizing.design.stages[gear.stage]
+    grade = rules.iso6336.tolerance_class
+    if rules.rating != "iso6336" or not 4 <= grade <= 9:
+        return None
+    if not SMALLEST < 2.0 * teeth.pitch_radius <= LARGEST:
+        return None
+    distance = _centre_distance(sizing, gear)
+    backlash = stage.backlash or least_backlash(distance, teeth.module)
+    quality, factor = feed_grade(grade)
+    feed = factor * standard_tolerance(2.0 * teeth.pitch_radius, quality)
+    runout = runout_tolerance(2.0 * teeth.pitch_radius, teeth.module, grade)
+    return span_allowances(backlash, runout, feed, pressure_angle=teeth.rack.pressure_angle)
+
+
+def _centre_distance(sizing: Sizing, gear: GearSizing) -> float:
+    mesh, _ = meshes_of(sizing, gear.name)[0]
+    one, other = (next(each for each in sizing.gears if each.name == name) for name in mesh.gears)
+    return abs(one.pitch_diameter - mesh.sign * other.pitch_diameter) / 2.0
+
+
+def cones(pair: BevelPair, side: int) -> tuple[float, float]:
+    """Return face and root cone angle of a bevel gear whose teeth taper towards the apex [rad].
+
+    Args:
+        pair: The pair.
+        side: 0 for the pinion, 1 for the wheel.
+    """
+    pitch, distance = pair.pitch_angles[side], pair.mean_cone_distance
+    return pitch + math.atan(pair.addenda[side] / distance), pitch - math.atan(pair.dedenda[side] / distance)
+
+
+def _bevel_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
+    pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
+    face, root = cones(pair, side)
+    scale = pair.outer_cone_distance / pair.mean_cone_distance
+    pitch = pair.pitch_angles[side]
+    tip = pair.outer_diameters[side] + 2.0 * scale * pair.addenda[side] * math.cos(pitch)
+    yield "Number of teeth", "z", f"{gear.teeth}"
+    yield "Outer transverse module", "m_{et}", _mm(pair.outer_module)
+    yield "Mean normal module", "m_{mn}", _mm(pair.mean_module)
+    yield "Normal pressure angle", "α_{n}", _degrees(pair.pressure_angle)
+    yield "Mean spiral angle", "β_{m}", _degrees(pair.spiral_angle)
+    yield "Hand of spiral", "", "hand"
+    yield "Shaft angle", "Σ", _degrees(pair.shaft_angle)
+    yield "Pitch cone angle", "δ", _degrees(pitch)
+    yield "Face cone angle", "δ_{a}", _degrees(face)
+    yield "Root cone angle", "δ_{f}", _degrees(root)
+    yield "Outer cone distance", "R_{e}", _mm(pair.outer_cone_distance)
+    yield "Mean cone distance", "R_{m}", _mm(pair.mean_cone_distance)
+    yield "Outer pitch diameter", "d_{e}", _mm(pair.outer_diameters[side])
+    yield "Mean pitch diameter", "d_{m}", _mm(pair.mean_diameters[side])
+    yield "Outer tip diameter", "d_{ae}", _mm(tip)
+    yield "Mean addendum", "h_{am}", _mm(pair.addenda[side])
+    yield "Mean dedendum", "h_{fm}", _mm(pair.dedenda[side])
+    yield "Face width", "b", _mm(pair.face_width)
+
+
+def _quality(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
+    rules = sizing.design.rules(gear.stage)
+    if rules.rating != "iso6336":
+        yield "Flank tolerance class", "", "not chosen (Lewis and Hertz)"
+        return
+    standard = "ISO 17485" if kind_of(sizing, gear) == "bevel" else "ISO 1328-1"
+    yield "Flank tolerance class", "", f"{rules.iso6336.tolerance_class} {standard}"
+    yield (
+        "Roughness of flank / root",
+        "R_{z}",
+        (f"{1e6 * rules.iso6336.flank_roughness:g} / {1e6 * rules.iso6336.root_roughness:g} µm"),
+    )
+    yield "Steel (ISO 6336-5)", "", f"{rules.iso6336.steel} {rules.iso6336.grade}, {rules.iso6336.hardness_hv:g} HV"
+
+
+def _mates(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
+    mates = {mesh.gears[1 - side]: mesh for mesh, side in meshes_of(sizing, gear.name)}
+    for name, mesh in mates.items():
+        mate = next(each for each in sizing.gears if each.name == name)
+        yield "Mating gear", "", f"{name}, z = {mate.teeth}"
+        if kind_of(sizing, gear) == "cylindrical":
+            distance = abs(gear.pitch_diameter - mesh.sign * mate.pitch_diameter) / 2.0
+            yield "Centre distance", "a", _mm(distance)
+
+
+def _mm(value: float) -> str:
+    return f"{1e3 * value:.3f}".rstrip("0").rstrip(".")
+
+
+def _degrees(value: float) -> str:
+    return f"{math.degrees(value):.4f}".rstrip("0").rstrip(".") + "°"

@@ -1,0 +1,146 @@
+"""Figures of what shakes a train and how it answers: Campbell diagram with margins, frequency response."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from gearwright.dynamics.vibration import RESONANCE, CriticalSpeed, Order, Response, SpeedCase, order_name
+from gearwright.render.figures.sizing import WIDTH
+from gearwright.render.style import theme
+from gearwright.sizing import Sizing
+from gearwright.units import RPM
+
+MOST_MARGINS = 12
+"""Critical speeds whose margins are drawn."""
+LARGEST_DOT = 70.0
+"""Area of the dot of a dynamic force as large as the mean one [pt²]."""
+
+
+@theme.styled
+def campbell_figure(sizing: Sizing, found: SpeedCase) -> Figure:
+    """Return the Campbell diagram of one set of speeds, and the margins of the nearest excited critical speeds.
+
+    Args:
+        sizing: As sized.
+        found: From `critical_speeds`.
+    """
+    near = [each for each in found.critical if each.excited][:MOST_MARGINS]
+    figure = theme.sheet(WIDTH, 105.0 + 5.0 * max(len(near), 1))
+    diagram, margins = figure.subplots(2, 1, height_ratios=(85.0, 12.0 + 5.0 * max(len(near), 1)))
+    _draw_campbell(diagram, sizing, found)
+    _draw_margins(margins, near)
+    return figure
+
+
+@dataclass(frozen=True)
+class _Frame:
+    """What the diagram shows."""
+
+    speed: float
+    """Operating speed of the first machine's shaft [rpm]."""
+    top: float
+    """Highest frequency [kHz]."""
+
+
+def _draw_campbell(axes: Axes, sizing: Sizing, found: SpeedCase) -> None:
+    machine, case = sizing.machines[0], found.cases.split(", ")[0]
+    excited = [each for each in found.critical if each.excited]
+    highest = max(
+        (each.frequency for each in excited or found.critical), default=float(np.max(found.campbell.frequency))
+    )
+    frame = _Frame(abs(sizing.flows[case].speeds[machine.shaft]) / RPM, 1.12e-3 * highest)
+    speeds = found.campbell.factor * frame.speed
+    axes.axvspan(RESONANCE[0] * frame.speed, RESONANCE[1] * frame.speed, color=theme.STEEL, lw=0.0, zorder=0)
+    axes.axvline(frame.speed, color=theme.INK, lw=0.9)
+    axes.annotate("operating", (frame.speed, 1.0), (2, -2), xycoords=("data", "axes fraction"), fontsize=6.5,
+                  textcoords="offset points", va="top")  # fmt: skip
+    axes.plot(speeds, found.campbell.frequency / 1e3, color=theme.MUTED, lw=0.7)
+    axes.plot([], [], color=theme.MUTED, lw=0.7, label="natural frequency")
+    axes.set(xlim=(0.0, speeds[-1]), ylim=(0.0, frame.top), ylabel="frequency [kHz]")
+    axes.set_xlabel(f"speed of {machine.shaft} [rpm]")
+    axes.set_title(f"Campbell diagram, case {found.cases}", pad=30.0)
+    _draw_orders(axes, sizing, found.campbell.orders, frame)
+    for each in excited:
+        area = LARGEST_DOT * min(each.dynamic_force, 2.0)
+        axes.scatter(each.speed / RPM, each.frequency / 1e3, s=max(area, 2.0), color=theme.ORANGE, zorder=3, lw=0.0)
+    axes.scatter(
+        [], [], s=LARGEST_DOT, color=theme.ORANGE, lw=0.0, label="resonance; area: force amplitude over mean force"
+    )
+    axes.legend(loc="upper left", bbox_to_anchor=(0.0, -0.17), ncols=3, borderaxespad=0.0, fontsize=6.5)
+
+
+def _draw_orders(axes: Axes, sizing: Sizing, orders: Sequence[Order], frame: _Frame) -> None:
+    """Draw the rays: mesh orders named, in the colour of their stage; shafts dotted."""
+    stages, end, free = list(sizing.design.stages), axes.get_xlim()[1], 0.0
+    for order in sorted(orders, key=lambda each: -each.frequency):
+        name, top = order_name(sizing, order.tone), order.frequency / 1e3 * end / frame.speed
+        if " mesh" not in name:
+            axes.plot([0.0, end], [0.0, top], color=theme.MUTED, lw=0.6, ls=":", zorder=1)
+            continue
+        colour = theme.CYCLE[stages.index(name.partition(" mesh")[0]) % len(theme.CYCLE)]
+        axes.plot([0.0, end], [0.0, top], color=colour, lw=0.9, zorder=1)
+        leaves = end * min(1.0, frame.top / top)
+        if leaves >= free or leaves == end:
+            _name_ray(axes, name.replace(" mesh", ""), (leaves, min(top, frame.top)), colour)
+            free = leaves + 0.028 * end
+    if any(" mesh" not in order_name(sizing, order.tone) for order in orders):
+        axes.plot([], [], color=theme.MUTED, lw=0.6, ls=":", label="shaft turning")
+
+
+def _name_ray(axes: Axes, word: str, at: tuple[float, float], colour: str) -> None:
+    """Write a ray's name where it leaves the frame: on the right, or slanted on top."""
+    right = at[0] == axes.get_xlim()[1]
+    axes.annotate(word, at, (3, 0) if right else (1, 2), textcoords="offset points", fontsize=6.0, color=colour,
+                  rotation=0.0 if right else 45.0, va="center" if right else "bottom",
+                  annotation_clip=False)  # fmt: skip
+
+
+def _draw_margins(axes: Axes, near: Sequence[CriticalSpeed]) -> None:
+    """Draw the distance of each critical speed from the operating one, in per cent, nearest on top."""
+    axes.set_title("Excited critical speeds nearest to the operating speed")
+    if not near:
+        axes.set_axis_off()
+        axes.text(0.0, 0.5, "No order excites a mode in this range of speeds.", transform=axes.transAxes, fontsize=7.5)
+        return
+    band = [100.0 * (1.0 / bound - 1.0) for bound in reversed(RESONANCE)]
+    axes.axvspan(*band, color=theme.STEEL, lw=0.0, zorder=0)
+    axes.axvline(0.0, color=theme.INK, lw=0.9)
+    place = np.arange(len(near))
+    margin = np.array([100.0 * each.margin for each in near])
+    axes.hlines(place, 0.0, margin, color=theme.MUTED, lw=0.7)
+    area = [max(2.0, LARGEST_DOT * min(each.dynamic_force, 2.0)) for each in near]
+    axes.scatter(margin, place, s=area, color=theme.ORANGE, zorder=3, lw=0.0)
+    axes.set_yticks(place, [f"{each.order}, mode {each.mode} ({each.frequency:.0f} Hz)" for each in near], fontsize=6.5)
+    axes.set_ylim(len(near) - 0.4, -0.6)
+    reach = 1.15 * max(float(np.max(np.abs(margin))), band[1])
+    axes.set_xlim(-reach, reach)
+    axes.set_xlabel("critical over operating speed, less 1 [%]; shaded: main resonance range, ISO 6336-1")
+    theme.only_grid(axes, "x")
+
+
+@theme.styled
+def response_figure(response: Response, lines: Sequence[str], *, title: str) -> Figure:
+    """Return the amplitude and phase of mesh forces against frequency.
+
+    Args:
+        response: Of the train.
+        lines: Whose forces are drawn.
+        title: What excites.
+    """
+    figure = theme.sheet(WIDTH, 105.0)
+    top, below = figure.subplots(2, 1, sharex=True, height_ratios=(3.0, 1.3))
+    for line in lines:
+        force = response.force(line)
+        top.loglog(response.frequency / 1e3, np.abs(force), label=line)
+        below.semilogx(response.frequency / 1e3, np.degrees(np.angle(force)), lw=0.8)
+    top.set(title=title, ylabel="force amplitude [N]")
+    top.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    below.set(ylabel="phase [°]", xlabel="frequency [kHz]", ylim=(-190.0, 190.0))
+    below.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
+    below.margins(x=0.0)
+    return figure

@@ -1,0 +1,258 @@
+"""Figures of a flight over its time: profile, powers and torques, fuel and charge, heat and oil."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+from numpy.typing import NDArray
+
+from gearwright.mission import Flight
+from gearwright.render.style import theme
+from gearwright.units import FOOT, RPM
+
+Array = NDArray[np.float64]
+WIDTH = 180.0
+"""Of a figure on an A4 page [mm]."""
+MODE_COLOURS = {
+    "conventional": theme.BLUE, "hybrid": theme.PURPLE, "electric": theme.ORANGE, "rated": theme.GREEN,
+}  # fmt: skip
+"""Colour of each propulsion mode."""
+LOSSES = {
+    "mesh_loss": ("meshes", theme.BLUE),
+    "bearing_loss": ("bearings", theme.AMBER),
+    "windage_loss": ("windage", theme.SKY),
+    "churning_loss": ("churning", theme.GREEN),
+}
+"""Losses of the gearbox: name in the history -> words and colour."""
+KNOT, KELVIN = 1852.0 / 3600.0, 273.15
+_MINUTE, _KILO, _HOUR = 60.0, 1e3, 3600.0
+_LABEL_GAP = 0.055
+"""Least distance of two phase names, over the width of the figure [-]."""
+
+
+class Stretch(NamedTuple):
+    """One phase on the axis of time."""
+
+    name: str
+    mode: str
+    start: float
+    """[min]"""
+    end: float
+    """[min]"""
+
+
+def stretches(flight: Flight) -> tuple[Stretch, ...]:
+    """Return the phases of a flight on its axis of time.
+
+    Args:
+        flight: As flown.
+    """
+    found, clock, names = [], 0.0, np.array(flight.phase)
+    for name, phase in flight.mission.phases.items():
+        length = float(flight.history["duration"][names == name].sum()) / _MINUTE
+        found.append(Stretch(name, phase.mode, clock, clock + length))
+        clock += length
+    return tuple(found)
+
+
+def apart(places: Sequence[float], gap: float) -> list[float]:
+    """Return places in their order that are moved as little as keeps them a gap apart.
+
+    Args:
+        places: Rising.
+        gap: Least distance.
+
+    >>> apart([0.0, 0.0, 10.0], 2.0)
+    [-1.0, 1.0, 10.0]
+    """
+    blocks: list[tuple[float, int]] = []
+    for k, place in enumerate(places):
+        blocks.append((place - gap * k, 1))
+        while len(blocks) > 1 and blocks[-2][0] > blocks[-1][0]:
+            (one, count), (other, more) = blocks[-2], blocks[-1]
+            blocks[-2:] = [((one * count + other * more) / (count + more), count + more)]
+    levels = [level for level, count in blocks for _ in range(count)]
+    return [level + gap * k for k, level in enumerate(levels)]
+
+
+def _panels(flight: Flight, heights: Sequence[float]) -> tuple[Figure, list[Axes]]:
+    """Return a figure with panels over the time, below a strip that names phases and modes [mm]."""
+    figure = theme.sheet(WIDTH, 24.0 + sum(heights))
+    ratios = [5.0, *heights]
+    axes = list(figure.subplots(len(ratios), 1, sharex=True, height_ratios=ratios))
+    parts = stretches(flight)
+    end = parts[-1].end
+    _strip(axes[0], parts, end)
+    for panel in axes[1:]:
+        for part in parts[1:]:
+            panel.axvline(part.start, color=theme.HAIR, lw=0.8, zorder=0)
+        panel.grid(visible=False, axis="x")
+    axes[-1].set_xlim(0.0, end)
+    axes[-1].set_xlabel("time [min]")
+    return figure, axes[1:]
+
+
+def _strip(axes: Axes, parts: Sequence[Stretch], end: float) -> None:
+    places = apart([(part.start + part.end) / 2.0 for part in parts], _LABEL_GAP * end)
+    for part, place in zip(parts, places, strict=True):
+        axes.barh(0.0, part.end - part.start, left=part.start, height=1.0, color=MODE_COLOURS[part.mode],
+                  edgecolor=theme.PAPER, linewidth=0.6)  # fmt: skip
+        leader = {"arrowstyle": "-", "color": theme.MUTED, "lw": 0.4, "shrinkA": 0, "shrinkB": 0}
+        axes.annotate(part.name, ((part.start + part.end) / 2.0, 0.5), (place, 1.25), rotation=32, fontsize=7.0,
+                      ha="left", va="bottom", annotation_clip=False, arrowprops=leader)  # fmt: skip
+    modes = dict.fromkeys(part.mode for part in parts)
+    axes.legend(handles=[Patch(color=MODE_COLOURS[mode], label=mode) for mode in modes], loc="lower right",
+                bbox_to_anchor=(1.0, 3.6), ncols=3, borderaxespad=0.0)  # fmt: skip
+    axes.set_ylim(-0.5, 0.5)
+    axes.axis("off")
+
+
+def _minutes(flight: Flight) -> Array:
+    return flight.history["time"] / _MINUTE
+
+
+@theme.styled
+def profile_figure(flight: Flight) -> Figure:
+    """Return altitude, airspeed, propeller speed and pitch over the time, with the propulsion modes.
+
+    Args:
+        flight: As flown.
+    """
+    figure, (height, speed, turning, pitch) = _panels(flight, [28.0, 24.0, 20.0, 20.0])
+    time, history = _minutes(flight), flight.history
+    feet = history["altitude"] / FOOT
+    height.fill_between(time, feet, color=theme.STEEL)
+    height.plot(time, feet, color=theme.INK)
+    height.set_ylabel("pressure\naltitude [ft]")
+    height.set_ylim(bottom=0.0)
+    speed.plot(time, history["true_airspeed"] / KNOT, color=theme.BLUE, label="true airspeed [kt]")
+    speed.set_ylabel("true airspeed\n[kt]", color=theme.BLUE)
+    mach = speed.twinx()
+    mach.plot(time, history["mach"], color=theme.MUTED, lw=0.8, ls="--")
+    mach.set_ylabel("Mach\n(dashed)", color=theme.MUTED)
+    mach.grid(visible=False)
+    mach.set_ylim(0.0, 1.25 * max(float(history["mach"].max()), 0.05))
+    turning.plot(time, history["propeller_speed"] / RPM, color=theme.GREEN)
+    turning.set_ylabel("propeller\n[rpm]")
+    for panel in (speed, turning):
+        panel.set_ylim(bottom=0.0)
+    if "pitch" in history:
+        pitch.plot(time, np.degrees(history["pitch"]), color=theme.PURPLE)
+        pitch.set_ylabel("blade\nangle [°]")
+    else:
+        pitch.plot(time, history["air_density"], color=theme.PURPLE)
+        pitch.set_ylabel("air density\n[kg/m³]")
+    return figure
+
+
+@theme.styled
+def power_figure(flight: Flight) -> Figure:
+    """Return the powers of all machines, what the turbines could give, and the torque of every shaft.
+
+    Args:
+        flight: As flown.
+    """
+    figure, (powers, torques) = _panels(flight, [46.0, 40.0])
+    time, history = _minutes(flight), flight.history
+    stacks = list(_machines(flight))
+    for sign in (1.0, -1.0):
+        parts = [np.maximum(sign * values, 0.0) * sign / _KILO for _, values, _ in stacks]
+        if any(part.any() for part in parts):
+            powers.stackplot(time, parts, colors=[colour for *_, colour in stacks], lw=0.0, alpha=0.85,
+                             labels=[name for name, *_ in stacks] if sign > 0.0 else [])  # fmt: skip
+    powers.plot(time, history["propeller_power"] / _KILO, color=theme.INK, label="propeller takes")
+    if history["turbine_available"].any():
+        powers.plot(time, history["turbine_available"] / _KILO, color=theme.BLUE, lw=0.8, ls=":",
+                    label="turbines could give")  # fmt: skip
+    powers.set_ylabel("power [kW]")
+    powers.legend(loc="upper right", ncols=2)
+    powers.set_ylim(top=1.3 * max(float(history["propeller_power"].max()), float(history["turbine_available"].max()))
+                    / _KILO)  # fmt: skip
+    for colour, name in zip(theme.CYCLE * 4, flight.sizing.design.shafts, strict=False):
+        torques.plot(time, flight.shaft_torques[name], color=colour, label=name)
+    torques.set_yscale("symlog", linthresh=10.0)
+    torques.set_ylim(bottom=0.0)
+    torques.set_ylabel("torque inside\nthe shaft [N m]")
+    torques.legend(loc="lower center", ncols=4)
+    return figure
+
+
+def _machines(flight: Flight) -> Iterator[tuple[str, Array, str]]:
+    design = flight.sizing.design
+    shades = {"turbine": (theme.BLUE, theme.SKY), "motor": (theme.ORANGE, theme.AMBER)}
+    counts = {"turbine": 0, "motor": 0}
+    for name, values in flight.machine_powers.items():
+        kind = "turbine" if name in design.turbines else "motor"
+        yield name, values, shades[kind][counts[kind] % 2]
+        counts[kind] += 1
+
+
+@theme.styled
+def stores_figure(flight: Flight) -> Figure:
+    """Return the fuel burnt, the state of charge, and the battery's voltage and current.
+
+    Args:
+        flight: As flown.
+    """
+    battery = flight.mission.battery is not None and bool(flight.history["battery_current"].any())
+    figure, (fuel, *others) = _panels(flight, [30.0, 22.0, 20.0, 20.0] if battery else [34.0])
+    time, history = _minutes(flight), flight.history
+    burnt = np.cumsum(history["fuel_flow"] * history["duration"])
+    fuel.fill_between(time, burnt, color=theme.STEEL)
+    fuel.plot(time, burnt, color=theme.BLUE, label="burnt [kg]")
+    fuel.plot(time, history["fuel_flow"] * _HOUR, color=theme.INK, lw=0.8, ls="--", label="flow [kg/h]")
+    fuel.set_ylabel("fuel")
+    fuel.set_ylim(0.0, 1.25 * max(float(burnt.max()), float(history["fuel_flow"].max()) * _HOUR, 1.0))
+    fuel.legend(loc="upper left", ncols=2)
+    if battery:
+        _charge(flight, time, others)
+    return figure
+
+
+def _charge(flight: Flight, time: Array, panels: Sequence[Axes]) -> None:
+    rules, history = flight.mission.battery, flight.history
+    if rules is None:
+        return
+    charge, volts, rate = panels
+    charge.plot(time, 100.0 * history["state_of_charge"], color=theme.ORANGE)
+    charge.axhline(100.0 * rules.least_charge, color=theme.MUTED, lw=0.7, ls="--")
+    charge.annotate("must remain", (0.0, 100.0 * rules.least_charge), (3, 2), textcoords="offset points", fontsize=7.0)
+    charge.set_ylim(0.0, 105.0)
+    charge.set_ylabel("state of\ncharge [%]")
+    capacity = 2.0 * rules.energy / (rules.full_voltage_v + rules.empty_voltage_v)
+    volts.plot(time, history["battery_voltage"], color=theme.PURPLE)
+    volts.set_ylabel("terminal\nvoltage [V]")
+    rate.plot(time, _HOUR * history["battery_current"] / capacity, color=theme.GREEN)
+    rate.axhline(0.0, color=theme.MUTED, lw=0.6)
+    rate.set_ylabel(f"C-rate [1/h]\n(at most {rules.highest_c_rate:g})")
+
+
+@theme.styled
+def heat_figure(flight: Flight) -> Figure:
+    """Return the gearbox's losses by kind, its efficiency, and the oil's temperature behind it.
+
+    Args:
+        flight: As flown.
+    """
+    figure, (losses, share, oil) = _panels(flight, [34.0, 22.0, 26.0])
+    time, history = _minutes(flight), flight.history
+    kinds = {name: each for name, each in LOSSES.items() if history[name].any()}
+    words, colours = zip(*kinds.values(), strict=True)
+    losses.stackplot(time, [history[name] / _KILO for name in kinds], lw=0.0, colors=colours, labels=words)
+    losses.set_ylabel("heat of the\ngearbox [kW]")
+    losses.set_ylim(0.0, 1.25 * float(history["gearbox_heat"].max()) / _KILO)
+    losses.legend(loc="upper right", ncols=4)
+    taken, given = flight.passed()
+    share.plot(time, 100.0 * given / taken, color=theme.INK)
+    share.set_ylabel("efficiency\n[%]")
+    oil.plot(time, history["oil_outlet"] - KELVIN, color=theme.ORANGE, label="behind the gearbox")
+    oil.axhline(flight.mission.oil.inlet_temperature_k - KELVIN, color=theme.BLUE, label="into it")
+    oil.plot(time, history["air_temperature"] - KELVIN, color=theme.SKY, lw=0.8, label="outside air")
+    oil.set_ylabel("oil [°C]")
+    oil.legend(loc="center", bbox_to_anchor=(0.42, 0.55), ncols=3)
+    return figure

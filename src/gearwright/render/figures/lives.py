@@ -1,0 +1,148 @@
+"""Figures of what a flight does to parts: duty spectra of meshes, bearings and shafts, lives, the mass of a life."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from gearwright.mission import Durability, Flight, LifeSizing, PartLife
+from gearwright.mission.lives import seat_duties
+from gearwright.render.figures.flight import WIDTH
+from gearwright.render.style import theme
+
+Array = NDArray[np.float64]
+MODE_COLOURS = {"bending": theme.BLUE, "pitting": theme.SKY, "rolling fatigue": theme.AMBER}
+"""Colour of each way to fail."""
+LONGEST = 1e7
+"""Flights beyond which a part does not fail for any practical purpose [-]."""
+_KILO = 1e3
+Duty = tuple[str, Array, Array]
+"""Name, loads and turns of all intervals."""
+
+
+@theme.styled
+def spectrum_figure(flight: Flight) -> Figure:
+    """Return the duty spectra of one flight: turns at which a load is reached or passed.
+
+    Args:
+        flight: As flown.
+    """
+    groups = [
+        ("Meshes", "force of one mesh [kN]", list(_meshes(flight))),
+        ("Bearings", "radial force [kN]", list(_seats(flight))),
+        ("Shafts", "torque inside [kN m]", list(_shafts(flight))),
+    ]
+    drawn = [group for group in groups if group[2]]
+    figure = theme.sheet(WIDTH, 78.0)
+    panels = figure.subplots(1, len(drawn), squeeze=False)[0]
+    for panel, (title, label, duties) in zip(panels, drawn, strict=True):
+        _spectrum(panel, duties)
+        panel.set_title(title)
+        panel.set_ylabel(label)
+        panel.set_xlabel("turns at this load or more [-]")
+    return figure
+
+
+def _spectrum(axes: Axes, duties: Iterable[Duty]) -> None:
+    for colour, (name, loads, turns) in zip(theme.CYCLE * 4, duties, strict=False):
+        order = np.argsort(-np.abs(loads), kind="stable")
+        reached = np.maximum(np.cumsum(turns[order]), 1e-3)
+        load = np.abs(loads)[order]
+        axes.step([reached[0] * 0.3, *reached], [load[0], *load], where="pre", color=colour, label=name)
+    axes.set_xscale("log")
+    axes.set_xlim(left=1.0)
+    axes.set_ylim(bottom=0.0)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=2, fontsize=6.5)
+
+
+def _turns(flight: Flight, speed: Array) -> Array:
+    return np.abs(speed) * flight.history["duration"] / (2.0 * np.pi)
+
+
+def _shafts(flight: Flight) -> Iterator[Duty]:
+    for name in flight.sizing.design.shafts:
+        yield name, flight.shaft_torques[name] / _KILO, _turns(flight, flight.speeds[name])
+
+
+def _meshes(flight: Flight) -> Iterator[Duty]:
+    for mesh in flight.sizing.train.meshes:
+        carrier = flight.speeds.get(mesh.nodes[2], np.zeros(len(flight.phase)))
+        force = flight.mesh_forces[mesh.name] / _KILO
+        yield mesh.name, force, _turns(flight, flight.speeds[mesh.nodes[0]] - carrier)
+
+
+def _seats(flight: Flight) -> Iterator[Duty]:
+    for seat, duty in seat_duties(flight):
+        yield seat.name, duty.radial / _KILO, duty.turns
+
+
+def lasting_parts(parts: Durability) -> tuple[PartLife, ...]:
+    """Return the parts and ways to fail that a reader needs: those that end within ten million flights.
+
+    Args:
+        parts: Lives of gears and bearings.
+    """
+    return tuple(row for row in parts.parts if row.flights < LONGEST)
+
+
+@theme.styled
+def life_figure(parts: Durability) -> Figure:
+    """Return the flights that every part lives, the one that governs first.
+
+    Args:
+        parts: Lives of gears and bearings.
+    """
+    rows = lasting_parts(parts)
+    figure = theme.sheet(WIDTH, 24.0 + 5.4 * len(rows))
+    axes = figure.add_subplot()
+    for place, row in enumerate(rows):
+        length = row.flights
+        axes.barh(place, length, left=0.5, height=0.72, color=MODE_COLOURS[row.mode])
+        axes.annotate(_told(row), (length, place), (4, 0), textcoords="offset points", va="center", fontsize=7.5)
+    for mode in dict.fromkeys(row.mode for row in rows):
+        axes.barh([0], [0.0], color=MODE_COLOURS[mode], label=mode)
+    axes.set_yticks(range(len(rows)), [row.name for row in rows])
+    axes.set_xscale("log")
+    axes.set_xlim(1.0, 1e4 * max(row.flights for row in rows))
+    axes.invert_yaxis()
+    axes.set_xlabel("flights until Miner's sum is 1 [-]")
+    axes.legend(loc="upper right")
+    theme.only_grid(axes, "x")
+    return figure
+
+
+def _told(row: PartLife) -> str:
+    return f"{row.flights:,.0f} flights, {row.life:,.0f} h"
+
+
+@theme.styled
+def mass_of_life_figure(life: LifeSizing) -> Figure:
+    """Return the mass of the gearbox against the life of its weakest gear, round by round.
+
+    Args:
+        life: From `size_for_life`.
+    """
+    hours, masses = (list(each) for each in zip(*life.path, strict=True))
+    figure = theme.sheet(WIDTH, 64.0)
+    axes = figure.add_subplot()
+    axes.plot(hours, masses, color=theme.BLUE, marker="o", ms=3.5)
+    axes.axvline(life.hours, color=theme.ORANGE, lw=0.9, ls="--")
+    axes.annotate(f"asked: {life.hours:,.0f} h", (life.hours, masses[0]), (-4, 0), textcoords="offset points",
+                  ha="right", color=theme.ORANGE)  # fmt: skip
+    _ends(axes, hours, masses)
+    axes.set_xscale("log")
+    axes.set_xlabel("life of the gear that fails first [flight hours]")
+    axes.set_ylabel("gears, shafts,\ncarriers [kg]")
+    axes.margins(x=0.08, y=0.2)
+    return figure
+
+
+def _ends(axes: Axes, hours: Sequence[float], masses: Sequence[float]) -> None:
+    """Write life and mass beside the first and the last round."""
+    for k, shift in ((0, (6, -10)), (-1, (-6, 7))):
+        axes.annotate(f"{hours[k]:,.0f} h, {masses[k]:.2f} kg", (hours[k], masses[k]), shift,
+                      textcoords="offset points", ha="left" if k == 0 else "right", fontsize=7.5)  # fmt: skip

@@ -1,0 +1,92 @@
+"""Figures of many speeds: waterfall of a line's force with its orders, and how strong each order is at each speed."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.figure import Figure
+
+from gearwright.dynamics.model import Floats
+from gearwright.dynamics.vibration import RunUp
+from gearwright.render.figures.sizing import WIDTH
+from gearwright.render.style import theme
+from gearwright.render.tables.tables import written
+from gearwright.units import RPM
+
+DECADES = 3.0
+"""Range of amplitudes that a waterfall tells apart, below the largest [decades]."""
+CELLS = 160
+"""Cells of a waterfall along its frequencies: a cell shows the largest amplitude in it."""
+MOST_ORDERS = 6
+"""Orders whose course is drawn, at most."""
+QUIET = 0.02
+"""Amplitude over the largest below which an order is not drawn [-]."""
+_SHADES = LinearSegmentedColormap.from_list("gearwright", [theme.PAPER, "#c5dcec", theme.BLUE, "#0b2d4a", "#05121f"])
+
+
+@theme.styled
+def waterfall_figure(found: RunUp, line: str, *, speed: float, shaft: str) -> Figure:
+    """Return the waterfall of a line's force over speed, and below it the amplitudes of its strongest orders.
+
+    Args:
+        found: From `run_up`.
+        line: One of its lines.
+        speed: Operating speed of the shaft [rad/s].
+        shaft: Named at the speed axis.
+    """
+    figure = theme.sheet(WIDTH, 150.0)
+    above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1.6, 1.0))
+    rpm = found.factor * speed / RPM
+    _draw_map(figure, above, found, (line, rpm))
+    _draw_tracks(below, found, (line, rpm))
+    for axes in (above, below):
+        axes.axvline(speed / RPM, color=theme.ORANGE, lw=0.9)
+    above.annotate("operating", (speed / RPM, 1.0), (2, -2), xycoords=("data", "axes fraction"), fontsize=6.5,
+                   textcoords="offset points", va="top", color=theme.ORANGE)  # fmt: skip
+    below.set_xlabel(f"speed of {shaft} [rpm]")
+    return figure
+
+
+def _draw_map(figure: Figure, axes: Axes, found: RunUp, of: tuple[str, Floats]) -> None:
+    line, rpm = of
+    frequency, amplitude = _cells(found, line)
+    largest = float(np.max(amplitude))
+    level = np.log10(np.maximum(amplitude / largest, 10.0**-DECADES))
+    image = axes.pcolormesh(rpm, frequency / 1e3, level.T, cmap=_SHADES, shading="nearest",
+                            vmin=-DECADES, vmax=0.0, rasterized=True)  # fmt: skip
+    powers = np.arange(-DECADES, 0.5)
+    bar = figure.colorbar(image, ax=axes, ticks=powers, location="top", aspect=50.0, shrink=0.5, anchor=(1.0, 0.0))
+    bar.ax.set_xticklabels([written(largest * 10.0**power, 3) for power in powers], fontsize=6.5)
+    bar.set_label("amplitude [N]", fontsize=6.5)
+    axes.set(ylabel="frequency [kHz]", ylim=(0.0, frequency[-1] / 1e3), xlim=(rpm[0], rpm[-1]))
+    axes.set_title(f"Waterfall of the force in {line}")
+    axes.grid(visible=False)
+    for name, end in zip(found.orders, found.order_frequency * found.factor[-1], strict=True):
+        if end < frequency[-1]:
+            axes.annotate(name.replace(" mesh", ""), (rpm[-1], end / 1e3), (3, 0), textcoords="offset points",
+                          fontsize=6.0, va="center", color=theme.MUTED, annotation_clip=False)  # fmt: skip
+
+
+def _cells(found: RunUp, line: str) -> tuple[Floats, Floats]:
+    """Return frequencies [Hz] and the largest amplitudes around each, up to the highest that shows [N]."""
+    amplitude = found.amplitude[:, found.lines.index(line)]
+    loud = np.flatnonzero(np.max(amplitude, axis=0) > 10.0**-DECADES * np.max(amplitude))
+    end = min(len(found.frequency), int(1.05 * loud[-1]) + 2)
+    edges = np.unique(np.linspace(0, end, CELLS + 1).astype(int))
+    largest = np.maximum.reduceat(amplitude[:, :end], edges[:-1], axis=1)
+    return 0.5 * (found.frequency[edges[:-1]] + found.frequency[np.minimum(edges[1:], end) - 1]), largest
+
+
+def _draw_tracks(axes: Axes, found: RunUp, of: tuple[str, Floats]) -> None:
+    line, rpm = of
+    number = found.lines.index(line)
+    tracks = found.order_amplitude[:, number]
+    peaks = np.max(tracks, axis=0)
+    strongest = [place for place in np.argsort(-peaks)[:MOST_ORDERS] if peaks[place] > QUIET * np.max(peaks)]
+    for place in sorted(strongest):
+        axes.plot(rpm, tracks[:, place], label=found.orders[place])
+    axes.plot(rpm, found.swing[:, number], color=theme.INK, lw=1.4, label="all, rms")
+    axes.set(ylabel="amplitude [N]", ylim=(0.0, None))
+    axes.set_title("Orders")
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))

@@ -1,0 +1,242 @@
+"""Figures of a Trace and of Modes: forces and torques against time, spectra with mesh orders, mode shapes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator, NullLocator
+
+from gearwright.dynamics import Modes, Samples, Trace
+from gearwright.dynamics.model import Floats
+from gearwright.errors import DesignError, Problem
+from gearwright.render.figures.sizing import WIDTH
+from gearwright.render.style import theme
+from gearwright.sizing import Sizing
+
+ORDERS = 3
+"""Multiples of each mesh frequency that a spectrum marks."""
+FLOOR = 1e-5
+"""Smallest amplitude that a spectrum shows, over the largest [-]."""
+CLOSE_STEPS = 600
+"""Steps at the end of a window that are shown closely."""
+MOST_MODES = 9
+"""Mode shapes in one figure."""
+ENVELOPE = 300
+"""Spans in which a long run is drawn as a band from least to greatest."""
+_KINDS = {"m": ("Mesh and support forces", "force [N]"), "rad": ("Shaft torques", "torque [N m]")}
+
+
+def mesh_frequencies(sizing: Sizing, case: str) -> dict[str, float]:
+    """Return the frequency with which teeth meet in every mesh row [Hz].
+
+    Args:
+        sizing: As sized.
+        case: Load case.
+
+    Source: f = z_a |n_a − n_c|, kinematics.
+    """
+    speeds = sizing.flows[case].speeds
+    return {
+        mesh.name: sizing.teeth[mesh.gears[0]] * abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]) / (2.0 * np.pi)
+        for mesh in sizing.train.meshes
+    }
+
+
+@theme.styled
+def time_figure(trace: Trace) -> Figure:
+    """Return mesh forces and shaft torques against time: the whole run, and beside it the end of the last window.
+
+    Args:
+        trace: As simulated.
+    """
+    units = [unit for unit in _KINDS if unit in trace.labels.line_units]
+    stretches = [trace.samples, *trace.windows[-1:]]
+    figure = theme.sheet(WIDTH, 10.0 + 62.0 * len(units))
+    grid = figure.subplots(len(units), len(stretches), squeeze=False, sharey="row")
+    for row, unit in zip(grid, units, strict=True):
+        for axes, samples in zip(row, stretches, strict=True):
+            _draw_lines(axes, samples, unit, len(samples.time) if samples is trace.samples else CLOSE_STEPS)
+        row[0].set_ylabel(_KINDS[unit][1])
+        row[0].set_title(_KINDS[unit][0])
+        row[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    if trace.windows:
+        grid[0, 1].set_title("Its end, every step")
+    for axes in grid[-1]:
+        axes.set_xlabel("time [ms]")
+    return figure
+
+
+def _families(samples: Samples, unit: str) -> dict[str, list[str]]:
+    """Return the lines of one unit by what they are, the planets of a set together."""
+    found: dict[str, list[str]] = {}
+    for name, own in zip(samples.labels.lines, samples.labels.line_units, strict=True):
+        if own == unit:
+            found.setdefault(re.sub(r"-\d+(?=-|$)", "", name), []).append(name)
+    return found
+
+
+def _several(family: str, names: list[str]) -> str:
+    return family if len(names) == 1 else f"{family} ({len(names)})"
+
+
+def _draw_lines(axes: Axes, samples: Samples, unit: str, most: int) -> None:
+    for place, (family, names) in enumerate(_families(samples, unit).items()):
+        colour = theme.CYCLE[place % len(theme.CYCLE)]
+        forces = np.array([samples.force(name)[-most:] for name in names]).T
+        curves = axes.plot(
+            samples.time[-most:] * 1e3, forces, color=colour, lw=0.8, alpha=1.0 if len(names) == 1 else 0.6
+        )
+        curves[0].set_label(_several(family, names))
+    axes.margins(x=0.0)
+    axes.xaxis.set_major_locator(MaxNLocator(5))
+
+
+def _envelope(time: Floats, values: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return time, least and greatest of several curves in each of many short spans."""
+    spans = np.array_split(np.arange(len(time)), ENVELOPE)
+    least = np.array([np.min(values[:, span]) for span in spans])
+    most = np.array([np.max(values[:, span]) for span in spans])
+    return np.array([np.mean(time[span]) for span in spans]), least, most
+
+
+@theme.styled
+def spectrum_figure(trace: Trace, mesh_frequency: Mapping[str, float]) -> Figure:
+    """Return the amplitude spectrum of the line forces (of the first planet of a set), and the mesh frequencies.
+
+    Args:
+        trace: As simulated.
+        mesh_frequency: Mesh row -> [Hz], as `mesh_frequencies` gives it.
+
+    Raises:
+        DesignError: If no stretch of the run is kept at every step; thinned samples would show false frequencies.
+    """
+    units = [unit for unit in _KINDS if unit in trace.labels.line_units]
+    samples = every_step(trace)
+    if samples is None:
+        raise DesignError([Problem("outputs.windows", "none is kept; keep a window, so that every step is known")])
+    figure = theme.sheet(WIDTH, 10.0 + 62.0 * len(units))
+    grid = figure.subplots(len(units), 1, squeeze=False, sharex=True)[:, 0]
+    for axes, unit in zip(grid, units, strict=True):
+        _draw_spectra(axes, samples, unit)
+        axes.yaxis.set_minor_locator(NullLocator())
+        axes.set_ylabel(f"amplitude of {_KINDS[unit][1]}")
+        _mark_orders(axes, mesh_frequency, named=axes is grid[0])
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    grid[0].set_title("Spectrum; dotted: mesh frequency and its multiples", pad=26.0)
+    grid[-1].set_xlabel("frequency [kHz]")
+    return figure
+
+
+def every_step(trace: Trace) -> Samples | None:
+    """Return the last stretch of a run of which every step is kept, if there is one.
+
+    Args:
+        trace: As simulated.
+    """
+    if trace.windows:
+        return trace.windows[-1]
+    time = trace.samples.time
+    return trace.samples if len(time) > 1 and time[1] - time[0] < 1.5 * trace.step else None
+
+
+def spectrum(time: Floats, values: Floats) -> tuple[Floats, Floats]:
+    """Return frequency [Hz] and amplitude of evenly spaced values, without their mean.
+
+    Args:
+        time: [s], shape (instants,).
+        values: Shape (instants,).
+
+    Source: discrete Fourier transform with Hann's window, amplitudes corrected by the window's mean.
+    """
+    window = np.hanning(len(values))
+    amplitude = 2.0 * np.abs(np.fft.rfft((values - np.mean(values)) * window)) / np.sum(window)
+    return np.fft.rfftfreq(len(values), (time[-1] - time[0]) / (len(time) - 1)), amplitude
+
+
+def _draw_spectra(axes: Axes, samples: Samples, unit: str) -> None:
+    largest = 0.0
+    for family, names in _families(samples, unit).items():
+        frequency, amplitude = spectrum(samples.time, samples.force(names[0]))
+        axes.semilogy(frequency[1:] / 1e3, amplitude[1:], label=family, lw=0.8)
+        largest = max(largest, float(np.max(amplitude[1:], initial=0.0)))
+    if largest > 0.0:
+        axes.set_ylim(largest * FLOOR, largest * 2.0)
+    axes.margins(x=0.0)
+
+
+def _mark_orders(axes: Axes, mesh_frequency: Mapping[str, float], *, named: bool) -> None:
+    """Mark each distinct mesh frequency and its multiples, named above the frame, if asked and with room."""
+    end = min(axes.get_xlim()[1], 1.1e-3 * ORDERS * max(mesh_frequency.values(), default=np.inf))
+    axes.set_xlim(0.0, end)
+    stages = {round(value, 6): name.partition(".")[0] for name, value in reversed(list(mesh_frequency.items()))}
+    marks = sorted(
+        (order * value / 1e3, order, name) for value, name in stages.items() for order in range(1, ORDERS + 1)
+    )
+    free = -np.inf
+    for frequency, order, name in marks:
+        if frequency > end:
+            continue
+        axes.axvline(frequency, color=theme.MUTED, lw=0.7, ls=":", zorder=0)
+        if frequency - free > 0.03 * end and named:
+            word = name if order == 1 else f"{order} {name}"
+            axes.annotate(word, (frequency, 1.0), (0, 3), xycoords=("data", "axes fraction"), rotation=45.0,
+                          textcoords="offset points", fontsize=6.5, color=theme.MUTED)  # fmt: skip
+            free = frequency
+
+
+@theme.styled
+def mode_figure(modes: Modes) -> Figure:
+    """Return shapes of the lowest elastic modes, one a frequency: each coordinate over the largest of its kind.
+
+    Args:
+        modes: As found.
+    """
+    elastic = list(_first_of_each(modes))[:MOST_MODES]
+    columns = min(3, max(1, len(elastic)))
+    rows = -(-len(elastic) // columns) or 1
+    names = modes.labels.coordinates
+    figure = theme.sheet(WIDTH, 8.0 + rows * (12.0 + 3.0 * len(names)))
+    grid = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
+    for axes, mode in zip(grid.flat, elastic, strict=False):
+        _draw_shape(axes, modes, mode)
+    for axes in grid.flat[len(elastic) :]:
+        axes.set_axis_off()
+    grid[0, 0].set_yticks(range(len(names)), names)
+    grid[0, 0].set_ylim(len(names) - 0.5, -0.5)
+    return figure
+
+
+def _first_of_each(modes: Modes) -> Iterator[int]:
+    """Yield the first mode of every elastic frequency; those that share it look alike from another planet."""
+    first = 0
+    for frequency, count in modes.groups():
+        if frequency > 0.0:
+            yield first
+        first += count
+
+
+def _draw_shape(axes: Axes, modes: Modes, mode: int) -> None:
+    shape, units = modes.shapes[:, mode], np.array(modes.labels.coordinate_units)
+    for unit, colour in (("rad", theme.BLUE), ("m", theme.GREEN)):
+        own = np.flatnonzero(units == unit)
+        if len(own) and np.any(shape[own]):
+            axes.barh(own, _normalised(shape[own]), color=colour, height=0.62)
+    held = int(np.argmax(modes.line_energy[:, mode]))
+    axes.set_title(f"{mode + 1}:  {modes.frequency[mode]:.4g} Hz", fontsize=8.5, pad=11.0)
+    share = f"{modes.line_energy[held, mode]:.0%} of the strain in {modes.labels.lines[held]}"
+    axes.annotate(share, (0.0, 1.0), (0, 1), xycoords="axes fraction", textcoords="offset points", fontsize=6.0,
+                  color=theme.MUTED, va="bottom")  # fmt: skip
+    axes.axvline(0.0, color=theme.MUTED, lw=0.6)
+    axes.set_xlim(-1.1, 1.1)
+    axes.tick_params(axis="y", labelsize=6.0)
+    theme.only_grid(axes, "x")
+
+
+def _normalised(part: Floats) -> Floats:
+    """Return a shape with its largest entry at +1."""
+    result: Floats = part / part[int(np.argmax(np.abs(part)))]
+    return result

@@ -1,0 +1,56 @@
+"""K_γ against the number of planets: random sets, one pin in closed form, and what standards and tests say."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from matplotlib.figure import Figure
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from gearwright.catalogue import load_factor_tables, load_factors
+from gearwright.dynamics.sharing import PlanetCounts
+from gearwright.render.figures.sharing import load_factor_figure
+
+PERCENT = 95.0
+"""Percentage of random sets that stay below the factor that is shown."""
+LIMIT = "errors as given, torque and gears kept; the tables grant planets that are sized for their number"
+
+
+def planets_text(found: PlanetCounts) -> RenderableType:
+    """Return K_γ by number of planets as a table, with where the printed ones come from.
+
+    Args:
+        found: From `planet_counts`.
+    """
+    columns = {f"{PERCENT:g} % of random sets": found.random.percentile(PERCENT), **_beside(found)}
+    table = Table(title=f"K_γ of {found.stage} against planets", title_justify="left", caption=LIMIT)
+    table.add_column("planets", justify="right")
+    for name in columns:
+        table.add_column(name, justify="right", overflow="fold")
+    for count in found.random.planets:
+        table.add_row(str(count), *(f"{row[count]:.2f}" if count in row else "" for row in columns.values()))
+    return Group(table, *(Text(line) for line in published_notes()))
+
+
+def published_notes() -> list[str]:
+    """Return one sentence on how sure each table is, and the measured values."""
+    tables = {row.name: row.confidence for row in load_factors() if not row.measured}
+    found = [f"{name}: {confidence}" for name, confidence in tables.items()]
+    measured = (row for row in load_factors() if row.measured)
+    return found + [f"measured, {row.name}: {row.load_factor:.2f} ({row.planets} planets)" for row in measured]
+
+
+def planets_figure(found: PlanetCounts) -> Figure:
+    """Return K_γ against planets with the closed form and the standards' tables.
+
+    Args:
+        found: From `planet_counts`.
+    """
+    return load_factor_figure({"random sets": found.random}, _beside(found))
+
+
+def _beside(found: PlanetCounts) -> dict[str, Mapping[int, float]]:
+    closed = {"one pin, floating": found.floating, "one pin, fixed": found.fixed}
+    return {**closed, **load_factor_tables()}

@@ -1,0 +1,277 @@
+"""Figures of load sharing: against time, against the support of a floating shaft, by error, by chance, as an orbit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from gearwright.dynamics.equations import line_forces
+from gearwright.dynamics.model import Floats
+from gearwright.dynamics.sharing import (
+    Allocation,
+    LoadSharing,
+    PlanetSharing,
+    SharingProblem,
+    SharingStudy,
+    SupportSweep,
+    errors_at,
+    shaft_displacement,
+    single_error_sharing,
+)
+from gearwright.render.figures.sizing import WIDTH
+from gearwright.render.style import theme
+
+MICROMETRE = 1e-6
+ROW = 5.0
+"""Height of one bar [mm of paper]."""
+PERCENTILES = (50.0, 95.0, 99.0)
+POINTS = 1200
+"""Points of a curve: closer than a printer can tell apart."""
+
+
+@theme.styled
+def sharing_figure(sharings: Mapping[str, LoadSharing]) -> Figure:
+    """Return sharing coefficients against time, one panel each: over a tooth cycle, and pale behind it every instant.
+
+    Args:
+        sharings: Title -> sharing; the counterpart of the paper's figures 3, 4, 6 and 8 to 18.
+    """
+    figure = theme.sheet(WIDTH, 12.0 + 42.0 * len(sharings))
+    panels = figure.subplots(len(sharings), 1, sharex=True, squeeze=False)[:, 0]
+    for axes, (title, sharing) in zip(panels, sharings.items(), strict=True):
+        _draw_sharing(axes, sharing)
+        axes.set_title(title)
+        axes.set_ylabel("sharing coefficient b [-]")
+    panels[0].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    panels[-1].set_xlabel("time [s]")
+    return figure
+
+
+def _draw_sharing(axes: Axes, sharing: LoadSharing) -> None:
+    cycle, instants = sharing.tooth_cycle, sharing.instantaneous
+    middle = sharing.time[: len(cycle)] + 0.5 * sharing.period
+    stride = max(1, len(cycle) // POINTS)
+    bins = np.linspace(0, len(instants) - 1, POINTS // 2 + 1).astype(int)[:-1]
+    for column, name in enumerate(sharing.lines):
+        colour = theme.CYCLE[column % len(theme.CYCLE)]
+        low, high = (each.reduceat(instants[:, column], bins) for each in (np.minimum, np.maximum))
+        axes.fill_between(sharing.time[bins], low, high, color=colour, alpha=0.2, lw=0.0, zorder=1)
+        axes.plot(middle[::stride], cycle[::stride, column], color=colour, label=name, zorder=2)
+    axes.axhline(1.0, color=theme.MUTED, lw=0.6)
+    axes.margins(x=0.0)
+
+
+@theme.styled
+def displacement_figure(problems: Mapping[str, SharingProblem], shaft: str, time: Floats) -> Figure:
+    """Return the quasi-static displacement of a floating shaft against time.
+
+    Args:
+        problems: Label -> problem; the counterpart of the paper's figures 5 and 7.
+        shaft: That floats.
+        time: [s], shape (instants,).
+    """
+    figure = theme.sheet(WIDTH, 60.0)
+    axes = figure.subplots()
+    for label, problem in problems.items():
+        moved = np.linalg.norm(_displacement(problem, shaft, time), axis=1)
+        axes.plot(time, moved / MICROMETRE, label=label)
+    axes.set(xlabel="time [s]", ylabel="displacement [µm]", title=f"How far shaft {shaft} moves")
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    axes.margins(x=0.0)
+    axes.set_ylim(bottom=0.0)
+    return figure
+
+
+def _displacement(problem: SharingProblem, shaft: str, time: Floats) -> Floats:
+    force = line_forces(problem.train, errors_at(problem.system, time))
+    return shaft_displacement(problem, shaft, force)
+
+
+@theme.styled
+def orbit_figure(problem: SharingProblem, shafts: Sequence[str], time: Floats) -> Figure:
+    """Return the paths of shafts' centres across themselves under slow errors.
+
+    Args:
+        problem: From `sharing_problem`.
+        shafts: That move.
+        time: [s], shape (instants,).
+    """
+    figure = theme.sheet(WIDTH, 62.0)
+    panels = figure.subplots(1, len(shafts), squeeze=False)[0]
+    for axes, shaft in zip(panels, shafts, strict=True):
+        moved = _displacement(problem, shaft, time) / MICROMETRE
+        axes.plot(moved[:, 0], moved[:, 1], lw=0.7)
+        axes.plot(*np.mean(moved, axis=0), "o", color=theme.ORANGE, ms=3.0)
+        axes.set_title(shaft)
+        axes.set_xlabel("first axis across [µm]")
+        axes.set_aspect("equal", adjustable="datalim")
+    panels[0].set_ylabel("second axis across [µm]")
+    return figure
+
+
+@theme.styled
+def support_figure(sweep: SupportSweep, marked: Mapping[float, str]) -> Figure:
+    """Return sharing and displacement against the stiffness of a shaft's support.
+
+    Args:
+        sweep: From `support_sweep`.
+        marked: Stiffness [N/m] -> word beside it.
+    """
+    figure = theme.sheet(WIDTH, 95.0)
+    sharing, way = figure.subplots(2, 1, sharex=True)
+    sharing.fill_between(sweep.stiffness, sweep.least, sweep.most, color=theme.SKY, alpha=0.35, lw=0.0)
+    sharing.semilogx(sweep.stiffness, sweep.most, color=theme.BLUE, label="errors: least and most")
+    sharing.semilogx(sweep.stiffness, sweep.least, color=theme.BLUE)
+    sharing.semilogx(sweep.stiffness, sweep.perfect, color=theme.ORANGE, label="no errors")
+    sharing.set(ylabel="sharing coefficient b [-]", title=f"What floating shaft {sweep.shaft} buys")
+    way.semilogx(sweep.stiffness, sweep.displacement / MICROMETRE, color=theme.GREEN)
+    way.set(xlabel="support stiffness [N/m]", ylabel="displacement [µm]")
+    for stiffness, word in marked.items():
+        for axes in (sharing, way):
+            axes.axvline(stiffness, color=theme.MUTED, lw=0.7, ls=":")
+        sharing.annotate(word, (stiffness, 1.0), (2, -9), xycoords=("data", "axes fraction"),
+                         textcoords="offset points", fontsize=6.5, color=theme.MUTED)  # fmt: skip
+    sharing.legend(loc="lower left")
+    return figure
+
+
+@theme.styled
+def tornado_figure(study: SharingStudy) -> Figure:
+    """Return what every error does alone to the sharing, the largest on top.
+
+    Args:
+        study: From `sharing_study`.
+    """
+    rows = study.influences
+    figure = theme.sheet(WIDTH, 22.0 + ROW * len(rows))
+    axes = figure.subplots()
+    colours = [theme.BLUE if each.turns else theme.AMBER for each in rows]
+    effect = 100.0 * np.array([each.effect for each in rows])
+    place = np.arange(len(rows))
+    axes.barh(place, 2.0 * effect, left=-effect, color=colours, height=0.62)
+    axes.set_yticks(place, [each.source for each in rows], fontsize=7.0)
+    axes.set_ylim(len(rows) - 0.4, -0.6)
+    axes.set(
+        xlabel="change of the sharing coefficient [%]", title="One error at a time: blue comes and goes, amber stays"
+    )
+    axes.axvline(0.0, color=theme.MUTED, lw=0.6)
+    theme.only_grid(axes, "x")
+    # Long names move the axes only in the second round of the layout.
+    figure.draw_without_rendering()
+    return figure
+
+
+@theme.styled
+def distribution_figure(study: SharingStudy, target: float | None = None) -> Figure:
+    """Return how the peak share of random gearboxes is spread.
+
+    Args:
+        study: From `sharing_study`, of a design with errors.
+        target: Share that is asked for [-].
+    """
+    figure = theme.sheet(WIDTH, 65.0)
+    axes = figure.subplots()
+    if study.distribution is not None:
+        axes.hist(100.0 * study.distribution.peak, bins=60, color=theme.SKY)
+        for percent in PERCENTILES:
+            _mark(axes, 100.0 * study.distribution.percentile(percent), f"{percent:g} %")
+        axes.set_title(f"All errors at full size, random phases: {len(study.distribution.peak)} gearboxes")
+    if target is not None:
+        axes.axvline(100.0 * target, color=theme.ORANGE, lw=1.2)
+    axes.set(xlabel="share of the most loaded path at its worst moment [%]", ylabel="gearboxes")
+    return figure
+
+
+def _mark(axes: Axes, place: float, word: str) -> None:
+    axes.axvline(place, color=theme.INK, lw=0.7, ls=":")
+    axes.annotate(word, (place, 1.0), (2, -8), xycoords=("data", "axes fraction"), textcoords="offset points",
+                  fontsize=6.5, color=theme.MUTED)  # fmt: skip
+
+
+@theme.styled
+def allocation_figure(allocation: Allocation) -> Figure:
+    """Return every tolerance as given and as allowed for the target.
+
+    Args:
+        allocation: From `allocate`.
+    """
+    rows = sorted(allocation.sizes, key=lambda row: row[2] / row[1])
+    figure = theme.sheet(WIDTH, 22.0 + ROW * len(rows))
+    axes = figure.subplots()
+    place = np.arange(len(rows))
+    axes.barh(place, [100.0] * len(rows), color=theme.STEEL, height=0.7)
+    axes.barh(place, [100.0 * after / before for _, before, after in rows], color=theme.GREEN, height=0.45)
+    axes.set_yticks(place, [name for name, _, _ in rows], fontsize=7.0)
+    axes.set_ylim(len(rows) - 0.4, -0.6)
+    share = f"{100.0 * allocation.target:g}/{100.0 * (1.0 - allocation.target):g}"
+    title = f"How tight for {share} in {allocation.percent:g} % of gearboxes, at least cost"
+    axes.set(xlabel="allowed size over the size given [%]", title=title)
+    theme.only_grid(axes, "x")
+    # Long names move the axes only in the second round of the layout.
+    figure.draw_without_rendering()
+    return figure
+
+
+@theme.styled
+def single_error_figure(
+    problem: SharingProblem, span: tuple[float, float], names: Mapping[str, str] | None = None
+) -> Figure:
+    """Return the tooth-cycle sharing against time for every error alone, as in the paper's figures 8 to 18.
+
+    Args:
+        problem: From `sharing_problem`, with its errors.
+        span: (from, to) [s].
+        names: Error -> what its panel is called besides.
+    """
+    # Over a tooth cycle the ripple is gone, so that mean stiffness is enough.
+    found = {
+        source.name: single_error_sharing(problem, source, method="frequency response", span=span)
+        for source in problem.sources
+    }
+    columns = 3
+    rows = -(-len(found) // columns)
+    figure = theme.sheet(WIDTH, 14.0 + 30.0 * rows)
+    grid = figure.subplots(rows, columns, squeeze=False, sharey=True)
+    for axes, (name, sharing) in zip(grid.flat, found.items(), strict=False):
+        cycle = sharing.tooth_cycle
+        stride = max(1, len(cycle) // POINTS)
+        axes.plot(sharing.time[: len(cycle) : stride], cycle[::stride], lw=0.8)
+        axes.set_title(": ".join(filter(None, ((names or {}).get(name), name))), fontsize=6.0)
+        axes.axhline(1.0, color=theme.MUTED, lw=0.5)
+        axes.margins(x=0.0)
+    for axes in grid.flat[len(found) :]:
+        axes.set_axis_off()
+    for axes in grid[:, 0]:
+        axes.set_ylabel("b [-]")
+    for axes in grid[-1]:
+        axes.set_xlabel("time [s]")
+    return figure
+
+
+@theme.styled
+def load_factor_figure(found: Mapping[str, PlanetSharing], curves: Mapping[str, Mapping[int, float]]) -> Figure:
+    """Return K_γ of random planetary sets against the number of planets: median, and where 90 % of the sets lie.
+
+    Args:
+        found: Label, such as ``"floating sun"`` -> sets.
+        curves: Label -> number of planets -> K_γ to lay beside them [-]: closed form, tables of standards.
+    """
+    figure = theme.sheet(WIDTH, 80.0)
+    axes = figure.subplots()
+    for number, (label, sharing) in enumerate(found.items()):
+        low, middle, high = (list(sharing.percentile(percent).values()) for percent in (5.0, 50.0, 95.0))
+        place = np.array(sharing.planets) + 0.12 * (number - 0.5 * (len(found) - 1))
+        spread = [np.subtract(middle, low), np.subtract(high, middle)]
+        axes.errorbar(place, middle, yerr=spread, fmt="o", ms=3.5, lw=1.2, capsize=2.5, label=label)
+    for number, (label, curve) in enumerate(curves.items()):
+        order = number + len(found)
+        colour, style = theme.CYCLE[order % len(theme.CYCLE)], "--" if order < len(theme.CYCLE) else ":"
+        axes.plot(list(curve), list(curve.values()), style, lw=0.9, marker=".", color=colour, label=label, zorder=1)
+    axes.set(xlabel="planets", ylabel="mesh load factor K_γ [-]", title="Random sets: median, 5 and 95 %")
+    counts = {count for sharing in found.values() for count in sharing.planets}
+    axes.set_xticks(sorted(counts.union(*curves.values())))
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=6.5)
+    return figure

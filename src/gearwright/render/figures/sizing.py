@@ -1,0 +1,152 @@
+"""Figures of a Sizing: where the mass is, and how much margin every check has."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from gearwright.render.style import theme
+from gearwright.render.tables.sizing import NOT_IN_THE_MASS, ROUNDING, Margin, margins, mass_parts
+from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing
+
+Floats = NDArray[np.float64]
+_GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN}
+_ROW = 5.2
+"""Height of one bar [mm]."""
+_FRAME = 22.0
+"""Height of title and axis [mm]."""
+WIDTH = 180.0
+"""Of a figure on an A4 page [mm]."""
+_CHECK_COLOURS = {"bending": theme.BLUE, "contact": theme.SKY, "Tresca": theme.GREEN,
+                 "pin bending": theme.AMBER, "plate shear": theme.ORANGE}  # fmt: skip
+"""Check of a first sizing -> colour."""
+_PART_COLOURS = {"gears": theme.BLUE, "shafts": theme.GREEN, "bearings": theme.SKY, "joints": theme.AMBER}
+"""Kind of part -> colour of its other checks."""
+MOST_MARGINS = 45
+"""Checks that are drawn at most, the worst ones; tables have all."""
+STEPS = 12
+"""Places between two loads at which a shaft's diagram is drawn."""
+LARGEST_MARGIN = 4.0
+"""Margin at which a bar is cut [-]; its number says how large it is."""
+
+
+@theme.styled
+def mass_figure(sizing: Sizing) -> Figure:
+    """Return the mass of every part, heaviest first, in its group's colour.
+
+    Args:
+        sizing: As sized.
+    """
+    parts = mass_parts(sizing)
+    figure = theme.sheet(WIDTH, _FRAME + 6.0 + _ROW * len(parts))
+    axes = figure.add_subplot()
+    axes.barh([_several(part.part, part.count) for part in parts], [part.total for part in parts],
+              color=[_GROUP_COLOURS[part.group] for part in parts], height=0.72)  # fmt: skip
+    for place, part in enumerate(parts):
+        axes.annotate(f"{part.total:.2f} kg  {part.share:.0%}", (part.total, place), (3, 0),
+                      textcoords="offset points", va="center", fontsize=7.5)  # fmt: skip
+    totals = {"gears": sizing.gear_mass, "carriers": sizing.carrier_mass, "shafts": sizing.shaft_mass}
+    for group, total in totals.items():
+        if total:
+            axes.barh([0], [0.0], color=_GROUP_COLOURS[group], label=f"{group}  {total:.2f} kg")
+    axes.legend(loc="lower right")
+    axes.invert_yaxis()
+    axes.set_xlim(0.0, max(part.total for part in parts) * 1.18)
+    axes.set_xlabel(f"mass [kg]. {NOT_IN_THE_MASS}")
+    parts_mass = f", parts {sizing.parts_mass:.2f} kg" if sizing.mass != sizing.parts_mass else ""
+    axes.set_title(f"Mass {sizing.mass:.2f} kg{parts_mass}, {sizing.power_density / 1e3:.1f} kW/kg")
+    theme.only_grid(axes, "x")
+    return figure
+
+
+def _several(part: str, count: int) -> str:
+    return f"{count} × {part}" if count > 1 else part
+
+
+@theme.styled
+def margin_figure(sizing: Sizing) -> Figure:
+    """Return the margin of every check, worst first.
+
+    Args:
+        sizing: As sized.
+    """
+    every = margins(sizing)
+    checks = every[:MOST_MARGINS]
+    figure = theme.sheet(WIDTH, _FRAME + _ROW * len(checks))
+    axes = figure.add_subplot()
+    shown = [min(check.margin, LARGEST_MARGIN) for check in checks]
+    axes.barh(range(len(checks)), shown, color=[_colour(check) for check in checks], height=0.72)
+    for place, (check, length) in enumerate(zip(checks, shown, strict=True)):
+        colour = theme.INK if check.holds else theme.ORANGE
+        number = f"{check.margin:.3f}" if math.isfinite(check.margin) else "no load"
+        axes.annotate(number if check.holds else f"{number}  too small", (length, place), (3, 0), fontsize=7.5,
+                      textcoords="offset points", va="center", color=colour)  # fmt: skip
+    axes.set_yticks(range(len(checks)), [f"{check.part}, {check.check}" for check in checks])
+    axes.axvline(1.0, color=theme.ORANGE, lw=1.2)
+    axes.invert_yaxis()
+    axes.set_xlim(0.0, max(shown) * 1.12)
+    axes.set_xlabel("margin [-], the asked factor included; 1 is just enough")
+    axes.set_title("Margins, worst first" + (f": {len(checks)} of {len(every)}" if len(checks) < len(every) else ""))
+    theme.only_grid(axes, "x")
+    return figure
+
+
+def _colour(check: Margin) -> str:
+    return _CHECK_COLOURS.get(check.check) or _PART_COLOURS[check.group]
+
+
+def bent_shafts(sizing: Sizing) -> list[ShaftSizing]:
+    """Return the shafts that carry more than torque; opposite forces that cancel leave only rounding.
+
+    Args:
+        sizing: As sized.
+    """
+    moments = {shaft.name: float(np.max(_along(shaft.diagram)[2])) for shaft in sizing.shafts if shaft.bearings}
+    largest = max(moments.values(), default=0.0)
+    return [shaft for shaft in sizing.shafts if moments.get(shaft.name, 0.0) > ROUNDING * largest]
+
+
+@theme.styled
+def shaft_figure(sizing: Sizing) -> Figure:
+    """Return shear, bending of both planes together and torsion along every shaft that is bent.
+
+    Args:
+        sizing: As sized; `bent_shafts` finds at least one.
+    """
+    shafts = bent_shafts(sizing)
+    figure = theme.sheet(WIDTH, 12.0 + 34.0 * len(shafts))
+    grid = figure.subplots(len(shafts), 3, squeeze=False)
+    for row, shaft in zip(grid, shafts, strict=True):
+        place, *curves = _along(shaft.diagram)
+        for axes, values, colour in zip(row, curves, (theme.GREEN, theme.BLUE, theme.ORANGE), strict=True):
+            axes.fill_between(place * 1e3, values, color=colour, alpha=0.25, lw=0.0)
+            axes.plot(place * 1e3, values, color=colour)
+            axes.plot([bearing.position * 1e3 for bearing in shaft.bearings], [0.0, 0.0], "^", color=theme.INK, ms=4.0)
+            axes.margins(x=0.02)
+        row[0].set_title(shaft.name)
+    for axes, label in zip(grid[-1], ("shear force [N]", "bending moment [N m]", "torsion [N m]"), strict=True):
+        axes.set_xlabel(f"{label} over position [mm]")
+    return figure
+
+
+def _along(diagram: ShaftDiagram) -> tuple[Floats, Floats, Floats, Floats]:
+    """Return position [m], shear [N], bending [N m] (both planes together) and torsion [N m] at many places.
+
+    Each component runs straight between loads, their square root does not: it is taken after the interpolation. Of
+    several loads at one place only the first and the last value count, as what lies between depends on their order.
+    """
+    position = np.array(diagram.position)
+    before, after = np.diff(position, prepend=-np.inf) > 0.0, np.diff(position, append=np.inf) > 0.0
+    keep = np.flatnonzero(before | after)
+    steps = np.linspace(0.0, len(keep) - 1.0, STEPS * (len(keep) - 1) + 1)
+
+    def dense(values: Sequence[float]) -> Floats:
+        result: Floats = np.interp(steps, np.arange(len(keep)), np.array(values)[keep])
+        return result
+
+    shear, bending = (np.hypot(dense(along_y), dense(along_z)) for along_y, along_z in (diagram.shear, diagram.bending))
+    return dense(diagram.position), shear, bending, dense(diagram.torsion)

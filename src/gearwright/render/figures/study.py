@@ -1,0 +1,171 @@
+"""Figures of a study: lines along an axis with the optimum and how flat it is, or stacked masses of several designs."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from gearwright.render.style import theme
+from gearwright.render.tables.study import heading, percent, result_unit
+from gearwright.study import Row, Table
+
+FLAT = 0.03
+"""Deviation from the optimum that still counts as near it [-]."""
+FEW_CURVES = 3
+"""Curves up to which every optimum is written beside its ring."""
+_STACK = ("gear_mass", "shaft_mass", "carrier_mass", "motor_mass")
+_STACK_COLOURS = dict(zip(_STACK, (theme.BLUE, theme.GREEN, theme.AMBER, theme.ORANGE), strict=True))
+_HEAVIER_IS_BETTER = ("power_density", "worst_margin")
+
+
+def study_figure(table: Table, objectives: Mapping[str, str] | None = None) -> Figure:
+    """Return the figure that suits a study: lines where a number varies, bars where designs are compared.
+
+    Args:
+        table: Of the study.
+        objectives: Result -> ``least`` or ``most``, whose optima are marked; left out: every result has its own.
+    """
+    return sweep_figure(table, objectives) if numeric_axis(table) else comparison_figure(table)
+
+
+def numeric_axis(table: Table) -> str | None:
+    """Return the last axis if its values are numbers.
+
+    Args:
+        table: Of the study.
+    """
+    paths = table.free
+    if not paths or any(not _is_number(row.inputs[paths[-1]]) for row in table.rows):
+        return None
+    return paths[-1]
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+@theme.styled
+def sweep_figure(table: Table, objectives: Mapping[str, str] | None = None) -> Figure:
+    """Return every result against the last axis, one panel each, with the optimum and the range near it.
+
+    Args:
+        table: Of a study whose last axis is a number.
+        objectives: Result -> ``least`` or ``most``, whose optima are marked; left out: every result has its own.
+    """
+    senses = objectives or {name: "most" if name in _HEAVIER_IS_BETTER else "least" for name in table.numbers}
+    axis = numeric_axis(table) or ""
+    figure = theme.sheet(180.0, 16.0 + 44.0 * len(table.numbers))
+    panels = figure.subplots(len(table.numbers), 1, sharex=True, squeeze=False)[:, 0]
+    curves = dict(_curves(table, axis))
+    colours = _colours(len(curves))
+    for panel, result in zip(panels, table.numbers, strict=True):
+        for colour, (label, rows) in zip(colours, curves.items(), strict=True):
+            _draw_curve(panel, axis, result, (label, rows, colour))
+            if result in senses:
+                few = len(curves) <= FEW_CURVES
+                _mark_optimum(panel, axis, result, (rows, colour), most=senses[result] == "most", flat=few)
+        panel.set_ylabel(f"{heading(result)} [{result_unit(table, result) or '-'}]")
+        panel.margins(x=0.02, y=0.18)
+    tied = len(table.rows[0].inputs) - len(table.free)
+    panels[-1].set_xlabel(f"{axis}, and {tied} more with it" if tied else axis)
+    if 1 < len(curves) <= FEW_CURVES:
+        panels[0].legend(loc="best")
+    elif len(curves) > 1:
+        others = ", ".join(path for path in table.free if path != axis)
+        lines, names = panels[0].get_legend_handles_labels()
+        figure.legend(lines, names, loc="outside right upper", title=textwrap.fill(others, 32), title_fontsize=7.5)
+    band = f", band within {percent(FLAT)} of it" if len(curves) <= FEW_CURVES else ""
+    panels[0].set_title(f"{table.name}: ring at the optimum{band}")
+    return figure
+
+
+def _colours(count: int) -> list[Any]:
+    """Return colours of curves: each its own for few, a scale in their order for many."""
+    if count <= len(theme.CYCLE):
+        return list(theme.CYCLE[:count])
+    return [colormaps["cividis"](k / (count - 1)) for k in range(count)]
+
+
+def _curves(table: Table, axis: str) -> Iterator[tuple[str, list[Row]]]:
+    """Yield the rows that differ in the axis alone, with what sets them apart."""
+    groups: dict[str, list[Row]] = {}
+    one = len({row.design for row in table.rows}) == 1
+    for row in table.rows:
+        if not row.problem:
+            others = [str(row.inputs[path]) for path in table.free if path != axis]
+            names = others if others and one else [row.design, *others]
+            groups.setdefault(", ".join(names), []).append(row)
+    yield from groups.items()
+
+
+def _draw_curve(panel: Axes, axis: str, result: str, curve: tuple[str, list[Row], Any]) -> None:
+    label, rows, colour = curve
+    place: list[Any] = [row.inputs[axis] for row in rows]
+    values = [row.shown(result) for row in rows]
+    panel.plot(place, values, "-", color=colour, marker=".", ms=3.5, label=label)
+
+
+def _mark_optimum(panel: Axes, axis: str, result: str, curve: tuple[list[Row], Any], *, most: bool, flat: bool) -> None:
+    """Ring the optimum of a curve; with its value and the range near it where there is room."""
+    rows, colour = curve
+    place: list[Any] = [row.inputs[axis] for row in rows]
+    values = [row.shown(result) for row in rows]
+    best = max(values) if most else min(values)
+    if not math.isfinite(best):
+        return
+    near = [x for x, value in zip(place, values, strict=True) if abs(value / best - 1.0) <= FLAT] if best else place
+    at = place[values.index(best)]
+    panel.plot([at], [best], "o", mfc="none", mec=colour, ms=8)
+    if not flat:
+        return
+    panel.axvspan(min(near), max(near), color=colour, alpha=0.07, lw=0)
+    offset = -12 if most else 8
+    side = {min(place): "left", max(place): "right"}.get(at, "center")
+    panel.annotate(f"{best:.4g} at {at:g}", (at, best), (0, offset), textcoords="offset points", ha=side,
+                   fontsize=7.5, color=colour)  # fmt: skip
+
+
+@theme.styled
+def comparison_figure(table: Table) -> Figure:
+    """Return the masses of several designs as stacked bars, lightest first, with their power density.
+
+    Args:
+        table: With the results ``gear_mass``, ``shaft_mass``, ``carrier_mass`` and ``motor_mass``, or some of them.
+    """
+    rows = sorted((row for row in table.rows if not row.problem), key=lambda row: _stacked(table, row))
+    parts = [part for part in _STACK if part in table.results] or list(table.results[:1])
+    figure = theme.sheet(180.0, 26.0 + 7.0 * len(rows))
+    axes = figure.add_subplot()
+    labels = [", ".join([row.design, *(str(value) for value in row.inputs.values())]) for row in rows]
+    start = [0.0] * len(rows)
+    for part in parts:
+        values = [row.shown(part) for row in rows]
+        axes.barh(
+            labels, values, left=start, height=0.66, color=_STACK_COLOURS.get(part, theme.SKY), label=heading(part)
+        )
+        start = [left + value for left, value in zip(start, values, strict=True)]
+    for place, (row, end) in enumerate(zip(rows, start, strict=True)):
+        axes.annotate(_bar_text(row, end), (end, place), (4, 0), textcoords="offset points", va="center", fontsize=7.5)
+    axes.invert_yaxis()
+    axes.set_xlim(0.0, max(start, default=1.0) * 1.42)
+    axes.set_xlabel("mass [kg]: gears, shafts, carriers and motors; without housing, bearings and oil")
+    axes.legend(loc="upper right")
+    axes.set_title(table.name)
+    theme.only_grid(axes, "x")
+    return figure
+
+
+def _stacked(table: Table, row: Row) -> float:
+    parts = [part for part in _STACK if part in table.results] or list(table.results[:1])
+    return sum(row.number(part) for part in parts)
+
+
+def _bar_text(row: Row, total: float) -> str:
+    text = f"{total:.1f} kg"
+    return f"{text}   gearbox {row.shown('power_density'):.1f} kW/kg" if "power_density" in row.results else text

@@ -1,0 +1,223 @@
+"""Figures of studies with many cases: distributions, parallel coordinates, contours, Pareto fronts, tornados."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import product
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from gearwright.render.figures.study import study_figure
+from gearwright.render.figures.study_trade import draw_ranges, trade_figure
+from gearwright.render.style import theme
+from gearwright.render.tables.study import heading, percent, result_unit
+from gearwright.render.tables.study_lists import letter
+from gearwright.spec import Study
+from gearwright.study import Row, Table
+from gearwright.study.answers import Influence, pareto_front, varies, verdict
+from gearwright.study.answers.sensitivity import CONFIDENCE
+
+Floats = NDArray[np.float64]
+MOST_BINS, FEW_DESIGNS = 40, 4
+"""Bars of a distribution; designs up to which bars are told apart."""
+_MARKS = "os^v"
+"""Shapes of points, for more designs than colours."""
+MOST_LINES = 400
+"""Cases drawn as parallel coordinates; more would be a wall of ink: evenly spaced ones are taken."""
+
+
+def figure_of(study: Study, table: Table) -> Figure:
+    """Return the figure that suits a study: a trade, a front, lines or bars of a grid, or distributions of samples.
+
+    Args:
+        study: As run.
+        table: Its rows.
+    """
+    found = verdict(study, table)
+    if found is not None:
+        return trade_figure(study, table, found)
+    if len(study.objectives) > 1:
+        return pareto_figure(study, table, pareto_front(study, table))
+    if study.sampling.method in ("grid", "list"):
+        return study_figure(table, study.objectives)
+    return distribution_figure(table)
+
+
+@theme.styled
+def distribution_figure(table: Table) -> Figure:
+    """Return the distribution of every result that varies, with median and 5 to 95 % range.
+
+    Few designs are histograms in colours, many are one row each.
+
+    Args:
+        table: Of a study.
+    """
+    drawn = [name for name in table.numbers if varies(np.array(table.column(name)))]
+    designs = tuple(dict.fromkeys(row.design for row in table.good))
+    many = len(designs) > FEW_DESIGNS
+    figure = theme.sheet(180.0, 14.0 + (12.0 + 6.5 * len(designs) if many else 38.0) * len(drawn))
+    panels = figure.subplots(max(1, len(drawn)), 1, squeeze=False)[:, 0]
+    for panel, result in zip(panels, drawn, strict=False):
+        panel.set_xlabel(_label(table, result))
+        if many:
+            each = [np.array([_shown(row, result) for row in _good(table) if row.design == name]) for name in designs]
+            draw_ranges(panel, each)
+            panel.set_yticks(range(len(designs)), designs)
+            continue
+        everything = np.array([_shown(row, result) for row in _good(table)])
+        bins = np.histogram_bin_edges(everything, bins=min(MOST_BINS, int(2.0 * math.sqrt(len(everything))) + 1))
+        for design, colour in zip(designs, theme.CYCLE * 4, strict=False):
+            values = np.array([_shown(row, result) for row in _good(table) if row.design == design])
+            if len(values):
+                low, median, high = np.quantile(values, (0.05, 0.5, 0.95))
+                label = f"{design}: {median:.4g} ({low:.4g} to {high:.4g})"
+                panel.hist(values, bins, color=colour, alpha=0.55, label=label)
+                panel.axvline(median, color=colour, lw=0.9)
+        panel.set_ylabel("cases")
+        panel.legend(loc="best", title="median (5 to 95 %)", title_fontsize=7.5)
+    return figure
+
+
+@theme.styled
+def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
+    """Return inputs and results of every case as lines across parallel axes; chosen ones stand out.
+
+    Args:
+        table: Of a study.
+        chosen: Such as its Pareto front.
+    """
+    names = [*(path for path in table.free if _numeric(table, path)), *table.numbers]
+    rows = _good(table)
+    rows = rows[:: max(1, len(rows) // MOST_LINES)]
+    names = [name for name in names if varies(np.array([_value(row, name) for row in rows]))]
+    values = np.array([[_value(row, name) for name in names] for row in [*rows, *chosen]])
+    low, high = values.min(axis=0), values.max(axis=0)
+    placed = (values - low) / np.where(high > low, high - low, 1.0)
+    figure = theme.sheet(180.0, 90.0)
+    axes = figure.add_subplot()
+    axes.plot(placed[: len(rows)].T, color=theme.MUTED, lw=0.4, alpha=0.35)
+    if len(chosen):
+        axes.plot(placed[len(rows) :].T, color=theme.ORANGE, lw=1.0)
+    for k in range(len(names)):
+        axes.axvline(k, color=theme.INK, lw=0.6)
+        axes.annotate(f"{high[k]:.4g}", (k, 1.0), (0, 3), textcoords="offset points", ha="center", fontsize=7)
+        axes.annotate(f"{low[k]:.4g}", (k, 0.0), (0, -9), textcoords="offset points", ha="center", fontsize=7)
+    axes.set_xticks(range(len(names)), [_wrapped(_label(table, name)) for name in names], fontsize=7)
+    axes.tick_params(axis="x", length=0, pad=10)
+    axes.set_yticks([])
+    axes.set_ylim(-0.02, 1.02)
+    axes.grid(visible=False)
+    axes.spines[["left", "bottom"]].set_visible(False)
+    return figure
+
+
+@theme.styled
+def contour_figure(table: Table, result: str) -> Figure:
+    """Return a result over the first two axes that are numbers, as filled contours between the cases.
+
+    Args:
+        table: Of a study with two axes that are numbers, of one design.
+        result: Its name.
+    """
+    across, up = [path for path in table.free if _numeric(table, path)][:2]
+    rows = _good(table)
+    x, y = (np.array([_value(row, path) for row in rows]) for path in (across, up))
+    z = np.array([_shown(row, result) for row in rows])
+    figure = theme.sheet(150.0, 100.0)
+    axes = figure.add_subplot()
+    filled = axes.tricontourf(x, y, z, levels=12, cmap="cividis")
+    axes.plot(x, y, ".", color=theme.PAPER, ms=1.5, alpha=0.6)
+    figure.colorbar(filled, ax=axes, label=_label(table, result))
+    axes.set_xlabel(across)
+    axes.set_ylabel(up)
+    return figure
+
+
+@theme.styled
+def pareto_figure(study: Study, table: Table, front: Sequence[Row], chosen: Sequence[Row] = ()) -> Figure:
+    """Return all cases over the first two objectives, the front joined, designs in colours and marks.
+
+    Args:
+        study: With two objectives or more.
+        table: Its rows.
+        front: From `pareto_front`.
+        chosen: Designs of the front that get letters, in order.
+    """
+    across, up = list(study.objectives)[:2]
+    figure = theme.sheet(150.0, 100.0)
+    axes = figure.add_subplot()
+    designs = tuple(dict.fromkeys(row.design for row in table.rows))
+    for design, (mark, colour) in zip(designs, product(_MARKS, theme.CYCLE), strict=False):
+        rows = [row for row in _good(table) if row.design == design]
+        axes.plot(*_points(rows, across, up), mark, color=colour, ms=2.5, alpha=0.35, mew=0)
+        best = [row for row in front if row.design == design]
+        axes.plot(*_points(best, across, up), mark, color=colour, ms=5, mec=theme.INK, mew=0.5)
+        axes.plot([], [], mark, color=colour, ms=5, label=design)
+    for k, row in enumerate(chosen):
+        at = (row.shown(across), row.shown(up))
+        axes.annotate(letter(k), at, (5, 4), textcoords="offset points", fontsize=8, weight="bold")
+    if len(study.objectives) == 2:
+        axes.plot(*_points(front, across, up), "-", color=theme.INK, lw=0.8, label="front", zorder=1)
+    axes.set_xlabel(f"{_label(table, across)}: {study.objectives[across]}")
+    axes.set_ylabel(f"{_label(table, up)}: {study.objectives[up]}")
+    axes.legend(loc="best")
+    return figure
+
+
+@theme.styled
+def tornado_figure(result: str, influences: Sequence[Influence]) -> Figure:
+    """Return the total and first-order influence of every axis on a result as bars with their confidence.
+
+    Args:
+        result: Its name.
+        influences: From `sensitivity`.
+    """
+    figure = theme.sheet(150.0, 24.0 + 12.0 * len(influences))
+    axes = figure.add_subplot()
+    place = np.arange(len(influences))
+    for offset, kind, colour in ((-0.19, "total", theme.BLUE), (0.19, "first", theme.SKY)):
+        values = np.array([getattr(each, kind) for each in influences])
+        ends = np.array([getattr(each, f"{kind}_interval") for each in influences]).T
+        errors = np.maximum(0.0, np.stack([values - ends[0], ends[1] - values]))
+        label = "with interactions" if kind == "total" else "alone"
+        axes.barh(place + offset, values, 0.36, xerr=errors, color=colour, label=label, error_kw={"lw": 0.8})
+    axes.set_yticks(place, [each.axis for each in influences])
+    axes.invert_yaxis()
+    axes.set_xlabel(f"share of the variance of {heading(result)} [-]; bars of {percent(CONFIDENCE)} confidence")
+    axes.legend(loc="lower right")
+    theme.only_grid(axes, "x")
+    return figure
+
+
+def _good(table: Table) -> list[Row]:
+    return [row for row in table.rows if not row.problem]
+
+
+def _shown(row: Row, result: str) -> float:
+    return row.shown(result)
+
+
+def _value(row: Row, name: str) -> float:
+    return float(row.inputs[name]) if name in row.inputs else _shown(row, name)
+
+
+def _points(rows: Sequence[Row], across: str, up: str) -> tuple[list[float], list[float]]:
+    return [_shown(row, across) for row in rows], [_shown(row, up) for row in rows]
+
+
+def _numeric(table: Table, path: str) -> bool:
+    values = [row.inputs[path] for row in table.rows]
+    return all(isinstance(value, int | float) and not isinstance(value, bool) for value in values)
+
+
+def _label(table: Table, name: str) -> str:
+    if name not in table.results:
+        return name
+    return f"{heading(name)} [{result_unit(table, name) or '-'}]"
+
+
+def _wrapped(label: str) -> str:
+    return label.replace(".", ".\n").replace(" [", "\n[")

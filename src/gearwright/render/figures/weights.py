@@ -1,0 +1,226 @@
+"""Figures of what gearboxes weigh: the engines of the catalogue, their densities, the methods against real weights."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator, ScalarFormatter
+
+from gearwright.catalogue import Engine, Series, all_series, engines, weighed_gearboxes
+from gearwright.units import POUND
+from gearwright.weights import Comparison, LogLine, Score, checked_engines, gearbox_mass, log_line, refit, scores
+
+# Okabe and Ito's colours, which also those see who do not tell red from green
+_BLUE, _ORANGE, _GREEN, _PURPLE, _INK = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#222222"
+_COLOURS = {
+    "Pratt & Whitney Canada": _BLUE,
+    "Rolls-Royce": _GREEN,
+    "GE Aviation": _ORANGE,
+    "Honeywell": _PURPLE,
+}
+_MARKERS = "osD^v<>P"
+_KW = 1e3
+
+
+def figure_mass_over_power(chosen: Comparison | None = None) -> Figure:
+    """Return the thesis's figure 1.1: power against gearbox mass for every series, with the fitted power law.
+
+    The masses are estimates by NASA'15, so the fits are properties of that formula and of the speeds of these engines.
+
+    Args:
+        chosen: A requirement to mark, with the band of the real weights.
+    """
+    figure = Figure(figsize=(9.0, 5.6), layout="constrained")
+    axes = figure.add_subplot()
+    for series in all_series():
+        _draw_series(axes, series)
+    for name, line, style in (("turboprops", turboprop_fit(), "-"), ("all 121 rows", fit_of_all_rows(), ":")):
+        reach = np.geomspace(170.0, 4200.0, 50)
+        law = f"{name}: m = {10**line.intercept:.4f} P$^{{{line.slope:.3f}}}$, R² = {line.r_squared:.2f}"
+        axes.plot(reach, [line.at(p) for p in reach], color=_INK, ls=style, lw=1.4, label=law, zorder=1)
+    axes.annotate("turboshafts that deliver\nat 6000 to 15 000 rpm", (640.0, 13.0), fontsize=8.5, color=_INK)
+    if chosen is not None:
+        _mark_requirement(axes, chosen)
+    _log_axes(axes, "take-off power P [kW]", "gearbox mass m by NASA'15 [kg]")
+    axes.xaxis.set_major_locator(FixedLocator([200, 300, 500, 1000, 2000, 4000]))
+    axes.yaxis.set_major_locator(FixedLocator([10, 20, 30, 50, 100, 200, 300]))
+    axes.set_title(
+        "Gearbox mass over power, 121 engines (Pulvirenti 2023, figure 1.1 redrawn)", loc="left", fontsize=11
+    )
+    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, fontsize=8.5)
+    return figure
+
+
+def turboprop_fit() -> LogLine:
+    """Return the power law of gearbox mass [kg] in power [kW] through the turboprops whose mass follows the formula."""
+    found = [
+        one for one in engines() if one.series.kind == "turboprop" and one.note("gearbox_mass_kg", "differs") is None
+    ]
+    return log_line([one.power / _KW for one in found], [gearbox_mass(one) for one in found])
+
+
+def fit_of_all_rows() -> LogLine:
+    """Return the power law of printed gearbox mass [kg] in power [kW] through all 121 rows, flagged or not."""
+    masses = [printed.value for one in engines() if (printed := one.as_printed("gearbox_mass_kg")) is not None]
+    return log_line([one.power / _KW for one in engines()], masses)
+
+
+def figure_densities() -> Figure:
+    """Return power density of the gearbox and torque density of the engine, series by series."""
+    figure = Figure(figsize=(9.0, 5.2), layout="constrained")
+    left, right = figure.subplots(1, 2, sharey=True)
+    names = [one.name for one in all_series()]
+    for place, series in enumerate(all_series()):
+        rows = [one for one in checked_engines() if one.engine.series is series]
+        colour = _COLOURS[series.manufacturer]
+        face = colour if rows[0].engine.has_gearbox else "none"
+        for axes, column in ((left, "gearbox_kw_kg"), (right, "torque_nm_kg")):
+            values = [value for one in rows if (value := one.check(column).computed) is not None]
+            axes.plot(
+                [min(values), max(values)], [place, place], color=colour, lw=5.0, alpha=0.25, solid_capstyle="round"
+            )
+            axes.scatter(values, [place] * len(values), s=26, facecolors=face, edgecolors=colour, lw=0.9, zorder=3)
+            axes.annotate(_span_text(values), (max(values), place), (8, -3), textcoords="offset points", fontsize=8)
+    for axes, label in (
+        (left, "power density of the gearbox  P/m$_{GB}$ [kW/kg]"),
+        (right, "torque density  Q/m$_{engine}$ [N m/kg]"),
+    ):
+        axes.set_xlabel(label)
+        axes.grid(axis="x", color="0.9")
+        axes.set_xlim(0.0, axes.get_xlim()[1] * 1.2)
+        _bare(axes)
+    left.set_yticks(range(len(names)), [f"{one.name}  ({one.kind})" for one in all_series()], fontsize=9)
+    left.invert_yaxis()
+    figure.suptitle(
+        "Densities by series, recomputed. Hollow: no such gearbox (CT7 turboshaft)", x=0.01, ha="left", fontsize=11
+    )
+    return figure
+
+
+def figure_methods(chosen: Comparison | None = None) -> Figure:
+    """Return the 61 real weights with the band of their refit, and bias and scatter of every method against them.
+
+    Args:
+        chosen: A requirement to mark, with the mass that each method gives it.
+    """
+    figure = Figure(figsize=(11.0, 5.4), layout="constrained")
+    left, right = figure.subplots(1, 2, width_ratios=(1.25, 1.0))
+    _draw_weights(left)
+    if chosen is not None:
+        _mark_methods(left, chosen)
+    left.legend(loc="upper left", frameon=False, fontsize=8.5)
+    _draw_scores(right, [one for one in scores() if one.bias is not None])
+    return figure
+
+
+def _draw_series(axes: Axes, series: Series) -> None:
+    rows = [one for one in engines() if one.series is series]
+    whole = [one for one in rows if one.has_gearbox and one.note("gearbox_mass_kg", "differs") is None]
+    kin = [one for one in all_series() if one.manufacturer == series.manufacturer]
+    colour, marker = _COLOURS[series.manufacturer], _MARKERS[kin.index(series)]
+    face = colour if whole else "none"
+    label = f"{series.name} ({len(rows)})" + ("" if whole else " flagged")
+    x, y = [one.power / _KW for one in rows], [_mass_shown(one) for one in rows]
+    axes.scatter(
+        x, y, s=30, marker=marker, facecolors=face, edgecolors=colour, lw=0.9, alpha=0.85, label=label, zorder=3
+    )
+
+
+def _mass_shown(engine: Engine) -> float:
+    """Return the recomputed mass, or the printed one where the formula does not make it."""
+    printed = engine.as_printed("gearbox_mass_kg")
+    if engine.note("gearbox_mass_kg", "differs") and printed is not None:
+        return printed.value
+    return gearbox_mass(engine)
+
+
+def _mark_requirement(axes: Axes, chosen: Comparison) -> None:
+    power = chosen.requirement.power / _KW
+    for band in chosen.bands:
+        axes.plot(
+            [power, power], [band.low, band.high], color=_INK, lw=5.0 if band.level < 0.9 else 1.6, alpha=0.5, zorder=4
+        )
+    taken = chosen.taken
+    if taken is not None:
+        axes.scatter(
+            [power],
+            [taken.mass],
+            marker="*",
+            s=150,
+            color=_INK,
+            label="this requirement: mass taken, and\n68 and 95 % of real weights",
+            zorder=5,
+        )
+
+
+def _draw_weights(axes: Axes) -> None:
+    points = weighed_gearboxes()
+    line = refit()
+    reach = np.geomspace(points[0].beta, points[-1].beta, 120)
+    for level, alpha in ((0.95, 0.13), (0.68, 0.22)):
+        limits = np.array([line.band(one, level) for one in reach]) * POUND
+        label = f"{level:.0%} of new gearboxes"
+        axes.fill_between(reach, limits[:, 0], limits[:, 1], color=_BLUE, alpha=alpha, lw=0.0, label=label)
+    law = f"refit: W[lb] = 10$^{{{line.intercept:.4f}}}$ β$^{{{line.slope:.4f}}}$, R² = {line.r_squared:.3f}"
+    axes.plot(reach, [line.at(one) * POUND for one in reach], color=_BLUE, lw=1.5, label=law)
+    axes.scatter(
+        [one.beta for one in points],
+        [one.mass for one in points],
+        s=16,
+        color=_INK,
+        zorder=3,
+        label="61 real gearboxes",
+    )
+    _log_axes(axes, "β = (hp/rpm$_{out}$)$^{0.75}$ (rpm$_{in}$/rpm$_{out}$)$^{0.15}$", "gearbox mass [kg]")
+    axes.xaxis.set_major_locator(FixedLocator([0.6, 1, 2, 5, 10, 20, 50]))
+    axes.yaxis.set_major_locator(FixedLocator([20, 50, 100, 200, 500, 1000, 2000, 5000]))
+    axes.set_title("Real weights (NASA/TM-2009-215680)", loc="left", fontsize=11)
+
+
+def _mark_methods(axes: Axes, chosen: Comparison) -> None:
+    found = [one.mass for one in chosen.estimates if one.mass is not None]
+    beta = chosen.requirement.beta
+    label = f"methods at β = {beta:.3g}: {min(found):.0f} to {max(found):.0f} kg"
+    axes.scatter([beta] * len(found), found, s=90, marker="_", color=_ORANGE, lw=1.8, zorder=4, label=label)
+
+
+def _draw_scores(axes: Axes, found: list[Score]) -> None:
+    for place, score in enumerate(found):
+        assert score.bias is not None  # the caller leaves the others out
+        if score.bias_span is not None:
+            axes.plot(score.bias_span, [place, place], color=_ORANGE, lw=7.0, alpha=0.35, solid_capstyle="butt")
+        if score.scatter is not None:
+            axes.plot([score.bias / score.scatter, score.bias * score.scatter], [place, place], color=_INK, lw=1.2)
+        axes.plot([score.bias], [place], "o", color=_INK, ms=5)
+    axes.axvline(1.0, color=_BLUE, lw=1.2, zorder=0)
+    _log_axes(axes, "estimate over real weight", "")
+    axes.xaxis.set_major_locator(FixedLocator([0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 5.0]))
+    axes.yaxis.set_major_locator(FixedLocator(range(len(found))))
+    axes.set_yticklabels([f"{one.method.name} ({one.count})" for one in found], fontsize=9)
+    axes.set_ylim(len(found) - 0.5, -0.5)
+    axes.set_title("Bias, one standard deviation (line),\nreach of the assumed speeds (bar)", loc="left", fontsize=11)
+
+
+def _log_axes(axes: Axes, x: str, y: str) -> None:
+    axes.set_xscale("log")
+    if y:
+        axes.set_yscale("log")
+        axes.yaxis.set_major_formatter(ScalarFormatter())
+        axes.yaxis.set_minor_locator(FixedLocator([]))
+    axes.xaxis.set_major_formatter(ScalarFormatter())
+    axes.xaxis.set_minor_locator(FixedLocator([]))
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+    axes.grid(color="0.9")
+    _bare(axes)
+
+
+def _bare(axes: Axes) -> None:
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def _span_text(values: list[float]) -> str:
+    low, high = f"{min(values):.3g}", f"{max(values):.3g}"
+    return low if low == high else f"{low}–{high}"

@@ -1,0 +1,112 @@
+"""Figure of a dynamic window: speeds, shaft torques, mesh forces and pitch against time, and its end at every step."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from gearwright.dynamics import Trace
+from gearwright.mission.windows import DynamicWindow
+from gearwright.render.figures.sizing import WIDTH
+from gearwright.render.style import theme
+from gearwright.render.words.window import drive_histories
+from gearwright.units import shown
+
+HEIGHT = 150.0
+"""[mm]"""
+
+
+@theme.styled
+def window_figure(window: DynamicWindow) -> Figure:
+    """Return what a window did.
+
+    Args:
+        window: As flown.
+    """
+    trace = window.trace
+    figure = theme.sheet(WIDTH, HEIGHT)
+    grid = figure.subplots(3, 2)
+    _speeds(grid[0, 0], trace)
+    _pitches(grid[0, 1], window)
+    _bands(grid[1, 0], trace, "rad")
+    _bands(grid[1, 1], trace, "m")
+    _close(grid[2, 0], trace, "rad")
+    _close(grid[2, 1], trace, "m")
+    for axes in grid[:2].flat:
+        axes.set_xlabel("time [s]")
+        axes.margins(x=0.0)
+        if window.rules.event != "none":
+            axes.axvline(window.rules.event_at, color=theme.MUTED, lw=0.7, ls=":")
+    return figure
+
+
+def _speeds(axes: Axes, trace: Trace) -> None:
+    for name, speed in drive_histories(trace.samples, "speed").items():
+        label = f"{name}, {shown(float(speed[0]), 'speed'):.0f} rpm"
+        axes.plot(trace.samples.time, 100.0 * (speed / speed[0] - 1.0), label=label, lw=0.9)
+    axes.set_title("Speeds over those at the start")
+    axes.set_ylabel("[%]")
+    axes.legend(loc="best", fontsize=6.5)
+
+
+def _pitches(axes: Axes, window: DynamicWindow) -> None:
+    samples = window.trace.samples
+    for name, pitch in drive_histories(samples, "pitch").items():
+        axes.plot(samples.time, np.degrees(pitch), color=theme.GREEN, label=f"{name} pitch")
+    axes.set_title("Pitch and torque of the propeller")
+    axes.set_ylabel("pitch [°]")
+    other = axes.twinx()
+    other.grid(visible=False)
+    other.spines["right"].set_visible(True)
+    for name in drive_histories(samples, "pitch"):
+        other.plot(
+            samples.time, np.abs(samples.drive(f"{name} torque")) / 1e3, color=theme.ORANGE, lw=0.9, label="torque"
+        )
+    other.set_ylabel("torque [kN m]")
+    axes.legend([*axes.lines, *other.lines], ["pitch", "torque"], loc="best", fontsize=6.5)
+
+
+def families(trace: Trace, unit: str) -> Mapping[str, list[str]]:
+    """Return the lines of one unit by what they are, the planets of a set together.
+
+    Args:
+        trace: With its labels.
+        unit: ``"m"`` for forces, ``"rad"`` for torques.
+    """
+    found: dict[str, list[str]] = {}
+    for name, own in zip(trace.labels.lines, trace.labels.line_units, strict=True):
+        if own == unit:
+            found.setdefault(re.sub(r"-\d+$", "", name), []).append(name)
+    return found
+
+
+def _bands(axes: Axes, trace: Trace, unit: str) -> None:
+    """Draw means with bands from least to greatest of every time bin."""
+    edges = trace.force.edges
+    middle = 0.5 * (edges[1:] + edges[:-1])
+    for place, (family, names) in enumerate(families(trace, unit).items()):
+        colour = theme.CYCLE[place % len(theme.CYCLE)]
+        own = [trace.force.of(name) for name in names]
+        least, most = np.min([each["least"] for each in own], 0), np.max([each["most"] for each in own], 0)
+        axes.fill_between(middle, least / 1e3, most / 1e3, color=colour, alpha=0.25, lw=0.0)
+        axes.plot(middle, own[0]["mean"] / 1e3, color=colour, lw=0.9, label=family)
+    axes.set_title("Shaft torques" if unit == "rad" else "Mesh forces")
+    axes.set_ylabel("[kN m]" if unit == "rad" else "[kN]")
+    axes.legend(loc="best", fontsize=6.0, ncols=2)
+
+
+def _close(axes: Axes, trace: Trace, unit: str) -> None:
+    """Draw the end of the window, every step: the first line of each family, torques over their mean."""
+    samples = trace.windows[-1]
+    for place, names in enumerate(families(trace, unit).values()):
+        force = samples.force(names[0])
+        values = force - np.mean(force) if unit == "rad" else force / 1e3
+        axes.plot(1e3 * (samples.time - samples.time[0]), values, color=theme.CYCLE[place % len(theme.CYCLE)], lw=0.8)
+    axes.set_title("Its end, over the mean" if unit == "rad" else "Its end, one mesh of each row")
+    axes.set_ylabel("[N m]" if unit == "rad" else "[kN]")
+    axes.set_xlabel("time [ms]")
+    axes.margins(x=0.0)

@@ -1,0 +1,152 @@
+"""Several sizings side by side: which is lightest, where their mass is, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields
+from typing import Annotated
+
+from gearwright.render.figures.study import comparison_figure
+from gearwright.render.pages.report_parts import Figure, Section
+from gearwright.render.schematic.schematic import power_flow_figure
+from gearwright.render.style import theme
+from gearwright.render.style.templates import environment
+from gearwright.render.tables.tables import MARKS, table
+from gearwright.sizing import Sizing
+from gearwright.sizing.arrangement import envelope
+from gearwright.spec import Planetary
+from gearwright.study import Table
+from gearwright.train import RATED
+from gearwright.units import Origin, Quantity
+from gearwright.version import __version__
+
+_WHY = (
+    "By Lewis and by Hertz the module's cube, and with it the volume of a"
+    " stage's gears, is in proportion to the torque of one mesh: a stage is light where many meshes share its torque,"
+    " and where it turns fast. Planets share the torque of the slow last stage three to five ways, layshafts two ways;"
+    " a solid wheel that carries the whole output torque is what makes the off-set gearboxes heavy. A motor on a fast"
+    " shaft is light itself; a motor on the middle shaft takes its power past the first stage."
+)
+
+
+@dataclass(frozen=True)
+class StageView:
+    """One stage of one design."""
+
+    design: str
+    stage: str
+    kind: str
+    """planetary, star, differential, pair or parallel pairs."""
+    ratio: Annotated[float, Quantity("ratio"), Origin("z_2/z_1 or 1 + z_r/z_s", "teeth")]
+    """[-]"""
+    meshes: int
+    """Meshes that share the torque of its first gear."""
+    torque: Annotated[float, Quantity("torque"), Origin("T K_γ / N at its worst case", "power flow")]
+    """On pinion or sun, of one mesh [N m]."""
+    module: Annotated[float, Quantity("length"), Origin("m_n = max(bending, contact)", "Pulvirenti 2023, eqs 2.1, 2.2")]
+    """[m]"""
+    face_width: Annotated[float, Quantity("length"), Origin("b = λ m_n", "Pulvirenti 2023, eq. 2.3")]
+    """[m]"""
+    mass: Annotated[float, Quantity("mass"), Origin("its gears", "geometry")]
+    """[kg]"""
+
+
+@dataclass(frozen=True)
+class DesignView:
+    """One design as a whole."""
+
+    design: str
+    power_density: Annotated[float, Quantity("specific_power"), Origin("rated power / gearbox", "definition")]
+    """[W/kg]"""
+    gearbox: Annotated[float, Quantity("mass"), Origin("gears, shafts, carriers", "sum")]
+    """[kg]"""
+    motors: Annotated[float, Quantity("mass"), Origin("NDARC or thesis law", "NASA/TP-2015-218751; Pulvirenti 2023")]
+    """[kg]"""
+    width: Annotated[float, Quantity("length"), Origin("box around tip circles", "geometry")]
+    """[m]"""
+    height: Annotated[float, Quantity("length"), Origin("box around tip circles", "geometry")]
+    """[m]"""
+    length: Annotated[float, Quantity("length"), Origin("longest axis", "layout")]
+    """[m]"""
+    margin: Annotated[float, Quantity("ratio"), Origin("smallest of all checks", "sizing")]
+    """[-]"""
+
+
+def comparison(found: Table, sizings: Mapping[str, Sizing]) -> str:
+    """Return several sizings side by side as one self-contained HTML page; the same input gives the same bytes.
+
+    Args:
+        found: Table of the study that compares them.
+        sizings: Design -> what was sized, of the rows that did not fail.
+    """
+    ranked = dict(sorted(sizings.items(), key=lambda each: each[1].mass + each[1].motor_mass))
+    masses = Figure(theme.to_svg(comparison_figure(found), "masses"), "Masses, lightest first.")
+    designs = [_whole(name, each) for name, each in ranked.items()]
+    wholes = table("Designs, lightest first", designs, tuple(field.name for field in fields(DesignView)))
+    rows = [stage for name, each in ranked.items() for stage in _stages(name, each)]
+    stages = table("Stages", rows, tuple(field.name for field in fields(StageView)))
+    failed = tuple(f"{row.design} cannot be had: {row.problem}" for row in found.failed)
+    sections = [
+        Section("Masses", tables=(wholes,), figures=(masses,), notes=failed),
+        Section("Why they rank so", tables=(stages,), notes=(_WHY,)),
+        *(_flow(name, each) for name, each in ranked.items()),
+    ]
+    return environment().get_template("comparison.html.j2").render(
+        title=found.name, description=found.description, sections=sections, marks=MARKS, version=__version__
+    )  # fmt: skip
+
+
+def _flow(name: str, sizing: Sizing) -> Section:
+    caption = "Power flow at rated power: bands as wide as the power, in the colour of its source."
+    return Section(sizing.design.name, figures=(Figure(theme.to_svg(power_flow_figure(sizing, RATED), name), caption),))
+
+
+def _whole(name: str, sizing: Sizing) -> DesignView:
+    box = envelope(sizing)
+    return DesignView(
+        name,
+        sizing.power_density,
+        sizing.mass,
+        sizing.motor_mass,
+        box.width,
+        box.height,
+        box.length,
+        sizing.worst_margin,
+    )
+
+
+def _stages(name: str, sizing: Sizing) -> Iterator[StageView]:
+    gears = {gear.name: gear for gear in sizing.gears}
+    for stage in sizing.design.stages:
+        rows = [mesh for mesh in sizing.meshes if mesh.name.partition(".")[0] == stage]
+        first = gears[rows[0].gears[0]]
+        planetary = isinstance(sizing.design.stages[stage], Planetary)
+        yield StageView(
+            design=name,
+            stage=stage,
+            kind=_kind(sizing, stage, len(rows)),
+            ratio=_ratio(sizing, stage),
+            meshes=rows[0].count * (1 if planetary else len(rows)),
+            torque=max(row.tangential_force for row in rows) * first.pitch_diameter / 2.0,
+            module=first.module,
+            face_width=first.face_width,
+            mass=sum(gear.mass * gear.bodies for gear in sizing.gears if gear.stage == stage),
+        )
+
+
+def _kind(sizing: Sizing, stage: str, rows: int) -> str:
+    found = sizing.design.stages[stage]
+    if isinstance(found, Planetary):
+        if "ground" not in (found.sun, found.ring, found.carrier):
+            return "differential"
+        return "star" if found.carrier == "ground" else "planetary"
+    return "parallel pairs" if rows > 1 else "pair"
+
+
+def _ratio(sizing: Sizing, stage: str) -> float:
+    found, teeth = sizing.design.stages[stage], sizing.teeth
+    if isinstance(found, Planetary):
+        ratio = teeth[f"{stage}.ring"] / teeth[f"{stage}.sun"]
+        return ratio if found.carrier == "ground" else 1.0 + ratio
+    mesh = next(mesh for mesh in sizing.train.meshes if mesh.stage == stage)
+    return teeth[mesh.gears[1]] / teeth[mesh.gears[0]]

@@ -1,0 +1,106 @@
+"""Chapters of the report on dynamics: critical speeds, drawn mode shapes, transmission error and paths, assumptions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from matplotlib.figure import Figure as Drawing
+
+from gearwright.dynamics import Modes, System, Trace
+from gearwright.dynamics.assembly import assumptions
+from gearwright.dynamics.vibration import SpeedCase, first_meshes
+from gearwright.render.figures.dynamics import campbell_figure
+from gearwright.render.figures.motion import every_step, mesh_frequencies
+from gearwright.render.figures.paths import moving_centres, orbit_figure, phase_figure, transmission_error_figure
+from gearwright.render.pages.report_parts import Figure, Section
+from gearwright.render.schematic.mode_shapes import drawn_modes_figure
+from gearwright.render.style import theme
+from gearwright.render.tables.dynamics import assumption_table, critical_table
+from gearwright.sizing import Sizing
+
+MOST_DRAWN = 4
+"""Mode shapes that are drawn on the train."""
+MOST_PATHS = 6
+"""Meshes or centres in one figure of paths."""
+
+
+def dynamics_sections(
+    sizing: Sizing,
+    system: System,
+    *,
+    case: str,
+    modes: Modes | None = None,
+    trace: Trace | None = None,
+    campbell: Sequence[SpeedCase] = (),
+) -> tuple[Section, ...]:
+    """Return the report's chapters on dynamics beside the tables of modes and forces, as far as there is something.
+
+    Args:
+        sizing: As sized.
+        system: Assembled from it for the case.
+        case: Load case of the run.
+        modes: Of the system.
+        trace: A run of the system.
+        campbell: From `critical_speeds`.
+    """
+    sections = [
+        _critical(sizing, campbell),
+        _shapes(sizing, system, modes, campbell),
+        _paths(sizing, system, trace, case),
+        Section("Assumptions of the dynamic model", tables=(assumption_table(assumptions(sizing, system)),)),
+    ]
+    return tuple(section for section in sections if section.tables or section.figures)
+
+
+def _figure(drawing: Drawing, name: str, caption: str) -> Figure:
+    return Figure(theme.to_svg(drawing, name), caption)
+
+
+def _critical(sizing: Sizing, campbell: Sequence[SpeedCase]) -> Section:
+    caption = "Natural frequencies, orders and excited resonances against speed; margins of the nearest ones."
+    figures = [_figure(campbell_figure(sizing, each), f"campbell-{n}", caption) for n, each in enumerate(campbell)]
+    return Section("Critical speeds", tables=tuple(map(critical_table, campbell)), figures=tuple(figures))
+
+
+def _shapes(sizing: Sizing, system: System, modes: Modes | None, campbell: Sequence[SpeedCase]) -> Section:
+    """Draw the modes that are excited nearest to the operating speed, or the lowest ones if none is known."""
+    if modes is None:
+        return Section("Mode shapes")
+    near = [int(one.mode.partition("–")[0]) for each in campbell for one in each.critical if one.excited]
+    lowest = list(range(modes.rigid + 1, len(modes.frequency) + 1))
+    numbers = sorted(list(dict.fromkeys([*near, *lowest]))[:MOST_DRAWN])
+    caption = "Modes excited nearest to the operating speed, on the train." if near else "Lowest modes, on the train."
+    drawing = drawn_modes_figure(sizing, system, modes, numbers=numbers)
+    return Section("Mode shapes", figures=(_figure(drawing, "drawn-modes", caption),))
+
+
+def _paths(sizing: Sizing, system: System, trace: Trace | None, case: str) -> Section:
+    samples = every_step(trace) if trace is not None else None
+    if samples is None:
+        return Section("Transmission error and paths")
+    lines = first_meshes(sizing, system)
+    centres = moving_centres(samples)[:MOST_PATHS]
+    caption = "Phase portraits of the meshes: a closed curve repeats; the teeth part left of zero."
+    figures = [
+        *_errors(sizing, lines, trace, case),
+        _figure(phase_figure(samples, lines[:MOST_PATHS]), "phase", caption),
+    ]
+    if centres:
+        caption = "Paths of centres about their means; of planetary sets in the frame of the carrier."
+        figures.append(_figure(orbit_figure(samples, centres), "orbits", caption))
+    return Section("Transmission error and paths", figures=tuple(figures))
+
+
+def _errors(sizing: Sizing, lines: Sequence[str], trace: Trace | None, case: str) -> Iterator[Figure]:
+    """Yield one figure for each stage: its meshes share a mesh frequency."""
+    samples, rates = every_step(trace) if trace is not None else None, mesh_frequencies(sizing, case)
+    for stage in sizing.design.stages:
+        own = [line for line in lines if line.partition(".")[0] == stage]
+        rate = max((value for row, value in rates.items() if row.partition(".")[0] == stage), default=0.0)
+        if samples is not None and own and rate > 0.0:
+            drawing = transmission_error_figure(samples, own, mesh_frequency=rate)
+            yield _figure(drawing, f"error-{_safe(stage)}", f"Dynamic transmission error of {stage}.")
+
+
+def _safe(stage: str) -> str:
+    return "".join(letter if letter.isalnum() else "-" for letter in stage)

@@ -1,0 +1,146 @@
+"""A flight as one self-contained HTML page: what it took, how hot it ran, what fails first and after how long."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from matplotlib.figure import Figure as Drawing
+
+from gearwright.mission import Durability, Flight, LifeSizing
+from gearwright.mission.windows import DynamicWindow
+from gearwright.render.figures.flight import KELVIN, KNOT, heat_figure, power_figure, profile_figure, stores_figure
+from gearwright.render.figures.lives import lasting_parts, life_figure, mass_of_life_figure, spectrum_figure
+from gearwright.render.figures.sankey import KWH, sankey_figure
+from gearwright.render.figures.window import window_figure
+from gearwright.render.pages.report_parts import Figure, Section, formulas
+from gearwright.render.style import theme
+from gearwright.render.style.templates import environment
+from gearwright.render.tables.flight import asked_table, bearing_table, life_table, loss_table, mode_table, phase_table
+from gearwright.render.tables.tables import MARKS
+from gearwright.render.words.flight import count_text, life_text, verdict_text
+from gearwright.render.words.inputs import entries
+from gearwright.render.words.window import window_verdict
+from gearwright.version import __version__
+
+_HOUR, _LITRE_PER_MINUTE, _MILE = 3600.0, 1e-3 / 60.0, 1852.0
+BASIS = (
+    ("Air", "standard atmosphere with offset; CAS, TAS and Mach by Saint-Venant", "ISO 2533:1975"),
+    ("Propeller", "map J × β → C_P, C_T", "NASA CR-114399 (shipped maps), or a file of the user"),
+    ("Need of thrust", "(D + m g sin γ)/engines, C_D = C_D0 + k C_L²", "steady flight"),
+    ("Turbine", "P ∝ δ_t θ_t^n, flat rating, torque limit; Willans line", "Saravanamuttoo et al., Gas Turbine Theory"),
+    ("Motor", "k_c T² + k_i ω + k_w ω³ + C", "Larminie and Lowry 2012, eq. 7.23"),
+    ("Battery", "V_oc(s) − R I, with limits of charge and C-rate", "first-order circuit"),
+    ("Torques", "statics of the train with the losses of its meshes", "power flow with λ, the torque per tooth"),
+    ("Oil", "Q = P/(ρ c ΔT) at the greatest heat; U A = P/(T_oil − T_air)", "heat balance"),
+    ("Gears", "stresses of ISO 6336-2 and -3 in 40 load classes, Miner's sum", "ISO 6336-6:2019"),
+    ("Bearings", "equivalent load of every interval, Miner's sum", "ISO 281:2007"),
+)
+"""Quantity, model, source."""
+
+
+def flight_page(
+    flight: Flight, parts: Durability, life: LifeSizing | None = None, *, windows: Sequence[DynamicWindow] = ()
+) -> str:
+    """Return the page; it makes no request to anywhere, and the same input gives the same bytes.
+
+    Args:
+        flight: As flown.
+        parts: Lives of its gears and bearings.
+        life: How the design was strengthened, if it was.
+        windows: Of its mission, as flown dynamically.
+    """
+    sections = [_verdict(flight, parts, life), *_way(flight), *_effects(flight, parts)]
+    if life is not None:
+        drawn = _figure(
+            mass_of_life_figure(life), "mass", "Round by round: the stage that fails first is strengthened."
+        )
+        sections.append(Section("What a life costs", figures=(drawn,), notes=(f"{life_text(life)}.",)))
+    if flight.mission.windows:
+        sections.append(_windows(flight, windows))
+    tables = [table for section in sections for table in section.tables]
+    return environment().get_template("flight_page.html.j2").render(
+        design=flight.sizing.design, mission=flight.mission, numbers=_numbers(flight, parts), sections=sections,
+        entries=[each for each in entries(flight.mission) if not each.path.startswith("phases.")],
+        basis=BASIS, formulas=formulas(tables), marks=MARKS, version=__version__,
+    )  # fmt: skip
+
+
+def _figure(drawn: Drawing, name: str, caption: str) -> Figure:
+    return Figure(theme.to_svg(drawn, name), caption)
+
+
+def _numbers(flight: Flight, parts: Durability) -> Iterator[tuple[str, str]]:
+    balance, first = flight.balance, next(iter(parts.parts), None)
+    yield "flown", f"{flight.duration / _HOUR:.2f} h"
+    yield "fuel", f"{flight.fuel:.0f} kg"
+    if flight.has_battery:
+        yield "charge", f"{balance.battery / KWH:.0f} kWh"
+    yield "hottest oil", f"{float(flight.history['oil_outlet'].max()) - KELVIN:.0f} °C"
+    yield "gearbox efficiency", f"{flight.efficiency():.2%}"
+    if first is not None and first.damage:
+        scope = " of what is rated" if parts.is_partial else ""
+        yield f"first to fail{scope}: {first.name}", f"{count_text(first.flights)} flights"
+
+
+def _windows(flight: Flight, flown: Sequence[DynamicWindow]) -> Section:
+    """Return the dynamic windows: those that were flown as figures, and all of the mission by name."""
+    figures = tuple(
+        _figure(window_figure(each), f"window{k}", f"Window {each.name}: {window_verdict(each)}.")
+        for k, each in enumerate(flown)
+    )
+    named = ", ".join(f"{name} ({rules.phase}, {rules.event})" for name, rules in flight.mission.windows.items())
+    note = f"Windows of the mission: {named}. Those that were flown with the page are drawn here."
+    return Section("Dynamic windows", figures=figures, notes=(note,))
+
+
+def _verdict(flight: Flight, parts: Durability, life: LifeSizing | None) -> Section:
+    gear = next((row for row in parts.parts if not row.is_bearing and row.damage), None)
+    notes = [f"{verdict_text(parts)}."]
+    if gear is not None and gear is not parts.parts[0]:
+        words = f"First gear to fail: {gear.name}, {gear.mode}, after {count_text(gear.flights)} flights"
+        notes.append(f"{words} or {count_text(gear.life)} h.")
+    notes += [*_took(flight), *([f"{life_text(life)}."] if life is not None else [])]
+    return Section("Verdict", notes=tuple(notes))
+
+
+def _took(flight: Flight) -> Iterator[str]:
+    """Yield what the flight took and how it was cooled, of one gearbox."""
+    balance, history = flight.balance, flight.history
+    miles = float((history["true_airspeed"] * history["duration"]).sum()) / _MILE
+    words = f"One gearbox burns {flight.fuel:.1f} kg of fuel over {miles:.0f} NM"
+    if flight.has_battery:
+        words += (
+            f" and takes {balance.battery / KWH:.1f} kWh from its battery, which ends at a state of charge of"
+            f" {float(history['state_of_charge'][-1]):.1%}"
+        )
+    fastest = float(history["true_airspeed"].max()) / KNOT
+    yield f"{words}; fastest {fastest:.0f} kt TAS, Mach {float(history['mach'].max()):.3f}."
+    yield (
+        f"{flight.oil_flow / _LITRE_PER_MINUTE:.1f} l/min of oil carry the heat away; it leaves the gearbox with"
+        f" {float(history['oil_outlet'].max()) - KELVIN:.0f} °C at most, and the cooler needs"
+        f" {flight.cooler_conductance:.0f} W/K."
+    )
+    yield f"Energies close within {balance.residual:.1e}: fuel + battery = propeller + losses + stored."
+
+
+def _way(flight: Flight) -> Iterator[Section]:
+    """Yield what the flight did, over its time."""
+    profile = _figure(profile_figure(flight), "profile", "The mission: phases and who drives in them.")
+    yield Section("Mission", tables=(asked_table(flight),), figures=(profile,))
+    powers = _figure(power_figure(flight), "power", "Powers of the machines, stacked, and torques of the shafts.")
+    yield Section("Powers and torques", figures=(powers,))
+    stores = _figure(stores_figure(flight), "stores", "Fuel and battery of one gearbox.")
+    yield Section("Fuel and charge", tables=(phase_table(flight), mode_table(flight)), figures=(stores,))
+    flow = _figure(sankey_figure(flight), "sankey", "Energy of the whole flight; bands are as wide as the energy.")
+    yield Section("Energy", tables=(loss_table(flight),), figures=(flow,))
+    heat = _figure(heat_figure(flight), "heat", "Heat by kind, efficiency, and the oil.")
+    yield Section("Heat and oil", figures=(heat,))
+
+
+def _effects(flight: Flight, parts: Durability) -> Iterator[Section]:
+    """Yield what the flight did to the parts."""
+    spectrum = _figure(spectrum_figure(flight), "spectrum", "Duty of one flight: turns at which a load is reached.")
+    yield Section("Duty spectrum", figures=(spectrum,))
+    lives = (_figure(life_figure(parts), "lives", "Flights that each part lives."),) if lasting_parts(parts) else ()
+    tables = tuple(each for each in (life_table(flight, parts), bearing_table(parts)) if each.rows)
+    yield Section("Damage and life", tables=tables, figures=lives, notes=tuple(f"{note}." for note in parts.notes))

@@ -1,0 +1,159 @@
+"""The report: one HTML page that stands alone, for the screen and for paper."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from matplotlib.figure import Figure as Drawing
+
+from gearwright.dynamics import Modes, System, Trace
+from gearwright.dynamics.assembly import default_case
+from gearwright.dynamics.vibration import SpeedCase
+from gearwright.render.figures.motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
+from gearwright.render.figures.sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
+from gearwright.render.pages.dynamics_sections import dynamics_sections
+from gearwright.render.pages.report_parts import Figure, Section, assumptions, formulas, key_numbers, warnings
+from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
+from gearwright.render.style import theme
+from gearwright.render.style.templates import environment
+from gearwright.render.tables.dynamic_load import dynamic_table
+from gearwright.render.tables.factors import factor_tables
+from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
+from gearwright.render.tables.paths import path_table
+from gearwright.render.tables.sizing import flow_tables, tables_of
+from gearwright.render.tables.tables import MARKS, Table
+from gearwright.render.words.inputs import entries
+from gearwright.sizing import Sizing
+from gearwright.version import __version__
+
+
+def report(
+    sizing: Sizing,
+    *,
+    modes: Modes | None = None,
+    trace: Trace | None = None,
+    case: str | None = None,
+    system: System | None = None,
+    campbell: Sequence[SpeedCase] = (),
+) -> str:
+    """Return the report of a sizing as one self-contained HTML page; the same input gives the same bytes.
+
+    Args:
+        sizing: As sized.
+        modes: Natural modes, if they are to be in it.
+        trace: A run, if it is to be in it.
+        case: Load case of the summary, of modes and run; left out: the design's first one, or ``rated``.
+        system: Assembled for that case; with it mode shapes are drawn on the train and the model's assumptions listed.
+        campbell: Critical speeds, if they are to be in it.
+    """
+    case = case or default_case(sizing)
+    sections = [
+        _summary(sizing, case),
+        _power(sizing, case),
+        *_parts(sizing),
+        *([_modes(modes, drawn=system is not None)] if modes else []),
+        *([_dynamics(sizing, trace, case)] if trace else []),
+    ]
+    if system is not None:
+        sections += dynamics_sections(sizing, system, case=case, modes=modes, trace=trace, campbell=campbell)
+    tables = [one for section in sections for one in section.tables]
+    return environment().get_template("report.html.j2").render(
+        design=sizing.design,
+        numbers=key_numbers(sizing),
+        sections=sections,
+        entries=entries(sizing.design),
+        overrides=tables_of(sizing)["overrides"],
+        warnings=warnings(sizing, trace),
+        assumptions=assumptions(sizing),
+        formulas=formulas(tables),
+        marks=MARKS,
+        version=__version__,
+    )  # fmt: skip
+
+
+def _figure(drawing: Drawing, name: str, caption: str) -> Figure:
+    return Figure(theme.to_svg(drawing, name), caption)
+
+
+def _summary(sizing: Sizing, case: str) -> Section:
+    return Section("Summary", tables=(tables_of(sizing)["margins"],), figures=(_flow(sizing, case),))
+
+
+def _flow(sizing: Sizing, case: str) -> Figure:
+    caption = f"Power flow in case {case}: bands as wide as the power, in the colour of its source."
+    return _figure(power_flow_figure(sizing, case), f"flow-{_safe(case)}", caption)
+
+
+def _power(sizing: Sizing, shown: str) -> Section:
+    """Return the architecture, and the power flow of every case that the summary does not show."""
+    skeleton = _figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")
+    others = [_flow(sizing, case) for case in sizing.flows if case != shown]
+    tables = _filled(tables_of(sizing)["speeds"], *flow_tables(sizing), path_table(sizing))
+    return Section("Architecture and power flow", tables=tables, figures=(skeleton, *others))
+
+
+def _parts(sizing: Sizing) -> tuple[Section, ...]:
+    found = tables_of(sizing)
+    margins = _figure(margin_figure(sizing), "margins", "Margins of all kinds of checks, worst first.")
+    mass = _figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
+    return (
+        Section("Gears", tables=_filled(found["gears"])),
+        Section(
+            "Meshes: forces, stresses and margins", tables=_filled(found["meshes"], found["rating"]), figures=(margins,)
+        ),
+        *([Section("Rating of the gears", tables=factor_tables(sizing))] if factor_tables(sizing) else []),
+        _shafts(sizing),
+        *_mounted(sizing),
+        Section("Mass and envelope", tables=(found["mass"], found["envelope"]), figures=(mass,)),
+    )
+
+
+def _shafts(sizing: Sizing) -> Section:
+    found = tables_of(sizing)
+    names = ("shafts", "shaft_sizes", "bearings", "carriers", "machines")
+    caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
+    figures = (_figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
+    return Section("Shafts, carriers and machines", tables=_filled(*(found[name] for name in names)), figures=figures)
+
+
+def _mounted(sizing: Sizing) -> tuple[Section, ...]:
+    """Return shafts as they are built, with bearings and joints, where the design gives bearings."""
+    if not sizing.built_shafts:
+        return ()
+    found = tables_of(sizing)
+    names = ("bearing_sizes", "joints", "steps", "strength", "stiffness")
+    return (Section("Shafts as built, bearings and joints", tables=_filled(*(found[name] for name in names))),)
+
+
+def _filled(*tables: Table) -> tuple[Table, ...]:
+    return tuple(one for one in tables if one.rows)
+
+
+def _modes(modes: Modes, *, drawn: bool) -> Section:
+    """Return the table of modes, with bars per coordinate where their shapes are not drawn on the train."""
+    if drawn:
+        return Section("Natural modes", tables=(mode_table(modes),))
+    caption = "Lowest elastic modes; each coordinate over the largest of its kind."
+    return Section(
+        "Natural modes", tables=(mode_table(modes),), figures=(_figure(mode_figure(modes), "modes", caption),)
+    )
+
+
+def _dynamics(sizing: Sizing, trace: Trace, case: str) -> Section:
+    figures = [_figure(time_figure(trace), "time", "Forces and torques against time.")]
+    notes = [
+        f"Case {case}. {trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
+        f" estimated force error {trace.error:.1e} of the largest force."
+    ]
+    if every_step(trace) is not None:
+        drawing = spectrum_figure(trace, mesh_frequencies(sizing, case))
+        figures.append(_figure(drawing, "spectrum", "Amplitude spectra with mesh frequencies and their multiples."))
+    else:
+        notes.append("No spectrum: no stretch of the run was kept at every step.")
+    tables = (*motion_tables(trace), dynamic_table(sizing, trace), energy_table(trace))
+    return Section("Dynamic response", tables=tables, figures=tuple(figures), notes=(*notes, *trace.notes))
+
+
+def _safe(name: str) -> str:
+    return re.sub(r"[^A-Za-z0-9-]", "-", name)

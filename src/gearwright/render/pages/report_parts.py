@@ -1,0 +1,159 @@
+"""What the report says beside its tables and figures: key numbers, warnings, assumptions, formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from gearwright.dynamics import Trace
+from gearwright.render.tables.dynamic_load import dynamic_loads
+from gearwright.render.tables.sizing import asked_speeds, margins
+from gearwright.render.tables.tables import Table
+from gearwright.sizing import Sizing
+from gearwright.train import recirculation
+from gearwright.units import text
+
+LARGE_ERROR = 1e-3
+"""Estimated error of a run above which the report warns, over the largest force [-]."""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure in the page."""
+
+    svg: str
+    caption: str
+
+
+@dataclass(frozen=True)
+class Section:
+    """A chapter of the report."""
+
+    title: str
+    tables: tuple[Table, ...] = ()
+    figures: tuple[Figure, ...] = ()
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Formula:
+    """An equation that made a column of the report."""
+
+    quantity: str
+    symbol: str
+    equation: str
+    source: str
+
+
+def key_numbers(sizing: Sizing) -> tuple[tuple[str, str], ...]:
+    """Return what a reader asks first: name and value.
+
+    Args:
+        sizing: As sized.
+    """
+    rated = sizing.flows["rated"]
+    power = sum(each for each in rated.machine_powers.values() if each > 0.0)
+    taken = [name for name, each in rated.machine_powers.items() if each < 0.0]
+    torque = max((abs(rated.machine_torques[name]) for name in taken), default=0.0)
+    numbers = [
+        ("rated power", text(power, "power")),
+        ("output torque", text(torque, "torque")),
+        ("mass of the train", text(sizing.mass, "mass")),
+        ("power density", text(sizing.power_density, "specific_power")),
+        ("worst margin", f"{sizing.worst_margin:.3f}"),
+    ]
+    return tuple(numbers + ([("motors", text(sizing.motor_mass, "mass"))] if sizing.motor_mass else []))
+
+
+def warnings(sizing: Sizing, trace: Trace | None) -> tuple[str, ...]:
+    """Return what is not as asked.
+
+    Args:
+        sizing: As sized.
+        trace: As simulated, if it was.
+    """
+    found = [f"{each.sentence}; it should be 1 or more." for each in margins(sizing) if not each.holds]
+    found += _yielded(sizing)
+    found += [
+        f"{text(loop.power, 'power')} circulate in case {case}: {', '.join(loop.path)}."
+        for case, flow in sizing.flows.items()
+        for loop in recirculation(sizing.train, flow)
+    ]
+    found += [f"{path} is given in place of its computed value ({origin})." for path, origin in sizing.origins.items()]
+    if trace is not None:
+        found += [
+            f"{load.mesh}: with the simulated peak force, {load.peak_over_mean:.2f} times the mean, the margins are"
+            f" {load.bending_margin:.2f} (bending) and {load.contact_margin:.2f} (contact)."
+            for load in dynamic_loads(sizing, trace)
+            if min(load.bending_margin, load.contact_margin) < 1.0
+        ]
+        found += [f"{note[0].upper()}{note[1:]}." for note in trace.notes if "contact" in note or "interrupted" in note]
+        if trace.error > LARGE_ERROR:
+            found.append(f"The run's estimated force error is {trace.error:.1%}; take a smaller step.")
+    return tuple(found)
+
+
+def _yielded(sizing: Sizing) -> list[str]:
+    """Return one sentence for each speed that yields, whatever the number of cases."""
+    cases: dict[str, list[str]] = {}
+    for each in asked_speeds(sizing):
+        words = (
+            f"{each.machine} turns at {text(each.actual, 'speed')}, asked were {text(each.asked, 'speed')}"
+            f" ({each.deviation:+.2%}): the teeth give no better"
+        )
+        cases.setdefault(words, []).append(each.case)
+    return [f"{words} (case {', '.join(names)})." for words, names in cases.items()]
+
+
+_MOUNTED = (
+    "Shafts rest on two radial bearings, each at the middle of its width and rigid; stresses by forces along shafts are"
+    " left out.",
+    "Loads of rotors act in every load case, across the shaft in the direction that bends it most.",
+    "Bearings have basic rating lives, without a_ISO for oil and dirt; catalogue ratings are those of ISO 281 and"
+    " ISO 76 for an assumed inside.",
+)
+
+
+def assumptions(sizing: Sizing) -> tuple[str, ...]:
+    """Return what was assumed, as far as the design leaves it open.
+
+    Args:
+        sizing: As sized.
+    """
+    design = sizing.design
+    rules = [design.rules(stage) for stage in design.stages]
+    found = ["Mass counts gears, shafts and carriers; not housing, bearings, oil system, accessories, motors."]
+    if all(flow.loss <= 1e-9 * max(map(abs, flow.machine_powers.values())) for flow in sizing.flows.values()):
+        found.append("Power flow without losses in the meshes.")
+    if all(each.load_factor == 1.0 for each in sizing.meshes):
+        found.append("Parallel meshes share the load equally: K_γ = 1.")
+    found.append("Gears are sized without application and dynamic factor (K_A = K_v = 1); see the peaks of a run.")
+    if any(each.idler_factor == 1.0 for each in rules) and design.planetaries:
+        found.append("Planets, loaded on both flanks, keep the full bending allowable; ISO 6336-3 takes 0.7 of it.")
+    if all(shaft.bending_moment == 0.0 for shaft in sizing.shafts):
+        found.append("Shafts carry torsion alone.")
+    if sizing.built_shafts:
+        found += _MOUNTED
+    estimated = [each.name for each in sizing.machines if not each.inertia_is_given]
+    if estimated:
+        found.append(f"Inertia estimated, not given: {', '.join(estimated)}.")
+    if any(pair.kind == "face" for pair in design.pairs.values()):
+        found.append("Face-gear pairs are drawn as if their axes were parallel.")
+    return tuple(found)
+
+
+def formulas(tables: Iterable[Table]) -> tuple[Formula, ...]:
+    """Return every equation behind the columns of some tables, once each, in order.
+
+    Args:
+        tables: Of the report.
+    """
+    found = {
+        (column.header, column.origin.equation): Formula(
+            column.header, column.symbol, column.origin.equation, column.origin.source
+        )
+        for one in tables
+        for column in one.columns
+        if column.origin
+    }
+    return tuple(found.values())

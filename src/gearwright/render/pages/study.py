@@ -1,0 +1,173 @@
+"""The page of a study: which design wins, by how much, how sure that is, what it depends on, and the designs drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from gearwright.errors import SolveError
+from gearwright.render.figures.study import study_figure
+from gearwright.render.figures.study_spread import (
+    contour_figure,
+    distribution_figure,
+    parallel_figure,
+    pareto_figure,
+    tornado_figure,
+)
+from gearwright.render.figures.study_trade import trade_figure, weights_figure
+from gearwright.render.pages.report_parts import Figure, Section
+from gearwright.render.schematic.schematic import schematic_figure
+from gearwright.render.style import theme
+from gearwright.render.style.templates import environment
+from gearwright.render.tables.study import heading
+from gearwright.render.tables.study_lists import (
+    front_list,
+    inputs_table,
+    letter,
+    spread_table,
+    standings_table,
+    values_table,
+)
+from gearwright.render.tables.tables import MARKS
+from gearwright.render.words.study import SAMPLED, answer, at, key_numbers
+from gearwright.spec import Design, Study
+from gearwright.study import Row, Table
+from gearwright.study.answers import Verdict, front_table, pareto_front, sensitivity, varies, verdict
+from gearwright.study.cases import sized
+from gearwright.version import __version__
+
+FEW = 60
+"""Cases up to which every one is drawn; the spread says more about more of them."""
+DRAWN = 3
+"""Designs of a front that are drawn: its ends and the one between them."""
+
+
+def study_page(study: Study, table: Table, designs: Mapping[str, Design]) -> str:
+    """Return a study as one self-contained HTML page; the same input gives the same bytes.
+
+    Args:
+        study: As run.
+        table: Its rows.
+        designs: Name -> design, to draw those that are chosen.
+    """
+    found = verdict(study, table)
+    sections = [_answer(study, table, found)]
+    if len(study.objectives) > 1 and found is None:
+        sections.append(_front(study, table))
+    if study.sampling.method == "saltelli":
+        sections.append(_sensitivity(study, table))
+    if found is None or found.scenarios == 1:
+        sections.append(_cases(study, table))
+    sections += _drawn(study, table, designs, found)
+    sections.append(_made(study))
+    return environment().get_template("comparison.html.j2").render(
+        title=table.name, description=table.description, numbers=key_numbers(found), sections=sections, marks=MARKS,
+        version=__version__,
+    )  # fmt: skip
+
+
+def _answer(study: Study, table: Table, found: Verdict | None) -> Section:
+    notes = tuple(answer(study, table))
+    if found is None:
+        return Section("Answer", notes=notes)
+    caption = "Medians; bars from 5 to 95 % of the cases; the best of each objective in orange; the winner at the top."
+    trade = Figure(theme.to_svg(trade_figure(study, table, found), "trade"), caption)
+    figures = [trade]
+    if len(study.objectives) > 1:
+        weights = "Who comes first: objectives of the same weight, and over all weights."
+        figures.append(Figure(theme.to_svg(weights_figure(found), "weights"), weights))
+    return Section(
+        "Answer",
+        tables=(standings_table(table, found), values_table(study, table, found)),
+        figures=tuple(figures),
+        notes=notes,
+    )
+
+
+def _front(study: Study, table: Table) -> Section:
+    front, chosen = pareto_front(study, table), front_table(study, table).rows
+    caption = "Every case over the first two objectives; no other case beats one of the front in all of them."
+    drawn = pareto_figure(study, table, front, chosen)
+    lines = Figure(theme.to_svg(parallel_figure(table, front), "lines"), "All cases; the front stands out.")
+    figures = [Figure(theme.to_svg(drawn, "front"), caption), lines]
+    notes = (f"{len(front):,} cases are beaten by none in all objectives; {len(chosen)} of them are listed.",)
+    return Section("What no other beats", (front_list(study, table, chosen),), tuple(figures), notes)
+
+
+def _sensitivity(study: Study, table: Table) -> Section:
+    figures, notes = [], []
+    for k, result in enumerate(table.numbers):
+        try:
+            found = sensitivity(study, table, result)
+        except SolveError as error:
+            notes.append(f"{heading(result)}: {error}.")
+            continue
+        caption = f"{heading(result)}: Sobol' indices; the total index includes interactions."
+        figures.append(Figure(theme.to_svg(tornado_figure(result, found), f"tornado{k}"), caption))
+    return Section("What it depends on", figures=tuple(figures), notes=tuple(notes))
+
+
+def _cases(study: Study, table: Table) -> Section:
+    """Return the cases themselves: each one of a few, the spread of many."""
+    sampled = study.sampling.method in SAMPLED
+    shapes = _shapes(study, table)
+    if len(table.rows) <= FEW and study.sampling.method in ("grid", "list"):
+        return Section(
+            "Cases", figures=(*shapes, Figure(theme.to_svg(study_figure(table, study.objectives), "cases"), table.name))
+        )
+    figures = [*shapes, Figure(theme.to_svg(distribution_figure(table), "spread"), "How the results are spread.")]
+    tables = (spread_table(table, sampled=sampled),) if len(study.designs) == 1 else ()
+    return Section("Spread", tables, tuple(figures))
+
+
+def _shapes(study: Study, table: Table) -> list[Figure]:
+    """Return the objectives, or the first result, over two axes."""
+    if len(study.designs) > 1 or len(table.free) != 2 or not _all_numbers(table):
+        return []
+    names = [name for name in tuple(study.objectives) or table.numbers[:1] if varies(np.array(table.column(name)))]
+    return [
+        Figure(theme.to_svg(contour_figure(table, name), f"contour{k}"), f"{heading(name)}; between the cases: linear.")
+        for k, name in enumerate(names)
+    ]
+
+
+def _drawn(study: Study, table: Table, designs: Mapping[str, Design], found: Verdict | None) -> Iterator[Section]:
+    """Yield the chosen designs as schematics: the winner and the next, or the ends and the middle of a front."""
+    chosen = dict(_chosen(study, table, found))
+    figures = [
+        Figure(theme.to_svg(schematic_figure(sized(study, designs[row.design], row.inputs)), f"drawn{k}"), caption)
+        for k, (caption, row) in enumerate(chosen.items())
+    ]
+    if figures:
+        yield Section("The chosen designs", figures=tuple(figures))
+
+
+def _chosen(study: Study, table: Table, found: Verdict | None) -> Iterator[tuple[str, Row]]:
+    """Yield caption and case of what is drawn."""
+    if found is not None:
+        for place, each in enumerate(found.standings[:2]):
+            row = next((row for row in table.good if row.design == each.design), None)
+            if row is not None:
+                yield f"{'The winner' if place == 0 else 'The next'}, {row.design}, in the first case of the study", row
+    elif study.objectives:
+        rows = front_table(study, table).rows
+        for k in sorted({0, len(rows) // 2, len(rows) - 1})[:DRAWN]:
+            name = f"{letter(k)}: " if len(rows) > 1 else ""
+            yield f"{name}{rows[k].design}{at(table, rows[k])}", rows[k]
+
+
+def _made(study: Study) -> Section:
+    sampling = study.sampling
+    drawn = f", {sampling.count:,} drawn with seed {sampling.seed}" if sampling.count else ""
+    notes = [f"Cases by the method {sampling.method!r}{drawn}; gearwright {__version__}."]
+    if study.mission is not None:
+        life = f"; gears strengthened to live {study.fly.life / 3600.0:g} h" if study.fly.life else ""
+        notes.append(f"Flown: {study.mission.name}{life}.")
+    return Section("How it was made", tables=(inputs_table(study),), notes=tuple(notes))
+
+
+def _all_numbers(table: Table) -> bool:
+    columns = [[row.inputs[path] for row in table.good] for path in table.free]
+    numbers = all(isinstance(value, int | float) for column in columns for value in column)
+    return numbers and all(len(set(column)) > 2 for column in columns)

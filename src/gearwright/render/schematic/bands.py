@@ -1,0 +1,179 @@
+"""The power flow on a skeleton: bands as wide as the power, in the colours of the machines that it comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from matplotlib.axes import Axes
+from matplotlib.patches import Polygon, Rectangle
+
+from gearwright.render.schematic.glyphs import tinted
+from gearwright.render.schematic.layout import Layout, pair_meshes
+from gearwright.render.schematic.power import NOTHING, Feed, Stretch
+from gearwright.render.style import theme
+from gearwright.train import PowerFlow, Train
+
+WIDEST = 9.0
+"""Band of the largest power [mm]."""
+ABOVE_GEARS = 4.6
+"""Layer of power that goes through a mesh."""
+HEAD = 3.0
+"""Length of an arrow head [mm]."""
+
+
+@dataclass(frozen=True)
+class Pen:
+    """How power is drawn."""
+
+    axes: Axes
+    scale: float
+    """Width over power [mm/W]."""
+    colours: Mapping[str, str]
+    """Machine -> colour."""
+
+
+def source_colours(train: Train, flow: PowerFlow, kinds: Mapping[str, str]) -> dict[str, str]:
+    """Return machine -> colour for those that give power in a case.
+
+    Args:
+        train: The graph.
+        flow: The case.
+        kinds: Machine -> turbine, motor or propeller.
+    """
+    colours: dict[str, str] = {}
+    for name in train.machines:
+        if flow.machine_powers[name] > 0.0:
+            first = theme.KIND_COLOURS.get(kinds.get(name, ""), theme.BLUE)
+            colours[name] = next(each for each in (first, *theme.CYCLE, theme.MUTED) if each not in colours.values())
+    return colours
+
+
+def band_scale(stretches: Sequence[Stretch], feeds: Sequence[Feed]) -> float:
+    """Return width over power [mm/W].
+
+    Args:
+        stretches: Of all shafts.
+        feeds: Of all parts.
+    """
+    largest = max([abs(each.power) for each in stretches] + [abs(each.branch.power) for each in feeds], default=0.0)
+    return WIDEST / largest if largest else 0.0
+
+
+def draw_bands(pen: Pen, train: Train, flow: PowerFlow, layout: Layout,
+               traced: tuple[Sequence[Stretch], Sequence[Feed]]) -> None:  # fmt: skip
+    """Draw the power of every shaft, of every mesh between axes, and of machines around their shafts.
+
+    Args:
+        pen: How power is drawn.
+        train: The graph.
+        flow: The case.
+        layout: Where everything stands.
+        traced: Stretches and feeds of `trace_power`.
+    """
+    stretches, feeds = traced
+    for each in stretches:
+        if abs(each.power) * pen.scale > WIDEST * NOTHING:
+            _along(pen, each, layout, stretches)
+    for mesh in pair_meshes(train):
+        power = flow.meshes[mesh.name].tooth_power
+        start, end = (layout.heights[node] for node in (mesh.nodes[:2] if power > 0.0 else mesh.nodes[1::-1]))
+        driver = mesh.nodes[0] if power > 0.0 else mesh.nodes[1]
+        shares = next(f.sources for f in feeds if f.branch.shaft == driver and f.branch.stage == mesh.stage)
+        _across(pen, layout.places[mesh.stage].x, (start, end), (abs(power), shares))
+    for feed in feeds:
+        start, end = layout.spans[feed.branch.shaft]
+        if feed.branch.kind == "machine" and start < feed.x < end:
+            y = layout.heights[feed.branch.shaft]
+            _around(pen, (feed.x, y), feed)
+
+
+def half_width(each: Stretch, pen: Pen, layout: Layout, stretches: Sequence[Stretch]) -> float:
+    """Return how far a stretch's band reaches from its axis, the bands inside it included [mm].
+
+    Args:
+        each: The stretch.
+        pen: How power is drawn.
+        layout: Where everything stands.
+        stretches: Of all shafts.
+    """
+    return _inside(each, pen, layout, stretches) + abs(each.power) * pen.scale / 2.0
+
+
+def _inside(each: Stretch, pen: Pen, layout: Layout, stretches: Sequence[Stretch]) -> float:
+    """Return half the width of the bands on the shafts inside a hollow one [mm]."""
+    return sum(
+        max(abs(o.power) * pen.scale / 2.0 for o in stretches if o.shaft == shaft)
+        for shaft in {o.shaft for o in stretches if _is_within(o, each, layout)}
+    )
+
+
+def _is_within(one: Stretch, other: Stretch, layout: Layout) -> bool:
+    return (
+        layout.heights[one.shaft] == layout.heights[other.shaft]
+        and layout.levels[one.shaft] < layout.levels[other.shaft]
+        and min(one.end, other.end) > max(one.start, other.start)
+    )
+
+
+def _along(pen: Pen, each: Stretch, layout: Layout, stretches: Sequence[Stretch]) -> None:
+    y, width = layout.heights[each.shaft], abs(each.power) * pen.scale
+    inner = _inside(each, pen, layout, stretches)
+    spot = spots(each, layout)[0]
+    head = HEAD if each.power > 0.0 else -HEAD
+    lanes = (
+        [(y - width / 2.0, width)]
+        if inner == 0.0
+        else [(y + inner, width / 2.0), (y - inner - width / 2.0, width / 2.0)]
+    )
+    for low, room in lanes:
+        for name, share in each.sources.items():
+            _patch(pen, (each.start, low, each.end - each.start, share * room), name)
+            low += share * room
+        middle = low - room / 2.0
+        tip = [(spot - head / 2.0, middle - 1.6), (spot - head / 2.0, middle + 1.6), (spot + head / 2.0, middle)]
+        pen.axes.add_patch(Polygon(tip, fc=theme.INK, lw=0.0, zorder=6))
+
+
+def spots(each: Stretch, layout: Layout) -> list[float]:
+    """Return places along a stretch that no column covers, the middle ones first [mm].
+
+    Args:
+        each: The stretch.
+        layout: Where everything stands.
+    """
+    middle = (each.start + each.end) / 2.0
+    free = [gap for gap in layout.gaps() if each.start < gap < each.end]
+    return sorted(free, key=lambda gap: (abs(gap - middle), gap)) or [middle]
+
+
+def _across(pen: Pen, x: float, ends: tuple[float, float], carried: tuple[float, Mapping[str, float]]) -> None:
+    """Draw power from one height to another."""
+    power, shares = carried
+    width, (start, end) = power * pen.scale, ends
+    if width <= WIDEST * NOTHING:
+        return
+    left = x - width / 2.0
+    for name, share in shares.items():
+        _patch(pen, (left, min(start, end), share * width, abs(end - start)), name, ABOVE_GEARS)
+        left += share * width
+    middle, head = (start + end) / 2.0, HEAD if end > start else -HEAD
+    tip = [(x - 1.6, middle - head / 2.0), (x + 1.6, middle - head / 2.0), (x, middle + head / 2.0)]
+    pen.axes.add_patch(Polygon(tip, fc=theme.INK, lw=0.0, zorder=6))
+
+
+def _around(pen: Pen, at: tuple[float, float], feed: Feed) -> None:
+    """Draw arrow heads inside a machine that its shaft goes through: towards the shaft if it drives."""
+    colour = pen.colours.get(feed.branch.part, theme.MUTED)
+    if feed.branch.power == 0.0:
+        return
+    for up in (1.0, -1.0):
+        middle = at[1] + up * 7.25
+        tip = -up * HEAD / 2.0 if feed.branch.power > 0.0 else up * HEAD / 2.0
+        corners = [(at[0] - 2.0, middle - tip), (at[0] + 2.0, middle - tip), (at[0], middle + tip)]
+        pen.axes.add_patch(Polygon(corners, fc=colour, lw=0.0, zorder=6.3))
+
+
+def _patch(pen: Pen, box: tuple[float, float, float, float], name: str, layer: float = 2.0) -> None:
+    left, low, width, height = box
+    pen.axes.add_patch(Rectangle((left, low), width, height, fc=tinted(pen.colours[name]), lw=0.0, zorder=layer))

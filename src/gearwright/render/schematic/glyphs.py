@@ -1,0 +1,241 @@
+"""The signs of a skeleton diagram: gears as bars of pitch radius and face width, carriers, ground, machines."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from matplotlib.axes import Axes
+from matplotlib.patches import Ellipse, Polygon, Rectangle
+
+from gearwright.render.style import theme
+
+THIN, LINE, BOLD = 0.7, 1.3, 2.2
+"""Line widths [pt]."""
+HOLLOW = 2.2
+"""Distance from one level of nested shafts to the next [mm]."""
+LEAST_WIDTH, LEAST_WALL = 2.0, 1.4
+"""Least width of a gear and wall of a ring [mm]."""
+MACHINE_HEIGHT = 10.0
+"""Half the height of a motor [mm]."""
+WALL = 2.0
+"""Depth of the ground's hatching [mm]."""
+
+
+@dataclass(frozen=True)
+class Member:
+    """A sun, ring or carrier."""
+
+    grounded: bool
+    side: float
+    """Where its shaft leaves: −1 left, +1 right."""
+    level: int
+    """Of its shaft."""
+
+
+@dataclass(frozen=True)
+class PlanetaryShape:
+    """A planetary set on paper."""
+
+    x: float
+    y: float
+    sun: float
+    """Radii [mm]."""
+    planet: float
+    ring: float
+    wall: float
+    """Of the ring [mm]."""
+    width: float
+    """Of the gears [mm]."""
+    members: Mapping[str, Member]
+    """sun, ring and carrier."""
+
+
+FILLS = {"sun": "#cdd5de", "planet": "#f3f5f7", "ring": "#b4bfca", "pinion": "#cdd5de", "wheel": theme.STEEL}
+"""Shade of each kind of gear, so that neighbours differ."""
+
+Spot = tuple[float, float, float, float]
+"""Left, low, width, height [mm]."""
+
+
+def bar(axes: Axes, spot: Spot, role: str) -> None:
+    """Draw a gear seen from its side.
+
+    Args:
+        axes: In mm of paper.
+        spot: Where.
+        role: sun, planet, ring, pinion or wheel.
+    """
+    axes.add_patch(Rectangle(spot[:2], *spot[2:], fc=FILLS[role], ec=theme.INK, lw=THIN, zorder=4))
+
+
+def line(axes: Axes, points: list[tuple[float, float]], width: float = LINE) -> None:
+    """Draw a shaft, an arm or a web.
+
+    Args:
+        axes: In mm of paper.
+        points: [mm].
+        width: [pt].
+    """
+    axes.plot(*zip(*points, strict=True), color=theme.INK, lw=width, solid_capstyle="butt", solid_joinstyle="miter",
+              zorder=5)  # fmt: skip
+
+
+def ground(axes: Axes, spot: Spot) -> None:
+    """Draw the hatching of what stands still.
+
+    Args:
+        axes: In mm of paper.
+        spot: Where.
+    """
+    axes.add_patch(Rectangle(spot[:2], *spot[2:], fc="none", ec=theme.MUTED, lw=0.0, hatch="//////", zorder=3))
+
+
+def planetary(axes: Axes, shape: PlanetaryShape) -> None:
+    """Draw a planetary set, above and below its axis.
+
+    Args:
+        axes: In mm of paper.
+        shape: The set.
+    """
+    half = shape.width / 2.0
+    bar(axes, (shape.x - half, shape.y - shape.sun, shape.width, 2.0 * shape.sun), "sun")
+    pin = shape.sun + shape.planet
+    for up in (1.0, -1.0):
+        middle = shape.y + up * pin
+        bar(axes, (shape.x - half, middle - shape.planet, shape.width, 2.0 * shape.planet), "planet")
+        low = shape.y + up * shape.ring - (0.0 if up > 0.0 else shape.wall)
+        bar(axes, (shape.x - half, low, shape.width, shape.wall), "ring")
+        _ring(axes, shape, up)
+        _carrier(axes, shape, up, middle)
+    sun = shape.members["sun"]
+    if sun.grounded:
+        reach = shape.x + sun.side * (half + 5.0)
+        line(axes, [(shape.x, shape.y), (reach, shape.y)], BOLD)
+        ground(axes, (min(reach, reach + sun.side * WALL), shape.y - 3.0, WALL, 6.0))
+        line(axes, [(reach, shape.y - 3.0), (reach, shape.y + 3.0)], THIN)
+
+
+def _ring(axes: Axes, shape: PlanetaryShape, up: float) -> None:
+    ring, half = shape.members["ring"], shape.width / 2.0
+    outer = shape.y + up * (shape.ring + shape.wall)
+    if ring.grounded:
+        ground(axes, (shape.x - half - 2.5, min(outer, outer + up * WALL), shape.width + 5.0, WALL))
+        line(axes, [(shape.x - half - 2.5, outer), (shape.x + half + 2.5, outer)], LINE)
+        return
+    web, middle = shape.x + ring.side * (half + 5.0), shape.y + up * (shape.ring + shape.wall / 2.0)
+    line(axes, [(shape.x + ring.side * half, middle), (web, middle), (web, shape.y + up * ring.level * HOLLOW)], BOLD)
+
+
+def _carrier(axes: Axes, shape: PlanetaryShape, up: float, middle: float) -> None:
+    carrier, half = shape.members["carrier"], shape.width / 2.0
+    arm = shape.x + carrier.side * (half + 2.5)
+    line(axes, [(shape.x - carrier.side * (half + 1.2), middle), (arm, middle)], BOLD)
+    if carrier.grounded:
+        ground(axes, (min(arm, arm + carrier.side * WALL), middle - 3.0, WALL, 6.0))
+        line(axes, [(arm, middle - 3.0), (arm, middle + 3.0)], LINE)
+    else:
+        line(axes, [(arm, middle + up * 0.4), (arm, shape.y + up * carrier.level * HOLLOW)], BOLD)
+
+
+def wheel(
+    axes: Axes, at: tuple[float, float], reach: tuple[float, float], *, width: float, halves: int, role: str
+) -> None:
+    """Draw a gear of a pair, two halves with their opposite hands where it is double-helical.
+
+    Args:
+        axes: In mm of paper.
+        at: Where its axis is (x, y) [mm].
+        reach: Radius below and above its axis [mm].
+        width: Of one half [mm].
+        halves: 1 or 2.
+        role: pinion or wheel.
+    """
+    x, y = at
+    down, up = reach
+    gap = 1.0 if halves > 1 else 0.0
+    left = x - (halves * width + (halves - 1) * gap) / 2.0
+    for half in range(halves):
+        start = left + half * (width + gap)
+        bar(axes, (start, y - down, width, down + up), role)
+        if halves > 1:
+            slope = min(0.5 * width, 0.3 * (down + up)) * (1.0 if half == 0 else -1.0)
+            for share in (0.22, 0.5, 0.78):
+                height = y - down + share * (down + up)
+                axes.plot([start, start + width], [height - slope / 2.0, height + slope / 2.0], color=theme.MUTED,
+                          lw=0.5, zorder=4.5)  # fmt: skip
+
+
+def internal_wheel(axes: Axes, at: tuple[float, float], radius: float, width: float) -> None:
+    """Draw an internal gear, its toothed ring on the side of its pinion.
+
+    Args:
+        axes: In mm of paper.
+        at: Where its axis is (x, y) [mm].
+        radius: Signed: positive if the pinion is above the axis [mm].
+        width: [mm].
+    """
+    x, y = at
+    wall = 3.0 if radius > 0.0 else -3.0
+    bar(axes, (x - width / 2.0, min(y + radius, y + radius + wall), width, abs(wall)), "ring")
+    web = x + width / 2.0 + 2.5
+    line(axes, [(x + width / 2.0, y + radius + wall / 2.0), (web, y + radius + wall / 2.0), (web, y)], BOLD)
+
+
+def machine(axes: Axes, at: tuple[float, float], kind: str, *, at_left: bool, around: bool) -> None:
+    """Draw a machine: a turbine widens along its flow, a motor is a box, a propeller has blades.
+
+    Args:
+        axes: In mm of paper.
+        at: Where its shaft is (x, y) [mm].
+        kind: turbine, motor or propeller; anything else is a plain box.
+        at_left: It sits at the left end of its shaft.
+        around: Its shaft goes on to both sides.
+    """
+    x, y = at
+    if kind == "turbine" and not around:
+        near, far = (x + 8.0, x - 8.0) if at_left else (x - 8.0, x + 8.0)
+        _solid(axes, [(far, y - 5.0), (near, y - 10.0), (near, y + 10.0), (far, y + 5.0)])
+    elif kind == "propeller":
+        for up in (1.0, -1.0):
+            axes.add_patch(Ellipse((x, y + up * 15.0), 4.0, 25.0, fc=theme.STEEL, ec=theme.INK, lw=LINE, zorder=6))
+        nose = 1.0 if not at_left else -1.0
+        _solid(axes, [(x - nose * 3.0, y - 3.5), (x - nose * 3.0, y + 3.5), (x + nose * 7.0, y)])
+    else:
+        height, depth = MACHINE_HEIGHT, 4.5 if around else 6.0
+        box = [(x - 7.0, y - height), (x + 7.0, y - height), (x + 7.0, y + height), (x - 7.0, y + height)]
+        axes.add_patch(Polygon(box, fc=theme.STEEL, ec=theme.INK, lw=LINE, zorder=4.6 if around else 6.0))
+        for side in (depth, -depth):
+            axes.plot([x - 7.0, x + 7.0], [y + side, y + side], color=theme.INK, lw=THIN, zorder=6.1)
+
+
+def _solid(axes: Axes, corners: list[tuple[float, float]]) -> None:
+    axes.add_patch(Polygon(corners, fc=theme.STEEL, ec=theme.INK, lw=LINE, zorder=6.2))
+
+
+def clutch(axes: Axes, at: tuple[float, float], *, overrunning: bool, open_now: bool) -> None:
+    """Draw a clutch: two plates, with an arrow head if it transmits only one way.
+
+    Args:
+        axes: In mm of paper.
+        at: Its middle (x, y) [mm].
+        overrunning: It transmits only from driving to driven.
+        open_now: It does not transmit in this case.
+    """
+    x, y = at
+    gap = 1.8 if open_now else 0.8
+    for side in (-gap, gap):
+        line(axes, [(x + side, y - 4.0), (x + side, y + 4.0)], BOLD)
+    if overrunning:
+        axes.add_patch(Polygon([(x - 1.5, y + 5.0), (x - 1.5, y + 8.0), (x + 2.0, y + 6.5)], fc=theme.INK, zorder=5))
+
+
+def tinted(colour: str, strength: float = 0.42) -> tuple[float, float, float]:
+    """Return a colour mixed with white.
+
+    Args:
+        colour: As ``#rrggbb``.
+        strength: Share of the colour [-].
+    """
+    red, green, blue = (int(colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5))
+    return 1.0 - strength * (1.0 - red), 1.0 - strength * (1.0 - green), 1.0 - strength * (1.0 - blue)

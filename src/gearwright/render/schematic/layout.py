@@ -1,0 +1,317 @@
+"""Where the parts of a train stand on paper: columns along the axis, a height for each axis, nested hollow shafts.
+
+Coordinates are mm of paper. Shafts that a planetary set or a clutch joins share an axis; a pair puts its axes apart
+by the centre distance. Where parallel paths meet again, no plane shows all centre distances: heights are then a
+compromise, each mesh is drawn in its true ratio, and `Layout.exact` is False.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from gearwright.render.branches import Attachment, attachments
+from gearwright.sizing import GearSizing
+from gearwright.spec import GROUND
+from gearwright.train import Mesh, Train
+
+GAP = 21.0
+"""Between columns, room for a label [mm]."""
+MACHINE_HALF, CLUTCH_HALF, STAGE_HALF = 10.0, 4.0, 9.0
+"""Least half widths of columns [mm]."""
+TALLEST, LARGEST = 105.0, 36.0
+"""Most height of the axes together, and largest radius [mm]."""
+TRUE = 0.01
+"""Deviation of a centre distance up to which the drawing counts as to scale [-]."""
+
+
+@dataclass(frozen=True)
+class Outline:
+    """What of a gear is drawn."""
+
+    radius: float
+    """Pitch radius [m]."""
+    width: float
+    """Face width [m]."""
+    rim: float = 0.0
+    """Wall of a ring [m]."""
+
+
+DEFAULT_OUTLINES: Mapping[str, Outline] = {
+    "sun": Outline(0.045, 0.02), "planet": Outline(0.050, 0.02), "ring": Outline(0.145, 0.02, 0.008),
+    "pinion": Outline(0.040, 0.02), "wheel": Outline(0.120, 0.02),
+}  # fmt: skip
+"""Proportions where nothing is sized."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A column of the drawing."""
+
+    x: float
+    """Its middle [mm]."""
+    half: float
+    """Half its width [mm]."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where everything is."""
+
+    places: Mapping[str, Place]
+    """Machine, stage or clutch -> column."""
+    heights: Mapping[str, float]
+    """Shaft -> height of its axis [mm]."""
+    levels: Mapping[str, int]
+    """Shaft -> 0 on the axis, 1, 2, … for hollow shafts around it."""
+    spans: Mapping[str, tuple[float, float]]
+    """Shaft -> its ends [mm]."""
+    outlines: Mapping[str, Outline]
+    """Gear -> what is drawn of it."""
+    scale: float
+    """Paper over part [mm/m]."""
+    exact: bool
+    """All centre distances are to scale."""
+
+    @property
+    def width(self) -> float:
+        """Of the drawing [mm]."""
+        return max(place.x + place.half for place in self.places.values())
+
+    def gaps(self) -> list[float]:
+        """Return the middles of the free stretches between columns [mm]."""
+        edges = sorted({(place.x - place.half, place.x + place.half) for place in self.places.values()})
+        return [(end + start) / 2.0 for (_, end), (start, _) in pairwise(edges) if start > end]
+
+
+def element(seat: Attachment) -> str:
+    """Return the machine, stage or clutch that a part belongs to.
+
+    Args:
+        seat: The part.
+    """
+    return seat.stage or seat.part
+
+
+def lay_out(train: Train, gears: Sequence[GearSizing], kinds: Mapping[str, str]) -> Layout:
+    """Return where everything stands.
+
+    Args:
+        train: The graph.
+        gears: Sized gears; none: default proportions.
+        kinds: Machine -> turbine, motor or propeller, as far as known.
+    """
+    outlines = {gear.name: DEFAULT_OUTLINES[gear.role] for gear in train.gears}
+    outlines |= {gear.name: Outline(gear.pitch_diameter / 2.0, gear.face_width, gear.rim) for gear in gears}
+    seats = [seat for seat in attachments(train) if seat.shaft != GROUND]
+    axis = _axes(train, seats)
+    heights = _heights(train, axis, outlines)
+    scale = _scale(heights, outlines)
+    places = _places(train, seats, axis, (outlines, scale, kinds))
+    spans = {shaft: _span(shaft, seats, places) for shaft in axis}
+    return Layout(
+        places=places,
+        heights={shaft: heights[axis[shaft]] * scale for shaft in axis},
+        levels=_levels(axis, spans),
+        spans=spans,
+        outlines=outlines,
+        scale=scale,
+        exact=all(_is_true(mesh, axis, heights, outlines) for mesh in pair_meshes(train)),
+    )
+
+
+def pair_meshes(train: Train) -> Iterator[Mesh]:
+    """Yield the meshes of pairs, whose axes stand still.
+
+    Args:
+        train: The graph.
+    """
+    for mesh in train.meshes:
+        if all(train.gear(gear).role != "planet" for gear in mesh.gears):
+            yield mesh
+
+
+def _axes(train: Train, seats: Sequence[Attachment]) -> dict[str, int]:
+    """Return shaft -> number of its axis line."""
+    axis = {shaft: k for k, shaft in enumerate(node for node in train.nodes if _is_shaft(node, train))}
+    joined = [{seat.shaft for seat in seats if element(seat) == name} for name in _coaxial(train, seats)]
+    for shafts in joined:
+        lowest = min(axis[shaft] for shaft in shafts)
+        merged = {axis[shaft] for shaft in shafts}
+        axis = {shaft: lowest if number in merged else number for shaft, number in axis.items()}
+    return axis
+
+
+def _is_shaft(node: str, train: Train) -> bool:
+    return all(node not in gear.nodes for gear in train.gears if gear.role == "planet")
+
+
+def _coaxial(train: Train, seats: Sequence[Attachment]) -> list[str]:
+    """Return the planetary sets and clutches."""
+    sets = {gear.stage for gear in train.gears if gear.role == "planet"}
+    return list(dict.fromkeys(element(seat) for seat in seats if seat.stage in sets or seat.kind == "clutch"))
+
+
+def centre_distance(mesh: Mesh, outlines: Mapping[str, Outline]) -> float:
+    """Return the centre distance of a mesh [m].
+
+    Args:
+        mesh: Of a pair.
+        outlines: Gear -> what is drawn of it.
+    """
+    one, other = (outlines[gear].radius for gear in mesh.gears)
+    return abs(other - mesh.sign * one)
+
+
+def _heights(train: Train, axis: Mapping[str, int], outlines: Mapping[str, Outline]) -> dict[int, float]:
+    """Return axis -> height [m]: apart by the centre distance, and back towards the middle where paths meet."""
+    heights = {axis[next(iter(axis))]: 0.0}
+    direction = {axis[next(iter(axis))]: 0.0}
+    meshes = list(pair_meshes(train))
+    while True:
+        ready = next((mesh.stage for mesh in meshes if _is_open(mesh, axis, heights)), None)
+        if ready is None:
+            break
+        found: dict[int, list[tuple[int, float]]] = {}
+        for mesh in meshes:
+            ends = [axis[node] for node in mesh.nodes[:2]]
+            for known, new in (ends, ends[::-1]):
+                if mesh.stage == ready and known in heights and new not in heights:
+                    found.setdefault(new, []).append((known, centre_distance(mesh, outlines)))
+        for rank, (new, origins) in enumerate(found.items()):
+            heights[new], direction[new] = _height(origins, heights, direction, (rank, len(found)))
+    for shaft in axis:
+        if axis[shaft] not in heights:
+            heights[axis[shaft]] = min(heights.values()) - max(each.radius for each in outlines.values())
+    return heights
+
+
+def _is_open(mesh: Mesh, axis: Mapping[str, int], heights: Mapping[int, float]) -> bool:
+    return (axis[mesh.nodes[0]] in heights) != (axis[mesh.nodes[1]] in heights)
+
+
+def _height(
+    origins: list[tuple[int, float]], heights: Mapping[int, float], direction: Mapping[int, float],
+    rank: tuple[int, int],
+) -> tuple[float, float]:  # fmt: skip
+    """Return height and direction of a new axis."""
+    if len(origins) > 1:
+        folded = [heights[known] - (distance if heights[known] > 0.0 else -distance) for known, distance in origins]
+        return sum(folded) / len(folded), 0.0
+    known, distance = origins[0]
+    place, among = rank
+    side = direction[known] or -1.0 if among == 1 else (1.0, -1.0)[place % 2]
+    return heights[known] + side * distance * (1 + place // 2), side
+
+
+def _is_true(
+    mesh: Mesh, axis: Mapping[str, int], heights: Mapping[int, float], outlines: Mapping[str, Outline]
+) -> bool:
+    drawn = abs(heights[axis[mesh.nodes[0]]] - heights[axis[mesh.nodes[1]]])
+    return abs(drawn - centre_distance(mesh, outlines)) <= TRUE * centre_distance(mesh, outlines)
+
+
+def _scale(heights: Mapping[int, float], outlines: Mapping[str, Outline]) -> float:
+    largest = max((each.radius + each.rim for each in outlines.values()), default=0.1)
+    spread = max(heights.values()) - min(heights.values()) + 2.0 * largest
+    return 1.0 / max(largest / LARGEST, spread / TALLEST)
+
+
+def _places(
+    train: Train, seats: Sequence[Attachment], axis: Mapping[str, int],
+    look: tuple[Mapping[str, Outline], float, Mapping[str, str]],
+) -> dict[str, Place]:  # fmt: skip
+    """Return the columns: from the turbines on, machines before their stages, propellers last."""
+    outlines, scale, kinds = look
+    distance = _distances(train, seats, kinds)
+    machines = set(train.machines)
+
+    leaf = _leaves(seats, distance, kinds, machines)
+
+    def rank(name: str) -> tuple[int, int]:
+        if name in leaf:
+            return distance[leaf[name]], 1
+        if name in machines:
+            return distance[name], 4 if kinds.get(name) == "propeller" else 0
+        return distance[name], 2 if name in leaf.values() else 3
+
+    lines = {name: {axis[seat.shaft] for seat in seats if element(seat) == name} for name in distance}
+    slots: list[list[str]] = []
+    for name in sorted(distance, key=rank):
+        beside = slots[-1] if slots and all(rank(each) == rank(name) for each in slots[-1]) else []
+        if beside and all(lines[name].isdisjoint(lines[each]) for each in beside):
+            beside.append(name)
+        else:
+            slots.append([name])
+    half = {name: _half(name, train, outlines, scale) for name in distance}
+    places, x = {}, 0.0
+    for slot in slots:
+        widest = max(half[name] for name in slot)
+        places.update({name: Place(x + widest, widest) for name in slot})
+        x += 2.0 * widest + GAP
+    return places
+
+
+def _distances(train: Train, seats: Sequence[Attachment], kinds: Mapping[str, str]) -> dict[str, int]:
+    """Return element -> shafts between it and the nearest turbine (or motor, or the first machine)."""
+    names = list(dict.fromkeys(element(seat) for seat in seats))
+    sources = [name for name in names if kinds.get(name) == "turbine"]
+    sources = sources or [name for name in names if kinds.get(name) == "motor"] or names[:1]
+    distance = dict.fromkeys(sources, 0)
+    while True:
+        reached = {seat.shaft: distance[element(seat)] for seat in reversed(seats) if element(seat) in distance}
+        new = {element(seat): reached[seat.shaft] + 1 for seat in seats
+               if seat.shaft in reached and element(seat) not in distance}  # fmt: skip
+        if not new:
+            break
+        nearest = min(new.values())
+        distance |= {name: steps for name, steps in new.items() if steps == nearest}
+    far = max(distance.values(), default=0) + 1
+    return {name: distance.get(name, far) for name in names}
+
+
+def _leaves(
+    seats: Sequence[Attachment], distance: Mapping[str, int], kinds: Mapping[str, str], machines: set[str]
+) -> dict[str, str]:
+    """Return machine -> stage for those that feed a stage from a shaft of their own; they stand just before it."""
+    leaf = {}
+    for name in machines:
+        shaft = next(seat.shaft for seat in seats if seat.part == name and not seat.stage)
+        beside = [element(seat) for seat in seats if seat.shaft == shaft and element(seat) != name]
+        nearer = beside and all(distance[each] < distance[name] for each in beside)
+        if nearer and kinds.get(name) != "propeller":
+            leaf[name] = min(beside, key=lambda each: distance[each])
+    return leaf
+
+
+def _half(name: str, train: Train, outlines: Mapping[str, Outline], scale: float) -> float:
+    if name in train.machines:
+        return MACHINE_HALF
+    widths = [outlines[gear.name].width for gear in train.gears if gear.stage == name]
+    if not widths:
+        return CLUTCH_HALF
+    halves = max(mesh.count for mesh in train.meshes if mesh.stage == name) if _is_pair(name, train) else 1
+    return max(STAGE_HALF, halves * max(widths) * scale / 2.0 + 5.0)
+
+
+def _is_pair(name: str, train: Train) -> bool:
+    return all(gear.role != "planet" for gear in train.gears if gear.stage == name)
+
+
+def _span(shaft: str, seats: Sequence[Attachment], places: Mapping[str, Place]) -> tuple[float, float]:
+    on = [places[element(seat)].x for seat in seats if seat.shaft == shaft]
+    return (min(on), max(on)) if on else (0.0, 0.0)
+
+
+def _levels(axis: Mapping[str, int], spans: Mapping[str, tuple[float, float]]) -> dict[str, int]:
+    """Return shaft -> level: the longest of an axis inside; those that do not meet share a level."""
+    levels: dict[str, int] = {}
+    for shaft in sorted(axis, key=lambda each: spans[each][0] - spans[each][1]):
+        taken = {
+            levels[other] for other in levels
+            if axis[other] == axis[shaft]
+            and min(spans[other][1], spans[shaft][1]) - max(spans[other][0], spans[shaft][0]) > 1.0
+        }  # fmt: skip
+        levels[shaft] = next(level for level in range(len(axis) + 1) if level not in taken)
+    return levels

@@ -1,0 +1,182 @@
+"""Mode shapes on the drawn train: who swings with whom on the skeleton, and each planetary set from the front."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle
+
+from gearwright.dynamics import Modes
+from gearwright.dynamics.model import System
+from gearwright.parts.planetary import even_positions
+from gearwright.render.branches import attachments
+from gearwright.render.figures.sizing import WIDTH
+from gearwright.render.schematic import glyphs
+from gearwright.render.schematic.drawing import draw_train, member_side
+from gearwright.render.schematic.layout import Layout, lay_out
+from gearwright.render.style import theme
+from gearwright.sizing import Sizing
+from gearwright.spec import GROUND
+
+LARGEST_DOT = 190.0
+"""Area of a dot that holds all of a mode's kinetic energy [pt²]."""
+SHOWN = 0.5
+"""Largest displacement from the front, over the radius of a planet [-]."""
+STILL = 0.01
+"""Displacement on paper over the radius of a planet below which a body is drawn as standing still [-]."""
+QUIET = 1e-3
+"""Share of the kinetic energy below which a body counts as still [-]."""
+
+
+@theme.styled
+def drawn_modes_figure(sizing: Sizing, system: System, modes: Modes, *, numbers: Sequence[int]) -> Figure:
+    """Return some modes on the skeleton of the train and, beside it, on its planetary sets from the front.
+
+    Args:
+        sizing: As sized.
+        system: Assembled from it.
+        modes: Of that.
+        numbers: Modes, counted from 1 as the table of modes does.
+    """
+    sets = list(sizing.design.planetaries)
+    layout = lay_out(sizing.train, sizing.gears, {machine.name: machine.kind for machine in sizing.machines})
+    figure = theme.sheet(WIDTH, 12.0 + 50.0 * len(numbers))
+    grid = figure.subplots(len(numbers), 1 + len(sets), squeeze=False, width_ratios=[2.2, *[1.0] * len(sets)])
+    for row, number in zip(grid, numbers, strict=True):
+        motion = _Motion(system, modes, number - 1)
+        scale = _scale(sizing, motion)
+        _draw_skeleton(row[0], sizing, layout, motion)
+        row[0].set_title(f"{number}:  {modes.frequency[number - 1]:.4g} Hz")
+        for axes, name in zip(row[1:], sets, strict=True):
+            _draw_front(axes, sizing, name, (motion, scale))
+            axes.set_title(name, fontsize=7.5, weight="normal")
+    figure.supxlabel(
+        "dots: kinetic energy of rotation; blue and orange: the two senses; sets: common scale", fontsize=6.5
+    )
+    return figure
+
+
+@dataclass(frozen=True)
+class _Motion:
+    """One mode shape, by name."""
+
+    system: System
+    modes: Modes
+    place: int
+
+    def of(self, name: str) -> float:
+        """Return the displacement of a coordinate, zero where there is none."""
+        names = self.system.labels.coordinates
+        return float(self.modes.shapes[names.index(name), self.place]) if name in names else 0.0
+
+    def share(self, name: str) -> float:
+        """Return a coordinate's share of the kinetic energy [-]."""
+        names = self.system.labels.coordinates
+        mass = self.system.arrays.mass[names.index(name)] if name in names else 0.0
+        return float(mass * self.of(name) ** 2)
+
+
+def _draw_skeleton(axes: Axes, sizing: Sizing, layout: Layout, motion: _Motion) -> None:
+    """Draw a dot on every body that turns: area by kinetic energy, colour by sense."""
+    axes.set_axis_off()
+    axes.grid(visible=False)
+    axes.set_aspect("equal")
+    draw_train(axes, sizing.train, layout, kinds={machine.name: machine.kind for machine in sizing.machines})
+    for name, x, y in _spots(sizing, layout):
+        share = motion.share(name)
+        if share > QUIET:
+            colour = theme.BLUE if motion.of(name) > 0.0 else theme.ORANGE
+            axes.scatter([x], [y], s=max(LARGEST_DOT * share, 5.0), color=colour, alpha=0.8, lw=0.0, zorder=9)
+
+
+def _spots(sizing: Sizing, layout: Layout) -> Iterator[tuple[str, float, float]]:
+    """Yield body, x and y of everything that turns [mm]; of planets the first above and the second below the axis."""
+    for machine in sizing.machines:
+        yield machine.name, layout.places[machine.name].x, layout.heights[machine.shaft]
+    for stage, planetary in sizing.design.planetaries.items():
+        x, radii = layout.places[stage].x, _radii(sizing, stage)
+        shaft = next(each for each in (planetary.sun, planetary.carrier, planetary.ring) if each != GROUND)
+        y, centre = layout.heights[shaft], (radii["sun"] + radii["planet"]) * layout.scale
+        yield f"{stage}.sun", x, y
+        yield f"{stage}.planet-1", x, y + centre
+        yield f"{stage}.planet-2", x, y - centre
+        yield f"{stage}.carrier", x + _arm(sizing, layout, stage), y + 0.5 * centre
+        yield f"{stage}.ring", x, y + radii["ring"] * layout.scale
+    for gear in sizing.gears:
+        for shaft in gear.shafts if gear.role in ("pinion", "wheel") else ():
+            name = gear.name if len(gear.shafts) == 1 else f"{gear.name}.{shaft}"
+            yield name, layout.places[gear.stage].x, layout.heights[shaft]
+
+
+def _arm(sizing: Sizing, layout: Layout, stage: str) -> float:
+    """Return where the carrier's arm stands beside its planets [mm]."""
+    width = max(layout.outlines[f"{stage}.sun"].width * layout.scale, glyphs.LEAST_WIDTH)
+    seats = [seat for seat in attachments(sizing.train) if seat.stage == stage and seat.kind == "carrier"]
+    side = member_side(seats[0], layout) if seats and seats[0].shaft != GROUND else 1.0
+    return side * (0.5 * width + 2.5)
+
+
+def _radii(sizing: Sizing, stage: str) -> Mapping[str, float]:
+    return {gear.role: 0.5 * gear.pitch_diameter for gear in sizing.gears if gear.stage == stage}
+
+
+def _scale(sizing: Sizing, motion: _Motion) -> float:
+    """Return paper over motion for all planetary sets of a mode; zero if they stand still."""
+    sets = [(_radii(sizing, stage), stage) for stage in sizing.design.planetaries]
+    largest = max((_reach(disc) for radii, stage in sets for disc in _discs(sizing, stage, radii, motion)), default=0.0)
+    names = motion.system.labels.coordinates
+    energy = sum(motion.share(name) for name in names if name.partition(".")[0] in sizing.design.planetaries)
+    return SHOWN * min(radii["planet"] for radii, _ in sets) / largest if energy > QUIET else 0.0
+
+
+def _reach(disc: _Disc) -> float:
+    _, shift, radius, turn = disc
+    return max(math.hypot(*shift), radius * abs(turn))
+
+
+def _draw_front(axes: Axes, sizing: Sizing, stage: str, shown: tuple[_Motion, float]) -> None:
+    """Draw a planetary set from the front, at rest in grey and displaced in colour."""
+    axes.set_axis_off()
+    axes.grid(visible=False)
+    axes.set_aspect("equal")
+    motion, scale = shown
+    radii = _radii(sizing, stage)
+    for disc in _discs(sizing, stage, radii, motion):
+        centre, shift, radius, turn = disc
+        moved = (centre[0] + scale * shift[0], centre[1] + scale * shift[1])
+        still = scale * _reach(disc) < STILL * radii["planet"]
+        colour = theme.MUTED if still else theme.BLUE if turn >= 0.0 else theme.ORANGE
+        _draw_disc(axes, centre, (radius, 0.0), theme.HAIR)
+        _draw_disc(axes, moved, (radius, scale * turn), colour)
+    reach = 1.25 * radii["ring"]
+    axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
+
+
+def _draw_disc(axes: Axes, centre: tuple[float, float], of: tuple[float, float], colour: str) -> None:
+    """Draw a circle with a spoke that points up when it is not turned."""
+    radius, turn = of
+    axes.add_patch(Circle(centre, radius, fc="none", ec=colour, lw=1.0))
+    tip = (centre[0] - radius * math.sin(turn), centre[1] + radius * math.cos(turn))
+    axes.plot([centre[0], tip[0]], [centre[1], tip[1]], color=colour, lw=1.0)
+
+
+_Disc = tuple[tuple[float, float], tuple[float, float], float, float]
+"""Centre, displacement, radius [m] and rotation."""
+
+
+def _discs(sizing: Sizing, stage: str, radii: Mapping[str, float], motion: _Motion) -> Iterator[_Disc]:
+    for name in ("ring", "sun"):
+        shift = (motion.of(f"{stage}.{name}.x"), motion.of(f"{stage}.{name}.y"))
+        yield (0.0, 0.0), shift, radii[name], motion.of(f"{stage}.{name}")
+    arm, carrier = radii["sun"] + radii["planet"], motion.of(f"{stage}.carrier")
+    for k, angle in enumerate(even_positions(sizing.design.planetaries[stage].planets), start=1):
+        planet, cosine, sine = f"{stage}.planet-{k}", math.cos(angle), math.sin(angle)
+        # Rotating bearings only: the planet's centre goes where its pin goes.
+        along = motion.of(f"{planet}.tangential") or arm * carrier
+        out = motion.of(f"{planet}.radial")
+        shift = (out * cosine - along * sine, out * sine + along * cosine)
+        yield (arm * cosine, arm * sine), shift, radii["planet"], motion.of(planet)

@@ -1,0 +1,121 @@
+"""Power on its way through a train: what each stretch of each shaft carries, and which machines it comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from gearwright.render.branches import Branch, branches
+from gearwright.render.schematic.layout import Layout
+from gearwright.spec import GROUND
+from gearwright.train import PowerFlow, Train
+
+NOTHING = 1e-9
+"""Power that is not drawn, over the largest [-]."""
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A piece of a shaft between two neighbouring columns, or the step from a part to its shaft."""
+
+    shaft: str
+    start: float
+    """Left end [mm]."""
+    end: float
+    """Right end [mm]."""
+    speed: float
+    """[rad/s]"""
+    torque: float
+    """Inside the shaft [N m]."""
+    power: float
+    """To the right [W]."""
+    sources: Mapping[str, float]
+    """Machine -> share of the power [-]."""
+
+
+@dataclass(frozen=True)
+class Feed:
+    """Power between a part and the shaft that it sits on."""
+
+    branch: Branch
+    x: float
+    """Column [mm]."""
+    sources: Mapping[str, float]
+    """Machine -> share of the power [-]."""
+
+
+Node = tuple[str, float]
+"""Shaft and column, or the name of a part with no column."""
+Edge = tuple[Node, Node, float]
+
+
+def trace_power(train: Train, flow: PowerFlow, layout: Layout) -> tuple[list[Stretch], list[Feed]]:
+    """Return what every stretch of every shaft carries, and what every part gives to its shaft, with the sources.
+
+    Power that meets at a place mixes: what goes on has the shares of what came in.
+
+    Args:
+        train: The graph.
+        flow: The load case.
+        layout: Where everything stands.
+    """
+    on = [each for each in branches(train, flow) if each.shaft != GROUND]
+    pieces = [piece for shaft in layout.spans for piece in _pieces(shaft, on, layout)]
+    edges: list[Edge] = [_directed((p[0], p[1]), (p[0], p[2]), p[4]) for p in pieces]
+    edges += [_directed((_part(each), 0.0), (each.shaft, _column(each, layout)), each.power) for each in on]
+    largest = max((edge[2] for edge in edges), default=0.0)
+    shares = _shares([edge for edge in edges if edge[2] > NOTHING * largest], list(train.machines))
+    stretches = [
+        Stretch(shaft, start, end, flow.speeds[shaft], torque, power,
+                shares.get((shaft, start if power > 0.0 else end), {}))
+        for shaft, start, end, torque, power in pieces
+    ]  # fmt: skip
+    feeds = [Feed(each, _column(each, layout), shares.get(_upstream(each, layout), {})) for each in on]
+    return stretches, feeds
+
+
+def _part(branch: Branch) -> str:
+    return branch.stage or branch.part
+
+
+def _column(branch: Branch, layout: Layout) -> float:
+    return layout.places[_part(branch)].x
+
+
+def _upstream(branch: Branch, layout: Layout) -> Node:
+    return (_part(branch), 0.0) if branch.power > 0.0 else (branch.shaft, _column(branch, layout))
+
+
+def _pieces(shaft: str, on: Sequence[Branch], layout: Layout) -> list[tuple[str, float, float, float, float]]:
+    """Return (shaft, start, end, torque, power to the right) of every piece: what the parts to its left give."""
+    columns = sorted({_column(each, layout) for each in on if each.shaft == shaft})
+    found = []
+    for start, end in pairwise(columns):
+        left = [each for each in on if each.shaft == shaft and _column(each, layout) <= start]
+        found.append((shaft, start, end, sum(each.torque for each in left), sum(each.power for each in left)))
+    return found
+
+
+def _directed(one: Node, other: Node, power: float) -> Edge:
+    return (one, other, power) if power >= 0.0 else (other, one, -power)
+
+
+def _shares(edges: Sequence[Edge], machines: Sequence[str]) -> dict[Node, dict[str, float]]:
+    """Return place -> machine -> share of the power there: mixing, solved at once as power may circle."""
+    nodes = list(dict.fromkeys(node for edge in edges for node in edge[:2]))
+    number = {node: k for k, node in enumerate(nodes)}
+    matrix, given = np.eye(len(nodes)), np.zeros((len(nodes), len(machines)))
+    inflow = np.zeros(len(nodes))
+    for _, to, power in edges:
+        inflow[number[to]] += power
+    for origin, to, power in edges:
+        matrix[number[to], number[origin]] -= power / inflow[number[to]]
+    for k, name in enumerate(machines):
+        if (name, 0.0) in number and inflow[number[name, 0.0]] == 0.0:
+            given[number[name, 0.0], k] = 1.0
+    solved = np.linalg.lstsq(matrix, given, rcond=None)[0] if nodes else given
+    return {node: {name: float(solved[k, j]) for j, name in enumerate(machines) if solved[k, j] > NOTHING}
+            for node, k in number.items()}  # fmt: skip

@@ -1,0 +1,99 @@
+"""Labels that do not overlap: each takes the first of its places that is free of parts and of other labels."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.font_manager import FontProperties
+from matplotlib.textpath import text_to_path
+
+from gearwright.render.style import theme
+
+POINT = theme.INCH / 72.0
+"""One typographic point [mm]."""
+SPACING = 1.3
+"""Line height over font size [-]."""
+MARGIN = 0.6
+"""Free room around a label [mm]."""
+
+Box = tuple[float, float, float, float]
+"""Left, low, right, high [mm]."""
+
+
+@dataclass
+class Board:
+    """A drawing in mm of paper, and what is taken of it."""
+
+    axes: Axes
+    taken: list[Box] = field(default_factory=list)
+    labels: list[Box] = field(default_factory=list)
+    """Boxes of the labels alone."""
+
+    def take_parts(self) -> None:
+        """Count everything drawn so far as taken."""
+        for patch in self.axes.patches:
+            shape = patch.get_path().transformed(patch.get_patch_transform()).get_extents()
+            self.taken.append((shape.x0, shape.y0, shape.x1, shape.y1))
+        for curve in self.axes.lines:
+            points = np.asarray(curve.get_xydata(), dtype=float).tolist()
+            self.taken += [(min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1]))
+                           for a, b in pairwise(points)]  # fmt: skip
+
+    def place(
+        self, text: str, places: Iterable[tuple[float, float]], *, size: float = 6.5, bold: bool = False,
+        colour: str = theme.INK,
+    ) -> Box:  # fmt: skip
+        """Write a label at the first of its places that is free, or else where it overlaps least.
+
+        Args:
+            text: Lines to write.
+            places: Middles (x, y) in order of preference [mm].
+            size: Of the font [pt].
+            bold: First line in bold.
+            colour: Of the text.
+
+        Returns:
+            The label's box.
+        """
+        lines = text.split("\n")
+        width, height = max(text_width(each, size) for each in lines), len(lines) * size * SPACING * POINT
+        boxes = [(x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0) for x, y in places]
+        box = min(boxes, key=lambda each: sum(_overlap(each, other) for other in self.taken))
+        for k, each in enumerate(lines):
+            y = box[3] - (k + 0.5) * size * SPACING * POINT
+            self.axes.text((box[0] + box[2]) / 2.0, y, each, ha="center", va="center_baseline", fontsize=size,
+                           color=colour, weight="bold" if bold and k == 0 else "normal", zorder=8)  # fmt: skip
+        self.taken.append(box)
+        self.labels.append(box)
+        return box
+
+    def extent(self) -> Box:
+        """Return the box of everything that is taken [mm]."""
+        return (
+            min(each[0] for each in self.taken), min(each[1] for each in self.taken),
+            max(each[2] for each in self.taken), max(each[3] for each in self.taken),
+        )  # fmt: skip
+
+
+@functools.lru_cache(maxsize=4096)
+def text_width(text: str, size: float) -> float:
+    """Return the width of one line [mm].
+
+    Args:
+        text: The line.
+        size: Of the font [pt].
+    """
+    # Bold is the wider face: what fits in bold fits in both.
+    font = FontProperties(family="DejaVu Sans", weight="bold", size=size)
+    return float(text_to_path.get_text_width_height_descent(text, font, ismath="$" in text)[0]) * POINT
+
+
+def _overlap(one: Box, other: Box) -> float:
+    width = min(one[2], other[2]) - max(one[0], other[0]) + MARGIN
+    height = min(one[3], other[3]) - max(one[1], other[1]) + MARGIN
+    return max(width, 0.0) * max(height, 0.0)

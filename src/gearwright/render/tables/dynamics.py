@@ -1,0 +1,130 @@
+"""What a reader wants to know of a train's dynamics beside modes and forces, as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from gearwright.dynamics.assembly import Assumption
+from gearwright.dynamics.vibration import CriticalSpeed, Response, RunUp, SpeedCase
+from gearwright.render.tables.tables import Table, table
+from gearwright.units import Force, Frequency, Origin, Quantity, Speed
+
+
+@dataclass(frozen=True)
+class Critical:
+    """One critical speed, in words."""
+
+    order: str
+    mode: str
+    frequency: Frequency
+    """[Hz]"""
+    speed: Speed
+    """Of the first machine's shaft [rad/s]."""
+    margin: Annotated[float, Quantity("percent"), Origin("n_crit/n − 1", "definition")]
+    """[-]"""
+    dynamic_force: Annotated[float, Quantity("percent"), Origin("q = φᵀf/(2 ζ ω²)", "first order, at resonance")]
+    """Amplitude over mean [-]."""
+    verdict: str
+
+
+@dataclass(frozen=True)
+class Peak:
+    """A maximum of a frequency response."""
+
+    line: str
+    frequency: Frequency
+    """[Hz]"""
+    force: Force
+    """Amplitude [N]."""
+
+
+@dataclass(frozen=True)
+class Loudest:
+    """The speed at which a line's force swings most."""
+
+    line: str
+    speed: Speed
+    """[rad/s]"""
+    swing: Force
+    """Root mean square about the mean [N]."""
+    mean: Force
+    """[N]"""
+    order: str
+    """What swings most there."""
+
+
+def critical_table(found: SpeedCase, *, most: int = 25) -> Table:
+    """Return the critical speeds of one set of speeds, worst first.
+
+    Args:
+        found: From `critical_speeds`.
+        most: Rows at most; what is not excited stands last.
+    """
+    rows = [
+        Critical(one.order, one.mode, one.frequency, one.speed, one.margin, one.dynamic_force, _verdict(one))
+        for one in found.critical[:most]
+    ]
+    left = f" {len(found.critical) - most} more are left out." if len(found.critical) > most else ""
+    note = (
+        "n: critical speed of the first machine's shaft; f: damped frequency there. Margin: over the operating speed,"
+        " less 1. Dynamic force: estimated amplitude of the worst mesh force at the resonance over its mean, from the"
+        f" stiffness variation and errors of the design.{left}"
+    )
+    fields = ("order", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
+    return table(f"Critical speeds, case {found.cases}", rows, fields, note=note)
+
+
+def _verdict(one: CriticalSpeed) -> str:
+    if not one.excited:
+        return "not excited"
+    return "in resonance" if one.in_resonance else "clear"
+
+
+def assumption_table(found: Sequence[Assumption]) -> Table:
+    """Return what the dynamic model rests on.
+
+    Args:
+        found: From `assumptions`.
+    """
+    return table("Assumptions of the dynamic model", found, ("subject", "value", "origin", "path"))
+
+
+def peak_table(response: Response, lines: Sequence[str], *, most: int = 12) -> Table:
+    """Return the highest peaks of a frequency response.
+
+    Args:
+        response: Of the train.
+        lines: Whose forces count.
+        most: Rows at most.
+    """
+    peaks = []
+    for line in lines:
+        amplitude = np.abs(response.force(line))
+        inner = np.flatnonzero((amplitude[1:-1] > amplitude[:-2]) & (amplitude[1:-1] >= amplitude[2:])) + 1
+        peaks += [Peak(line, float(response.frequency[i]), float(amplitude[i])) for i in inner]
+    peaks.sort(key=lambda peak: -peak.force)
+    return table("Peaks", peaks[:most], ("line", "frequency", "force"))
+
+
+def loudest_table(found: RunUp, speed: float) -> Table:
+    """Return for each line the speed at which its force swings most, and the order that does it.
+
+    Args:
+        found: Speeds and spectra.
+        speed: Operating speed of the first machine's shaft [rad/s].
+    """
+    rows = []
+    for number, line in enumerate(found.lines):
+        place = int(np.argmax(found.swing[:, number]))
+        order = found.orders[int(np.argmax(found.order_amplitude[place, number]))]
+        rows.append(
+            Loudest(line, float(found.factor[place]) * speed, float(found.swing[place, number]),
+                    float(found.mean[place, number]), order)
+        )  # fmt: skip
+    rows.sort(key=lambda row: -row.swing)
+    note = "Steady running at each speed with the torques of the case."
+    return table("Loudest speeds", rows, ("line", "speed", "swing", "mean", "order"), note=note)

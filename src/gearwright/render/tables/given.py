@@ -1,0 +1,70 @@
+"""What the user gave in place of computed values, and how it is marked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from gearwright.render.tables.tables import Mark, Table, table
+from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
+from gearwright.sizing.teeth import groups_of
+from gearwright.spec.design import ShaftLayout
+
+_LAYOUT = {"stiffness": "torsional_stiffness"}
+"""Field of a sized shaft -> its name in the layout, where they differ."""
+
+
+@dataclass(frozen=True)
+class Given:
+    """One override of the design file."""
+
+    entry: str
+    """As written, with its unit."""
+    value: float
+    """In that unit."""
+    origin: str
+    """Where the user has it from."""
+
+
+def given_by_user(sizing: Sizing, record: object, field: str) -> Mark:
+    """Return whether a value was computed, given by the user, or estimated.
+
+    Args:
+        sizing: With its overrides and its design.
+        record: One of its records.
+        field: Name of the field.
+    """
+    name, stage = getattr(record, "name", ""), getattr(record, "stage", "")
+    owner = groups_of(sizing.design).get(stage, stage)
+    paths = {f"{name}.{field}", f"{stage}.{field}", f"{stage}.carrier.{field}"}
+    if field == "module":
+        paths.add(f"{owner}.module")
+    if paths & set(sizing.overrides) or _in_design(sizing, record, field):
+        return "given"
+    if isinstance(record, MachineSizing) and field == "inertia" and not record.inertia_is_given:
+        return "estimated"
+    return ""
+
+
+def _in_design(sizing: Sizing, record: object, field: str) -> bool:
+    """Tell whether the design file itself states a value that would else be computed."""
+    if isinstance(record, ShaftSizing):
+        layout = sizing.design.layout.get(record.name, ShaftLayout())
+        return getattr(layout, _LAYOUT.get(field, field), None) is not None
+    if isinstance(record, MachineSizing) and field in ("mass", "inertia"):
+        return getattr(sizing.design.machines[record.name], field, None) is not None
+    return False
+
+
+def overrides_table(sizing: Sizing) -> Table:
+    """Return the values that the user gave in place of computed ones, with where they are from.
+
+    Args:
+        sizing: As sized.
+    """
+    rows = [Given(key, value, _origin(key, sizing)) for key, value in sizing.design.overrides.items()]
+    return table("Given in place of computed values", rows, ("entry", "value", "origin"))
+
+
+def _origin(key: str, sizing: Sizing) -> str:
+    paths = [path for path in sizing.origins if key == path or key.startswith(f"{path}_")]
+    return sizing.origins[max(paths, key=len)] if paths else ""

@@ -1,0 +1,210 @@
+"""The table of a study for the terminal, for files and for the page."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from collections import Counter
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from rich.table import Table as Grid
+
+from gearwright.render.tables.tables import written
+from gearwright.study import Row, Table
+
+_WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
+          "motor_mass": "motors", "total_mass": "gearbox + motors", "envelope.volume": "envelope",
+          "modes.lowest_critical_speed": "lowest critical speed", "modes.critical_margin": "margin of critical speeds",
+          "fly.fuel": "fuel", "fly.efficiency": "efficiency in flight", "fly.life": "life", "fly.flights": "flights",
+          "fly.governing": "fails first", "fly.battery_energy": "battery energy",
+          "fly.electric_share": "electric share", "fly.charge": "charge at the end",
+          "fly.least_charge": "least charge"}  # fmt: skip
+
+
+MOST_COLUMNS = 4
+"""Inputs that a table on a terminal has room for."""
+
+
+def heading(result: str) -> str:
+    """Return the name of a result as an engineer reads it.
+
+    Args:
+        result: Its dotted name.
+    """
+    return _WORDS.get(result, result.replace("_", " "))
+
+
+def percent(part: float, digits: int = 0) -> str:
+    """Return a part as it is read.
+
+    Args:
+        part: Of 1 [-].
+        digits: After the point.
+
+    >>> percent(0.954), percent(0.954, 1)
+    ('95 %', '95.4 %')
+    """
+    return f"{100.0 * part:.{digits}f} %"
+
+
+def result_unit(table: Table, result: str) -> str:
+    """Return the unit in which a result is shown.
+
+    Args:
+        table: Of the study.
+        result: Its name.
+    """
+    return table.unit(result)
+
+
+def study_grid(table: Table) -> Grid:
+    """Return the table for the terminal; a failed variant shows its reason.
+
+    Args:
+        table: Of the study.
+    """
+    grid = Grid(title=table.name, title_justify="left", caption=_caption(table), caption_justify="left", box=None)
+    paths = _few(table)
+    for name in ("design", *paths):
+        grid.add_column(name, justify="left" if name == "design" else "right", overflow="fold")
+    for result in table.results:
+        grid.add_column(f"{heading(result)}\n{result_unit(table, result)}", justify="right")
+    for row in table.rows:
+        if not row.problem:
+            grid.add_row(row.design, *_inputs(row, paths), *(_shown(row, result) for result in table.results))
+    return grid
+
+
+def _few(table: Table) -> tuple[str, ...]:
+    """Return the paths that have room on a terminal: those that vary on their own, or none if they are many."""
+    return table.free if len(table.free) <= MOST_COLUMNS else ()
+
+
+def summary_grid(table: Table) -> Grid:
+    """Return the spread of every result, for studies of more cases than a reader looks through.
+
+    Args:
+        table: Of the study.
+    """
+    title = f"{table.name}: {len(table.rows):,} cases, {len(table.failed):,} cannot be had"
+    caption = "\n".join(["", *reasons(table)]) if table.failed else ""
+    grid = Grid(title=title, title_justify="left", caption=caption, caption_justify="left", box=None)
+    for name in ("result", "", "least", "5 %", "median", "95 %", "most"):
+        grid.add_column(name, justify="left" if name in ("result", "") else "right")
+    for line in spread(table):
+        grid.add_row(heading(line.result), line.unit, *line.values)
+    return grid
+
+
+class Spread(NamedTuple):
+    """How one result is spread over the cases, as written."""
+
+    result: str
+    """Its name."""
+    unit: str
+    """In which it is shown."""
+    values: tuple[str, ...]
+    """Least, 5 %, median, 95 % and most."""
+
+
+def spread(table: Table) -> list[Spread]:
+    """Return how every result is spread.
+
+    Args:
+        table: Of the study.
+    """
+    lines = []
+    for result in table.numbers:
+        found = quantiles([row.shown(result) for row in table.good], (0.0, 0.05, 0.5, 0.95, 1.0))
+        lines.append(Spread(result, table.unit(result), tuple(written(value) for value in found)))
+    return lines
+
+
+def quantiles(values: Sequence[float] | NDArray[np.float64], parts: Sequence[float]) -> list[float]:
+    """Return the values below which parts of all lie; between an endless one and another nothing is interpolated.
+
+    Args:
+        values: Of one result.
+        parts: Of all cases [-].
+
+    >>> quantiles([1.0, 2.0], [0.5]), quantiles([1.0, 2.0, float("inf")], [0.5, 0.95])
+    ([1.5], [2.0, inf])
+    """
+    method: Literal["linear", "nearest"] = "linear" if np.isfinite(values).all() else "nearest"
+    return [float(each) for each in np.quantile(values, parts, method=method)]
+
+
+def reasons(table: Table) -> list[str]:
+    """Return the commonest reasons of failed cases, digits left out so that like ones count together.
+
+    Args:
+        table: Of the study.
+    """
+    counts = Counter(re.sub(r"[-\d.]+", "…", row.problem) for row in table.failed)
+    return [f"{count:,} × {reason}" for reason, count in counts.most_common(3)]
+
+
+def _caption(table: Table) -> str:
+    paths = _few(table)
+    failed = [f"{' '.join([row.design, *_inputs(row, paths)])}: {row.problem}" for row in table.failed]
+    lines = ["", f"{len(failed)} of {len(table.rows)} cannot be had:", *failed] if failed else []
+    hidden = len(table.rows[0].inputs) - len(paths) if table.rows else 0
+    lines += ["", f"{hidden} more inputs are in --csv, --json and --report"] if hidden else []
+    return "\n".join(lines)
+
+
+def _inputs(row: Row, paths: tuple[str, ...]) -> list[str]:
+    values = [row.inputs[path] for path in paths]
+    return [f"{value:g}" if isinstance(value, float) else str(value) for value in values]
+
+
+def _shown(row: Row, result: str) -> str:
+    value = row.results[result].value
+    return value if isinstance(value, str) else written(row.shown(result))
+
+
+def study_records(table: Table) -> list[dict[str, float | int | str | bool | None]]:
+    """Return the rows as plain records: design, inputs, results with their unit in the key, problem.
+
+    Args:
+        table: Of the study.
+    """
+    records = []
+    for row in table.rows:
+        record: dict[str, float | int | str | bool | None] = {"design": row.design, **row.inputs}
+        for result in table.results:
+            name = f"{result} [{result_unit(table, result)}]".replace(" []", "")
+            if row.problem:
+                record[name] = None
+            else:
+                record[name] = row.shown(result) if result in table.numbers else row.results[result].value
+        records.append({**record, "problem": row.problem})
+    return records
+
+
+def study_json(table: Table) -> str:
+    """Return the rows as JSON.
+
+    Args:
+        table: Of the study.
+    """
+    return json.dumps({"study": table.name, "rows": study_records(table)}, indent=2, ensure_ascii=False)
+
+
+def study_csv(table: Table) -> str:
+    """Return the rows as CSV.
+
+    Args:
+        table: Of the study.
+    """
+    records = study_records(table)
+    buffer = io.StringIO()
+    writer = csv.DictWriter(buffer, fieldnames=list(records[0]), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(records)
+    return buffer.getvalue()

@@ -1,0 +1,254 @@
+"""Tables of what gearboxes weigh, for the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from gearwright.catalogue import Engine
+from gearwright.units import RPM, text
+from gearwright.weights import (
+    COLUMNS,
+    CheckedEngine,
+    Comparison,
+    Coverage,
+    Estimate,
+    Requirement,
+    Score,
+    StatedMass,
+    corners,
+    gearbox_mass,
+    left_out_scatter,
+    middle,
+)
+
+_KW = 1e3
+_MARKS = {"included": "yes", "left out": "no", "not stated": "not stated"}
+_SIGNS = {"included": "✓", "left out": "–", "not stated": "?"}
+_SIGN_KEY = "H housing, L lubrication, S propeller shaft, A accessories: ✓ in it, – left out, ? not stated"
+WIDE = 130
+"""Width of a terminal from which sources and every column of the engine tables are shown [characters]."""
+_BRIEF = ("gearbox_mass_kg", "gearbox_kw_kg", "torque_nm_kg")
+
+
+def comparison_table(found: Comparison, *, width: int = WIDE) -> RenderableType:
+    """Return every method side by side with the band, the mass that is taken and the engines that are alike.
+
+    Args:
+        found: Of `compare`.
+        width: Of the terminal [characters].
+    """
+    return Group(
+        _methods(found, width), Text(spread_text(found) + "\n"), _engines_alike(found.engines), Text(taken_text(found))
+    )
+
+
+def engine_table(rows: Iterable[CheckedEngine], *, width: int = WIDE) -> Table:
+    """Return the engines as printed, with the flagged numbers marked.
+
+    Args:
+        rows: Checked rows of the catalogue.
+        width: Of the terminal [characters]; a narrow one shows the columns of the gearbox.
+    """
+    shown = list(rows)
+    columns = tuple(COLUMNS) if width >= WIDE else _BRIEF
+    table = _table(f"{len(shown)} engines (Pulvirenti 2023, tables 1.3-1.15; * flagged)")
+    for heading in ("series", "model", "kW", "rpm\nin", "rpm\nout"):
+        table.add_column(heading, justify="left" if heading in ("series", "model") else "right", no_wrap=True)
+    for symbol, unit, _ in (COLUMNS[one] for one in columns):
+        table.add_column(f"{symbol}\n{unit}", justify="right", no_wrap=True)
+    for one in shown:
+        table.add_row(*_identity(one.engine), *(_printed(one, column) for column in columns))
+    return table
+
+
+def note_table(rows: Iterable[CheckedEngine]) -> Table:
+    """Return the reasons of everything that is flagged or doubtful.
+
+    Args:
+        rows: Checked rows of the catalogue.
+    """
+    table = _table("Flagged")
+    for heading in ("series", "model", "column", "verdict", "reason"):
+        table.add_column(heading)
+    notes = dict.fromkeys(note for one in rows for note in one.engine.notes)
+    for note in notes:
+        symbol = COLUMNS[note.column][0] if note.column in COLUMNS else note.column
+        table.add_row(note.series, note.model, symbol, note.verdict, note.reason)
+    return table
+
+
+def score_table(found: Iterable[Score]) -> Table:
+    """Return bias and scatter of every method against the 61 real weights.
+
+    Args:
+        found: Of `scores`.
+    """
+    table = _table("Against 61 real weights (NASA/TM-2009-215680)")
+    table.caption, table.caption_justify = score_assumption(), "left"
+    for heading in ("method", "in range", "bias", "scatter 1σ", "over assumed speeds"):
+        table.add_column(heading, justify="left" if heading == "method" else "right")
+    for one in found:
+        table.add_row(one.method.name, str(one.count), *score_cells(one))
+    return table
+
+
+def score_cells(score: Score) -> tuple[str, str, str]:
+    """Return bias, scatter and span of the bias as a reader sees them.
+
+    Args:
+        score: Of `scores`.
+    """
+    bias = "none in range" if score.bias is None else f"{100.0 * (score.bias - 1.0):+.0f} %"
+    scatter = "" if score.scatter is None else f"× {score.scatter:.2f}"
+    if score.bias_span is None:
+        return bias, scatter, "partly out of range"
+    if score.needs_only_beta:
+        return bias, scatter, "exact, β only"
+    low, high = (100.0 * (one - 1.0) for one in score.bias_span)
+    return bias, scatter, f"{low:+.0f} to {high:+.0f} %"
+
+
+def score_assumption() -> str:
+    """Return in one sentence what the scores assume."""
+    centre, edges = middle(), corners()
+    ratios, speeds = [one.ratio for one in edges], [one.propeller_speed / RPM for one in edges]
+    centre_rpm = centre.propeller_speed / RPM
+    return (
+        f"The weights give β only. Assumed for all: ratio {centre.ratio:.3g}, output {centre_rpm:.3g} rpm; "
+        f"last column: ratio {min(ratios):.3g} to {max(ratios):.3g}, {min(speeds):.0f} to {max(speeds):.0f} rpm. "
+        f"The refit has seen these weights; predicting each from the others it scatters by {left_out_scatter():.3f}."
+    )
+
+
+def coverage_text(covered: Coverage) -> str:
+    """Return what a method contains in a few words.
+
+    Args:
+        covered: Of a method.
+    """
+    names = (("housing", covered.housing), ("lubrication", covered.lubrication), ("shaft", covered.rotor_shaft))
+    stated = [
+        f"{name} {_MARKS[one]}" for name, one in (*names, ("accessories", covered.accessories)) if one != "not stated"
+    ]
+    silent = [name for name, one in (*names, ("accessories", covered.accessories)) if one == "not stated"]
+    return ", ".join([*stated, *([f"not stated: {', '.join(silent)}"] if silent else [])])
+
+
+def mass_text(found: Estimate) -> str:
+    """Return the mass of an estimate, or that the method does not apply.
+
+    Args:
+        found: Of `estimate`.
+    """
+    return "out of range" if found.mass is None else f"{found.mass:.1f} kg"
+
+
+def remark(found: Estimate) -> str:
+    """Return why there is no mass, or what the method assumes.
+
+    Args:
+        found: Of `estimate`.
+    """
+    beyond = f"; the bare formula gives {found.beyond:.1f} kg" if found.beyond is not None else ""
+    return found.reason + beyond if found.mass is None else found.method.assumes
+
+
+def requirement_text(need: Requirement) -> str:
+    """Return power, speeds, ratio and output torque in one line.
+
+    Args:
+        need: Power and speeds.
+    """
+    speeds = f"{need.engine_speed / RPM:.0f} to {need.propeller_speed / RPM:.0f} rpm"
+    return f"{text(need.power, 'power')}, {speeds} (ratio {need.ratio:.2f}, output {need.output_torque:.0f} N m)"
+
+
+def _methods(found: Comparison, width: int) -> Table:
+    table = _table(f"Gearbox mass: {requirement_text(found.requirement)}")
+    table.caption, table.caption_justify = _SIGN_KEY, "left"
+    table.add_column("method", no_wrap=True)
+    table.add_column("mass", justify="right", no_wrap=True)
+    for sign in "HLSA":
+        table.add_column(sign, no_wrap=True)
+    table.add_column("assumed, or why there is no mass")
+    if width >= WIDE:
+        table.add_column("source")
+    for one in found.estimates:
+        source = [one.method.source] if width >= WIDE else []
+        table.add_row(one.method.name, mass_text(one), *_signs(one.method.includes), remark(one), *source)
+    for given in (found.bottom_up, found.stated):
+        if given is not None:
+            table.add_row(given_name(given), f"{given.mass:.1f} kg", "", "", "", "", given.origin, style="bold")
+    return table
+
+
+def _signs(covered: Coverage) -> tuple[str, str, str, str]:
+    parts = (covered.housing, covered.lubrication, covered.rotor_shaft, covered.accessories)
+    housing, lubrication, shaft, accessories = (_SIGNS[one] for one in parts)
+    return housing, lubrication, shaft, accessories
+
+
+def _table(title: str) -> Table:
+    return Table(title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
+
+
+def given_name(given: StatedMass) -> str:
+    """Return how a mass that no method made is called.
+
+    Args:
+        given: The design's own mass or the user's.
+    """
+    return "Your own mass (override)" if given.overridden else "This design"
+
+
+def spread_text(found: Comparison) -> str:
+    """Return span of the methods and bands of the real weights, a sentence a line.
+
+    Args:
+        found: Of `compare`.
+    """
+    low, high = found.spread
+    lines = [f"The methods that apply span {low:.3g} to {high:.3g} kg, a factor of {high / low:.1f}."]
+    lines += [
+        f"{one.level:.0%} of real gearboxes of this β weigh {one.low:.0f} to {one.high:.0f} kg." for one in found.bands
+    ]
+    if not found.bands:
+        lines.append("No band: β lies outside the 61 real weights.")
+    return "\n".join(lines)
+
+
+def taken_text(found: Comparison) -> str:
+    """Return the mass that later results use, with its origin.
+
+    Args:
+        found: Of `compare`.
+    """
+    if found.taken is None:
+        return "No mass is taken: outside the real weights, and neither a design nor your own mass was given."
+    mark = "override, " if found.taken.overridden else ""
+    return f"Taken from here on: {found.taken.mass:.1f} kg ({mark}{found.taken.origin})."
+
+
+def _engines_alike(rows: tuple[Engine, ...]) -> Table:
+    table = _table("Most alike in the catalogue; masses by NASA'15")
+    for heading in ("series", "model", "kW", "rpm in", "rpm out", "m_GB, kg"):
+        table.add_column(heading, justify="left" if heading in ("series", "model") else "right")
+    for one in rows:
+        table.add_row(*_identity(one), f"{gearbox_mass(one):.1f}")
+    return table
+
+
+def _identity(one: Engine) -> tuple[str, str, str, str, str]:
+    fast, slow = (f"{speed / RPM:.0f}" for speed in (one.engine_speed, one.propeller_speed))
+    return one.series.name, one.model, f"{one.power / _KW:g}", fast, slow
+
+
+def _printed(row: CheckedEngine, column: str) -> str:
+    check = row.check(column)
+    mark = "*" if check in row.flagged else ""
+    return "" if check.printed is None else check.printed.text + mark

@@ -1,0 +1,126 @@
+"""The load sharing of a design for the terminal and for machines."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from gearwright.dynamics.sharing import Allocation, SharingStudy
+
+PERCENTILES = (50.0, 95.0, 99.0)
+_UNITS = {"clocking": ("mrad", 1e-3)}
+
+
+def sharing_text(study: SharingStudy) -> RenderableType:
+    """Return the answers of a load-sharing study as text and tables.
+
+    Args:
+        study: From `sharing_study`.
+    """
+    parts: list[RenderableType] = [Text(line) for line in summary(study)]
+    if study.influences:
+        parts.append(_influences(study))
+    if study.allocation is not None:
+        parts.append(_allocation(study.allocation))
+    return Group(*parts)
+
+
+def summary(study: SharingStudy) -> list[str]:
+    """Return the answers in a few sentences.
+
+    Args:
+        study: From `sharing_study`.
+    """
+    problem, sharing = study.problem, study.sharing
+    count, cycle = len(problem.lines), sharing.tooth_cycle
+    perfect = ", ".join(
+        f"{name} {value / count:.2%}" for name, value in zip(problem.lines, problem.perfect, strict=True)
+    )
+    found = [
+        f"{problem.stage}: {count} paths; loops of the load in the train: {problem.train.count}",
+        f"without errors: {perfect}",
+        f"with the errors as given: {cycle.min() / count:.2%} to {cycle.max() / count:.2%} over a tooth cycle, "
+        f"K_γ {sharing.load_factor:.3f} ({sharing.reason})",
+    ]
+    if not problem.shifts:
+        found.append("statically determinate: equilibrium alone shares the load, and no error shifts it")
+    if study.distribution is not None and problem.shifts:
+        shares = ", ".join(
+            f"{percent:g} % below {study.distribution.percentile(percent):.2%}" for percent in PERCENTILES
+        )
+        found.append(
+            f"{len(study.distribution.peak)} gearboxes with random phases (seed {study.distribution.seed}): {shares}"
+        )
+    if study.clocking is not None:
+        angles = ", ".join(f"{gear} {1e3 * angle:+.3f} mrad" for gear, angle in study.clocking.angles)
+        window, target = 1e3 * study.clocking.window, study.clocking.target
+        found.append(f"equal without errors with clocking: {angles}; {target:.0%} within ±{window:.2f} mrad of it")
+    return found
+
+
+def _influences(study: SharingStudy) -> Table:
+    table = Table(title="One error at a time", title_justify="left")
+    table.add_column("error")
+    for header in ("size", "change of b [%]"):
+        table.add_column(header, justify="right")
+    table.add_column("")
+    for each in study.influences:
+        effect = f"±{100.0 * each.effect:.3f}"
+        table.add_row(each.source, _size(each.source, each.size), effect, "turns" if each.turns else "stays")
+    return table
+
+
+def _size(name: str, size: float) -> str:
+    unit, scale = next((each for kind, each in _UNITS.items() if name.endswith(kind)), ("µm", 1e-6))
+    return f"{size / scale:.4g} {unit}"
+
+
+def _allocation(found: Allocation) -> Table:
+    share = f"{100.0 * found.target:g}/{100.0 * (1.0 - found.target):g}"
+    title = f"Tolerances for {share} in {found.percent:g} % of gearboxes (reached: {found.reached:.2%})"
+    table = Table(title=title, title_justify="left")
+    table.add_column("error")
+    for header in ("given", "allowed"):
+        table.add_column(header, justify="right")
+    for name, before, after in sorted(found.sizes, key=lambda row: row[2] / row[1]):
+        table.add_row(name, _size(name, before), _size(name, after) if after < before else "as given")
+    return table
+
+
+def sharing_json(study: SharingStudy) -> str:
+    """Return the answers as JSON, lengths in m and angles in rad.
+
+    Args:
+        study: From `sharing_study`.
+    """
+    problem, cycle = study.problem, study.sharing.tooth_cycle
+    content: dict[str, Any] = {
+        "stage": problem.stage,
+        "paths": list(problem.lines),
+        "redundancies": problem.train.count,
+        "without_errors": problem.perfect.tolist(),
+        "method": study.sharing.method,
+        "reason": study.sharing.reason,
+        "tooth_cycle": {"least": cycle.min(axis=0).tolist(), "most": cycle.max(axis=0).tolist()},
+        "load_factor": study.sharing.load_factor,
+        "influences": [
+            {"error": each.source, "size": each.size, "turns": each.turns, "effect": each.effect}
+            for each in study.influences
+        ],
+    }
+    if study.distribution is not None:
+        shares = {f"{percent:g}": study.distribution.percentile(percent) for percent in PERCENTILES}
+        content["random"] = {"seed": study.distribution.seed, "share_below": shares}
+    if study.clocking is not None:
+        content["clocking_rad"] = dict(study.clocking.angles)
+        content["clocking_window_rad"] = study.clocking.window if math.isfinite(study.clocking.window) else None
+    if study.allocation is not None:
+        sizes = {name: {"given": before, "allowed": after} for name, before, after in study.allocation.sizes}
+        found = study.allocation
+        content["allocation"] = {"target": found.target, "reached": found.reached, "cost": found.cost, "sizes": sizes}
+    return json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)

@@ -1,0 +1,222 @@
+"""What a study says in sentences: which design wins, by how much, and how sure that is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from gearwright.errors import SolveError
+from gearwright.render.figures.study import FLAT, numeric_axis
+from gearwright.render.tables.study import heading, percent, quantiles, reasons
+from gearwright.render.tables.tables import written
+from gearwright.spec import Study
+from gearwright.study import Row, Table
+from gearwright.study.answers import Verdict, bound, confidence, kept, scenarios, sensitivity, verdict, violations
+
+SAMPLED = ("random", "sobol", "latin-hypercube")
+"""Methods whose cases are samples of what is not known, not choices."""
+
+
+def answer(study: Study, table: Table) -> Iterator[str]:
+    """Yield what a reader asks first, in sentences.
+
+    Args:
+        study: As run.
+        table: Its rows.
+    """
+    found = verdict(study, table)
+    if found is not None:
+        yield from _wins(found)
+        yield from _duel(study, table, found)
+    if study.sampling.method == "saltelli":
+        yield from _drivers(study, table)
+    elif study.sampling.method in SAMPLED and len(study.designs) == 1 and not study.objectives:
+        yield from (_range(table, name) for name in table.numbers)
+    if found is None or study.sampling.method not in SAMPLED:
+        yield from (_best(study, table, name, sense) for name, sense in study.objectives.items())
+        yield from _ends(study, table)
+    yield from _constraints(study, table)
+    failed = len(table.failed)
+    designs = f"{len(study.designs)} designs" if len(study.designs) > 1 else study.designs[0]
+    yield f"{len(table.rows):,} cases of {designs}; {f'{failed:,} cannot be had' if failed else 'none failed'}."
+    yield from (f"Cannot be had: {reason}." for reason in reasons(table))
+
+
+def key_numbers(found: Verdict | None) -> list[tuple[str, str]]:
+    """Return what a reader of the page sees first: name and value.
+
+    Args:
+        found: How the designs stand; None gives nothing.
+    """
+    if found is None:
+        return []
+    first, second = found.standings[:2]
+    return [
+        ("wins", first.design),
+        (f"first in, of {found.scenarios:,} cases", percent(first.first / found.scenarios)),
+        ("first, over all weights", percent(first.weights)),
+        ("mean place", f"{first.place:.1f}"),
+        ("next", f"{second.design}, {second.place:.1f}"),
+    ]
+
+
+def _wins(found: Verdict) -> Iterator[str]:
+    first, second = found.standings[:2]
+    text = (
+        f"{first.design} wins: with objectives of the same weight its mean place is {first.place:.1f} of"
+        f" {len(found.standings)}; next is {second.design} with {second.place:.1f}."
+    )
+    if found.scenarios == 1:
+        yield f"{text} This is one case; sample what is not known ([sampling]) to see how sure it is."
+    else:
+        low, high = found.sureness
+        yield (
+            f"{text} It is first in {first.first:,} of {found.scenarios:,} cases with equal inputs,"
+            f" {percent(first.first / found.scenarios)} (95 % confidence: {percent(low)} to {percent(high)})."
+        )
+    shares = sorted(found.standings, key=lambda each: -each.weights)
+    named = ", ".join(f"{each.design} {percent(each.weights)}" for each in shares[:3] if each.weights >= 0.005)
+    changed = ", ".join(f"{design} without {heading(name)}" for name, design in found.without.items())
+    one = f"If one did not count, it would be {changed}" if changed else "It wins whichever one of them does not count"
+    yield f"If nothing is known of the objectives' weights, the chance to be first is: {named}. {one}."
+
+
+def _duel(study: Study, table: Table, found: Verdict) -> Iterator[str]:
+    """Compare the winner with the next one, objective by objective, at equal inputs."""
+    first, second = (each.design for each in found.standings[:2])
+    better, worse, open_ = list[str](), list[str](), list[str]()
+    for name, sense in study.objectives.items():
+        ratios = _ratios(table, name, first, second)
+        if len(ratios):
+            median = float(np.median(ratios))
+            gains = int(((ratios < 1.0) if sense == "least" else (ratios > 1.0)).sum())
+            low, high = confidence(gains, len(ratios)) if len(ratios) > 1 else (gains, gains)
+            place = better if low > 0.5 else worse if high < 0.5 else open_
+            much = "" if place is open_ else f" {_more(median)}"
+            place.append(f"{heading(name)}{much} ({gains:,} of {len(ratios):,} better)")
+    groups = ((better, "better in"), (worse, "worse in"), (open_, "no difference to tell in"))
+    said = "; ".join(f"{words} {', '.join(names)}" for names, words in groups if names)
+    yield f"{first} against {second}, medians at equal inputs: {said}."
+
+
+def _ratios(table: Table, name: str, first: str, second: str) -> np.ndarray:
+    pairs = [
+        (own[first].number(name), own[second].number(name))
+        for own in ({row.design: row for row in rows if not row.problem} for rows in scenarios(table))
+        if first in own and second in own
+    ]
+    return np.array([one / other for one, other in pairs if other and np.isfinite(one) and np.isfinite(other)])
+
+
+def _more(ratio: float) -> str:
+    """Say a ratio as a reader does: in per cent near 1, in times far from it."""
+    if ratio >= 2.0:
+        return f"{ratio:.3g} times"
+    if ratio <= 0.5:
+        return f"1/{1.0 / ratio:.3g}"
+    return f"{abs(ratio - 1.0) * 100.0:.2g} % {'more' if ratio > 1.0 else 'less'}"
+
+
+def _best(study: Study, table: Table, name: str, sense: str) -> str:
+    """Say which case that keeps the constraints is best, by how much over other designs, or how flat the optimum is."""
+    sign = 1.0 if sense == "least" else -1.0
+    best: dict[str, Row] = {}
+    allowed = [row for row in table.good if not violations(study, [row])[0]]
+    for row in sorted(allowed or table.good, key=lambda each: sign * each.number(name)):
+        best.setdefault(row.design, row)
+    first, *others = best.values()
+    text = f"{sense.capitalize()} {heading(name)}: {first.design}{at(table, first)}, {value(table, first, name)}"
+    if others:
+        return f"{text}; next {others[0].design}, {value(table, others[0], name)}{_off(first, others[0], name)}."
+    return f"{text}{_flat(study, table, name, first)}."
+
+
+def _off(first: Row, other: Row, name: str) -> str:
+    """Say how far the next one is off, where a ratio says anything."""
+    best, next_best = first.number(name), other.number(name)
+    if next_best == best:
+        return ", as good"
+    return f", {percent(abs(next_best / best - 1.0), 1)} off" if best and np.isfinite(best) else ""
+
+
+def _flat(study: Study, table: Table, name: str, best: Row) -> str:
+    """Say how far an axis may move from the optimum."""
+    axis = numeric_axis(table)
+    if axis is None or len(table.free) > 1 or study.sampling.method not in ("grid", "list"):
+        return ""
+    top = best.number(name)
+    near = [float(row.inputs[axis]) for row in table.good if abs(row.number(name) - top) <= FLAT * abs(top)]
+    return f"; within {percent(FLAT)} of it from {min(near):g} to {max(near):g}" if len(near) > 1 else ""
+
+
+def _ends(study: Study, table: Table) -> Iterator[str]:
+    """Say what the objectives do from one end of a sweep to the other."""
+    axis = numeric_axis(table)
+    if axis is None or len(table.free) > 1 or len(study.designs) > 1 or len(study.objectives) < 2 or not table.tied:
+        return
+    rows = sorted(table.good, key=lambda row: float(row.inputs[axis]))
+    first, last = rows[0], rows[-1]
+    changes = [
+        f"{heading(name)} {value(table, first, name)} to {value(table, last, name)}" for name in study.objectives
+    ]
+    yield f"From {axis} = {first.inputs[axis]:g} to {last.inputs[axis]:g}: {', '.join(changes)}."
+
+
+def _range(table: Table, name: str) -> str:
+    """Say where a result lies, and how sure that is."""
+    unit = f" {table.unit(name)}" if table.unit(name) else ""
+    values = [row.shown(name) for row in table.good]
+    low, median, high = (written(each) for each in quantiles(values, (0.05, 0.5, 0.95)))
+    limit = bound(values)
+    sure = "" if limit is None else f"; 95 % of all that may come stay below {written(limit)}{unit}, 95 % sure"
+    return f"{heading(name)}: median {median}{unit}, 5 to 95 %: {low} to {high}{unit}{sure}."
+
+
+def _drivers(study: Study, table: Table) -> Iterator[str]:
+    """Say which axis decides most about each result."""
+    for name in table.numbers:
+        try:
+            most, *rest = sensitivity(study, table, name)
+        except SolveError:
+            continue
+        parts = []
+        for each in (most, *rest[:1]):
+            low, high = each.total_interval
+            parts.append(f"{each.axis} {percent(each.total)} ({percent(low)} to {percent(high)})")
+        yield f"{heading(name)} depends most on {', then '.join(parts)}, as shares of its variance, 95 % confidence."
+
+
+def _constraints(study: Study, table: Table) -> Iterator[str]:
+    """Say in how many cases each constraint is kept, and how sure that is if the cases are samples."""
+    for name, hits in kept(study, table).items():
+        limit, count = study.constraints[name], len(table.rows)
+        asked = [f"{word} {bound:g}" for word, bound in (("≥", limit.least), ("≤", limit.most)) if bound is not None]
+        low, high = confidence(hits, count)
+        sure = f", {percent(hits / count)} (95 % confidence: {percent(low)} to {percent(high)})"
+        unit = f" {table.unit(name)}" if table.unit(name) else ""
+        kind = sure if study.sampling.method in SAMPLED else ""
+        yield f"{heading(name)} {' and '.join(asked)}{unit} is kept in {hits:,} of {count:,} cases{kind}."
+
+
+def at(table: Table, row: Row) -> str:
+    """Return the inputs of a case in words; empty if nothing varies.
+
+    Args:
+        table: Of the study.
+        row: Of the table.
+    """
+    values = {path: row.inputs[path] for path in table.free}
+    given = [f"{path} = {x:.6g}" if isinstance(x, float) else f"{path} = {x}" for path, x in values.items()]
+    return f" at {', '.join(given)}" if given else ""
+
+
+def value(table: Table, row: Row, name: str) -> str:
+    """Return a result of a case as it is read, with its unit.
+
+    Args:
+        table: Of the study.
+        row: Of the table.
+        name: Of the result.
+    """
+    return f"{written(row.shown(name))} {table.unit(name)}".rstrip()

@@ -1,0 +1,110 @@
+"""What gearboxes weigh as plain rows, for CSV and JSON."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Iterable
+
+from gearwright.units import RPM
+from gearwright.weights import COLUMNS, CheckedEngine, Comparison, StatedMass, gearbox_mass
+
+_KW = 1e3
+Row = dict[str, str | float | int | None]
+
+
+def engine_rows(rows: Iterable[CheckedEngine]) -> list[Row]:
+    """Return one flat row per engine: inputs, and each column printed, computed and judged.
+
+    Args:
+        rows: Checked rows of the catalogue.
+    """
+    return [_engine_row(one) for one in rows]
+
+
+def to_csv(rows: list[Row]) -> str:
+    """Return rows as CSV with a heading.
+
+    Args:
+        rows: Of equal keys.
+    """
+    out = io.StringIO()
+    writer = csv.DictWriter(out, fieldnames=list(rows[0]), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return out.getvalue()
+
+
+def to_json(value: object) -> str:
+    """Return rows or a record as JSON; a computed number that does not exist is null.
+
+    Args:
+        value: Of `engine_rows` or `comparison_record`.
+    """
+    return json.dumps(value, indent=1, ensure_ascii=False, allow_nan=False)
+
+
+def comparison_record(found: Comparison) -> dict[str, object]:
+    """Return a comparison with units in its keys, every mass beside its formula and source.
+
+    Args:
+        found: Of `compare`.
+    """
+    need = found.requirement
+    return {
+        "requirement": {
+            "power_kw": need.power / _KW,
+            "engine_rpm": need.engine_speed / RPM,
+            "propeller_rpm": need.propeller_speed / RPM,
+            "beta": need.beta,
+        },
+        "methods": [
+            {
+                "key": one.method.key,
+                "name": one.method.name,
+                "mass_kg": one.mass,
+                "reason": one.reason,
+                "beyond_range_kg": one.beyond,
+                "formula": one.method.formula,
+                "source": one.method.source,
+                "assumes": one.method.assumes,
+                "includes": vars(one.method.includes),
+            }
+            for one in found.estimates
+        ],
+        "bands": [{"level": one.level, "low_kg": one.low, "high_kg": one.high} for one in found.bands],
+        "nearest_engines": [f"{one.series.name} {one.model}" for one in found.engines],
+        "bottom_up": _stated(found.bottom_up),
+        "stated": _stated(found.stated),
+        "taken": _stated(found.taken),
+    }
+
+
+def _stated(given: StatedMass | None) -> dict[str, object] | None:
+    return None if given is None else {"mass_kg": given.mass, "origin": given.origin, "overridden": given.overridden}
+
+
+def _engine_row(one: CheckedEngine) -> Row:
+    engine = one.engine
+    row: Row = {
+        "table": engine.series.table,
+        "series": engine.series.name,
+        "manufacturer": engine.series.manufacturer,
+        "kind": engine.series.kind,
+        "model": engine.model,
+        "power_kw": engine.power / _KW,
+        "engine_rpm": round(engine.engine_speed / RPM, 6),
+        "engine_rpm_rule": engine.series.reason,
+        "propeller_rpm": round(engine.propeller_speed / RPM, 6),
+        "nasa15_mass_kg": gearbox_mass(engine),
+        "engine_mass_least_kg": None if one.engine_mass is None else one.engine_mass[0],
+        "engine_mass_greatest_kg": None if one.engine_mass is None else one.engine_mass[1],
+    }
+    for column in COLUMNS:
+        check = one.check(column)
+        row[f"{column}_printed"] = None if check.printed is None else check.printed.text
+        row[f"{column}_computed"] = check.computed
+        row[f"{column}_verdict"] = check.verdict.value
+        row[f"{column}_reason"] = check.reason
+    return row

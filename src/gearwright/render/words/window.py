@@ -1,0 +1,152 @@
+"""A dynamic window in words: what every speed, torque, force and the pitch did in it; and as JSON."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.dynamics import Samples, Trace
+from gearwright.dynamics.model import Floats
+from gearwright.dynamics.motion import Statistics
+from gearwright.mission.windows import DynamicWindow
+from gearwright.units import shown, unit
+
+
+class Range(NamedTuple):
+    """What one quantity did in a window, in SI."""
+
+    name: str
+    dimension: str
+    """Its unit, as `units` knows it."""
+    start: float
+    """Mean of the first time bin."""
+    least: float
+    """Of every step."""
+    most: float
+    """Of every step."""
+    end: float
+    """Mean of the last time bin."""
+
+
+def ranges(window: DynamicWindow) -> tuple[Range, ...]:
+    """Return what speeds, torques, pitch and line forces did.
+
+    Args:
+        window: As flown.
+    """
+    return (*_drives(window.trace), *_lines(window.trace))
+
+
+_DIMENSIONS = {"torque": "torque", "speed": "speed", "slip": "speed", "pitch": "angle"}
+
+
+def _drives(trace: Trace) -> Iterator[Range]:
+    if trace.drive is None:
+        return
+    for name in trace.labels.drives:
+        dimension = _DIMENSIONS.get(name.rpartition(" ")[2])
+        if dimension:
+            yield _range(trace.drive, name, dimension)
+
+
+def _lines(trace: Trace) -> Iterator[Range]:
+    for name, own in zip(trace.labels.lines, trace.labels.line_units, strict=True):
+        if own == "rad":
+            yield _range(trace.force, name, "torque")
+    for name, own in zip(trace.labels.lines, trace.labels.line_units, strict=True):
+        if own == "m":
+            yield _range(trace.force, name, "force")
+
+
+def _range(statistics: Statistics, name: str, dimension: str) -> Range:
+    own = statistics.of(name)
+    return Range(
+        name,
+        dimension,
+        float(own["mean"][0]),
+        float(np.min(own["least"])),
+        float(np.max(own["most"])),
+        float(own["mean"][-1]),
+    )
+
+
+def window_text(window: DynamicWindow) -> str:
+    """Return what happened in a window as lines of text.
+
+    Args:
+        window: As flown.
+    """
+    trace, rules = window.trace, window.rules
+    event = "nothing but the mission" if rules.event == "none" else f"{rules.event} after {rules.event_at:g} s"
+    lines = [
+        f"{window.name}: {trace.duration:.4g} s of {rules.phase} from {window.start:.0f} s of the mission; {event}",
+        "",
+        f"{'':28} {'start':>11} {'least':>11} {'greatest':>11} {'end':>11}",
+        *(_line(row) for row in ranges(window)),
+        "",
+        window_verdict(window),
+        f"Steps of {trace.step * 1e6:.3g} µs; line forces within {trace.error:.1e}; energies close within"
+        f" {trace.work.imbalance:.1e}",
+    ]
+    return "\n".join([*lines, *trace.notes[1:]])
+
+
+def _line(row: Range) -> str:
+    numbers = " ".join(f"{shown(value, row.dimension):11.5g}" for value in row[2:])
+    return f"{row.name:28} {numbers} {unit(row.dimension)}"
+
+
+def window_verdict(window: DynamicWindow) -> str:
+    """Return whether the governor comes to rest in a window.
+
+    Args:
+        window: As flown.
+    """
+    found = window.limit_cycle
+    if found is None:
+        return "The governor does not limit-cycle"
+    return (
+        f"The governor limit-cycles at {found.frequency:.3g} Hz with {found.amplitude:.3g} rad/s"
+        f" ({found.amplitude * 30.0 / math.pi:.3g} rpm); lower its gain, or give a faster actuator"
+    )
+
+
+def window_json(window: DynamicWindow) -> str:
+    """Return a window's ranges and verdicts as JSON, in SI.
+
+    Args:
+        window: As flown.
+    """
+    found, trace = window.limit_cycle, window.trace
+    return json.dumps(
+        {
+            "window": window.name,
+            "phase": window.rules.phase,
+            "event": window.rules.event,
+            "start": window.start,
+            "duration": trace.duration,
+            "step": trace.step,
+            "error": trace.error,
+            "energy_imbalance": trace.work.imbalance,
+            "limit_cycle": None if found is None else found._asdict(),
+            "ranges": [row._asdict() for row in ranges(window)],
+            "notes": list(trace.notes),
+        },
+        indent=2,
+        ensure_ascii=False,
+    )
+
+
+def drive_histories(samples: Samples, what: str) -> dict[str, Floats]:
+    """Return one kind of history of all drives that have it, by drive, without sense.
+
+    Args:
+        samples: Of a run with drives.
+        what: Such as ``"speed"``.
+    """
+    names = [name.removesuffix(f" {what}") for name in samples.labels.drives if name.endswith(f" {what}")]
+    return {name: np.abs(samples.drive(f"{name} {what}")) for name in names}

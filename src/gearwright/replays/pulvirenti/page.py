@@ -1,0 +1,120 @@
+"""The errata and claims of Pulvirenti (2023) as tables: words for the terminal, Markdown, one self-contained page."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import cache
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from rich.table import Table
+from rich.text import Text
+
+from gearwright.render.tables.tables import written
+from gearwright.replays.pulvirenti.claims import Claim, Verdict, claims
+from gearwright.replays.pulvirenti.errata import Erratum, errata
+from gearwright.units import unit
+from gearwright.version import __version__
+
+_DIGITS = 3
+_STYLES = {Verdict.HOLDS: "green", Verdict.CONDITION: "yellow", Verdict.FAILS: "red"}
+_SIGNS = {Verdict.HOLDS: "yes", Verdict.CONDITION: "partly", Verdict.FAILS: "no"}
+
+
+def thesis_page() -> str:
+    """Return the page as HTML that makes no request to anywhere."""
+    return _rendered("thesis_page.html.j2")
+
+
+def thesis_markdown() -> str:
+    """Return the same as Markdown, for the documentation."""
+    return _rendered("thesis_page.md.j2")
+
+
+def claims_table(found: Sequence[Claim]) -> Table:
+    """Return the claims for the terminal.
+
+    Args:
+        found: Of `claims`.
+    """
+    table = Table(title="Claims of Pulvirenti 2023, and what its equations give once they are right", show_lines=True)
+    for header in ("printed", "computed", "verdict"):
+        table.add_column(header, overflow="fold")
+    for one in found:
+        table.add_row(one.printed.printed, computed_text(one), Text(one.verdict.value, style=_STYLES[one.verdict]))
+    return table
+
+
+def errata_table(found: Sequence[Erratum]) -> Table:
+    """Return the errata for the terminal.
+
+    Args:
+        found: Of `errata`.
+    """
+    table = Table(title="Errata of Pulvirenti 2023", show_lines=True)
+    for header in ("equation", "standing", "printed", "correct"):
+        table.add_column(header, overflow="fold")
+    for one in found:
+        table.add_row(one.equation, one.standing, Text(one.printed), Text(one.correct))
+    return table
+
+
+def computed_text(claim: Claim) -> str:
+    """Return what was computed, by each way of counting.
+
+    Args:
+        claim: With its numbers.
+    """
+    first = f"{_number(claim.value, claim.printed.dimension)} ({claim.printed.counts})"
+    if claim.other is None:
+        return first
+    return f"{first}; {_number(claim.other, claim.printed.dimension)} ({claim.printed.other})"
+
+
+def covered_text(claim: Claim) -> str:
+    """Return which numbers the wording covers.
+
+    Args:
+        claim: With its printed side.
+    """
+    low, high, dimension = claim.printed.low, claim.printed.high, claim.printed.dimension
+    if math.isinf(high):
+        return f"above {_number(low, dimension)}"
+    if low == 0.0:
+        return f"below {_number(high, dimension)}"
+    return f"{_number(low, dimension)} to {_number(high, dimension)}"
+
+
+def _number(value: float, dimension: str) -> str:
+    if dimension == "percent":
+        return f"{value:.1f} %".replace("-", "−")
+    return f"{written(value, 4 if dimension == 'speed' else _DIGITS)} {unit(dimension)}".rstrip()
+
+
+def _rendered(template: str) -> str:
+    found = claims()
+    return (
+        _environment()
+        .get_template(template)
+        .render(
+            claims=found,
+            errata=errata(),
+            counts={verdict: sum(one.verdict is verdict for one in found) for verdict in Verdict},
+            version=__version__,
+        )
+    )
+
+
+@cache
+def _environment() -> Environment:
+    loader = PackageLoader("gearwright.render", "templates")
+    environment = Environment(
+        loader=loader, autoescape=_escapes, undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True
+    )
+    environment.filters |= {"computed": computed_text, "covered": covered_text, "sign": _SIGNS.__getitem__}
+    return environment
+
+
+def _escapes(template: str | None) -> bool:
+    """Tell whether a template is HTML; Markdown is left as it is."""
+    return template is not None and ".html" in template

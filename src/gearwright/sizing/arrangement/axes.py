@@ -1,0 +1,178 @@
+"""Where the axes of the shafts stand in the cross-section, so that every mesh force has a direction.
+
+A place is a complex number y + i z [m], seen along x. Shafts joined by a planetary set or a clutch share an axis. The
+first shaft of the design stands at the origin. A shaft in mesh with one that is placed stands at their centre distance
+from it, in the direction of its ``angle``. Where none is given, the shafts around one gear are evenly spaced; two
+stand opposite each other, so that their forces on that gear cancel (Pulvirenti 2023, eq. 2.9).
+
+Two layshafts between several gears (the input's, the output's, a motor's) make triangles: they stand opposite each
+other about the gear with the shortest centre distance a_min, and another gear with centre distance a has its axis at
+√(a² − a_min²) from that one, square to the line of the layshafts. That keeps the wheels on the layshafts as far apart
+as the train allows, and clear of the other axes. A shaft tied to two placed axes stands where their circles cross: at
+the crossing in the direction of its ``angle``, or, where none is given, at the one that is farther from all other
+axes (the lower one, −z, where both are equally far).
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from gearwright.errors import DesignError, Problem
+from gearwright.sizing.rating import Context
+from gearwright.sizing.result import GearSizing
+from gearwright.spec.design import Design
+from gearwright.train import INTERNAL, Train
+
+TOLERANCE = 0.01
+"""Part of a centre distance that profile shift is trusted to take up; more does not close."""
+
+
+@dataclass(frozen=True)
+class Bond:
+    """One mesh of a pair, as a distance between two axes."""
+
+    stage: str
+    axes: tuple[str, str]
+    """Shafts that name the two axes."""
+    distance: float
+    """Centre distance [m]."""
+
+    def other(self, axis: str) -> str:
+        """Return the axis at the other end."""
+        return self.axes[1] if self.axes[0] == axis else self.axes[0]
+
+
+def axes_of(given: Context, gears: tuple[GearSizing, ...]) -> dict[str, complex]:
+    """Return where the axis of every shaft stands, y + i z [m].
+
+    Args:
+        given: What sizing reads.
+        gears: From `size_gears`.
+
+    Raises:
+        DesignError: If the centre distances do not close.
+    """
+    axis = _coaxial(given.design)
+    faces = {name for name, pair in given.design.pairs.items() if pair.kind == "face"}
+    bonds = list(_bonds(given.train, axis, {gear.name: gear for gear in gears}, faces))
+    placed: dict[str, complex] = {}
+    while len(placed) < len(set(axis.values())):
+        placed |= _next(given.design, bonds, placed, [each for each in axis.values() if each not in placed])
+    _close(bonds, placed)
+    return {shaft: placed[axis[shaft]] for shaft in given.design.shafts}
+
+
+def _coaxial(design: Design) -> dict[str, str]:
+    """Return shaft -> the first shaft on the same axis."""
+    axis = {name: name for name in design.shafts}
+    groups = [(stage.sun, stage.ring, stage.carrier) for stage in design.planetaries.values()]
+    for group in (*groups, *((clutch.driving, clutch.driven) for clutch in design.clutches.values())):
+        joined = {axis[name] for name in group if name in axis}
+        first = min(joined, key=design.shafts.index)
+        axis = {name: first if root in joined else root for name, root in axis.items()}
+    return axis
+
+
+def _bonds(
+    train: Train, axis: Mapping[str, str], gears: Mapping[str, GearSizing], faces: Collection[str]
+) -> Iterator[Bond]:
+    for mesh in train.meshes:
+        if mesh.nodes[0] not in axis or mesh.nodes[1] not in axis:
+            continue
+        one, other = (gears[name].pitch_diameter / 2.0 for name in mesh.gears)
+        ends = (axis[mesh.nodes[0]], axis[mesh.nodes[1]])
+        if ends[0] == ends[1]:
+            message = (
+                f"{mesh.nodes[0]!r} and {mesh.nodes[1]!r} share an axis, so their gears cannot mesh; use a layshaft"
+            )
+            raise DesignError([Problem(f"pairs.{mesh.stage}", message)])
+        # The pinion of a face gear lies across: the middle of its face, not its axis, is on the wheel's pitch circle.
+        apart = other if mesh.stage in faces else abs(other - one) if mesh.sign == INTERNAL else one + other
+        yield Bond(mesh.stage, ends, apart)
+
+
+def _next(
+    design: Design, bonds: list[Bond], placed: Mapping[str, complex], waiting: Sequence[str]
+) -> dict[str, complex]:
+    """Return the next axes that can be placed."""
+    ties = {name: [bond for bond in bonds if name in bond.axes and bond.other(name) in placed] for name in waiting}
+    for name in waiting:
+        known: dict[complex, float] = {}
+        for bond in ties[name]:
+            place = placed[bond.other(name)]
+            if all(abs(place - each) > TOLERANCE * bond.distance for each in known):
+                known[place] = bond.distance
+        if len(known) > 1:
+            return {name: _crossing(known, placed, _angle(design, name))}
+    for name in waiting:
+        if ties[name]:
+            return _around(design, bonds, placed, tie=ties[name][0], name=name)
+    return {waiting[0]: 0j}
+
+
+def _angle(design: Design, name: str) -> float | None:
+    return design.layout[name].angle if name in design.layout else None
+
+
+def _around(
+    design: Design, bonds: list[Bond], placed: Mapping[str, complex], *, tie: Bond, name: str
+) -> dict[str, complex]:
+    """Return the places of all shafts that a pair sets around one placed axis."""
+    hub = tie.other(name)
+    ring = {bond.other(hub): bond.distance for bond in bonds if bond.stage == tie.stage and hub in bond.axes}
+    drop = math.acos(_half_distance(bonds, ring) / tie.distance) if len(ring) == 2 else 0.0
+    even = {each: 2.0 * math.pi * k / len(ring) + (drop if k else -drop) for k, each in enumerate(ring)}
+    turns = [cmath.phase(placed[each] - placed[hub]) - even[each] for each in ring if each in placed]
+    places = {}
+    for each, distance in ring.items():
+        angle = _angle(design, each)
+        if angle is None:
+            angle = even[each] + (turns[0] if turns else 0.0)
+        places[each] = placed[hub] + cmath.rect(distance, angle)
+    return {each: place for each, place in places.items() if each not in placed}
+
+
+def _half_distance(bonds: list[Bond], ring: Mapping[str, float]) -> float:
+    """Return the shortest centre distance of all axes that mesh with both of two shafts: half of what parts them."""
+    reach = {name: {bond.other(name): bond.distance for bond in bonds if name in bond.axes} for name in ring}
+    one, other = reach.values()
+    return min(min(one[hub], other[hub]) for hub in one.keys() & other.keys())
+
+
+def _crossing(known: Mapping[complex, float], placed: Mapping[str, complex], angle: float | None) -> complex:
+    """Return where two circles about placed axes cross, or come nearest; `_close` judges how near that is."""
+    (one, first), (other, second) = list(known.items())[:2]
+    apart = abs(other - one)
+    along = (first**2 - second**2 + apart**2) / (2.0 * apart)
+    across = math.sqrt(max(first**2 - along**2, 0.0))
+    direction = (other - one) / apart
+    sides = [one + direction * complex(along, side) for side in (across, -across)]
+    if angle is not None:
+        return max(sides, key=lambda place: ((place - one) * cmath.rect(1.0, -angle)).real)
+    fits = [place for place in sides if _fit(place, known)] or sides
+    rest = [place for place in placed.values() if place not in (one, other)]
+    return max(fits, key=lambda place: (round(min((abs(place - each) for each in rest), default=0.0), 9), -place.imag))
+
+
+def _fit(place: complex, known: Mapping[complex, float]) -> bool:
+    return all(abs(abs(place - each) - distance) <= TOLERANCE * distance for each, distance in known.items())
+
+
+def _close(bonds: list[Bond], placed: Mapping[str, complex]) -> None:
+    """Refuse centre distances that the axes do not keep."""
+    problems = []
+    for bond in bonds:
+        one, other = bond.axes
+        apart = abs(placed[one] - placed[other])
+        if abs(apart - bond.distance) > TOLERANCE * bond.distance:
+            message = (
+                f"the axes of {one!r} and {other!r} stand {1e3 * apart:.4g} mm apart where their other meshes put them,"
+                f" but the gears ask {1e3 * bond.distance:.4g} mm; change an angle in [layout], or give a module in"
+                " [overrides] that closes the triangle"
+            )
+            problems.append(Problem(f"pairs.{bond.stage}", message))
+    if problems:
+        raise DesignError(problems)

@@ -1,0 +1,138 @@
+"""Where things sit along a shaft: its gears side by side, its machines at the ends, its two bearings.
+
+Along x, from the end where power enters: driven clutches, turbines and motors; the gears of pairs and the members of
+planetary sets in the order of the design; driving clutches and propellers. The gears of pairs stand between bearings,
+with equal gaps. What gives torque only stands at the end on its side of the gears, or, on a shaft without gears of
+pairs, at equal distances. The design's ``layout`` says otherwise where it must.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from gearwright.errors import DesignError, Problem, near
+from gearwright.sizing.arrangement.seats import radial_places, seats_of
+from gearwright.sizing.rating import Context
+from gearwright.sizing.result import GearSizing
+from gearwright.spec.design import NOTHING_GIVEN, BearingSeat, Design, ShaftLayout
+from gearwright.train import Train
+
+
+@dataclass(frozen=True)
+class ShaftPlan:
+    """A shaft from its first end on."""
+
+    length: float
+    """[m]"""
+    bearings: tuple[float, float]
+    """Middles of the two bearings [m]."""
+    places: Mapping[str, float]
+    """Gear, carrier, machine or clutch -> middle of its width [m], in order."""
+
+
+def plan_of(given: Context, name: str, gears: tuple[GearSizing, ...]) -> ShaftPlan:
+    """Return where everything on a shaft sits.
+
+    Args:
+        given: What sizing reads.
+        name: Of the shaft.
+        gears: From `size_gears`.
+
+    Raises:
+        DesignError: If the given length, places or bearings do not fit.
+    """
+    layout, rules = given.design.layout.get(name, NOTHING_GIVEN), given.design.shafting
+    names = list(_on_shaft(given.design, given.train, name))
+    widths = {
+        gear.name: gear.face_width * gear.bodies / len(gear.shafts)
+        for gear in gears
+        if name in gear.shafts and gear.role in ("pinion", "wheel")
+    }
+    length = given.overrides.take(f"{name}.length", "length", layout.length or _length(given.design, name, widths))
+    places = _between_bearings(names, widths, length) if widths else _spread(names, length)
+    places |= {each: place.position for each, place in layout.places.items()}
+    seat = min(rules.bearing_length, length / 2.0) / 2.0
+    first = seat if layout.first_bearing is None else layout.first_bearing
+    second = length - seat if layout.second_bearing is None else layout.second_bearing
+    plan = ShaftPlan(length, radial_places(given.design, name) or (first, second), places)
+    _check(name, layout, plan, seats_of(given.design, name), names=names, width=sum(widths.values()))
+    return plan
+
+
+def _on_shaft(design: Design, train: Train, shaft: str) -> Iterator[str]:
+    """Yield everything that puts torque on a shaft, in order."""
+    yield from (joint.name for joint in train.joints if joint.driven == shaft)
+    yield from (name for name in (*design.turbines, *design.motors) if train.machines[name] == shaft)
+    for stage in design.stages:
+        yield from (gear.name for gear in train.gears if gear.stage == stage and shaft in gear.nodes)
+        if stage in design.planetaries and design.planetaries[stage].carrier == shaft:
+            yield f"{stage}.carrier"
+    yield from (joint.name for joint in train.joints if joint.driving == shaft)
+    yield from (name for name in design.propellers if train.machines[name] == shaft)
+
+
+def _length(design: Design, name: str, widths: Mapping[str, float]) -> float:
+    """Return a shaft's length: gears of pairs side by side with gaps, or the standard length between planetary sets."""
+    rules = design.shafting
+    if widths:
+        return sum(widths.values()) + rules.bearing_length * (len(widths) + 1)
+    members = sum(name in (stage.sun, stage.ring, stage.carrier) for stage in design.planetaries.values())
+    return rules.middle_length if members > 1 else rules.end_length
+
+
+def _between_bearings(names: list[str], widths: Mapping[str, float], length: float) -> dict[str, float]:
+    """Return the places where gears of pairs stand on the shaft: equal gaps between them and at both ends."""
+    gap = (length - sum(widths.values())) / (len(widths) + 1)
+    places, reached = {}, 0.0
+    for name in names:
+        if name in widths:
+            places[name] = reached + gap + widths[name] / 2.0
+            reached += gap + widths[name]
+        else:
+            places[name] = length if reached else 0.0
+    return places
+
+
+def _spread(names: list[str], length: float) -> dict[str, float]:
+    """Return the places where all give torque only."""
+    pieces = max(len(names) - 1, 1)
+    return {name: length * k / pieces for k, name in enumerate(names)}
+
+
+def _check(
+    name: str,
+    layout: ShaftLayout,
+    plan: ShaftPlan,
+    seats: Mapping[str, BearingSeat],
+    *,
+    names: list[str],
+    width: float,
+) -> None:
+    """Refuse what does not fit on a shaft."""
+    path, problems, end = f"layout.{name}", [], f"0 to {1e3 * plan.length:.6g} mm"
+    if plan.length < width:
+        message = (
+            f"{1e3 * plan.length:.6g} mm is less than the face widths of its gears; give {1e3 * width:.6g} mm or more"
+        )
+        problems.append(Problem(f"{path}.length_mm", message))
+    for each in layout.places:
+        if each not in names:
+            problems.append(Problem(f"{path}.places.{each}", f"this is not on the shaft; {near(each, names)}"))
+        elif plan.places[each] > plan.length:
+            problems.append(Problem(f"{path}.places.{each}.position_mm", _outside(plan.places[each], end)))
+    bearings = dict(zip((f"{path}.first_bearing_mm", f"{path}.second_bearing_mm"), plan.bearings, strict=True))
+    if seats:
+        bearings = {f"bearings.{each}.position_mm": seat.position for each, seat in seats.items()}
+    for key, place in bearings.items():
+        if not 0.0 <= place <= plan.length:
+            problems.append(Problem(key, _outside(place, end)))
+    if plan.bearings[0] == plan.bearings[1]:
+        message = f"both bearings stand at {1e3 * plan.bearings[0]:.6g} mm; give two different places"
+        problems.append(Problem(f"{path}.second_bearing_mm", message))
+    if problems:
+        raise DesignError(problems)
+
+
+def _outside(position: float, allowed: str) -> str:
+    return f"{1e3 * position:.6g} mm is outside the shaft; allowed: {allowed}"

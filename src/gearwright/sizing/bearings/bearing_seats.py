@@ -1,0 +1,168 @@
+"""Where rolling bearings sit in a sized train, and what each bears for the torques that its meshes carry.
+
+The reactions of a shaft on two bearings grow in proportion to the torques of its meshes; only the radial forces keep
+their sign when a torque changes its own. So two sets of coefficients, one for each sign, give the load of a bearing at
+any moment. A planet's pin bears the tangential forces of its two meshes, which are equal, and across them the
+centrifugal force of the planet. Shafts that carry torque only have no seat here unless the design gives them bearings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.parts.shafts import PointLoads, bearing_reactions
+from gearwright.sizing.arrangement import ShaftPlan, axes_of, plan_of, seats_of
+from gearwright.sizing.loads import rotor_side, shaft_loads
+from gearwright.sizing.rating import Context, context
+from gearwright.sizing.result import GearSizing, ShaftSizing, Sizing
+from gearwright.spec import GROUND, Design
+from gearwright.spec.design import BearingSeat, Overrides
+from gearwright.train import INTERNAL, RATED, Mesh, MeshFlow, PowerFlow
+from gearwright.units import Force, Length
+
+Array = NDArray[np.float64]
+ENDS = ("first", "second")
+"""The two bearings of a shaft that the design leaves open, from its first end."""
+
+
+@dataclass(frozen=True)
+class Seat:
+    """One bearing seat, or several equal ones."""
+
+    name: str
+    """As the design calls it; else ``SHAFT.first``, ``SHAFT.second``, or ``STAGE.planet``."""
+    count: int
+    """Equal seats: planets of a set [-]."""
+    nodes: tuple[str, str]
+    """What turns inside and what outside; the housing is ``ground``."""
+    bore: Length
+    """Diameter of shaft or pin [m]."""
+    room: Length
+    """Largest outside diameter: inside the rim of a planet; ∞ in the housing [m]."""
+    forward: Array
+    """Force of the meshes along y and z on the bearing, or tangential and radial on a pin, and along x on the whole
+    shaft, for a torque of 1 N m on gear a of one single mesh of each row, shape (meshes, 3) [N/(N m)]."""
+    backward: Array
+    """The same for a torque of −1 N m."""
+    swung: float = 0.0
+    """Mass of a planet times the radius of its path [kg m]."""
+    carrier: str = GROUND
+    """Node whose speed swings it."""
+    across: Force = 0.0
+    """Of a rotor's force and moment, in any direction [N]."""
+    rotor_side: float = 0.0
+    """Sense along x in which a rotor's thrust pulls the shaft; 0 without a rotor [-]."""
+    given: BearingSeat | None = None
+    """What the design says of it; planets and the two usual bearings of a shaft have none."""
+
+
+def bearing_seats(sizing: Sizing) -> tuple[Seat, ...]:
+    """Return every seat whose load is known: on shafts that something bends or the design holds, and in each planet.
+
+    Args:
+        sizing: As sized.
+    """
+    given = _unit_loads(sizing)
+    axes, gears = axes_of(given, sizing.gears), {gear.name: gear for gear in sizing.gears}
+    shafts = (seat for shaft in sizing.shafts for seat in _shaft_seats(given, sizing, shaft, axes=axes, gears=gears))
+    return (*shafts, *_planet_seats(sizing, gears))
+
+
+def seat_forces(seat: Seat, torques: Array, carrier_speed: Array) -> tuple[Array, Array]:
+    """Return the radial force on one seat and the meshes' force along its shaft [N], of the shape of the torques' rows.
+
+    Args:
+        seat: The seat.
+        torques: On gear a of one single mesh of each row, shape (..., meshes) [N m].
+        carrier_speed: Speed of what swings a planet, shape (...) [rad/s].
+
+    Source: equilibrium; m r ω² of a planet stands across its tangential force; a rotor points where it loads most.
+    """
+    force = np.maximum(torques, 0.0) @ seat.forward + np.maximum(-torques, 0.0) @ seat.backward
+    radial = np.hypot(force[..., 0], force[..., 1] + seat.swung * carrier_speed**2)
+    return radial + seat.across, force[..., 2]
+
+
+def _unit_loads(sizing: Sizing) -> Context:
+    """Return what sizing reads, with a case for each sign of a unit torque on each mesh row, after the rated one."""
+    design, train = sizing.design, sizing.train
+    overrides = Overrides(design.overrides, design.origins)
+    given = context(design, train, sizing.teeth, sizing.flows, overrides)
+    rated = sizing.flows[RATED]
+    cases = {f"{sign}{mesh.name}": _unit(sizing, rated, mesh, sign) for mesh in train.meshes for sign in (1, -1)}
+    return replace(given, flows={RATED: rated, **cases})
+
+
+def _unit(sizing: Sizing, rated: PowerFlow, loaded: Mesh, sign: int) -> PowerFlow:
+    """Return a flow in which one row of meshes carries ±1 N m on gear a of each single mesh, without losses."""
+    meshes = {mesh.name: MeshFlow(mesh.name, 0.0, (0.0, 0.0, 0.0), 0.0, 0.0) for mesh in sizing.train.meshes}
+    one = sign * loaded.count
+    ratio = loaded.sign * sizing.teeth[loaded.gears[1]] / sizing.teeth[loaded.gears[0]]
+    meshes[loaded.name] = MeshFlow(loaded.name, 0.0, (one, -one * ratio, one * (ratio - 1.0)), 0.0, 0.0)
+    return PowerFlow("", rated.speeds, {}, {}, meshes)
+
+
+def _shaft_seats(
+    given: Context, sizing: Sizing, shaft: ShaftSizing, *, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
+) -> Iterator[Seat]:
+    seats: dict[str, BearingSeat | None] = {**seats_of(sizing.design, shaft.name)}
+    if not seats and not shaft.bearings:
+        return
+    plan = plan_of(given, shaft.name, sizing.gears)
+    loads, axial = shaft_loads(given, shaft.name, plan, axes=axes, gears=gears)
+    forces = bearing_reactions(loads, plan.bearings)[1:]
+    across, side = _rotor(sizing.design, shaft.name, plan)
+    k = 0
+    for name, own in (seats or {f"{shaft.name}.{end}": None for end in ENDS}).items():
+        bears = own is None or own.radial
+        radial = forces[:, :, k] if bears else np.zeros((len(forces), 2))
+        whole = np.hstack([radial, axial[1:, None]])
+        yield Seat(
+            name=name,
+            count=1,
+            nodes=(shaft.name, GROUND),
+            bore=shaft.diameter,
+            room=np.inf,
+            forward=whole[0::2],
+            backward=whole[1::2],
+            across=float(across[k]) if bears else 0.0,
+            rotor_side=side,
+            given=own,
+        )
+        k += bears
+
+
+def _rotor(design: Design, shaft: str, plan: ShaftPlan) -> tuple[Array, float]:
+    """Return what a rotor's force and moment put on both radial bearings [N], and the sense of its thrust."""
+    for name, rotor in design.propellers.items():
+        if rotor.shaft == shaft:
+            place = plan.places[name]
+            side = 1.0 if place >= sum(plan.bearings) / 2.0 else -1.0
+            force, couple = np.array([rotor.in_plane_force]), np.array([side * rotor.hub_moment])
+            loads = PointLoads(np.array([place]), force, couple, np.zeros(1))
+            return np.abs(bearing_reactions(loads, plan.bearings)), rotor_side(plan, name)
+    return np.zeros(2), 0.0
+
+
+def _planet_seats(sizing: Sizing, gears: Mapping[str, GearSizing]) -> Iterator[Seat]:
+    for carrier in sizing.carriers:
+        planet, rules = gears[f"{carrier.stage}.planet"], sizing.design.rules(carrier.stage)
+        force = np.zeros((len(sizing.train.meshes), 3))
+        for k, mesh in enumerate(sizing.train.meshes):
+            if mesh.stage == carrier.stage and mesh.sign != INTERNAL:
+                force[k, 0] = 2.0 * (rules.mesh_load_factor or 1.0) / (0.5 * gears[mesh.gears[0]].pitch_diameter)
+        yield Seat(
+            name=planet.name,
+            count=planet.bodies,
+            nodes=(carrier.shaft, planet.name),
+            bore=carrier.pin_diameter,
+            room=planet.pitch_diameter - 2.0 * rules.rim_thickness_ratio * planet.module,
+            forward=force,
+            backward=force,
+            swung=planet.mass * carrier.radius,
+            carrier=carrier.shaft,
+        )

@@ -1,0 +1,214 @@
+"""Bearings of one shaft: what each bears over its service, which sizes of the catalogue do, and which one is taken."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.catalogue import (
+    Bearing,
+    BearingCheck,
+    BearingSpectrum,
+    bearing,
+    bearings,
+    check_bearing,
+    equivalent_loads,
+    with_ratings,
+)
+from gearwright.errors import DesignError, Problem
+from gearwright.parts.bearings import LoadFactors, taper_factors
+from gearwright.sizing.arrangement import axial_forces, seats_of
+from gearwright.sizing.loads import ShaftForces
+from gearwright.sizing.mounted import BearingSizing
+from gearwright.sizing.rating import Context
+from gearwright.spec.checks import APART, KINDS
+from gearwright.spec.design import BearingSeat
+from gearwright.train import RATED
+
+Array = NDArray[np.float64]
+TYPICAL_TAPER = LoadFactors(0.4, 0.4, 1.5)
+"""e, X, Y of taper bearings before one is chosen: α = 15° [-]."""
+MAKER = "maker's rating, given by the user"
+
+
+@dataclass(frozen=True)
+class Seating:
+    """The bearings of one shaft under one set of thrusts."""
+
+    seats: Mapping[str, BearingSeat]
+    """In order along the shaft."""
+    radial: Mapping[str, Array]
+    """Bearing -> radial force of every case [N]."""
+    axial: Mapping[str, Array]
+    """Bearing -> axial force of every case, induced thrust included [N]."""
+    duties: Mapping[str, BearingSpectrum]
+    """Bearing -> what it bears."""
+    sizes: Mapping[str, tuple[Bearing, ...]]
+    """Bearing -> the sizes that may be taken, in order of preference."""
+    rated: dict[tuple[str, str], BearingCheck] = field(default_factory=dict)
+    """Bearing and size -> how it bears its duty, as far as that was asked."""
+
+    def check(self, name: str, size: Bearing) -> BearingCheck:
+        """Return how a size bears the duty of a bearing.
+
+        Args:
+            name: Of the bearing.
+            size: From the catalogue.
+        """
+        key = (name, size.designation)
+        if key not in self.rated:
+            self.rated[key] = check_bearing(size, self.duties[name])
+        return self.rated[key]
+
+    def choose(self, name: str, least: float, most: float) -> Bearing:
+        """Return the first size that bears its duty around a shaft, or the one that the user gives.
+
+        Args:
+            name: Of the bearing.
+            least: Smallest bore [m].
+            most: Largest bore [m].
+
+        Raises:
+            DesignError: If there is none, with the nearest.
+        """
+        seat, sizes = self.seats[name], self.sizes[name]
+        if seat.designation is not None:
+            return sizes[0]
+        if seat.bore is not None:
+            least = most = sizes[0].bore
+        room = [each for each in sizes if least - 1e-9 <= each.bore <= most + 1e-9]
+        for each in room:
+            if _bears(self.check(name, each)):
+                return each
+        checks = [self.check(name, each) for each in room or sizes]
+        raise DesignError([Problem(f"bearings.{name}", _none(self.duties[name], seat, (least, most), checks))])
+
+
+def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str, Bearing], *, slim: bool) -> Seating:
+    """Return what the bearings of a shaft bear, and the sizes that may be taken.
+
+    Args:
+        given: What sizing reads.
+        shaft: Name of the shaft.
+        forces: What acts on it.
+        chosen: Bearing -> the size taken last; the thrust of taper bearings follows from it.
+        slim: Prefer small bores to light bearings.
+
+    Raises:
+        DesignError: If nothing takes a force along the shaft, or the catalogue has no such bore.
+    """
+    seats = seats_of(given.design, shaft)
+    reactions = forces.largest_radial()
+    carried = iter(reactions.T)
+    radial = {name: next(carried) if seat.radial else np.zeros(len(reactions)) for name, seat in seats.items()}
+    factors = {
+        name: taper_factors(chosen[name].geometry.contact_angle) if name in chosen else TYPICAL_TAPER
+        for name, seat in seats.items()
+        if seat.kind == "taper"
+    }
+    axial = axial_forces(shaft, seats, (forces.axial, radial), factors, cases=tuple(given.flows))
+    duties = {name: _duty(given, shaft, seat, radial[name], axial[name]) for name, seat in seats.items()}
+    sizes = {name: _sizes(name, seat, slim=slim) for name, seat in seats.items()}
+    return Seating(seats, radial, axial, duties, sizes)
+
+
+def _duty(given: Context, shaft: str, seat: BearingSeat, radial: Array, axial: Array) -> BearingSpectrum:
+    """Return what a bearing bears in every case; without shares all of its life is spent in the rated one."""
+    service = given.design.service
+    shares = service.shares or {RATED: 1.0}
+    return BearingSpectrum(
+        radial=tuple(radial.tolist()),
+        axial=tuple(axial.tolist()),
+        speed=tuple(flow.speeds[shaft] for flow in given.flows.values()),
+        share=tuple(shares.get(case, 0.0) for case in given.flows),
+        life=seat.life or service.bearing_life,
+        static_safety=service.static_safety,
+        mean_factor=1.0 if service.shares else service.mean_load,
+        limit_factor=service.application_factor,
+    )
+
+
+def _sizes(name: str, seat: BearingSeat, *, slim: bool) -> tuple[Bearing, ...]:
+    if seat.designation is not None:
+        return (_as_made(seat, bearing(seat.designation)),)
+    outer = math.inf if seat.largest_outer_diameter is None else seat.largest_outer_diameter
+    fitting = [
+        each
+        for each in bearings().values()
+        if each.kind == KINDS[seat.kind]
+        and each.outer_diameter <= outer + 1e-9
+        and (seat.bore is None or abs(each.bore - seat.bore) < APART)
+    ]
+    if not fitting:
+        message = f"no {KINDS[seat.kind]} bearing has at most {1e3 * outer:.4g} mm outside; give it more room"
+        raise DesignError([Problem(f"bearings.{name}.largest_outer_diameter", message)])
+    return tuple(sorted(fitting, key=lambda each: (each.bore, each.mass) if slim else (each.mass, each.bore)))
+
+
+def _as_made(seat: BearingSeat, standard: Bearing) -> Bearing:
+    """Return a bearing with the maker's ratings where the user gives them."""
+    if seat.dynamic_rating is None and seat.static_rating is None:
+        return standard
+    dynamic, static = seat.dynamic_rating or standard.dynamic_rating, seat.static_rating or standard.static_rating
+    return with_ratings(standard, dynamic, static, source=MAKER)
+
+
+def _bears(check: BearingCheck) -> bool:
+    return check.life_margin >= 1.0 and check.static_margin >= 1.0
+
+
+def _none(duty: BearingSpectrum, seat: BearingSeat, room: tuple[float, float], checks: list[BearingCheck]) -> str:
+    """Say why no size will do, and which is nearest."""
+    least, most = room
+    around = f"bores from {1e3 * least:.4g} mm" + (
+        f" to {1e3 * most:.4g} mm, the root of the gear," if most < math.inf else ""
+    )
+    if least == most:
+        around = f"a bore of {1e3 * least:.4g} mm"
+    best = max(checks, key=lambda each: min(each.life_margin, each.static_margin))
+    outer = seat.largest_outer_diameter
+    inside = f" and {1e3 * outer:.4g} mm outside" if outer else ""
+    return (
+        f"no {KINDS[seat.kind]} bearing with {around}{inside} lives {duty.life / 3600.0:.4g} h with s_0 ="
+        f" {duty.static_safety:g} under {max(duty.radial):.4g} N across and {max(duty.axial):.4g} N along; the nearest,"
+        f" {best.bearing.designation} ({1e3 * best.bearing.bore:g} mm), gives {best.life / 3600.0:.4g} h and s_0 ="
+        f" {best.static_safety:.3g}; take another kind, give more room, move the bearings apart, or ask for less life"
+    )
+
+
+def bearing_sizings(
+    seated: Seating, chosen: Mapping[str, Bearing], shaft: str, cases: tuple[str, ...]
+) -> tuple[BearingSizing, ...]:
+    """Return the bearings of a shaft as they were taken.
+
+    Args:
+        seated: What they bear.
+        chosen: Bearing -> the size taken.
+        shaft: Name of the shaft.
+        cases: Names of the load cases.
+    """
+    return tuple(_sizing(name, seated, chosen[name], shaft, cases) for name in seated.seats)
+
+
+def _sizing(name: str, seated: Seating, taken: Bearing, shaft: str, cases: tuple[str, ...]) -> BearingSizing:
+    duty, check = seated.duties[name], seated.check(name, taken)
+    statics = [equivalent_loads(taken, *each)[1] for each in zip(duty.radial, duty.axial, strict=True)]
+    worst = int(np.argmax(statics))
+    return BearingSizing(
+        name=name,
+        shaft=shaft,
+        position=seated.seats[name].position,
+        bearing=taken,
+        case=cases[worst],
+        radial=duty.radial[worst],
+        axial=duty.axial[worst],
+        equivalent_load=check.equivalent_load,
+        life=check.life,
+        wanted_life=duty.life,
+        static_safety=check.static_safety,
+        wanted_static_safety=duty.static_safety,
+    )

@@ -1,0 +1,130 @@
+"""What every step of sizing reads: the design, its train, teeth and flows, resolved rules, and what each mesh asks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from gearwright.sizing.rating.modules import modules
+from gearwright.sizing.rating.rules import Ask, Rating, rating_of
+from gearwright.sizing.rating.standard_teeth import stage_width_ratio
+from gearwright.spec import Design
+from gearwright.spec.design import Overrides
+from gearwright.train import INTERNAL, Mesh, PowerFlow, Train
+
+
+class Demand(NamedTuple):
+    """What a mesh row asks for at its worst case."""
+
+    case: str
+    """That case."""
+    per_tooth: float
+    """Torque per tooth of one mesh, load factor included [N m]."""
+    bending: float
+    """Module that bending asks for [m]."""
+    contact: float
+    """Module that contact asks for [m]."""
+
+
+@dataclass(frozen=True)
+class Context:
+    """What every step of gear sizing reads."""
+
+    design: Design
+    train: Train
+    teeth: Mapping[str, int]
+    """Gear -> tooth number [-]."""
+    flows: Mapping[str, PowerFlow]
+    """Case -> speeds, torques and powers."""
+    overrides: Overrides
+    ratings: Mapping[str, Rating]
+    """Stage -> resolved rules."""
+    demands: Mapping[str, Demand]
+    """Mesh row -> what it asks for."""
+
+
+def context(
+    design: Design, train: Train, teeth: Mapping[str, int], flows: Mapping[str, PowerFlow], overrides: Overrides
+) -> Context:
+    """Return what gear sizing reads, with the rules of every stage resolved.
+
+    Args:
+        design: The design.
+        train: Its graph.
+        teeth: Tooth number of every gear.
+        flows: Every load case.
+        overrides: The user's values.
+    """
+    ratings = {name: rating_of(design, name) for name in design.stages}
+    given = Context(design, train, teeth, flows, overrides, ratings, {})
+    return replace(given, demands={mesh.name: _demand(given, mesh) for mesh in train.meshes})
+
+
+def worst_case(given: Context, mesh: Mesh) -> tuple[str, float]:
+    """Return the case that loads a mesh most, and its torque per tooth, load factor included [N m].
+
+    Args:
+        given: What gear sizing reads.
+        mesh: A row of the train.
+    """
+    loads = {case: abs(flow.meshes[mesh.name].multiplier) for case, flow in given.flows.items()}
+    case = max(loads, key=lambda each: loads[each])
+    return case, loads[case] / mesh.count * given.ratings[mesh.stage].load_factor
+
+
+def _demand(given: Context, mesh: Mesh) -> Demand:
+    case, per_tooth = worst_case(given, mesh)
+    bending, contact = modules(ask_of(given, mesh, case, per_tooth), given.ratings[mesh.stage])
+    return Demand(case, per_tooth, float(bending), float(contact))
+
+
+def ask_of(given: Context, mesh: Mesh, case: str, per_tooth: float) -> Ask:
+    """Return what a load case asks of a mesh.
+
+    Args:
+        given: What gear sizing reads.
+        mesh: A row of the train.
+        case: Of the design.
+        per_tooth: Torque per tooth of one mesh, load factor included [N m].
+    """
+    speeds = given.flows[case].speeds
+    return row_ask(given.train, given.teeth, mesh)._replace(
+        per_tooth=per_tooth,
+        width_ratio=width_ratio_of(given, mesh.stage),
+        speed=abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]),
+    )
+
+
+def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh) -> Ask:
+    """Return teeth and kind of a mesh, without load; a tooth meets as many mates in a turn as equal ones pass it.
+
+    Args:
+        train: The graph.
+        teeth: Tooth number of every gear [-].
+        mesh: A row of the train.
+    """
+    one, other = (train.gear(gear) for gear in mesh.gears)
+    return Ask(
+        0.0,
+        (teeth[one.name], teeth[other.name]),
+        1.0,
+        internal=mesh.sign == INTERNAL,
+        idlers=(one.role == "planet", other.role == "planet"),
+        passes=(max(mesh.count / one.bodies, 1.0), max(mesh.count / other.bodies, 1.0)),
+    )
+
+
+def width_ratio_of(given: Context, stage: str) -> float:
+    """Return λ = b/m_n of a stage before its face width is rounded or given [-].
+
+    Args:
+        given: What gear sizing reads.
+        stage: Pair or planetary set.
+    """
+    rating = given.ratings[stage]
+    if rating.given_width_ratio is not None:
+        return rating.given_width_ratio
+    mesh = next(mesh for mesh in given.train.meshes if mesh.stage == stage)
+    small, large = (given.teeth[gear] for gear in mesh.gears)
+    return float(stage_width_ratio(rating, small, large))

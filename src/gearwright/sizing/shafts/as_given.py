@@ -1,0 +1,99 @@
+"""A shaft that is taken as the design gives it: a cylinder on which nothing grows; what does not fit is a check.
+
+It is laid as it is written, also where that cannot be made. Parts that stand into each other are cut at the middle of
+what they share, so that every section belongs to one of them. The room that they lack is a check, as is every seat that
+is not the bore of its bearing, every shaft that reaches the roots of its gear, every key that no standard has.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+
+from gearwright.catalogue import Bearing, key_for_shaft
+from gearwright.sizing.mounted import Check, JointSizing
+from gearwright.sizing.shafts.joints import Seat, keyway_depth
+from gearwright.sizing.shafts.stretches import LARGEST_BODY, Item, Stretch
+from gearwright.spec.design import Joint
+
+_SAME = 1e-9
+"""Lengths that differ by less are the same [m]."""
+
+
+def cylinder(items: Sequence[Item], length: float, diameter: float, seats: Mapping[str, float]) -> tuple[Stretch, ...]:
+    """Return the stretches of a shaft of one diameter.
+
+    Args:
+        items: What sits on it, in order.
+        length: Of the shaft [m].
+        diameter: Of the shaft [m].
+        seats: Hub -> its own diameter, where the user gives one [m].
+    """
+    shared = [(item.end + after.start) / 2.0 for item, after in pairwise(items)]
+    found, reached, before = list[Stretch](), 0.0, ""
+    for item, limit in zip(items, (*shared, length), strict=True):
+        start = max(item.start, reached)
+        end = max(min(item.end, limit), start)
+        found += [Stretch(f"after {before}".strip(), "between", reached, start, diameter)]
+        found += [Stretch(item.name, item.kind, start, end, _own(item, diameter, seats))]
+        reached, before = end, item.name
+    found.append(Stretch(f"after {before}".strip(), "between", reached, length, diameter))
+    return tuple(each for each in found if each.length > _SAME)
+
+
+def _own(item: Item, diameter: float, seats: Mapping[str, float]) -> float:
+    """Return the diameter of a seat; a gear of one piece stiffens its shaft as far as its roots."""
+    if item.kind == "integral":
+        return max(diameter, min(item.limit, LARGEST_BODY * diameter))
+    return seats.get(item.name, diameter)
+
+
+def room_checks(shaft: str, items: Sequence[Item], length: float) -> Iterator[Check]:
+    """Yield whether parts have room beside each other and between the ends of their shaft.
+
+    Args:
+        shaft: Its name.
+        items: What sits on it, in order.
+        length: Of the shaft [m].
+    """
+    ends = (Item("first end", "between", 0.0, 0.0), *items, Item("second end", "between", length, 0.0))
+    for one, other in pairwise(ends):
+        apart, needed = other.middle - one.middle, (one.width + other.width) / 2.0
+        yield Check(shaft, f"distance of {one.name} and {other.name}", "half of both widths", apart, needed, "length")
+
+
+def seat_checks(stretches: Sequence[Stretch], bearings: Mapping[str, Bearing]) -> Iterator[Check]:
+    """Yield whether every bearing has the bore of its seat.
+
+    Args:
+        stretches: Of the shaft.
+        bearings: On it, by name.
+    """
+    seats = {each.name: each.diameter for each in stretches}
+    for name, bearing in bearings.items():
+        seat, thick = seats[name], seats[name] > bearing.bore
+        part, clause = f"{name} ({bearing.designation})", "ISO 15, d"
+        yield Check(part, "shaft in its bore", clause, seat, bearing.bore, "length", at_most=thick)
+
+
+def joint_checks(joint: Joint, seat: Seat, sized: JointSizing) -> Iterator[Check]:
+    """Yield whether a shaft stays inside the roots of its gear, and whether a key is one that can be had.
+
+    Args:
+        joint: As the design gives it.
+        seat: Where it sits.
+        sized: As it came out.
+    """
+    part, length = f"{sized.part} on {sized.shaft}", sized.length
+    if seat.root < math.inf:
+        what = "shaft and keyway in the root circle" if joint.kind == "key" else "shaft in the root circle"
+        reach = sized.diameter + 2.0 * keyway_depth(joint, sized.diameter)
+        yield Check(part, what, "ISO 21771, d_f", reach, seat.root, "length", at_most=True)
+    if joint.kind != "integral" and seat.hub_length < math.inf:
+        what, room = f"{joint.kind} in its hub", seat.hub_length
+        yield Check(part, what, "length of the hub", length, room, "length", at_most=True)
+    if joint.kind == "key":
+        key = key_for_shaft(sized.diameter)
+        yield Check(part, "key length", "DIN 6885-1, shortest", length, key.shortest, "length")
+        yield Check(part, "key length over its width", "DIN 6885-1, b", length, key.section.width, "length")

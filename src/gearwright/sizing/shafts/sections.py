@@ -1,0 +1,230 @@
+"""Where a stepped shaft may break: shoulders, hubs and loads, each with its notch, and the safeties there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+
+from gearwright.errors import DesignError
+from gearwright.parts import Material
+from gearwright.parts.shafts import (
+    LEAST_RADIUS,
+    NO_NOTCH,
+    Concentration,
+    FatigueStrength,
+    SectionLoad,
+    ShaftSection,
+    ShaftSteel,
+    Shoulder,
+    SteelGroup,
+    asme_safety,
+    blank_factor,
+    din743_safety,
+    endurance_limit,
+    fatigue_notch_factor,
+    felt_concentration,
+    goodman_safety,
+    keyseat_concentration,
+    keyway_factor,
+    notch_sensitivity,
+    press_fit_factor,
+    section_stress,
+    spline_factor,
+    stress_concentration,
+    yield_safety,
+)
+from gearwright.sizing.loads import ShaftForces
+from gearwright.sizing.mounted import SectionStrength
+from gearwright.sizing.shafts.stretches import Stretch
+from gearwright.spec import Design
+
+BLUNTEST = 0.98
+"""Thinner over thicker diameter above which a step is no notch [-] (DIN 743-2:2012)."""
+THINNEST = 0.97
+"""Bore over diameter beyond which a section counts as if it had this wall, until it has grown [-]."""
+NO_LIMIT = 99.0
+"""Safety that stands for a section without load, for tables [-]."""
+_BESIDE = 1e-6
+"""Places of a hub that are nearer to each other are one [m]."""
+HubNotch = Literal["", "key", "spline", "press-fit"]
+
+
+@dataclass(frozen=True)
+class Section:
+    """A place where a shaft may break."""
+
+    place: str
+    """What notches it."""
+    owner: str
+    """Stretch that must be thicker if it is too weak."""
+    position: float
+    """[m]"""
+    diameter: float
+    """[m]"""
+    blank: float
+    """Thickest diameter of the shaft, at which it was heat treated [m]."""
+    shoulder: Shoulder | None = None
+    hub: HubNotch = ""
+
+
+@dataclass(frozen=True)
+class Strength:
+    """What every section is judged by."""
+
+    shaft: str
+    """Name of the shaft."""
+    design: Design
+    material: Material
+    cases: tuple[str, ...]
+    """Names of the load cases."""
+
+
+def sections_of(
+    stretches: Sequence[Stretch],
+    forces: ShaftForces,
+    hubs: Mapping[str, HubNotch],
+    roots: Mapping[str, float],
+    *,
+    fillet_ratio: float,
+) -> tuple[Section, ...]:
+    """Return every section of a shaft that may break, in order along it.
+
+    Args:
+        stretches: From end to end.
+        forces: What acts on the shaft.
+        hubs: Hub -> how it notches the shaft.
+        roots: Hub -> diameter that is left under it, of a spline [m].
+        fillet_ratio: Fillet over the thinner diameter where no bearing asks for less [-].
+    """
+    blank = max(each.diameter for each in stretches)
+    found = list(_shoulders(stretches, fillet_ratio, blank))
+    for each in stretches:
+        if hubs.get(each.name):
+            root = roots.get(each.name, each.diameter)
+            inside = (at for at in forces.drawn.position.tolist() if each.start < at < each.end)
+            for at in _unlike((each.start, (each.start + each.end) / 2.0, each.end, *inside)):
+                found.append(
+                    Section(f"{hubs[each.name]} at {each.name}", each.name, at, root, blank, hub=hubs[each.name])
+                )
+    for at in np.unique(forces.drawn.position).tolist():
+        each = next((one for one in stretches if one.start <= at <= one.end), stretches[-1])
+        if each.kind != "integral" and not hubs.get(each.name):
+            found.append(Section(_words(each, at, forces), each.name, at, each.diameter, blank))
+    return tuple(sorted(found, key=lambda section: section.position))
+
+
+def _unlike(places: Iterable[float]) -> list[float]:
+    """Return places without those that are the same but for rounding."""
+    found: list[float] = []
+    for place in places:
+        if all(abs(place - each) > _BESIDE for each in found):
+            found.append(place)
+    return found
+
+
+def _words(stretch: Stretch, position: float, forces: ShaftForces) -> str:
+    """Return what is at a section without a notch: the seat of a bearing, or what loads the shaft there."""
+    if stretch.kind == "bearing":
+        return f"seat of {stretch.name}"
+    places = forces.plan.places
+    return f"at {min(places, key=lambda each: abs(places[each] - position))}"
+
+
+def _shoulders(stretches: Sequence[Stretch], fillet_ratio: float, blank: float) -> Iterator[Section]:
+    for left, right in pairwise(stretches):
+        thin, thick = (left, right) if left.diameter < right.diameter else (right, left)
+        if thin.diameter < BLUNTEST * thick.diameter:
+            sharpest = LEAST_RADIUS * (thick.diameter - thin.diameter) / 2.0
+            radius = max(thin.fillet or fillet_ratio * thin.diameter, sharpest)
+            named = thin if thin.kind != "between" else thick
+            shoulder = Shoulder(thin.diameter, thick.diameter, radius)
+            yield Section(f"shoulder at {named.name}", thin.name, right.start, thin.diameter, blank, shoulder)
+
+
+def strengths(
+    sections: Sequence[Section], forces: ShaftForces, judge: Strength, *, bore: float
+) -> tuple[SectionStrength, ...]:
+    """Return the safeties of sections, each in the case that tires it most.
+
+    Args:
+        sections: From `sections_of`.
+        forces: What acts on the shaft.
+        judge: Asked safeties and steel.
+        bore: Of the shaft [m].
+    """
+    moments, torques = forces.moments(np.array([each.position for each in sections]))
+    return tuple(
+        _strength(section, moments[:, k], torques[:, k], judge, bore=bore) for k, section in enumerate(sections)
+    )
+
+
+def _strength(
+    section: Section, moments: np.ndarray, torques: np.ndarray, judge: Strength, *, bore: float
+) -> SectionStrength:
+    rules, service, steel = judge.design.shafting, judge.design.service, judge.material
+    bore = min(bore, THINNEST * section.diameter)
+    ultimate, yielding = steel.ultimate_strength or 0.0, steel.yield_strength or 0.0
+    limit = endurance_limit(ultimate, section.diameter, surface=rules.surface, reliability=rules.reliability)
+    strength, notch = FatigueStrength(limit, ultimate, yielding), _felt(section, ultimate)
+    criterion = asme_safety if rules.fatigue == "asme" else goodman_safety
+    loads = [
+        SectionLoad(float(moment), 0.0, service.torque_swing * float(torque), float(torque))
+        for moment, torque in zip(moments, torques, strict=True)
+    ]
+    stresses = [section_stress(load, section.diameter, notch, bore=bore) for load in loads]
+    safeties = [criterion(stress, strength) for stress in stresses]
+    worst = int(np.argmin(safeties))
+    greatest = min(yield_safety(stress, strength) for stress in stresses) / service.application_factor
+    return SectionStrength(
+        shaft=judge.shaft,
+        place=section.place,
+        case=judge.cases[worst],
+        position=section.position,
+        diameter=section.diameter,
+        bending_moment=loads[worst].bending_amplitude,
+        torque=loads[worst].torque_mean,
+        bending_notch=notch.bending,
+        torsion_notch=notch.torsion,
+        fatigue_safety=min(safeties[worst], NO_LIMIT),
+        yield_safety=min(greatest, NO_LIMIT),
+        din743_safety=_din743(section, loads[worst], steel, bore=bore),
+        fillet=section.shoulder.radius if section.shoulder is not None else 0.0,
+    )
+
+
+def _felt(section: Section, ultimate: float) -> Concentration:
+    """Return K_f and K_fs of a section; of splines and press fits the factors of DIN 743."""
+    if section.shoulder is not None:
+        sensitivity = notch_sensitivity(section.shoulder.radius, ultimate)
+        return felt_concentration(stress_concentration(section.shoulder), sensitivity)
+    if section.hub == "key":
+        return keyseat_concentration(section.diameter, ultimate)
+    return _measured(section, ultimate)
+
+
+def _measured(section: Section, ultimate: float) -> Concentration:
+    laws = {"key": keyway_factor, "spline": spline_factor, "press-fit": press_fit_factor}
+    return laws[section.hub](section.diameter, ultimate) if section.hub else NO_NOTCH
+
+
+def _din743(section: Section, load: SectionLoad, steel: Material, *, bore: float) -> float:
+    """Return the safety against fatigue by DIN 743, with σ_bW = 0.5 σ_B and τ_tW = 0.3 σ_B."""
+    ultimate, group = steel.ultimate_strength or 0.0, SteelGroup[(steel.group or "tempered").upper().replace("-", "_")]
+    strengths = ShaftSteel(ultimate, steel.yield_strength or 0.0, 0.5 * ultimate, 0.3 * ultimate, group)
+    left = blank_factor(section.blank, group, yielding=False)
+    if section.shoulder is not None:
+        yielding = strengths.yielding * blank_factor(section.blank, group, yielding=True)
+        notch = fatigue_notch_factor(section.shoulder, yielding)
+    else:
+        notch = _measured(section, left * ultimate)
+    cut = ShaftSection(section.diameter, section.blank, notch, bore=bore)
+    try:
+        safety = din743_safety(load, cut, strengths, greatest=load).fatigue
+    except DesignError:
+        return 0.0
+    return min(safety, NO_LIMIT) if math.isfinite(safety) else NO_LIMIT

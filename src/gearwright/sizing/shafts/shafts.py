@@ -1,0 +1,217 @@
+"""Shafts of a sized train: of one diameter, or built where the design gives them bearings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.catalogue import materials
+from gearwright.errors import DesignError, Problem
+from gearwright.parts import Material
+from gearwright.parts.shafts import (
+    shaft_diameter,
+    shaft_diameter_around,
+    shaft_inertia,
+    shaft_mass,
+    shaft_stress,
+    torsional_stiffness,
+)
+from gearwright.sizing.arrangement import ShaftPlan, axes_of, plan_of, seats_of
+from gearwright.sizing.loads import ShaftForces, pure_torques, shaft_forces
+from gearwright.sizing.mounted import SectionStrength
+from gearwright.sizing.rating import Context
+from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram, ShaftSizing
+from gearwright.sizing.shafts.building import Built, build_shaft
+from gearwright.spec.design import NOTHING_GIVEN
+from gearwright.train import RATED
+
+
+def shaft_material(given: Context) -> Material:
+    """Return the material of shafts and carriers.
+
+    Args:
+        given: What sizing reads.
+    """
+    return materials()[given.design.shafting.material or given.design.gears.material]
+
+
+def size_shafts(given: Context, gears: tuple[GearSizing, ...]) -> tuple[tuple[ShaftSizing, ...], tuple[Built, ...]]:
+    """Return every shaft of the design, and those that the design gives bearings also as they are built.
+
+    A shaft without bearings in the design has one diameter, sized where bending and torsion together are largest.
+
+    Args:
+        given: What sizing reads.
+        gears: From `size_gears`.
+
+    Raises:
+        DesignError: If axes do not close, gears, places or bearings do not fit on a shaft, or no shaft can be built.
+    """
+    axes, by_name = axes_of(given, gears), {gear.name: gear for gear in gears}
+    bent = _bent(given)
+    shafts: list[ShaftSizing] = []
+    built: list[Built] = []
+    problems: list[Problem] = []
+    for name in given.design.shafts:
+        plan, seats = plan_of(given, name, gears), seats_of(given.design, name)
+        if not seats and name not in bent:
+            shafts.append(_plain(given, plan, _twisted(given, plan, name=name), axes[name], name=name))
+            continue
+        forces = shaft_forces(given, name, plan, axes=axes, gears=by_name)
+        if not seats:
+            shafts.append(_plain(given, plan, _governing(given, forces), axes[name], name=name))
+            continue
+        try:
+            built.append(_built(given, forces, by_name, name=name))
+        except DesignError as error:
+            problems += error.problems
+            continue
+        shafts.append(_stepped(given, forces, built[-1], axes[name], name=name))
+    if problems:
+        raise DesignError(problems)
+    return tuple(shafts), tuple(built)
+
+
+def _bent(given: Context) -> set[str]:
+    """Return the shafts that something may bend: a mesh of a pair, or a rotor's force or moment."""
+    found = {node for mesh in given.train.meshes if mesh.stage in given.design.pairs for node in mesh.nodes}
+    rotors = given.design.propellers.values()
+    return found | {rotor.shaft for rotor in rotors if rotor.thrust or rotor.in_plane_force or rotor.hub_moment}
+
+
+class _Governing(NamedTuple):
+    """The load case that governs a shaft of one diameter, at the section where √(M² + T²) is largest."""
+
+    case: str
+    bending_moment: float
+    torque: float
+    axial_force: float
+    bearings: tuple[BearingLoad, ...]
+    diagram: ShaftDiagram
+
+
+def _governing(given: Context, forces: ShaftForces) -> _Governing:
+    moment = np.hypot(forces.drawn.bending[:, 0], forces.drawn.bending[:, 1])
+    found = np.unravel_index(int(np.argmax(np.hypot(moment, forces.drawn.torsion))), moment.shape)
+    case = int(found[0])
+    return _Governing(
+        case=list(given.flows)[case],
+        bending_moment=float(moment[found]),
+        torque=abs(float(forces.drawn.torsion[found])),
+        axial_force=float(forces.axial[case]),
+        bearings=forces.bearing_loads(case),
+        diagram=forces.diagram(case),
+    )
+
+
+def _twisted(given: Context, plan: ShaftPlan, *, name: str) -> _Governing:
+    """Return what governs a shaft that nothing bends: the case and the section where the torque is largest."""
+    loads = sorted(pure_torques(given, name, plan), key=lambda load: load[0])
+    position = tuple(place for place, _ in loads for _ in range(2))
+    torsion = [_along(torques) for torques in zip(*(each for _, each in loads), strict=True)]
+    largest = [max(map(abs, each)) for each in torsion]
+    torque = max(largest)
+    case = largest.index(torque)
+    straight = (0.0,) * len(position)
+    drawn = ShaftDiagram(position, (straight, straight), (straight, straight), torsion[case])
+    return _Governing(list(given.flows)[case], 0.0, torque, 0.0, (), drawn)
+
+
+def _along(torques: Iterable[float]) -> tuple[float, ...]:
+    """Return the torque just left and just right of every load, from those of the loads."""
+    stations, total = list[float](), 0.0
+    for torque in torques:
+        total += torque
+        stations += (total - torque, total)
+    return tuple(stations)
+
+
+def _plain(given: Context, plan: ShaftPlan, load: _Governing, axis: complex, *, name: str) -> ShaftSizing:
+    """Return a shaft of one diameter, by Tresca where √(M² + T²) is largest."""
+    rules, layout, take = given.design.shafting, given.design.layout.get(name, NOTHING_GIVEN), given.overrides.take
+    material, length = shaft_material(given), plan.length
+    bending, torque = load.bending_moment, load.torque
+    allowable = (material.yield_strength or 0.0) / rules.safety
+    ratio = layout.bore_ratio if layout.bore_ratio is not None else rules.bore_ratio
+    if layout.bore is not None:
+        needed = shaft_diameter_around(layout.bore, bending, torque, allowable=allowable)
+    else:
+        needed = shaft_diameter(bending, torque, allowable, bore_ratio=ratio)
+    diameter = take(f"{name}.diameter", "length", layout.diameter or needed)
+    bore = layout.bore if layout.bore is not None else ratio * diameter
+    mass = take(f"{name}.mass", "mass", shaft_mass(diameter, length, material.density, bore=bore))
+    stress = shaft_stress(bending, torque, diameter, bore=bore) if diameter else 0.0
+    stiffness = torsional_stiffness(diameter, length, material.shear_modulus, bore=bore)
+    return ShaftSizing(
+        name=name,
+        case=load.case,
+        speed=given.flows[RATED].speeds[name],
+        torque=torque,
+        bending_moment=bending,
+        axial_force=load.axial_force,
+        length=length,
+        diameter=diameter,
+        bore=bore,
+        stress=stress,
+        margin=allowable / stress if stress else math.inf,
+        mass=mass,
+        inertia=shaft_inertia(mass, diameter, bore=bore) if layout.inertia is None else layout.inertia,
+        stiffness=layout.torsional_stiffness or stiffness,
+        axis=(axis.real, axis.imag),
+        bearings=load.bearings,
+        diagram=load.diagram,
+    )
+
+
+def _built(given: Context, forces: ShaftForces, gears: Mapping[str, GearSizing], *, name: str) -> Built:
+    layout = given.design.layout.get(name, NOTHING_GIVEN)
+    core = given.overrides.take(f"{name}.diameter", "length", layout.diameter or 0.0) or None
+    return build_shaft(given, name, forces, shaft_material(given), gears=gears, core=core)
+
+
+def _stepped(given: Context, forces: ShaftForces, built: Built, axis: complex, *, name: str) -> ShaftSizing:
+    """Return the row of a built shaft: its weakest section, and the mass, inertia and stiffness of its steps."""
+    rules, layout, take = given.design.shafting, given.design.layout.get(name, NOTHING_GIVEN), given.overrides.take
+    material, steps, bore = shaft_material(given), built.shaft.steps, built.shaft.bore
+    weak = max(built.shaft.sections, key=lambda each: _tresca(each, bore))
+    case, stress = list(given.flows).index(weak.case), _tresca(weak, bore)
+    allowable = (material.yield_strength or 0.0) / rules.safety
+    inside = {step.seat for step in steps if step.seat.partition(".")[0] in given.design.stages}
+    outside = [0.0 if each.seat in inside else each.diameter for each in steps]
+    pieces = [
+        shaft_mass(diameter, each.end - each.start, material.density, bore=bore)
+        for each, diameter in zip(steps, outside, strict=True)
+    ]
+    mass = take(f"{name}.mass", "mass", sum(pieces))
+    turning = sum(shaft_inertia(piece, diameter, bore=bore) for piece, diameter in zip(pieces, outside, strict=True))
+    compliance = sum(
+        1.0 / torsional_stiffness(each.diameter, each.end - each.start, material.shear_modulus, bore=bore)
+        for each in steps
+    )
+    inertia = turning * mass / sum(pieces)
+    return ShaftSizing(
+        name=name,
+        case=weak.case,
+        speed=given.flows[RATED].speeds[name],
+        torque=weak.torque,
+        bending_moment=weak.bending_moment,
+        axial_force=float(forces.axial[case]),
+        length=forces.plan.length,
+        diameter=max(each.diameter for each in steps if each.seat not in inside),
+        bore=bore,
+        stress=stress,
+        margin=allowable / stress if stress else math.inf,
+        mass=mass,
+        inertia=inertia if layout.inertia is None else layout.inertia,
+        stiffness=layout.torsional_stiffness or 1.0 / compliance,
+        axis=(axis.real, axis.imag),
+        bearings=forces.bearing_loads(case),
+        diagram=forces.diagram(case),
+    )
+
+
+def _tresca(section: SectionStrength, bore: float) -> float:
+    return shaft_stress(section.bending_moment, section.torque, section.diameter, bore=bore)

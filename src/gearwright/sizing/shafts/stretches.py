@@ -1,0 +1,270 @@
+"""A shaft from end to end as stretches of one diameter: what sits on it, and what lies between.
+
+Parts are put on from both ends, so that diameters fall from the thickest stretch outwards. That is, in this order: the
+gears of one piece with the shaft; the hub between the bearings that needs the thickest seat; the stretch between the
+bearings. A bearing leans on a shoulder on its inner side where the next seat is thick enough for one, else on a spacer
+ring. A hub at the thickest seat leans on a collar on its longer side.
+
+Shoulders are as high as makers ask for their bearings: `SHOULDER` of the ring height D − d on the diameter, with a
+fillet of `BEARING_FILLET` of it: 52 mm and 1 mm for a 6209, 69 mm and 1.3 mm for an NU 2212, 101 mm and 1.5 mm for a
+33118, where SKF prints 52 mm and 1 mm, 69 mm and 1.5 mm, 101 mm and 2 mm.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from gearwright.catalogue import Bearing
+from gearwright.errors import DesignError, Problem
+
+SHOULDER = 0.175
+"""Shoulder over bore of a bearing, on the diameter, over D − d [-]."""
+BEARING_FILLET = 0.025
+"""Fillet at the seat of a bearing over D − d [-]."""
+COLLAR = 1.15
+"""Collar beside a hub over the hub's seat [-]."""
+LARGEST_BODY = 1.5
+"""Diameter of a gear of one piece that still stiffens its shaft, over the shaft beside it [-]."""
+_SAME = 1e-9
+"""Lengths that differ by less are the same [m]."""
+Kind = Literal["bearing", "integral", "hub", "between"]
+Choose = Callable[[str, float, float], Bearing]
+"""Bearing, smallest and largest bore -> the one that is taken."""
+
+
+@dataclass(frozen=True)
+class Item:
+    """What sits on a shaft and has a width."""
+
+    name: str
+    kind: Kind
+    middle: float
+    """From the shaft's first end [m]."""
+    width: float
+    """[m]; of a bearing the one that was taken last."""
+    limit: float = math.inf
+    """Root diameter of a gear of one piece [m]."""
+
+    @property
+    def start(self) -> float:
+        """From the shaft's first end [m]."""
+        return self.middle - self.width / 2.0
+
+    @property
+    def end(self) -> float:
+        """From the shaft's first end [m]."""
+        return self.middle + self.width / 2.0
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A part of a shaft between two places."""
+
+    name: str
+    """Item that sits here, or ``after NAME`` of what lies before."""
+    kind: Kind
+    start: float
+    """[m]"""
+    end: float
+    """[m]"""
+    diameter: float = 0.0
+    """[m]"""
+    shoulder: float = 0.0
+    """Diameter that a bearing here wants beside it [m]."""
+    fillet: float = 0.0
+    """Fillet that a bearing here allows [m]; zero for what is no bearing."""
+
+    @property
+    def length(self) -> float:
+        """[m]"""
+        return self.end - self.start
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What decides the diameters of a shaft."""
+
+    items: tuple[Item, ...]
+    """In order."""
+    length: float
+    """Of the shaft [m]."""
+    needed: Mapping[str, float]
+    """Stretch -> diameter that it needs [m]; what carries nothing is not in it."""
+    fixed: Mapping[str, float]
+    """Hub -> diameter that the user gives [m]."""
+    core: float | None
+    """Thickest diameter without gears of one piece that the user gives [m]."""
+    bearings: tuple[float, float]
+    """Middles of the radial bearings [m]."""
+
+
+def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[Stretch, ...], dict[str, Bearing]]:
+    """Return the stretches of a shaft, and the bearings that they were laid for.
+
+    Args:
+        shaft: Its name, for messages.
+        wanted: What decides.
+        choose: Gives every bearing.
+
+    Raises:
+        DesignError: If a part cannot be slid on, or the shaft is thicker than its pinion.
+    """
+    bare = _bare(wanted.items, wanted.length)
+    low, high = _thickest(bare, wanted)
+    if wanted.core is not None and bare[low].kind == "integral":
+        beside = {bare[low - 1].name: wanted.core, bare[high + 1].name: wanted.core}
+        wanted = replace(wanted, needed={**wanted.needed, **beside})
+    limit = min((each.limit for each in wanted.items if each.kind == "integral"), default=math.inf)
+    chosen: dict[str, Bearing] = {}
+
+    def bounded(name: str, least: float, most: float) -> Bearing:
+        chosen[name] = choose(name, least, most)
+        return chosen[name]
+
+    left = _climb(shaft, bare[:low], wanted, bounded, limit=limit)
+    right = _climb(shaft, bare[high + 1 :][::-1], wanted, bounded, limit=limit)
+    middle = _core(shaft, bare[low : high + 1], (left, right), wanted)
+    whole = [*_shouldered(left, middle[0]), *middle, *_shouldered(right, middle[-1])[::-1]]
+    return tuple(_ends(_collared(whole, low, high))), chosen
+
+
+def _bare(items: Sequence[Item], length: float) -> list[Stretch]:
+    """Return the stretches without diameters: between, item, between, and so on; those between may have no length."""
+    found, reached, before = [], 0.0, ""
+    for item in items:
+        found += [Stretch(f"after {before}".strip(), "between", reached, item.start)]
+        found += [Stretch(item.name, item.kind, item.start, item.end)]
+        reached, before = item.end, item.name
+    return [*found, Stretch(f"after {before}".strip(), "between", reached, length)]
+
+
+def _thickest(bare: list[Stretch], wanted: Wanted) -> tuple[int, int]:
+    """Return the first and the last stretch from which on diameters fall outwards."""
+    integral = [k for k, each in enumerate(bare) if each.kind == "integral"]
+    if integral:
+        return integral[0], integral[-1]
+    low, high = wanted.bearings
+    inside = [k for k, each in enumerate(bare) if low < (each.start + each.end) / 2.0 < high]
+    hubs = [k for k in inside if bare[k].kind == "hub"]
+    if hubs:
+        most = max(hubs, key=lambda k: wanted.fixed.get(bare[k].name, wanted.needed.get(bare[k].name, 0.0)))
+        return most, most
+    longest = max((k for k in inside if bare[k].kind == "between"), key=lambda k: bare[k].length)
+    return longest, longest
+
+
+def _climb(shaft: str, bare: list[Stretch], wanted: Wanted, choose: Choose, *, limit: float) -> list[Stretch]:
+    """Return stretches from an end inwards with diameters that do not fall."""
+    found: list[Stretch] = []
+    reached = 0.0
+    for stretch in bare:
+        least = max(reached, wanted.needed.get(stretch.name, 0.0))
+        if stretch.kind == "bearing":
+            laid = _seated(stretch, choose(stretch.name, least, limit))
+        elif stretch.kind == "hub":
+            laid = replace(stretch, diameter=wanted.fixed.get(stretch.name, _whole(least)))
+        else:
+            laid = replace(stretch, diameter=_whole(least) if least > reached else reached)
+        if laid.diameter < reached - _SAME:
+            message = (
+                f"{stretch.name} has a seat of {1e3 * laid.diameter:.4g} mm on {shaft!r} and must be slid over"
+                f" {1e3 * reached:.4g} mm further out; give it {1e3 * reached:.4g} mm or more, or move it"
+            )
+            raise DesignError([Problem(_path(stretch), message)])
+        found = [*_shouldered(found, laid), laid] if laid.kind != "between" else [*found, laid]
+        reached = laid.diameter
+    return found
+
+
+def _path(stretch: Stretch) -> str:
+    return f"bearings.{stretch.name}" if stretch.kind == "bearing" else f"joints.{stretch.name}"
+
+
+def _seated(stretch: Stretch, bearing: Bearing) -> Stretch:
+    """Return the seat of a bearing."""
+    height = bearing.outer_diameter - bearing.bore
+    return replace(
+        stretch,
+        diameter=bearing.bore,
+        shoulder=_whole(bearing.bore + SHOULDER * height),
+        fillet=BEARING_FILLET * height,
+    )
+
+
+def _whole(diameter: float) -> float:
+    """Return a diameter rounded up to millimetres."""
+    return math.ceil(1e3 * diameter - 1e-6) / 1e3
+
+
+def _shouldered(found: list[Stretch], inner: Stretch) -> list[Stretch]:
+    """Return stretches whose last one, beside a bearing, is its shoulder where the next seat lets that be."""
+    if len(found) < 2 or found[-1].kind != "between" or not found[-1].length > _SAME:
+        return found
+    wanted = found[-2].shoulder
+    if found[-1].diameter < wanted <= inner.diameter + _SAME:
+        return [*found[:-1], replace(found[-1], diameter=wanted)]
+    return found
+
+
+def _core(
+    shaft: str, middle: list[Stretch], sides: tuple[list[Stretch], list[Stretch]], wanted: Wanted
+) -> list[Stretch]:
+    """Return the thickest stretches with their diameters."""
+    beside = max((side[-1].diameter for side in sides if side), default=0.0)
+    least = max(beside, *(wanted.needed.get(each.name, 0.0) for each in middle))
+    if middle[0].kind == "integral":
+        return _integral(shaft, middle, beside, wanted)
+    (only,) = middle
+    if only.kind == "between":
+        least = max(least, *(side[-1].shoulder for side in sides if side), 0.0)
+    given = wanted.fixed.get(only.name, wanted.core)
+    if given is not None and given < beside - _SAME:
+        message = f"{1e3 * given:.4g} mm is thinner than the seats beside it, {1e3 * beside:.4g} mm; give that or more"
+        raise DesignError([Problem(f"layout.{shaft}.diameter", message)])
+    return [replace(only, diameter=_whole(least) if given is None else given)]
+
+
+def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) -> list[Stretch]:
+    """Return gears of one piece with the shaft, and what lies between them."""
+    limits = {each.name: each.limit for each in wanted.items}
+    found = []
+    for each in middle:
+        if each.kind in ("bearing", "hub"):
+            message = "it lies between gears of one piece with the shaft and cannot be slid on; move it, or join a gear"
+            raise DesignError([Problem(_path(each), message)])
+        needed = max(beside, wanted.needed.get(each.name, 0.0))
+        body = min(limits.get(each.name, math.inf), LARGEST_BODY * needed)
+        found.append(replace(each, diameter=_whole(needed) if each.kind == "between" else body))
+        if each.kind == "integral" and needed > limits[each.name] + _SAME:
+            message = (
+                f"the shaft {shaft!r} needs {1e3 * needed:.4g} mm beside this gear, which has a root circle of"
+                f" {1e3 * limits[each.name]:.4g} mm; give the gear more teeth or a larger module, or put the bearings"
+                " nearer to it"
+            )
+            raise DesignError([Problem(f"joints.{each.name}", message)])
+    return found
+
+
+def _collared(whole: list[Stretch], low: int, high: int) -> list[Stretch]:
+    """Return stretches with a collar on the longer side of a hub at the thickest place."""
+    if whole[low].kind != "hub" or low != high:
+        return whole
+    sides = [k for k in (low - 1, low + 1) if whole[k].length > _SAME]
+    if not sides:
+        return whole
+    at = max(sides, key=lambda k: whole[k].length)
+    beyond = [whole[k].shoulder for k in (at - 1, at + 1) if 0 <= k < len(whole)]
+    collar = _whole(max(COLLAR * whole[low].diameter, *beyond))
+    return [replace(each, diameter=collar) if k == at else each for k, each in enumerate(whole)]
+
+
+def _ends(whole: list[Stretch]) -> list[Stretch]:
+    """Return the stretches that have a length; an end that carries nothing is as thick as what sits beside it."""
+    if whole[0].diameter == 0.0:
+        whole = [replace(whole[0], diameter=whole[1].diameter), *whole[1:]]
+    if whole[-1].diameter == 0.0:
+        whole = [*whole[:-1], replace(whole[-1], diameter=whole[-2].diameter)]
+    return [each for each in whole if each.length > _SAME]

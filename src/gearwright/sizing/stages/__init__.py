@@ -1,0 +1,10 @@
+"""Stages with their teeth chosen: modules, widths, gears, meshes, and the checks of the gears.
+
+Where they stand is for `arrangement`.
+"""
+
+from gearwright.sizing.stages.gear_checks import gear_checks
+from gearwright.sizing.stages.gears import size_gears, size_meshes
+from gearwright.sizing.stages.stage_sizes import STANDARD_MODULES, stage_sizes
+
+__all__ = ["STANDARD_MODULES", "gear_checks", "size_gears", "size_meshes", "stage_sizes"]

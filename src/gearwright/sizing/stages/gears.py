@@ -1,0 +1,141 @@
+"""Gears and meshes of a train whose stages are sized: diameters, forces, stresses, margins, masses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from gearwright.parts.gears import (
+    bending_stress_lewis,
+    contact_stress,
+    disc_inertia,
+    disc_mass,
+    ring_inertia,
+    ring_mass,
+)
+from gearwright.sizing.rating import Context, MeshRating, Rating, bevel_push, form_factor, rate_row, stresses_of
+from gearwright.sizing.result import GearSizing, MeshSizing
+from gearwright.sizing.stages.stage_sizes import StageSize
+from gearwright.train import INTERNAL, Gear, Mesh
+
+
+def size_gears(given: Context, sizes: Mapping[str, StageSize]) -> tuple[GearSizing, ...]:
+    """Return every kind of gear body.
+
+    Args:
+        given: What gear sizing reads.
+        sizes: Stage -> its module and face width.
+    """
+    return tuple(_gear(given, gear, sizes[gear.stage]) for gear in given.train.gears)
+
+
+def _gear(given: Context, gear: Gear, size: StageSize) -> GearSizing:
+    rating, teeth, take = given.ratings[gear.stage], given.teeth[gear.name], given.overrides.take
+    module, width = size.module, size.face_width
+    diameter = module * teeth / math.cos(rating.helix_angle)
+    density = rating.material.density
+    ring = gear.role == "ring"
+    wall = rating.rules.rim_thickness_ratio * module if ring else 0.0
+    if ring:
+        mass = ring_mass(diameter, wall, width, density=density)
+    else:
+        mass = disc_mass(diameter, width, density) * (rating.rules.web_ratio if gear.role == "wheel" else 1.0)
+    mass = take(f"{gear.name}.mass", "mass", mass)
+    inertia = ring_inertia(mass, diameter, wall) if ring else disc_inertia(mass, diameter)
+    return GearSizing(
+        name=gear.name,
+        stage=gear.stage,
+        role=gear.role,
+        shafts=gear.nodes,
+        bodies=gear.bodies,
+        teeth=teeth,
+        module=module,
+        helix_angle=rating.helix_angle,
+        face_width=width,
+        pitch_diameter=diameter,
+        rim=wall,
+        mass=mass,
+        inertia=take(f"{gear.name}.inertia", "inertia", inertia),
+    )
+
+
+def size_meshes(given: Context, gears: tuple[GearSizing, ...]) -> tuple[MeshSizing, ...]:
+    """Return every mesh row at its worst case.
+
+    Args:
+        given: What gear sizing reads.
+        gears: From `size_gears`.
+    """
+    by_name = {gear.name: gear for gear in gears}
+    return tuple(_mesh(given, mesh, (by_name[mesh.gears[0]], by_name[mesh.gears[1]])) for mesh in given.train.meshes)
+
+
+def _mesh(given: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing]) -> MeshSizing:
+    rating, (one, _) = given.ratings[mesh.stage], pair
+    case, per_tooth, module_bending, module_contact = given.demands[mesh.name]
+    width = min(gear.face_width for gear in pair)
+    force = 2.0 * per_tooth * one.teeth / one.pitch_diameter
+    flow = given.flows[case]
+    rolling = abs(flow.speeds[mesh.nodes[0]] - flow.speeds[mesh.nodes[2]])
+    if rating.kind == "bevel":
+        axial, radial = (float(each) for each in bevel_push(rating, force, one.teeth / pair[1].teeth))
+    else:
+        axial = force * math.tan(rating.helix_angle)
+        radial = force * math.tan(rating.rules.pressure_angle) / math.cos(rating.helix_angle)
+    rated = rate_row(given, mesh, one.module, width) if rating.by_standard else None
+    strength = _first_strength(rating, mesh, pair, force) if rated is None else _rated_strength(rating, rated)
+    return MeshSizing(
+        name=mesh.name,
+        gears=mesh.gears,
+        count=mesh.count,
+        case=case,
+        load_factor=rating.load_factor,
+        tangential_force=force,
+        radial_force=radial,
+        axial_force=axial,
+        pitch_line_velocity=rolling * one.pitch_diameter / 2.0,
+        module_bending=module_bending,
+        module_contact=module_contact,
+        bending_stress=strength.bending,
+        bending_margin=strength.bending_margin,
+        contact_stress=strength.contact,
+        contact_margin=strength.contact_margin,
+        rating=rated,
+    )
+
+
+class _Strength(NamedTuple):
+    """The weaker gear of a mesh, in bending and in contact."""
+
+    bending: float
+    bending_margin: float
+    contact: float
+    contact_margin: float
+
+
+def _first_strength(rating: Rating, mesh: Mesh, pair: tuple[GearSizing, GearSizing], force: float) -> _Strength:
+    """Return stresses and margins by Lewis and Hertz."""
+    one, other = pair
+    width, weaker = min(one.face_width, other.face_width), min(one.teeth, other.teeth)
+    bending = bending_stress_lewis(force, width, one.module, form_factor=float(form_factor(weaker, rating)))
+    curvature = 2.0 / one.pitch_diameter + (-2.0 if mesh.sign == INTERNAL else 2.0) / other.pitch_diameter
+    contact = contact_stress(
+        force, width, curvature, angles=rating.angles, elastic_modulus=rating.material.elastic_modulus
+    )
+    allowable = rating.bending_allowable * (rating.rules.idler_factor if "planet" in (one.role, other.role) else 1.0)
+    return _Strength(
+        bending,
+        allowable / bending if bending else math.inf,
+        contact,
+        rating.contact_allowable / contact if contact else math.inf,
+    )
+
+
+def _rated_strength(rating: Rating, rated: MeshRating) -> _Strength:
+    """Return stresses and margins by ISO 6336 or ISO 10300."""
+    contact, bending = stresses_of(rated.factors)
+    rules = rating.rules.iso6336
+    return _Strength(
+        max(bending), min(rated.bending) / rules.bending_safety, max(contact), min(rated.pitting) / rules.pitting_safety
+    )

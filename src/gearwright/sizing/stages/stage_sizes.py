@@ -1,0 +1,161 @@
+"""Module and face width of every stage: what its meshes ask, rounded as its rules say, or as the user gives them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
+
+from gearwright.parts.bevel import WIDEST, WIDEST_MODULES
+from gearwright.sizing.rating import Context, Rating, bevel_pair, cone_ratio, mean_module, rate_row, width_ratio_of
+from gearwright.sizing.teeth import groups_of
+
+STANDARD_MODULES = (
+    1.0, 1.125, 1.25, 1.375, 1.5, 1.75, 2.0, 2.25, 2.5, 2.75, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0, 7.0, 8.0, 9.0, 10.0,
+    11.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 32.0, 36.0, 40.0, 45.0, 50.0,
+)  # fmt: skip
+"""Modules of series I and II [mm] (ISO 54:1996; ISO 678:1996 for bevel gears, outer transverse)."""
+_MM = 1e-3
+_CORRECTIONS = 6
+"""Corrections of a module under the load spectrum; each closes most of what is left."""
+
+
+class StageSize(NamedTuple):
+    """Size of one stage."""
+
+    module: float
+    """m_n, of bevel gears m_mn [m]."""
+    face_width: float
+    """b, as far as it can carry [m]."""
+    asked_width: float
+    """b as the user gives it, which may be more than a bevel gear can have [m]."""
+
+
+def stage_sizes(given: Context) -> dict[str, StageSize]:
+    """Return module and face width of every stage: the largest that a mesh of its group asks for.
+
+    Args:
+        given: What gear sizing reads.
+    """
+    group = groups_of(given.design)
+    needed: dict[str, float] = {}
+    for mesh in given.train.meshes:
+        owner = group[mesh.stage]
+        needed[owner] = max(needed.get(owner, 0.0), *given.demands[mesh.name][2:])
+    _align(given, needed, group)
+    sizes = {owner: _size(given, owner, value) for owner, value in needed.items()}
+    return {stage: _like(given, stage, owner, sizes[owner]) for stage, owner in group.items()}
+
+
+def _like(given: Context, stage: str, owner: str, size: StageSize) -> StageSize:
+    """Return the size of a stage that has its owner's module, and its own face width."""
+    if stage == owner:
+        return size
+    width = given.overrides.take(f"{stage}.face_width", "length", width_ratio_of(given, stage) * size.module)
+    return StageSize(size.module, width, width)
+
+
+def _align(given: Context, needed: dict[str, float], group: Mapping[str, str]) -> None:
+    """Raise modules until pairs on the same axes have the larger one's centre distance."""
+    for name, pair in given.design.pairs.items():
+        if pair.coaxial_with is None:
+            continue
+        spans = {each: _span(given, each) for each in (name, pair.coaxial_with)}
+        distance = max(needed[group[each]] * span for each, span in spans.items())
+        for each, span in spans.items():
+            needed[group[each]] = distance / span
+
+
+def _span(given: Context, stage: str) -> float:
+    """Return a pair's centre distance over its normal module, (z_1 ± z_2) / (2 cos β) [-]."""
+    one, other = _teeth(given, stage)
+    mesh = next(mesh for mesh in given.train.meshes if mesh.stage == stage)
+    return abs(one - mesh.sign * other) / (2.0 * math.cos(given.ratings[stage].helix_angle))
+
+
+def _teeth(given: Context, stage: str) -> tuple[int, int]:
+    mesh = next(mesh for mesh in given.train.meshes if mesh.stage == stage)
+    return given.teeth[mesh.gears[0]], given.teeth[mesh.gears[1]]
+
+
+def _size(given: Context, stage: str, needed: float) -> StageSize:
+    rating, take, ratio = given.ratings[stage], given.overrides.take, width_ratio_of(given, stage)
+    if not rating.by_standard:
+        module = take(f"{stage}.module", "length", needed)
+        width = take(f"{stage}.face_width", "length", ratio * module)
+        return StageSize(module, width, width)
+    needed = _under_spectrum(given, stage, needed, ratio)
+    return (
+        _bevel_size(given, stage, needed, ratio) if rating.kind == "bevel" else _cylinder(given, stage, needed, ratio)
+    )
+
+
+def _under_spectrum(given: Context, stage: str, module: float, ratio: float) -> float:
+    """Return the module with which every asked safety is just met under all cases of the life."""
+    for _ in range(_CORRECTIONS):
+        module /= math.cbrt(_gap(given, stage, module, ratio * module))
+    return module
+
+
+def _gap(given: Context, stage: str, module: float, width: float) -> float:
+    """Return by what factor the loads of a stage could grow [-]; 1 where nothing loads it."""
+    rows = [mesh for mesh in given.train.meshes if mesh.stage == stage]
+    rated = [rate_row(given, mesh, module, width) for mesh in rows]
+    return min((each.gap(given.ratings[stage]) for each in rated if each is not None), default=1.0)
+
+
+def _cylinder(given: Context, stage: str, needed: float, ratio: float) -> StageSize:
+    """Return a standard module and the whole millimetres of face width that meet the safeties with it."""
+    rating, take = given.ratings[stage], given.overrides.take
+    module = take(f"{stage}.module", "length", _rounded(given, stage, needed))
+    width = ratio * module
+    if rating.given_width_ratio is None:
+        width = _narrowest(_overlap_width(rating, module), width, lambda each: _gap(given, stage, module, each))
+    width = take(f"{stage}.face_width", "length", width)
+    return StageSize(module, width, width)
+
+
+def _overlap_width(rating: Rating, module: float) -> float:
+    """Return the face width that gives the asked overlap ratio [m]; one module for straight teeth."""
+    lean = math.sin(rating.helix_angle)
+    return rating.rules.overlap_ratio * math.pi * module / lean if lean else module
+
+
+def _narrowest(least: float, most: float, gap: Callable[[float], float]) -> float:
+    """Return the least face width in whole millimetres that meets the safeties, or the most that is allowed [m]."""
+    low, high = math.ceil(min(least, most) / _MM - 1e-9), max(math.floor(most / _MM + 1e-9), 1)
+    while low < high:
+        middle = (low + high) // 2
+        if gap(middle * _MM) >= 1.0:
+            high = middle
+        else:
+            low = middle + 1
+    return high * _MM
+
+
+def _rounded(given: Context, stage: str, needed: float) -> float:
+    """Return the next standard module where the rules ask for one; pairs on common axes keep theirs."""
+    tied = {name for name, pair in given.design.pairs.items() if pair.coaxial_with is not None}
+    tied |= {pair.coaxial_with for pair in given.design.pairs.values() if pair.coaxial_with is not None}
+    if stage in tied or not given.ratings[stage].rules.iso6336.standard_modules:
+        return needed
+    return next((each * _MM for each in STANDARD_MODULES if each * _MM >= needed * (1.0 - 1e-9)), needed)
+
+
+def _bevel_size(given: Context, stage: str, needed: float, ratio: float) -> StageSize:
+    """Return mean normal module and face width of a bevel stage from its outer module and width, rounded or given."""
+    rating, take, teeth = given.ratings[stage], given.overrides.take, _teeth(given, stage)
+    outer = bevel_pair(teeth, needed, ratio * needed, rating).outer_module
+    outer = take(f"{stage}.outer_module", "length", _rounded(given, stage, outer))
+    cone = float(cone_ratio(*teeth)) * outer
+    limit = min(WIDEST * cone, WIDEST_MODULES * outer)
+    width = ratio * outer / (1.0 / math.cos(rating.helix_angle) + 0.5 * ratio * outer / cone)
+
+    def gap(each: float) -> float:
+        return _gap(given, stage, mean_module(teeth, outer, each, rating), each)
+
+    if rating.given_width_ratio is None:
+        width = _narrowest(_overlap_width(rating, mean_module(teeth, outer, width, rating)), width, gap)
+    asked = take(f"{stage}.face_width", "length", width)
+    width = min(asked, limit)
+    return StageSize(mean_module(teeth, outer, width, rating), width, asked)

@@ -1,1 +1,0 @@
-"""What gearboxes weigh by statistics: public mass methods, the refit of real weights, their comparison."""

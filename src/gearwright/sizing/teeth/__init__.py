@@ -1,0 +1,9 @@
+"""The choice of tooth numbers: candidates of each stage, the lightest combination, and why there is none.
+
+How large the teeth become is for `stages`.
+"""
+
+from gearwright.sizing.teeth.refusal import refuse_bores, refuse_contradictions
+from gearwright.sizing.teeth.search import choose_teeth, groups_of
+
+__all__ = ["choose_teeth", "groups_of", "refuse_bores", "refuse_contradictions"]

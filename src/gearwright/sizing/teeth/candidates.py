@@ -1,0 +1,195 @@
+"""Tooth numbers that a stage may have: near its ratio, free of undercut, able to be put together."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.parts.planetary import assembles, neighbours_clear
+from gearwright.sizing.rating import Rating, fewest_virtual_teeth
+from gearwright.sizing.teeth.front import Floats, Front, Integers, Task
+from gearwright.spec import Design, Pair, Planetary
+from gearwright.train import gear_of
+
+NEAREST, WIDE = 1, 4
+"""Tooth numbers on either side of the exact ratio: the integers next to it, and more where none of those will do."""
+LARGEST_FREE_RATIO = 10
+"""Largest tooth ratio z_2/z_1 that is looked at where a stage's ratio is the search's own choice."""
+LEAST_LEWIS = 12
+"""Fewest teeth for which the Lewis form factor is tabulated."""
+LEAST_BEVEL = 8
+"""Fewest teeth of bevel pinions that are looked at; their cone decides what is undercut."""
+
+
+def is_given(stage: Pair | Planetary) -> bool:
+    """Tell whether a stage's teeth are all given.
+
+    Args:
+        stage: As in the design.
+    """
+    if isinstance(stage, Pair):
+        return bool(stage.pinion_teeth and stage.wheel_teeth)
+    return sum(each is not None for each in (stage.sun_teeth, stage.planet_teeth, stage.ring_teeth)) >= 2
+
+
+def given_teeth(design: Design) -> dict[str, int]:
+    """Return the tooth number of every gear of a design whose stages all give theirs.
+
+    Args:
+        design: As read.
+    """
+    teeth: dict[str, int] = {}
+    for name, stage in design.stages.items():
+        if isinstance(stage, Planetary):
+            sun, planet = _planetary_given(stage)
+            teeth |= {
+                f"{name}.sun": sun or 0,
+                f"{name}.planet": planet or 0,
+                f"{name}.ring": (sun or 0) + 2 * (planet or 0),
+            }
+        else:
+            teeth |= {
+                gear_of(name, "pinion", stage): stage.pinion_teeth or 0,
+                gear_of(name, "wheel", stage): stage.wheel_teeth or 0,
+            }
+    return teeth
+
+
+def candidates(
+    front: Front, task: Task, design: Design, target: Floats, *, reach: int = NEAREST
+) -> tuple[Integers, Integers, Integers]:
+    """Return the choice in the front that each candidate extends, and the teeth of pinion and wheel, or sun and planet.
+
+    Args:
+        front: Partial choices.
+        task: The stage.
+        design: With the rules of the search.
+        target: Tooth ratio asked of every choice [-].
+        reach: How many tooth numbers on either side of the exact ratio are tried [-].
+    """
+    stage, rules = task.stage, design.teeth
+    if isinstance(stage, Planetary):
+        first, second = _planetary_given(stage)
+        small = np.array([first]) if first else np.arange(rules.sun_minimum, rules.sun_maximum + 1)
+        wanted = (target[:, None] - 1.0) / 2.0 * small
+        if stage.ring_teeth and second is None:
+            wanted = np.broadcast_to((stage.ring_teeth - small) / 2.0, wanted.shape)
+        return _neighbours(wanted, small, second, reach)
+    pinion, wheel = (gear_of(task.name, side, stage) for side in ("pinion", "wheel"))
+    if wheel in front.teeth:
+        large = front.teeth[wheel]
+        return _around(large / target, large, stage.pinion_teeth, reach)
+    if pinion in front.teeth:
+        parent, large, small_ = _around(front.teeth[pinion] * target, front.teeth[pinion], stage.wheel_teeth, reach)
+        return parent, small_, large
+    fewest = rules.pinion_minimum or fewest_teeth(task.rating)
+    small = np.array([stage.pinion_teeth]) if stage.pinion_teeth else np.arange(fewest, rules.pinion_maximum + 1)
+    return _neighbours(target[:, None] * small, small, stage.wheel_teeth, reach)
+
+
+def _virtual_pinion(small: Integers, large: Integers) -> Floats:
+    """Return the virtual tooth number of the pinion of a bevel pair on square axes, z_1/cos δ_1 [-]."""
+    return np.asarray(small * np.hypot(small, large) / large)
+
+
+def all_candidates(task: Task, design: Design) -> tuple[Integers, Integers, Integers]:
+    """Return every tooth number that a stage of free ratio may have, from a front of one choice.
+
+    Args:
+        task: The stage.
+        design: With the rules of the search.
+    """
+    rules = design.teeth
+    if isinstance(task.stage, Planetary):
+        first = np.arange(rules.sun_minimum, rules.sun_maximum + 1)
+        second = np.arange(rules.planet_minimum, LARGEST_FREE_RATIO * rules.sun_maximum // 2 + 1)
+    else:
+        least = rules.pinion_minimum or fewest_teeth(task.rating)
+        first = (
+            np.array([task.stage.pinion_teeth])
+            if task.stage.pinion_teeth
+            else np.arange(least, rules.pinion_maximum + 1)
+        )
+        second = np.arange(least, LARGEST_FREE_RATIO * int(first.max()) + 1)
+    small, large = (each.ravel() for each in np.meshgrid(first, second, indexing="ij"))
+    return np.zeros(len(small), dtype=np.int64), small, large
+
+
+def _planetary_given(stage: Planetary) -> tuple[int | None, int | None]:
+    """Return the sun's and the planets' teeth, where they are given or follow."""
+    sun, planet, ring = stage.sun_teeth, stage.planet_teeth, stage.ring_teeth
+    if sun is None and planet is not None and ring is not None:
+        sun = ring - 2 * planet
+    if planet is None and sun is not None and ring is not None and (ring - sun) % 2 == 0:
+        planet = (ring - sun) // 2
+    return sun, planet
+
+
+def fewest_teeth(rating: Rating) -> int:
+    """Return the smallest tooth number of pinions without undercut [-].
+
+    Args:
+        rating: Resolved rules: pressure angle, helix angle and profile shift of pinions.
+
+    Source: z_min = 2 cos β (1 − x) / sin² α_t; Pulvirenti 2023, eq. (2.6), approximates it: 2 cos³ β (1 − x)/sin² α.
+    """
+    if rating.kind == "bevel":
+        return LEAST_BEVEL
+    angle, rules = rating.helix_angle, rating.rules
+    transverse = math.atan(math.tan(rules.pressure_angle) / math.cos(angle))
+    return max(math.ceil(2.0 * math.cos(angle) * (1.0 - rules.profile_shift) / math.sin(transverse) ** 2), LEAST_LEWIS)
+
+
+_MOST = 1_000_000
+
+
+def _whole(wanted: Floats) -> Integers:
+    """Return the tooth number below; at least one tooth, as what an absurd ratio asks is refused later by its rules."""
+    return np.minimum(np.maximum(np.floor(wanted), 1.0), _MOST).astype(np.int64)
+
+
+def _neighbours(wanted: Floats, small: Integers, given: int | None, reach: int) -> tuple[Integers, Integers, Integers]:
+    """Return every choice of the front with every small gear and the integers around the wanted large one."""
+    low = _whole(wanted)[:, :, None]
+    large = (
+        np.maximum(low + np.arange(1 - reach, 1 + reach), 1) if given is None else np.full((*low.shape[:2], 1), given)
+    )
+    parent = np.arange(len(wanted)).repeat(large[0].size)
+    return parent, np.broadcast_to(small[:, None], large.shape).ravel(), large.ravel()
+
+
+def _around(wanted: Floats, large: Integers, given: int | None, reach: int) -> tuple[Integers, Integers, Integers]:
+    """Return the integers around the wanted gear that meshes with one that is chosen already."""
+    low = _whole(wanted)[:, None]
+    small = np.maximum(low + np.arange(1 - reach, 1 + reach), 1) if given is None else np.full((len(low), 1), given)
+    parent, teeth, shared = np.broadcast_arrays(np.arange(len(low))[:, None], small, large[:, None])
+    return parent.ravel(), teeth.ravel(), shared.ravel()
+
+
+def admissible(task: Task, design: Design, small: Integers, large: Integers) -> NDArray[np.bool_]:
+    """Tell which tooth numbers can be made and put together.
+
+    Args:
+        task: The stage.
+        design: With the rules of the search.
+        small: Teeth of pinion or sun.
+        large: Teeth of wheel or planet.
+    """
+    rules, stage = design.teeth, task.stage
+    if isinstance(stage, Planetary):
+        ring = small + 2 * large
+        good = assembles(small, ring, stage.planets) & neighbours_clear(small, large, stage.planets)
+        good &= large >= rules.planet_minimum
+        if stage.ring_teeth:
+            good &= ring == stage.ring_teeth
+        if rules.hunting:
+            good &= (np.gcd(small, large) == 1) & (np.gcd(large, ring) == 1)
+        return good
+    good = np.minimum(small, large) >= (rules.pinion_minimum or fewest_teeth(task.rating))
+    if task.rating.kind == "bevel":
+        good &= _virtual_pinion(small, large) >= fewest_virtual_teeth(task.rating)
+    if rules.hunting:
+        good &= np.gcd(small, large) == 1
+    return good

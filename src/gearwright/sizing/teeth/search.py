@@ -1,0 +1,288 @@
+"""Choose the tooth numbers: every admissible combination is evaluated, and the lightest gears win.
+
+Stages are taken from the kept machines outwards, so that a stage's target is what the teeth chosen so far leave of the
+asked speeds. A front holds all partial choices at once as arrays; each stage multiplies it by its candidates.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gearwright.errors import DesignError, Problem
+from gearwright.sizing.rating import Ask, modules, rating_of, stage_width_ratio
+from gearwright.sizing.teeth.candidates import (
+    NEAREST,
+    WIDE,
+    admissible,
+    all_candidates,
+    candidates,
+    fewest_teeth,
+    given_teeth,
+    is_given,
+)
+from gearwright.sizing.teeth.front import Floats, Front, Integers, Task
+from gearwright.sizing.teeth.refusal import contradiction, refusal
+from gearwright.spec import GROUND, Design, Pair, Planetary
+from gearwright.train import (
+    PowerFlow,
+    Targets,
+    Train,
+    Turning,
+    gear_of,
+    members_of,
+    power_flows,
+    willis_ratio,
+    willis_speed,
+)
+
+EQUAL = 1e-9
+"""Masses that differ by less are equal: the first of them, of the fewest teeth, is taken, whatever the rounding."""
+
+
+def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, int]:
+    """Return the tooth number of every gear.
+
+    Args:
+        design: Given teeth are kept, those left out are chosen.
+        train: Its graph.
+        nominal: Speeds and ratios asked.
+
+    Raises:
+        DesignError: If a stage has no candidate; with what would do.
+    """
+    if all(is_given(stage) for stage in design.stages.values()):
+        return given_teeth(design)
+    flow, kept = _nominal_flow(design, train, nominal)
+    tasks = [_task(name, design, train, nominal, flow) for name in design.stages]
+    front = _joined(design, Front({}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {}))
+    while tasks:
+        task = next((each for each in tasks if _ready(each, front)), None)
+        if task is None:
+            raise DesignError(
+                Problem(each.name, "no speed that is known leads to this stage; give its teeth") for each in tasks
+            )
+        tasks.remove(task)
+        front = _joined(design, _extend(front, task, design, nominal))
+    mass = front.mass
+    best = front.take(np.array([int(np.argmax(mass <= mass.min() * (1.0 + EQUAL)))]))
+    return {name: int(value[0]) for name, value in best.teeth.items()}
+
+
+def _nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[str, PowerFlow], set[str]]:
+    """Return the power flow of every case at the asked ratios, and the shafts whose speed is kept."""
+    real: dict[str, float] = {}
+    for name, stage in design.stages.items():
+        ratio = nominal.tooth_ratios[name]
+        if isinstance(stage, Planetary):
+            real |= {f"{name}.sun": 1.0, f"{name}.planet": (ratio - 1.0) / 2.0, f"{name}.ring": ratio}
+        else:
+            pinion, wheel = (gear_of(name, side, stage) for side in ("pinion", "wheel"))
+            size = real.get(pinion) or (real[wheel] / ratio if wheel in real else 1.0)
+            real |= {pinion: size, wheel: size * ratio}
+    turning = Turning(design, train, real)
+    free = {each.machine for each in turning.yielded}
+    kept = {shaft for machine, shaft in train.machines.items() if machine not in free}
+    return power_flows(design, turning), kept
+
+
+def groups_of(design: Design) -> dict[str, str]:
+    """Return stage -> the stage whose module it shares.
+
+    Args:
+        design: With its pairs; a pair that shares a gear has its owner's module.
+    """
+    owner = {name: name for name in design.stages}
+    for name, pair in design.pairs.items():
+        for side in ("pinion", "wheel"):
+            other = gear_of(name, side, pair).partition(".")[0]
+            if other != name:
+                owner[name] = other
+    return owner
+
+
+def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapping[str, PowerFlow]) -> Task:
+    stage, edge = design.stages[name], nominal.edges.get(name)
+    rating = rating_of(design, name)
+    # The reference gear sits on the edge's fast shaft: the ring where the sun stands still, else sun or pinion.
+    meshes = [mesh for mesh in train.meshes if mesh.stage == name]
+    ring = edge is not None and edge.grounded == "sun"
+    own_rows = meshes[1:] if ring else (meshes[:1] if isinstance(stage, Planetary) else meshes)
+    torque, speed, rolling = 0.0, 1.0, 1.0
+    for flow in flows.values():
+        for mesh in own_rows:
+            each = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / mesh.count * rating.load_factor
+            if each > torque:
+                torque = each
+                speed = abs(flow.speeds[mesh.nodes[1 if ring else 0]])
+                rolling = abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])
+    return Task(name, stage, edge, groups_of(design)[name], rating, torque, speed, rolling)
+
+
+def _ready(task: Task, front: Front) -> bool:
+    """Tell whether the speeds on one side of a stage, and the teeth that it shares, are chosen."""
+    if isinstance(task.stage, Pair):
+        shared = [gear_of(task.name, side, task.stage) for side in ("pinion", "wheel")]
+        if any(gear.partition(".")[0] != task.name and gear not in front.teeth for gear in shared):
+            return False
+    if isinstance(task.stage, Planetary):
+        members = members_of(task.stage)
+        return sum(member == GROUND or member in front.speeds for member in members) >= 2
+    return task.edge is not None and any(shaft in front.speeds for shaft in (*task.edge.fast, *task.edge.slow))
+
+
+def _joined(design: Design, front: Front) -> Front:
+    """Carry speeds across clutches."""
+    if not design.clutches:
+        return front
+    speeds = dict(front.speeds)
+    for clutch in design.clutches.values():
+        ends = (clutch.driving, clutch.driven)
+        for here, there in (ends, ends[::-1]):
+            if here in speeds and there not in speeds and clutch.kind != "open":
+                speeds[there] = speeds[here]
+    return replace(front, speeds=speeds)
+
+
+def _extend(front: Front, task: Task, design: Design, nominal: Targets) -> Front:
+    """Multiply the front by a stage's candidates and keep those that its rules admit; look further only if none is."""
+    target = _target(front, task, nominal)
+    open_ = _is_open(front, task, design)
+    for reach in (NEAREST, WIDE):
+        if open_:
+            parent, small, large = all_candidates(task, design)
+        else:
+            parent, small, large = candidates(front, task, design, target, reach=reach)
+        fits = admissible(task, design, small, large)
+        parent, small, large = parent[fits], small[fits], large[fits]
+        actual = 1.0 + 2.0 * large / small if isinstance(task.stage, Planetary) else large / small
+        if not open_:
+            near = _near(task, design, actual, target[parent])
+            parent, small, large, actual = parent[near], small[near], large[near], actual[near]
+        grown = front.take(parent)
+        speeds = _new_speeds(grown, task, actual)
+        good = _speeds_hold(task, design, speeds, len(small))
+        if good.any():
+            break
+    else:
+        if len(actual):
+            raise contradiction(task.name, task.stage, design, float(np.median(actual)))
+        raise refusal(task.name, task.stage, design, float(np.median(target)), fewest=fewest_teeth(task.rating))
+    grown = replace(grown, speeds={**grown.speeds, **speeds})
+    if not good.all():
+        grown, small, large = grown.take(good), small[good], large[good]
+    return _weigh(grown, task, small, large)
+
+
+def _is_open(front: Front, task: Task, design: Design) -> bool:
+    """Tell whether a stage's ratio is the search's own choice: the first of those that share an open ratio."""
+    if design.teeth.split == "equal" or task.edge is None or is_given(task.stage) or task.stage.ratio is not None:
+        return False
+    known = {machine.shaft for machine in design.machines.values()} | set(front.speeds)
+    far = task.edge.slow if task.edge.fast[0] in front.speeds else task.edge.fast
+    return len(next(iter(front.speeds.values()))) == 1 and not known & set(far)
+
+
+def _near(task: Task, design: Design, actual: Floats, asked: Floats) -> NDArray[np.bool_]:
+    """Tell which tooth ratios are within the tolerance; given teeth are as they are."""
+    if is_given(task.stage):
+        return np.ones(len(actual), dtype=bool)
+    one = 1.0 if isinstance(task.stage, Planetary) else 0.0
+    return np.asarray(np.abs((one + actual) / (one + asked) - 1.0) <= design.teeth.stage_tolerance)
+
+
+def _target(front: Front, task: Task, nominal: Targets) -> Floats:
+    """Return the tooth ratio asked of every choice in the front [-]."""
+    count = len(next(iter(front.speeds.values())))
+
+    def speed(shaft: str) -> Floats:
+        return front.speeds.get(shaft, np.full(count, nominal.speeds.get(shaft, 0.0)))
+
+    if isinstance(task.stage, Planetary):
+        return willis_ratio(task.stage, {member: speed(member) for member in members_of(task.stage)})
+    edge = nominal.edges[task.name]
+    return np.asarray(speed(_known(edge.fast, front)) / speed(_known(edge.slow, front)))
+
+
+def _known(shafts: tuple[str, ...], front: Front) -> str:
+    return next((shaft for shaft in shafts if shaft in front.speeds), shafts[0])
+
+
+def _new_speeds(front: Front, task: Task, ratio: Floats) -> dict[str, Floats]:
+    """Return the speeds of the shafts that a stage reaches."""
+    known = front.speeds
+    if isinstance(task.stage, Planetary):
+        missing = [member for member in members_of(task.stage) if member != GROUND and member not in known]
+        return {member: willis_speed(task.stage, member, ratio, known) for member in missing}
+    edge = task.edge
+    if edge is None:
+        return {}
+    source = next(shaft for shaft in (*edge.fast, *edge.slow) if shaft in known)
+    fast = known[source] if source in edge.fast else known[source] * ratio
+    reached = {**dict.fromkeys(edge.fast, fast), **dict.fromkeys(edge.slow, fast / ratio)}
+    return {shaft: speed for shaft, speed in reached.items() if shaft not in known}
+
+
+def _speeds_hold(task: Task, design: Design, speeds: Mapping[str, Floats], count: int) -> NDArray[np.bool_]:
+    """Tell which choices keep the machines' speeds within the tolerance; given teeth are as they are."""
+    good = np.ones(count, dtype=bool)
+    if is_given(task.stage):
+        return good
+    for machine in design.machines.values():
+        if machine.shaft in speeds:
+            good &= np.abs(speeds[machine.shaft] / machine.speed - 1.0) <= design.teeth.speed_tolerance
+    return good
+
+
+def _weigh(front: Front, task: Task, small: Integers, large: Integers) -> Front:
+    """Add a stage's teeth, module and bodies to the front."""
+    stage, rating = task.stage, task.rating
+    names, discs = _bodies(task, small, large)
+    reference = small + 2 * large if task.edge is not None and task.edge.grounded == "sun" else small
+    speed = front.speeds[task.edge.fast[0]] if task.edge is not None else np.full(len(small), task.speed)
+    per_tooth = task.torque * task.speed / speed / reference
+    width_ratio = stage_width_ratio(rating, small, large)
+    planets = stage.planets if isinstance(stage, Planetary) else 1
+    ask = Ask(
+        per_tooth,
+        (small, large),
+        width_ratio,
+        internal=isinstance(stage, Pair) and stage.internal,
+        idlers=(False, isinstance(stage, Planetary)),
+        speed=task.rolling,
+        passes=(planets, 1.0),
+    )
+    bending, contact = modules(ask, rating)
+    module = np.maximum(bending, contact)
+    cube = module * module * module
+    group = task.group
+    cubes = {**front.cubes, group: np.maximum(front.cubes.get(group, 0.0), cube)}
+    volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + width_ratio * discs}
+    return Front({**front.teeth, **names}, front.speeds, cubes, volumes)
+
+
+def _bodies(task: Task, small: Integers, large: Integers) -> tuple[dict[str, Integers], Floats]:
+    """Return the stage's gears and the mass of its own bodies over b m_n² [kg/m³]."""
+    stage, rating = task.stage, task.rating
+    disc = math.pi / 4.0 * rating.material.density / math.cos(rating.helix_angle) ** 2
+    if isinstance(stage, Planetary):
+        ring = small + 2 * large
+        wall = rating.rules.rim_thickness_ratio
+        annulus = (ring + 2.0 * wall) ** 2 - ring**2
+        teeth = {f"{task.name}.sun": small, f"{task.name}.planet": large, f"{task.name}.ring": ring}
+        return teeth, np.asarray(disc * (small**2 + stage.planets * large**2 + annulus), dtype=np.float64)
+    gears = {side: gear_of(task.name, side, stage) for side in ("pinion", "wheel")}
+    counts = {
+        side: (len(getattr(stage, side)) if isinstance(getattr(stage, side), list) else 1) * stage.halves
+        for side, gear in gears.items()
+        if gear == f"{task.name}.{side}"
+    }
+    squares = {"pinion": small.astype(float) ** 2, "wheel": rating.rules.web_ratio * large.astype(float) ** 2}
+    factor: Floats = np.zeros(len(small))
+    for side, count in counts.items():
+        factor = np.asarray(factor + disc * count * squares[side], dtype=np.float64)
+    return {gears["pinion"]: small, gears["wheel"]: large}, factor

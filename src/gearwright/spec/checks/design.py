@@ -1,0 +1,331 @@
+"""What the types cannot see: names that must exist, names that must differ, teeth that must fit together."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import combinations
+
+from gearwright.catalogue import materials
+from gearwright.errors import Problem, near
+from gearwright.parts.gears import FEWEST_TEETH
+from gearwright.spec.checks.gears import gear_problems
+from gearwright.spec.checks.motion import motion_problems
+from gearwright.spec.checks.mounting import mounting_problems
+from gearwright.spec.design import GROUND, Design, GearRules, Pair, Planetary
+from gearwright.units import text
+
+WIDEST = 60
+"""Largest face width in modules that a design may ask for."""
+SIDES = ("pinion", "wheel")
+
+
+def reference_problems(design: Design) -> list[Problem]:
+    """Return every name in a design that points nowhere or clashes, and every impossible set of given teeth.
+
+    Args:
+        design: As typed; its references are not resolved yet.
+    """
+    checks = (
+        _shafts, _names, _machines, _speeds, _pairs, _planetaries, _clutches, _teeth, _layout, _cases, _keep,
+        _materials, _widths, _overrides,
+    )  # fmt: skip
+    found = [problem for check in checks for problem in check(design)]
+    return [*found, *gear_problems(design), *motion_problems(design), *mounting_problems(design)]
+
+
+def _shafts(design: Design) -> Iterator[Problem]:
+    seen: set[str] = set()
+    for name in design.shafts:
+        if name in seen:
+            yield Problem("shafts", f"{name!r} stands twice; every shaft has one name")
+        if name == GROUND:
+            yield Problem("shafts", f"{GROUND!r} is the frame and stands still; give the shaft another name")
+        elif not _is_name(name):
+            yield Problem("shafts", f"{name!r} {_NO_NAME}")
+        seen.add(name)
+    used = _used_shafts(design)
+    for name in design.shafts:
+        if name not in used:
+            yield Problem("shafts", f"{name!r} carries nothing; remove it, or put a machine or a gear on it")
+
+
+_NO_NAME = "cannot be a name: use letters, digits, hyphens or spaces; a dot joins a stage to its gear"
+
+
+def _is_name(name: str) -> bool:
+    return bool(name.strip()) and name.isprintable() and "." not in name
+
+
+def _names(design: Design) -> Iterator[Problem]:
+    tables: Mapping[str, Mapping[str, object]] = {
+        "turbines": design.turbines, "motors": design.motors, "propellers": design.propellers, "pairs": design.pairs,
+        "planetaries": design.planetaries, "clutches": design.clutches, "cases": design.cases,
+    }  # fmt: skip
+    for table, entries in tables.items():
+        for name in entries:
+            if not _is_name(name):
+                yield Problem(f"{table}.{name}", f"{name!r} {_NO_NAME}")
+
+
+def _used_shafts(design: Design) -> set[str]:
+    used = {machine.shaft for machine in design.machines.values()}
+    for pair in design.pairs.values():
+        used |= {name for side in SIDES for name in as_list(getattr(pair, side))}
+    for planetary in design.planetaries.values():
+        used |= {planetary.sun, planetary.ring, planetary.carrier}
+    for clutch in design.clutches.values():
+        used |= {clutch.driving, clutch.driven}
+    return used
+
+
+def as_list(names: str | list[str]) -> list[str]:
+    """Return one name or several as a list.
+
+    Args:
+        names: As a pair gives its side.
+    """
+    return [names] if isinstance(names, str) else names
+
+
+def _shaft(path: str, name: str, design: Design, *, ground: bool = False) -> Iterator[Problem]:
+    allowed = [*design.shafts, GROUND] if ground else design.shafts
+    if name not in allowed:
+        yield Problem(path, f"there is no shaft {name!r}; {near(name, allowed)}")
+
+
+def _machines(design: Design) -> Iterator[Problem]:
+    tables = {"turbines": design.turbines, "motors": design.motors, "propellers": design.propellers}
+    owner: dict[str, str] = {}
+    for table, machines in tables.items():
+        for name, machine in machines.items():  # type: ignore[attr-defined]
+            yield from _shaft(f"{table}.{name}.shaft", machine.shaft, design)
+            if name in owner:
+                yield Problem(
+                    f"{table}.{name}", f"{owner[name]} has a machine of this name already; cases need different names"
+                )
+            owner[name] = table
+    if not design.machines:
+        yield Problem("", "no machine drives or loads this train; add a table such as [turbines.gas-turbine]")
+    if design.machines and not design.propellers:
+        yield Problem("propellers", "nothing takes the power; add a table such as [propellers.propeller]")
+
+
+def _speeds(design: Design) -> Iterator[Problem]:
+    """Find machines on one shaft that ask for different speeds, or senses."""
+    first: dict[str, str] = {}
+    for name, machine in design.machines.items():
+        other = first.setdefault(machine.shaft, name)
+        asked, speed = _signed_speed(name, design), _signed_speed(other, design)
+        if abs(asked / speed - 1.0) > design.teeth.speed_tolerance:
+            yield Problem(
+                f"{table_of(name, design)}.{name}.speed",
+                f"{text(asked, 'speed')} on shaft {machine.shaft!r}, where {other} turns at {text(speed, 'speed')};"
+                " give one speed to both, or put a gear stage between them",
+            )
+
+
+def _signed_speed(machine: str, design: Design) -> float:
+    reverse = machine in design.motors and design.motors[machine].reverse
+    return -design.machines[machine].speed if reverse else design.machines[machine].speed
+
+
+def table_of(machine: str, design: Design) -> str:
+    """Return the table of the file that describes a machine.
+
+    Args:
+        machine: Its name.
+        design: The design.
+    """
+    return next(table for table in ("turbines", "motors", "propellers") if machine in getattr(design, table))
+
+
+def _pairs(design: Design) -> Iterator[Problem]:
+    for name, pair in design.pairs.items():
+        path = f"pairs.{name}"
+        if pair.pinion == [] or pair.wheel == []:
+            yield Problem(path, "a gear sits on at least one shaft; name one in pinion and in wheel")
+            continue
+        if name in design.planetaries:
+            yield Problem(path, "a planetary set has this name too; stages need different names")
+        sides = {side: as_list(getattr(pair, side)) for side in SIDES}
+        if all(isinstance(getattr(pair, side), list) for side in SIDES):
+            yield Problem(
+                path, "pinion and wheel are both lists; one gear meshes with several, so only one side may be a list"
+            )
+        for side, names in sides.items():
+            for shaft in names:
+                yield from _gear_reference(f"{path}.{side}", shaft, name, design)
+            if len(set(names)) < len(names) or (len(names) > 1 and any("." in each for each in names)):
+                yield Problem(f"{path}.{side}", f"{names}: a list names different shafts, and no shared gear")
+        if set(sides["pinion"]) & set(sides["wheel"]):
+            yield Problem(path, f"{pair.pinion!r} carries both gears; pinion and wheel turn on two shafts")
+        if pair.coaxial_with is not None and (pair.coaxial_with == name or pair.coaxial_with not in design.pairs):
+            others = [other for other in design.pairs if other != name]
+            yield Problem(f"{path}.coaxial_with", f"there is no other pair {pair.coaxial_with!r}; {near(name, others)}")
+        meshes = max(len(names) for names in sides.values())
+        if pair.share is not None and not _is_share(pair.share, meshes):
+            yield Problem(
+                f"{path}.share",
+                f"{pair.share} does not share the load of {meshes} meshes; give as many positive numbers, sum 1",
+            )
+
+
+def _is_share(share: list[float], meshes: int) -> bool:
+    return len(share) == meshes and min(share) > 0.0 and abs(sum(share) - 1.0) <= 1e-9
+
+
+def _gear_reference(path: str, name: str, own: str, design: Design) -> Iterator[Problem]:
+    stage, dot, gear = name.partition(".")
+    if not dot:
+        yield from _shaft(path, name, design)
+        return
+    others = [f"{other}.{side}" for other in design.pairs if other != own for side in SIDES]
+    if stage == own or gear not in SIDES or stage not in design.pairs:
+        yield Problem(path, f"there is no gear {name!r} in another pair; {near(name, others)}")
+    elif any("." in each for each in as_list(getattr(design.pairs[stage], gear))):
+        yield Problem(path, f"{name!r} is itself a shared gear; name the pair that owns it")
+
+
+def _planetaries(design: Design) -> Iterator[Problem]:
+    for name, planetary in design.planetaries.items():
+        path = f"planetaries.{name}"
+        members = {"sun": planetary.sun, "ring": planetary.ring, "carrier": planetary.carrier}
+        for member, shaft in members.items():
+            yield from _shaft(f"{path}.{member}", shaft, design, ground=True)
+        for (one, shaft), (other, same) in combinations(members.items(), 2):
+            if shaft == same:
+                yield Problem(f"{path}.{other}", f"{same!r} is the {one} already; the three members are three shafts")
+        yield from _planetary_teeth(path, planetary)
+        yield from _few_teeth(path, planetary, design.teeth.planet_minimum)
+
+
+def _planetary_teeth(path: str, planetary: Planetary) -> Iterator[Problem]:
+    sun, planet, ring = planetary.sun_teeth, planetary.planet_teeth, planetary.ring_teeth
+    if sun is not None and planet is not None and ring is not None and sun + 2 * planet != ring:
+        yield Problem(
+            f"{path}.ring_teeth",
+            f"{ring} does not close: z_s + 2 z_p = {sun} + 2·{planet} = {sun + 2 * planet}; give that, or leave it out",
+        )
+    elif sun is not None and ring is not None and (ring <= sun or (ring - sun) % 2):
+        message = f"{ring} leaves no planets beside a sun of {sun}: z_r − z_s = 2 z_p is even and above 0"
+        yield Problem(f"{path}.ring_teeth", message)
+    elif planet is not None and ring is not None and ring <= 2 * planet:
+        yield Problem(f"{path}.ring_teeth", f"{ring} leaves no sun inside planets of {planet}: z_r = z_s + 2 z_p")
+
+
+def _few_teeth(path: str, planetary: Planetary, planet_minimum: int) -> Iterator[Problem]:
+    sun, planet = planetary.sun_teeth, planetary.planet_teeth
+    if sun is not None and sun < FEWEST_TEETH:
+        yield Problem(
+            f"{path}.sun_teeth", f"{sun} is below {FEWEST_TEETH}, where the table of Lewis form factors begins"
+        )
+    if planet is not None and planet < max(planet_minimum, FEWEST_TEETH):
+        yield Problem(
+            f"{path}.planet_teeth",
+            f"{planet} is below {max(planet_minimum, FEWEST_TEETH)}, the least of teeth.planet_minimum and of the table"
+            " of Lewis form factors",
+        )
+
+
+def _clutches(design: Design) -> Iterator[Problem]:
+    for name, clutch in design.clutches.items():
+        for side in ("driving", "driven"):
+            yield from _shaft(f"clutches.{name}.{side}", getattr(clutch, side), design)
+        if clutch.driving == clutch.driven:
+            yield Problem(
+                f"clutches.{name}.driven", f"{clutch.driven!r} drives already; a clutch joins two different shafts"
+            )
+
+
+def _teeth(design: Design) -> Iterator[Problem]:
+    rules = design.teeth
+    if rules.sun_minimum > rules.sun_maximum:
+        yield Problem("teeth.sun_minimum", f"{rules.sun_minimum} is above teeth.sun_maximum, {rules.sun_maximum}")
+    if rules.pinion_minimum is not None and rules.pinion_minimum > rules.pinion_maximum:
+        yield Problem(
+            "teeth.pinion_minimum", f"{rules.pinion_minimum} is above teeth.pinion_maximum, {rules.pinion_maximum}"
+        )
+
+
+def _layout(design: Design) -> Iterator[Problem]:
+    for name, layout in design.layout.items():
+        yield from _shaft(f"layout.{name}", name, design)
+        if layout.bore is not None and layout.bore_ratio is not None:
+            yield Problem(f"layout.{name}", "bore and bore_ratio are both given; keep one")
+        if layout.bore is not None and layout.diameter is not None and layout.bore >= layout.diameter:
+            yield Problem(
+                f"layout.{name}.bore",
+                f"the bore {layout.bore * 1e3:g} mm leaves no wall in a shaft of {layout.diameter * 1e3:g} mm",
+            )
+
+
+def _cases(design: Design) -> Iterator[Problem]:
+    for case, drives in design.cases.items():
+        if case == "rated":
+            yield Problem("cases.rated", "every design has this case: all machines at rated power; take another name")
+        for machine, drive in drives.items():
+            path = f"cases.{case}.{machine}"
+            if machine not in design.machines:
+                yield Problem(path, f"there is no machine {machine!r}; {near(machine, design.machines)}")
+            elif machine in design.turbines and drive.power is not None and drive.power < 0:
+                yield Problem(f"{path}.power", f"{drive.power / 1e3:g} kW: a turbine gives power; use 0 or more")
+
+
+def _keep(design: Design) -> Iterator[Problem]:
+    for machine in design.speeds.keep or []:
+        if machine not in design.machines:
+            yield Problem("speeds.keep", f"there is no machine {machine!r}; {near(machine, design.machines)}")
+
+
+def _materials(design: Design) -> Iterator[Problem]:
+    yield from _gear_material("gears.material", design.gears)
+    stages: Mapping[str, Mapping[str, Pair | Planetary]] = {"pairs": design.pairs, "planetaries": design.planetaries}
+    for table, members in stages.items():
+        for name, stage in members.items():
+            if stage.gears is not None and "material" in stage.gears.model_fields_set:
+                yield from _gear_material(f"{table}.{name}.gears.material", stage.gears)
+    if design.shafting.material is not None:
+        yield from _material("shafting.material", design.shafting.material, ("yield_strength",), "shafts")
+
+
+def _overrides(design: Design) -> Iterator[Problem]:
+    for path in design.origins:
+        if path not in design.overrides:
+            yield Problem(f"origins.{path}", f"nothing of this name is overridden; {near(path, design.overrides)}")
+    for path, value in design.overrides.items():
+        if value <= 0.0:
+            yield Problem(f"overrides.{path}", f"{value:g} is not allowed; give a value greater than 0")
+
+
+def _gear_material(path: str, rules: GearRules) -> Iterator[Problem]:
+    yield from _material(path, rules.material, ("yield_strength", "surface_hardness"), f"rating {rules.rating!r}")
+
+
+def _widths(design: Design) -> Iterator[Problem]:
+    """Find helix angles so small that no face width gives the overlap."""
+    rules = {"gears": design.gears} if design.pairs else {}
+    rules |= {
+        f"pairs.{name}.gears": design.rules(name) for name, pair in design.pairs.items() if pair.gears is not None
+    }
+    for path, each in rules.items():
+        least = math.asin(each.overlap_ratio * math.pi / WIDEST)
+        if each.face_width_ratio is None and 0.0 < each.helix_angle < least:
+            yield Problem(
+                f"{path}.helix_angle",
+                f"{text(each.helix_angle, 'angle')} needs gears wider than {WIDEST} modules for the overlap ratio"
+                f" {each.overlap_ratio:g}; use 0, {text(least, 'angle')} or more, or give face_width_ratio",
+            )
+
+
+def _material(path: str, name: str, needed: Iterable[str], purpose: str) -> Iterator[Problem]:
+    known = materials()
+    if name not in known:
+        yield Problem(path, f"there is no material {name!r}; {near(name, known)}")
+        return
+    missing = [each for each in needed if getattr(known[name], each) is None]
+    if missing:
+        enough = [other for other, each in known.items() if all(getattr(each, need) is not None for need in needed)]
+        yield Problem(
+            path, f"{name!r} has no {' and no '.join(missing)}, which {purpose} needs; use one of {', '.join(enough)}"
+        )

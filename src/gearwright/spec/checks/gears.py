@@ -1,0 +1,68 @@
+"""What can be wrong with gears beyond their teeth: axes that do not meet squarely, steels that no table has."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from gearwright.catalogue import gear_steel
+from gearwright.errors import DesignError, Problem
+from gearwright.spec.design import Design, GearRules, Pair
+
+SQUARE = 0.5 * math.pi
+"""Axis angle of face and bevel gears that is understood [rad]."""
+ROUNDING = 1e-6
+"""How near to it a written angle must be [rad]."""
+
+
+STEEL_KEYS = {"material": "steel", "grade": "grade", "hardness": "hardness_hv"}
+"""What the table of steels complains of -> key of the design file."""
+
+
+def gear_problems(design: Design) -> Iterator[Problem]:
+    """Yield what is wrong with crossing axes and with the steels of rated gears.
+
+    Args:
+        design: As typed.
+    """
+    for name, pair in design.pairs.items():
+        yield from _crossing(name, pair, design)
+    rated = {"gears": design.gears} if design.gears.rating == "iso6336" else {}
+    for table, stages in (("pairs", design.pairs), ("planetaries", design.planetaries)):
+        for name, stage in stages.items():
+            if stage.gears is not None and "iso6336" in stage.gears.model_fields_set:
+                rated[f"{table}.{name}.gears"] = design.rules(name)
+    for path, rules in rated.items():
+        yield from _steel(f"{path}.iso6336", rules)
+
+
+def _steel(path: str, rules: GearRules) -> Iterator[Problem]:
+    own = rules.iso6336
+    try:
+        gear_steel(own.steel, own.grade, own.hardness_hv)
+    except DesignError as error:
+        for each in error.problems:
+            yield Problem(f"{path}.{STEEL_KEYS.get(each.path, each.path)}", each.message)
+
+
+def _crossing(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
+    path = f"pairs.{name}"
+    if pair.kind == "cylindrical":
+        if pair.axis_angle is not None:
+            message = 'only face and bevel gears have one; write kind = "face" or "bevel", or leave it out'
+            yield Problem(f"{path}.axis_angle", message)
+        return
+    if pair.axis_angle is None:
+        yield Problem(f"{path}.axis_angle_deg", f"a {pair.kind}-gear pair needs the angle between its axes; write 90")
+    elif abs(pair.axis_angle - SQUARE) > ROUNDING:
+        given = math.degrees(pair.axis_angle)
+        yield Problem(f"{path}.axis_angle", f"{given:.6g} deg is not understood; only square axes are, 90")
+    if pair.internal or pair.halves > 1:
+        yield Problem(path, f"a {pair.kind}-gear pair is neither internal nor double-helical; leave that out")
+    if pair.kind == "bevel" and design.rules(name).rating != "iso6336":
+        yield Problem(f"{path}.gears.rating", 'bevel gears are rated by ISO 10300; write rating = "iso6336"')
+    if design.rules(name).helix_angle:
+        message = (
+            "face gears are spur here; write 0" if pair.kind == "face" else "bevel gears have a spiral_angle; write 0"
+        )
+        yield Problem(f"{path}.gears.helix_angle_deg", message)

@@ -1,0 +1,224 @@
+"""What can be wrong with service, bearings and joints: names that point nowhere, shafts that are not held."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import combinations
+
+from gearwright.catalogue import Bearing, bearings, materials
+from gearwright.errors import Problem, near
+from gearwright.parts.joints import MODULES
+from gearwright.parts.shafts import RELIABILITY_DEVIATES
+from gearwright.spec.design import LOCATES, BearingSeat, Design, Joint
+
+KINDS = {
+    "deep-groove": "deep-groove ball",
+    "cylindrical": "cylindrical roller",
+    "taper": "taper roller",
+    "four-point": "four-point contact ball",
+}
+"""Kind of a seat as written -> kind of bearing in the catalogue."""
+MOST_HOLLOW = 0.9
+"""Largest bore over the diameter of any part of a shaft with bearings [-]."""
+APART = 1e-6
+"""Two bearings nearer than this stand in one place [m]."""
+WHOLE = 1e-6
+"""How far from 1 the sum of the shares may be [-]."""
+
+
+def mounting_problems(design: Design) -> Iterator[Problem]:
+    """Yield what is wrong with the service, the bearings and the joints of a design.
+
+    Args:
+        design: As typed.
+    """
+    yield from _service(design)
+    for name, seat in design.bearings.items():
+        yield from _seat(name, seat, design)
+    for shaft in dict.fromkeys(seat.shaft for seat in design.bearings.values()):
+        yield from _held(shaft, design)
+    yield from _as_given(design)
+    yield from _strength(design)
+    for part, joint in design.joints.items():
+        yield from _joint(part, joint, design)
+
+
+def _service(design: Design) -> Iterator[Problem]:
+    shares = design.service.shares
+    for case in shares:
+        known = [*design.cases, "rated"]
+        if case not in known:
+            yield Problem(f"service.shares.{case}", f"there is no case {case!r}; {near(case, known)}")
+    total = sum(shares.values())
+    if shares and (abs(total - 1.0) > WHOLE or min(shares.values()) < 0.0):
+        yield Problem("service.shares", f"their sum is {total:.6g}; give positive shares with sum 1")
+    if shares and "mean_load" in design.service.model_fields_set:
+        yield Problem("service.mean_load", "it follows from service.shares; keep one of the two")
+
+
+def _seat(name: str, seat: BearingSeat, design: Design) -> Iterator[Problem]:
+    path = f"bearings.{name}"
+    if seat.shaft not in design.shafts:
+        yield Problem(f"{path}.shaft", f"there is no shaft {seat.shaft!r}; {near(seat.shaft, design.shafts)}")
+    layout = design.layout.get(seat.shaft)
+    if layout is not None and layout.length is not None and seat.position > layout.length:
+        message = (
+            f"{1e3 * seat.position:.6g} mm is outside the shaft; allowed: 0 to {1e3 * layout.length:.6g} mm, its length"
+        )
+        yield Problem(f"{path}.position", message)
+    yield from _tasks(path, seat)
+    yield from _size(path, seat)
+
+
+def _tasks(path: str, seat: BearingSeat) -> Iterator[Problem]:
+    """Find bearings that bear nothing, or what their kind cannot bear."""
+    if seat.kind == "cylindrical" and seat.locates != "none":
+        message = f'{seat.locates!r}: an NU bearing bears no axial force; use kind = "four-point" or "deep-groove"'
+        yield Problem(f"{path}.locates", message)
+    elif seat.kind == "taper" and seat.locates in ("none", "both"):
+        message = f'{seat.locates!r}: a taper bearing locates one way; write locates = "first" or "second"'
+        yield Problem(f"{path}.locates", message)
+    elif not seat.radial and seat.locates == "none":
+        yield Problem(path, 'it bears nothing; write locates = "both", or leave out radial = false')
+    if seat.kind in ("taper", "cylindrical") and not seat.radial:
+        yield Problem(f"{path}.radial", f"a {seat.kind} bearing always bears radial force; leave it out")
+
+
+def _size(path: str, seat: BearingSeat) -> Iterator[Problem]:
+    of_kind = {each.designation: each for each in bearings().values() if each.kind == KINDS[seat.kind]}
+    if seat.designation is not None:
+        yield from _designated(path, seat, bearings().get(seat.designation))
+    elif seat.dynamic_rating is not None or seat.static_rating is not None:
+        yield Problem(path, "a maker's rating belongs to one bearing; give its designation too")
+    if seat.bore is not None and not any(abs(each.bore - seat.bore) < APART for each in of_kind.values()):
+        closest = min(of_kind.values(), key=lambda each: abs(each.bore - (seat.bore or 0.0)))
+        message = f"no {seat.kind} bearing has {1e3 * seat.bore:g} mm; the nearest has {1e3 * closest.bore:g} mm"
+        yield Problem(f"{path}.bore", message)
+
+
+def _designated(path: str, seat: BearingSeat, found: Bearing | None) -> Iterator[Problem]:
+    if found is None:
+        name = seat.designation or ""
+        nearest = near(name, bearings())
+        if not nearest.startswith("did"):
+            nearest = "such are " + ", ".join(list(bearings())[:: len(bearings()) // 6])
+        yield Problem(f"{path}.designation", f"{name!r} is not in the catalogue; {nearest}")
+        return
+    kind = next(word for word, each in KINDS.items() if each == found.kind)
+    if kind != seat.kind:
+        message = f"{found.designation} is a {found.kind} bearing, not {seat.kind}; write kind = {kind!r}"
+        yield Problem(f"{path}.kind", message)
+    if seat.bore is not None and abs(found.bore - seat.bore) > APART:
+        message = f"{1e3 * seat.bore:g} mm, but {found.designation} has {1e3 * found.bore:g} mm; leave one out"
+        yield Problem(f"{path}.bore", message)
+    if seat.largest_outer_diameter is not None and found.outer_diameter > seat.largest_outer_diameter + APART:
+        message = (
+            f"{1e3 * seat.largest_outer_diameter:g} mm, but {found.designation} has {1e3 * found.outer_diameter:g} mm"
+        )
+        yield Problem(f"{path}.largest_outer_diameter", message)
+
+
+def _held(shaft: str, design: Design) -> Iterator[Problem]:
+    """Find shafts that do not rest on two bearings, or are held along their axis twice."""
+    seats = {name: seat for name, seat in design.bearings.items() if seat.shaft == shaft}
+    for (one, first), (other, second) in combinations(seats.items(), 2):
+        if abs(first.position - second.position) < APART:
+            message = f"{1e3 * second.position:g} mm, where {one} stands already; move one of them by its width"
+            yield Problem(f"bearings.{other}.position", message)
+    yield from _radial(shaft, seats)
+    yield from _located(seats)
+    layout = design.layout.get(shaft)
+    ratio = design.shafting.bore_ratio if layout is None or layout.bore_ratio is None else layout.bore_ratio
+    if ratio > MOST_HOLLOW:
+        path = "shafting.bore_ratio" if layout is None or layout.bore_ratio is None else f"layout.{shaft}.bore_ratio"
+        yield Problem(path, f"{ratio:g} leaves too thin a wall in the seats of bearings; give {MOST_HOLLOW:g} or less")
+    for key in ("first_bearing", "second_bearing"):
+        if layout is not None and getattr(layout, key) is not None:
+            yield Problem(f"layout.{shaft}.{key}", "its bearings stand in [bearings] already; leave this out")
+
+
+def _as_given(design: Design) -> Iterator[Problem]:
+    """Find shafts that are to be taken as given and of which too little is."""
+    for shaft, layout in design.layout.items():
+        if layout.as_given and layout.diameter is None:
+            yield Problem(f"layout.{shaft}.diameter_mm", "is required with as_given = true: how thick the shaft is")
+        if layout.as_given and not any(seat.shaft == shaft for seat in design.bearings.values()):
+            message = f"{shaft!r} has no bearings and is one cylinder in any case; give it [bearings], or leave it out"
+            yield Problem(f"layout.{shaft}.as_given", message)
+
+
+def _radial(shaft: str, seats: Mapping[str, BearingSeat]) -> Iterator[Problem]:
+    radial = [name for name, seat in seats.items() if seat.radial]
+    path = f"bearings.{radial[-1] if radial else next(iter(seats))}"
+    if len(radial) < 2:
+        message = (
+            f"{len(radial)} radial bearing{'s' if len(radial) != 1 else ''} on {shaft!r}: it would fall; add another"
+            f" [bearings.NAME] with shaft = {shaft!r}, so that there are two"
+        )
+        yield Problem(path, message)
+    elif len(radial) > 2:
+        free = [name for name in radial if seats[name].locates != "none" and seats[name].kind != "taper"]
+        hint = f"write radial = false at {free[0]}" if free else f"leave {radial[-1]} out"
+        message = f"{len(radial)} radial bearings on {shaft!r} ({', '.join(radial)}): statics knows two; {hint}"
+        yield Problem(path, message)
+
+
+def _located(seats: Mapping[str, BearingSeat]) -> Iterator[Problem]:
+    """Find forces along the shaft that two bearings take, and taper bearings without their mate."""
+    for sign, end in ((-1, "first"), (1, "second")):
+        takers = [name for name, seat in seats.items() if sign in LOCATES[seat.locates]]
+        for name in takers[1:]:
+            message = f"{takers[0]} locates the shaft towards its {end} end already; let one of the two do it"
+            yield Problem(f"bearings.{name}.locates", message)
+    tapers = {name: seat.locates for name, seat in seats.items() if seat.kind == "taper"}
+    for name, towards in tapers.items():
+        if towards in ("first", "second") and len(set(tapers.values())) < 2:
+            other = "second" if towards == "first" else "first"
+            message = f'a taper bearing pushes its shaft away; add another that locates = "{other}"'
+            yield Problem(f"bearings.{name}.locates", message)
+
+
+def _strength(design: Design) -> Iterator[Problem]:
+    """Find what the fatigue of shafts with bearings needs and does not have."""
+    if design.bearings and not any(abs(design.shafting.reliability - each) < WHOLE for each in RELIABILITY_DEVIATES):
+        allowed = ", ".join(f"{each:g}" for each in RELIABILITY_DEVIATES)
+        yield Problem("shafting.reliability", f"{design.shafting.reliability:g} given; allowed: {allowed}")
+    name = design.shafting.material or design.gears.material
+    steel = materials().get(name)
+    if design.bearings and steel is not None and (steel.ultimate_strength is None or steel.group is None):
+        enough = [other for other, each in materials().items() if each.ultimate_strength and each.group]
+        message = f"{name!r} has no tensile strength, which shafts with bearings need; use one of {', '.join(enough)}"
+        yield Problem("shafting.material", message)
+
+
+def _joint(part: str, joint: Joint, design: Design) -> Iterator[Problem]:
+    path, parts = f"joints.{part}", [*_gears(design), *design.machines]
+    if part not in parts:
+        quoted = "; a name with a point stands in quotes" if "." in near(part, parts) else ""
+        yield Problem(path, f"there is no gear or machine {part!r}; {near(part, parts)}{quoted}")
+    if part in design.machines and joint.kind != "integral" and joint.hub_length is None:
+        yield Problem(f"{path}.hub_length_mm", "is required for a machine: how long its hub is on the shaft")
+    given = joint.model_fields_set
+    only = {"module": ("spline",), "friction": ("press-fit",), "safety": ("press-fit",),
+            "length": ("key", "spline", "press-fit"), "hub_length": ("key", "spline", "press-fit"),
+            "pressure": ("key", "spline"), "form": ("key",)}  # fmt: skip
+    for field, kinds in only.items():
+        if field in given and joint.kind not in kinds:
+            message = f"it says nothing about a joint of kind {joint.kind!r}, only about {' and '.join(kinds)}"
+            yield Problem(f"{path}.{field}", f"{message}; leave it out")
+    if joint.length is not None and joint.hub_length is not None and joint.length > joint.hub_length:
+        message = f"{1e3 * joint.length:g} mm is longer than its hub; allowed: up to {1e3 * joint.hub_length:g} mm"
+        yield Problem(f"{path}.length", message)
+    if joint.module is not None and not any(abs(joint.module - each) < APART for each in MODULES):
+        closest = min(MODULES, key=lambda each: abs(each - (joint.module or 0.0)))
+        message = f"{1e3 * joint.module:g} mm is not a module of DIN 5480; the nearest is {1e3 * closest:g} mm"
+        yield Problem(f"{path}.module", message)
+
+
+def _gears(design: Design) -> Iterator[str]:
+    """Yield every gear that a shaft can carry."""
+    for name, pair in design.pairs.items():
+        for side in ("pinion", "wheel"):
+            if "." not in "".join(getattr(pair, side)):
+                yield f"{name}.{side}"
+    yield from (f"{name}.sun" for name in design.planetaries)

@@ -1,0 +1,51 @@
+"""What a user writes of a transmission: stages, machines, shafts, supports, bearings, tolerances, rules.
+
+What can be wrong with it beyond its types is in `checks`.
+"""
+
+from gearwright.spec.design.design import (
+    GROUND,
+    NOTHING_GIVEN,
+    Clutch,
+    Design,
+    Drive,
+    GearRules,
+    Motor,
+    Pair,
+    Planetary,
+    Propeller,
+    ShaftLayout,
+    Turbine,
+)
+from gearwright.spec.design.dynamics import DynamicsRules, MeshCurve
+from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
+from gearwright.spec.design.overrides import NO_ORIGIN, Overrides
+from gearwright.spec.design.service import Iso6336Rules, Service
+from gearwright.spec.design.support import Support
+from gearwright.spec.design.tolerance import PartErrors
+
+__all__ = [
+    "GROUND",
+    "LOCATES",
+    "NOTHING_GIVEN",
+    "NO_ORIGIN",
+    "BearingSeat",
+    "Clutch",
+    "Design",
+    "Drive",
+    "DynamicsRules",
+    "GearRules",
+    "Iso6336Rules",
+    "Joint",
+    "MeshCurve",
+    "Motor",
+    "Overrides",
+    "Pair",
+    "PartErrors",
+    "Planetary",
+    "Propeller",
+    "Service",
+    "ShaftLayout",
+    "Support",
+    "Turbine",
+]

@@ -1,0 +1,34 @@
+"""What the rows of a study say: table, Pareto front, verdict, sensitivities, export.
+
+How rows come about is in `cases` and `running`.
+"""
+
+from gearwright.study.answers.export import columns, refuse_export, write_table
+from gearwright.study.answers.pareto import Floats, front_table, pareto_front, ranks, violations, wanted
+from gearwright.study.answers.sensitivity import Influence, sensitivity, varies
+from gearwright.study.answers.table import Row, Table
+from gearwright.study.answers.verdict import Standing, Verdict, bound, confidence, kept, scenarios, verdict
+
+__all__ = [
+    "Floats",
+    "Influence",
+    "Row",
+    "Standing",
+    "Table",
+    "Verdict",
+    "bound",
+    "columns",
+    "confidence",
+    "front_table",
+    "kept",
+    "pareto_front",
+    "ranks",
+    "refuse_export",
+    "scenarios",
+    "sensitivity",
+    "varies",
+    "verdict",
+    "violations",
+    "wanted",
+    "write_table",
+]

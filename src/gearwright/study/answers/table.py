@@ -1,0 +1,107 @@
+"""Table: one row per variant; a failed variant is a row with its reason."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from gearwright.errors import DesignError, Problem, near
+from gearwright.sizing import TEXT, Named
+from gearwright.units import shown, unit
+
+
+@dataclass(frozen=True)
+class Row:
+    """One variant."""
+
+    design: str
+    """Design that was varied."""
+    inputs: Mapping[str, float | int | str | bool]
+    """Dotted path -> value, in the unit of the path."""
+    results: Mapping[str, Named]
+    """Result -> value; empty if the variant failed."""
+    problem: str = ""
+    """Why the variant failed; empty if it did not."""
+
+    def number(self, result: str) -> float:
+        """Return one result of a variant that did not fail [SI].
+
+        Args:
+            result: Its name.
+
+        Raises:
+            DesignError: If it is a text.
+        """
+        value = self.results[result].value
+        if isinstance(value, str):
+            raise DesignError([Problem(result, f"{value!r} is a name and no number; take it as one of the results")])
+        return value
+
+    def shown(self, result: str) -> float:
+        """Return one result in the unit in which it is shown.
+
+        Args:
+            result: Its name.
+
+        Raises:
+            DesignError: If it is a text.
+        """
+        return shown(self.number(result), self.results[result].dimension)
+
+
+@dataclass(frozen=True)
+class Table:
+    """The rows of a study."""
+
+    name: str
+    """Of the study."""
+    description: str
+    """What it answers."""
+    results: tuple[str, ...]
+    """Results that were asked for."""
+    rows: tuple[Row, ...]
+    """In the order of the study: designs outermost, the last axis fastest."""
+    tied: bool = False
+    """True if the axes were changed together, value by value."""
+
+    @property
+    def free(self) -> tuple[str, ...]:
+        """Paths that vary on their own: of those that were changed together only the last."""
+        paths = tuple(self.rows[0].inputs) if self.rows else ()
+        return paths[-1:] if self.tied else paths
+
+    def column(self, result: str) -> list[float]:
+        """Return one result of every row that did not fail [SI].
+
+        Args:
+            result: Its name.
+
+        Raises:
+            DesignError: If it was not asked for.
+        """
+        if result not in self.results:
+            raise DesignError([Problem("results", f"{result!r} was not asked for; {near(result, self.results)}")])
+        return [row.number(result) for row in self.good]
+
+    @property
+    def good(self) -> tuple[Row, ...]:
+        """Rows that did not fail."""
+        return tuple(row for row in self.rows if not row.problem)
+
+    @property
+    def numbers(self) -> tuple[str, ...]:
+        """Results that are numbers, not names."""
+        return tuple(name for name in self.results if self.good and self.good[0].results[name].dimension != TEXT)
+
+    def unit(self, result: str) -> str:
+        """Return the unit in which a result is shown; empty for what has none.
+
+        Args:
+            result: Its name.
+        """
+        return unit(self.good[0].results[result].dimension) if result in self.numbers else ""
+
+    @property
+    def failed(self) -> tuple[Row, ...]:
+        """Rows that failed."""
+        return tuple(row for row in self.rows if row.problem)

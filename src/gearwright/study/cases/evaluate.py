@@ -1,0 +1,137 @@
+"""One case: design and mission are changed, the verbs that results need are run, and what fails becomes a reason."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from gearwright.errors import DesignError, GearwrightError, Problem
+from gearwright.sizing import TEXT, Named, Sizing, named_results, pick, size, total_results
+from gearwright.spec import MISSION_PATH, Design, Mission, Study, edited, edited_mission, path_problem, value_at
+from gearwright.spec.axis import Value
+from gearwright.study.answers import Row
+from gearwright.study.cases.sampling import Case
+
+
+def evaluate(study: Study, design: Design, case: Case) -> Row:
+    """Return the row of a case; a case that fails is a row with its reason.
+
+    Args:
+        study: Changes, and the results that are asked for.
+        design: Where the case starts.
+        case: Its inputs.
+    """
+    try:
+        results = _results(study, design, case.inputs)
+        return Row(case.design, case.inputs, {name: pick(results, name) for name in study.asked})
+    except DesignError as error:
+        reason = "; ".join(str(problem) for problem in error.problems)
+    except GearwrightError as error:
+        reason = str(error)
+    except (ArithmeticError, LookupError, TypeError, ValueError) as error:  # ours to mend; a night's other cases go on
+        reason = f"a fault of gearwright itself, {type(error).__name__}: {error}"
+    return Row(case.design, case.inputs, {}, reason)
+
+
+def split(changes: Mapping[str, Value]) -> tuple[dict[str, Value], dict[str, Value]]:
+    """Return the changes of the design and those of the mission, each by its own paths.
+
+    Args:
+        changes: Dotted path -> value; those of the mission begin with ``mission.``.
+    """
+    flight = {path for path in changes if path.startswith(MISSION_PATH)}
+    design = {path: value for path, value in changes.items() if path not in flight}
+    return design, {path.removeprefix(MISSION_PATH): changes[path] for path in changes if path in flight}
+
+
+def sized(study: Study, design: Design, inputs: Mapping[str, Value]) -> Sizing:
+    """Return the sizing of a case, strengthened if the study asks for a life.
+
+    Args:
+        study: With its changes.
+        design: Where the case starts.
+        inputs: Of the case.
+
+    Raises:
+        DesignError: If it cannot be had.
+        SolveError: If the life is out of reach.
+    """
+    if study.fly.life is not None:
+        return _flown(study, design, inputs)[0]
+    return size(edited(design, split({**study.changes, **inputs})[0]))
+
+
+def _flown(study: Study, design: Design, inputs: Mapping[str, Value]) -> tuple[Sizing, dict[str, Named]]:
+    """Return the sizing of a case, and the results of its flight."""
+    from gearwright.study.cases.flight import flight_results, flown  # what flies is loaded for those who ask for it
+
+    own, changes = split({**study.changes, **inputs})
+    if study.mission is None:
+        raise DesignError([Problem("fly.mission", "this study has no mission; it names one under [fly]")])
+    sizing, flight = flown(edited(design, own), edited_mission(study.mission, changes), study.fly)
+    return sizing, flight_results(flight, study.asked)
+
+
+def _results(study: Study, design: Design, inputs: Mapping[str, Value]) -> dict[str, Named]:
+    """Return the results of every verb that a name asks for."""
+    asked = study.asked
+    verbs = {name.partition(".")[0] for name in asked}
+    sizing, flights = _flown(study, design, inputs) if study.flies else (sized(study, design, inputs), {})
+    results = total_results(sizing)
+    if not results.keys() >= set(asked):
+        results = named_results(sizing)
+    if verbs & {"modes", "simulate"}:  # the compiled kernel takes a second to load: only for those who ask for it
+        from gearwright.study.cases.motion import modal_results, simulated_results
+    if "modes" in verbs:
+        results |= modal_results(sizing)
+    if "simulate" in verbs:
+        results |= simulated_results(sizing, study.simulate)
+    return results | flights
+
+
+def refuse_unknown_paths(study: Study, designs: Mapping[str, Design]) -> None:
+    """Raise for every path of a study that neither its mission nor any of its designs has.
+
+    Args:
+        study: With axes and changes.
+        designs: Name -> design.
+
+    Raises:
+        DesignError: With the nearest path.
+    """
+    own, flight = split({**dict.fromkeys(study.axes, 0.0), **study.changes})
+    found = [[path_problem(design, path) for design in designs.values()] for path in own]
+    problems = [each[0] for each in found if all(each) and each[0] is not None]
+    problems += [problem for path in flight if (problem := _mission_problem(study.mission, path)) is not None]
+    problems = problems or _result_problems(study, designs)
+    if problems:
+        raise DesignError(problems, study.name)
+
+
+def _result_problems(study: Study, designs: Mapping[str, Design]) -> list[Problem]:
+    """Return which results the case in the middle of the axes does not have, before a night of cases lacks them."""
+    inputs = {path: value_at(path, axis, 0.5) for path, axis in study.axes.items()}
+    for design in designs.values():
+        try:
+            results = _results(study, design, inputs)
+        except GearwrightError:
+            continue  # this one cannot be had; another may tell
+        return [problem for name in study.asked for problem in _result_problem(study, results, name)]
+    return []
+
+
+def _result_problem(study: Study, results: dict[str, Named], name: str) -> Iterator[Problem]:
+    try:
+        found = pick(results, name)
+    except DesignError as error:
+        yield from error.problems
+        return
+    if found.dimension == TEXT and (name in study.objectives or name in study.constraints):
+        yield Problem(name, f"{found.value!r} is a name and no number; ask for it under results")
+
+
+def _mission_problem(mission: Mission | None, path: str) -> Problem | None:
+    """Return why a path has no place in the mission of a study, or None if it has."""
+    if mission is None:
+        return Problem(f"{MISSION_PATH}{path}", "this study has no mission; it names one under [fly]")
+    found = path_problem(mission, path)
+    return found and Problem(f"{MISSION_PATH}{found.path}", found.message)

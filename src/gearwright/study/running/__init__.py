@@ -1,0 +1,33 @@
+"""Running studies of any size: here and now, by workers, on a cluster, with a journal that survives.
+
+A single case is computed in `cases`.
+"""
+
+from gearwright.study.running.cluster import Cluster, commands
+from gearwright.study.running.journal import begin, opened, recorded, rows_of, status
+from gearwright.study.running.made_with import changes_of, digest, made_with
+from gearwright.study.running.run import run, table_of
+from gearwright.study.running.runner import Progress, Start, resume, run_study
+from gearwright.study.running.search import generations
+from gearwright.study.running.workers import local
+
+__all__ = [
+    "Cluster",
+    "Progress",
+    "Start",
+    "begin",
+    "changes_of",
+    "commands",
+    "digest",
+    "generations",
+    "local",
+    "made_with",
+    "opened",
+    "recorded",
+    "resume",
+    "rows_of",
+    "run",
+    "run_study",
+    "status",
+    "table_of",
+]

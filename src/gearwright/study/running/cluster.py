@@ -1,0 +1,178 @@
+"""Compute cases on a Dask cluster: a scheduler and workers on any machines, with nothing on them but gearwright.
+
+The scheduler repeats what a dead worker was at; a chunk that has killed several is split into its cases, and a case
+that does so alone becomes a row with the reason. The journal stays with the runner, so that a dead scheduler costs
+what was being computed, nothing else.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+from collections import deque
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import islice
+from typing import Any
+
+from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.spec import Design, Study
+from gearwright.study.answers import Row
+from gearwright.study.cases import Case, evaluate
+from gearwright.study.running.made_with import changes_of, made_with
+from gearwright.study.running.workers import Compute, Finished
+
+CHUNK = 32
+"""Cases of one task: some 50 ms of first sizings, long beside the scheduler's 1 ms a task."""
+AHEAD = 3
+"""Tasks in flight for each thread of the cluster, so that none idles."""
+PATIENCE = 10.0
+"""Time in which a scheduler must answer [s]."""
+
+_NOISY = ("distributed", "tornado", "asyncio")
+"""Libraries that log what they lose."""
+GONE = "the scheduler is gone; what is finished is kept: start it again and `gearwright resume` the journal"
+
+
+def commands(host: str, processes: int) -> tuple[str, str, str]:
+    """Return the commands that start a scheduler, workers on any machine that reaches it, and a study on them.
+
+    Args:
+        host: Name or address of the scheduler's machine.
+        processes: Workers to start on one machine.
+    """
+    address = f"tcp://{host}:8786"
+    return (
+        f"dask scheduler --host {host}",
+        f"dask worker {address} --nworkers {processes} --nthreads 1",
+        f"gearwright study STUDY.toml --journal STUDY.journal --cluster {address}",
+    )
+
+
+@dataclass(frozen=True)
+class Cluster:
+    """A Dask cluster; called with study, designs and workers it holds a connection as `local` holds processes."""
+
+    address: str
+    """Of its scheduler, such as ``tcp://10.0.0.1:8786``."""
+
+    @contextmanager
+    def __call__(self, study: Study, designs: Mapping[str, Design], workers: int) -> Iterator[Compute]:
+        """Hold a connection; the cluster has its own number of workers.
+
+        Raises:
+            DesignError: If Dask is not installed, or no scheduler answers.
+        """
+        client = _client(self.address)
+        with _quiet(), client:
+            yield lambda cases, count: _Tasks(client, study, designs, cases).work()
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep what Dask logs of a lost scheduler, tracebacks among it, from the terminal: the error says it."""
+    names = [name for name in logging.root.manager.loggerDict if name.partition(".")[0] in _NOISY]
+    loggers = [logging.getLogger(name) for name in names]
+    before = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL)
+    try:
+        yield
+    finally:
+        for logger, level in zip(loggers, before, strict=True):
+            logger.setLevel(level)
+
+
+def _client(address: str) -> Any:
+    try:
+        from distributed import Client
+    except ImportError:
+        message = "Dask is not installed; install gearwright[cluster]"
+        raise DesignError([Problem("--cluster", message)]) from None
+    try:
+        return Client(address, timeout=PATIENCE)
+    except (OSError, ValueError):
+        message = f"no scheduler answers at {address}; `gearwright cluster` prints how to start one"
+        raise DesignError([Problem("--cluster", message)]) from None
+
+
+class _Tasks:
+    """The chunks of one run, in flight and to come."""
+
+    def __init__(self, client: Any, study: Study, designs: Mapping[str, Design], cases: Iterator[Case]) -> None:
+        texts = {name: _text(design) for name, design in designs.items()}
+        self.client, self.given, self.cases = client, (dict(made_with()), _text(study), json.dumps(texts)), cases
+        self.again: deque[list[Case]] = deque()
+        self.flying: dict[str, list[Case]] = {}
+
+    def work(self) -> Iterator[Finished]:
+        """Yield finished cases; wherever the connection is lost, the scheduler is gone."""
+        try:
+            yield from self._work()
+        except OSError:
+            raise SolveError(GONE) from None
+
+    def _work(self) -> Iterator[Finished]:
+        from distributed import as_completed
+
+        first = [future for future in (self._fly() for _ in range(self._room())) if future is not None]
+        landed = as_completed(first)
+        for future in landed:
+            yield self._landed(future)
+            for _ in range(max(1, self._room() - len(self.flying))):
+                following = self._fly()
+                if following is not None:
+                    landed.add(following)
+        if self.flying or self.again:
+            raise SolveError(GONE)
+
+    def _room(self) -> int:
+        threads: Mapping[str, int] = self.client.nthreads()
+        return AHEAD * max(1, sum(threads.values()))
+
+    def _fly(self) -> Any:
+        chunk = self.again.popleft() if self.again else list(islice(self.cases, CHUNK))
+        if not chunk:
+            return None
+        future = self.client.submit(_rows, *self.given, chunk, pure=False)
+        self.flying[future.key] = chunk
+        return future
+
+    def _landed(self, future: Any) -> Finished:
+        from distributed import KilledWorker
+        from distributed.client import FutureCancelledError
+
+        chunk = self.flying.pop(future.key)
+        try:
+            found: Finished = future.result()
+        except KilledWorker:
+            if len(chunk) > 1:
+                self.again.extend([case] for case in chunk)
+                return []
+            case = chunk[0]
+            return [(case.number, Row(case.design, case.inputs, {}, "it killed every worker that tried it"))]
+        except FutureCancelledError:
+            raise SolveError(GONE) from None
+        return found
+
+
+def _text(record: Study | Design) -> str:
+    return record.model_dump_json(by_alias=True, exclude_unset=True)
+
+
+def _rows(made: Mapping[str, str], study: str, designs: str, chunk: list[Case]) -> Finished:
+    """Return the rows of a chunk: the task of a worker, which needs no file."""
+    other = [f"{name} {here} where the study has {asked}" for name, asked, here in changes_of(made, made_with())]
+    if other:
+        message = f"a worker has {', '.join(other)}; install the same on all machines"
+        raise DesignError([Problem("--cluster", message)])
+    read, known = _read(study, designs)
+    return [(case.number, evaluate(read, known[case.design], case)) for case in chunk]
+
+
+@lru_cache(maxsize=1)
+def _read(study: str, designs: str) -> tuple[Study, dict[str, Design]]:
+    texts = json.loads(designs)
+    return Study.model_validate_json(study), {name: Design.model_validate_json(text) for name, text in texts.items()}

@@ -1,0 +1,70 @@
+"""Run a small study here and now: every case, one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from gearwright.errors import DesignError, Problem
+from gearwright.spec import Design, Study, case_count
+from gearwright.study.answers import Row, Table
+from gearwright.study.cases import Case, cases, evaluate
+from gearwright.study.running.search import generations
+
+
+def run(study: Study, designs: Mapping[str, Design], *, progress: Callable[[float], None] | None = None) -> Table:
+    """Return the table of a study, computed in this process.
+
+    Args:
+        study: Axes, changes and results.
+        designs: Name -> design, for every name in the study.
+        progress: Called with the fraction done, from 0 to 1.
+
+    Raises:
+        DesignError: If there are too many cases, or all of them fail. A variant that fails is a row with its reason.
+    """
+    count, rows = case_count(study), list[Row]()
+
+    def computed(case: Case) -> Row:
+        rows.append(evaluate(study, designs[case.design], case))
+        if progress is not None:
+            progress(len(rows) / count)
+        return rows[-1]
+
+    for batch, answer in batches(study):
+        answer([computed(case) for case in batch])
+    return table_of(study, rows)
+
+
+def batches(study: Study) -> Iterator[tuple[Iterator[Case], Callable[[list[Row]], None]]]:
+    """Yield batches of cases, each with the function that takes its rows: one batch, or a search's generations.
+
+    Args:
+        study: Axes and method.
+    """
+    if study.sampling.method != "nsga2":
+        yield cases(study), lambda rows: None
+        return
+    search = generations(study)
+    batch = next(search, None)
+    while batch is not None:
+        answers: list[Row] = []
+        yield iter(batch), answers.extend
+        try:
+            batch = search.send(answers)
+        except StopIteration:
+            batch = None
+
+
+def table_of(study: Study, rows: list[Row]) -> Table:
+    """Return the table of rows.
+
+    Args:
+        study: That they belong to.
+        rows: In the order of the cases.
+
+    Raises:
+        DesignError: If all of them failed.
+    """
+    if rows and all(row.problem for row in rows):
+        raise DesignError([Problem("", f"every case failed, the first with {rows[0].problem}")], study.name)
+    return Table(study.name, study.description, study.asked, tuple(rows), tied=study.sampling.method == "list")

@@ -1,0 +1,233 @@
+"""Worker processes that compute cases, and go on when one of them dies.
+
+Every worker has its own pipe and at most two chunks of cases, so that it is known what a dead one was at. A chunk whose
+worker died is done again case by case; a case that kills its worker a second time becomes a row with the reason.
+"""
+
+from __future__ import annotations
+
+import gc
+import multiprocessing
+import os
+import signal
+import time
+from collections import Counter, deque
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import partial
+from itertools import islice
+from multiprocessing import resource_tracker
+from multiprocessing.connection import Connection, wait
+from multiprocessing.process import BaseProcess
+
+from gearwright.errors import SolveError
+from gearwright.spec import Design, Study
+from gearwright.study.answers import Row
+from gearwright.study.cases import Case, evaluate
+
+TRIES = 2
+"""Times that a case may kill its worker."""
+CHUNK_TIME = 0.1
+"""Time that a chunk of cases should take [s]: long beside a message of 0.1 ms, short beside patience."""
+LARGEST_CHUNK = 256
+AHEAD = 2
+"""Chunks that a worker holds: one at work, one waiting, so that it never idles."""
+FAILED_STARTS = 3
+"""Workers in a row that may die before they are ready."""
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
+
+Chunk = list[Case]
+Finished = list[tuple[int, Row]]
+Function = Callable[[Study, Design, Case], Row]
+"""What computes a case."""
+Given = tuple[Study, Mapping[str, Design], Function]
+"""What a worker needs to know."""
+Compute = Callable[[Iterator[Case], int], Iterator[Finished]]
+"""What takes cases and their number, and yields finished ones, several at a time, in any order."""
+
+
+@contextmanager
+def local(
+    study: Study, designs: Mapping[str, Design], workers: int, *, function: Function = evaluate
+) -> Iterator[Compute]:
+    """Hold worker processes of this machine; they start with the first cases and serve until the end.
+
+    Args:
+        study: Results that are asked for.
+        designs: Name -> design.
+        workers: Processes; 0 computes in this one.
+        function: What computes a case; it must be importable by name.
+
+    Yields:
+        A function of cases and their number, which yields finished ones, several at a time, as they are done. It
+        raises `SolveError` if workers die before they are ready.
+    """
+    crew = _Crew((study, designs, function), workers)
+    try:
+        yield crew.work if workers else partial(_here, (study, designs, function))
+    finally:
+        crew.dismiss()
+
+
+def _here(given: Given, cases: Iterator[Case], count: int) -> Iterator[Finished]:
+    study, designs, function = given
+    for case in cases:
+        yield [(case.number, function(study, designs[case.design], case))]
+
+
+def _serve(pipe: Connection, study: Study, designs: Mapping[str, Design], function: Function) -> None:
+    """Answer chunks with their rows until the pipe closes: the life of a worker."""
+    gc.freeze()  # what is loaded now stays: the collector need not look at it after every few cases
+    try:
+        pipe.send(None)
+        while True:
+            chunk: Chunk = pipe.recv()
+            start = time.perf_counter()
+            rows = [(case.number, function(study, designs[case.design], case)) for case in chunk]
+            pipe.send((rows, time.perf_counter() - start))
+    except (EOFError, BrokenPipeError, ConnectionResetError):  # the runner is gone, perhaps with an answer unread
+        return
+
+
+@dataclass(eq=False)
+class _Worker:
+    """One process, its pipe, and what it has been given."""
+
+    process: BaseProcess
+    pipe: Connection
+    chunks: deque[Chunk] = field(default_factory=deque)
+    ready: bool = False
+
+
+class _Crew:
+    """The workers of one run."""
+
+    def __init__(self, given: Given, workers: int) -> None:
+        self.given, self.workers = given, workers
+        self.cases: Iterator[Case] = iter(())
+        self.again: deque[Chunk] = deque()
+        self.deaths: Counter[int] = Counter()
+        self.members: list[_Worker] = []
+        self.failed_starts = 0
+        self.chunk = 1
+
+    def work(self, cases: Iterator[Case], count: int) -> Iterator[Finished]:
+        """Yield finished cases; of no more workers than cases."""
+        self.cases = cases
+        for _ in range(len(self.members), min(self.workers, count)):
+            self.members.append(self._hire())
+        while self._give():
+            for pipe in wait([worker.pipe for worker in self.members]):
+                worker = next(each for each in self.members if each.pipe is pipe)
+                finished = self._take(worker)
+                if finished:
+                    yield finished
+
+    def _hire(self) -> _Worker:
+        """Start a process; `spawn` gives it no pipe but its own, so that it ends when this process does."""
+        context = multiprocessing.get_context("spawn")
+        here, there = context.Pipe()
+        process = context.Process(target=_serve, args=(there, *self.given), daemon=True)
+        with _inherited():
+            process.start()
+        there.close()
+        return _Worker(process, here)
+
+    def _give(self) -> bool:
+        """Fill up every ready worker; tell whether anything is left to wait for."""
+        for _ in range(AHEAD):
+            for worker in self.members:
+                if worker.ready and len(worker.chunks) < AHEAD:
+                    self._hand(worker)
+        return any(worker.chunks for worker in self.members) or self._has_more()
+
+    def _hand(self, worker: _Worker) -> None:
+        chunk = self._next()
+        if not chunk:
+            return
+        worker.chunks.append(chunk)
+        try:
+            worker.pipe.send(chunk)
+        except (BrokenPipeError, ConnectionResetError):
+            return  # its death is seen at the next wait
+
+    def _next(self) -> Chunk:
+        if self.again:
+            return self.again.popleft()
+        return list(islice(self.cases, self.chunk))
+
+    def _has_more(self) -> bool:
+        if not self.again:
+            self.again.extend([case] for case in islice(self.cases, 1))
+        return bool(self.again)
+
+    def _take(self, worker: _Worker) -> Finished:
+        """Return what a worker has finished, or see to its death."""
+        try:
+            message = worker.pipe.recv()
+        except (EOFError, ConnectionResetError):
+            return self._bury(worker)
+        if message is None:
+            worker.ready, self.failed_starts = True, 0
+            return []
+        rows, seconds = message
+        worker.chunks.popleft()
+        each = max(seconds / len(rows), 1e-6)
+        self.chunk = max(1, min(int(CHUNK_TIME / each), LARGEST_CHUNK, 2 * self.chunk))
+        return list(rows)
+
+    def _bury(self, worker: _Worker) -> Finished:
+        """Hire another one; the chunk that the dead one was at is suspect, the one behind it is not."""
+        worker.process.join()
+        self.members.remove(worker)
+        if not worker.ready:
+            self.failed_starts += 1
+            if self.failed_starts >= FAILED_STARTS:
+                raise SolveError(
+                    f"{FAILED_STARTS} worker processes died while they started, the last with exit code"
+                    f" {worker.process.exitcode}; a script must guard its start with if __name__ == '__main__',"
+                    " or use --workers 0"
+                )
+        self.members.append(self._hire())
+        suspect = worker.chunks.popleft() if worker.chunks else []
+        self.again.extend(worker.chunks)
+        if len(suspect) != 1:
+            self.again.extend([case] for case in suspect)
+            return []
+        case = suspect[0]
+        self.deaths[case.number] += 1
+        if self.deaths[case.number] < TRIES:
+            self.again.append(suspect)
+            return []
+        reason = f"its worker died {TRIES} times, the last with exit code {worker.process.exitcode}"
+        return [(case.number, Row(case.design, case.inputs, {}, reason))]
+
+    def dismiss(self) -> None:
+        """End every worker; what they are at is lost, what they have sent is not."""
+        for worker in self.members:
+            worker.pipe.close()
+            worker.process.terminate()
+        for worker in self.members:
+            worker.process.join()
+
+
+@contextmanager
+def _inherited() -> Iterator[None]:
+    """Let new processes compute on one thread each, as the workers share the cores, and leave Ctrl-C to the runner."""
+    before = {name: os.environ.get(name) for name in _THREADS}
+    os.environ.update(dict.fromkeys(_THREADS, "1"))
+    masked = hasattr(signal, "pthread_sigmask")  # a terminal sends Ctrl-C to the whole group, also while it starts
+    if masked:
+        resource_tracker.ensure_running()  # the first process starts it otherwise, and it takes the mask away
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if masked else set()
+    try:
+        yield
+    finally:
+        if masked:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value

@@ -1,0 +1,195 @@
+"""Every public mass method that gearwright knows, in the order in which it shows them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cache
+
+from gearwright.units import HORSEPOWER
+from gearwright.weights import brown, ndarc, tm215680, wate2, willis
+from gearwright.weights.method import Coverage, Method, Range
+from gearwright.weights.refit import mass_refit, refit, refit_range
+from gearwright.weights.requirement import Requirement
+
+_AFDD00 = Coverage(lubrication="not stated", rotor_shaft="included", accessories="included")
+_AFDD83 = Coverage(lubrication="not stated", rotor_shaft="included", accessories="not stated")
+_UNSTATED = Coverage(lubrication="not stated", rotor_shaft="not stated", accessories="not stated")
+_WITH_LUBRICATION = Coverage(lubrication="included", rotor_shaft="not stated", accessories="not stated")
+_NOTHING_SAID = Coverage("not stated", "not stated", "not stated", housing="not stated")
+_WILLIS = "Willis 1963, Product Engineering, pp. 64-75; brackets derived again from the definition of K"
+_WILLIS_BASIS = "gear volumes times 0.25 lb/in³, Willis's factor for aircraft drives"
+_K = "K = 600 psi"
+_LEAST_PLANET = 0.25
+"""Planet over sun diameter below which a planetary stage is not proposed [-]: an assumption, not Willis's."""
+_EPICYCLIC = "1/b + 1/(b m_s) + m_s + m_s² + 0.4 M_r²/b + 0.4 M_r²/(b m_s)"
+_WILLIS_FORMULAS = {
+    "willis-two-planetary": f"Σ F d² = (2T/K) [{_EPICYCLIC}] for each stage, M_r = GR − 1, m_s = (GR − 2)/2",
+    "willis-planetary": f"Σ F d² = (2T/K) [{_EPICYCLIC}], M_r = GR − 1, m_s = (GR − 2)/2",
+    "willis-double-branch": "Σ F d² = (2T/K) [1/2 + 1/(2m) + 2m + m² + m²/M_0 + M_0/2 + M_0²/(2m)]",
+    "willis-double-reduction": "Σ F d² = (2T/K) [1 + 1/m + 2m + m² + m²/M_0 + M_0 + M_0²/m]",
+}
+
+
+@cache
+def methods() -> tuple[Method, ...]:
+    """Return every method, the refit of the real weights first."""
+    return (_refit(), _tm215680(), *_ndarc(), _wate2(), *_brown(), *_willis())
+
+
+def _refit() -> Method:
+    line = refit()
+    return Method(
+        key="refit",
+        name="Refit of 61 weights",
+        formula=f"W[lb] = 10^{line.intercept:.4f} β^{line.slope:.4f}, β = (hp/rpm_out)^0.75 (rpm_in/rpm_out)^0.15",
+        source="weights of NASA/TM-2009-215680, fitted by gearwright",
+        basis=f"61 gearboxes of rotorcraft, tiltrotors and turboprops; R² = {line.r_squared:.3f} in log10",
+        includes=_WITH_LUBRICATION,
+        mass=mass_refit,
+        ranges=(refit_range(),),
+    )
+
+
+def _tm215680() -> Method:
+    return Method(
+        key="tm215680",
+        name="TM-2009-215680",
+        formula="W[lb] = −37.4262 + 116.3297 β, β = (hp/rpm_out)^0.75 (rpm_in/rpm_out)^0.15",
+        source="NASA/TM-2009-215680, figure of gearbox weights",
+        basis="the same weights of more than fifty gearboxes, fitted by a line in β",
+        includes=_WITH_LUBRICATION,
+        mass=lambda need: tm215680.mass_tm215680(need.beta),
+        ranges=(Range("beta", tm215680.LEAST_BETA, tm215680.GREATEST_BETA, "weights of the figure"),),
+    )
+
+
+def _ndarc() -> tuple[Method, Method]:
+    return (
+        Method(
+            key="afdd00",
+            name="NASA'15 = AFDD00",
+            formula="W[lb] = 95.7634 N^0.38553 hp^0.78137 rpm_in^0.09899 / rpm_out^0.80686",
+            source="Johnson 2015, NASA/TP-2015-218751; Pulvirenti 2023, eq. 1.1",
+            basis="52 rotorcraft, mean error 8.6 %",
+            includes=_AFDD00,
+            mass=lambda need: ndarc.mass_afdd00(need.power, need.engine_speed, need.propeller_speed),
+            assumes="N = 1 rotor",
+        ),
+        Method(
+            key="afdd83",
+            name="AFDD83",
+            formula="W[lb] = 57.72 hp^0.8195 f_Q^0.068 N_gb^0.0663 (rpm_in/1000)^0.0369 / rpm_out^0.6379",
+            source="Johnson 2015, NASA/TP-2015-218751",
+            basis="30 aircraft, mean error 7.7 %",
+            includes=_AFDD83,
+            mass=lambda need: ndarc.mass_afdd83(need.power, need.engine_speed, need.propeller_speed),
+            assumes="f_Q = 3 %, N_gb = 1",
+        ),
+    )
+
+
+def _wate2() -> Method:
+    return Method(
+        key="wate2",
+        name="WATE-2",
+        formula="W[lb] = (0.0174 Q_out[lbf ft] + 45) (0.118 rpm_in/rpm_out)^0.5",
+        source="Plencner, Senty and Wickenheiser 1983, NASA TM-83458; Pulvirenti 2023, eq. 1.3",
+        basis="in-line propeller gearboxes, data not published",
+        includes=_UNSTATED,
+        mass=lambda need: wate2.mass_wate2(need.power, need.engine_speed, need.propeller_speed),
+        ranges=(
+            Range(
+                "power", 1000.0 * HORSEPOWER, 2500.0 * HORSEPOWER, "1000 to 2500 hp, Pulvirenti 2023", shows_beyond=True
+            ),
+        ),
+    )
+
+
+def _brown() -> tuple[Method, ...]:
+    cases = (
+        ("brown94", brown.EXISTING_GEARBOXES, "existing gearboxes"),
+        ("brown72", brown.PUBLISHED_CONSTANT, "gearboxes of the study"),
+    )
+    return tuple(
+        Method(
+            key=key,
+            name=f"Brown 2005, K = {constant:g}",
+            formula=f"W[lb] = {constant:g} hp^0.76 rpm_in^0.13 / rpm_out^0.89",
+            source="Brown, Kascak, Ebihara et al. 2005, NASA/TM-2005-213800",
+            basis="aircraft gearboxes, data not published with the law",
+            includes=_UNSTATED,
+            mass=_brown_mass(constant),
+            assumes=f"K = {constant:g} lb, {kind}",
+        )
+        for key, constant, kind in cases
+    )
+
+
+def _brown_mass(constant: float) -> Callable[[Requirement], float]:
+    return lambda need: brown.mass_brown(need.power, need.engine_speed, need.propeller_speed, constant=constant)
+
+
+def _willis() -> tuple[Method, ...]:
+    return (
+        _arrangement(
+            "willis-two-planetary",
+            "Willis, two planetary stages",
+            _two_planetary,
+            assumes=f"{_K}; stages of equal ratio, 3 and 5 planets",
+            ranges=(_planetary_range(5, 2),),
+        ),
+        _arrangement(
+            "willis-planetary",
+            "Willis, one planetary stage",
+            lambda need: willis.mass_willis(need.input_torque, willis.bracket_planetary(need.ratio, 3)),
+            assumes=f"{_K}; 3 planets",
+            ranges=(_planetary_range(3, 1),),
+        ),
+        _arrangement(
+            "willis-double-branch",
+            "Willis, double branch",
+            lambda need: willis.mass_willis(
+                need.input_torque, willis.bracket_double_branch(math.sqrt(need.ratio), need.ratio)
+            ),
+            assumes=f"{_K}; pairs of equal ratio",
+        ),
+        _arrangement(
+            "willis-double-reduction",
+            "Willis, double reduction",
+            lambda need: willis.mass_willis(
+                need.input_torque, willis.bracket_double_reduction(math.sqrt(need.ratio), need.ratio)
+            ),
+            assumes=f"{_K}; pairs of equal ratio",
+        ),
+    )
+
+
+def _arrangement(
+    key: str, name: str, mass: Callable[[Requirement], float], *, assumes: str, ranges: tuple[Range, ...] = ()
+) -> Method:
+    return Method(
+        key=key,
+        name=name,
+        formula=_WILLIS_FORMULAS[key],
+        source=_WILLIS,
+        basis=_WILLIS_BASIS,
+        includes=_NOTHING_SAID,
+        mass=mass,
+        ranges=ranges,
+        assumes=assumes,
+    )
+
+
+def _two_planetary(need: Requirement) -> float:
+    stage = math.sqrt(need.ratio)
+    first = willis.mass_willis(need.input_torque, willis.bracket_planetary(stage, 3))
+    return first + willis.mass_willis(need.input_torque * stage, willis.bracket_planetary(stage, 5))
+
+
+def _planetary_range(planets: int, stages: int) -> Range:
+    """Return the ratios between planets of a quarter of the sun and planets that touch each other."""
+    sine = math.sin(math.pi / planets)
+    greatest = 2.0 + 2.0 * sine / (1.0 - sine)
+    least = 2.0 + 2.0 * _LEAST_PLANET
+    return Range("ratio", least**stages, greatest**stages, f"{planets} planets, large enough and clear of each other")
