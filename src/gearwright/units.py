@@ -21,6 +21,13 @@ POUND = 0.45359237
 GRAVITY = 9.80665
 """Standard gravity in m/s² (exact, 3rd CGPM 1901)."""
 FOOT = 12.0 * INCH
+"""[m]"""
+KNOT = 1852.0 / 3600.0
+"""[m/s]"""
+CELSIUS = 273.15
+"""0 °C [K]."""
+KWH = 3.6e6
+"""[J]"""
 POUND_FORCE = POUND * GRAVITY
 HORSEPOWER = 550.0 * FOOT * POUND_FORCE
 """One mechanical horsepower in W."""
@@ -29,7 +36,7 @@ _SUFFIXES: Mapping[str, Mapping[str, float]] = {
     "angle": {"deg": math.pi / 180.0, "rad": 1.0},
     "area": {"mm2": 1e-6, "m2": 1.0},
     "density": {"kg_m3": 1.0},
-    "energy": {"j": 1.0, "kj": 1e3, "mj": 1e6, "kwh": 3.6e6},
+    "energy": {"j": 1.0, "kj": 1e3, "mj": 1e6, "kwh": KWH},
     "force": {"n": 1.0, "kn": 1e3, "lbf": POUND_FORCE},
     "frequency": {"hz": 1.0, "khz": 1e3},
     "inertia": {"kg_m2": 1.0},
@@ -44,7 +51,7 @@ _SUFFIXES: Mapping[str, Mapping[str, float]] = {
     "time": {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
     "torque": {"nm": 1.0, "knm": 1e3, "lbf_ft": POUND_FORCE * FOOT},
     "torsional_stiffness": {"nm_rad": 1.0, "knm_rad": 1e3},
-    "velocity": {"m_s": 1.0, "km_h": 1.0 / 3.6, "kt": 1852.0 / 3600.0, "ft_min": FOOT / 60.0},
+    "velocity": {"m_s": 1.0, "km_h": 1.0 / 3.6, "kt": KNOT, "ft_min": FOOT / 60.0},
     "volume": {"m3": 1.0, "l": 1e-3, "mm3": 1e-9},
 }
 SUFFIXES: Mapping[str, Mapping[str, float]] = MappingProxyType(_SUFFIXES)
@@ -54,7 +61,7 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
     "angle": ("°", math.pi / 180.0),
     "area": ("mm²", 1e-6),
     "density": ("kg/m³", 1.0),
-    "electric_energy": ("kWh", 3.6e6),
+    "electric_energy": ("kWh", KWH),
     "energy": ("kJ", 1e3),
     "force": ("N", 1.0),
     "frequency": ("Hz", 1.0),

@@ -14,16 +14,9 @@ from split_torque import ALL, STAGES, TURN, built, shipped, sized
 
 from gearwright.dynamics import modes
 from gearwright.dynamics.assembly import contacts_of
-from gearwright.dynamics.equations import line_forces, redundancy
-from gearwright.dynamics.sharing import (
-    clocking_optimum,
-    error_sources,
-    errors_at,
-    influences,
-    line_numbers,
-    monte_carlo,
-    share_coefficients,
-)
+from gearwright.dynamics.equations import errors_at, line_forces, redundancy
+from gearwright.dynamics.motion import line_numbers
+from gearwright.dynamics.sharing import clocking_optimum, error_sources, influences, monte_carlo, share_coefficients
 
 FREQUENCIES = [0, 411, 568, 1069, 1150, 1152, 2232, 2273, 2552, 2612, 3367, 3428, 4242, 5247, 6315, 6469]
 

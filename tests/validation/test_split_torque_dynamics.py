@@ -13,9 +13,9 @@ from split_torque import ALL, STAGES, TURN, built, errors, shipped
 
 from gearwright.dynamics import Outputs, simulate
 from gearwright.dynamics.assembly import assemble, contacts_of
-from gearwright.dynamics.equations import redundancy
-from gearwright.dynamics.sharing import error_sources, influences, line_numbers, load_sharing, share_coefficients
-from gearwright.dynamics.vibration import steady_forces
+from gearwright.dynamics.equations import redundancy, steady_forces
+from gearwright.dynamics.motion import line_numbers
+from gearwright.dynamics.sharing import error_sources, influences, load_sharing, share_coefficients
 from gearwright.sizing import size
 
 RANGES = {

@@ -55,6 +55,11 @@ class Balance:
         spent += self.motor_loss + self.battery_loss + self.stored
         return abs(self.fuel + self.battery - spent) / (self.fuel + abs(self.battery))
 
+    @property
+    def came_in(self) -> Energy:
+        """Fuel, charge, what slows down, and the air where it drives a propeller [J]."""
+        return self.fuel + sum(max(energy, 0.0) for energy in (self.battery, -self.stored, -self.propeller))
+
 
 @dataclass(frozen=True)
 class Flight:

@@ -26,6 +26,7 @@ from gearwright.mission.gearbox import Array, Gearbox, Point
 from gearwright.mission.profile import Moment
 from gearwright.sizing import Sizing
 from gearwright.spec import BatteryRules, Mission, Phase
+from gearwright.units import KWH
 
 _SECONDS = 3600.0
 _SLACK = 1e-9
@@ -225,7 +226,7 @@ def supply_of(sizing: Sizing, mission: Mission) -> Supply:
             turbine.power,
             rules.thermal_power or turbine.power,
             turbine.power / turbine.speed * (1.0 + _TOLERANCE),
-            rules.fuel_kg_kwh / 3.6e6,
+            rules.fuel_kg_kwh / KWH,
             rules.idle_fuel,
             rules.temperature_exponent,
         )

@@ -1,5 +1,6 @@
 """The power train: its graph, speeds, torques and powers, and the ratios asked of its stages."""
 
+from gearwright.train.branches import Attachment, Branch, attachments, branches
 from gearwright.train.edges import Edge, members_of, willis_ratio, willis_speed
 from gearwright.train.flow import RATED, MeshFlow, PowerFlow, power_flow, power_flows
 from gearwright.train.graph import EXTERNAL, INTERNAL, Gear, Joint, Mesh, Train, build_train, gear_of
@@ -12,6 +13,8 @@ __all__ = [
     "EXTERNAL",
     "INTERNAL",
     "RATED",
+    "Attachment",
+    "Branch",
     "Edge",
     "Gear",
     "Joint",
@@ -21,6 +24,8 @@ __all__ = [
     "Targets",
     "Train",
     "Turning",
+    "attachments",
+    "branches",
     "build_train",
     "gear_of",
     "members_of",

@@ -10,13 +10,12 @@ from scipy.optimize import brentq
 
 from gearwright.dynamics import DampingRatio, Model, Periodic, statics
 from gearwright.dynamics.assembly import assemble, contacts_of
-from gearwright.dynamics.equations import acceleration, line_forces, redundancy, slow_position
+from gearwright.dynamics.equations import acceleration, errors_at, line_forces, redundancy, slow_position
 from gearwright.dynamics.model import Member, PlanetarySet, PlanetError, add_planetary
 from gearwright.dynamics.sharing import (
     allocate,
     drawn_set,
     error_sources,
-    errors_at,
     influences,
     load_sharing,
     mesh_load_factor,

@@ -58,7 +58,7 @@ def test_what_flows_into_the_sankey_flows_out():
         balance = Balance(1.0, battery, work, 0.7, motor_loss=0.02, battery_loss=0.01, stored=stored, **rest)
         flows = energies(balance)
         out = sum(sink.energy for sinks in (flows.hot, flows.used, flows.lost) for sink in sinks)
-        assert flows.total == pytest.approx(out, rel=1e-12)
+        assert balance.came_in == pytest.approx(out, rel=1e-12)
         assert flows.turbine + flows.electric + flows.slowed + flows.air == pytest.approx(
             flows.generated + sum(sink.energy for sink in flows.used), rel=1e-12
         )

@@ -1,11 +1,11 @@
 import pytest
 from drawn_designs import MIXED, sized
 
-from gearwright.render.branches import branches
 from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
 from gearwright.render.tables.sizing import asked_speeds, bearings, flow_tables, margins, mass_parts, tables_of
 from gearwright.spec import GROUND
 from gearwright.spec.design import NO_ORIGIN
+from gearwright.train import branches
 
 
 def test_the_parts_on_every_shaft_are_in_balance_in_every_case(designs) -> None:

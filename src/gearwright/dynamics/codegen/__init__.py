@@ -4,7 +4,7 @@ What is solved with it is decided in `motion`.
 """
 
 from gearwright.dynamics.codegen.assembler import aligned
-from gearwright.dynamics.codegen.clock import clock, speed_factors, waves_of
+from gearwright.dynamics.codegen.clock import clock, waves_of
 from gearwright.dynamics.codegen.native import Compiled, compiled
 from gearwright.dynamics.codegen.recurrence import SIDE, Size, recurrence
 from gearwright.dynamics.codegen.summary import summariser
@@ -24,7 +24,6 @@ __all__ = [
     "parameters",
     "record_width",
     "recurrence",
-    "speed_factors",
     "summariser",
     "table_width",
     "topology",

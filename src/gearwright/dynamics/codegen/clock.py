@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -11,7 +10,8 @@ import numpy as np
 from gearwright.dynamics.codegen.assembler import aligned
 from gearwright.dynamics.codegen.topology import topology
 from gearwright.dynamics.codegen.writer import table_width, wave_width
-from gearwright.dynamics.model import Arrays, Floats, Profile
+from gearwright.dynamics.equations import speed_factors
+from gearwright.dynamics.model import Arrays, Floats
 
 Clock = Callable[[int, int], tuple[Floats, Floats]]
 """(first step, steps) returns the table, a row for each half step, and by how much its tones are to be turned.
@@ -117,23 +117,3 @@ def _fill_loads(arrays: Arrays, time: Floats, columns: Floats) -> None:
             held = values[-1] if time[0] >= points[-1] else values[0]
             columns[: len(time), column] = held if constant else np.interp(time, points, values)
             column += 1
-
-
-def speed_factors(profile: Profile, time: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return s [-], ṡ [1/s] and τ [s] at many times; `reference.speed_factor` does it for one.
-
-    Args:
-        profile: Speed factor against time.
-        time: Rising [s], shape (times,).
-    """
-    t, s = profile.time, profile.factor
-    factor, slope, travel = np.empty((3, len(time)))
-    first, last = (int(np.searchsorted(t, each, side="right")) - 1 for each in (time[0], time[-1]))
-    cuts = [0, *np.searchsorted(time, t[first + 1 : last + 1]).tolist(), len(time)]
-    for piece, (low, high) in zip(range(first, last + 1), pairwise(cuts), strict=True):
-        i = max(piece, 0)
-        elapsed = time[low:high] - t[i]
-        rate = (s[i + 1] - s[i]) / (t[i + 1] - t[i]) if 0 <= piece < len(t) - 1 else 0.0
-        factor[low:high], slope[low:high] = s[i] + rate * elapsed, rate
-        travel[low:high] = profile.travel[i] + 0.5 * (s[i] + factor[low:high]) * elapsed
-    return factor, slope, travel

@@ -5,10 +5,12 @@ Compiled code for speed is in `codegen`, motion in `motion`.
 
 from gearwright.dynamics.equations.drive_laws import apply_drives, drive_columns
 from gearwright.dynamics.equations.energy import WORKS, Work, stored_energy
+from gearwright.dynamics.equations.instants import errors_at, speed_factors, stiffness_at
 from gearwright.dynamics.equations.linear import Complexes, damped_modes, linear, state_matrix
 from gearwright.dynamics.equations.modes import Modes, modes, split_rigid
 from gearwright.dynamics.equations.redundancy import Redundancy, line_forces, redundancy, slow_position
 from gearwright.dynamics.equations.reference import acceleration, dead_zone, line_state
+from gearwright.dynamics.equations.sidebands import steady_forces
 from gearwright.dynamics.equations.statics import Equilibrium, statics, unbalanced
 
 __all__ = [
@@ -23,15 +25,19 @@ __all__ = [
     "damped_modes",
     "dead_zone",
     "drive_columns",
+    "errors_at",
     "line_forces",
     "line_state",
     "linear",
     "modes",
     "redundancy",
     "slow_position",
+    "speed_factors",
     "split_rigid",
     "state_matrix",
     "statics",
+    "steady_forces",
+    "stiffness_at",
     "stored_energy",
     "unbalanced",
 ]

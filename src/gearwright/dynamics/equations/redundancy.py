@@ -17,9 +17,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gearwright.dynamics.equations.instants import errors_at, stiffness_at
 from gearwright.dynamics.equations.modes import RANK_TOLERANCE, split_rigid, stiffness_matrix
 from gearwright.dynamics.model import Floats, Labels, System, line_matrix
-from gearwright.dynamics.sharing import errors_at, stiffness_at
 from gearwright.errors import SolveError
 
 SETTLED = 1e-10

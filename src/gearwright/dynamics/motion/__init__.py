@@ -10,7 +10,7 @@ from gearwright.dynamics.motion.simulate import replay, simulate
 from gearwright.dynamics.motion.steppers import blank_record, blank_summary, stepper
 from gearwright.dynamics.motion.stepsize import STABLE, Accuracy, default_step, fastest_rate
 from gearwright.dynamics.motion.touching import check_shared_load, slack_lines
-from gearwright.dynamics.motion.trace import Checkpoints, Orders, Samples, Statistics, Trace, index_of
+from gearwright.dynamics.motion.trace import Checkpoints, Orders, Samples, Statistics, Trace, index_of, line_numbers
 
 __all__ = [
     "CHECKPOINTS",
@@ -30,6 +30,7 @@ __all__ = [
     "fastest_rate",
     "followed",
     "index_of",
+    "line_numbers",
     "replay",
     "simulate",
     "simulate_many",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearwright.dynamics.codegen import speed_factors
+from gearwright.dynamics.equations import speed_factors
 from gearwright.dynamics.model import Floats, Ints, System
 from gearwright.dynamics.motion.trace import Orders, index_of
 

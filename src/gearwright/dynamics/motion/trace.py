@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.dynamics.equations import Work
-from gearwright.dynamics.model import Floats, Ints, Labels, Tone
+from gearwright.dynamics.model import Floats, Ints, Labels, System, Tone
 from gearwright.errors import DesignError, Problem, near
 
 
@@ -27,6 +27,16 @@ def index_of(name: str, names: Sequence[str], what: str) -> int:
     if name not in names:
         raise DesignError([Problem(f"outputs.{name}", f"no such {what}; {near(name, names)}")])
     return names.index(name)
+
+
+def line_numbers(system: System, names: Sequence[str]) -> Ints:
+    """Return the places of lines in the arrays.
+
+    Args:
+        system: Where they are looked up.
+        names: Of parallel lines.
+    """
+    return np.array([index_of(name, system.labels.lines, "line") for name in names], dtype=np.int64)
 
 
 @dataclass(frozen=True, eq=False)

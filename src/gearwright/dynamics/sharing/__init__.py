@@ -4,11 +4,8 @@ The closed form of a train's redundancy is in `equations`.
 """
 
 from gearwright.dynamics.sharing.coefficients import (
-    errors_at,
-    line_numbers,
     mesh_load_factor,
     share_coefficients,
-    stiffness_at,
     tooth_cycle_means,
     tooth_cycle_shares,
 )
@@ -55,9 +52,7 @@ __all__ = [
     "drawn_set",
     "elastic_shares",
     "error_sources",
-    "errors_at",
     "influences",
-    "line_numbers",
     "load_sharing",
     "mesh_load_factor",
     "monte_carlo",
@@ -71,7 +66,6 @@ __all__ = [
     "sharing_problem",
     "sharing_study",
     "single_error_sharing",
-    "stiffness_at",
     "support_sweep",
     "tooth_cycle_means",
     "tooth_cycle_shares",

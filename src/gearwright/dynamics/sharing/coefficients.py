@@ -2,25 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
-from gearwright.dynamics.codegen import speed_factors
-from gearwright.dynamics.equations import dead_zone
-from gearwright.dynamics.model import Arrays, Floats, Ints, Series, System
-from gearwright.dynamics.motion import Samples, index_of
+from gearwright.dynamics.equations import dead_zone, stiffness_at
+from gearwright.dynamics.model import Floats, System
+from gearwright.dynamics.motion import Samples
 from gearwright.errors import DesignError, Problem
-
-
-def line_numbers(system: System, names: Sequence[str]) -> Ints:
-    """Return the places of lines in the arrays.
-
-    Args:
-        system: Where they are looked up.
-        names: Of parallel lines.
-    """
-    return np.array([index_of(name, system.labels.lines, "line") for name in names], dtype=np.int64)
 
 
 def share_coefficients(force: Floats) -> Floats:
@@ -93,37 +80,3 @@ def elastic_forces(system: System, samples: Samples) -> Floats:
     """
     stiffness = stiffness_at(system, samples.time)
     return np.asarray(stiffness * dead_zone(samples.line_deflection, system.arrays.backlash))
-
-
-def stiffness_at(system: System, time: Floats) -> Floats:
-    """Return the stiffnesses of all lines at some instants [N/m or N m/rad], shape (instants, lines).
-
-    Args:
-        system: Whose lines.
-        time: [s], shape (instants,).
-    """
-    arrays = system.arrays
-    _, _, travel = speed_factors(arrays.profile, time)
-    return np.asarray(arrays.stiffness * (1.0 + _series(arrays, arrays.variation, travel)))
-
-
-def errors_at(system: System, time: Floats) -> Floats:
-    """Return the errors of all lines at some instants [m or rad], shape (instants, lines).
-
-    Args:
-        system: Whose errors.
-        time: [s], shape (instants,).
-    """
-    _, _, travel = speed_factors(system.arrays.profile, time)
-    return _series(system.arrays, system.arrays.error, travel)
-
-
-def _series(arrays: Arrays, series: Series, travel: Floats) -> Floats:
-    """Fourier sums of all lines at many travels, shape (travels, lines)."""
-    lines = len(series.start) - 1
-    angle = np.outer(travel, arrays.tone_rate)
-    cosine, sine = np.zeros((2, angle.shape[1], lines))
-    line = np.repeat(np.arange(lines), np.diff(series.start))
-    np.add.at(cosine, (series.tone, line), series.cosine)
-    np.add.at(sine, (series.tone, line), series.sine)
-    return np.asarray(np.cos(angle) @ cosine + np.sin(angle) @ sine)

@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gearwright.dynamics.assembly import assemble, contacts_of, default_case
-from gearwright.dynamics.equations import Redundancy, line_forces, redundancy
+from gearwright.dynamics.equations import Redundancy, errors_at, line_forces, redundancy
 from gearwright.dynamics.model import Contact, Floats, Ints, System
-from gearwright.dynamics.sharing.coefficients import errors_at, line_numbers, share_coefficients
+from gearwright.dynamics.motion import line_numbers
+from gearwright.dynamics.sharing.coefficients import share_coefficients
 from gearwright.dynamics.sharing.effects_of_errors import (
     Clocking,
     Distribution,

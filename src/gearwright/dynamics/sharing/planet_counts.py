@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.dynamics.assembly import gear_pairs
 from gearwright.dynamics.model import Member, PlanetarySet
-from gearwright.dynamics.sharing.coefficients import line_numbers
+from gearwright.dynamics.motion import line_numbers
 from gearwright.dynamics.sharing.of_design import SharingProblem
 from gearwright.dynamics.sharing.planets import PlanetSharing, PlanetTolerances, planet_sharing
 from gearwright.parts.planetary import even_positions, pin_error_share

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from gearwright.dynamics.equations import line_forces, redundancy
 from gearwright.dynamics.model import Floats, Model, PlanetarySet, PlanetError, System, add_planetary
-from gearwright.dynamics.sharing.coefficients import line_numbers
+from gearwright.dynamics.motion import line_numbers
 from gearwright.parts.planetary import even_positions
 
 UNIT = 1.0

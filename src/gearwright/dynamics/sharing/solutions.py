@@ -16,17 +16,10 @@ from typing import Literal
 
 import numpy as np
 
-from gearwright.dynamics.equations import line_forces, redundancy, slow_position
+from gearwright.dynamics.equations import errors_at, line_forces, redundancy, slow_position, steady_forces
 from gearwright.dynamics.model import Floats, System, top_rate
-from gearwright.dynamics.motion import Outputs, check_shared_load, default_step, simulate
-from gearwright.dynamics.sharing.coefficients import (
-    elastic_forces,
-    errors_at,
-    line_numbers,
-    share_coefficients,
-    tooth_cycle_shares,
-)
-from gearwright.dynamics.vibration import steady_forces
+from gearwright.dynamics.motion import Outputs, check_shared_load, default_step, line_numbers, simulate
+from gearwright.dynamics.sharing.coefficients import elastic_forces, share_coefficients, tooth_cycle_shares
 from gearwright.errors import DesignError, Problem, near
 
 Method = Literal["auto", "quasi-static", "frequency response", "sidebands", "dynamics"]

@@ -14,7 +14,6 @@ from gearwright.dynamics.vibration.critical_speeds import (
 from gearwright.dynamics.vibration.planetary_results import load_shares, mode_families
 from gearwright.dynamics.vibration.response import Response, frequency_response
 from gearwright.dynamics.vibration.runup import RunUp, run_up
-from gearwright.dynamics.vibration.sidebands import steady_forces
 from gearwright.dynamics.vibration.spectra import Waterfall, tone_amplitudes, waterfall
 from gearwright.dynamics.vibration.speed_map import SpeedMap, speed_map
 from gearwright.dynamics.vibration.steady import Orbit, common_period, periodic
@@ -43,7 +42,6 @@ __all__ = [
     "periodic",
     "run_up",
     "speed_map",
-    "steady_forces",
     "tone_amplitudes",
     "waterfall",
 ]

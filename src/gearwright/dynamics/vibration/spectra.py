@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.dynamics.codegen import speed_factors
-from gearwright.dynamics.equations import Complexes
+from gearwright.dynamics.equations import Complexes, speed_factors
 from gearwright.dynamics.model import Floats, System, Tone
 from gearwright.dynamics.motion import Samples
 from gearwright.errors import DesignError, Problem

@@ -7,9 +7,10 @@ from gearwright.mission.lives.bearings import USUAL_RELIABILITY, BearingDamage, 
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.mission.lives.life import LifeSizing, size_for_life
 from gearwright.mission.lives.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
-from gearwright.mission.lives.verdict import Durability, PartLife, durability
+from gearwright.mission.lives.verdict import ENDLESS, Durability, PartLife, durability
 
 __all__ = [
+    "ENDLESS",
     "USUAL_RELIABILITY",
     "BearingDamage",
     "BearingLives",

@@ -10,6 +10,9 @@ from gearwright.mission.lives.bearings import FATIGUE, BearingLives, bearing_liv
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.units import Ratio
 
+ENDLESS = 1e7
+"""Flights beyond which a part does not fail for any practical purpose [-]."""
+
 
 @dataclass(frozen=True)
 class PartLife:
@@ -59,6 +62,11 @@ class Durability:
         rows = [PartLife(each.gear, each.mode, each.damage, each.flights, each.life) for each in self.gears]
         rows += [PartLife(each.seat, FATIGUE, each.damage, each.flights, each.life) for each in self.bearings.rows]
         return tuple(sorted(rows, key=lambda row: -row.damage))
+
+    @property
+    def failing(self) -> tuple[PartLife, ...]:
+        """The parts and ways to fail that end within `ENDLESS` flights, the one that governs first."""
+        return tuple(row for row in self.parts if row.flights < ENDLESS)
 
 
 def durability(flight: Flight) -> Durability:

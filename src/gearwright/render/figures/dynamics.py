@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from gearwright.dynamics.vibration import RESONANCE, CriticalSpeed, Order, Response, SpeedCase, order_name
-from gearwright.render.figures.sizing import WIDTH
 from gearwright.render.style import theme
+from gearwright.render.style.theme import WIDTH
 from gearwright.sizing import Sizing
 from gearwright.units import RPM
 

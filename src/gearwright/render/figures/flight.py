@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 
 from gearwright.mission import Flight
 from gearwright.render.style import theme
-from gearwright.units import FOOT, RPM
+from gearwright.render.style.theme import WIDTH
+from gearwright.units import CELSIUS, FOOT, KNOT, RPM
 
 Array = NDArray[np.float64]
-WIDTH = 180.0
-"""Of a figure on an A4 page [mm]."""
 MODE_COLOURS = {
     "conventional": theme.BLUE, "hybrid": theme.PURPLE, "electric": theme.ORANGE, "rated": theme.GREEN,
 }  # fmt: skip
@@ -29,7 +28,6 @@ LOSSES = {
     "churning_loss": ("churning", theme.GREEN),
 }
 """Losses of the gearbox: name in the history -> words and colour."""
-KNOT, KELVIN = 1852.0 / 3600.0, 273.15
 _MINUTE, _KILO, _HOUR = 60.0, 1e3, 3600.0
 _LABEL_GAP = 0.055
 """Least distance of two phase names, over the width of the figure [-]."""
@@ -250,9 +248,9 @@ def heat_figure(flight: Flight) -> Figure:
     taken, given = flight.passed()
     share.plot(time, 100.0 * given / taken, color=theme.INK)
     share.set_ylabel("efficiency\n[%]")
-    oil.plot(time, history["oil_outlet"] - KELVIN, color=theme.ORANGE, label="behind the gearbox")
-    oil.axhline(flight.mission.oil.inlet_temperature_k - KELVIN, color=theme.BLUE, label="into it")
-    oil.plot(time, history["air_temperature"] - KELVIN, color=theme.SKY, lw=0.8, label="outside air")
+    oil.plot(time, history["oil_outlet"] - CELSIUS, color=theme.ORANGE, label="behind the gearbox")
+    oil.axhline(flight.mission.oil.inlet_temperature_k - CELSIUS, color=theme.BLUE, label="into it")
+    oil.plot(time, history["air_temperature"] - CELSIUS, color=theme.SKY, lw=0.8, label="outside air")
     oil.set_ylabel("oil [°C]")
     oil.legend(loc="center", bbox_to_anchor=(0.42, 0.55), ncols=3)
     return figure

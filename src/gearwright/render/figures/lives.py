@@ -11,14 +11,12 @@ from numpy.typing import NDArray
 
 from gearwright.mission import Durability, Flight, LifeSizing, PartLife
 from gearwright.mission.lives import seat_duties
-from gearwright.render.figures.flight import WIDTH
 from gearwright.render.style import theme
+from gearwright.render.style.theme import WIDTH
 
 Array = NDArray[np.float64]
 MODE_COLOURS = {"bending": theme.BLUE, "pitting": theme.SKY, "rolling fatigue": theme.AMBER}
 """Colour of each way to fail."""
-LONGEST = 1e7
-"""Flights beyond which a part does not fail for any practical purpose [-]."""
 _KILO = 1e3
 Duty = tuple[str, Array, Array]
 """Name, loads and turns of all intervals."""
@@ -80,15 +78,6 @@ def _seats(flight: Flight) -> Iterator[Duty]:
         yield seat.name, duty.radial / _KILO, duty.turns
 
 
-def lasting_parts(parts: Durability) -> tuple[PartLife, ...]:
-    """Return the parts and ways to fail that a reader needs: those that end within ten million flights.
-
-    Args:
-        parts: Lives of gears and bearings.
-    """
-    return tuple(row for row in parts.parts if row.flights < LONGEST)
-
-
 @theme.styled
 def life_figure(parts: Durability) -> Figure:
     """Return the flights that every part lives, the one that governs first.
@@ -96,7 +85,7 @@ def life_figure(parts: Durability) -> Figure:
     Args:
         parts: Lives of gears and bearings.
     """
-    rows = lasting_parts(parts)
+    rows = parts.failing
     figure = theme.sheet(WIDTH, 24.0 + 5.4 * len(rows))
     axes = figure.add_subplot()
     for place, row in enumerate(rows):

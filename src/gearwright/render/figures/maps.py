@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 
 from gearwright.dynamics.model import Floats
 from gearwright.dynamics.vibration import RunUp
-from gearwright.render.figures.sizing import WIDTH
 from gearwright.render.style import theme
+from gearwright.render.style.theme import WIDTH
 from gearwright.render.tables.tables import written
 from gearwright.units import RPM
 

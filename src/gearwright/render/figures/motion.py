@@ -13,8 +13,8 @@ from matplotlib.ticker import MaxNLocator, NullLocator
 from gearwright.dynamics import Modes, Samples, Trace
 from gearwright.dynamics.model import Floats
 from gearwright.errors import DesignError, Problem
-from gearwright.render.figures.sizing import WIDTH
 from gearwright.render.style import theme
+from gearwright.render.style.theme import WIDTH
 from gearwright.sizing import Sizing
 
 ORDERS = 3

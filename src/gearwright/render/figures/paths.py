@@ -11,8 +11,8 @@ from matplotlib.ticker import MaxNLocator
 from gearwright.dynamics.motion import Samples, index_of
 from gearwright.errors import DesignError, Problem
 from gearwright.render.figures.motion import spectrum
-from gearwright.render.figures.sizing import WIDTH
 from gearwright.render.style import theme
+from gearwright.render.style.theme import WIDTH
 
 COLUMNS = 3
 """Panels side by side."""

@@ -11,10 +11,11 @@ from matplotlib.patches import PathPatch, Rectangle
 from matplotlib.path import Path
 
 from gearwright.mission import Balance, Flight
-from gearwright.render.figures.flight import LOSSES, WIDTH
+from gearwright.render.figures.flight import LOSSES
 from gearwright.render.style import theme
+from gearwright.render.style.theme import WIDTH
+from gearwright.units import KWH
 
-KWH = 3.6e6
 _NODE = 0.018
 """Width of a node, over the width of the figure [-]."""
 _COLUMNS = (0.0, 0.30, 0.60, 0.82)
@@ -55,11 +56,6 @@ class Energies(NamedTuple):
     """Of the gearbox."""
     lost: tuple[Sink, ...]
     """Of motors and battery."""
-
-    @property
-    def total(self) -> float:
-        """What came in [J]."""
-        return self.fuel + self.battery + self.slowed + self.air
 
 
 def energies(balance: Balance) -> Energies:
@@ -107,14 +103,14 @@ def sankey_figure(flight: Flight) -> Figure:
     flows = energies(flight.balance)
     figure = theme.sheet(WIDTH, 112.0)
     axes, bar = figure.subplots(2, 1, height_ratios=[5.2, 1.0])
-    _flows(axes, flows)
+    _flows(axes, flows, flight.balance.came_in)
     _magnified(bar, flight.balance, 1.0 - flight.efficiency())
     return figure
 
 
-def _flows(axes: Axes, flows: Energies) -> None:
+def _flows(axes: Axes, flows: Energies, unit: float) -> None:
     """Stack nodes from above: fuel over battery; turbines over gearbox over motors; their sinks in that order."""
-    unit, gap = flows.total, _GAP
+    gap = _GAP
     first, second, third, _ = _COLUMNS
     heat = sum(sink.energy for sink in flows.hot) / unit
     turbine, electric, generated = (each / unit for each in (flows.turbine, flows.electric, flows.generated))

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from gearwright.dynamics.equations import line_forces
+from gearwright.dynamics.equations import errors_at, line_forces
 from gearwright.dynamics.model import Floats
 from gearwright.dynamics.sharing import (
     Allocation,
@@ -17,12 +17,11 @@ from gearwright.dynamics.sharing import (
     SharingProblem,
     SharingStudy,
     SupportSweep,
-    errors_at,
     shaft_displacement,
     single_error_sharing,
 )
-from gearwright.render.figures.sizing import WIDTH
 from gearwright.render.style import theme
+from gearwright.render.style.theme import WIDTH
 
 MICROMETRE = 1e-6
 ROW = 5.0

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from gearwright.render.style import theme
+from gearwright.render.style.theme import WIDTH
 from gearwright.render.tables.sizing import NOT_IN_THE_MASS, ROUNDING, Margin, margins, mass_parts
 from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing
 
@@ -19,8 +20,6 @@ _ROW = 5.2
 """Height of one bar [mm]."""
 _FRAME = 22.0
 """Height of title and axis [mm]."""
-WIDTH = 180.0
-"""Of a figure on an A4 page [mm]."""
 _CHECK_COLOURS = {"bending": theme.BLUE, "contact": theme.SKY, "Tresca": theme.GREEN,
                  "pin bending": theme.AMBER, "plate shear": theme.ORANGE}  # fmt: skip
 """Check of a first sizing -> colour."""

@@ -12,11 +12,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from gearwright.render.style import theme
-from gearwright.render.tables.study import heading, percent, result_unit
+from gearwright.render.tables.study import FLAT, heading, numeric_axis, percent, result_unit
 from gearwright.study import Row, Table
 
-FLAT = 0.03
-"""Deviation from the optimum that still counts as near it [-]."""
 FEW_CURVES = 3
 """Curves up to which every optimum is written beside its ring."""
 _STACK = ("gear_mass", "shaft_mass", "carrier_mass", "motor_mass")
@@ -32,22 +30,6 @@ def study_figure(table: Table, objectives: Mapping[str, str] | None = None) -> F
         objectives: Result -> ``least`` or ``most``, whose optima are marked; left out: every result has its own.
     """
     return sweep_figure(table, objectives) if numeric_axis(table) else comparison_figure(table)
-
-
-def numeric_axis(table: Table) -> str | None:
-    """Return the last axis if its values are numbers.
-
-    Args:
-        table: Of the study.
-    """
-    paths = table.free
-    if not paths or any(not _is_number(row.inputs[paths[-1]]) for row in table.rows):
-        return None
-    return paths[-1]
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 @theme.styled

@@ -10,10 +10,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from gearwright.dynamics import Trace
+from gearwright.dynamics.model import Floats
+from gearwright.dynamics.motion import Samples
 from gearwright.mission.windows import DynamicWindow
-from gearwright.render.figures.sizing import WIDTH
 from gearwright.render.style import theme
-from gearwright.render.words.window import drive_histories
+from gearwright.render.style.theme import WIDTH
 from gearwright.units import shown
 
 HEIGHT = 150.0
@@ -45,7 +46,7 @@ def window_figure(window: DynamicWindow) -> Figure:
 
 
 def _speeds(axes: Axes, trace: Trace) -> None:
-    for name, speed in drive_histories(trace.samples, "speed").items():
+    for name, speed in _drive_histories(trace.samples, "speed").items():
         label = f"{name}, {shown(float(speed[0]), 'speed'):.0f} rpm"
         axes.plot(trace.samples.time, 100.0 * (speed / speed[0] - 1.0), label=label, lw=0.9)
     axes.set_title("Speeds over those at the start")
@@ -55,14 +56,14 @@ def _speeds(axes: Axes, trace: Trace) -> None:
 
 def _pitches(axes: Axes, window: DynamicWindow) -> None:
     samples = window.trace.samples
-    for name, pitch in drive_histories(samples, "pitch").items():
+    for name, pitch in _drive_histories(samples, "pitch").items():
         axes.plot(samples.time, np.degrees(pitch), color=theme.GREEN, label=f"{name} pitch")
     axes.set_title("Pitch and torque of the propeller")
     axes.set_ylabel("pitch [°]")
     other = axes.twinx()
     other.grid(visible=False)
     other.spines["right"].set_visible(True)
-    for name in drive_histories(samples, "pitch"):
+    for name in _drive_histories(samples, "pitch"):
         other.plot(
             samples.time, np.abs(samples.drive(f"{name} torque")) / 1e3, color=theme.ORANGE, lw=0.9, label="torque"
         )
@@ -110,3 +111,14 @@ def _close(axes: Axes, trace: Trace, unit: str) -> None:
     axes.set_ylabel("[N m]" if unit == "rad" else "[kN]")
     axes.set_xlabel("time [ms]")
     axes.margins(x=0.0)
+
+
+def _drive_histories(samples: Samples, what: str) -> dict[str, Floats]:
+    """Return one kind of history of all drives that have it, by drive, without sense.
+
+    Args:
+        samples: Of a run with drives.
+        what: Such as ``"speed"``.
+    """
+    names = [name.removesuffix(f" {what}") for name in samples.labels.drives if name.endswith(f" {what}")]
+    return {name: np.abs(samples.drive(f"{name} {what}")) for name in names}

@@ -8,9 +8,9 @@ from matplotlib.figure import Figure as Drawing
 
 from gearwright.mission import Durability, Flight, LifeSizing
 from gearwright.mission.windows import DynamicWindow
-from gearwright.render.figures.flight import KELVIN, KNOT, heat_figure, power_figure, profile_figure, stores_figure
-from gearwright.render.figures.lives import lasting_parts, life_figure, mass_of_life_figure, spectrum_figure
-from gearwright.render.figures.sankey import KWH, sankey_figure
+from gearwright.render.figures.flight import heat_figure, power_figure, profile_figure, stores_figure
+from gearwright.render.figures.lives import life_figure, mass_of_life_figure, spectrum_figure
+from gearwright.render.figures.sankey import sankey_figure
 from gearwright.render.figures.window import window_figure
 from gearwright.render.pages.report_parts import Figure, Section, formulas
 from gearwright.render.style import theme
@@ -20,6 +20,7 @@ from gearwright.render.tables.tables import MARKS
 from gearwright.render.words.flight import count_text, life_text, verdict_text
 from gearwright.render.words.inputs import entries
 from gearwright.render.words.window import window_verdict
+from gearwright.units import CELSIUS, KNOT, KWH
 from gearwright.version import __version__
 
 _HOUR, _LITRE_PER_MINUTE, _MILE = 3600.0, 1e-3 / 60.0, 1852.0
@@ -75,7 +76,7 @@ def _numbers(flight: Flight, parts: Durability) -> Iterator[tuple[str, str]]:
     yield "fuel", f"{flight.fuel:.0f} kg"
     if flight.has_battery:
         yield "charge", f"{balance.battery / KWH:.0f} kWh"
-    yield "hottest oil", f"{float(flight.history['oil_outlet'].max()) - KELVIN:.0f} °C"
+    yield "hottest oil", f"{float(flight.history['oil_outlet'].max()) - CELSIUS:.0f} °C"
     yield "gearbox efficiency", f"{flight.efficiency():.2%}"
     if first is not None and first.damage:
         scope = " of what is rated" if parts.is_partial else ""
@@ -117,7 +118,7 @@ def _took(flight: Flight) -> Iterator[str]:
     yield f"{words}; fastest {fastest:.0f} kt TAS, Mach {float(history['mach'].max()):.3f}."
     yield (
         f"{flight.oil_flow / _LITRE_PER_MINUTE:.1f} l/min of oil carry the heat away; it leaves the gearbox with"
-        f" {float(history['oil_outlet'].max()) - KELVIN:.0f} °C at most, and the cooler needs"
+        f" {float(history['oil_outlet'].max()) - CELSIUS:.0f} °C at most, and the cooler needs"
         f" {flight.cooler_conductance:.0f} W/K."
     )
     yield f"Energies close within {balance.residual:.1e}: fuel + battery = propeller + losses + stored."
@@ -141,6 +142,6 @@ def _effects(flight: Flight, parts: Durability) -> Iterator[Section]:
     """Yield what the flight did to the parts."""
     spectrum = _figure(spectrum_figure(flight), "spectrum", "Duty of one flight: turns at which a load is reached.")
     yield Section("Duty spectrum", figures=(spectrum,))
-    lives = (_figure(life_figure(parts), "lives", "Flights that each part lives."),) if lasting_parts(parts) else ()
+    lives = (_figure(life_figure(parts), "lives", "Flights that each part lives."),) if parts.failing else ()
     tables = tuple(each for each in (life_table(flight, parts), bearing_table(parts)) if each.rows)
     yield Section("Damage and life", tables=tables, figures=lives, notes=tuple(f"{note}." for note in parts.notes))

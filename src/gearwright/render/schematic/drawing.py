@@ -6,11 +6,10 @@ from collections.abc import Collection, Iterator, Mapping
 
 from matplotlib.axes import Axes
 
-from gearwright.render.branches import Attachment, attachments
 from gearwright.render.schematic import glyphs
 from gearwright.render.schematic.layout import Layout, element, pair_meshes
 from gearwright.spec import GROUND
-from gearwright.train import INTERNAL, Gear, Mesh, Train
+from gearwright.train import INTERNAL, Attachment, Gear, Mesh, Train, attachments
 
 STUB = 4.0
 """How far a shaft sticks out of a pair's gear [mm]."""

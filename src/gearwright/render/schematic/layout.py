@@ -11,10 +11,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from gearwright.render.branches import Attachment, attachments
 from gearwright.sizing import GearSizing
 from gearwright.spec import GROUND
-from gearwright.train import Mesh, Train
+from gearwright.train import Attachment, Mesh, Train, attachments
 
 GAP = 21.0
 """Between columns, room for a label [mm]."""

@@ -13,14 +13,14 @@ from matplotlib.patches import Circle
 from gearwright.dynamics import Modes
 from gearwright.dynamics.model import System
 from gearwright.parts.planetary import even_positions
-from gearwright.render.branches import attachments
-from gearwright.render.figures.sizing import WIDTH
 from gearwright.render.schematic import glyphs
 from gearwright.render.schematic.drawing import draw_train, member_side
 from gearwright.render.schematic.layout import Layout, lay_out
 from gearwright.render.style import theme
+from gearwright.render.style.theme import WIDTH
 from gearwright.sizing import Sizing
 from gearwright.spec import GROUND
+from gearwright.train import attachments
 
 LARGEST_DOT = 190.0
 """Area of a dot that holds all of a mode's kinetic energy [pt²]."""

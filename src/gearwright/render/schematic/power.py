@@ -8,10 +8,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from gearwright.render.branches import Branch, branches
 from gearwright.render.schematic.layout import Layout
 from gearwright.spec import GROUND
-from gearwright.train import PowerFlow, Train
+from gearwright.train import Branch, PowerFlow, Train, branches
 
 NOTHING = 1e-9
 """Power that is not drawn, over the largest [-]."""

@@ -21,6 +21,8 @@ from matplotlib.figure import Figure
 INK, MUTED, HAIR, PAPER = "#1d2530", "#66707c", "#d9dde2", "#ffffff"
 BLUE, ORANGE, GREEN, PURPLE = "#0072b2", "#d55e00", "#009e73", "#a3548c"
 SKY, AMBER = "#56b4e9", "#e69f00"
+WIDTH = 180.0
+"""Of a figure on an A4 page [mm]."""
 STEEL = "#e4e8ed"
 """Fill of gears and boxes."""
 CYCLE = (BLUE, ORANGE, GREEN, PURPLE, SKY, AMBER)

@@ -10,13 +10,10 @@ from typing import Annotated
 import numpy as np
 
 from gearwright.mission import BearingDamage, Durability, Flight, PhaseSummary, phase_summaries
-from gearwright.mission.lives import USUAL_RELIABILITY
-from gearwright.render.figures.flight import KELVIN, KNOT
-from gearwright.render.figures.lives import LONGEST, lasting_parts
-from gearwright.render.figures.sankey import energies
+from gearwright.mission.lives import ENDLESS, USUAL_RELIABILITY
 from gearwright.render.tables.tables import Table, table
 from gearwright.spec import Phase
-from gearwright.units import FOOT, Mass, Number, Origin, Power, Quantity
+from gearwright.units import CELSIUS, FOOT, KNOT, Mass, Number, Origin, Power, Quantity
 
 ElectricEnergy = Annotated[float, Quantity("electric_energy")]
 GEAR_RELIABILITY = "0.99"
@@ -180,7 +177,7 @@ def _phase(flight: Flight, row: PhaseSummary) -> PhaseView:
         greatest_power=float(flight.history["propeller_power"][own].max()),
         gearbox_heat=row.loss,
         efficiency=row.efficiency,
-        oil_out=float(flight.history["oil_outlet"][own].max()) - KELVIN,
+        oil_out=float(flight.history["oil_outlet"][own].max()) - CELSIUS,
     )
 
 
@@ -206,7 +203,7 @@ def loss_table(flight: Flight) -> Table:
     Args:
         flight: As flown.
     """
-    came = energies(flight.balance).total
+    came = flight.balance.came_in
     rows = [
         LossView(words, getattr(flight.balance, name), getattr(flight.balance, name) / came, model, source)
         for name, (words, model, source) in MODELS.items()
@@ -221,14 +218,14 @@ def life_table(flight: Flight, parts: Durability) -> Table:
         flight: As flown.
         parts: Lives of its gears and bearings.
     """
-    more = len(parts.parts) - len(lasting_parts(parts))
-    note = f"{more} other ways to fail take more than {LONGEST:,.0f} flights." if more else ""
+    more = len(parts.parts) - len(parts.failing)
+    note = f"{more} other ways to fail take more than {ENDLESS:,.0f} flights." if more else ""
     return table("Lives", list(_lives(flight, parts)), _names(LifeView), note=note)
 
 
 def _lives(flight: Flight, parts: Durability) -> Iterator[LifeView]:
     rules = flight.mission.bearings
-    for row in lasting_parts(parts):
+    for row in parts.failing:
         reached = f"{rules.reliability if rules else USUAL_RELIABILITY:.4g}" if row.is_bearing else GEAR_RELIABILITY
         yield LifeView(row.name, row.mode, row.damage, row.flights, 3600.0 * row.life, reached)
 

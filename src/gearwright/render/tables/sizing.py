@@ -6,12 +6,12 @@ import math
 from dataclasses import dataclass
 from typing import Annotated
 
-from gearwright.render.branches import Branch, branches
 from gearwright.render.tables.given import given_by_user, overrides_table
 from gearwright.render.tables.mounted import mounted_tables
 from gearwright.render.tables.tables import Mark, Table, table, written
 from gearwright.sizing import CarrierSizing, Check, MeshSizing, ShaftSizing, Sizing
 from gearwright.sizing.arrangement import envelope
+from gearwright.train import Branch, branches
 from gearwright.units import Length, Mass, Origin, Quantity, Ratio, Speed, shown, unit
 
 NOT_IN_THE_MASS = "Not in the mass: housing, bearings, oil system, accessories, motors."

@@ -26,6 +26,8 @@ _WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carr
           "fly.least_charge": "least charge"}  # fmt: skip
 
 
+FLAT = 0.03
+"""Deviation from the optimum that still counts as near it [-]."""
 MOST_COLUMNS = 4
 """Inputs that a table on a terminal has room for."""
 
@@ -83,6 +85,22 @@ def study_grid(table: Table) -> Grid:
 def _few(table: Table) -> tuple[str, ...]:
     """Return the paths that have room on a terminal: those that vary on their own, or none if they are many."""
     return table.free if len(table.free) <= MOST_COLUMNS else ()
+
+
+def numeric_axis(table: Table) -> str | None:
+    """Return the last axis if its values are numbers.
+
+    Args:
+        table: Of the study.
+    """
+    paths = table.free
+    if not paths or any(not _is_number(row.inputs[paths[-1]]) for row in table.rows):
+        return None
+    return paths[-1]
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def summary_grid(table: Table) -> Grid:

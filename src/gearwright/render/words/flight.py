@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from gearwright.mission import Durability, Flight, LifeSizing, PartLife, PhaseSummary, phase_summaries
+from gearwright.units import CELSIUS, KWH
 
-_KELVIN = 273.15
 _LITRE_PER_MINUTE = 1e-3 / 60.0
-_KWH = 3.6e6
 MOST_ROWS = 8
 """Parts that are shown in words [-]."""
 _MOST_LIFE = 1e6
@@ -76,8 +75,8 @@ def _heading() -> str:
 
 def _phase(row: PhaseSummary) -> str:
     return (
-        f"{row.name:14} {row.duration / 60.0:6.1f} {row.fuel:8.1f} {row.battery / _KWH:12.1f}"
-        f" {row.propeller / _KWH:14.1f} {100.0 * row.efficiency:13.2f}"
+        f"{row.name:14} {row.duration / 60.0:6.1f} {row.fuel:8.1f} {row.battery / KWH:12.1f}"
+        f" {row.propeller / KWH:14.1f} {100.0 * row.efficiency:13.2f}"
     )
 
 
@@ -85,12 +84,12 @@ def _totals(flight: Flight) -> list[str]:
     balance, history = flight.balance, flight.history
     hottest = float(history["oil_outlet"].max())
     lines = [
-        f"Fuel {flight.fuel:.1f} kg and {balance.battery / _KWH:.1f} kWh of charge in {flight.duration / 3600.0:.2f} h,"
+        f"Fuel {flight.fuel:.1f} kg and {balance.battery / KWH:.1f} kWh of charge in {flight.duration / 3600.0:.2f} h,"
         " of one gearbox",
-        f"Lost in meshes {balance.mesh_loss / _KWH:.2f} kWh, bearings {balance.bearing_loss / _KWH:.2f} kWh,"
-        f" windage {balance.windage_loss / _KWH:.2f} kWh, churning {balance.churning_loss / _KWH:.2f} kWh,"
-        f" motors {balance.motor_loss / _KWH:.2f} kWh, battery {balance.battery_loss / _KWH:.2f} kWh",
-        f"Oil: {flight.oil_flow / _LITRE_PER_MINUTE:.1f} l/min, at most {hottest - _KELVIN:.0f} °C behind the gearbox;"
+        f"Lost in meshes {balance.mesh_loss / KWH:.2f} kWh, bearings {balance.bearing_loss / KWH:.2f} kWh,"
+        f" windage {balance.windage_loss / KWH:.2f} kWh, churning {balance.churning_loss / KWH:.2f} kWh,"
+        f" motors {balance.motor_loss / KWH:.2f} kWh, battery {balance.battery_loss / KWH:.2f} kWh",
+        f"Oil: {flight.oil_flow / _LITRE_PER_MINUTE:.1f} l/min, at most {hottest - CELSIUS:.0f} °C behind the gearbox;"
         f" a cooler of {flight.cooler_conductance:.0f} W/K",
         f"Energies close within {balance.residual:.1e}",
     ]

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from pydantic.fields import FieldInfo
 
 from gearwright.spec import Design, Mission, Record, quantity_of
-from gearwright.units import text
+from gearwright.units import KWH, text
 
 _IN_THE_HEAD = ("schema_version", "name", "description")
 """What the page's head shows already."""
 _OF_A_STAGE = re.compile(r"(pairs|planetaries)\.[^.]+\.gears\..")
 """Rules of one stage, which are the design's where it does not state its own."""
-_LARGER = {"time": ((3600.0, "life"), (60.0, "flight_time")), "energy": ((3.6e6, "electric_energy"),)}
+_LARGER = {"time": ((3600.0, "life"), (60.0, "flight_time")), "energy": ((KWH, "electric_energy"),)}
 """Dimension -> values from which on it is shown as another dimension does, the largest first."""
 
 

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from gearwright.errors import SolveError
-from gearwright.render.figures.study import FLAT, numeric_axis
-from gearwright.render.tables.study import heading, percent, quantiles, reasons
+from gearwright.render.tables.study import FLAT, heading, numeric_axis, percent, quantiles, reasons
 from gearwright.render.tables.tables import written
 from gearwright.spec import Study
 from gearwright.study import Row, Table

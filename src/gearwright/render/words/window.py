@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.dynamics import Samples, Trace
-from gearwright.dynamics.model import Floats
+from gearwright.dynamics import Trace
 from gearwright.dynamics.motion import Statistics
 from gearwright.mission.windows import DynamicWindow
 from gearwright.units import shown, unit
@@ -139,14 +138,3 @@ def window_json(window: DynamicWindow) -> str:
         indent=2,
         ensure_ascii=False,
     )
-
-
-def drive_histories(samples: Samples, what: str) -> dict[str, Floats]:
-    """Return one kind of history of all drives that have it, by drive, without sense.
-
-    Args:
-        samples: Of a run with drives.
-        what: Such as ``"speed"``.
-    """
-    names = [name.removesuffix(f" {what}") for name in samples.labels.drives if name.endswith(f" {what}")]
-    return {name: np.abs(samples.drive(f"{name} {what}")) for name in names}

@@ -13,8 +13,8 @@ from matplotlib.figure import Figure
 from gearwright.dynamics import Samples
 from gearwright.dynamics.model import Floats
 from gearwright.mission.windows import DynamicWindow
-from gearwright.render.figures.sizing import WIDTH
 from gearwright.render.style import theme
+from gearwright.render.style.theme import WIDTH
 from gearwright.replays.pulvirenti.flight_claims import CONSTANT, ROUNDING, VARYING, JudgedClaim, Runs
 from gearwright.replays.pulvirenti.flight_measures import torques
 from gearwright.replays.pulvirenti.flight_phases import Phased

@@ -35,12 +35,12 @@ from gearwright.sizing.rating.standard_teeth import (
 )
 from gearwright.spec.design import Iso6336Rules
 from gearwright.train import Mesh
+from gearwright.units import CELSIUS
 
 _RZ_OVER_RA = 6.0
 """R_z over R_a of ground flanks [-] (ISO 6336-2:2019, clause 12)."""
 _OIL_DENSITY = 950.0
 """Of a turbine oil [kg/m³]."""
-_KELVIN = 273.15
 _SQUARE_MM = 1e-6
 _LEAST_TORQUE = 1e-9
 """Below it a case does no damage [N m]."""
@@ -272,5 +272,5 @@ def _scuffing(
 def _oil(rules: Iso6336Rules) -> Oil:
     """The design's oil; its viscosity falls with temperature as that of a turbine oil does."""
     at_40 = rules.oil_viscosity * _SQUARE_MM
-    hot = at_40 * oil_viscosity(rules.oil_temperature + _KELVIN) / oil_viscosity(40.0 + _KELVIN)
+    hot = at_40 * oil_viscosity(rules.oil_temperature + CELSIUS) / oil_viscosity(40.0 + CELSIUS)
     return Oil(rules.oil_temperature, hot * _OIL_DENSITY, float(rules.scuffing_stage), supply=SPRAY, viscosity_40=at_40)

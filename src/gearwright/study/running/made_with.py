@@ -24,7 +24,7 @@ def made_with() -> Mapping[str, str]:
     The digest notices an edited file under an unchanged version.
     """
     libraries = {name: version(name) for name in LIBRARIES}
-    own = f"{__version__}, files {digest(Path(__file__).parents[1])}"
+    own = f"{__version__}, files {digest(Path(__file__).parents[2])}"
     return {"gearwright": own, "python": f"{sys.version_info.major}.{sys.version_info.minor}", **libraries}
 
 

@@ -7,7 +7,6 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from gearwright.render.branches import attachments
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.teeth import bevel_pair, gear_of
 from gearwright.render.schematic.layout import element, lay_out, pair_meshes
@@ -15,7 +14,7 @@ from gearwright.sizing import Sizing
 from gearwright.sizing.arrangement import ShaftPlan, plan_of
 from gearwright.sizing.rating import context
 from gearwright.spec.design import Overrides
-from gearwright.train import INTERNAL, Mesh
+from gearwright.train import INTERNAL, Mesh, attachments
 
 TRUE = 0.05
 """How far two gears in mesh may stand from where they mesh before a note says so [mm]."""

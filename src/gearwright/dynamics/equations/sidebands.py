@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.dynamics.equations import Complexes, linear, split_rigid
+from gearwright.dynamics.equations.linear import Complexes, linear
+from gearwright.dynamics.equations.modes import split_rigid
 from gearwright.dynamics.model import Arrays, Floats, Series, System, line_matrix
 from gearwright.errors import DesignError, Problem
 

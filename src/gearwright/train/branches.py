@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gearwright.train import Mesh, PowerFlow, Train
+from gearwright.train.flow import PowerFlow
+from gearwright.train.graph import Mesh, Train
 from gearwright.units import Power, Speed, Torque
 
 
