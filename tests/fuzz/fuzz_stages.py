@@ -1,0 +1,198 @@
+"""The verbs that are fed, and how each answers a fuzzed file: with a result, a refusal, or a finding."""
+
+import json
+import random
+import re
+import signal
+import traceback
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import cache
+from pathlib import Path
+from types import MappingProxyType
+from typing import NamedTuple
+
+from fuzz_files import MODELS, Case, case, corpus
+from fuzz_oracles import mute, unsound
+
+from gearwright.dynamics import modes, simulate
+from gearwright.dynamics.assembly import assemble
+from gearwright.errors import DesignError, SolveError
+from gearwright.mission import durability, fly
+from gearwright.render.tables.sizing import margins
+from gearwright.render.words.flight_data import flight_json
+from gearwright.render.words.text import modes_json, sizing_json, trace_json
+from gearwright.sizing import Sizing, size
+from gearwright.spec import parse, parse_mission, parse_study
+
+LONGEST = 20.0
+"""Time after which a file counts as one that hangs [s]."""
+SIMULATED = 0.002
+"""Time that is simulated [s]."""
+FLOWN = MappingProxyType({
+    "ec120b-sortie": ("ec120b-as-reported", "face-gear-split-torque", "off-set", "star"),
+    "equal-power": ("in-line", "mixed-h1", "off-set-h2", "single-planetary", "twin-engine-sprag"),
+    "regional-250nm": ("in-line", "mixed", "star"),
+    "rotor-schedule": ("face-gear-split-torque",),
+    "thesis": ("in-line-h1", "in-line-h2", "mixed-h2", "off-set-h3"),
+    "thesis-chapter-4": ("in-line-h2", "mixed-h1", "off-set-h1"),
+})  # fmt: skip
+"""Shipped mission -> shipped designs that can fly it."""
+_ANYWHERE = Path("/nonexistent")
+"""Folder of a fuzzed file: what it names beside itself is not there."""
+
+
+class Hang(BaseException):
+    """A file took longer than `LONGEST`; no `except Exception` on the way may keep it."""
+
+
+class Finding(NamedTuple):
+    """What a verb did that no verb may do."""
+
+    signature: str
+    """Verb, kind of fault and place: files with the same one share a cause, as a rule."""
+    area: str
+    """Layer of the package in which it came about."""
+    told: str
+    """Traceback, or what is wrong with the result."""
+
+
+def _read(fuzzed: Case) -> object:
+    if fuzzed.kind == "design":
+        return parse(fuzzed.text, folder=_ANYWHERE)
+    if fuzzed.kind == "mission":
+        return parse_mission(fuzzed.text)
+    return parse_study(fuzzed.text, folder=_ANYWHERE)
+
+
+def _check(fuzzed: Case) -> object:
+    return margins(_sized(fuzzed))
+
+
+def _sized(fuzzed: Case) -> Sizing:
+    return size(parse(fuzzed.text, folder=_ANYWHERE))
+
+
+def _size(fuzzed: Case) -> object:
+    sizing = _sized(fuzzed)
+    return sizing, _strict(sizing_json(sizing))
+
+
+def _modes(fuzzed: Case) -> object:
+    found = modes(assemble(_sized(fuzzed)))
+    return found, _strict(modes_json(found))
+
+
+def _simulate(fuzzed: Case) -> object:
+    trace = simulate(assemble(_sized(fuzzed)), SIMULATED)
+    return trace, _strict(trace_json(trace))
+
+
+def _fly(fuzzed: Case) -> object:
+    if fuzzed.kind == "mission":
+        partner = random.Random(fuzzed.text).choice(FLOWN[fuzzed.base])
+        sizing, mission = _shipped_sizing(partner), parse_mission(fuzzed.text)
+    else:
+        missions = [name for name, designs in FLOWN.items() if fuzzed.base in designs]
+        name = random.Random(fuzzed.text).choice(missions or ["ec120b-sortie"])
+        sizing, mission = _sized(fuzzed), parse_mission(coarse(corpus("mission")[name]))
+    flight = fly(sizing, mission, folder=_ANYWHERE)
+    lives = durability(flight)
+    return flight, lives, _strict(flight_json(flight, lives))
+
+
+def _strict(text: str) -> object:
+    """Return what a JSON text says; there is no NaN and no Infinity in JSON."""
+    return json.loads(text, parse_constant=float)
+
+
+@cache
+def _shipped_sizing(name: str) -> Sizing:
+    return size(parse(corpus("design")[name], folder=_ANYWHERE))
+
+
+def coarse(text: str) -> str:
+    """Return a shipped mission with steps of a minute: what it flies through stays."""
+    return re.sub(r"^step_s = \d+", "step_s = 60", text, flags=re.MULTILINE)
+
+
+class Stage(NamedTuple):
+    """One verb."""
+
+    verb: Callable[[Case], object]
+    kinds: tuple[str, ...] = ("design",)
+    """Kinds of files that it takes."""
+    damaged: float = 0.1
+    """Part of the files whose text is damaged: few of them come further than the reader."""
+    wild: float = 0.3
+    """Part of the changes of trees that most files do not survive."""
+
+
+STAGES = MappingProxyType({
+    "read": Stage(_read, tuple(MODELS), damaged=0.35, wild=0.6),
+    "check": Stage(_check),
+    "size": Stage(_size),
+    "modes": Stage(_modes, damaged=0.05, wild=0.2),
+    "simulate": Stage(_simulate, damaged=0.05, wild=0.2),
+    "fly": Stage(_fly, ("mission", "mission", "design"), damaged=0.05, wild=0.2),
+})  # fmt: skip
+
+
+def made(stage: str, seed: int, number: int) -> Case:
+    """Return the file that a stage is fed."""
+    _, kinds, damaged, wild = STAGES[stage]
+    fuzzed = case(seed, number, kinds, damaged=damaged, wild=wild)
+    return fuzzed._replace(text=coarse(fuzzed.text)) if stage == "fly" else fuzzed
+
+
+def fed(stage: str, fuzzed: Case) -> str | Finding:
+    """Return "answered", "refused", or the finding.
+
+    Args:
+        stage: One of `STAGES`.
+        fuzzed: What is fed.
+    """
+    try:
+        with _limited(), warnings.catch_warnings():
+            warnings.simplefilter("error")
+            result = STAGES[stage].verb(fuzzed)
+        faults = sorted(set(unsound(result)))
+        if not faults:
+            return "answered"
+        places = ", ".join(faults)
+        return Finding(f"{stage}-unsound-{faults[0]}", "results", places)
+    except (DesignError, SolveError) as error:
+        fault = mute(error)
+        if fault is None:
+            return "refused"
+        signature = f"{stage}-mute-{re.sub('[0-9]+', 'N', fault)}-{_raised(error)}"
+        return Finding(signature, "messages", f"{error!s:.5000}\n{fault}")
+    except (Exception, Hang) as error:
+        place = _raised(error)
+        told = "".join(traceback.format_exception(error, limit=-30))
+        return Finding(f"{stage}-{type(error).__name__}-{place}", place.partition("/")[0], told[-20_000:])
+
+
+def _raised(error: BaseException) -> str:
+    """Return the last place of the package on the way to an error."""
+    frames = [each for each in traceback.extract_tb(error.__traceback__) if "/gearwright/" in each.filename]
+    if not frames:
+        return "outside"
+    name = frames[-1].filename.rpartition("/gearwright/")[2]
+    return f"{name}:{frames[-1].name}"
+
+
+@contextmanager
+def _limited() -> Iterator[None]:
+    """Raise `Hang` when the time is over."""
+    signal.signal(signal.SIGALRM, _over)
+    signal.setitimer(signal.ITIMER_REAL, LONGEST, 1.0)  # again, where a callback swallowed it
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+
+
+def _over(*_: object) -> None:
+    raise Hang(f"not done after {LONGEST:g} s")
