@@ -54,18 +54,19 @@ def write_bytes(path: Path, content: bytes | memoryview) -> None:
         raise _refusal(path, len(content), error) from None
 
 
-def make_folder(path: Path) -> None:
+def make_folder(path: Path, *, mode: int = 0o777) -> None:
     """Make a folder and those above it, where they are not there yet.
 
     Args:
         path: Of the folder.
+        mode: Its permissions, less what the user's mask takes away.
 
     Raises:
         DesignError: If no folder can be there.
         SolveError: If the disk does not take it.
     """
     try:
-        path.mkdir(parents=True, exist_ok=True)
+        path.mkdir(mode, parents=True, exist_ok=True)
     except OSError as error:
         raise _refusal(path, 0, error) from None
 

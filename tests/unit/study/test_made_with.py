@@ -2,7 +2,8 @@
 
 from pathlib import Path
 
-from gearwright.study.running import changes_of, digest, made_with
+from gearwright.study.running import changes_of, made_with
+from gearwright.version import digest
 
 
 def test_an_edited_file_a_new_one_and_a_new_name_are_noticed_and_compiled_files_are_not(tmp_path: Path) -> None:

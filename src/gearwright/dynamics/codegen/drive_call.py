@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from numba import carray, cfunc, types  # type: ignore[attr-defined]
+from numba import carray, types  # type: ignore[attr-defined]
 
+from gearwright.dynamics.code_cache import compiled_callback
 from gearwright.dynamics.codegen.emit import CHUNK
 from gearwright.dynamics.equations import apply_drives
 from gearwright.dynamics.model import OUTPUTS
@@ -16,7 +17,7 @@ _POINTER = types.CPointer(types.float64)  # type: ignore[no-untyped-call]
 _SIGNATURE = types.void(_POINTER, types.int64, types.int64, _POINTER, types.float64, *[_POINTER] * 4)
 
 
-@cfunc(_SIGNATURE, error_model="numpy", cache=True)
+@compiled_callback(_SIGNATURE)
 def laws(
     table_at: Any, length: int, states: int, inputs_at: Any, factor: float,
     motion_at: Any, torque_at: Any, rate_at: Any, output_at: Any,

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
+from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.model import HEADER, MACHINE, OUTPUTS, PROPELLER, Floats
 from gearwright.machines import Governor, GovernorState, governor_rates
 
@@ -17,7 +18,7 @@ _SLACK = 1e-9
 """Part of a cell by which rounding may leave the map, as in `machines.propeller_map` [-]."""
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def drive_columns(table: Floats, start: Floats) -> int:
     """Return how many numbers drives add to a row of a record."""
     return len(start) + OUTPUTS * int(table[0]) if len(table) else 0
@@ -88,7 +89,7 @@ def _govern(table: Floats, at: int, x: int, error: float, command: float, state:
     slope[x], slope[x + 1], slope[x + 2] = moved.pitch, moved.pitch_rate, moved.error_sum
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def apply_drives(
     table: Floats, inputs: Floats, factor: float, velocity: Floats, state: Floats, torque: Floats, rate: Floats,
     output: Floats,

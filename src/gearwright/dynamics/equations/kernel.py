@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.equations.drive_laws import apply_drives
 from gearwright.dynamics.equations.energy import WORKS
 from gearwright.dynamics.model import Arrays, Floats, Profile, Schedules, Series
@@ -53,7 +53,7 @@ def empty_instant(arrays: Arrays) -> Instant:
     return Instant(stiffness, stiffness_rate, error, error_rate, load, inertia_load, np.zeros(1), tone, read)
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def speed_factor(profile: Profile, time: float) -> tuple[float, float, float]:
     """Return s, ṡ and τ; replaces `reference.speed_factor`."""
     t, s = profile.time, profile.factor
@@ -66,7 +66,7 @@ def speed_factor(profile: Profile, time: float) -> tuple[float, float, float]:
     return factor, slope, profile.travel[i] + 0.5 * (s[i] + factor) * elapsed
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def fill_sums(series: Series, rate: Floats, tone: Floats, value: Floats, slope: Floats) -> None:
     """Fill Fourier sums and their derivatives by τ; replaces `reference._sums`."""
     for j in range(len(value)):
@@ -81,7 +81,7 @@ def fill_sums(series: Series, rate: Floats, tone: Floats, value: Floats, slope: 
         slope[j] = change
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def add_schedules(schedules: Schedules, time: float, load: Floats) -> None:
     """Add piecewise linear loads; replaces `reference._scheduled`."""
     for i in range(len(schedules.dof)):
@@ -90,7 +90,7 @@ def add_schedules(schedules: Schedules, time: float, load: Floats) -> None:
         load[schedules.dof[i]] += np.interp(time, t, value)
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def fill_inputs(inputs: Schedules, time: float, value: Floats) -> None:
     """Fill what the drives read; replaces `reference._scheduled`."""
     for i in range(len(inputs.dof)):
@@ -98,7 +98,7 @@ def fill_inputs(inputs: Schedules, time: float, value: Floats) -> None:
         value[i] = np.interp(time, inputs.time[first:past], inputs.value[first:past])
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def set_instant(arrays: Arrays, time: float, now: Instant) -> None:
     """Fill everything that the clock alone decides."""
     factor, slope, travel = speed_factor(arrays.profile, time)
@@ -119,7 +119,7 @@ def set_instant(arrays: Arrays, time: float, now: Instant) -> None:
     fill_inputs(arrays.drives.inputs, time, now.input)
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def apply_lines(arrays: Arrays, now: Instant, state: Floats, slope: Floats, output: Floats) -> None:
     """Fill line forces and deflections and add forces and powers to the slopes; replaces `reference.line_state`."""
     size, lines = len(arrays.mass), len(arrays.stiffness)
@@ -143,7 +143,7 @@ def apply_lines(arrays: Arrays, now: Instant, state: Floats, slope: Floats, outp
     slope[2 * size + 2], slope[2 * size + 3], slope[2 * size + 4] = dissipated, stiffness_power, error_power
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def apply_frames(arrays: Arrays, now: Instant, state: Floats, slope: Floats) -> None:
     """Add gyroscopic and centripetal forces and the power that holds the frame at its speed."""
     size = len(arrays.mass)
@@ -161,7 +161,7 @@ def apply_frames(arrays: Arrays, now: Instant, state: Floats, slope: Floats) -> 
     slope[2 * size + 5] = power
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def derivative(arrays: Arrays, now: Instant, state: Floats, slope: Floats, output: Floats) -> None:
     """Fill the time derivative of (q, q̇, works, x), line forces and deflections; replaces `reference.acceleration`."""
     size = len(arrays.mass)
@@ -189,7 +189,7 @@ def derivative(arrays: Arrays, now: Instant, state: Floats, slope: Floats, outpu
         slope[size + i] /= arrays.mass[i]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def runge_kutta(
     arrays: Arrays, instants: tuple[Instant, Instant], clock: tuple[int, float], record: Floats, state: Floats
 ) -> None:

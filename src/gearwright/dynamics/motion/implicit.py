@@ -7,8 +7,8 @@ Source: Chung, Hulbert 1993, J. Appl. Mech. 60, 371: second order, stable at any
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.equations import kernel
 from gearwright.dynamics.model import Arrays, Floats
 
@@ -20,7 +20,7 @@ SETTLED = 1e-10
 """Change of acceleration over the largest at which Newton's method stops [-]."""
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def fill_tangent(arrays: Arrays, shares: tuple[Floats, float, float, float], closed: Floats, tangent: Floats) -> None:
     """Fill the derivative of the unbalanced force by the acceleration from shares of damping, stiffness and mass."""
     damping, of_damping, of_stiffness, of_mass = shares
@@ -35,7 +35,7 @@ def fill_tangent(arrays: Arrays, shares: tuple[Floats, float, float, float], clo
                 tangent[arrays.line_dof[a], arrays.line_dof[b]] += of_stiffness * part
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def touching_stiffness(arrays: Arrays, now: kernel.Instant, deflection: Floats, out: Floats) -> None:
     """Fill the stiffness of each line, nothing where it stands open."""
     for j in range(len(out)):
@@ -43,7 +43,7 @@ def touching_stiffness(arrays: Arrays, now: kernel.Instant, deflection: Floats, 
         out[j] = 0.0 if open_ else now.stiffness[j]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def march(
     arrays: Arrays,
     now: kernel.Instant,

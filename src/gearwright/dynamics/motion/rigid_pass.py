@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numba import njit
 
+from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.codegen import drive_width, topology
 from gearwright.dynamics.equations import WORKS, kernel, split_rigid
 from gearwright.dynamics.model import Arrays, Floats, System, profile_of
@@ -68,7 +68,7 @@ def rigid_factor(arrays: Arrays, rigid: Floats, duration: float) -> tuple[Floats
     return time[::stride], factor[::stride]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _slope(
     arrays: Arrays, now: kernel.Instant, rigid: Floats, state: Floats, work: tuple[Floats, Floats, Floats]
 ) -> None:
@@ -87,7 +87,7 @@ def _slope(
     change[len(whole) + 1 :] = change[first : len(whole)]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _march(arrays: Arrays, now: kernel.Instant, how: tuple[Floats, float, int], motion: Floats) -> None:
     """Fill ν after each step."""
     rigid, h, width = how

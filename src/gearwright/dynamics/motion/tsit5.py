@@ -13,9 +13,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from llvmlite import ir
-from numba import njit, types
+from numba import types
 from numba.extending import intrinsic
 
+from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.equations import drive_columns, kernel
 from gearwright.dynamics.model import Arrays, Floats, Profile, line_matrix
 
@@ -113,7 +114,7 @@ def _call(_: Any, address: Any, p: Any, row: Any, y: Any, dy: Any, out: Any) -> 
     return signature, build
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _set_clock(arrays: Arrays, right: Right, time: float) -> None:
     """Set what the clock alone decides."""
     if right.address == 0:
@@ -134,7 +135,7 @@ def _set_clock(arrays: Arrays, right: Right, time: float) -> None:
         kernel.fill_inputs(arrays.drives.inputs, time, right.row[2 * waves + 2 + len(schedules.dof) :])
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _slope(arrays: Arrays, right: Right, state: Floats, slope: Floats, output: Floats) -> None:
     """Fill derivative, line forces and deflections at the instant that is set."""
     if right.address == 0:
@@ -144,7 +145,7 @@ def _slope(arrays: Arrays, right: Right, state: Floats, slope: Floats, output: F
         _call(right.address, numbers, row, y, slope.ctypes.data, output.ctypes.data)  # type: ignore[call-arg]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _combine(start: Floats, length: float, weights: Floats, slopes: Floats, result: Floats) -> None:
     """Fill start + length Σ weight slope."""
     for i in range(len(result)):
@@ -156,7 +157,7 @@ def _combine(start: Floats, length: float, weights: Floats, slopes: Floats, resu
                 result[i] += share * slopes[stage, i]
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def _error(limit: Limits, length: float, slopes: Floats, result: Floats) -> float:
     """Return the step's local error over the one that is allowed."""
     result[:] = 0.0
@@ -167,7 +168,7 @@ def _error(limit: Limits, length: float, slopes: Floats, result: Floats) -> floa
     return float(np.sqrt(energy / limit.energy))
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def attempt(
     arrays: Arrays, right: Right, span: tuple[float, float], state: Floats, slopes: Floats, ahead: Floats
 ) -> None:
@@ -181,7 +182,7 @@ def attempt(
         _slope(arrays, right, ahead, slopes[stage], output)
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def march(
     arrays: Arrays, right: Right, clock: tuple[int, float], limit: Limits, record: Floats, state: Floats
 ) -> tuple[int, bool, float]:
@@ -220,7 +221,7 @@ def march(
     return tried, time >= end, start + time
 
 
-@njit(cache=True, error_model="numpy")
+@compiled
 def read_row(
     arrays: Arrays, right: Right, place: tuple[float, float, float], state: Floats, slopes: Floats, row: Floats
 ) -> None:

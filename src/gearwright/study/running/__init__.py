@@ -5,7 +5,7 @@ A single case is computed in `cases`.
 
 from gearwright.study.running.cluster import Cluster, commands
 from gearwright.study.running.journal import begin, opened, recorded, rows_of, status
-from gearwright.study.running.made_with import changes_of, digest, made_with
+from gearwright.study.running.made_with import changes_of, made_with
 from gearwright.study.running.run import run, table_of
 from gearwright.study.running.runner import Progress, Start, resume, run_study
 from gearwright.study.running.search import generations
@@ -18,7 +18,6 @@ __all__ = [
     "begin",
     "changes_of",
     "commands",
-    "digest",
     "generations",
     "local",
     "made_with",

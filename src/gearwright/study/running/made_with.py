@@ -5,16 +5,13 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from functools import cache
-from hashlib import sha256
 from importlib.metadata import version
 from pathlib import Path
 
-from gearwright.version import __version__
+from gearwright.version import __version__, digest
 
 LIBRARIES = ("numpy", "scipy", "numba", "llvmlite")
 """Libraries that compute."""
-_DIGITS = 12
-"""Of the digest; one in 10^14 that two sets of files agree by chance."""
 
 
 @cache
@@ -26,19 +23,6 @@ def made_with() -> Mapping[str, str]:
     libraries = {name: version(name) for name in LIBRARIES}
     own = f"{__version__}, files {digest(Path(__file__).parents[2])}"
     return {"gearwright": own, "python": f"{sys.version_info.major}.{sys.version_info.minor}", **libraries}
-
-
-def digest(folder: Path) -> str:
-    """Return the digest of the files in a folder, their names included; those that Python makes are left out.
-
-    Args:
-        folder: Of a package.
-    """
-    found = sha256()
-    for path in sorted(each for each in folder.rglob("*") if each.is_file() and "__pycache__" not in each.parts):
-        found.update(path.relative_to(folder).as_posix().encode() + b"\0")
-        found.update(sha256(path.read_bytes()).digest())
-    return found.hexdigest()[:_DIGITS]
 
 
 def changes_of(begun: Mapping[str, str], now: Mapping[str, str]) -> list[tuple[str, str, str]]:

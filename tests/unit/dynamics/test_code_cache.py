@@ -1,0 +1,159 @@
+"""Compiled code is kept between runs, read only where it can be trusted, and lost without harm."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numba import types
+
+from gearwright.dynamics import VARIABLE, code_cache, compiled, compiled_callback
+
+
+def doubled(values):
+    return 2.0 * values.sum()
+
+
+@pytest.fixture
+def cache(tmp_path, monkeypatch):
+    """Hold a folder of this test's own for the cache."""
+    monkeypatch.setenv(VARIABLE, str(tmp_path / "cache"))
+    code_cache.folder.cache_clear()
+    yield tmp_path / "cache"
+    code_cache.folder.cache_clear()
+
+
+def hits():
+    """Return how often code for the function was found, after a call that must be right."""
+    function = compiled(doubled)
+    assert function(np.ones(3)) == 6.0
+    return sum(function._cache_hits.values())
+
+
+def test_code_is_compiled_once_and_found_again(cache):
+    assert [hits(), hits()] == [0, 1]
+    (kept,) = cache.glob("code-*/doubled-*")
+    assert kept.parent.stat().st_mode & 0o077 == 0, "no one else reads or writes it"
+
+
+def test_other_kinds_of_arguments_have_code_of_their_own(cache):
+    function = compiled(doubled)
+    assert function(np.ones(3)) == function(np.ones(3, dtype=np.float32)) == 6.0
+    assert len(list(cache.glob("code-*/doubled-*"))) == 2
+
+
+def test_a_callback_is_kept_too(cache):
+    def made():
+        return compiled_callback(types.float64(types.float64))(halved)
+
+    assert [made().cache_hits, made().cache_hits] == [0, 1]
+    assert made().ctypes(3.0) == 1.5
+
+
+def halved(value):
+    return 0.5 * value
+
+
+@pytest.mark.parametrize("where", [0, 20, 60, -1])
+def test_damaged_code_is_compiled_again_and_replaced(cache, where):
+    hits()
+    (kept,) = cache.glob("code-*/doubled-*")
+    damaged = bytearray(kept.read_bytes())
+    damaged[where] ^= 1
+    kept.write_bytes(damaged)
+    assert [hits(), hits()] == [0, 1]
+
+
+@pytest.mark.parametrize("length", [0, 30, 1000])
+def test_code_that_is_cut_off_is_compiled_again(cache, length):
+    hits()
+    (kept,) = cache.glob("code-*/doubled-*")
+    kept.write_bytes(kept.read_bytes()[:length])
+    assert [hits(), hits()] == [0, 1]
+
+
+def test_what_another_user_has_put_there_is_not_read(cache, monkeypatch):
+    hits()
+    code_cache.folder.cache_clear()
+    monkeypatch.setattr(os, "geteuid", lambda: 12345)
+    assert code_cache.folder() is None
+    assert hits() == 0
+    (kept,) = cache.glob("code-*/doubled-*")
+    assert code_cache._verified(kept) is None
+
+
+def test_a_folder_that_others_may_write_is_not_used(cache):
+    hits()
+    (kept,) = cache.glob("code-*")
+    kept.chmod(0o770)
+    code_cache.folder.cache_clear()
+    assert hits() == 0
+
+
+def test_a_link_or_a_pipe_is_not_followed(cache, tmp_path):
+    hits()
+    (kept,) = cache.glob("code-*/doubled-*")
+    kept.rename(tmp_path / "elsewhere")
+    kept.symlink_to(tmp_path / "elsewhere")
+    assert code_cache._verified(kept) is None
+    kept.unlink()
+    os.mkfifo(kept)
+    assert code_cache._verified(kept) is None
+
+
+def test_where_nothing_can_be_written_code_stays_in_memory(cache, monkeypatch):
+    cache.touch()  # a file stands where the folder should be
+    assert code_cache.folder() is None
+    assert [hits(), hits()] == [0, 0]
+
+
+def test_the_code_of_all_but_the_latest_versions_is_removed(cache):
+    for number in range(code_cache.KEPT + 3):
+        (cache / f"code-{number}").mkdir(parents=True)
+        os.utime(cache / f"code-{number}", (number, number))
+    hits()
+    assert len(list(cache.glob("code-*"))) == code_cache.KEPT
+    assert not (cache / "code-0").exists()
+
+
+def test_the_folder_follows_the_environment(monkeypatch, tmp_path):
+    monkeypatch.delenv(VARIABLE, raising=False)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("XDG_CACHE_HOME", "relative/is/ignored")
+    assert code_cache._home() == tmp_path / ".cache" / "gearwright"
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "xdg"))
+    assert code_cache._home() == tmp_path / "xdg" / "gearwright"
+    monkeypatch.setenv(VARIABLE, str(tmp_path / "own"))
+    assert code_cache._home() == tmp_path / "own"
+
+
+RUN = """
+from gearwright.dynamics import simulate
+from gearwright.dynamics.assemble import assemble
+from gearwright.dynamics.kernel import speed_factor
+from gearwright.dynamics.system import Profile
+import numpy as np
+speed_factor(Profile(np.zeros(1), np.ones(1), np.zeros(1)), 0.1)
+print(sum(speed_factor._cache_hits.values()))
+"""
+
+
+def test_another_process_finds_the_code_and_one_without_a_home_does_without(tmp_path):
+    """As in a container that is read-only and knows no user."""
+    nowhere = {**os.environ, "HOME": "/dev/null/none", VARIABLE: "", "XDG_CACHE_HOME": ""}
+    somewhere = {**os.environ, VARIABLE: str(tmp_path)}
+
+    def said(environment):
+        return subprocess.run(
+            [sys.executable, "-c", RUN], env=environment, capture_output=True, text=True, check=True
+        ).stdout
+
+    assert [said(nowhere), said(somewhere), said(somewhere)] == ["0\n", "0\n", "1\n"]
+
+
+def test_no_code_is_kept_by_other_means():
+    """numba's own cache reads whatever lies beside the sources, or in a folder that a variable names."""
+    for path in Path(code_cache.__file__).parent.glob("*.py"):
+        assert "cache=True" not in path.read_text(encoding="utf-8"), path
