@@ -9,13 +9,19 @@ import math
 import pytest
 
 from gearwright.parts.bevel import (
+    HIGH_CROWNING,
+    LOW_CROWNING,
     BevelDuty,
     BevelPair,
+    BevelSurfaces,
     BevelTooth,
     VirtualPair,
     bevel_bending,
     bevel_load_factors,
+    bevel_pitch_tolerance,
     bevel_pitting,
+    gleason_profile_shift,
+    rate_bevel,
 )
 from gearwright.parts.iso6336 import GearSteel, Treatment
 from gearwright.units import RPM
@@ -111,3 +117,27 @@ def test_every_quantity_of_the_sample(name, found, printed, tolerance):
 def test_stresses_and_safeties_of_the_sample(name, found, printed):
     """K_V is found as 1.018 and printed as 1.020; that alone is 0.2 %, and half of it in the contact stress."""
     assert found == pytest.approx(printed, rel=2.1e-3), name
+
+
+def test_the_usual_profile_shift_is_that_of_the_sample():
+    assert gleason_profile_shift((14, 39)) == pytest.approx(0.505, abs=5e-4)
+
+
+@pytest.mark.parametrize(
+    ("shift", "roughness", "crowning", "safeties"),
+    [
+        (0.0, 4e-6, HIGH_CROWNING, (1.063, 1.094)),
+        (gleason_profile_shift((17, 43)), 4e-6, HIGH_CROWNING, (1.107, 1.139)),
+        (gleason_profile_shift((17, 43)), 2e-6, HIGH_CROWNING, (1.170, 1.204)),
+        (gleason_profile_shift((17, 43)), 2e-6, LOW_CROWNING, (1.22, 1.25)),
+    ],
+)
+def test_what_makes_the_safeties_of_a_hand_design(shift, roughness, crowning, safeties):
+    """The EC120B's bevel pair by hand: 1.22 / 1.25 is printed, of all three together; the steps to it are ours."""
+    pair = BevelPair((17, 43), 8.5e-3, 51e-3, math.radians(35.0), tooth=BevelTooth(profile_shift=shift))
+    tolerance = bevel_pitch_tolerance(pair.mean_diameters[1], pair.mean_module, 4)
+    duty = BevelDuty(2031.1, 6000.0 / 3.963 * RPM, tolerance, 1.25)
+    steel = GearSteel("case-hardened", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 500e6)
+    surfaces = BevelSurfaces(flank_roughness=roughness, viscosity=25e-6, peak_exponent=crowning)
+    rated = rate_bevel(pair, (steel, steel), duty, 3500.0 * 3600.0, surfaces=surfaces)
+    assert rated.pitting.safeties == pytest.approx(safeties, abs=5e-3 if crowning == LOW_CROWNING else 5e-4)

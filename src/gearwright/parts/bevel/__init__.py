@@ -14,6 +14,7 @@ from gearwright.parts.bevel.geometry import (
     Rotation,
     bevel_forces,
     cone_forces,
+    gleason_profile_shift,
 )
 from gearwright.parts.bevel.pitting import (
     BOTH_OVERHUNG,
@@ -25,10 +26,12 @@ from gearwright.parts.bevel.pitting import (
     mid_zone_factor,
 )
 from gearwright.parts.bevel.rating import BevelRating, BevelSurfaces, bevel_pitch_tolerance, rate_bevel
-from gearwright.parts.bevel.virtual import VirtualPair
+from gearwright.parts.bevel.virtual import HIGH_CROWNING, LOW_CROWNING, VirtualPair
 
 __all__ = [
     "BOTH_OVERHUNG",
+    "HIGH_CROWNING",
+    "LOW_CROWNING",
     "ONE_OVERHUNG",
     "STRADDLE",
     "WIDEST",
@@ -49,6 +52,7 @@ __all__ = [
     "bevel_pitting",
     "cone_forces",
     "contact_ratio_factor_bending",
+    "gleason_profile_shift",
     "mid_zone_factor",
     "rate_bevel",
     "spiral_angle_factor",

@@ -126,6 +126,21 @@ class BevelPair:
         return (k - x) * self.mean_module, (k + x) * self.mean_module
 
 
+def gleason_profile_shift(teeth: tuple[int, int]) -> float:
+    """Return the profile shift of the pinion x_hm1 that a pair at right angles is usually cut with [-].
+
+    Args:
+        teeth: z_1, z_2 [-].
+
+    Source: ISO 23509:2016, table 4, x_hm1 = k_d (1/2 − c_ham) with k_d = 2; C.3.2.3, c_ham = 0.210 + 0.290 (z_1/z_2)².
+    Valid for: shafts at right angles.
+
+    >>> round(gleason_profile_shift((14, 39)), 3)  # ISO/TR 10300-30:2024, sample 1
+    0.505
+    """
+    return 2.0 * (0.5 - (0.210 + 0.290 * (teeth[0] / teeth[1]) ** 2))
+
+
 @dataclass(frozen=True)
 class BevelForces:
     """Forces of a bevel mesh on its two gears, at the mean diameters."""

@@ -16,7 +16,7 @@ from gearwright.parts.bevel.pitting import (
     bevel_pitting,
     virtual_force,
 )
-from gearwright.parts.bevel.virtual import VirtualPair
+from gearwright.parts.bevel.virtual import HIGH_CROWNING, VirtualPair
 from gearwright.parts.iso6336 import LoadFactors, Steels, bending_life_curve, contact_life_curve, life_factor
 from gearwright.units import Origin, Quantity
 
@@ -33,6 +33,8 @@ class BevelSurfaces:
     """R_z of the roots [m]."""
     viscosity: float = 100e-6
     """ν_40 of the oil [m²/s]."""
+    peak_exponent: float = HIGH_CROWNING
+    """Exponent of the load over the zone of contact e_LS [-], of how much the flanks are crowned."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,7 @@ def rate_bevel(
     >>> round(rated.tangential_force / 1e3, 1)
     32.3
     """
-    virtual = VirtualPair(pair)
+    virtual = VirtualPair(pair, surfaces.peak_exponent)
     loads, dynamic = bevel_load_factors(virtual, duty)
     turns = abs(duty.pinion_speed) * life / (2.0 * math.pi)
     cycles = (turns, turns * pair.teeth[0] / pair.teeth[1])

@@ -10,6 +10,8 @@ from gearwright.parts.bevel.geometry import BevelPair
 
 EFFECTIVE_WIDTH = 0.85
 """Part of the face that bears under load, b_2,eff/b [-] (ISO 10300-1:2023, annex A.2.4)."""
+HIGH_CROWNING, LOW_CROWNING = 1.5, 3.0
+"""Exponent e_LS of the load over the zone for high and low profile crowning [-] (ISO 10300-2:2023, table 5)."""
 
 
 @dataclass(frozen=True)
@@ -30,8 +32,8 @@ class VirtualPair:
 
     bevel: BevelPair
     """The bevel pair."""
-    peak_exponent: float = 1.5
-    """Exponent e_LS of the load over the zone [-]: 1.5 for high, 3 for low profile crowning (ISO 10300-2, table 5)."""
+    peak_exponent: float = HIGH_CROWNING
+    """Exponent e_LS of the load over the zone [-]."""
 
     @cached_property
     def diameters(self) -> tuple[float, float]:
