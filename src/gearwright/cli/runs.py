@@ -18,7 +18,7 @@ from gearwright.cli.designs import design_of
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from gearwright.spec import Design, Study
     from gearwright.study import Table
@@ -56,10 +56,16 @@ def run_shown(
         )  # fmt: skip
 
 
-def status(journal: JournalArgument) -> None:
+def status(
+    journal: JournalArgument,
+    verify: Annotated[bool, typer.Option("--verify", help="Read every row and name what is damaged or edited")] = False,
+) -> None:
     """Show how far a study is: also while it runs, from another terminal."""
     from gearwright.study.running import status as look
 
+    if verify:
+        _verify(journal)
+        return
     found = look(journal)
     known = found.recorded
     typer.echo(f"{known.study.name}: {found.done:,} of {known.total:,} cases, {found.failed:,} cannot be had")
@@ -69,6 +75,28 @@ def status(journal: JournalArgument) -> None:
         typer.echo(f"running, {found.rate:.1f} cases/s, {_duration(found.remaining)} to go")
     else:
         typer.echo(f"stopped; next: gearwright resume {journal}")
+
+
+def _verify(journal: Path) -> None:
+    """Say what a journal has lost; exit code 1 if it has lost anything."""
+    from gearwright.study.running import verify
+
+    found = verify(journal)
+    if not found.damaged and not found.lost:
+        typer.echo(f"whole: {found.kept:,} cases as they were written")
+        return
+    lost = f"cases {_spans(found.lost)} are lost" if found.lost else "no case is lost, but the file is damaged"
+    typer.echo(f"{lost}; {found.kept:,} are as they were written\nnext: gearwright resume {journal}")
+    raise typer.Exit(1)
+
+
+def _spans(numbers: Sequence[int]) -> str:
+    """Return numbers in words, those that follow each other as from-to."""
+    starts = [number for at, number in enumerate(numbers) if not at or numbers[at - 1] != number - 1]
+    ends = [number for at, number in enumerate(numbers) if numbers[at + 1 : at + 2] != (number + 1,)]
+    return ", ".join(
+        f"{first}-{last}" if last > first else f"{first}" for first, last in zip(starts, ends, strict=True)
+    )
 
 
 def resume(

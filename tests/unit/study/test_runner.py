@@ -60,6 +60,23 @@ def test_a_case_that_kills_its_worker_is_tried_twice(tmp_path: Path, how: str, p
     assert not any(row.problem for row in found.values())
 
 
+def test_a_worker_that_dies_within_its_answer_is_replaced(tmp_path: Path) -> None:
+    """What it had begun to send ends in the middle of a message."""
+    study = study_of(40, name=str(tmp_path / "mark"))
+    with local(study, DESIGNS, 2, function=deadly.dead_within_its_answer) as compute:
+        found = dict(row for finished in compute(cases(study), 40) for row in finished)
+    assert sorted(found) == list(range(40))
+    assert not any(row.problem for row in found.values())
+
+
+def test_workers_are_killed_while_they_send_large_answers(tmp_path: Path, fault: int) -> None:
+    """80 MB a row take some 0.1 s to send; the kills come within that time."""
+    study = study_of(9, description=f"{tmp_path / 'mark'} {fault}")
+    with local(study, DESIGNS, 2, function=deadly.large_and_killed) as compute:
+        found = {number: len(row.problem) for finished in compute(cases(study), 9) for number, row in finished}
+    assert found == dict.fromkeys(range(9), 80_000_000)
+
+
 def test_a_second_runner_is_refused(tmp_path: Path) -> None:
     begin(tmp_path / "j", study_of(2), DESIGNS)
     with opened(tmp_path / "j"):

@@ -4,7 +4,7 @@ A single case is computed in `cases`.
 """
 
 from gearwright.study.running.cluster import Cluster, commands
-from gearwright.study.running.journal import begin, opened, recorded, rows_of, status
+from gearwright.study.running.journal import begin, opened, recorded, rows_of, status, verify
 from gearwright.study.running.made_with import changes_of, made_with
 from gearwright.study.running.run import run, table_of
 from gearwright.study.running.runner import Progress, Start, resume, run_study
@@ -29,4 +29,5 @@ __all__ = [
     "run_study",
     "status",
     "table_of",
+    "verify",
 ]

@@ -1,6 +1,7 @@
 """The journal of a study: one SQLite file that holds the study, its designs, and every case as soon as it is finished.
 
 Rows are safe once `append` returns: a killed process or a power failure costs what was being computed, nothing else.
+Every row carries a checksum: what is damaged or was edited is seen, left out and computed again.
 Only one runner writes; readers may look at any time. A file on a network drive is no place for it (SQLite's locks).
 """
 
@@ -15,19 +16,31 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from gearwright.errors import DesignError, Problem, SolveError
-from gearwright.sizing import Named
 from gearwright.spec import Design, Study, case_count
 from gearwright.study.answers import Row
+from gearwright.study.journal_file import (
+    ADD_ROW,
+    FORMAT,
+    add_tables,
+    connect,
+    entry_of,
+    has_tables,
+    held,
+    is_held,
+    kept_rows,
+    reading,
+    summed,
+    written,
+)
 from gearwright.study.running.made_with import made_with
+from gearwright.study.salvage import Losses, losses, salvage
 from gearwright.version import __version__
 
-FORMAT = 2
-"""Version of the tables below."""
-_TABLES = """
-CREATE TABLE study (format INTEGER, version TEXT, study TEXT, designs TEXT, origin TEXT, total INTEGER, made TEXT);
-CREATE TABLE rows (number INTEGER PRIMARY KEY, design TEXT, inputs TEXT, results TEXT, problem TEXT);
-CREATE TABLE runs (run INTEGER PRIMARY KEY, version TEXT, workers INTEGER, started REAL, done INTEGER, seen REAL);
-"""
+_ELSEWHERE = "Nothing was begun: free some space, or give another place"
+_RATE = (
+    """SELECT CAST(done AS REAL) / (CAST(seen AS REAL) - CAST(started AS REAL)) FROM runs ORDER BY run DESC LIMIT 1"""
+)
+"""Cases a second of the last run; nothing where it took no time."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +86,8 @@ class Journal:
     """An open journal that this process writes."""
 
     database: sqlite3.Connection
+    total: int
+    """Number of cases."""
     run: int = 0
     """Number of the run that writes."""
 
@@ -83,7 +98,7 @@ class Journal:
             workers: Processes that compute.
         """
         entry = (json.dumps(dict(made_with())), workers, time.time(), 0, time.time())
-        with _written(self.database):
+        with written(self.database):
             found = self.database.execute(
                 "INSERT INTO runs (version, workers, started, done, seen) VALUES (?, ?, ?, ?, ?)", entry
             )
@@ -98,9 +113,9 @@ class Journal:
         Raises:
             SolveError: If the disk does not take them.
         """
-        entries = [_entry(number, row) for number, row in rows]
-        with _written(self.database):
-            self.database.executemany("INSERT OR IGNORE INTO rows VALUES (?, ?, ?, ?, ?)", entries)
+        entries = [entry_of(number, row) for number, row in rows]
+        with written(self.database):
+            self.database.executemany(ADD_ROW, entries)
             self.database.execute(
                 "UPDATE runs SET done = done + ?, seen = ? WHERE run = ?", (len(entries), time.time(), self.run)
             )
@@ -116,7 +131,7 @@ class Journal:
             numbers: Finished cases.
         """
         wanted = set(numbers)
-        return [row for number, row in stored_rows(self.database) if number in wanted]
+        return [row for number, row in kept_rows(self.database, self.total) if number in wanted and row is not None]
 
 
 def begin(path: Path, study: Study, designs: Mapping[str, Design], *, origin: str = "") -> None:
@@ -130,15 +145,16 @@ def begin(path: Path, study: Study, designs: Mapping[str, Design], *, origin: st
 
     Raises:
         DesignError: If the file is there already.
+        SolveError: If it cannot be written.
     """
     try:
         with closing(sqlite3.connect(path)) as database:
-            used = _has_tables(database)
+            used = has_tables(database)
         if not used:
-            with closing(_connect(path)) as database:
+            with closing(connect(path)) as database:
                 used = not _write_study(database, study, designs, origin)
     except sqlite3.OperationalError as error:
-        raise SolveError(f"the journal {path} cannot be written: {error}; give another place") from None
+        raise SolveError(f"the journal {path} cannot be written: {error}. {_ELSEWHERE}") from None
     except sqlite3.DatabaseError:
         used = True
     if used:
@@ -156,10 +172,6 @@ def _taken(path: Path, study: Study) -> str:
     return "there is a journal of this study already; `gearwright resume` continues it, or give another name"
 
 
-def _has_tables(database: sqlite3.Connection) -> bool:
-    return database.execute("SELECT 1 FROM sqlite_master").fetchone() is not None
-
-
 def in_memory(study: Study, designs: Mapping[str, Design]) -> Journal:
     """Return a journal that is nowhere on disk, for studies that are not to be kept.
 
@@ -167,22 +179,21 @@ def in_memory(study: Study, designs: Mapping[str, Design]) -> Journal:
         study: What is to be run.
         designs: Name -> design.
     """
-    database = _connect(Path(":memory:"))
+    database = connect(Path(":memory:"))
     _write_study(database, study, designs, "")
-    return Journal(database)
+    return Journal(database, case_count(study))
 
 
 def _write_study(database: sqlite3.Connection, study: Study, designs: Mapping[str, Design], origin: str) -> bool:
     """Write what a journal begins with, all or nothing; tell whether the database was free for it."""
     texts = {name: _dumped(design) for name, design in designs.items()}
     made = json.dumps(dict(made_with()))
-    entry = (FORMAT, __version__, _dumped(study), json.dumps(texts), origin, case_count(study), made)
-    with _written(database):
-        if _has_tables(database):
+    total = case_count(study)
+    entry = summed(FORMAT, __version__, _dumped(study), json.dumps(texts), origin, total, made)
+    with written(database, advice=_ELSEWHERE):
+        if has_tables(database):
             return False
-        for statement in _TABLES.split(";"):
-            database.execute(statement)
-        database.execute("INSERT INTO study VALUES (?, ?, ?, ?, ?, ?, ?)", entry)
+        add_tables(database, entry)
     return True
 
 
@@ -193,24 +204,22 @@ def _dumped(record: Study | Design) -> str:
 
 @contextmanager
 def opened(path: Path) -> Iterator[Journal]:
-    """Hold a journal for writing; the hold ends with the process, however that ends.
+    """Hold a journal for writing, made sound first; the hold ends with the process, however that ends.
 
     Args:
         path: Of a journal.
 
     Raises:
         DesignError: If it is no journal, or another runner holds it.
+        SolveError: If the disk does not take what is written.
     """
-    recorded(path)
-    lock = sqlite3.connect(_lock(path), timeout=0.0, isolation_level=None)
-    with closing(lock):
-        try:
-            lock.execute("BEGIN EXCLUSIVE")
-        except sqlite3.OperationalError:
-            message = "another runner is at this journal; `gearwright status` shows how far it is"
-            raise DesignError([Problem("", message)], str(path)) from None
-        with closing(_connect(path)) as database:
-            yield Journal(database)
+    total = recorded(path).total
+    with held(path):
+        known = losses(path, total)
+        if known.lost or known.damaged:
+            salvage(path, total)
+        with closing(connect(path)) as database:
+            yield Journal(database, total)
 
 
 def recorded(path: Path) -> Recorded:
@@ -223,21 +232,22 @@ def recorded(path: Path) -> Recorded:
         DesignError: If it is none, or of a later format.
     """
     with reading(path) as database:
-        try:
-            found = database.execute("SELECT * FROM study").fetchone()
-        except sqlite3.DatabaseError:
-            found = None
-    if found is None:
+        entry = database.execute("SELECT * FROM study").fetchone()
+    if entry is not None and entry[0] != FORMAT:
+        message = f"its format is {entry[0]}, not {FORMAT}; continue with the gearwright that began it, or begin anew"
+        raise DesignError([Problem("", message)], str(path))
+    if entry is None or entry != summed(*entry[:-1]):
         raise DesignError(
-            [Problem("", "this is no journal of a study; `gearwright study --journal` writes one")], str(path)
+            [Problem("", "what it says of its study is damaged or was edited; begin a new one")], str(path)
         )
-    if found[0] != FORMAT:
-        raise DesignError(
-            [Problem("", f"its format {found[0]} is not {FORMAT}; gearwright {found[1]} reads it")], str(path)
-        )
-    study = Study.model_validate_json(found[2])
-    designs = {name: Design.model_validate_json(text) for name, text in json.loads(found[3]).items()}
-    return Recorded(study, designs, json.loads(found[6]), found[4], found[5])
+    _, _, study, designs, origin, total, made, _ = entry
+    try:
+        read = {name: Design.model_validate_json(text) for name, text in json.loads(designs).items()}
+        return Recorded(Study.model_validate_json(study), read, json.loads(made), origin, total)
+    except ValueError:
+        begun = json.loads(made)["gearwright"]
+        message = f"its study was written by another gearwright, {begun}; read it with that one, or begin a new one"
+        raise DesignError([Problem("", message)], str(path)) from None
 
 
 def status(path: Path) -> Status:
@@ -252,84 +262,28 @@ def status(path: Path) -> Status:
     known = recorded(path)
     with reading(path) as database:
         done, failed = database.execute("SELECT COUNT(*), COALESCE(SUM(problem <> ''), 0) FROM rows").fetchone()
-        run = database.execute("SELECT started, done, seen FROM runs ORDER BY run DESC LIMIT 1").fetchone()
-    rate = run[1] / (run[2] - run[0]) if run and run[2] > run[0] else 0.0
-    return Status(known, done, failed, _is_held(path), rate)
+        last = database.execute(_RATE).fetchone()
+    return Status(known, done, failed, is_held(path), last[0] or 0.0 if last else 0.0)
 
 
-def rows_of(path: Path) -> list[Row]:
-    """Return every finished row of a journal, in the order of the cases.
-
-    Args:
-        path: Of a journal.
-    """
-    with reading(path) as database:
-        return [row for _, row in stored_rows(database)]
-
-
-def stored_rows(database: sqlite3.Connection) -> Iterator[tuple[int, Row]]:
-    """Yield number and row of every finished case, in the order of the cases.
-
-    Args:
-        database: Of a journal.
-    """
-    for number, design, inputs, results, problem in database.execute("SELECT * FROM rows ORDER BY number"):
-        found = {name: Named(*each) for name, each in json.loads(results).items()}
-        yield number, Row(design, json.loads(inputs), found, problem)
-
-
-def _entry(number: int, row: Row) -> tuple[int, str, str, str, str]:
-    return number, row.design, json.dumps(row.inputs), json.dumps(row.results), row.problem
-
-
-def _lock(path: Path) -> Path:
-    return path.with_name(f"{path.name}-lock")
-
-
-def _is_held(path: Path) -> bool:
-    if not _lock(path).exists():
-        return False
-    with closing(sqlite3.connect(_lock(path), timeout=0.0, isolation_level=None)) as lock:
-        try:
-            lock.execute("BEGIN EXCLUSIVE")
-        except sqlite3.OperationalError:
-            return True
-    return False
-
-
-def _connect(path: Path) -> sqlite3.Connection:
-    database = sqlite3.connect(path, isolation_level=None)
-    database.execute("PRAGMA journal_mode = WAL")
-    database.execute("PRAGMA synchronous = FULL")  # a power failure, too, costs no finished case
-    return database
-
-
-@contextmanager
-def reading(path: Path) -> Iterator[sqlite3.Connection]:
-    """Hold a journal for reading.
+def verify(path: Path) -> Losses:
+    """Return what a journal has lost: every checksum is compared; also while it is written.
 
     Args:
         path: Of a journal.
 
     Raises:
-        DesignError: If there is no such file.
+        DesignError: If it is no journal, or what it says of its study is lost.
     """
-    if not path.is_file():
-        raise DesignError([Problem("", "there is no such journal; `gearwright study --journal` writes one")], str(path))
-    with closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=rw", uri=True)) as database:
-        yield database
+    return losses(path, recorded(path).total)
 
 
-@contextmanager
-def _written(database: sqlite3.Connection) -> Iterator[None]:
-    """Make what is written inside one transaction; say in plain words why it failed."""
-    try:
-        database.execute("BEGIN IMMEDIATE")
-        yield
-        database.execute("COMMIT")
-    except sqlite3.OperationalError as error:
-        if database.in_transaction:
-            database.execute("ROLLBACK")
-        raise SolveError(
-            f"the journal cannot be written: {error}. What is in it is safe; free some space and `gearwright resume` it"
-        ) from None
+def rows_of(path: Path) -> list[Row]:
+    """Return the finished rows of a journal that are as they were written, in the order of the cases.
+
+    Args:
+        path: Of a journal.
+    """
+    total = recorded(path).total
+    with reading(path) as database:
+        return [row for _, row in kept_rows(database, total) if row is not None]

@@ -64,8 +64,9 @@ def run_study(
     case_count(study)
     refuse_unknown_paths(study, designs)
     if journal is None:
-        with closing(in_memory(study, designs).database) as database, start(study, designs, workers) as compute:
-            return _run(Journal(database), study, workers, watch, compute)
+        book = in_memory(study, designs)
+        with closing(book.database), start(study, designs, workers) as compute:
+            return _run(book, study, workers, watch, compute)
     begin(journal, study, designs, origin=origin)
     with opened(journal) as book, start(study, designs, workers) as compute:
         return _run(book, study, workers, watch, compute)

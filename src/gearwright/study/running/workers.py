@@ -79,15 +79,16 @@ def _here(given: Given, cases: Iterator[Case], count: int) -> Iterator[Finished]
 def _serve(pipe: Connection, study: Study, designs: Mapping[str, Design], function: Function) -> None:
     """Answer chunks with their rows until the pipe closes: the life of a worker."""
     gc.freeze()  # what is loaded now stays: the collector need not look at it after every few cases
-    try:
-        pipe.send(None)
-        while True:
+    answer: object = None
+    while True:
+        try:
+            pipe.send(answer)
             chunk: Chunk = pipe.recv()
-            start = time.perf_counter()
-            rows = [(case.number, function(study, designs[case.design], case)) for case in chunk]
-            pipe.send((rows, time.perf_counter() - start))
-    except (EOFError, BrokenPipeError, ConnectionResetError):  # the runner is gone, perhaps with an answer unread
-        return
+        except (EOFError, OSError):  # the runner is gone, perhaps with an answer unread or a chunk half sent
+            return
+        start = time.perf_counter()
+        rows = [(case.number, function(study, designs[case.design], case)) for case in chunk]
+        answer = (rows, time.perf_counter() - start)
 
 
 @dataclass(eq=False)
@@ -149,7 +150,7 @@ class _Crew:
         worker.chunks.append(chunk)
         try:
             worker.pipe.send(chunk)
-        except (BrokenPipeError, ConnectionResetError):
+        except OSError:
             return  # its death is seen at the next wait
 
     def _next(self) -> Chunk:
@@ -166,7 +167,7 @@ class _Crew:
         """Return what a worker has finished, or see to its death."""
         try:
             message = worker.pipe.recv()
-        except (EOFError, ConnectionResetError):
+        except (EOFError, OSError):  # OSError: it died within its answer
             return self._bury(worker)
         if message is None:
             worker.ready, self.failed_starts = True, 0
