@@ -6,6 +6,7 @@ every line shown must come, in this order; ``…`` stands for lines that are lef
 
 import doctest
 import re
+import runpy
 import shlex
 from pathlib import Path
 
@@ -13,7 +14,8 @@ import pytest
 
 from gearwright.cli import main
 
-DOCS = Path(__file__).parents[2] / "docs"
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
 PAGES = ["index.md", "tutorial.md", *(f"how-to/{path.name}" for path in sorted((DOCS / "how-to").glob("*.md")))]
 BLOCK = re.compile(r'^```(?P<kind>toml title="(?P<file>[^"]+)"|console)\n(?P<text>.*?)^```$', re.DOTALL | re.MULTILINE)
 EXAMPLES = ["how-to/python.md", "theory/power-flow.md", "theory/first-sizing.md"]
@@ -66,6 +68,14 @@ def test_the_python_of_a_page_gives_what_it_shows(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     failed, tried = doctest.testfile(str(DOCS / page), module_relative=False, encoding="utf-8")
     assert tried > 3 and failed == 0
+
+
+@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(DOCS.rglob("*.md"))], ids=lambda page: page.name)
+def test_every_name_that_a_page_imports_is_there(page, tmp_path):
+    """Also in examples that are not run as doctests."""
+    lines = re.findall(r"^(?:>>> )?((?:from|import) gearwright\b.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    (tmp_path / "imports.py").write_text("\n".join(lines), encoding="utf-8")
+    runpy.run_path(str(tmp_path / "imports.py"))
 
 
 def test_a_line_that_does_not_come_is_noticed():
