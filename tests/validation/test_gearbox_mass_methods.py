@@ -82,7 +82,8 @@ def test_the_refit_of_the_real_weights_scatters_as_published():
     """
     line = refit()
     assert line.r_squared == pytest.approx(0.967, abs=5e-4)
-    assert line.sigma_factor == pytest.approx(1.2339227808272764, rel=1e-9)
+    sigma = line.spread * math.sqrt((line.count - 2) / line.count)  # as published: n in the divisor
+    assert 10.0**sigma == pytest.approx(1.2339227808272764, rel=1e-9)
 
 
 def test_the_line_of_the_report_is_scored_on_weights_that_need_only_beta():

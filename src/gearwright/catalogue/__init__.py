@@ -5,7 +5,6 @@ from gearwright.catalogue.bearing_choice import (
     BearingDuty,
     BearingSpectrum,
     check_bearing,
-    choose_bearing,
     equivalent_loads,
     fitting_bearings,
 )
@@ -14,7 +13,7 @@ from gearwright.catalogue.engines import Engine, Printed, Series, all_series, en
 from gearwright.catalogue.fits import LARGEST, SEAT_SOURCE, SMALLEST, seat_tolerance, shaft_limits, standard_tolerance
 from gearwright.catalogue.gear_strength import gear_steel, gear_steel_names
 from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
-from gearwright.catalogue.keys import LENGTHS, StandardKey, choose_key_length, key_for_shaft, standard_keys
+from gearwright.catalogue.keys import LENGTHS, StandardKey, key_for_shaft, standard_keys
 from gearwright.catalogue.load_factors import load_factor_tables, load_factors
 from gearwright.catalogue.materials import materials
 from gearwright.catalogue.propellers import (
@@ -46,8 +45,6 @@ __all__ = [
     "bearings",
     "charted_point",
     "check_bearing",
-    "choose_bearing",
-    "choose_key_length",
     "compressed",
     "engines",
     "equivalent_loads",

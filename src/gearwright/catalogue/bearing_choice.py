@@ -186,34 +186,6 @@ def _static_factor(inside: BearingGeometry) -> float:
     return ball_static_factor(inside)
 
 
-def choose_bearing(
-    kind: BearingKind,
-    duty: Duty,
-    *,
-    bore: Length,
-    largest_bore: Length = math.inf,
-    largest_outer: Length = math.inf,
-) -> BearingCheck:
-    """Return the lightest bearing of a kind that lives long enough and is not dented.
-
-    Args:
-        kind: Of bearing.
-        duty: Loads, speed and wanted life.
-        bore: Smallest bore, the diameter of the shaft [m].
-        largest_bore: Of the shaft's shoulder, or none [m].
-        largest_outer: Room in the housing, or none [m].
-
-    Raises:
-        DesignError: If no size has that bore, or none lives long enough; the nearest is named.
-    """
-    checks = fitting_bearings(kind, duty, bore=bore, largest_bore=largest_bore, largest_outer=largest_outer)
-    for check in checks:
-        if check.life_margin >= 1.0 and check.static_margin >= 1.0:
-            return check
-    best = max(checks, key=lambda check: min(check.life_margin, check.static_margin))
-    raise DesignError([Problem("bearing", _too_short(kind, best, duty))])
-
-
 def fitting_bearings(
     kind: BearingKind,
     duty: Duty,
@@ -252,15 +224,4 @@ def _no_bore(kind: BearingKind, bore: float) -> str:
     return (
         f"no {kind} bearing for {1e3 * bore:.4g} mm within the room given; the catalogue has {1e3 * bores[0]:g} to "
         f"{1e3 * bores[-1]:g} mm, the nearest {1e3 * closest:g} mm"
-    )
-
-
-def _too_short(kind: BearingKind, best: BearingCheck, duty: Duty) -> str:
-    wanted = f"{duty.life / _HOUR:.4g} h with s_0 = {duty.static_safety:g}"
-    spectrum = duty if isinstance(duty, BearingSpectrum) else _steady(duty)
-    worst = max(range(len(spectrum.radial)), key=lambda k: math.hypot(spectrum.radial[k], spectrum.axial[k]))
-    load = f"{spectrum.radial[worst]:.4g} N and {abs(spectrum.axial[worst]):.4g} N"
-    return (
-        f"no {kind} bearing lives {wanted} under {load}; the nearest, {best.bearing.designation}, gives "
-        f"{best.life / _HOUR:.4g} h and {best.static_safety:.3g}; take another kind, a larger bore or two bearings"
     )

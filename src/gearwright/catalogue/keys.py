@@ -8,7 +8,7 @@ from functools import cache
 from importlib.resources import files
 
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.joints import LONGEST_BEARING, KeySection, bearing_length, key_length
+from gearwright.parts.joints import KeySection
 from gearwright.units import Length
 
 LENGTHS = tuple(
@@ -68,33 +68,3 @@ def key_for_shaft(diameter: float) -> StandardKey:
         f"{1e3 * diameter:g} mm given; DIN 6885-1 has keys above {1e3 * keys[0].over:g} to {1e3 * keys[-1].to:g} mm"
     )
     raise DesignError([Problem("diameter", message)])
-
-
-def choose_key_length(torque: float, diameter: float, *, allowable: float, hub_length: float, keys: int = 1) -> Length:
-    """Return the shortest standard key with round ends that bears a torque [m].
-
-    Args:
-        torque: T [N m].
-        diameter: d of the shaft [m].
-        allowable: Pressure on the flank [Pa].
-        hub_length: [m].
-        keys: One, or two opposite ones.
-
-    Raises:
-        DesignError: If none does within the hub, within 1.3 d, or within the lengths of the standard.
-    """
-    key = key_for_shaft(diameter)
-    needed = key_length(torque, diameter, key.section, allowable=allowable, keys=keys)
-    longest = min(hub_length, key.longest, LONGEST_BEARING * diameter + key.section.width)
-    for length in LENGTHS:
-        if (
-            key.shortest - 1e-9 <= length <= longest + 1e-9
-            and bearing_length(key.section, length, hub_length + 1e-9) >= needed
-        ):
-            return length
-    room = max(longest - key.section.width, 0.0)
-    message = (
-        f"{torque:.4g} N m need a flank of {1e3 * needed:.4g} mm at {allowable / 1e6:g} MPa; hub, standard and 1.3 d "
-        f"leave {1e3 * room:.4g} mm; take two keys, a spline, a press fit or an integral gear"
-    )
-    raise DesignError([Problem("key.length", message)])

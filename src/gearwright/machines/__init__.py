@@ -7,16 +7,13 @@ from gearwright.machines.governor import (
     GovernorState,
     LimitCycle,
     Rotor,
-    commanded_pitch,
-    governed_response,
     governor_rates,
     limit_cycle,
     marched,
-    refuse_limit_cycle,
 )
 from gearwright.machines.hamilton_standard import SMALL_THRUST, Blades, Charts, compressibility, performance
 from gearwright.machines.motor import LENGTH_RATIO, motor_diameter, motor_mass_ndarc, motor_mass_thesis, rotor_inertia
-from gearwright.machines.motor_efficiency import MotorLosses, efficiency_map, motor_loss, rated_losses
+from gearwright.machines.motor_efficiency import MotorLosses, motor_loss, rated_losses
 from gearwright.machines.propeller_map import (
     INSIDE,
     PropellerMap,
@@ -52,11 +49,8 @@ __all__ = [
     "battery_step",
     "blade_angles",
     "coefficients",
-    "commanded_pitch",
     "compressibility",
-    "efficiency_map",
     "fuel_flow",
-    "governed_response",
     "governor_rates",
     "highest_current",
     "limit_cycle",
@@ -70,7 +64,6 @@ __all__ = [
     "power_limits",
     "propeller_inertia",
     "rated_losses",
-    "refuse_limit_cycle",
     "rotor_inertia",
     "stored_energy",
     "turbine_diameter",

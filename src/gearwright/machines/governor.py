@@ -8,8 +8,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.errors import DesignError, Problem
-
 Array = NDArray[np.float64]
 
 
@@ -43,20 +41,6 @@ class GovernorState(NamedTuple):
     """dβ/dt [rad/s]; used by an actuator of second order."""
     error_sum: float
     """Integral of the speed error [rad]."""
-
-
-def commanded_pitch(governor: Governor, error: float, error_sum: float) -> float:
-    """Return the pitch that a governor asks of its actuator [rad].
-
-    Args:
-        governor: Its settings.
-        error: e = ω_set - ω [rad/s]; a propeller that is too slow gets less pitch.
-        error_sum: ∫ e dt [rad].
-
-    Source: β = β_ref - K_p e between stops, Pulvirenti 2023, §3.4 (K_p = 20 deg/(rad/s)); - K_i ∫ e dt added.
-    """
-    asked = governor.reference - governor.proportional * error - governor.integral * error_sum
-    return min(max(asked, governor.lower), governor.upper)
 
 
 def governor_rates(governor: Governor, state: GovernorState, error: float) -> GovernorState:
@@ -135,35 +119,6 @@ def marched(
     return np.linspace(0.0, duration, count + 1), states
 
 
-def governed_response(
-    governor: Governor, rotor: Rotor, kick: float, *, duration: float, step: float = 1e-3
-) -> tuple[Array, Array, Array]:
-    """Return how a governed propeller answers to a sudden speed error.
-
-    Args:
-        governor: Its settings.
-        rotor: The propeller and its operating point.
-        kick: Speed above the set one at the start [rad/s].
-        duration: [s].
-        step: Of the Runge-Kutta method of fourth order [s].
-
-    Returns:
-        Time [s], ω - ω_set [rad/s] and blade angle [rad], shape (steps + 1,).
-
-    Source: I ω̇ = s (ω - ω_0) - q (β - β_0) with `governor_rates`.
-    """
-    trim = (governor.reference - rotor.pitch) / governor.integral if governor.integral else 0.0
-
-    def rates(state: Array) -> Array:
-        speed, pitch, pitch_rate, error_sum = (float(each) for each in state)
-        torque = rotor.speed_slope * speed - rotor.pitch_slope * (pitch - rotor.pitch)
-        moved = governor_rates(governor, GovernorState(pitch, pitch_rate, error_sum), -speed)
-        return np.array([torque / rotor.inertia, *moved])
-
-    time, states = marched(rates, (kick, rotor.pitch, 0.0, trim), duration=duration, step=step)
-    return time, states[:, 0], states[:, 1]
-
-
 def limit_cycle(time: Array, speed: Array) -> LimitCycle | None:
     """Return the oscillation that is left in the second half of a response, or None where it dies out.
 
@@ -183,27 +138,3 @@ def limit_cycle(time: Array, speed: Array) -> LimitCycle | None:
         return None
     moments = time[quarter:][crossings]
     return LimitCycle((len(crossings) - 1) / (2.0 * float(moments[-1] - moments[0])), 0.5 * swing)
-
-
-def refuse_limit_cycle(governor: Governor, rotor: Rotor, kick: float, *, duration: float = 20.0) -> None:
-    """Raise where a governor does not come to rest after a speed error.
-
-    Args:
-        governor: Its settings.
-        rotor: The propeller and its operating point.
-        kick: Speed error that starts it [rad/s].
-        duration: How long it has to come to rest [s].
-
-    Source: `governed_response` and `limit_cycle`.
-
-    Raises:
-        DesignError: It limit-cycles; with frequency and amplitude.
-    """
-    time, speed, _ = governed_response(governor, rotor, kick, duration=duration, step=2e-3)
-    found = limit_cycle(time, speed)
-    if found is not None:
-        message = (
-            f"the governor limit-cycles at {found.frequency:.3g} Hz with {found.amplitude:.3g} rad/s; lower its gain"
-            f" ({governor.proportional:.3g} rad per rad/s), or give a faster actuator"
-        )
-        raise DesignError([Problem("governor", message)])

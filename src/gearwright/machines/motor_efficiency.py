@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 SHARES = (0.5, 0.3, 0.1, 0.1)
 """Assumed parts of copper, iron, windage and constant losses at the rated point [-]."""
 
@@ -62,20 +59,3 @@ def motor_loss(motor: MotorLosses, torque: float, speed: float) -> float:
     turning = abs(speed)
     dragged = motor.iron * turning + motor.windage * turning**3
     return dragged + (motor.copper * torque * torque + motor.constant if torque != 0.0 else 0.0)
-
-
-def efficiency_map(
-    motor: MotorLosses, torques: NDArray[np.float64], speeds: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Return the efficiency as a motor over torque and speed [-], shape (torques, speeds).
-
-    Args:
-        motor: Its coefficients.
-        torques: Positive [N m].
-        speeds: Positive [rad/s].
-
-    Source: η = T ω/(T ω + P_loss), Larminie and Lowry (2012), eq. 7.23.
-    """
-    shaft = torques[:, None] * speeds[None, :]
-    lost = np.array([[motor_loss(motor, float(torque), float(speed)) for speed in speeds] for torque in torques])
-    return np.asarray(shaft / (shaft + lost))

@@ -28,7 +28,6 @@ from gearwright.sizing import Sizing
 from gearwright.spec import BatteryRules, Mission, Phase
 from gearwright.units import KWH
 
-_SECONDS = 3600.0
 _SLACK = 1e-9
 """Part by which a limit may be passed: rounding."""
 

@@ -22,7 +22,7 @@ from gearwright.weights.requirement import Requirement, beta, from_beta
 from gearwright.weights.scoreboard import Score, corners, left_out_scatter, middle, scores
 from gearwright.weights.tm215680 import mass_tm215680
 from gearwright.weights.wate2 import mass_wate2
-from gearwright.weights.willis import bracket_epicyclic, bracket_planetary, bracket_star, lightest_planet
+from gearwright.weights.willis import bracket_epicyclic, bracket_planetary, lightest_planet
 
 __all__ = [
     "COLUMNS",
@@ -42,7 +42,6 @@ __all__ = [
     "beta",
     "bracket_epicyclic",
     "bracket_planetary",
-    "bracket_star",
     "check_engine",
     "checked_engines",
     "compare",

@@ -35,11 +35,6 @@ class LogLine:
     sum_of_squares: float
     """Sum of squared deviations of log10 x from its mean."""
 
-    @property
-    def sigma_factor(self) -> float:
-        """Factor of one standard deviation of the points themselves (n in the divisor) [-]."""
-        return float(10.0 ** (self.spread * math.sqrt((self.count - 2) / self.count)))
-
     def at(self, x: float) -> float:
         """Return y on the line.
 

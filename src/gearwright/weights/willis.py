@@ -21,18 +21,6 @@ RING_FACTOR = 0.4
 """Share of a solid disc that a ring gear weighs (Willis 1963)."""
 
 
-def bracket_offset(ratio: float) -> float:
-    """Return Σ F d² K/(2 T) of one pair of gears, 1 + 1/m + m + m².
-
-    Args:
-        ratio: Gear ratio m [-].
-
-    Source:
-        Willis 1963, Product Engineering; derived again from the definition of K.
-    """
-    return 1.0 + 1.0 / ratio + ratio + ratio**2
-
-
 def bracket_double_reduction(first: float, overall: float) -> float:
     """Return Σ F d² K/(2 T) of two pairs in series.
 
@@ -90,47 +78,6 @@ def bracket_planetary(ratio: float, planets: int) -> float:
     return bracket_epicyclic((ratio - 2.0) / 2.0, ratio - 1.0, planets)
 
 
-def bracket_star(ratio: float, planets: int) -> float:
-    """Return Σ F d² K/(2 T) of a star stage with a fixed carrier: M_r = GR and m_s = (GR - 1)/2 by geometry.
-
-    Args:
-        ratio: Sun speed over ring speed GR, above 1 [-].
-        planets: Number of planets [-].
-
-    Source:
-        Willis 1963, with the planet's diameter from coaxiality.
-    """
-    return bracket_epicyclic((ratio - 1.0) / 2.0, ratio, planets)
-
-
-def lightest_double_reduction(overall: float) -> float:
-    """Return the first ratio m that makes two pairs in series lightest, 2 m³ (1 + 1/M_0) + 2 m² = M_0² + 1.
-
-    Args:
-        overall: Overall ratio M_0 [-].
-
-    Source:
-        Derivative of `bracket_double_reduction`.
-    """
-    return float(
-        brentq(lambda m: 2.0 * m**3 * (1.0 + 1.0 / overall) + 2.0 * m**2 - overall**2 - 1.0, 1e-3, overall + 1.0)
-    )
-
-
-def lightest_double_branch(overall: float) -> float:
-    """Return the first ratio m that makes a double branch lightest, 4 m³ (1 + 1/M_0) + 4 m² = M_0² + 1.
-
-    Args:
-        overall: Overall ratio M_0 [-].
-
-    Source:
-        Derivative of `bracket_double_branch`.
-    """
-    return float(
-        brentq(lambda m: 4.0 * m**3 * (1.0 + 1.0 / overall) + 4.0 * m**2 - overall**2 - 1.0, 1e-3, overall + 1.0)
-    )
-
-
 def lightest_planet(ring: float, planets: int) -> float:
     """Return the planet-to-sun ratio m_s that would be lightest were it free, 2 m_s³ + m_s² = (0.4 M_r² + 1)/b.
 
@@ -145,19 +92,6 @@ def lightest_planet(ring: float, planets: int) -> float:
     """
     target = (RING_FACTOR * ring**2 + 1.0) / planets
     return float(brentq(lambda m: 2.0 * m**3 + m**2 - target, 0.0, 1.0 + math.sqrt(target)))
-
-
-def planets_fit(planet: float, planets: int) -> bool:
-    """Return whether the pitch circles of neighbouring planets stay clear: (1 + m_s) sin(π/b) > m_s.
-
-    Args:
-        planet: Planet diameter over sun diameter m_s [-].
-        planets: Number of planets b [-].
-
-    Source:
-        Geometry of equally spaced planets.
-    """
-    return (1.0 + planet) * math.sin(math.pi / planets) > planet
 
 
 def mass_willis(

@@ -9,12 +9,9 @@ from hypothesis import strategies as st
 
 from gearwright.errors import DesignError
 from gearwright.parts.bearings import (
-    CYLINDRICAL_STATIC,
     DEEP_GROOVE_STATIC,
     FOUR_POINT,
     FOUR_POINT_STATIC,
-    RIBBED_NARROW,
-    RIBBED_WIDE,
     BearingGeometry,
     BearingKind,
     Cleanliness,
@@ -36,8 +33,6 @@ from gearwright.parts.bearings import (
     load_deflection_constant,
     load_distribution,
     mean_load,
-    rating_for_life,
-    reference_load,
     reference_viscosity,
     reliability_factor,
     static_equivalent_load,
@@ -113,7 +108,7 @@ def test_reference_life_of_a_radial_load_is_near_the_basic_one():
     found = load_distribution(BALL, RingLoad(x=8e3), clearance=0.0)
     rating = dynamic_rating(BALL)
     life = basic_reference_life(BALL, rating, found.force)
-    assert reference_load(rating, life) == pytest.approx(8e3, rel=0.1)
+    assert rating / math.cbrt(life) == pytest.approx(8e3, rel=0.1)
 
 
 def test_negative_clearance_is_refused():
@@ -139,14 +134,6 @@ def test_taper_bearings_need_an_angle():
     """Without one they bear no thrust, and Y has no end."""
     with pytest.raises(DesignError, match="0° given; a taper bearing has more than 0°"):
         BearingGeometry(BearingKind.TAPER, 20, 0.01, 0.065, roller_length=0.012)
-
-
-def test_ribs_of_cylindrical_bearings_bear_some_thrust():
-    """Narrow series: e = 0.2, Y = 0.6; wide series: e = 0.3, Y = 0.4; X = 0.92 (manufacturers' catalogues)."""
-    assert equivalent_load(10e3, 1e3, RIBBED_NARROW) == 10e3
-    assert equivalent_load(10e3, 4e3, RIBBED_NARROW) == pytest.approx(9.2e3 + 2.4e3)
-    assert equivalent_load(10e3, 4e3, RIBBED_WIDE) == pytest.approx(9.2e3 + 1.6e3)
-    assert static_equivalent_load(10e3, 4e3, CYLINDRICAL_STATIC) == 10e3
 
 
 def test_static_load_of_deep_groove_and_four_point_bearings():
@@ -200,12 +187,6 @@ def test_mean_load_of_a_constant_load_is_that_load():
     assert mean_load([5.0, 5.0], [0.3, 0.9]) == pytest.approx(5.0)
     assert mean_load([5.0, 10.0], [2.0, 6.0]) == pytest.approx((3125.0 / 4.0) ** (1.0 / 3.0))
     assert mean_load([5.0, 10.0], [1.0, 1.0], 10.0 / 3.0) > mean_load([5.0, 10.0], [1.0, 1.0])
-
-
-def test_rating_for_life_undoes_life():
-    """C of the life of C."""
-    for kind in BearingKind:
-        assert rating_for_life(7e3, basic_life(40e3, 7e3, kind), kind) == pytest.approx(40e3)
 
 
 def test_a_shaft_at_rest_lives_for_ever():

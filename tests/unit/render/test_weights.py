@@ -17,7 +17,7 @@ from gearwright.render.figures.weights import (
     fit_of_all_rows,
     turboprop_fit,
 )
-from gearwright.render.pages.weights import weights_page, weights_sections
+from gearwright.render.pages.weights import weights_page
 from gearwright.render.tables import weights
 from gearwright.render.words import weights_data
 from gearwright.units import RPM
@@ -160,12 +160,6 @@ def test_what_the_user_writes_is_text_and_not_markup(page):
 
 def test_the_page_is_the_same_at_every_run(found, page):
     assert weights_page(found) == page
-
-
-def test_the_sections_can_stand_in_a_larger_report(found):
-    sections = weights_sections(found)
-    assert "<html" not in sections
-    assert 'id="formulas"' in sections
 
 
 def test_the_figures_of_the_page_are_images_within_it(page):

@@ -81,20 +81,22 @@ def test_wate2_beyond_its_published_power_shows_the_bare_formula_apart_from_the_
 def test_a_planetary_stage_whose_planets_would_touch_gives_no_mass():
     assert of("willis-planetary").mass is None
     assert of("willis-planetary").beyond is None
-    assert not willis.planets_fit((16.67 - 2.0) / 2.0, 3)
-    assert willis.planets_fit((4.0 - 2.0) / 2.0, 5)
 
 
 def test_the_upper_limit_of_a_planetary_stage_is_where_neighbouring_planets_touch():
     greatest = next(one for one in methods() if one.key == "willis-planetary").ranges[0].high
-    assert willis.planets_fit((greatest * 0.999 - 2.0) / 2.0, 3)
-    assert not willis.planets_fit((greatest * 1.001 - 2.0) / 2.0, 3)
+    planet = (greatest - 2.0) / 2.0
+    assert (1.0 + planet) * math.sin(math.pi / 3.0) == pytest.approx(planet, rel=1e-9)
 
 
 def test_the_double_reduction_bracket_is_the_sum_of_its_two_pairs():
     """Gear volumes add: the second pair carries m times the torque of the first."""
     first, overall = 3.0, 12.0
-    total = willis.bracket_offset(first) + first * willis.bracket_offset(overall / first)
+
+    def pair(ratio):
+        return 1.0 + 1.0 / ratio + ratio + ratio**2
+
+    total = pair(first) + first * pair(overall / first)
     assert willis.bracket_double_reduction(first, overall) == pytest.approx(total, rel=1e-14)
 
 
@@ -115,19 +117,9 @@ def test_the_epicyclic_bracket_is_sun_planets_and_ring():
     assert willis.bracket_epicyclic(planet, ring, b) == pytest.approx(total, rel=1e-14)
 
 
-def test_planetary_and_star_take_the_planet_from_coaxiality():
+def test_a_planetary_stage_takes_the_planet_from_coaxiality():
     """Ring diameter = sun + 2 planets."""
     assert willis.bracket_planetary(5.0, 3) == willis.bracket_epicyclic(1.5, 4.0, 3)
-    assert willis.bracket_star(4.0, 3) == willis.bracket_epicyclic(1.5, 4.0, 3)
-
-
-@pytest.mark.parametrize("overall", [4.0, 16.67, 40.0])
-def test_the_lightest_ratios_are_minima(overall):
-    for best, bracket in (
-        (willis.lightest_double_reduction(overall), willis.bracket_double_reduction),
-        (willis.lightest_double_branch(overall), willis.bracket_double_branch),
-    ):
-        assert bracket(best, overall) < min(bracket(0.98 * best, overall), bracket(1.02 * best, overall))
 
 
 def test_the_lightest_planet_is_a_minimum():

@@ -8,8 +8,9 @@ import pytest
 from gearwright.catalogue import propeller_map
 from gearwright.dynamics import Model, simulate, statics
 from gearwright.dynamics.model import ClutchDrive, MachineDrive, PropellerDrive
-from gearwright.machines import Governor, GovernorState, Rotor, coefficients, governed_response, limit_cycle
+from gearwright.machines import Governor, GovernorState, Rotor, coefficients, limit_cycle
 from gearwright.mission.windows import Trim, governed_window
+from governed_rotor import governed_response
 
 PITCH, SPEED, DIAMETER, DENSITY, AIRSPEED = math.radians(42.3), 126.9, 3.93, 0.549, 161.0
 CHART = propeller_map("6-blades-af115")

@@ -90,14 +90,6 @@ class Samples:
         """
         return self.position[:, index_of(coordinate, self.labels.coordinates, "coordinate")]
 
-    def vibration(self, coordinate: str) -> Floats:
-        """Return a coordinate's speed above its reference [rad/s or m/s], shape (instants,).
-
-        Args:
-            coordinate: Its name.
-        """
-        return self.velocity[:, index_of(coordinate, self.labels.coordinates, "coordinate")]
-
 
 @dataclass(frozen=True, eq=False)
 class Statistics:

@@ -15,20 +15,16 @@ from gearwright.parts.bearings.life import (
     basic_life,
     life_exponent,
     life_time,
-    rating_for_life,
     reliability_factor,
     system_life,
     weibull_slope,
 )
 from gearwright.parts.bearings.load import (
-    CYLINDRICAL_STATIC,
     DEEP_GROOVE_STATIC,
     FOUR_POINT,
     FOUR_POINT_STATIC,
     ISO_R281_1962,
-    RIBBED_NARROW,
-    RIBBED_WIDE,
-    SHIGLEY_11_1,
+    FactorTable,
     LoadFactors,
     deep_groove_factors,
     equivalent_load,
@@ -55,22 +51,19 @@ from gearwright.parts.bearings.rating import (
     roller_dynamic_factor,
     static_rating,
 )
-from gearwright.parts.bearings.reference_life import basic_reference_life, reference_load
+from gearwright.parts.bearings.reference_life import basic_reference_life
 from gearwright.parts.bearings.rolling_bearing import BearingGeometry, BearingKind
 
 __all__ = [
-    "CYLINDRICAL_STATIC",
     "DEEP_GROOVE_STATIC",
     "FOUR_POINT",
     "FOUR_POINT_STATIC",
     "ISO_R281_1962",
-    "RIBBED_NARROW",
-    "RIBBED_WIDE",
-    "SHIGLEY_11_1",
     "BearingGeometry",
     "BearingKind",
     "Cleanliness",
     "Curvature",
+    "FactorTable",
     "LoadFactors",
     "OilFilter",
     "RingLoad",
@@ -93,8 +86,6 @@ __all__ = [
     "load_deflection_constant",
     "load_distribution",
     "mean_load",
-    "rating_for_life",
-    "reference_load",
     "reference_viscosity",
     "reliability_factor",
     "roller_dynamic_factor",

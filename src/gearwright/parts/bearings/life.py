@@ -64,19 +64,6 @@ def life_time(life: float, speed: float) -> float:
     return life * MILLION * 2.0 * math.pi / abs(speed) if speed else math.inf
 
 
-def rating_for_life(load: float, life: float, kind: BearingKind) -> float:
-    """Return the dynamic rating that a wanted life asks for [N].
-
-    Args:
-        load: P [N].
-        life: L_10 [10⁶ turns].
-        kind: Of bearing [-].
-
-    Source: ISO 281:2007, 5.3 and 7.3, solved for C.
-    """
-    return load * math.pow(life, 1.0 / life_exponent(kind))
-
-
 def reliability_factor(reliability: float) -> float:
     """Return the share a_1 of the rating life that a given part of the bearings reaches [-].
 

@@ -30,15 +30,3 @@ def basic_reference_life(geometry: BearingGeometry, rating: float, force: Array)
     on_inner = np.mean(force**3) ** (1.0 / 3.0)
     on_outer = np.mean(force ** (10.0 / 3.0)) ** 0.3
     return float(((on_inner / inner) ** (10.0 / 3.0) + (on_outer / outer) ** (10.0 / 3.0)) ** -0.9)
-
-
-def reference_load(rating: float, life: float) -> float:
-    """Return the dynamic equivalent reference load P_ref r of a ball bearing [N].
-
-    Args:
-        rating: C_r [N].
-        life: L_10r [10⁶ turns].
-
-    Source: ISO/TS 16281:2008, eq. (30): C_r / L_10r^(1/3).
-    """
-    return rating / math.cbrt(life)

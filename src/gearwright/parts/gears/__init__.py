@@ -39,7 +39,6 @@ from gearwright.parts.gears.involute import (
     working_pressure_angle,
 )
 from gearwright.parts.gears.lewis import FEWEST_TEETH, bending_stress_lewis, lewis_form_factor, module_lewis
-from gearwright.parts.gears.mesh_scales import mesh_frequency_scale, mesh_length_scale
 from gearwright.parts.gears.tooth_allowance import feed_grade, least_backlash, runout_tolerance, span_allowances
 from gearwright.parts.gears.tooth_form import ToothForm, load_point, tooth_form
 from gearwright.parts.gears.tooth_measurement import ball_measurement, span_measurement, spanned_teeth
@@ -74,8 +73,6 @@ __all__ = [
     "least_teeth",
     "lewis_form_factor",
     "load_point",
-    "mesh_frequency_scale",
-    "mesh_length_scale",
     "module_hertz",
     "module_lewis",
     "pressure_angle_at",

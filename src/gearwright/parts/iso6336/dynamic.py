@@ -49,23 +49,6 @@ class DynamicFactor:
     """Dynamic factor K_V [-]."""
 
 
-def running_in_relief(contact_strength: Value) -> Value:
-    """Return the tip relief that running in makes on teeth without any.
-
-    Args:
-        contact_strength: σ_Hlim [Pa].
-
-    Returns:
-        C_ay [m].
-
-    Source: ISO 6336-1:2006, clause 6.5.9, C_ay = (σ_Hlim/97 − 18.45)²/18 + 1.5 in µm and N/mm².
-
-    >>> round(running_in_relief(1500e6) * 1e6, 3)
-    1.995
-    """
-    return _MICRON * ((contact_strength / _MPA / 97.0 - 18.45) ** 2 / 18.0 + 1.5)
-
-
 def running_in_allowance(deviation: Value, steel: GearSteel, speed: Value) -> Value:
     """Return by how much running in lessens a pitch or profile deviation.
 

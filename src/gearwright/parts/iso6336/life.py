@@ -11,8 +11,6 @@ import numpy as np
 from gearwright.parts.iso6336.geometry import Value, as_value
 from gearwright.parts.iso6336.strength import Treatment
 
-OPTIMUM = 1.0
-"""Life factor at 1e10 cycles with the best of material, lubrication, manufacture and experience [-]."""
 STANDARD = 0.85
 """Life factor at 1e10 cycles otherwise [-]."""
 

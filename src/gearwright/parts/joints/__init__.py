@@ -3,22 +3,13 @@
 The notches that they make in the shaft are in `shafts`.
 """
 
-from gearwright.parts.joints.key import (
-    LONGEST_BEARING,
-    KeySection,
-    bearing_length,
-    key_length,
-    key_length_in_bearing,
-    key_length_in_shear,
-    key_pressure,
-)
+from gearwright.parts.joints.key import LONGEST_BEARING, KeySection, bearing_length, key_length, key_pressure
 from gearwright.parts.joints.press_fit import (
     FitPart,
     fit_interference,
     fit_pressure,
     fit_torque,
     hub_stress,
-    joining_temperature,
     shaft_fit_stress,
 )
 from gearwright.parts.joints.spline import MODULES, SHORTEST_RATIO, Spline, spline, spline_length, spline_pressure
@@ -35,10 +26,7 @@ __all__ = [
     "fit_pressure",
     "fit_torque",
     "hub_stress",
-    "joining_temperature",
     "key_length",
-    "key_length_in_bearing",
-    "key_length_in_shear",
     "key_pressure",
     "shaft_fit_stress",
     "spline",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from gearwright.errors import DesignError, Problem
@@ -100,35 +99,3 @@ def _effective(keys: int) -> float:
     if keys not in (1, 2):
         raise DesignError([Problem("key.count", f"{keys} given; allowed: 1 or 2; use a spline for more torque")])
     return 1.0 if keys == 1 else 2.0 * TWO_KEYS_SHARE
-
-
-def key_length_in_shear(torque: float, diameter: float, width: float, *, yield_strength: float, safety: float) -> float:
-    """Return the length at which a key shears off under a torque times its safety [m].
-
-    Args:
-        torque: T [N m].
-        diameter: Of the shaft [m].
-        width: Of the key [m].
-        yield_strength: Of the key S_y [Pa].
-        safety: n [-].
-
-    Source: Budynas & Nisbett, Shigley's Mechanical Engineering Design, ex. 7-6: S_sy/n = F/(t l), S_sy = 0.577 S_y.
-    """
-    return 2.0 * torque * safety / (diameter * width * yield_strength / math.sqrt(3.0))
-
-
-def key_length_in_bearing(
-    torque: float, diameter: float, height: float, *, yield_strength: float, safety: float
-) -> float:
-    """Return the length at which half the height of a key yields under a torque times its safety [m].
-
-    Args:
-        torque: T [N m].
-        diameter: Of the shaft [m].
-        height: Of the key [m].
-        yield_strength: Of the weakest of key, shaft and hub S_y [Pa].
-        safety: n [-].
-
-    Source: Budynas & Nisbett, Shigley's Mechanical Engineering Design, ex. 7-6: S_y/n = F/(t l/2).
-    """
-    return 4.0 * torque * safety / (diameter * height * yield_strength)

@@ -112,17 +112,3 @@ def shaft_fit_stress(pressure: float, shaft: FitPart) -> float:
     Source: Lamé 1852: p where solid, and at the bore of a hollow shaft |σ_t| = 2 p/(1 − Q²).
     """
     return pressure if shaft.diameter_ratio == 0.0 else 2.0 * pressure / (1.0 - shaft.diameter_ratio**2)
-
-
-def joining_temperature(interference: float, clearance: float, diameter: float, *, expansion: float) -> float:
-    """Return how much warmer than the shaft a hub must be to slip on [K].
-
-    Args:
-        interference: U [m].
-        clearance: Wanted while joining, about 0.001 d [m].
-        diameter: d [m].
-        expansion: α of the hub, 11e-6 for steel [1/K].
-
-    Source: DIN 7190:2001: (U + S)/(α d).
-    """
-    return (interference + clearance) / (expansion * diameter)

@@ -4,13 +4,8 @@ What joins hubs to them is in `joints`.
 """
 
 from gearwright.parts.shafts.beam import Diagram, PointLoads, bearing_reactions, diagram, supported
-from gearwright.parts.shafts.critical_speed import (
-    critical_speed,
-    critical_speed_dunkerley,
-    critical_speed_rayleigh,
-    lumped_shaft,
-)
-from gearwright.parts.shafts.deflection import BentLine, Sections, at_place, bent_line, influence, plain_shaft
+from gearwright.parts.shafts.critical_speed import critical_speed, lumped_shaft
+from gearwright.parts.shafts.deflection import BentLine, Sections, bent_line, influence
 from gearwright.parts.shafts.din743 import (
     ShaftSection,
     ShaftSteel,
@@ -26,10 +21,8 @@ from gearwright.parts.shafts.fatigue import (
     RELIABILITY_DEVIATES,
     FatigueStrength,
     SectionLoad,
-    asme_diameter,
     asme_safety,
     endurance_limit,
-    goodman_diameter,
     goodman_safety,
     section_stress,
     yield_safety,
@@ -68,28 +61,22 @@ __all__ = [
     "ShaftSteel",
     "Shoulder",
     "SteelGroup",
-    "asme_diameter",
     "asme_safety",
-    "at_place",
     "bearing_reactions",
     "bent_line",
     "blank_factor",
     "critical_speed",
-    "critical_speed_dunkerley",
-    "critical_speed_rayleigh",
     "diagram",
     "din743_safety",
     "endurance_limit",
     "fatigue_notch_factor",
     "felt_concentration",
-    "goodman_diameter",
     "goodman_safety",
     "influence",
     "keyseat_concentration",
     "keyway_factor",
     "lumped_shaft",
     "notch_sensitivity",
-    "plain_shaft",
     "press_fit_factor",
     "section_factor",
     "section_stress",

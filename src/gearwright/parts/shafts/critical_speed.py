@@ -1,4 +1,4 @@
-"""First critical speed in bending of masses on a shaft: exact, Rayleigh's upper and Dunkerley's lower bound."""
+"""First critical speed in bending of masses on a shaft."""
 
 from __future__ import annotations
 
@@ -24,32 +24,6 @@ def critical_speed(coefficients: Array, masses: ArrayLike) -> float:
     """
     roots = np.sqrt(_weighty(masses))
     return float(1.0 / math.sqrt(np.linalg.eigvalsh(roots[:, None] * coefficients * roots)[-1]))
-
-
-def critical_speed_rayleigh(coefficients: Array, masses: ArrayLike) -> float:
-    """Return the first critical speed by the shape under the masses' own weights, an upper bound [rad/s].
-
-    Args:
-        coefficients: From `influence` [m/N], (n, n).
-        masses: [kg], (n,).
-
-    Source: Rayleigh 1877; Shigley, eq. (7-23): ω² = g Σ w y/Σ w y²; gravity cancels.
-    """
-    weights = _weighty(masses)
-    shape = coefficients @ weights
-    return math.sqrt(float(weights @ shape) / float(weights @ shape**2))
-
-
-def critical_speed_dunkerley(coefficients: Array, masses: ArrayLike) -> float:
-    """Return the first critical speed by each mass alone, a lower bound [rad/s].
-
-    Args:
-        coefficients: From `influence` [m/N], (n, n).
-        masses: [kg], (n,).
-
-    Source: Dunkerley 1894; Shigley, eq. (7-32): 1/ω² = Σ m_i δ_ii.
-    """
-    return 1.0 / math.sqrt(float(_weighty(masses) @ np.diag(coefficients)))
 
 
 def _weighty(masses: ArrayLike) -> Array:

@@ -36,19 +36,6 @@ class BentLine(NamedTuple):
     """[rad], (..., k)."""
 
 
-def plain_shaft(diameter: float, length: float, *, bore: float = 0.0) -> Sections:
-    """Return a shaft of one diameter.
-
-    Args:
-        diameter: [m].
-        length: [m].
-        bore: Inner diameter [m].
-
-    Source: one cylinder.
-    """
-    return Sections(np.array([0.0, length]), np.array([diameter]), np.array([bore]))
-
-
 def flexural_rigidity(sections: Sections, position: Array, elastic_modulus: float) -> Array:
     """Return E I of the cylinder in which each place stands [N m²], as position.
 
@@ -117,25 +104,6 @@ def _moments(drawn: Diagram, places: Array) -> Array:
 def _summed(pieces: Array) -> Array:
     """Return running sums that begin at zero."""
     return np.concatenate([np.zeros((*pieces.shape[:-1], 1)), np.cumsum(pieces, axis=-1)], axis=-1)
-
-
-def at_place(line: BentLine, position: float) -> tuple[Array, Array]:
-    """Return deflection [m] and slope [rad] at a place, each (...).
-
-    Args:
-        line: From `bent_line` [m].
-        position: x of a load, a bearing or an edge [m].
-
-    Source: one of the line's stations, so that nothing is interpolated.
-
-    Raises:
-        DesignError: If no station stands there.
-    """
-    nearest = int(np.argmin(np.abs(line.position - position)))
-    if abs(line.position[nearest] - position) > 1e-9:
-        message = f"no load, bearing or edge stands at {1e3 * position:.6g} mm; put a load of 0 N there"
-        raise DesignError([Problem("position", message)])
-    return line.deflection[..., nearest], line.slope[..., nearest]
 
 
 def influence(sections: Sections, bearings: ArrayLike, places: ArrayLike, *, elastic_modulus: float) -> Array:

@@ -161,35 +161,3 @@ def yield_safety(stress: SectionStress, strength: FatigueStrength) -> float:
 def _inverse(use: float) -> float:
     """Return the safety of what uses a share of its strength: without load, without end."""
     return 1.0 / use if use else math.inf
-
-
-def goodman_diameter(
-    load: SectionLoad, strength: FatigueStrength, notch: Concentration = NO_NOTCH, *, safety: float
-) -> float:
-    """Return the diameter of a solid shaft by the modified Goodman line [m].
-
-    Args:
-        load: Bending and torsion [N m].
-        strength: [Pa].
-        notch: K_f and K_fs [-].
-        safety: n [-].
-
-    Source: Budynas & Nisbett, Shigley's Mechanical Engineering Design, eq. (7-8).
-    """
-    return math.cbrt(safety / goodman_safety(section_stress(load, 1.0, notch), strength))
-
-
-def asme_diameter(
-    load: SectionLoad, strength: FatigueStrength, notch: Concentration = NO_NOTCH, *, safety: float
-) -> float:
-    """Return the diameter of a solid shaft by the ASME ellipse [m].
-
-    Args:
-        load: Bending and torsion [N m].
-        strength: [Pa].
-        notch: K_f and K_fs [-].
-        safety: n [-].
-
-    Source: Budynas & Nisbett, Shigley's Mechanical Engineering Design, eq. (7-12).
-    """
-    return math.cbrt(safety / asme_safety(section_stress(load, 1.0, notch), strength))

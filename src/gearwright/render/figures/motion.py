@@ -25,8 +25,6 @@ CLOSE_STEPS = 600
 """Steps at the end of a window that are shown closely."""
 MOST_MODES = 9
 """Mode shapes in one figure."""
-ENVELOPE = 300
-"""Spans in which a long run is drawn as a band from least to greatest."""
 _KINDS = {"m": ("Mesh and support forces", "force [N]"), "rad": ("Shaft torques", "torque [N m]")}
 
 
@@ -93,14 +91,6 @@ def _draw_lines(axes: Axes, samples: Samples, unit: str, most: int) -> None:
         curves[0].set_label(_several(family, names))
     axes.margins(x=0.0)
     axes.xaxis.set_major_locator(MaxNLocator(5))
-
-
-def _envelope(time: Floats, values: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return time, least and greatest of several curves in each of many short spans."""
-    spans = np.array_split(np.arange(len(time)), ENVELOPE)
-    least = np.array([np.min(values[:, span]) for span in spans])
-    most = np.array([np.max(values[:, span]) for span in spans])
-    return np.array([np.mean(time[span]) for span in spans]), least, most
 
 
 @theme.styled

@@ -42,15 +42,6 @@ def weights_page(found: Comparison) -> str:
     return environment().get_template("weights_page.html.j2").render(_context(found))
 
 
-def weights_sections(found: Comparison) -> str:
-    """Return the sections alone, for a larger report.
-
-    Args:
-        found: Of `compare`.
-    """
-    return environment().get_template("weights_sections.html.j2").render(_context(found))
-
-
 def _context(found: Comparison) -> _Cells:
     given = [one for one in (found.bottom_up, found.stated) if one is not None]
     return {

@@ -45,13 +45,6 @@ class Claim:
             return Verdict.HOLDS
         return Verdict.CONDITION if any(ways) else Verdict.FAILS
 
-    @property
-    def condition(self) -> str:
-        """The way of counting by which a claim holds with condition; else empty."""
-        if self.verdict is not Verdict.CONDITION:
-            return ""
-        return self.printed.counts if self.printed.covers(self.value) else self.printed.other
-
 
 def claims() -> tuple[Claim, ...]:
     """Return every claim with its numbers; takes some two hundred sizings, about a second."""
