@@ -2,6 +2,7 @@
 
 import json
 import math
+import pickle
 import random
 import re
 import tomllib
@@ -48,6 +49,16 @@ def corpus(kind: str) -> dict[str, str]:
     return {name: path(name).read_text(encoding="utf-8") for name in names()}
 
 
+def tree_of(kind: str, base: str) -> Tree:
+    """Return the tree of a shipped file, to be changed."""
+    return pickle.loads(_pickled(kind, base))
+
+
+@cache
+def _pickled(kind: str, base: str) -> bytes:
+    return pickle.dumps(tomllib.loads(corpus(kind)[base]))
+
+
 def case(
     seed: int, number: int, kinds: tuple[str, ...] = tuple(MODELS), *, damaged: float = 0.35, wild: float = 0.6
 ) -> Case:
@@ -65,7 +76,7 @@ def case(
     base = rng.choice(sorted(corpus(kind)))
     text, pick = corpus(kind)[base], rng.random()
     if pick < 1.0 - damaged / 2.0:
-        tree = tomllib.loads(text)
+        tree = tree_of(kind, base)
         for _ in range(_count(rng)):
             rng.choice(_WILD if rng.random() < wild else _TAME)(tree, kind, rng)
         text = written(tree)
@@ -204,7 +215,7 @@ def _with_name(value: object, old: str, new: str) -> object:
 def _graft(tree: Tree, kind: str, rng: random.Random) -> None:
     """Take an entry over from another shipped file."""
     other_kind = kind if rng.random() < 0.85 else rng.choice(sorted(MODELS))
-    other = tomllib.loads(rng.choice(list(corpus(other_kind).values())))
+    other = tree_of(other_kind, rng.choice(list(corpus(other_kind))))
     table, key, path = _entry(other, rng)
     target = tree
     for step in path[:-1]:

@@ -16,8 +16,9 @@ from fuzz_stages import LONGEST, Finding, fed, made
 
 MEMORY = 2 * 1024**3
 """What a worker may take beyond what it begins with [bytes]."""
-GRACE = 2.0
-"""After so many times `LONGEST` without a sign of life a worker is ended: compiled code hears no alarm [-]."""
+GRACE = 10.0
+"""After so many times `LONGEST` without a sign of life a worker is ended: compiled code hears no alarm, and what waits
+takes no processor time [-]."""
 CHUNKS = {"read": 2000, "check": 200, "size": 200, "modes": 100, "simulate": 50, "fly": 25}
 """Files that one worker process takes."""
 TRIALS, TRIAL_TIME = 400, 60.0
