@@ -2,6 +2,7 @@
 
 import json
 import multiprocessing
+import os
 import re
 import resource
 import time
@@ -16,9 +17,9 @@ from fuzz_stages import LONGEST, Finding, fed, made
 
 MEMORY = 2 * 1024**3
 """What a worker may take beyond what it begins with [bytes]."""
-GRACE = 10.0
-"""After so many times `LONGEST` without a sign of life a worker is ended: compiled code hears no alarm, and what waits
-takes no processor time [-]."""
+GRACE, PATIENCE = 2.0, 900.0
+"""Compiled code hears no alarm: after so many times `LONGEST` of its processor time, or after so long a wait on the
+clock [s], a worker that gives no sign of life is ended."""
 CHUNKS = {"read": 2000, "check": 200, "size": 200, "modes": 100, "simulate": 50, "fly": 25}
 """Files that one worker process takes."""
 TRIALS, TRIAL_TIME = 400, 60.0
@@ -76,6 +77,9 @@ class Worker:
     end: int
     chunk: int
     heard: float
+    """When it gave a sign of life [s]."""
+    used: float = 0.0
+    """Processor time that it had taken then [s]."""
 
 
 def run(asked: Run, workers: int, say: Callable[[str], None]) -> Counter:
@@ -123,7 +127,7 @@ def _heard(asked: Run, worker: Worker, say: Callable[[str], None]) -> str:
     try:
         while worker.pipe.poll():
             kind, what = worker.pipe.recv()
-            worker.heard = time.monotonic()
+            worker.heard, worker.used = time.monotonic(), _processor_time(worker.process.pid)
             if kind == "at":
                 worker.number = what
             elif kind == "done":
@@ -135,7 +139,8 @@ def _heard(asked: Run, worker: Worker, say: Callable[[str], None]) -> str:
     except (EOFError, ConnectionError):
         worker.process.join()
         return _lost(asked, worker, f"died with exit code {worker.process.exitcode}", say)
-    if time.monotonic() - worker.heard > GRACE * LONGEST:
+    worked = _processor_time(worker.process.pid) - worker.used
+    if worked > GRACE * LONGEST or time.monotonic() - worker.heard > PATIENCE:
         worker.process.kill()
         return _lost(asked, worker, "ended: it heard no alarm", say)
     return "busy"
@@ -185,6 +190,15 @@ def _work(pipe: Connection, asked: Run, first: int, end: int) -> None:
             pipe.send(("finding", (answer, fuzzed, number)))
     pipe.send(("outcomes", outcomes))
     pipe.send(("done", None))
+
+
+def _processor_time(process: int | None) -> float:
+    """Return the processor time of a process [s]; none where it has gone."""
+    try:
+        fields = Path(f"/proc/{process}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
+    except OSError:
+        return 0.0
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def _address_space() -> int:
