@@ -85,7 +85,7 @@ def battery_step(battery: Battery, state_of_charge: float, power: float, duratio
     voltage = battery.empty_voltage + rise * state_of_charge
     effective = battery.resistance + 0.5 * rise * duration / battery.charge
     square = voltage * voltage - 4.0 * effective * power
-    current = (voltage - math.sqrt(max(square, 0.0))) / (2.0 * effective)
+    current = 2.0 * power / (voltage + math.sqrt(max(square, 0.0)))  # holds without any resistance, too
     after = state_of_charge - current * duration / battery.charge
     middle = battery.empty_voltage + rise * 0.5 * (state_of_charge + after)
     fault = ""

@@ -7,12 +7,16 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.errors import DesignError, Problem
 from gearwright.machines import PropellerMap, stored_energy
 from gearwright.mission.flight import Balance, Flight, fuel_energy
 from gearwright.mission.gearbox import Array, Gearbox, Point
 from gearwright.mission.supply import Supply
 from gearwright.parts.losses import cooler_conductance, oil_flow
 from gearwright.spec import Mission
+
+_LEAST_COOLING = 1.0
+"""By how much the oil in a cooler must be warmer than the air [K]."""
 
 
 class Interval(NamedTuple):
@@ -73,6 +77,12 @@ def collect(flown: Flown, intervals: Sequence[Interval], chart: PropellerMap | N
 def _cooler(mission: Mission, history: Mapping[str, Array], heat: Array) -> float:
     """The largest conductance that any interval needs [W/K]."""
     oil = 0.5 * (mission.oil.inlet_temperature_k + history["oil_outlet"])
+    if float((oil - history["air_temperature"]).min()) < _LEAST_COOLING:
+        message = (
+            f"{mission.oil.inlet_temperature_k:g} K: the air, of up to {float(history['air_temperature'].max()):.4g} K,"
+            " does not cool this oil; let it be warmer"
+        )
+        raise DesignError([Problem("oil.inlet_temperature_k", message)])
     rows = zip(heat, oil, history["air_temperature"], strict=True)
     return max(cooler_conductance(float(power), float(warm), float(cold)) for power, warm, cold in rows)
 

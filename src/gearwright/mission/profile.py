@@ -81,7 +81,7 @@ def _edges(duration: float, ramp: float, step: float) -> list[float]:
     middle = min(ramp, duration)
     edges = [0.0]
     for start, end in ((0.0, middle), (middle, duration)):
-        count = math.ceil((end - start) / step - 1e-9)
+        count = max(math.ceil((end - start) / step - 1e-9), 1) if end > start else 0
         edges += [start + (end - start) * k / count for k in range(1, count + 1)]
     return edges
 

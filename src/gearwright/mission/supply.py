@@ -58,7 +58,10 @@ class Supply:
                 [Problem("inoperative", f"there is no machine {unknown[0]!r}; {near(unknown[0], machines)}")]
             )
         if phase.mode == "rated":
-            return _divided(1.0, {name: each for name, each in self.ratings.items() if name not in phase.inoperative})
+            working = {name: each for name, each in self.ratings.items() if name not in phase.inoperative}
+            if not working:
+                raise DesignError([Problem("inoperative", "every machine is out; name fewer")])
+            return _divided(1.0, working)
         share = {"conventional": 0.0, "electric": 1.0, "hybrid": phase.electric_share or 0.0}[phase.mode]
         if share != 0.0 and not self.motors:
             raise DesignError([Problem("mode", f"{phase.mode}, but the design has no motor; write conventional")])

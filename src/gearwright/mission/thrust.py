@@ -12,6 +12,8 @@ from gearwright.mission.profile import Moment
 from gearwright.spec import Mission, Phase
 from gearwright.units import GRAVITY
 
+LARGEST_LIFT = 10.0
+"""Lift coefficient that no wing has, whatever its flaps [-]: beyond it a phase is no flight."""
 _ROUNDS = 8
 """Rounds in which the factor of compressibility settles: it hardly changes with the thrust [-]."""
 
@@ -55,11 +57,28 @@ def _needed_thrust(mission: Mission, moment: Moment, phase: Phase, burnt: float)
     if aircraft is None:  # `mission_problems` refuses it
         raise DesignError([Problem("aircraft", "a phase needs a thrust; give an [aircraft]")])
     weight = (aircraft.mass - burnt) * GRAVITY
-    slope = moment.climb / moment.true_airspeed
     dynamic = 0.5 * moment.air.density * moment.true_airspeed**2 * aircraft.wing_area
-    lift = weight * math.sqrt(max(1.0 - slope**2, 0.0)) / dynamic
+    _refuse_no_flight(moment, burnt, (aircraft.mass, weight, dynamic))
+    slope = moment.climb / moment.true_airspeed
+    lift = weight * math.sqrt(1.0 - slope**2) / dynamic
     drag_force = dynamic * (aircraft.zero_lift_drag + aircraft.induced_drag * lift**2)
     return (drag_force + weight * slope) / (phase.engines or mission.engines)
+
+
+def _refuse_no_flight(moment: Moment, burnt: float, held: tuple[float, float, float]) -> None:
+    """Refuse what no wing does: aircraft mass [kg], its weight now [N] and what a lift coefficient of 1 bears [N]."""
+    mass, weight, dynamic = held
+    if weight <= 0.0:
+        message = f"{burnt:.4g} kg of fuel are burnt, and the aircraft has {mass:.4g} kg; give its mass, or fly shorter"
+        raise DesignError([Problem("aircraft.mass", message)])
+    if weight > LARGEST_LIFT * dynamic:
+        message = (
+            f"at {moment.true_airspeed:.3g} m/s no wing bears {weight / 1e3:.4g} kN; fly faster, or give power or pitch"
+        )
+        raise DesignError([Problem("aircraft", message)])
+    if abs(moment.climb) > moment.true_airspeed:
+        message = f"climbs {moment.climb:.3g} m/s at {moment.true_airspeed:.3g} m/s; fly faster, or climb slower"
+        raise DesignError([Problem("aircraft", message)])
 
 
 def _incompressible(name: str, moment: Moment, advance: tuple[float, float, float], thrust: float) -> float:

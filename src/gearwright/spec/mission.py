@@ -22,6 +22,8 @@ Kind = Literal["deep-groove", "cylindrical", "taper", "four-point"]
 """Kinds of rolling bearing in the catalogue."""
 _SAME_ALTITUDE = 0.1
 """Altitudes nearer than this are the same [m]."""
+MOST_INTERVALS = 10_000
+"""Intervals into which a mission may be cut: some seconds of work, and a day of flight in steps of ten [-]."""
 
 
 class Phase(Record):
@@ -34,7 +36,7 @@ class Phase(Record):
     cas: Velocity | None = Field(None, ge=0, le=340, description="Calibrated airspeed; one of cas, tas, mach")
     tas: Velocity | None = Field(None, ge=0, le=340, description="True airspeed; one of cas, tas, mach")
     mach: Ratio | None = Field(None, ge=0, lt=1, description="Mach number; one of cas, tas, mach")
-    duration: Time | None = Field(None, gt=0, le=1e6, description="Duration; or rate_of_climb")
+    duration: Time | None = Field(None, ge=0.01, le=1e6, description="Duration; or rate_of_climb")
     rate_of_climb: Velocity | None = Field(
         None, ge=-100, le=100, description="Rate of climb, negative in descent; or duration"
     )
@@ -50,7 +52,7 @@ class Phase(Record):
     end_power: Power | None = Field(None, gt=0, le=1e9, description="The same at its end, where it changes linearly")
     pitch: Angle | None = Field(None, ge=-0.5, le=1.6, description="Blade angle that is held, as at a stop")
     propeller_speed: Speed = Field(gt=0.1, le=2e4, description="Speed of the propeller")
-    ramp: Time = Field(10.0, gt=0, le=1e4, description="Time in which the propeller comes to this speed")
+    ramp: Time = Field(10.0, ge=0.01, le=1e4, description="Time in which the propeller comes to this speed")
     engines: int | None = Field(None, ge=1, le=20, description="Gearboxes that work; left out: all of them")
     inoperative: list[str] = Field(default_factory=list, description="Turbines and motors of a gearbox that are out")
 
@@ -79,9 +81,9 @@ class MotorRules(Record):
 class BatteryRules(Record):
     """The battery of one gearbox's motors."""
 
-    energy: Energy = Field(gt=0, le=1e12, description="Open-circuit energy from full to no charge")
-    full_voltage_v: float = Field(840.0, gt=0, le=1e5, description="Open-circuit voltage when full")
-    empty_voltage_v: float = Field(620.0, gt=0, le=1e5, description="Open-circuit voltage at no charge")
+    energy: Energy = Field(ge=1e3, le=1e12, description="Open-circuit energy from full to no charge")
+    full_voltage_v: float = Field(840.0, ge=1, le=1e5, description="Open-circuit voltage when full")
+    empty_voltage_v: float = Field(620.0, ge=1, le=1e5, description="Open-circuit voltage at no charge")
     resistance_ohm: float = Field(0.01, ge=0, le=100, description="Internal resistance")
     highest_c_rate: float = Field(4.0, gt=0, le=100, description="Highest current over capacity, 1/h")
     start_charge: Ratio = Field(0.95, ge=0, le=1, description="State of charge at the start")
@@ -121,7 +123,7 @@ class GearLifeRules(Record):
 class BearingLifeRules(Record):
     """How bearings are chosen from the catalogue where the design names none."""
 
-    life: Time = Field(gt=0, le=1e10, description="Basic rating life that they must reach, in flight")
+    life: Time = Field(ge=3600, le=1e10, description="Basic rating life that they must reach, in flight")
     kind: Kind = Field("cylindrical", description="Of bearings without axial force that the design leaves open")
     thrust_kind: Kind = Field("deep-groove", description="Of bearings with axial force that the design leaves open")
     side_by_side: int = Field(1, ge=1, le=4, description="Equal bearings that share a seat")
@@ -137,7 +139,7 @@ class Mission(Record):
     description: str = Field("", description="Where it comes from")
     engines: int = Field(1, ge=1, le=20, description="Number of gearboxes with propellers on the aircraft")
     isa_offset_k: float = Field(0.0, ge=-60, le=60, description="Temperature above the standard atmosphere")
-    step: Time = Field(10.0, gt=0, le=600, description="Longest interval")
+    step: Time = Field(10.0, ge=0.01, le=600, description="Longest interval")
     propeller_map: str = Field("6-blades-af115", description="Shipped map, a CSV file, or none: powers are schedules")
     engine: EngineRules = Field(default_factory=EngineRules, description="Turbine in flight")
     motor: MotorRules = Field(default_factory=MotorRules, description="Motors in flight")
@@ -207,8 +209,37 @@ def mission_problems(mission: Mission) -> list[Problem]:
         problems += [Problem(at, message) for message in (*_speed(phase), *_power(phase, mission))]
         problems += [Problem(at, message) for message in _altitude(phase, last)]
         last = phase.altitude
-    problems += _steel(mission.gears)
+    problems += [*_steel(mission.gears), *_battery(mission.battery), *_dips(mission.oil)]
+    if not problems:
+        problems += _intervals(mission)
     return [*problems, *window_problems(mission.windows, mission.phases)]
+
+
+def _battery(rules: BatteryRules | None) -> Iterator[Problem]:
+    if rules is not None and rules.full_voltage_v < rules.empty_voltage_v:
+        message = f"{rules.full_voltage_v:g} V is less than the {rules.empty_voltage_v:g} V at no charge; exchange them"
+        yield Problem("battery.full_voltage_v", message)
+
+
+def _dips(oil: OilRules) -> Iterator[Problem]:
+    for gear, dip in oil.dip.items():
+        if not 0.0 <= dip <= 1.0:
+            yield Problem(f"oil.dip.{gear}", f"{dip:g} of a gear cannot dip into oil; give 0 to 1")
+
+
+def _intervals(mission: Mission) -> Iterator[Problem]:
+    """Yield that a mission has more intervals than can be flown."""
+    count, altitude = 0.0, None
+    for phase in mission.phases.values():
+        start = phase.from_altitude if phase.from_altitude is not None else altitude
+        climb, altitude = phase.altitude - (phase.altitude if start is None else start), phase.altitude
+        duration = climb / phase.rate_of_climb if phase.rate_of_climb else phase.duration or 0.0
+        count += duration / mission.step + 2.0
+    if count > MOST_INTERVALS:
+        message = (
+            f"cuts the phases into {count:,.0f} intervals, at most {MOST_INTERVALS:,} are flown; longer steps help"
+        )
+        yield Problem("step", message)
 
 
 def _steel(rules: GearLifeRules) -> list[Problem]:

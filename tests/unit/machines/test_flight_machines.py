@@ -21,6 +21,12 @@ ENGINE = Engine(1e6, 2e6, 500.0, 7.75e-8, 0.2, -0.5)
 PACK = Battery(1e6, 800.0, 600.0, 0.05, 3.0, 0.1)
 
 
+def test_a_battery_without_resistance_and_of_constant_voltage_gives_power_over_voltage():
+    step = battery_step(Battery(1e6, 700.0, 700.0, 0.0, 3.0, 0.1), 0.5, 7e4, 10.0)
+    assert step.current == pytest.approx(100.0, rel=1e-12)
+    assert step.loss == 0.0
+
+
 def test_a_flat_rated_engine_keeps_its_rating_until_the_core_gives_less():
     sea = stagnation_ratios(air_at(0.0), 0.0)
     assert sea == (1.0, 1.0)

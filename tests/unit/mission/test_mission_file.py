@@ -59,6 +59,28 @@ def test_what_contradicts_itself_is_refused(line, expected):
     assert expected in message(f"[phases.a]\n{line}\n{PHASE}")
 
 
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("duration_h = 250", "cuts the phases into 90,002 intervals, at most 10,000"),
+        ("from_altitude_m = 0\nrate_of_climb_m_s = 1e-300", "at most 10,000 are flown"),
+    ],
+)
+def test_more_intervals_than_can_be_flown_are_refused_with_their_number(line, told):
+    phase = PHASE.replace("duration_s = 60\n", "").replace("altitude_m = 0\n", "altitude_m = 10\n")
+    assert told in message(f"[phases.a]\n{line}\n{phase}")
+
+
+def test_a_battery_that_gains_voltage_as_it_empties_is_refused():
+    battery = "[battery]\nenergy_kwh = 10\nfull_voltage_v = 500\nempty_voltage_v = 600\n"
+    assert "500 V is less than the 600 V at no charge" in message(battery + "[phases.a]\n" + PHASE)
+
+
+@pytest.mark.parametrize("dip", [-0.1, 1.5])
+def test_a_gear_dips_into_oil_between_not_at_all_and_fully(dip):
+    assert f"{dip:g} of a gear cannot dip" in message(f'[oil.dip]\n"first.ring" = {dip}\n[phases.a]\n' + PHASE)
+
+
 def test_a_steel_that_no_table_has_is_refused():
     assert "gears.steel: 'butter' is not known" in message('[gears]\nsteel = "butter"\n[phases.a]\n' + PHASE)
 
