@@ -49,7 +49,7 @@ def stagnation_ratios(air: Air, mach: float) -> tuple[float, float]:
 
     Source: isentropic stagnation of a perfect gas, κ = 1.4.
 
-    >>> from gearwright.air.atmosphere import air_at
+    >>> from gearwright.air import air_at
     >>> stagnation_ratios(air_at(0.0), 0.0)
     (1.0, 1.0)
     """
@@ -73,7 +73,7 @@ def true_of_calibrated(calibrated: float, air: Air) -> float:
     Raises:
         DesignError: Mach 1 or above.
 
-    >>> from gearwright.air.atmosphere import air_at
+    >>> from gearwright.air import air_at
     >>> knot = 1852.0 / 3600.0
     >>> round(true_of_calibrated(170.0 * knot, air_at(1500 * 0.3048)) / knot, 2)
     173.71
@@ -94,7 +94,7 @@ def calibrated_of_true(true: float, air: Air) -> float:
     Raises:
         DesignError: Mach 1 or above.
 
-    >>> from gearwright.air.atmosphere import air_at
+    >>> from gearwright.air import air_at
     >>> knot = 1852.0 / 3600.0
     >>> round(calibrated_of_true(313.0 * knot, air_at(25000 * 0.3048)) / knot, 2)
     213.87

@@ -30,7 +30,7 @@ def mass_tm215680(beta: float) -> float:
     Raises:
         DesignError: The line is not positive there.
 
-    >>> from gearwright.sizing.statistical.requirement import beta
+    >>> from gearwright.weights import beta
     >>> from gearwright.units import RPM
     >>> round(mass_tm215680(beta(2051e3, 20204 * RPM, 1212 * RPM)), 1)
     131.8

@@ -78,7 +78,7 @@ def rate_bevel(
     Source: ISO 10300-1, -2 and -3:2023, method B1; life factors Z_NT and Y_NT of ISO 6336-2 and -3, as ISO 10300 says.
     Valid for: ε_vα < 2, no hypoid offset, generated teeth.
 
-    >>> from gearwright.parts.iso6336_strength import GearSteel, Treatment
+    >>> from gearwright.parts.iso6336 import GearSteel, Treatment
     >>> steel = GearSteel("case-hardened", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 500e6)
     >>> pair = BevelPair((17, 43), 8.5e-3, 51e-3, math.radians(35.0))
     >>> rated = rate_bevel(pair, (steel, steel), BevelDuty(2031.1, 158.5, 8e-6, 1.25), 3500 * 3600.0)

@@ -72,8 +72,8 @@ def spectrum_damage(bins: Sequence[StressBin], reference: float, curve: LifeCurv
         DesignError: an empty spectrum.
         SolveError: no factor between 0.01 and 100 brings the sum to 1.
 
-    >>> from gearwright.parts.iso6336_life import contact_life_curve
-    >>> from gearwright.parts.iso6336_strength import Treatment
+    >>> from gearwright.parts.iso6336 import contact_life_curve
+    >>> from gearwright.parts.iso6336 import Treatment
     >>> curve = contact_life_curve(Treatment.CASE_HARDENED)
     >>> round(spectrum_damage([StressBin(1000e6, 5e7)], 1500e6, curve).safety, 6)
     1.5

@@ -151,7 +151,7 @@ def face_load_factor(
         K_Hβ = √(2 F_βy c_γβ b/F_m) where the load no longer covers the face.
 
     >>> pair = MeshGeometry((20, 60), 2e-3, 0.02, 0.08, (0.022, 0.062))
-    >>> from gearwright.parts.iso6336_strength import Treatment
+    >>> from gearwright.parts.iso6336 import Treatment
     >>> steel = GearSteel("x", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 500e6)
     >>> found = face_load_factor(pair, (0.0, 10e-6), (steel, steel), stiffness=17e9, specific_load=2e5, speed=5.0)
     >>> round(float(found.contact), 4)

@@ -103,7 +103,7 @@ def rack_factor(first: BasicRack, second: BasicRack) -> float:
 
     Source: ISO 6336-1:2006, clause 9, C_B = [1 + 0.5 (1.2 − h_fP/m_n)] [1 − 0.02 (20° − α_Pn)].
 
-    >>> from gearwright.parts.cylindrical_gear import ISO53_A
+    >>> from gearwright.parts.gears import ISO53_A
     >>> round(rack_factor(ISO53_A, ISO53_A), 4)
     0.975
     """
