@@ -50,6 +50,18 @@ class SolveError(GearwrightError):
     """A computation that did not succeed; the message names the part, the time and the value."""
 
 
+def install(extra: str) -> str:
+    """Return how the packages of an extra are got: from a clone, and where gearwright is in a package index.
+
+    Args:
+        extra: Its name in ``pyproject.toml``.
+
+    >>> install("cluster")
+    'in a clone: pip install ".[cluster]"; from a package index: pip install "gearwright[cluster]"'
+    """
+    return f'in a clone: pip install ".[{extra}]"; from a package index: pip install "gearwright[{extra}]"'
+
+
 def near(name: str, allowed: Iterable[str]) -> str:
     """Return a hint for a name that is not known: the nearest one, or all of them.
 

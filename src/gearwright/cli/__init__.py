@@ -1,11 +1,13 @@
 """The command line: each command calls the verb of its name and adds nothing.
 
-Exit codes: 0 done, 1 a computation did not succeed, 2 the design or the call is wrong.
+Exit codes: 0 done, 1 a computation did not succeed, 2 the design or the call is wrong or a file cannot be written,
+130 interrupted (Ctrl-C), 141 nobody reads what is printed any more (a closed pipe).
 Heavy modules load inside the commands, so that ``--help`` answers at once.
 """
 
 from __future__ import annotations
 
+import errno
 import sys
 from typing import Annotated
 
@@ -15,9 +17,12 @@ from gearwright.cli.colibri import colibri
 from gearwright.cli.design import check, mass, modes, new, report, run, schema, simulate, size
 from gearwright.cli.draw import draw
 from gearwright.cli.dynamics import campbell, response, runup, validate
+from gearwright.cli.ends import BROKEN_PIPE, FAILED, WRONG, ended_well
 from gearwright.cli.mission import fly
+from gearwright.cli.output import STANDARD_OUTPUT, show, tell
 from gearwright.cli.runs import cluster, resume, status
 from gearwright.cli.sharing import sharing
+from gearwright.cli.streams import flushed, steady_streams
 from gearwright.cli.study import compare, study
 from gearwright.cli.thesis import thesis
 from gearwright.cli.weights import engines
@@ -37,28 +42,47 @@ COMMANDS = (
     *(mass, engines, validate, thesis, colibri),
 )
 for _command in COMMANDS:
-    app.command()(_command)
+    app.command()(ended_well(_command))
 
 
 @app.callback(invoke_without_command=True)
+@ended_well
 def _main(version: Annotated[bool, typer.Option("--version", help="Print the version")] = False) -> None:
     if version:
-        typer.echo(f"gearwright {__version__}")
+        show(f"gearwright {__version__}")
         raise typer.Exit
 
 
 def main() -> None:
     """Run the command line; design problems and failed computations become messages and exit codes."""
+    steady_streams()
+    code = _code()
+    unwritten = flushed()
+    sys.exit(code or (_unwritten(unwritten) if unwritten else 0))
+
+
+def _code() -> int | str | None:
+    """Run the command; return its exit code."""
     from gearwright.errors import DesignError, GearwrightError
 
     try:
         app()
-    except DesignError as error:
-        typer.echo(str(error), err=True)
-        sys.exit(2)
+    except SystemExit as end:
+        return end.code
     except GearwrightError as error:
-        typer.echo(str(error), err=True)
-        sys.exit(1)
+        tell(str(error))
+        return WRONG if isinstance(error, DesignError) else FAILED
     except OSError as error:
-        typer.echo(f"{error.filename}: {error.strerror}; name another file or folder", err=True)
-        sys.exit(2)
+        return _unwritten(error)
+    return 0
+
+
+def _unwritten(error: OSError) -> int:
+    """Say which file or stream cannot be used; return the exit code."""
+    if error.errno == errno.EPIPE:
+        return BROKEN_PIPE
+    if error.filename in (None, STANDARD_OUTPUT):
+        tell(f"{STANDARD_OUTPUT} cannot be written: {error.strerror}")
+        return FAILED
+    tell(f"{error.filename}: {error.strerror}; name another file or folder")
+    return WRONG

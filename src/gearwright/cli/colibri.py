@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from gearwright.cli.options import JsonOption
+from gearwright.cli.output import show, show_json, tell
 from gearwright.writing import write_text
 
 
@@ -35,8 +36,6 @@ def colibri(
     """Compute every printed number of the EC120B term project, and say which are wrong, why, and what is right."""
     import json as notation
 
-    from rich.console import Console
-
     from gearwright.replays.colibri.page import colibri_markdown, colibri_page
     from gearwright.replays.colibri.replay import replay
     from gearwright.replays.colibri.words import chosen, counts_text, findings_table, replay_record, replay_tables
@@ -44,13 +43,10 @@ def colibri(
     found = replay()
     numbers = chosen(found, part=part or "", wrong=wrong)
     if json:
-        typer.echo(notation.dumps(replay_record(numbers, found), indent=2, ensure_ascii=False, allow_nan=False))
+        show_json(notation.dumps(replay_record(numbers, found), indent=2, ensure_ascii=False, allow_nan=False))
     else:
-        console = Console()
-        console.print(replay_tables(numbers, found))
-        if part is None:
-            console.print(findings_table(found.findings))
-        console.print(counts_text(found))
+        findings = [findings_table(found.findings)] if part is None else []
+        show(replay_tables(numbers, found), *findings, counts_text(found))
     if out is not None:
         write_text(out, colibri_markdown() if out.suffix == ".md" else colibri_page())
-        typer.echo(f"wrote {out}", err=json)
+        (tell if json else show)(f"wrote {out}")

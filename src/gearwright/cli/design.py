@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from gearwright.cli.designs import sized
+from gearwright.cli.ends import end_interrupted, named_after, save_run
 from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
-from gearwright.cli.output import progress
+from gearwright.cli.output import progress, show, show_json, tell
 from gearwright.cli.weights import show_mass, stated_mass
 from gearwright.writing import make_folder, write_text
 
@@ -48,7 +49,7 @@ def new(
         )
     write_text(target, text)
     follows = {"designs": "run", "missions": "fly DESIGN", "studies": "study"}[source.parent.name]
-    typer.echo(f"wrote {target}; next: gearwright {follows} {target}")
+    show(f"wrote {target}; next: gearwright {follows} {target}")
 
 
 def _list() -> None:
@@ -63,15 +64,15 @@ def _list() -> None:
     )
     from gearwright.spec import read, read_mission, read_study
 
-    typer.echo("designs")
+    show("designs")
     for each in shipped_designs():
-        typer.echo(f"{each:24} {read(shipped_design(each)).name}")
-    typer.echo("\nmissions")
+        show(f"{each:24} {read(shipped_design(each)).name}")
+    show("\nmissions")
     for each in shipped_missions():
-        typer.echo(f"{each:24} {read_mission(shipped_mission(each)).name}")
-    typer.echo("\nstudies")
+        show(f"{each:24} {read_mission(shipped_mission(each)).name}")
+    show("\nstudies")
     for each in shipped_studies():
-        typer.echo(f"{each:24} {read_study(shipped_study(each)).name}")
+        show(f"{each:24} {read_study(shipped_study(each)).name}")
 
 
 def check(design: DesignArgument) -> None:
@@ -81,10 +82,10 @@ def check(design: DesignArgument) -> None:
     sizing = sized(design)
     weak = [each for each in margins(sizing) if not each.holds]
     for each in weak:
-        typer.echo(f"{each.sentence}; the margin should be 1 or more", err=True)
+        tell(f"{each.sentence}; the margin should be 1 or more")
     if weak:
         raise typer.Exit(1)
-    typer.echo(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")
+    show(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")
 
 
 def size(
@@ -95,27 +96,25 @@ def size(
     ] = False,
 ) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
-    from gearwright.render.words.text import print_factors, print_sizing, sizing_json
+    from gearwright.render.words.text import factors_text, sizing_json, sizing_text
 
     sizing = sized(design)
     if json:
-        typer.echo(sizing_json(sizing))
+        show_json(sizing_json(sizing))
     else:
-        print_sizing(sizing)
-        if factors:
-            print_factors(sizing)
+        show(sizing_text(sizing), *([factors_text(sizing)] if factors else []))
 
 
 def modes(design: DesignArgument, case: CaseOption = None, json: JsonOption = False) -> None:
     """Natural frequencies and mode shapes of a design's drive train."""
     from gearwright.dynamics import modes as find_modes
-    from gearwright.render.words.text import modes_json, print_modes
+    from gearwright.render.words.text import modes_json, modes_text
 
     found = find_modes(_assemble(sized(design), case))
     if json:
-        typer.echo(modes_json(found))
+        show_json(modes_json(found))
     else:
-        print_modes(found)
+        show(modes_text(found))
 
 
 def simulate(
@@ -128,18 +127,17 @@ def simulate(
 ) -> None:
     """Simulate a design's drive train in a load case."""
     from gearwright.dynamics.assembly import default_case
-    from gearwright.render.words.text import print_trace, trace_json
-    from gearwright.store import save
+    from gearwright.render.words.text import trace_json, trace_text
 
     sizing = sized(design)
     system = _assemble(sizing, case, stiffness)
     trace = _simulate(system, duration)
-    if output is not None:
-        save(output, trace, design=sizing.design, case=case or default_case(sizing))
+    kept = save_run(output, trace, sizing, case or default_case(sizing)) if output is not None else None
     if json:
-        typer.echo(trace_json(trace))
+        show_json(trace_json(trace))
     else:
-        print_trace(trace, sizing)
+        show(trace_text(trace, sizing))
+    end_interrupted(trace, kept)
 
 
 def run(
@@ -156,30 +154,29 @@ def run(
     from gearwright.dynamics.assembly import default_case
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.render.pages.report import report as make_report
-    from gearwright.render.words.text import print_modes, print_sizing, print_trace, sizing_json
-    from gearwright.store import save
+    from gearwright.render.words.text import modes_text, sizing_json, sizing_text, trace_text
 
     sizing = sized(design)
     case = case or default_case(sizing)
     system = _assemble(sizing, case, stiffness)
-    print_sizing(sizing)
     found = find_modes(system)
-    print_modes(found)
     trace = _simulate(system, duration)
-    print_trace(trace, sizing)
-    folder = folder or Path(f"{Path(design).stem}-results")
+    campbell = () if trace.interrupted else critical_speeds(sizing)
+    show(sizing_text(sizing, trace=trace, campbell=campbell), modes_text(found), trace_text(trace, sizing))
+    folder = folder or named_after(design, "results")
     make_folder(folder)
     write_text(folder / "sizing.json", sizing_json(sizing) + "\n")
-    save(folder / "run.nc", trace, design=sizing.design, case=case)
-    campbell = critical_speeds(sizing)
+    end_interrupted(trace, save_run(folder / "run.nc", trace, sizing, case))
     page = make_report(sizing, modes=found, trace=trace, case=case, system=system, campbell=campbell)
     write_text(folder / "report.html", page)
-    typer.echo(f"wrote {folder / 'report.html'}, {folder / 'run.nc'} and {folder / 'sizing.json'}")
+    show(f"wrote {folder / 'report.html'}, {folder / 'run.nc'} and {folder / 'sizing.json'}")
 
 
 def report(
     design: DesignArgument,
-    file: Annotated[Path, typer.Option("--out", help="HTML file to write")] = Path("report.html"),
+    file: Annotated[
+        Path | None, typer.Option("--out", help="HTML file to write; left out: NAME-report.html here")
+    ] = None,
     results: Annotated[Path | None, typer.Option(help="Run (netCDF-4) to show with it")] = None,
 ) -> None:
     """Write the report of a design as one self-contained HTML file that also prints well."""
@@ -200,8 +197,9 @@ def report(
         system=system,
         campbell=critical_speeds(sizing),
     )
+    file = file or named_after(design, "report.html")
     write_text(file, page)
-    typer.echo(f"wrote {file}")
+    show(f"wrote {file}")
 
 
 def mass(
@@ -226,7 +224,7 @@ def schema() -> None:
 
     from gearwright.spec import schema as make_schema
 
-    typer.echo(json.dumps(make_schema(), indent=2, ensure_ascii=False))
+    show_json(json.dumps(make_schema(), indent=2, ensure_ascii=False))
 
 
 def _run_of(sizing: Sizing, results: Path) -> StoredRun:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.ends import named_after
+from gearwright.cli.output import show, tell
 from gearwright.writing import make_folder, write_text
 
 if TYPE_CHECKING:
@@ -34,13 +37,13 @@ def draw(
     drawn = sheets(_sized(design), _names(what))
     # Everything is drawn before anything is written: what cannot be drawn leaves no half of it.
     texts = {f"{sheet.name}.{suffix}": _text(sheet, suffix) for sheet in drawn for suffix in wanted}
-    folder = folder or Path(f"{Path(design).stem}-drawings")
+    folder = folder or named_after(design, "drawings")
     make_folder(folder)
     for name, text in texts.items():
         write_text(folder / name, text)
     for sheet in drawn:
-        typer.echo(f"{sheet.name:32} {sheet.size.name}  {scale_text(sheet.scale)}")
-    typer.echo(f"wrote {len(drawn)} sheets as {' and '.join(wanted)} to {folder}")
+        show(f"{sheet.name:32} {sheet.size.name}  {scale_text(sheet.scale)}")
+    show(f"wrote {len(drawn)} sheets as {' and '.join(wanted)} to {folder}")
 
 
 def _sized(name: str) -> Sizing:
@@ -63,6 +66,9 @@ def _formats(given: str) -> tuple[str, ...]:
     wrong = [each for each in asked if each not in FORMATS]
     if wrong:
         raise DesignError([Problem("--format", f"{each!r} is not drawn; {near(each, FORMATS)}") for each in wrong])
+    if "dxf" in asked and find_spec("ezdxf") is None and len(asked) > 1:
+        tell("DXF is not written: it needs the package ezdxf, which is not here; pip install ezdxf")
+        return tuple(each for each in asked if each != "dxf")
     return asked
 
 

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.designs import sized
+from gearwright.cli.ends import named_after
 from gearwright.cli.options import CaseOption, DesignArgument, FigureOption, JsonOption
-from gearwright.cli.output import progress, write_figure
+from gearwright.cli.output import progress, show, show_json, write_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -36,7 +37,7 @@ def campbell(
     found = critical_speeds(sizing, cases=None if case is None else [case])
     tables = [critical_table(each) for each in found]
     _show([*tables, assumption_table(assumptions(sizing, found[0].system))], json=json)
-    path = figure or Path(f"{Path(design).stem}-campbell.svg")
+    path = figure or named_after(design, "campbell.svg")
     for number, each in enumerate(found, start=1):
         target = path if number == 1 else path.with_stem(f"{path.stem}-{number}")
         _draw(campbell_figure(sizing, each), target, quiet=json)
@@ -118,7 +119,7 @@ def validate(
     if json:
         _show([validation_table(found)], json=True)
     else:
-        typer.echo(verdict(found))
+        show(verdict(found))
     missed = sum(not one.holds for one in found)
     if missed:
         raise SolveError(f"{missed} published numbers are missed; the tables say which")
@@ -127,19 +128,16 @@ def validate(
 def _show(tables: list[Table], *, json: bool) -> None:
     import json as words
 
-    from rich.console import Console
-
     from gearwright.render.tables.tables import as_json
     from gearwright.render.words.text import table_text
 
     if json:
-        typer.echo(words.dumps([as_json(each) for each in tables], indent=2, ensure_ascii=False, allow_nan=False))
-        return
-    for each in tables:
-        Console().print(table_text(each))
+        show_json(words.dumps([as_json(each) for each in tables], indent=2, ensure_ascii=False, allow_nan=False))
+    else:
+        show(*map(table_text, tables))
 
 
 def _draw(drawing: Figure, path: Path, *, quiet: bool) -> None:
     write_figure(drawing, path)
     if not quiet:
-        typer.echo(f"wrote {path}")
+        show(f"wrote {path}")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.designs import design_of
+from gearwright.cli.output import show, show_json, tell
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
@@ -48,17 +49,22 @@ def fly(
     from gearwright.render.words.flight import flight_text
     from gearwright.render.words.flight_data import flight_csv, flight_json
 
-    typer.echo(flight_json(flight, parts, life) if json else flight_text(flight, parts, life))
+    if json:
+        show_json(flight_json(flight, parts, life))
+    else:
+        show(flight_text(flight, parts, life))
     if report is not None:
         from gearwright.mission.windows import fly_window
         from gearwright.render.pages.flight import flight_page
 
         flown = [fly_window(flight, name) for name in _windows(flight, window or [])]
+        for each in flown:
+            each.trace.whole()
         write_text(report, flight_page(flight, parts, life, windows=flown))
-        typer.echo(f"wrote {report}", err=True)
+        tell(f"wrote {report}")
     if csv is not None:
         write_text(csv, flight_csv(flight))
-        typer.echo(f"wrote {csv}", err=True)
+        tell(f"wrote {csv}")
 
 
 def _windows(flight: Flight, names: list[str]) -> list[str]:
@@ -71,7 +77,7 @@ def _list() -> None:
     from gearwright.spec import read_mission
 
     for each in shipped_missions():
-        typer.echo(f"{each:20} {read_mission(shipped_mission(each)).name}")
+        show(f"{each:20} {read_mission(shipped_mission(each)).name}")
 
 
 def mission_of(name: str) -> tuple[Mission, Path]:

@@ -1,17 +1,93 @@
-"""What commands write beside words: figures, and a bar of progress."""
+"""What commands print and write: words, tables, JSON, figures, and a bar of progress.
+
+All that is printed goes through here: cleaned of control characters, in the letters that the stream knows, folded
+between words on a terminal and not at all elsewhere.
+"""
 
 from __future__ import annotations
 
+import os
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gearwright.cli.streams import clean, clean_json
 from gearwright.writing import write_bytes, write_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from rich.console import Console, RenderableType
+
+UNFOLDED = 100_000
+"""Width of what is no terminal: no line is folded there [characters]."""
+STANDARD_OUTPUT = "standard output"
+"""Its name in messages."""
+
+
+def show(*what: RenderableType) -> None:
+    """Print words and tables on standard output.
+
+    Raises:
+        OSError: If they cannot be written: the message names standard output.
+    """
+    console = screen()
+    with _named():
+        for each in what:
+            console.print(each, crop=False, overflow="ignore")
+
+
+def show_json(text: str) -> None:
+    """Print a JSON text on standard output; it stays JSON in every encoding."""
+    with _named():
+        print(clean_json(text, sys.stdout.encoding or "utf-8"), flush=True)  # noqa: T201
+
+
+def tell(words: str) -> None:
+    """Print what is no result on standard error: what was written, what is wrong. A stream that is full loses it."""
+    with suppress(OSError):
+        screen(error=True).print(words, crop=False, overflow="ignore")
+
+
+def screen(*, error: bool = False) -> Console:
+    """Return the console of one of the streams: names are printed as they are, whatever is in them."""
+    from rich.console import Console, ConsoleOptions
+    from rich.segment import Segment
+
+    class Screen(Console):
+        """A console on which brackets and colons mean themselves, and control characters are shown as codes."""
+
+        def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterable[Segment]:
+            for segment in super().render(renderable, options):
+                yield segment if segment.control else Segment(clean(segment.text), segment.style)
+
+    return Screen(
+        file=sys.stderr if error else sys.stdout, width=_width(error=error), markup=False, emoji=False, highlight=False
+    )
+
+
+def _width(*, error: bool) -> int:
+    """Return the width to fold to: of COLUMNS, else of the terminal, else none."""
+    stream = sys.stderr if error else sys.stdout
+    asked = os.environ.get("COLUMNS", "")
+    if asked.isdigit() and int(asked):
+        return int(asked)
+    if not stream.isatty():
+        return UNFOLDED
+    try:
+        return os.get_terminal_size(stream.fileno()).columns or 80
+    except OSError:
+        return 80
+
+
+@contextmanager
+def _named() -> Iterator[None]:
+    """Let an error of standard output say whose it is."""
+    try:
+        yield
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, STANDARD_OUTPUT) from None
 
 
 def write_figure(drawn: Figure, path: Path) -> None:
@@ -43,9 +119,8 @@ def progress(what: str) -> Iterator[Callable[[float], None]]:
     Args:
         what: Is being done.
     """
-    from rich.console import Console
     from rich.progress import Progress
 
-    with Progress(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as bar:
+    with Progress(console=screen(error=True), transient=True, disable=not sys.stderr.isatty()) as bar:
         task = bar.add_task(what, total=1.0)
         yield lambda done: bar.update(task, completed=done)

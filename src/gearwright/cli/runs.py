@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.designs import design_of
+from gearwright.cli.ends import INTERRUPTED
+from gearwright.cli.output import screen, show, show_json, tell
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
@@ -37,8 +39,6 @@ LISTED = 60
 """Cases that are printed one by one; of more the spread is shown."""
 SMALL = 200
 """Cases that are not worth the start of other processes."""
-INTERRUPTED = 130
-"""Exit code after Ctrl-C, as shells have it."""
 
 
 def run_shown(
@@ -68,13 +68,13 @@ def status(
         return
     found = look(journal)
     known = found.recorded
-    typer.echo(f"{known.study.name}: {found.done:,} of {known.total:,} cases, {found.failed:,} cannot be had")
+    show(f"{known.study.name}: {found.done:,} of {known.total:,} cases, {found.failed:,} cannot be had")
     if found.done == known.total:
-        typer.echo("complete")
+        show("complete")
     elif found.running:
-        typer.echo(f"running, {found.rate:.1f} cases/s, {_duration(found.remaining)} to go")
+        show(f"running, {found.rate:.1f} cases/s, {_duration(found.remaining)} to go")
     else:
-        typer.echo(f"stopped; next: gearwright resume {journal}")
+        show(f"stopped; next: gearwright resume {journal}")
 
 
 def _verify(journal: Path) -> None:
@@ -131,23 +131,21 @@ def cluster(
     host: Annotated[str, typer.Option(help="Name or address of the machine of the scheduler")] = "127.0.0.1",
     processes: Annotated[int, typer.Option(help="Workers on one machine: its cores", min=1)] = os.cpu_count() or 1,
 ) -> None:
-    """Print the commands that start a Dask cluster for studies; every machine needs gearwright[cluster] only."""
+    """Print the commands that start a Dask cluster for studies; each machine needs the extra `cluster`."""
     from gearwright.study.running import commands
 
     scheduler, workers, start = commands(host, processes)
-    typer.echo(f"once:              {scheduler}\non every machine:  {workers}\nthen:              {start}")
+    show(f"once:              {scheduler}\non every machine:  {workers}\nthen:              {start}")
 
 
 def show_table(table: Table, study: Study | None = None, *, csv: Path | None, json: bool) -> None:
     """Print the table of a study (its spread if it is long, then what follows from it) or JSON; write it as CSV."""
-    from rich.console import Console
-
     from gearwright.render.tables.study import study_csv, study_grid, study_json, summary_grid
 
     if json:
-        typer.echo(study_json(table))
+        show_json(study_json(table))
     else:
-        Console().print(study_grid(table) if len(table.rows) <= LISTED else summary_grid(table))
+        show(study_grid(table) if len(table.rows) <= LISTED else summary_grid(table))
         if study is not None and (study.objectives or study.sampling.method != "grid"):
             _show_answer(study, table)
     if csv is not None:
@@ -156,16 +154,13 @@ def show_table(table: Table, study: Study | None = None, *, csv: Path | None, js
 
 def _show_answer(study: Study, table: Table) -> None:
     """Print the front of several objectives, and in sentences what wins, by how much, and how sure that is."""
-    from rich.console import Console
-
     from gearwright.render.tables.study import study_grid
     from gearwright.render.words.study import answer
     from gearwright.study.answers import front_table, verdict
 
     if len(study.objectives) > 1 and verdict(study, table) is None:
-        Console().print(study_grid(front_table(study, table)))
-    for sentence in answer(study, table):
-        Console().print(sentence, highlight=False, markup=False)
+        show(study_grid(front_table(study, table)))
+    show(*answer(study, table))
 
 
 def refuse_files(csv: Path | None, export: Path | None, *others: Path | None) -> None:
@@ -191,12 +186,12 @@ def write_files(
         from gearwright.study.answers import write_table
 
         write_table(export, table)
-        typer.echo(f"wrote {export}", err=True)
+        tell(f"wrote {export}")
     if report is not None:
         from gearwright.render.pages.study import study_page
 
         write_text(report, study_page(study, table, designs))
-        typer.echo(f"wrote {report}", err=True)
+        tell(f"wrote {report}")
 
 
 def _refuse_changed_mission(journal: Path, study: Study, folder: Path) -> None:
@@ -239,24 +234,24 @@ def _stopped_cleanly(journal: Path | None) -> Iterator[None]:
         yield
     except KeyboardInterrupt:
         kept = f"what is finished is kept; next: gearwright resume {journal}" if journal else "nothing was kept"
-        typer.echo(f"stopped: {kept}", err=True)
+        tell(f"interrupted: {kept}")
         raise typer.Exit(INTERRUPTED) from None
 
 
 @contextmanager
 def _watched() -> Iterator[Callable[[Progress], None]]:
     """Show cases, rate, remaining time and failures on a terminal; stay silent elsewhere."""
-    from rich.console import Console
     from rich.progress import BarColumn, TextColumn
     from rich.progress import Progress as Bar
 
-    columns = (TextColumn("{task.completed:,.0f} of {task.total:,.0f}"), BarColumn(), TextColumn("{task.description}"))
-    with Bar(*columns, console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as bar:
-        task = bar.add_task("starting workers", total=None)
+    columns = (TextColumn("{task.fields[count]}"), BarColumn(), TextColumn("{task.description}"))
+    with Bar(*columns, console=screen(error=True), transient=True, disable=not sys.stderr.isatty()) as bar:
+        task = bar.add_task("starting workers", total=None, count="")
 
         def update(now: Progress) -> None:
             words = f"{now.rate:.1f}/s, {_duration(now.remaining)} to go, {now.failed:,} cannot be had"
-            bar.update(task, completed=now.done, total=now.total, description=words)
+            count = f"{now.done:,} of {now.total:,}"
+            bar.update(task, completed=now.done, total=now.total, description=words, count=count)
 
         yield update
 

@@ -12,7 +12,7 @@ import typer
 
 from gearwright.cli.designs import sized
 from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
-from gearwright.cli.output import write_figure
+from gearwright.cli.output import show, show_json, tell, write_figure
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
@@ -40,8 +40,6 @@ def sharing(
     json: JsonOption = False,
 ) -> None:
     """Say how parallel paths share their load, what each error does, and which tolerance to tighten."""
-    from rich.console import Console
-
     from gearwright.dynamics.sharing import planet_counts, sharing_problem, sharing_study
     from gearwright.render.figures.planets import planets_text
     from gearwright.render.words.sharing import sharing_json, sharing_text
@@ -52,11 +50,9 @@ def sharing(
     study = sharing_study(problem, method=method, target=share, percent=percent, seed=seed)
     counts = planet_counts(sizing, problem, seed=seed) if report is not None or not json else None
     if json:
-        typer.echo(sharing_json(study))
+        show_json(sharing_json(study))
     else:
-        Console().print(sharing_text(study))
-        if counts is not None:
-            Console().print(planets_text(counts))
+        show(sharing_text(study), *([planets_text(counts)] if counts is not None else []))
     if figure is not None:
         _draw(study, figure)
     if report is not None:
@@ -65,7 +61,7 @@ def sharing(
         page = split_torque_page if Path(design).stem == SPLIT_TORQUE else sharing_page
         drawn = page(sizing, [study], counts=[] if counts is None else [counts], target=share)
         write_text(report, drawn)
-        typer.echo(f"wrote {report}", err=True)
+        tell(f"wrote {report}")
 
 
 def asked_share(target: str | None) -> float | None:
@@ -103,4 +99,4 @@ def _draw(study: SharingStudy, path: Path) -> None:
     else:
         drawn = sharing_figure({study.problem.stage: study.sharing})
     write_figure(drawn, path)
-    typer.echo(f"wrote {path}", err=True)
+    tell(f"wrote {path}")

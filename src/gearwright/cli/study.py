@@ -12,7 +12,7 @@ import typer
 
 from gearwright.cli.designs import design_of
 from gearwright.cli.options import FigureOption
-from gearwright.cli.output import write_figure
+from gearwright.cli.output import show, tell, write_figure
 from gearwright.cli.runs import (
     ClusterOption,
     CsvOption,
@@ -58,7 +58,7 @@ def study(
 
     if name is None:
         for each in shipped_studies():
-            typer.echo(f"{each:20} {read_study(shipped_study(each)).name}")
+            show(f"{each:20} {read_study(shipped_study(each)).name}")
         return
     path = find_study(name)
     read = read_study(path)
@@ -117,7 +117,7 @@ def _write_comparison(path: Path, table: Table, designs: dict[str, Design], chan
 
     sizings = {row.design: size(edited(designs[row.design], changes)) for row in table.rows if not row.problem}
     write_text(path, comparison(table, sizings))
-    typer.echo(f"wrote {path}", err=True)
+    tell(f"wrote {path}")
 
 
 def _draw(study: Study, table: Table, path: Path) -> None:

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from gearwright.cli.output import show, write_figure
 from gearwright.writing import make_folder, write_bytes, write_text
 
 PAGE_RESOLUTION = 110.0
@@ -28,24 +29,18 @@ def thesis(
     if chapter_4 is not None:
         _chapter(chapter_4, figures)
         return
-    from rich.console import Console
-
     from gearwright.replays.pulvirenti.claims import claims
     from gearwright.replays.pulvirenti.errata import errata as all_errata
     from gearwright.replays.pulvirenti.page import claims_table, errata_table, thesis_markdown, thesis_page
 
-    console = Console()
-    console.print(claims_table(claims()))
-    if errata:
-        console.print(errata_table(all_errata()))
+    show(claims_table(claims()), *([errata_table(all_errata())] if errata else []))
     page = thesis_markdown() if out.suffix == ".md" else thesis_page()
     write_text(out, page)
-    typer.echo(f"wrote {out}, with the reasons")
+    show(f"wrote {out}, with the reasons")
 
 
 def _chapter(page: Path, figures: Path | None) -> None:
     """Write the page of chapter 4 with a figure for each window beside it, and all counterparts into a folder."""
-    from gearwright.cli.output import write_figure
     from gearwright.render.style.theme import to_png
     from gearwright.replays.pulvirenti.flight_claims import chapter_runs, flight_claims
     from gearwright.replays.pulvirenti.flight_page import FIGURES, PANELS, chapter_figure, chapter_markdown
@@ -56,9 +51,9 @@ def _chapter(page: Path, figures: Path | None) -> None:
     for window, name in images.items():
         write_bytes(page.with_name(name), to_png(chapter_figure(runs, window, PANELS[window]), PAGE_RESOLUTION))
     write_text(page, chapter_markdown(flight_claims(runs), phased(runs), images))
-    typer.echo(f"wrote {page} and {len(images)} figures beside it")
+    show(f"wrote {page} and {len(images)} figures beside it")
     if figures is not None:
         make_folder(figures)
         for number, (window, panel) in FIGURES.items():
             write_figure(chapter_figure(runs, window, (panel,)), figures / f"{number}.svg")
-        typer.echo(f"wrote {len(FIGURES)} figures to {figures}")
+        show(f"wrote {len(FIGURES)} figures to {figures}")

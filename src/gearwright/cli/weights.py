@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.output import screen, show
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
@@ -51,8 +52,6 @@ def engines(
     json: Annotated[Path | None, typer.Option(help="Write the same rows as JSON.")] = None,
 ) -> None:
     """List the 121 engines of the catalogue with what is printed, and the reason where a number is wrong."""
-    from rich.console import Console
-
     from gearwright.catalogue import select
     from gearwright.render.tables import weights
     from gearwright.render.words import weights_data
@@ -63,10 +62,9 @@ def engines(
     rows = [check_engine(one) for one in chosen]
     if sort is not Order.TABLE:
         rows.sort(key=_sort_keys()[sort])
-    console = Console()
-    console.print(weights.engine_table(rows, width=console.width))
+    show(weights.engine_table(rows, width=screen().width))
     if any(one.engine.notes for one in rows):
-        console.print(weights.note_table(rows))
+        show(weights.note_table(rows))
     for path, write in ((csv, weights_data.to_csv), (json, weights_data.to_json)):
         if path is not None:
             _write(path, write(weights_data.engine_rows(rows)))
@@ -126,8 +124,6 @@ def show_mass(
         json: Where to write the comparison.
         report: Where to write the page.
     """
-    from rich.console import Console
-
     from gearwright.render.tables import weights
     from gearwright.render.words import weights_data
     from gearwright.units import RPM
@@ -135,9 +131,7 @@ def show_mass(
 
     need = Requirement(power_kw * _KW, engine_rpm * RPM, propeller_rpm * RPM)
     found = compare(need, bottom_up=bottom_up, stated=stated)
-    console = Console()
-    console.print(weights.comparison_table(found, width=console.width))
-    console.print(weights.score_table(scores()))
+    show(weights.comparison_table(found, width=screen().width), weights.score_table(scores()))
     if json is not None:
         _write(json, weights_data.to_json(weights_data.comparison_record(found)))
     if report is not None:
@@ -161,4 +155,4 @@ def _sort_keys() -> dict[Order, Callable[[CheckedEngine], float | str]]:
 
 def _write(path: Path, content: str) -> None:
     write_text(path, content)
-    typer.echo(f"wrote {path}")
+    show(f"wrote {path}")

@@ -12,9 +12,10 @@ import typer
 
 from gearwright.cli.design import StiffnessOption
 from gearwright.cli.designs import sized
+from gearwright.cli.ends import end_interrupted, save_run
 from gearwright.cli.mission import mission_of
 from gearwright.cli.options import DesignArgument, FigureOption, JsonOption
-from gearwright.cli.output import write_figure
+from gearwright.cli.output import show, show_json, tell, write_figure
 
 if TYPE_CHECKING:
     from gearwright.spec import Mission
@@ -47,21 +48,23 @@ def window(
     if stiffness is not None:
         rules = rules.model_copy(update={"stiffness": stiffness})
     found = fly_window(flight, name, rules)
-    typer.echo(window_json(found) if json else window_text(found))
-    if output is not None:
-        from gearwright.store import save
-
-        save(output, found.trace, design=sizing.design, case=RATED)
-        typer.echo(f"wrote {output}", err=True)
+    kept = save_run(output, found.trace, sizing, RATED) if output is not None else None
+    if json:
+        show_json(window_json(found))
+    else:
+        show(window_text(found))
+    end_interrupted(found.trace, kept)
+    if kept is not None:
+        tell(f"wrote {kept}")
     if figure is not None:
         from gearwright.render.figures.window import window_figure
 
         write_figure(window_figure(found), figure)
-        typer.echo(f"wrote {figure}", err=True)
+        tell(f"wrote {figure}")
 
 
 def _list(mission: Mission) -> None:
     for name, rules in mission.windows.items():
-        typer.echo(f"{name:20} {rules.phase}, {rules.event}, {rules.duration:g} s")
+        show(f"{name:20} {rules.phase}, {rules.event}, {rules.duration:g} s")
     if not mission.windows:
-        typer.echo("the mission has no [windows]; add one, such as [windows.cut] with phase, at_s and event")
+        show("the mission has no [windows]; add one, such as [windows.cut] with phase, at_s and event")

@@ -84,6 +84,7 @@ def _write_trace(file: Any, trace: Trace) -> None:
     for name in _SCALARS:
         file.attrs[name] = getattr(trace, name)
     file.attrs["notes"] = "\n".join(trace.notes)
+    file.attrs["interrupted"] = int(trace.interrupted)
     file.attrs.update({f"work_{field.name}": getattr(trace.work, field.name) for field in fields(Work)})
     _write_samples(file.create_group("samples"), trace.samples)
     for number, window in enumerate(trace.windows):
@@ -144,6 +145,7 @@ def _read(file: Any) -> StoredRun:
         notes=_lines(file.attrs["notes"]),
         labels=labels,
         tolerance=float(file.attrs["tolerance"]),
+        interrupted=bool(file.attrs.get("interrupted", 0)),
         orders=_read_orders(file.groups["orders"]) if "orders" in file.groups else None,
         drive=_read_statistics(file.groups["drive"]) if "drive" in file.groups else None,
     )

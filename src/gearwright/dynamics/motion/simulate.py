@@ -54,8 +54,8 @@ def simulate(
         progress: Called with the fraction done, from 0 to 1.
 
     Returns:
-        The trace; of what was done so far, with a note, if the user interrupts. Contact loss and motions that part from
-        their neighbours are noted.
+        The trace; of what was done so far, marked and with a note, if the user interrupts. Contact loss and motions
+        that part from their neighbours are noted.
 
     Raises:
         DesignError: Method, step, duration or outputs that cannot be.
@@ -214,6 +214,7 @@ def _trace(recorder: Recorder, ran: Ran, ends: tuple[Floats, Floats], done: int)
         notes=notes,
         labels=labels,
         tolerance=pace.tolerance,
+        interrupted=done < recorder.steps,
         orders=recorder.orders.result(recorder.edges) if recorder.orders else None,
     )
 

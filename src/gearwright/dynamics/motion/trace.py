@@ -193,3 +193,15 @@ class Trace:
     """Amplitudes of line forces at the tones, if they were asked for."""
     drive: Statistics | None = None
     """Of what is recorded of drives; None without drives."""
+    interrupted: bool = False
+    """Whether the user stopped the run before its end."""
+
+    def whole(self) -> Trace:
+        """Return the run, for what needs all of it.
+
+        Raises:
+            KeyboardInterrupt: If it was interrupted, as if the run had not kept what was done so far.
+        """
+        if self.interrupted:
+            raise KeyboardInterrupt
+        return self

@@ -154,7 +154,7 @@ def _dynamics(task: _Task) -> LoadSharing:
     outputs = Outputs(samples=2, windows=spans)
     start = (slow_position(task.system), np.zeros(len(task.system.arrays.mass)))
     trace = simulate(task.system, task.span[1] + step, step=step, start=start, outputs=outputs, method="runge-kutta")
-    samples = trace.windows[0]
+    samples = trace.whole().windows[0]
     return _result(task, "dynamics", samples.time, elastic_forces(task.system, samples))
 
 

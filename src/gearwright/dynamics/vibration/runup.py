@@ -73,7 +73,7 @@ def run_up(
     rows = []
     for number, factor in enumerate(factors, start=1):
         each = at_speed(system, factor)
-        samples = simulate(each, settle + window, step=step, method="runge-kutta", outputs=outputs).windows[0]
+        samples = simulate(each, settle + window, step=step, method="runge-kutta", outputs=outputs).whole().windows[0]
         rows.append([_heard(each, samples, samples.force(line)) for line in lines])
         if progress is not None:
             progress(number / len(factors))

@@ -121,4 +121,4 @@ def _orbit(system: System, start: Floats, matrix: Floats, clock: tuple[float, in
     inverse = np.kron(np.eye(2), elastic.T * system.arrays.mass)
     multipliers = np.linalg.eigvals(inverse @ matrix @ basis).astype(np.complex128)
     order = np.argsort(-np.abs(multipliers))
-    return Orbit(period, trace.windows[0], multipliers[order], matrix)
+    return Orbit(period, trace.whole().windows[0], multipliers[order], matrix)

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 
 from matplotlib.figure import Figure
 from rich.console import Group, RenderableType
-from rich.table import Table
 from rich.text import Text
 
 from gearwright.catalogue import load_factor_tables, load_factors
 from gearwright.dynamics.sharing import PlanetCounts
 from gearwright.render.figures.sharing import load_factor_figure
+from gearwright.render.tables.grid import Grid
 
 PERCENT = 95.0
 """Percentage of random sets that stay below the factor that is shown."""
@@ -25,10 +25,10 @@ def planets_text(found: PlanetCounts) -> RenderableType:
         found: From `planet_counts`.
     """
     columns = {f"{PERCENT:g} % of random sets": found.random.percentile(PERCENT), **_beside(found)}
-    table = Table(title=f"K_γ of {found.stage} against planets", title_justify="left", caption=LIMIT)
+    table = Grid(f"K_γ of {found.stage} against planets", caption=LIMIT)
     table.add_column("planets", justify="right")
     for name in columns:
-        table.add_column(name, justify="right", overflow="fold")
+        table.add_column(name, justify="right")
     for count in found.random.planets:
         table.add_row(str(count), *(f"{row[count]:.2f}" if count in row else "" for row in columns.values()))
     return Group(table, *(Text(line) for line in published_notes()))

@@ -18,6 +18,7 @@ from gearwright.render.style.templates import environment
 from gearwright.render.tables.flight import asked_table, bearing_table, life_table, loss_table, mode_table, phase_table
 from gearwright.render.tables.tables import MARKS
 from gearwright.render.words.flight import count_text, life_text, verdict_text
+from gearwright.render.words.headline import energy_text
 from gearwright.render.words.inputs import entries
 from gearwright.render.words.window import window_verdict
 from gearwright.units import CELSIUS, KNOT, KWH
@@ -121,7 +122,7 @@ def _took(flight: Flight) -> Iterator[str]:
         f" {float(history['oil_outlet'].max()) - CELSIUS:.0f} °C at most, and the cooler needs"
         f" {flight.cooler_conductance:.0f} W/K."
     )
-    yield f"Energies close within {balance.residual:.1e}: fuel + battery = propeller + losses + stored."
+    yield f"Energies close {energy_text(balance.residual)}: fuel + battery = propeller + losses + stored."
 
 
 def _way(flight: Flight) -> Iterator[Section]:

@@ -60,11 +60,11 @@ def report(
     tables = [one for section in sections for one in section.tables]
     return environment().get_template("report.html.j2").render(
         design=sizing.design,
-        numbers=key_numbers(sizing),
+        numbers=key_numbers(sizing, trace, campbell),
         sections=sections,
         entries=entries(sizing.design),
         overrides=tables_of(sizing)["overrides"],
-        warnings=warnings(sizing, trace),
+        warnings=warnings(sizing, trace, campbell),
         assumptions=assumptions(sizing),
         formulas=formulas(tables),
         marks=MARKS,

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from gearwright.dynamics import Trace
+from gearwright.dynamics.vibration import SpeedCase
 from gearwright.render.tables.dynamic_load import dynamic_loads
 from gearwright.render.tables.sizing import asked_speeds, margins
 from gearwright.render.tables.tables import Table
+from gearwright.render.words.headline import resonances, worst_margin
 from gearwright.sizing import Sizing
 from gearwright.train import recirculation
 from gearwright.units import text
@@ -45,11 +47,15 @@ class Formula:
     source: str
 
 
-def key_numbers(sizing: Sizing) -> tuple[tuple[str, str], ...]:
-    """Return what a reader asks first: name and value.
+def key_numbers(
+    sizing: Sizing, trace: Trace | None = None, campbell: Sequence[SpeedCase] = ()
+) -> tuple[tuple[str, str], ...]:
+    """Return what a reader asks first: name and value, the worst of all that the page shows.
 
     Args:
         sizing: As sized.
+        trace: As simulated, if it was.
+        campbell: Critical speeds, if they are shown.
     """
     rated = sizing.flows["rated"]
     power = sum(each for each in rated.machine_powers.values() if each > 0.0)
@@ -60,19 +66,22 @@ def key_numbers(sizing: Sizing) -> tuple[tuple[str, str], ...]:
         ("output torque", text(torque, "torque")),
         ("mass of the train", text(sizing.mass, "mass")),
         ("power density", text(sizing.power_density, "specific_power")),
-        ("worst margin", f"{sizing.worst_margin:.3f}"),
+        ("worst margin", worst_margin(sizing, trace)),
+        *(("in resonance", words) for words in resonances(campbell)),
     ]
     return tuple(numbers + ([("motors", text(sizing.motor_mass, "mass"))] if sizing.motor_mass else []))
 
 
-def warnings(sizing: Sizing, trace: Trace | None) -> tuple[str, ...]:
+def warnings(sizing: Sizing, trace: Trace | None, campbell: Sequence[SpeedCase] = ()) -> tuple[str, ...]:
     """Return what is not as asked.
 
     Args:
         sizing: As sized.
         trace: As simulated, if it was.
+        campbell: Critical speeds, if they are shown.
     """
     found = [f"{each.sentence}; it should be 1 or more." for each in margins(sizing) if not each.holds]
+    found += [f"In resonance: {words}." for words in resonances(campbell)]
     found += _yielded(sizing)
     found += [
         f"{text(loop.power, 'power')} circulate in case {case}: {', '.join(loop.path)}."

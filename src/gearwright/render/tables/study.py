@@ -12,8 +12,8 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from rich.table import Table as Grid
 
+from gearwright.render.tables.grid import Grid
 from gearwright.render.tables.tables import written
 from gearwright.study import Row, Table
 
@@ -70,10 +70,10 @@ def study_grid(table: Table) -> Grid:
     Args:
         table: Of the study.
     """
-    grid = Grid(title=table.name, title_justify="left", caption=_caption(table), caption_justify="left", box=None)
+    grid = Grid(table.name, caption=_caption(table), names=1 + len(_few(table)))
     paths = _few(table)
     for name in ("design", *paths):
-        grid.add_column(name, justify="left" if name == "design" else "right", overflow="fold")
+        grid.add_column(name, justify="left" if name == "design" else "right")
     for result in table.results:
         grid.add_column(f"{heading(result)}\n{result_unit(table, result)}", justify="right")
     for row in table.rows:
@@ -111,7 +111,7 @@ def summary_grid(table: Table) -> Grid:
     """
     title = f"{table.name}: {len(table.rows):,} cases, {len(table.failed):,} cannot be had"
     caption = "\n".join(["", *reasons(table)]) if table.failed else ""
-    grid = Grid(title=title, title_justify="left", caption=caption, caption_justify="left", box=None)
+    grid = Grid(title, caption=caption)
     for name in ("result", "", "least", "5 %", "median", "95 %", "most"):
         grid.add_column(name, justify="left" if name in ("result", "") else "right")
     for line in spread(table):

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rich.box import SIMPLE_HEAD
 from rich.console import Group, RenderableType
-from rich.table import Table
 from rich.text import Text
 
 from gearwright.catalogue import Engine
+from gearwright.render.tables.grid import Grid
 from gearwright.units import RPM, text
 from gearwright.weights import (
     COLUMNS,
@@ -47,7 +46,7 @@ def comparison_table(found: Comparison, *, width: int = WIDE) -> RenderableType:
     )
 
 
-def engine_table(rows: Iterable[CheckedEngine], *, width: int = WIDE) -> Table:
+def engine_table(rows: Iterable[CheckedEngine], *, width: int = WIDE) -> Grid:
     """Return the engines as printed, with the flagged numbers marked.
 
     Args:
@@ -56,7 +55,7 @@ def engine_table(rows: Iterable[CheckedEngine], *, width: int = WIDE) -> Table:
     """
     shown = list(rows)
     columns = tuple(COLUMNS) if width >= WIDE else _BRIEF
-    table = _table(f"{len(shown)} engines (Pulvirenti 2023, tables 1.3-1.15; * flagged)")
+    table = Grid(f"{len(shown)} engines (Pulvirenti 2023, tables 1.3-1.15; * flagged)")
     for heading in ("series", "model", "kW", "rpm\nin", "rpm\nout"):
         table.add_column(heading, justify="left" if heading in ("series", "model") else "right", no_wrap=True)
     for symbol, unit, _ in (COLUMNS[one] for one in columns):
@@ -66,13 +65,13 @@ def engine_table(rows: Iterable[CheckedEngine], *, width: int = WIDE) -> Table:
     return table
 
 
-def note_table(rows: Iterable[CheckedEngine]) -> Table:
+def note_table(rows: Iterable[CheckedEngine]) -> Grid:
     """Return the reasons of everything that is flagged or doubtful.
 
     Args:
         rows: Checked rows of the catalogue.
     """
-    table = _table("Flagged")
+    table = Grid("Flagged")
     for heading in ("series", "model", "column", "verdict", "reason"):
         table.add_column(heading)
     notes = dict.fromkeys(note for one in rows for note in one.engine.notes)
@@ -82,14 +81,13 @@ def note_table(rows: Iterable[CheckedEngine]) -> Table:
     return table
 
 
-def score_table(found: Iterable[Score]) -> Table:
+def score_table(found: Iterable[Score]) -> Grid:
     """Return bias and scatter of every method against the 61 real weights.
 
     Args:
         found: Of `scores`.
     """
-    table = _table("Against 61 real weights (NASA/TM-2009-215680)")
-    table.caption, table.caption_justify = score_assumption(), "left"
+    table = Grid("Against 61 real weights (NASA/TM-2009-215680)", caption=score_assumption())
     for heading in ("method", "in range", "bias", "scatter 1σ", "over assumed speeds"):
         table.add_column(heading, justify="left" if heading == "method" else "right")
     for one in found:
@@ -168,9 +166,8 @@ def requirement_text(need: Requirement) -> str:
     return f"{text(need.power, 'power')}, {speeds} (ratio {need.ratio:.2f}, output {need.output_torque:.0f} N m)"
 
 
-def _methods(found: Comparison, width: int) -> Table:
-    table = _table(f"Gearbox mass: {requirement_text(found.requirement)}")
-    table.caption, table.caption_justify = _SIGN_KEY, "left"
+def _methods(found: Comparison, width: int) -> Grid:
+    table = Grid(f"Gearbox mass: {requirement_text(found.requirement)}", caption=_SIGN_KEY)
     table.add_column("method", no_wrap=True)
     table.add_column("mass", justify="right", no_wrap=True)
     for sign in "HLSA":
@@ -191,10 +188,6 @@ def _signs(covered: Coverage) -> tuple[str, str, str, str]:
     parts = (covered.housing, covered.lubrication, covered.rotor_shaft, covered.accessories)
     housing, lubrication, shaft, accessories = (_SIGNS[one] for one in parts)
     return housing, lubrication, shaft, accessories
-
-
-def _table(title: str) -> Table:
-    return Table(title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
 
 
 def given_name(given: StatedMass) -> str:
@@ -234,8 +227,8 @@ def taken_text(found: Comparison) -> str:
     return f"Taken from here on: {found.taken.mass:.1f} kg ({mark}{found.taken.origin})."
 
 
-def _engines_alike(rows: tuple[Engine, ...]) -> Table:
-    table = _table("Most alike in the catalogue; masses by NASA'15")
+def _engines_alike(rows: tuple[Engine, ...]) -> Grid:
+    table = Grid("Most alike in the catalogue; masses by NASA'15")
     for heading in ("series", "model", "kW", "rpm in", "rpm out", "m_GB, kg"):
         table.add_column(heading, justify="left" if heading in ("series", "model") else "right")
     for one in rows:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from gearwright.mission import Durability, Flight, LifeSizing, PartLife, PhaseSummary, phase_summaries
+from gearwright.render.words.headline import energy_text
 from gearwright.units import CELSIUS, KWH
 
 _LITRE_PER_MINUTE = 1e-3 / 60.0
@@ -91,7 +92,7 @@ def _totals(flight: Flight) -> list[str]:
         f" motors {balance.motor_loss / KWH:.2f} kWh, battery {balance.battery_loss / KWH:.2f} kWh",
         f"Oil: {flight.oil_flow / _LITRE_PER_MINUTE:.1f} l/min, at most {hottest - CELSIUS:.0f} °C behind the gearbox;"
         f" a cooler of {flight.cooler_conductance:.0f} W/K",
-        f"Energies close within {balance.residual:.1e}",
+        f"Energies close {energy_text(balance.residual)}",
     ]
     if flight.has_battery:
         lines.insert(1, f"State of charge at the end {history['state_of_charge'][-1]:.3f}")

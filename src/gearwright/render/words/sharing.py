@@ -7,10 +7,10 @@ import math
 from typing import Any
 
 from rich.console import Group, RenderableType
-from rich.table import Table
 from rich.text import Text
 
 from gearwright.dynamics.sharing import Allocation, SharingStudy
+from gearwright.render.tables.grid import Grid
 
 PERCENTILES = (50.0, 95.0, 99.0)
 _UNITS = {"clocking": ("mrad", 1e-3)}
@@ -63,8 +63,8 @@ def summary(study: SharingStudy) -> list[str]:
     return found
 
 
-def _influences(study: SharingStudy) -> Table:
-    table = Table(title="One error at a time", title_justify="left")
+def _influences(study: SharingStudy) -> Grid:
+    table = Grid("One error at a time")
     table.add_column("error")
     for header in ("size", "change of b [%]"):
         table.add_column(header, justify="right")
@@ -80,10 +80,10 @@ def _size(name: str, size: float) -> str:
     return f"{size / scale:.4g} {unit}"
 
 
-def _allocation(found: Allocation) -> Table:
+def _allocation(found: Allocation) -> Grid:
     share = f"{100.0 * found.target:g}/{100.0 * (1.0 - found.target):g}"
     title = f"Tolerances for {share} in {found.percent:g} % of gearboxes (reached: {found.reached:.2%})"
-    table = Table(title=title, title_justify="left")
+    table = Grid(title)
     table.add_column("error")
     for header in ("given", "allowed"):
         table.add_column(header, justify="right")

@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Sequence
 
-from rich import box
-from rich.console import Console, ConsoleOptions, Group, RenderableType
-from rich.table import Table as RichTable
+from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.dynamics import Modes, Trace
+from gearwright.dynamics.vibration import SpeedCase
 from gearwright.render.tables.dynamic_load import dynamic_table
 from gearwright.render.tables.factors import factor_tables, rated
+from gearwright.render.tables.grid import Grid
 from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
 from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing import flow_tables, tables_of
 from gearwright.render.tables.tables import MARKS, Cell, Column, Table, as_json
+from gearwright.render.words.headline import resonances, worst_margin
 from gearwright.sizing import Sizing
 from gearwright.units import text
 
-_WORD = 14
-"""Letters of the longest word that a narrow terminal need not break."""
 _ORDER = (
     "margins",
     "speeds",
@@ -45,36 +43,29 @@ _ORDER = (
 )
 
 
-def sizing_text(sizing: Sizing) -> RenderableType:
+def sizing_text(sizing: Sizing, *, trace: Trace | None = None, campbell: Sequence[SpeedCase] = ()) -> RenderableType:
     """Return the report of a sizing for the terminal.
 
     Args:
         sizing: As sized.
+        trace: A run that is shown with it.
+        campbell: Critical speeds that are looked at with it.
     """
     tables = tables_of(sizing)
-    parts: list[RenderableType] = [Text(sizing.design.name, style="bold"), Text(summary(sizing)), Text()]
+    head = [Text(words) for words in (summary(sizing, trace), *resonance_lines(campbell))]
+    parts: list[RenderableType] = [Text(sizing.design.name, style="bold"), *head, Text()]
     parts += [table_text(each) for each in (*flow_tables(sizing), path_table(sizing)) if each.rows]
     parts += [table_text(tables[name]) for name in _ORDER if tables[name].rows]
     return Group(*parts)
 
 
-def print_sizing(sizing: Sizing) -> None:
-    """Print the report of a sizing.
+def factors_text(sizing: Sizing) -> RenderableType:
+    """Return every factor of every mesh that ISO 6336 or ISO 10300 rates.
 
     Args:
         sizing: As sized.
     """
-    Console().print(sizing_text(sizing))
-
-
-def print_factors(sizing: Sizing) -> None:
-    """Print every factor of every mesh that ISO 6336 or ISO 10300 rates.
-
-    Args:
-        sizing: As sized.
-    """
-    for each in factor_tables(sizing):
-        Console().print(table_text(each))
+    return Group(*map(table_text, factor_tables(sizing)))
 
 
 def sizing_json(sizing: Sizing) -> str:
@@ -97,11 +88,21 @@ def sizing_json(sizing: Sizing) -> str:
     )
 
 
-def summary(sizing: Sizing) -> str:
-    """Return mass, power density and worst margin in one or two sentences.
+def resonance_lines(campbell: Sequence[SpeedCase]) -> list[str]:
+    """Return a line for each set of speeds that runs in a resonance.
+
+    Args:
+        campbell: Critical speeds.
+    """
+    return [f"In resonance: {words}." for words in resonances(campbell)]
+
+
+def summary(sizing: Sizing, trace: Trace | None = None) -> str:
+    """Return mass, power density and the worst margin of all that is shown in one or two sentences.
 
     Args:
         sizing: As sized.
+        trace: A run that is shown with it.
     """
     parts = ", ".join(
         f"{what} {text(mass, 'mass')}"
@@ -115,7 +116,7 @@ def summary(sizing: Sizing) -> str:
     motors = f" Motors {text(sizing.motor_mass, 'mass')}." if sizing.motor_mass else ""
     return (
         f"{text(sizing.mass, 'mass')} ({parts}), {text(sizing.power_density, 'specific_power')},"
-        f" worst margin {sizing.worst_margin:.3f}.{bearings}{motors}"
+        f" worst margin {worst_margin(sizing, trace)}.{bearings}{motors}"
     )
 
 
@@ -129,15 +130,6 @@ def modes_text(modes: Modes, *, most: int = 30) -> RenderableType:
     return table_text(mode_table(modes, most=most))
 
 
-def print_modes(modes: Modes) -> None:
-    """Print the natural frequencies.
-
-    Args:
-        modes: As found.
-    """
-    Console().print(modes_text(modes))
-
-
 def modes_json(modes: Modes) -> str:
     """Return the natural frequencies as JSON.
 
@@ -147,30 +139,21 @@ def modes_json(modes: Modes) -> str:
     return json.dumps(as_json(mode_table(modes, most=len(modes.frequency))), indent=2, ensure_ascii=False)
 
 
-def trace_text(trace: Trace) -> RenderableType:
+def trace_text(trace: Trace, sizing: Sizing | None = None) -> RenderableType:
     """Return mean, least, greatest, rms and peak-to-peak of every line, and the energy book, for the terminal.
 
     Args:
         trace: As simulated.
+        sizing: That it is a run of: with it, peaks stand beside the rated loads.
     """
     head = Text(
         f"{trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
         f" estimated force error {trace.error:.1e}"
     )
     notes = [Text(note, style="yellow") for note in trace.notes]
-    return Group(head, *notes, Text(), *(table_text(each) for each in (*motion_tables(trace), energy_table(trace))))
-
-
-def print_trace(trace: Trace, sizing: Sizing | None = None) -> None:
-    """Print the summary of a run, and its peaks beside the rated loads where the sizing is known.
-
-    Args:
-        trace: As simulated.
-        sizing: That it is a run of.
-    """
-    Console().print(trace_text(trace))
-    if sizing is not None and trace.force.bins:
-        Console().print(table_text(dynamic_table(sizing, trace)))
+    beside = [dynamic_table(sizing, trace)] if sizing is not None and trace.force.bins else []
+    tables = (*motion_tables(trace), energy_table(trace), *beside)
+    return Group(head, *notes, Text(), *map(table_text, tables))
 
 
 def trace_json(trace: Trace) -> str:
@@ -190,64 +173,26 @@ def table_text(one: Table) -> RenderableType:
     Args:
         one: The table.
     """
-    shape = _Fitted(one)
+    grid = Grid(one.title, names=_names(one))
+    for k, column in enumerate(one.columns):
+        right = _is_number(one, k)
+        grid.add_column(_head(column), justify="right" if right else "left", no_wrap=right)
+    for row in one.rows:
+        grid.add_row(*map(_shown, row))
     legend = [f"{MARKS[mark][0]} {MARKS[mark][1]}" for mark in one.marks]
     below = " ".join([*([one.note] if one.note else []), *(f"{words}." for words in legend)])
-    return Group(shape, Text(f"{below}\n", style="dim")) if below else shape
+    return Group(grid, Text(f"{below}\n", style="dim")) if below else grid
 
 
-@dataclass(frozen=True)
-class _Fitted:
-    """A table that keeps every digit: columns without room stand in a block below, beside the rows' names again."""
-
-    one: Table
-
-    def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[RenderableType]:
-        for k, columns in enumerate(_blocks(self.one, options.max_width)):
-            yield _block(self.one, columns, title=f"{self.one.title}, continued" if k else self.one.title)
-
-
-def _blocks(one: Table, width: int) -> list[list[int]]:
-    """Return the columns of every block."""
-    least, names = [_least(one, k) + 1 for k in range(len(one.columns))], _names(one)
-    blocks = [list(names)]
-    for k in range(len(names), len(least)):
-        if sum(least[each] for each in (*blocks[-1], k)) > width - 2 and len(blocks[-1]) > len(names):
-            blocks.append(list(names))
-        blocks[-1].append(k)
-    return blocks
-
-
-def _names(one: Table) -> range:
-    """Return the columns that name a row: the first, or where it repeats itself all words before the first number."""
+def _names(one: Table) -> int:
+    """Return how many columns name a row: the first, or where it repeats itself all words before the first number."""
     if len({row[0].text for row in one.rows}) == len(one.rows):
-        return range(1)
-    return range(max(next((k for k in range(len(one.columns)) if _is_number(one, k)), 1), 1))
-
-
-def _least(one: Table, k: int) -> int:
-    """Return the least width of a column: that of its numbers, or of its words up to `_WORD`."""
-    head = max(map(len, _head(one.columns[k]).split()), default=0)
-    cells = (_shown(row[k]).plain for row in one.rows)
-    if _is_number(one, k):
-        return max(head, *map(len, cells))
-    words = (len(word) for cell in cells for word in cell.split())
-    return min(max([head, *words]), _WORD)
+        return 1
+    return max(next((k for k in range(len(one.columns)) if _is_number(one, k)), 1), 1)
 
 
 def _is_number(one: Table, k: int) -> bool:
     return any(row[k].is_number for row in one.rows)
-
-
-def _block(one: Table, columns: list[int], *, title: str) -> RichTable:
-    shape = RichTable(title=title, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD,
-                      pad_edge=False, padding=(0, 1, 0, 0))  # fmt: skip
-    for k in columns:
-        right = _is_number(one, k)
-        shape.add_column(_head(one.columns[k]), justify="right" if right else "left", no_wrap=right, overflow="fold")
-    for row in one.rows:
-        shape.add_row(*(_shown(row[k]) for k in columns))
-    return shape
 
 
 def _head(column: Column) -> str:

@@ -7,9 +7,9 @@ from itertools import groupby
 from typing import Any
 
 from rich.console import Group
-from rich.table import Table
 from rich.text import Text
 
+from gearwright.render.tables.grid import Grid
 from gearwright.replays.colibri.findings import Finding
 from gearwright.replays.colibri.replay import Outcome, Replay, Replayed
 from gearwright.replays.colibri.steps import Step
@@ -55,15 +55,15 @@ def replay_tables(numbers: Sequence[Replayed], found: Replay) -> Group:
     return Group(*tables, _reasons(numbers, found))
 
 
-def findings_table(found: Sequence[Finding]) -> Table:
+def findings_table(found: Sequence[Finding]) -> Grid:
     """Return for the terminal what of the design cannot be made or would not last.
 
     Args:
         found: Of `replay`.
     """
-    table = Table(title="Can it be made, and would it last?", title_justify="left")
+    table = Grid("Can it be made, and would it last?", spaced=True)
     for header in ("", "designed", "must be", "limit from"):
-        table.add_column(header, overflow="fold")
+        table.add_column(header)
     for one in found:
         table.add_row(*map(Text, finding_cells(one)), style="" if one.holds else "red")
     return table
@@ -172,8 +172,8 @@ def _finding_record(one: Finding) -> dict[str, Any]:
     return {**sides, "source": one.source, "holds": one.holds}
 
 
-def _table(part: str, rows: Sequence[Replayed]) -> Table:
-    table = Table(title=PARTS[part], title_justify="left")
+def _table(part: str, rows: Sequence[Replayed]) -> Grid:
+    table = Grid(PARTS[part])
     table.add_column("", no_wrap=True)
     table.add_column("unit")
     for header in ("printed", "computed", "difference"):
@@ -194,11 +194,11 @@ def _cells(one: Replayed) -> Iterator[str]:
     yield from (difference_text(one), " ".join((verdict, *reason_keys(one))), correct_text(one))
 
 
-def _reasons(numbers: Sequence[Replayed], found: Replay) -> Table:
+def _reasons(numbers: Sequence[Replayed], found: Replay) -> Grid:
     named = {key for one in numbers for key in reason_keys(one)}
-    table = Table(title="Reasons", title_justify="left", show_lines=True, show_header=False)
+    table = Grid("Reasons", show_header=False, spaced=True)
     table.add_column("")
-    table.add_column("", overflow="fold")
+    table.add_column("")
     for mistake in found.errata:
         if mistake.key in named:
             table.add_row(Text(mistake.key, style="red"), Text(f"{mistake.title}. {mistake.why}"))

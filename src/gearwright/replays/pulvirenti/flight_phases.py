@@ -66,7 +66,8 @@ def _rephased(window: DynamicWindow, spacing: Callable[[int], float]) -> Dynamic
             angle = sized(DESIGN).teeth[f"{stage}.sun"] * spacing(planetary.planets)
             system = _spaced(system, f"{stage}.{row}-", angle)
     outputs = Outputs(windows=((DURATION - END, DURATION),))
-    return replace(window, system=system, trace=simulate(system, DURATION, step=window.trace.step, outputs=outputs))
+    trace = simulate(system, DURATION, step=window.trace.step, outputs=outputs)
+    return replace(window, system=system, trace=trace.whole())
 
 
 def _spaced(system: System, family: str, angle: float) -> System:

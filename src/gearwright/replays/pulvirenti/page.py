@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from functools import cache
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from rich.table import Table
 from rich.text import Text
 
+from gearwright.render.tables.grid import Grid
 from gearwright.render.tables.tables import written
 from gearwright.replays.pulvirenti.claims import Claim, Verdict, claims
 from gearwright.replays.pulvirenti.errata import Erratum, errata
@@ -31,29 +31,29 @@ def thesis_markdown() -> str:
     return _rendered("thesis_page.md.j2")
 
 
-def claims_table(found: Sequence[Claim]) -> Table:
+def claims_table(found: Sequence[Claim]) -> Grid:
     """Return the claims for the terminal.
 
     Args:
         found: Of `claims`.
     """
-    table = Table(title="Claims of Pulvirenti 2023, and what its equations give once they are right", show_lines=True)
+    table = Grid("Claims of Pulvirenti 2023, and what its equations give once they are right", names=0, spaced=True)
     for header in ("printed", "computed", "verdict"):
-        table.add_column(header, overflow="fold")
+        table.add_column(header)
     for one in found:
         table.add_row(one.printed.printed, computed_text(one), Text(one.verdict.value, style=_STYLES[one.verdict]))
     return table
 
 
-def errata_table(found: Sequence[Erratum]) -> Table:
+def errata_table(found: Sequence[Erratum]) -> Grid:
     """Return the errata for the terminal.
 
     Args:
         found: Of `errata`.
     """
-    table = Table(title="Errata of Pulvirenti 2023", show_lines=True)
+    table = Grid("Errata of Pulvirenti 2023", spaced=True)
     for header in ("equation", "standing", "printed", "correct"):
-        table.add_column(header, overflow="fold")
+        table.add_column(header)
     for one in found:
         table.add_row(one.equation, one.standing, Text(one.printed), Text(one.correct))
     return table

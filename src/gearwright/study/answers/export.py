@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, install
 from gearwright.study.answers.table import Table
 from gearwright.writing import write_bytes
 
@@ -70,9 +70,7 @@ def refuse_export(path: Path) -> None:
     if not path.parent.is_dir():
         raise DesignError([Problem("--export", f"there is no folder {path.parent}; make it, or name another one")])
     if path.suffix == ".parquet" and find_spec("pyarrow") is None:
-        message = (
-            'Parquet needs pyarrow, which is not here; pip install "gearwright[parquet]", or end the name with .nc'
-        )
+        message = f"Parquet needs pyarrow, which is not here; {install('parquet')}, or end the name with .nc"
         raise DesignError([Problem("--export", message)])
 
 

@@ -60,7 +60,7 @@ def simulated_results(sizing: Sizing, asked: Simulated) -> dict[str, Named]:
         ``simulate.PAIR.factor``, the largest force of one of them over an equal share [-].
     """
     system = assemble(sizing, asked.case)
-    trace = simulate(system, asked.duration, outputs=Outputs(start=START * asked.duration))
+    trace = simulate(system, asked.duration, outputs=Outputs(start=START * asked.duration)).whole()
     force, results, factors = trace.force, dict[str, Named](), [1.0]
     for k, line in enumerate(force.names):
         kind = "torque" if trace.labels.line_units[k] == "rad" else "force"

@@ -17,7 +17,7 @@ from functools import lru_cache
 from itertools import islice
 from typing import Any
 
-from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.errors import DesignError, Problem, SolveError, install
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Row
 from gearwright.study.cases import Case, evaluate
@@ -89,7 +89,7 @@ def _client(address: str) -> Any:
     try:
         from distributed import Client
     except ImportError:
-        message = "Dask is not installed; install gearwright[cluster]"
+        message = f"Dask is not here; {install('cluster')}"
         raise DesignError([Problem("--cluster", message)]) from None
     try:
         return Client(address, timeout=PATIENCE)

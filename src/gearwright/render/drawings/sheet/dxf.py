@@ -94,7 +94,7 @@ def _ezdxf() -> ModuleType:
     try:
         import ezdxf
     except ModuleNotFoundError:
-        message = 'DXF needs the package ezdxf; install gearwright with its extra: pip install "gearwright[drawing]"'
+        message = "DXF needs the package ezdxf, which is not here; pip install ezdxf, or --format svg"
         raise DesignError([Problem("--format dxf", message)]) from None
     return ezdxf
 

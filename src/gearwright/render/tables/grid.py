@@ -1,0 +1,95 @@
+"""Tables on a terminal: no word is broken and no number cut, however narrow it is.
+
+Prose is folded between words; columns without room stand in a block below, beside the names of the rows again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rich.box import SIMPLE_HEAD
+from rich.cells import cell_len
+from rich.console import Console, ConsoleOptions, RenderableType, RenderResult
+from rich.table import Table
+from rich.text import Text
+
+PROSE = 20
+"""Width that a column of prose keeps while another column can go into a block below [characters]."""
+GAP = 2
+"""Between columns [characters]."""
+
+
+class Grid(Table):
+    """A table of words that fits what it is printed on."""
+
+    def __init__(self, title: str = "", *, caption: str = "", names: int = 1, show_header: bool = True,
+                 spaced: bool = False) -> None:  # fmt: skip
+        super().__init__(title=title, caption=caption, show_header=show_header, box=SIMPLE_HEAD, pad_edge=False,
+                         padding=(0, 1, 0, 0), show_lines=spaced)  # fmt: skip
+        self.names = names
+        """Leading columns that name a row: they stand in every block."""
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+        """Yield title, blocks and caption, each folded between words alone."""
+        for number, columns in enumerate(self._blocks(options.max_width)):
+            if self.title:
+                yield Text(f"{self.title}, continued" if number else f"{self.title}", style="bold", overflow="ignore")
+            widths = self._widths(columns, options.max_width)
+            yield from self._block(columns, widths).__rich_console__(console, options.update(width=_total(widths)))
+        if self.caption:
+            yield Text(str(self.caption), style="dim", overflow="ignore")
+
+    def _blocks(self, width: int) -> list[list[int]]:
+        """Return the columns of every block."""
+        least = [self._least(k) for k in range(len(self.columns))]
+        names = list(range(min(self.names, len(least))))
+        blocks = [names]
+        for k in range(len(names), len(least)):
+            if _total([least[each] for each in (*blocks[-1], k)]) > width and len(blocks[-1]) > len(names):
+                blocks.append([*names])
+            blocks[-1] = [*blocks[-1], k]
+        return blocks
+
+    def _widths(self, columns: Sequence[int], width: int) -> list[int]:
+        """Return the width of every column: as it likes, the widest ones cut to what is there, no word broken."""
+        widths, words = [self._natural(k) for k in columns], [self._longest_word(k) for k in columns]
+        for most in range(max(widths, default=0), 0, -1):
+            if _total(widths) <= width:
+                break
+            widths = [max(min(own, most), word) for own, word in zip(widths, words, strict=True)]
+        return widths
+
+    def _least(self, k: int) -> int:
+        return max(self._longest_word(k), min(self._natural(k), PROSE))
+
+    def _natural(self, k: int) -> int:
+        return max((cell_len(line) for text in self._texts(k) for line in text.split("\n")), default=0)
+
+    def _longest_word(self, k: int) -> int:
+        if self.columns[k].no_wrap:
+            return self._natural(k)
+        return max((cell_len(word) for text in self._texts(k) for word in text.split()), default=0)
+
+    def _texts(self, k: int) -> list[str]:
+        head = [self.columns[k].header] if self.show_header else []
+        return [str(cell) for cell in (*head, *self.columns[k].cells)]
+
+    def _block(self, columns: Sequence[int], widths: Sequence[int]) -> Table:
+        block = Table(box=self.box, show_header=self.show_header, pad_edge=self.pad_edge, padding=self.padding,
+                      show_lines=self.show_lines)  # fmt: skip
+        for k, width in zip(columns, widths, strict=True):
+            own = self.columns[k]
+            block.add_column(own.header, justify=own.justify, width=width, no_wrap=own.no_wrap, overflow="ignore")
+        cells = zip(*(self.columns[k].cells for k in columns), strict=True)
+        for row, texts in zip(self.rows, cells, strict=True):
+            block.add_row(*map(_plain, texts), style=row.style, end_section=row.end_section)
+        return block
+
+
+def _plain(cell: RenderableType) -> RenderableType:
+    """Return a cell in which brackets are brackets."""
+    return Text(cell) if isinstance(cell, str) else cell
+
+
+def _total(widths: Sequence[int]) -> int:
+    return sum(widths) + GAP * len(widths) + 1

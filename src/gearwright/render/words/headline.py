@@ -1,0 +1,66 @@
+"""What a page says first: the worst of all that it shows, peaks of a run and resonances included."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from gearwright.dynamics import Trace
+from gearwright.dynamics.vibration import CriticalSpeed, SpeedCase
+from gearwright.render.tables.dynamic_load import dynamic_loads
+from gearwright.sizing import Sizing
+
+ROUNDING = 1e-15
+"""Relative residual of an energy book below which nothing but rounding is left [-]."""
+
+
+def worst_margin(sizing: Sizing, trace: Trace | None = None) -> str:
+    """Return the least margin of all checks, or the one at the peaks of a run where that is less.
+
+    Args:
+        sizing: As sized.
+        trace: A run of it, if the page shows one.
+    """
+    rated = f"{sizing.worst_margin:.3f}"
+    loads = dynamic_loads(sizing, trace) if trace is not None else ()
+    if not loads:
+        return rated
+    first = loads[0]
+    peak = min(first.bending_margin, first.contact_margin)
+    if peak >= sizing.worst_margin:
+        return rated
+    kind = "bending" if peak == first.bending_margin else "contact"
+    return f"{peak:.3f} ({kind} of {first.mesh} at its simulated peak; {rated} at the rated loads)"
+
+
+def resonances(campbell: Sequence[SpeedCase]) -> tuple[str, ...]:
+    """Return one sentence for each set of speeds that runs in a resonance: the nearest one, and how many there are.
+
+    Args:
+        campbell: Critical speeds that the page shows.
+    """
+    return tuple(words for case in campbell if (words := _resonance(case)))
+
+
+def _resonance(case: SpeedCase) -> str:
+    near = [one for one in case.critical if one.excited and one.in_resonance]
+    if not near:
+        return ""
+    more = f", and {len(near) - 1} more" if len(near) > 1 else ""
+    return f"{_distance(near[0])} (case {case.cases}){more}"
+
+
+def _distance(one: CriticalSpeed) -> str:
+    side = "above" if one.margin > 0.0 else "below"
+    return f"{one.order} meets mode {one.mode} {abs(one.margin):.2%} {side} the operating speed"
+
+
+def energy_text(residual: float) -> str:
+    """Return how well an energy book closes.
+
+    Args:
+        residual: What does not add up, over what goes in [-].
+
+    >>> energy_text(0.0), energy_text(3.2e-7)
+    ('to rounding', 'within 3.2e-07')
+    """
+    return f"within {residual:.1e}" if abs(residual) > ROUNDING else "to rounding"
