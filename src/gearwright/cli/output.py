@@ -8,17 +8,19 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gearwright.cli.streams import clean, clean_json
+from gearwright.cli.streams import clean_json
 from gearwright.writing import write_bytes, write_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from rich.console import Console, RenderableType
+    from rich.console import RenderableType
+
+    from gearwright.cli.screen import Screen
 
 UNFOLDED = 100_000
 """Width of what is no terminal: no line is folded there [characters]."""
@@ -35,7 +37,7 @@ def show(*what: RenderableType) -> None:
     console = screen()
     with _named():
         for each in what:
-            console.print(each, crop=False, overflow="ignore")
+            console.print(each, crop=False)
 
 
 def show_json(text: str) -> None:
@@ -47,24 +49,15 @@ def show_json(text: str) -> None:
 def tell(words: str) -> None:
     """Print what is no result on standard error: what was written, what is wrong. A stream that is full loses it."""
     with suppress(OSError):
-        screen(error=True).print(words, crop=False, overflow="ignore")
+        screen(error=True).print(words, crop=False)
 
 
-def screen(*, error: bool = False) -> Console:
-    """Return the console of one of the streams: names are printed as they are, whatever is in them."""
-    from rich.console import Console, ConsoleOptions
-    from rich.segment import Segment
+def screen(*, error: bool = False) -> Screen:
+    """Return the console of one of the streams."""
+    from gearwright.cli.screen import Screen
 
-    class Screen(Console):
-        """A console on which brackets and colons mean themselves, and control characters are shown as codes."""
-
-        def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterable[Segment]:
-            for segment in super().render(renderable, options):
-                yield segment if segment.control else Segment(clean(segment.text), segment.style)
-
-    return Screen(
-        file=sys.stderr if error else sys.stdout, width=_width(error=error), markup=False, emoji=False, highlight=False
-    )
+    stream = sys.stderr if error else sys.stdout
+    return Screen(file=stream, width=_width(error=error), markup=False, emoji=False, highlight=False)
 
 
 def _width(*, error: bool) -> int:

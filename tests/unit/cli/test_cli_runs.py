@@ -100,7 +100,7 @@ def test_a_cluster_that_is_not_there_is_said(folder: Path) -> None:
     installed = importlib.util.find_spec("distributed") is not None
     found = CliRunner().invoke(app, ["study", str(folder / "study.toml"), "--cluster", "tcp://127.0.0.1:1"])
     assert isinstance(found.exception, DesignError)
-    assert ("no scheduler answers" if installed else "install gearwright[cluster]") in str(found.exception)
+    assert ("no scheduler answers" if installed else 'pip install ".[cluster]"') in str(found.exception)
 
 
 @pytest.mark.parametrize(("seconds", "words"), [(4.4, "4 s"), (75.0, "1 min 15 s"), (7380.0, "2 h 03 min")])

@@ -45,11 +45,19 @@ def test_every_process_writes_the_same_file(tmp_path):
         assert (tmp_path / "1" / name).read_bytes() == (tmp_path / "2" / name).read_bytes()
 
 
-def test_without_ezdxf_nothing_is_half_written(tmp_path, monkeypatch, capsys):
+def test_without_ezdxf_svg_is_written_and_one_line_says_what_is_not(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setitem(sys.modules, "ezdxf", None)
     code, text = run(monkeypatch, capsys, "off-set", "--what", "shaft-left")
-    assert code == 2 and "gearwright[drawing]" in text
+    assert code == 0 and text.count("DXF is not written") == 1 and "pip install ezdxf" in text
+    assert [path.name for path in (tmp_path / "off-set-drawings").iterdir()] == ["shaft-left.svg"]
+
+
+def test_without_ezdxf_dxf_alone_is_refused_and_leaves_nothing(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(sys.modules, "ezdxf", None)
+    code, text = run(monkeypatch, capsys, "off-set", "--what", "shaft-left", "--format", "dxf")
+    assert code == 2 and "pip install ezdxf" in text
     assert list(tmp_path.iterdir()) == []
 
 

@@ -33,11 +33,11 @@ class Grid(Table):
         """Yield title, blocks and caption, each folded between words alone."""
         for number, columns in enumerate(self._blocks(options.max_width)):
             if self.title:
-                yield Text(f"{self.title}, continued" if number else f"{self.title}", style="bold", overflow="ignore")
+                yield Text(f"{self.title}, continued" if number else f"{self.title}", style="bold")
             widths = self._widths(columns, options.max_width)
             yield from self._block(columns, widths).__rich_console__(console, options.update(width=_total(widths)))
         if self.caption:
-            yield Text(str(self.caption), style="dim", overflow="ignore")
+            yield Text(str(self.caption), style="dim")
 
     def _blocks(self, width: int) -> list[list[int]]:
         """Return the columns of every block."""
@@ -79,7 +79,7 @@ class Grid(Table):
                       show_lines=self.show_lines)  # fmt: skip
         for k, width in zip(columns, widths, strict=True):
             own = self.columns[k]
-            block.add_column(own.header, justify=own.justify, width=width, no_wrap=own.no_wrap, overflow="ignore")
+            block.add_column(own.header, justify=own.justify, width=width, no_wrap=own.no_wrap, overflow="fold")
         cells = zip(*(self.columns[k].cells for k in columns), strict=True)
         for row, texts in zip(self.rows, cells, strict=True):
             block.add_row(*map(_plain, texts), style=row.style, end_section=row.end_section)

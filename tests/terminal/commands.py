@@ -1,0 +1,82 @@
+"""Every command of the README's table with words that keep it short, and what it needs in its folder."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from designs import HYBRID, PAIR
+
+
+@dataclass(frozen=True)
+class Command:
+    """One command as a user would give it."""
+
+    line: str
+    """Without the word gearwright."""
+    narrow: bool = False
+    """Whether a narrow terminal shows fewer columns by intention."""
+    machine: bool = False
+    """Whether it prints JSON, which no terminal folds."""
+
+    @property
+    def words(self) -> list[str]:
+        """The arguments."""
+        return self.line.split()
+
+
+COMMANDS = (
+    Command("new"),
+    Command("new star --force"),
+    Command("check pair.toml"),
+    Command("size hybrid.toml"),
+    Command("size rated.toml --factors"),
+    Command("size pair.toml --json", machine=True),
+    Command("modes hybrid.toml"),
+    Command("simulate hybrid.toml --duration 0.001 --stiffness constant"),
+    Command("run pair.toml --duration 0.001 --stiffness constant"),
+    Command("report pair.toml"),
+    Command("draw pair.toml --what arrangement --format svg"),
+    Command("schema", machine=True),
+    Command("campbell pair.toml"),
+    Command("response hybrid.toml"),
+    Command("runup pair.toml --speeds 2"),
+    Command("sharing face-gear-split-torque"),
+    Command("fly"),
+    Command("fly in-line-h2"),
+    Command("window in-line-h2"),
+    Command("compare in-line star"),
+    Command("study"),
+    Command("study small.toml --workers 0"),
+    Command("status journal"),
+    Command("resume journal --workers 0"),
+    Command("cluster"),
+    Command("mass --power-kw 2051 --engine-rpm 20204 --propeller-rpm 1212", narrow=True),
+    Command("engines --series PW100", narrow=True),
+    Command("validate Timoshenko"),
+    Command("thesis --errata"),
+    Command("colibri --part shaft-1"),
+)
+RATED = PAIR + '\n[gears]\nrating = "iso6336"\n'
+STUDY = """\
+schema = 1
+name = "fills of a carrier, and what they weigh"
+designs = ["hybrid.toml"]
+results = ["mass"]
+[axes]
+"carriers.fill" = {from = 0.4, to = 0.8}
+[sampling]
+method = "sobol"
+count = 4
+[objectives]
+mass = "least"
+"""
+FILES = {"pair.toml": PAIR, "hybrid.toml": HYBRID, "rated.toml": RATED, "small.toml": STUDY}
+JOURNAL = ["study", "small.toml", "--workers", "0", "--journal", "journal"]
+"""What makes the journal of `status` and `resume`."""
+
+
+def furnish(folder: Path) -> None:
+    """Write the files that the commands read."""
+    for name, text in FILES.items():
+        (folder / name).write_text(text, encoding="utf-8")
