@@ -54,6 +54,7 @@ def test_concrete_classes_do_not_inherit_from_each_other():
         "IntEnum",
         "Enum",
         "Protocol",
+        "Console",  # of rich, which is extended in this way alone
     }
     for path in SOURCES:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):

@@ -61,10 +61,10 @@ def screen(*, error: bool = False) -> Screen:
 
 
 def _width(*, error: bool) -> int:
-    """Return the width to fold to: of COLUMNS, else of the terminal, else none."""
+    """Return the width to fold to: of COLUMNS for results, else of the terminal, else none."""
     stream = sys.stderr if error else sys.stdout
     asked = os.environ.get("COLUMNS", "")
-    if asked.isdigit() and int(asked):
+    if asked.isdigit() and int(asked) and not error:
         return int(asked)
     if not stream.isatty():
         return UNFOLDED

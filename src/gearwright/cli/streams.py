@@ -7,12 +7,11 @@ question mark. A control character, which could move the cursor or recolour the 
 from __future__ import annotations
 
 import codecs
+import io
 import os
 import re
 import sys
 import unicodedata
-from pathlib import Path
-from typing import TextIO
 
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
 """Characters that steer a terminal or turn the direction of writing; not the tab and the line feed."""
@@ -70,8 +69,8 @@ def steady_streams() -> None:
     """Let both streams take every letter, and be there: a process may start without them."""
     codecs.register_error(_NEAREST, _nearest)
     # Closed at the start they are None; what is printed then goes nowhere, as with any other tool.
-    sys.stdout = sys.stdout or _nowhere()
-    sys.stderr = sys.stderr or _nowhere()
+    sys.stdout = sys.stdout or io.StringIO()
+    sys.stderr = sys.stderr or io.StringIO()
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors=_NEAREST)
@@ -85,7 +84,3 @@ def flushed() -> OSError | None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return error
     return None
-
-
-def _nowhere() -> TextIO:
-    return Path(os.devnull).open("w", encoding="utf-8")
