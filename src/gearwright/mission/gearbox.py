@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.parts.losses import (
+    OIL_DENSITY,
     ToothContact,
     bearing_torque_constant,
     churning_power,
@@ -26,8 +27,6 @@ from gearwright.spec import GROUND, Design, Drive
 from gearwright.train import INTERNAL, PowerFlow, Turning, power_flow
 
 Array = NDArray[np.float64]
-OIL_DENSITY = 950.0
-"""Of a turbine oil at 80 to 100 °C [kg/m³]."""
 _CASE = "mission"
 
 

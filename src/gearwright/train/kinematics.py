@@ -13,10 +13,9 @@ from gearwright.errors import DesignError, Problem
 from gearwright.spec import GROUND
 from gearwright.train.graph import Joint, Train
 from gearwright.train.memory import remembered
+from gearwright.train.null_space import RANK_TOLERANCE, null_space
 
 Array = NDArray[np.float64]
-RANK_TOLERANCE = 1e-9
-"""Singular values below this part of the largest count as zero; rows are scaled to unit length first."""
 
 
 @dataclass(frozen=True)
@@ -112,17 +111,7 @@ def _amounts(motions: list[list[float]], speeds: list[float]) -> Array:
 @remembered
 def _motions(matrix: Array) -> Array:
     """Return an orthonormal basis (nodes, freedoms) of the motions that the rows allow."""
-    return _null_space(matrix / np.maximum(np.linalg.norm(matrix, axis=1, keepdims=True), 1e-300))
-
-
-def _null_space(matrix: Array) -> Array:
-    """Return an orthonormal basis (columns, dimensions) of what the rows take to zero."""
-    if not len(matrix):
-        return np.eye(matrix.shape[1])
-    _, values, right = np.linalg.svd(matrix)
-    rank = int(np.sum(values > RANK_TOLERANCE * values[0]))
-    basis: Array = right[rank:].T
-    return basis
+    return null_space(matrix / np.maximum(np.linalg.norm(matrix, axis=1, keepdims=True), 1e-300))
 
 
 def _locked(train: Train, matrix: Array, machine: str) -> DesignError:
@@ -133,7 +122,7 @@ def _locked(train: Train, matrix: Array, machine: str) -> DesignError:
     guilty = [
         names[k]
         for k in range(len(matrix))
-        if np.linalg.norm(_null_space(np.delete(matrix, k, axis=0))[node]) > RANK_TOLERANCE
+        if np.linalg.norm(null_space(np.delete(matrix, k, axis=0))[node]) > RANK_TOLERANCE
     ]
     loop = f" Their teeth contradict each other around: {', '.join(guilty)}." if guilty else ""
     message = f"{machine} cannot turn it: the train locks it.{loop} Free a member, or give teeth that agree"
@@ -142,7 +131,7 @@ def _locked(train: Train, matrix: Array, machine: str) -> DesignError:
 
 def _free(train: Train, free: Array, motions: Array, given: int) -> DesignError:
     """Name the shafts whose speed nothing determines."""
-    remaining = free @ _null_space(motions) if len(motions) else free
+    remaining = free @ null_space(motions) if len(motions) else free
     loose = [name for name, motion in zip(train.nodes, remaining, strict=True) if np.linalg.norm(motion) > 1e-6]
     shafts = [name for name in loose if "." not in name]
     message = (

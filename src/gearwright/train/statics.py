@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.train.memory import remembered
+from gearwright.train.null_space import null_space
 
 Array = NDArray[np.float64]
 BALANCE_TOLERANCE = 1e-9
@@ -97,7 +98,7 @@ def _prepared(system: Array) -> tuple[Array, Array, Array, Array]:
     largest = values.max(initial=0.0)
     inverse = (right.T / np.where(values > 1e-12 * largest, values, np.inf)) @ left.T
     determined = len(values) == system.shape[1] and bool(np.all(values > 1e-10 * largest))
-    return scaled, scale, inverse, np.zeros((system.shape[1], 0)) if determined else _null_space(system)
+    return scaled, scale, inverse, np.zeros((system.shape[1], 0)) if determined else null_space(system)
 
 
 def _inverse(matrix: Array) -> Array | None:
@@ -120,7 +121,7 @@ def _share(solution: Array, free: Array, sharing: Sequence[Sharing]) -> Array:
         left = np.array(equations)
         move, *_ = np.linalg.lstsq(left @ free, -left @ solution, rcond=None)
         solution = np.asarray(solution + free @ move, dtype=np.float64)
-        free = free @ _null_space(left @ free)
+        free = free @ null_space(left @ free)
     return solution
 
 
@@ -132,13 +133,6 @@ def _equal(group: Sharing, size: int) -> list[Array]:
         equation[group.rows[0]], equation[row] = share, -group.share[0]
         equations.append(equation)
     return equations
-
-
-def _null_space(matrix: Array) -> Array:
-    _, values, right = np.linalg.svd(matrix)
-    rank = int(np.sum(values > 1e-10 * max(values[0], 1e-300))) if len(values) else 0
-    basis: Array = right[rank:].T
-    return basis
 
 
 def lossy(matrix: Array, driving: Array, driven: Array, efficiency: Array) -> Array:

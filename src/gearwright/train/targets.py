@@ -17,6 +17,7 @@ from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of, members_of, willis_ratio, willis_speed
 from gearwright.train.kinematics import Array
 from gearwright.train.memory import remembered
+from gearwright.train.null_space import null_space
 from gearwright.train.turning import asked_speeds
 
 # Weights of what holds first, in log speeds: the kept speed, given teeth and ratios, other machines, equal ratios.
@@ -174,9 +175,8 @@ def _require_connected(matrix: Array, design: Design) -> None:
 @remembered
 def _undetermined(matrix: Array) -> Array:
     """Return how far each unknown may move without any equation noticing, of a motion of unit length."""
-    _, values, right = np.linalg.svd(matrix / np.maximum(np.abs(matrix).max(axis=1, keepdims=True), 1e-300))
-    rank = int(np.sum(values > 1e-10 * values[0]))
-    return np.asarray(np.abs(right[rank:]).max(axis=0, initial=0.0))
+    free = null_space(matrix / np.maximum(np.abs(matrix).max(axis=1, keepdims=True), 1e-300))
+    return np.asarray(np.abs(free).max(axis=1, initial=0.0))
 
 
 def _differential(name: str, stage: Planetary, speeds: Mapping[str, float]) -> float:

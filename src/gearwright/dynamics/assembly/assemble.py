@@ -248,7 +248,7 @@ def _add_driving(assembly: _Assembly, driving: Driving) -> None:
         if joint.name in driving.capacities:
             first, second, stiffness = _across(assembly, joint)
             mobility = sum(1.0 / assembly.inertias[name][0] for name in (first, second))
-            damping = 2.0 * sizing.design.dynamics.shaft_damping * math.sqrt(stiffness / mobility)
+            damping = DampingRatio(sizing.design.dynamics.shaft_damping).damper(stiffness, mobility)
             capacity = driving.capacities[joint.name]
             model.drive(ClutchDrive(joint.name, first, second, stiffness, damping, capacity, joint.overrunning))
 

@@ -25,6 +25,7 @@ from gearwright.dynamics.model import (
     shift_weights,
 )
 from gearwright.errors import DesignError, Problem, near
+from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.parts.planetary import even_positions
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.spec import GROUND, Pair, Planetary
@@ -80,7 +81,7 @@ def base_radii(sizing: Sizing, mesh: Mesh) -> tuple[float, float, float]:
     Source: ISO 21771:2007, r_b = d/2 cos α_t with tan α_t = tan α_n / cos β.
     """
     normal, gear = sizing.design.rules(mesh.stage).pressure_angle, _gear(sizing, mesh.gears[0])
-    angle = math.atan(math.tan(normal) / math.cos(gear.helix_angle))
+    angle = transverse_pressure_angle(normal, gear.helix_angle)
     one, other = (_gear(sizing, name).pitch_diameter / 2.0 * math.cos(angle) for name in mesh.gears)
     return one, other, angle
 
@@ -223,7 +224,7 @@ def _damper(line: Line, inertia: Mapping[str, float]) -> float:
     if not isinstance(line.damping, DampingRatio):
         return line.damping
     mobility = sum(weight**2 / inertia[name] for name, weight in line.weights.items())
-    return 2.0 * line.damping.value * math.sqrt(line.stiffness / mobility)
+    return line.damping.damper(line.stiffness, mobility)
 
 
 def add_errors(model: Model, contacts: tuple[Contact, ...], parts: Mapping[str, PartErrors]) -> None:

@@ -9,9 +9,8 @@ import numpy as np
 from scipy import linalg
 
 from gearwright.dynamics.model import Arrays, Floats, Labels, System, line_matrix
+from gearwright.train.null_space import row_and_null_space
 
-RANK_TOLERANCE = 1e-10
-"""Singular value of the lines' directions, over the largest, below which a motion stretches no line [-]."""
 REPEATED = 1e-6
 """Relative distance under which two natural frequencies count as one [-]."""
 
@@ -58,9 +57,8 @@ def split_rigid(arrays: Arrays) -> tuple[Floats, Floats]:
     root = np.sqrt(arrays.mass)
     direction = line_matrix(arrays) / root
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)
-    _, singular, basis = np.linalg.svd(direction)
-    rank = int(np.count_nonzero(singular > RANK_TOLERANCE * np.max(singular, initial=1e-300)))
-    return basis[rank:].T / root[:, None], basis[:rank].T / root[:, None]
+    elastic, rigid = row_and_null_space(direction)
+    return rigid / root[:, None], elastic / root[:, None]
 
 
 def stiffness_matrix(arrays: Arrays, stiffness: Floats) -> Floats:

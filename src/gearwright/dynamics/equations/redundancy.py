@@ -18,9 +18,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.dynamics.equations.instants import errors_at, stiffness_at
-from gearwright.dynamics.equations.modes import RANK_TOLERANCE, split_rigid, stiffness_matrix
+from gearwright.dynamics.equations.modes import split_rigid, stiffness_matrix
 from gearwright.dynamics.model import Floats, Labels, System, line_matrix
 from gearwright.errors import SolveError
+from gearwright.train.null_space import RANK_TOLERANCE, null_space
 
 SETTLED = 1e-10
 """Change of a mesh force in a round, over the largest force, at which contact has settled [-]."""
@@ -76,9 +77,7 @@ def redundancy(system: System, *, stiffness: Floats | None = None) -> Redundancy
 def _states(matrix: Floats) -> Floats:
     """Return a basis of the forces that balance on every coordinate, Dᵀ s = 0."""
     length = np.linalg.norm(matrix, axis=1, keepdims=True)
-    left, singular, _ = np.linalg.svd(matrix / length)
-    rank = int(np.count_nonzero(singular > RANK_TOLERANCE * singular[0]))
-    return np.asarray(left[:, rank:] / length)
+    return null_space((matrix / length).T) / length
 
 
 def line_forces(train: Redundancy, errors: Floats) -> Floats:

@@ -81,7 +81,7 @@ def _damping(line: Line, mass: Floats, index: Mapping[str, int]) -> float:
     if not isinstance(line.damping, DampingRatio):
         return float(line.damping)
     mobility = sum(weight**2 / mass[index[name]] for name, weight in line.weights.items())
-    return float(2.0 * line.damping.value * np.sqrt(line.stiffness / mobility))
+    return line.damping.damper(line.stiffness, float(mobility))
 
 
 def _speeds(model: Written, index: Mapping[str, int]) -> Floats:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
@@ -19,6 +20,15 @@ class DampingRatio:
 
     value: float
     """ζ [-]."""
+
+    def damper(self, stiffness: float, mobility: float) -> float:
+        """Return c [N s/m or N m s/rad].
+
+        Args:
+            stiffness: k [N/m or N m/rad].
+            mobility: 1/m_eff = d·M⁻¹d [1/kg or 1/(kg m²)].
+        """
+        return 2.0 * self.value * math.sqrt(stiffness / mobility)
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from gearwright.parts.bevel.geometry import BevelPair
+from gearwright.parts.gears import transverse_pressure_angle
 
 EFFECTIVE_WIDTH = 0.85
 """Part of the face that bears under load, b_2,eff/b [-] (ISO 10300-1:2023, annex A.2.4)."""
@@ -46,7 +47,7 @@ class VirtualPair:
     @cached_property
     def transverse_angle(self) -> float:
         """α_vet [rad] (eq. A.10)."""
-        return math.atan(math.tan(self.bevel.pressure_angle) / math.cos(self.bevel.spiral_angle))
+        return transverse_pressure_angle(self.bevel.pressure_angle, self.bevel.spiral_angle)
 
     @cached_property
     def base_helix_angle(self) -> float:

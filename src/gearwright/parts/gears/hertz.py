@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.parts.gears.involute import base_helix_angle, transverse_pressure_angle
+
 Array = NDArray[np.float64]
 Numbers = float | NDArray[Any]
 """One number or many; plain numbers are computed as they are, which is quicker."""
@@ -55,8 +57,8 @@ def contact_angles(pressure_angle: float, helix_angle: float, *, transverse: boo
     if not transverse:
         return ContactAngles(pressure_angle, helix_angle)
     return ContactAngles(
-        math.atan(math.tan(pressure_angle) / math.cos(helix_angle)),
-        math.asin(math.sin(helix_angle) * math.cos(pressure_angle)),
+        transverse_pressure_angle(pressure_angle, helix_angle),
+        base_helix_angle(pressure_angle, helix_angle),
     )
 
 

@@ -13,10 +13,18 @@ from gearwright.parts.losses.mesh import (
     tooth_contact,
     tooth_loss_factor,
 )
-from gearwright.parts.losses.oil import churning_power, cooler_conductance, oil_flow, oil_viscosity, windage_power
+from gearwright.parts.losses.oil import (
+    OIL_DENSITY,
+    churning_power,
+    cooler_conductance,
+    oil_flow,
+    oil_viscosity,
+    windage_power,
+)
 
 __all__ = [
     "HIGHEST_FRICTION",
+    "OIL_DENSITY",
     "ToothContact",
     "bearing_torque_constant",
     "bearing_torque_palmgren",

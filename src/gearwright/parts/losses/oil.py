@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+OIL_DENSITY = 950.0
+"""Of a turbine oil [kg/m³]."""
 _ARRANGEMENT = 0.2
 """A_g of ISO/TR 14179-1 [-]."""
 _LEAST_HELIX = math.radians(10.0)

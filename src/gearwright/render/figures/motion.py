@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, NullLocator
 
-from gearwright.dynamics import Modes, Samples, Trace
+from gearwright.dynamics import Labels, Modes, Samples, Trace
 from gearwright.dynamics.model import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.render.style import theme
@@ -68,10 +68,15 @@ def time_figure(trace: Trace) -> Figure:
     return figure
 
 
-def _families(samples: Samples, unit: str) -> dict[str, list[str]]:
-    """Return the lines of one unit by what they are, the planets of a set together."""
+def families(labels: Labels, unit: str) -> dict[str, list[str]]:
+    """Return the lines of one unit by what they are, the planets of a set together.
+
+    Args:
+        labels: Of a trace or its samples.
+        unit: ``"m"`` for forces, ``"rad"`` for torques.
+    """
     found: dict[str, list[str]] = {}
-    for name, own in zip(samples.labels.lines, samples.labels.line_units, strict=True):
+    for name, own in zip(labels.lines, labels.line_units, strict=True):
         if own == unit:
             found.setdefault(re.sub(r"-\d+(?=-|$)", "", name), []).append(name)
     return found
@@ -82,7 +87,7 @@ def _several(family: str, names: list[str]) -> str:
 
 
 def _draw_lines(axes: Axes, samples: Samples, unit: str, most: int) -> None:
-    for place, (family, names) in enumerate(_families(samples, unit).items()):
+    for place, (family, names) in enumerate(families(samples.labels, unit).items()):
         colour = theme.CYCLE[place % len(theme.CYCLE)]
         forces = np.array([samples.force(name)[-most:] for name in names]).T
         curves = axes.plot(
@@ -149,7 +154,7 @@ def spectrum(time: Floats, values: Floats) -> tuple[Floats, Floats]:
 
 def _draw_spectra(axes: Axes, samples: Samples, unit: str) -> None:
     largest = 0.0
-    for family, names in _families(samples, unit).items():
+    for family, names in families(samples.labels, unit).items():
         frequency, amplitude = spectrum(samples.time, samples.force(names[0]))
         axes.semilogy(frequency[1:] / 1e3, amplitude[1:], label=family, lw=0.8)
         largest = max(largest, float(np.max(amplitude[1:], initial=0.0)))

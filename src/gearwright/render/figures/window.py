@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -13,6 +10,7 @@ from gearwright.dynamics import Trace
 from gearwright.dynamics.model import Floats
 from gearwright.dynamics.motion import Samples
 from gearwright.mission.windows import DynamicWindow
+from gearwright.render.figures.motion import families
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.units import shown
@@ -71,25 +69,11 @@ def _pitches(axes: Axes, window: DynamicWindow) -> None:
     axes.legend([*axes.lines, *other.lines], ["pitch", "torque"], loc="best", fontsize=6.5)
 
 
-def families(trace: Trace, unit: str) -> Mapping[str, list[str]]:
-    """Return the lines of one unit by what they are, the planets of a set together.
-
-    Args:
-        trace: With its labels.
-        unit: ``"m"`` for forces, ``"rad"`` for torques.
-    """
-    found: dict[str, list[str]] = {}
-    for name, own in zip(trace.labels.lines, trace.labels.line_units, strict=True):
-        if own == unit:
-            found.setdefault(re.sub(r"-\d+$", "", name), []).append(name)
-    return found
-
-
 def _bands(axes: Axes, trace: Trace, unit: str) -> None:
     """Draw means with bands from least to greatest of every time bin."""
     edges = trace.force.edges
     middle = 0.5 * (edges[1:] + edges[:-1])
-    for place, (family, names) in enumerate(families(trace, unit).items()):
+    for place, (family, names) in enumerate(families(trace.labels, unit).items()):
         colour = theme.CYCLE[place % len(theme.CYCLE)]
         own = [trace.force.of(name) for name in names]
         least, most = np.min([each["least"] for each in own], 0), np.max([each["most"] for each in own], 0)
@@ -103,7 +87,7 @@ def _bands(axes: Axes, trace: Trace, unit: str) -> None:
 def _close(axes: Axes, trace: Trace, unit: str) -> None:
     """Draw the end of the window, every step: the first line of each family, torques over their mean."""
     samples = trace.windows[-1]
-    for place, names in enumerate(families(trace, unit).values()):
+    for place, names in enumerate(families(trace.labels, unit).values()):
         force = samples.force(names[0])
         values = force - np.mean(force) if unit == "rad" else force / 1e3
         axes.plot(1e3 * (samples.time - samples.time[0]), values, color=theme.CYCLE[place % len(theme.CYCLE)], lw=0.8)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 from typing import Annotated
 
 from gearwright.dynamics import Trace
+from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.render.tables.tables import Table, table
 from gearwright.sizing import MeshSizing, Sizing
 from gearwright.units import Origin, Quantity
@@ -68,7 +69,7 @@ def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:
     together = mesh.count if lines == [mesh.name] else 1
     gear = next(gear for gear in sizing.gears if gear.name == mesh.gears[0])
     normal = sizing.design.rules(gear.stage).pressure_angle
-    transverse = math.atan(math.tan(normal) / math.cos(gear.helix_angle))
+    transverse = transverse_pressure_angle(normal, gear.helix_angle)
     found = [trace.force.of(name) for name in lines]
     peak = max(max(abs(float(each["most"].max())), abs(float(each["least"].min()))) for each in found)
     mean = max(abs(float(each["mean"].mean())) for each in found)

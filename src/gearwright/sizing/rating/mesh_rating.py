@@ -20,7 +20,7 @@ from gearwright.parts.iso6336 import (
     rate_mesh,
     spectrum_damage,
 )
-from gearwright.parts.losses import oil_viscosity
+from gearwright.parts.losses import OIL_DENSITY, oil_viscosity
 from gearwright.parts.scuffing import SPRAY, IntegralTemperature, Oil, ScuffingMesh, integral_temperature
 from gearwright.sizing.rating.context import Context, ask_of, worst_case
 from gearwright.sizing.rating.rules import Ask, Rating
@@ -39,8 +39,6 @@ from gearwright.units import CELSIUS
 
 _RZ_OVER_RA = 6.0
 """R_z over R_a of ground flanks [-] (ISO 6336-2:2019, clause 12)."""
-_OIL_DENSITY = 950.0
-"""Of a turbine oil [kg/m³]."""
 _SQUARE_MM = 1e-6
 _LEAST_TORQUE = 1e-9
 """Below it a case does no damage [N m]."""
@@ -273,4 +271,4 @@ def _oil(rules: Iso6336Rules) -> Oil:
     """The design's oil; its viscosity falls with temperature as that of a turbine oil does."""
     at_40 = rules.oil_viscosity * _SQUARE_MM
     hot = at_40 * oil_viscosity(rules.oil_temperature + CELSIUS) / oil_viscosity(40.0 + CELSIUS)
-    return Oil(rules.oil_temperature, hot * _OIL_DENSITY, float(rules.scuffing_stage), supply=SPRAY, viscosity_40=at_40)
+    return Oil(rules.oil_temperature, hot * OIL_DENSITY, float(rules.scuffing_stage), supply=SPRAY, viscosity_40=at_40)

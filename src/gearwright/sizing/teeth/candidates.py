@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.parts.planetary import assembles, neighbours_clear
 from gearwright.sizing.rating import Rating, fewest_virtual_teeth
 from gearwright.sizing.teeth.front import Floats, Front, Integers, Task
@@ -138,7 +139,7 @@ def fewest_teeth(rating: Rating) -> int:
     if rating.kind == "bevel":
         return LEAST_BEVEL
     angle, rules = rating.helix_angle, rating.rules
-    transverse = math.atan(math.tan(rules.pressure_angle) / math.cos(angle))
+    transverse = transverse_pressure_angle(rules.pressure_angle, angle)
     return max(math.ceil(2.0 * math.cos(angle) * (1.0 - rules.profile_shift) / math.sin(transverse) ** 2), LEAST_LEWIS)
 
 
