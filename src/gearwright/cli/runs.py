@@ -31,6 +31,10 @@ WorkersOption = Annotated[
     int | None, typer.Option(help="Processes that compute; 0: none beside this one; left out: as many as cores", min=0)
 ]
 ClusterOption = Annotated[str | None, typer.Option(help="Address of a Dask scheduler, such as tcp://10.0.0.1:8786")]
+TlsOption = Annotated[
+    tuple[Path, Path, Path] | None,
+    typer.Option(help="Encrypt and authenticate: files of authority, certificate and key (PEM)", metavar="CA CERT KEY"),
+]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table")]
 CsvOption = Annotated[Path | None, typer.Option(help="Write the table as CSV")]
 ExportOption = Annotated[Path | None, typer.Option(help="Write the table for other programs (.nc or .parquet)")]
@@ -42,7 +46,7 @@ SMALL = 200
 
 
 def run_shown(
-    study: Study, designs: Mapping[str, Design], *, journal: Path | None, workers: int | None, cluster: str | None,
+    study: Study, designs: Mapping[str, Design], *, journal: Path | None, workers: int | None, start: Start,
     origin: str,
 ) -> Table:  # fmt: skip
     """Run a study and show its progress on a terminal."""
@@ -52,7 +56,7 @@ def run_shown(
     count = _workers(workers, case_count(study))
     with _stopped_cleanly(journal), _watched() as watch:
         return run_study(
-            study, designs, workers=count, journal=journal, origin=origin, watch=watch, start=_start(cluster)
+            study, designs, workers=count, journal=journal, origin=origin, watch=watch, start=start
         )  # fmt: skip
 
 
@@ -103,6 +107,7 @@ def resume(
     journal: JournalArgument,
     workers: WorkersOption = None,
     cluster: ClusterOption = None,
+    tls: TlsOption = None,
     anyway: Annotated[
         bool, typer.Option("--anyway", help="Go on although designs or gearwright have changed since")
     ] = False,
@@ -122,7 +127,7 @@ def resume(
         _refuse_changed_mission(journal, known.study, Path(known.origin))
     count = _workers(workers, known.total)
     with _stopped_cleanly(journal), _watched() as watch:
-        table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, start=_start(cluster))
+        table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, start=start_of(cluster, tls))
     show_table(table, known.study, csv=csv, json=json)
     write_files(known.study, table, known.designs, export=export, report=report)
 
@@ -130,11 +135,12 @@ def resume(
 def cluster(
     host: Annotated[str, typer.Option(help="Name or address of the machine of the scheduler")] = "127.0.0.1",
     processes: Annotated[int, typer.Option(help="Workers on one machine: its cores", min=1)] = os.cpu_count() or 1,
+    tls: TlsOption = None,
 ) -> None:
     """Print the commands that start a Dask cluster for studies; each machine needs the extra `cluster`."""
     from gearwright.study.running import commands
 
-    scheduler, workers, start = commands(host, processes)
+    scheduler, workers, start = commands(host, processes, tls)
     show(f"once:              {scheduler}\non every machine:  {workers}\nthen:              {start}")
 
 
@@ -217,12 +223,12 @@ def _workers(asked: int | None, cases: int) -> int:
     return 0 if cases <= SMALL else os.cpu_count() or 1
 
 
-def _start(cluster: str | None) -> Start:
+def start_of(cluster: str | None, tls: tuple[Path, Path, Path] | None) -> Start:
     """Return what holds workers: processes here, or a cluster."""
     if cluster is not None:
         from gearwright.study.running import Cluster
 
-        return Cluster(cluster)
+        return Cluster(cluster, tls)
     from gearwright.study.running import local
 
     return local

@@ -19,10 +19,12 @@ from gearwright.cli.runs import (
     ExportOption,
     JsonOption,
     StudyReportOption,
+    TlsOption,
     WorkersOption,
     refuse_files,
     run_shown,
     show_table,
+    start_of,
     write_files,
 )
 from gearwright.writing import write_text
@@ -46,6 +48,7 @@ def study(
     journal: JournalOption = None,
     workers: WorkersOption = None,
     cluster: ClusterOption = None,
+    tls: TlsOption = None,
     csv: CsvOption = None,
     export: ExportOption = None,
     figure: FigureOption = None,
@@ -65,7 +68,9 @@ def study(
     read = read.model_copy(update={"changes": {**read.changes, **_changes(changes)}})
     designs = {each: design_of(each, path.parent) for each in read.designs}
     refuse_files(csv, export, figure, report)
-    table = run_shown(read, designs, journal=journal, workers=workers, cluster=cluster, origin=str(path.parent))
+    table = run_shown(
+        read, designs, journal=journal, workers=workers, start=start_of(cluster, tls), origin=str(path.parent)
+    )
     show_table(table, read, csv=csv, json=json)
     if figure is not None:
         _draw(read, table, figure)

@@ -89,11 +89,35 @@ def test_a_design_file_that_changed_is_noticed_by_resume(folder: Path) -> None:
     call("resume", folder / "j", "--workers", 0, "--anyway")
 
 
-def test_cluster_prints_commands_that_name_the_host() -> None:
-    said = call("cluster", "--host", "node1", "--processes", 4)
-    assert "dask scheduler --host node1" in said
-    assert "dask worker tcp://node1:8786 --nworkers 4 --nthreads 1" in said
-    assert "--cluster tcp://node1:8786" in said
+def test_cluster_prints_commands_that_only_this_machine_reaches() -> None:
+    said = call("cluster", "--processes", 4)
+    assert "dask scheduler --host 127.0.0.1 --no-dashboard --dashboard-address 127.0.0.1:0\n" in said
+    assert "dask worker tcp://127.0.0.1:8786 --nworkers 4 --nthreads 1 --host 127.0.0.1 " in said
+    assert "--cluster tcp://127.0.0.1:8786" in said
+
+
+def test_a_cluster_that_others_reach_needs_certificates() -> None:
+    found = CliRunner().invoke(app, ["cluster", "--host", "node1"])
+    assert isinstance(found.exception, DesignError)
+    assert "whoever reaches a scheduler at node1 runs code" in str(found.exception)
+    said = call("cluster", "--host", "node1", "--processes", 4, "--tls", "ca.pem", "own cert.pem", "own.key")
+    files = "--tls-ca-file ca.pem --tls-cert 'own cert.pem' --tls-key own.key"
+    assert f"dask scheduler --host node1 --no-dashboard --dashboard-address 127.0.0.1:0 {files}\n" in said
+    assert "dask worker tls://node1:8786 --nworkers 4 --nthreads 1 --no-dashboard" in said and said.count(files) == 2
+    assert "--cluster tls://node1:8786 --tls ca.pem 'own cert.pem' own.key" in said
+
+
+@pytest.mark.extra("distributed")
+def test_files_of_certificates_must_be_there_and_belong_to_the_address(folder: Path) -> None:
+    files = ("none.pem", "none.pem", "none.key")
+    for address in ("tls://127.0.0.1:1", "tcp://127.0.0.1:1"):
+        found = CliRunner().invoke(
+            app,
+            ["study", str(folder / "study.toml"), "--cluster", address, "--tls", *files],
+        )
+        assert isinstance(found.exception, DesignError)
+        assert "there is no file none.key" in str(found.exception)
+        assert ("goes with --tls" in str(found.exception)) == address.startswith("tcp")
 
 
 def test_a_cluster_that_is_not_there_is_said(folder: Path) -> None:

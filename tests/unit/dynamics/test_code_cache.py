@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from numba import types
 
-from gearwright.dynamics import VARIABLE, code_cache, compiled, compiled_callback
+from gearwright.dynamics import code_cache
+from gearwright.dynamics.code_cache import VARIABLE, compiled, compiled_callback
 
 
 def doubled(values):

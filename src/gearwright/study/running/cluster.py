@@ -9,12 +9,15 @@ from __future__ import annotations
 
 import json
 import logging
+import shlex
 from collections import deque
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
+from ipaddress import ip_address
 from itertools import islice
+from pathlib import Path
 from typing import Any
 
 from gearwright.errors import DesignError, Problem, SolveError, install
@@ -33,22 +36,50 @@ PATIENCE = 10.0
 
 _NOISY = ("distributed", "tornado", "asyncio")
 """Libraries that log what they lose."""
+_NO_PAGES = "--no-dashboard --dashboard-address 127.0.0.1:0"
+"""Dask's own pages would be there for all who reach the machine."""
+Tls = tuple[Path, Path, Path]
+"""Certificate of the authority, certificate, and key, in PEM form."""
 GONE = "the scheduler is gone; what is finished is kept: start it again and `gearwright resume` the journal"
 
 
-def commands(host: str, processes: int) -> tuple[str, str, str]:
+def commands(host: str, processes: int, tls: Tls | None = None) -> tuple[str, str, str]:
     """Return the commands that start a scheduler, workers on any machine that reaches it, and a study on them.
 
     Args:
         host: Name or address of the scheduler's machine.
         processes: Workers to start on one machine.
+        tls: Files of authority, certificate and key; left out: none, which only this machine itself allows.
+
+    Raises:
+        DesignError: If others could reach the scheduler, and no files are given.
     """
-    address = f"tcp://{host}:8786"
+    own = _is_loopback(host)
+    if tls is None and not own:
+        message = (
+            f"whoever reaches a scheduler at {host} runs code on all machines of the cluster; give --tls CA CERT KEY,"
+            " or leave --host out and keep to this machine"
+        )
+        raise DesignError([Problem("--host", message)])
+    address = f"{'tcp' if tls is None else 'tls'}://{shlex.quote(host)}:8786"
+    given = [shlex.quote(str(path)) for path in tls or ()]
+    options = zip(("--tls-ca-file", "--tls-cert", "--tls-key"), given, strict=False)
+    files = "".join(f" {option} {path}" for option, path in options)
+    bound = f" --host {host}" if own else ""
     return (
-        f"dask scheduler --host {host}",
-        f"dask worker {address} --nworkers {processes} --nthreads 1",
-        f"gearwright study STUDY.toml --journal STUDY.journal --cluster {address}",
+        f"dask scheduler --host {shlex.quote(host)} {_NO_PAGES}{files}",
+        f"dask worker {address} --nworkers {processes} --nthreads 1{bound} {_NO_PAGES}{files}",
+        f"gearwright study STUDY.toml --journal STUDY.journal --cluster {address}"
+        + (f" --tls {' '.join(given)}" if given else ""),
     )
+
+
+def _is_loopback(host: str) -> bool:
+    """Tell whether nothing but the machine itself reaches a host."""
+    try:
+        return ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
 
 
 @dataclass(frozen=True)
@@ -56,16 +87,18 @@ class Cluster:
     """A Dask cluster; called with study, designs and workers it holds a connection as `local` holds processes."""
 
     address: str
-    """Of its scheduler, such as ``tcp://10.0.0.1:8786``."""
+    """Of its scheduler, such as ``tcp://127.0.0.1:8786`` or ``tls://10.0.0.1:8786``."""
+    tls: Tls | None = None
+    """Files of authority, certificate and key, for an address that begins with ``tls://``."""
 
     @contextmanager
     def __call__(self, study: Study, designs: Mapping[str, Design], workers: int) -> Iterator[Compute]:
         """Hold a connection; the cluster has its own number of workers.
 
         Raises:
-            DesignError: If Dask is not installed, or no scheduler answers.
+            DesignError: If Dask is not installed, files are missing, or no scheduler answers.
         """
-        client = _client(self.address)
+        client = _client(self.address, self.tls)
         with _quiet(), client:
             yield lambda cases, count: _Tasks(client, study, designs, cases).work()
 
@@ -85,17 +118,34 @@ def _quiet() -> Iterator[None]:
             logger.setLevel(level)
 
 
-def _client(address: str) -> Any:
+def _client(address: str, tls: Tls | None) -> Any:
     try:
         from distributed import Client
+        from distributed.security import Security
     except ImportError:
         message = f"Dask is not here; {install('cluster')}"
         raise DesignError([Problem("--cluster", message)]) from None
+    _refuse_files(address, tls)
+    names = ("tls_ca_file", "tls_client_cert", "tls_client_key")
+    files = dict(zip(names, map(str, tls), strict=True)) if tls else {}
     try:
-        return Client(address, timeout=PATIENCE)
-    except (OSError, ValueError):
-        message = f"no scheduler answers at {address}; `gearwright cluster` prints how to start one"
+        security = Security(require_encryption=True, **files) if files else None
+        return Client(address, timeout=PATIENCE, security=security)
+    except (OSError, ValueError, RuntimeError):
+        accepts = ", or it does not accept the files of --tls" if tls else ""
+        message = f"no scheduler answers at {address}{accepts}; `gearwright cluster` prints how to start one"
         raise DesignError([Problem("--cluster", message)]) from None
+
+
+def _refuse_files(address: str, tls: Tls | None) -> None:
+    """Raise if address and files do not belong together, or a file is not there."""
+    problems = [Problem("--tls", f"there is no file {path}") for path in tls or () if not path.is_file()]
+    if address.startswith("tls:") != (tls is not None):
+        problems.append(
+            Problem("--cluster", f"{address}: an address that begins with tls:// goes with --tls CA CERT KEY")
+        )
+    if problems:
+        raise DesignError(problems)
 
 
 class _Tasks:

@@ -18,7 +18,7 @@ from pathlib import Path
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.spec import Design, Study, case_count
 from gearwright.study.answers import Row
-from gearwright.study.journal_file import (
+from gearwright.study.running.journal_file import (
     ADD_ROW,
     FORMAT,
     add_tables,
@@ -33,7 +33,7 @@ from gearwright.study.journal_file import (
     written,
 )
 from gearwright.study.running.made_with import made_with
-from gearwright.study.salvage import Losses, losses, salvage
+from gearwright.study.running.salvage import Losses, losses, salvage
 from gearwright.version import __version__
 
 _ELSEWHERE = "Nothing was begun: free some space, or give another place"

@@ -9,7 +9,7 @@ from itertools import islice
 from pathlib import Path
 
 from gearwright.study.answers import Row
-from gearwright.study.journal_file import ADD_ROW, add_tables, connect, entry_of, kept_rows, reading, written
+from gearwright.study.running.journal_file import ADD_ROW, add_tables, connect, entry_of, kept_rows, reading, written
 
 _BATCH = 1000
 """Rows that are written at once."""
