@@ -18,9 +18,8 @@ from gearwright.parts.bevel import (
     gleason_profile_shift,
     rate_bevel,
 )
-from gearwright.render.tables.sizing import margins
 from gearwright.shipped import shipped_design
-from gearwright.sizing import GearSizing, MeshSizing, Sizing, size
+from gearwright.sizing import GearSizing, MeshSizing, Sizing, margins, size
 from gearwright.spec import read
 
 _HEAD = """# A helicopter's gearbox

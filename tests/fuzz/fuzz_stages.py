@@ -21,10 +21,9 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.motion import default_step
 from gearwright.errors import DesignError, SolveError
 from gearwright.mission import durability, fly
-from gearwright.render.tables.sizing import margins
 from gearwright.render.words.flight_data import flight_json
 from gearwright.render.words.text import modes_json, sizing_json, trace_json
-from gearwright.sizing import Sizing, size
+from gearwright.sizing import Sizing, margins, size
 from gearwright.spec import parse, parse_mission, parse_study
 
 LONGEST = 20.0

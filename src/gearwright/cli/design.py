@@ -77,12 +77,13 @@ def _list() -> None:
 
 def check(design: DesignArgument) -> None:
     """Check a design file and say everything that is wrong with it; a margin below 1 ends with exit code 1."""
-    from gearwright.render.tables.sizing import margins
+    from gearwright.render.tables.sizing import margin_sentence
+    from gearwright.sizing import margins
 
     sizing = sized(design)
     weak = [each for each in margins(sizing) if not each.holds]
     for each in weak:
-        tell(f"{each.sentence}; the margin should be 1 or more")
+        tell(f"{margin_sentence(each)}; the margin should be 1 or more")
     if weak:
         raise typer.Exit(1)
     show(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")

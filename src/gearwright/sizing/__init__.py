@@ -1,5 +1,7 @@
 """From a design to a sized transmission."""
 
+from gearwright.sizing.breakdown import AskedSpeed, MassPart, asked_speeds, bearing_forces, mass_parts
+from gearwright.sizing.margins import Margin, margins
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing, ShaftStep
 from gearwright.sizing.named import TEXT, Named, named_results, pick, total_results
 from gearwright.sizing.result import (
@@ -15,6 +17,7 @@ from gearwright.sizing.size import size
 
 __all__ = [
     "TEXT",
+    "AskedSpeed",
     "BearingSizing",
     "BuiltShaft",
     "CarrierSizing",
@@ -22,12 +25,18 @@ __all__ = [
     "GearSizing",
     "JointSizing",
     "MachineSizing",
+    "Margin",
+    "MassPart",
     "MeshSizing",
     "Named",
     "ShaftDiagram",
     "ShaftSizing",
     "ShaftStep",
     "Sizing",
+    "asked_speeds",
+    "bearing_forces",
+    "margins",
+    "mass_parts",
     "named_results",
     "pick",
     "size",

@@ -2,7 +2,8 @@ import pytest
 from drawn_designs import MIXED, sized
 
 from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
-from gearwright.render.tables.sizing import asked_speeds, bearings, flow_tables, margins, mass_parts, tables_of
+from gearwright.render.tables.sizing import flow_tables, tables_of
+from gearwright.sizing import asked_speeds, bearing_forces, margins, mass_parts
 from gearwright.spec import GROUND
 from gearwright.spec.design import NO_ORIGIN
 from gearwright.train import branches
@@ -90,8 +91,8 @@ def test_overrides_are_listed_as_written_with_their_origin() -> None:
 def test_bearings_hold_the_shafts_that_gears_push_aside(designs) -> None:
     """The off-set input pinion is pushed equally from both sides; its layshafts are not."""
     loads = {}
-    for each in bearings(designs["off-set"]):
+    for each in bearing_forces(designs["off-set"]):
         loads.setdefault(each.shaft, []).append(each.radial_force)
     assert all(len(both) == 2 for both in loads.values())
     assert max(loads["input"]) < 1e-6 * max(loads["left"])
-    assert bearings(designs["star"]) == ()
+    assert bearing_forces(designs["star"]) == ()

@@ -77,7 +77,7 @@ def redundancy(system: System, *, stiffness: Floats | None = None) -> Redundancy
 def _states(matrix: Floats) -> Floats:
     """Return a basis of the forces that balance on every coordinate, Dᵀ s = 0."""
     length = np.linalg.norm(matrix, axis=1, keepdims=True)
-    return null_space((matrix / length).T) / length
+    return np.asarray(null_space((matrix / length).T) / length)
 
 
 def line_forces(train: Redundancy, errors: Floats) -> Floats:

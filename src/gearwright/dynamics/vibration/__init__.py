@@ -12,6 +12,7 @@ from gearwright.dynamics.vibration.critical_speeds import (
     order_name,
 )
 from gearwright.dynamics.vibration.planetary_results import load_shares, mode_families
+from gearwright.dynamics.vibration.rated_peaks import DynamicLoad, dynamic_loads
 from gearwright.dynamics.vibration.response import Response, frequency_response
 from gearwright.dynamics.vibration.runup import RunUp, run_up
 from gearwright.dynamics.vibration.spectra import Waterfall, tone_amplitudes, waterfall
@@ -23,6 +24,7 @@ __all__ = [
     "RESONANCE",
     "Campbell",
     "CriticalSpeed",
+    "DynamicLoad",
     "Orbit",
     "Order",
     "Response",
@@ -34,6 +36,7 @@ __all__ = [
     "campbell",
     "common_period",
     "critical_speeds",
+    "dynamic_loads",
     "first_meshes",
     "frequency_response",
     "load_shares",

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
-from gearwright.render.tables.sizing import NOT_IN_THE_MASS, ROUNDING, Margin, margins, mass_parts
-from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing
+from gearwright.render.tables.sizing import NOT_IN_THE_MASS
+from gearwright.sizing import Margin, ShaftDiagram, ShaftSizing, Sizing, margins, mass_parts
+from gearwright.sizing.margins import ROUNDING
 
 Floats = NDArray[np.float64]
 _GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN}

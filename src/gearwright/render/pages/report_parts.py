@@ -6,12 +6,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from gearwright.dynamics import Trace
-from gearwright.dynamics.vibration import SpeedCase
-from gearwright.render.tables.dynamic_load import dynamic_loads
-from gearwright.render.tables.sizing import asked_speeds, margins
+from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
+from gearwright.render.tables.sizing import margin_sentence
 from gearwright.render.tables.tables import Table
 from gearwright.render.words.headline import resonances, worst_margin
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, asked_speeds, margins
 from gearwright.train import recirculation
 from gearwright.units import text
 
@@ -80,7 +79,7 @@ def warnings(sizing: Sizing, trace: Trace | None, campbell: Sequence[SpeedCase] 
         trace: As simulated, if it was.
         campbell: Critical speeds, if they are shown.
     """
-    found = [f"{each.sentence}; it should be 1 or more." for each in margins(sizing) if not each.holds]
+    found = [f"{margin_sentence(each)}; it should be 1 or more." for each in margins(sizing) if not each.holds]
     found += [f"In resonance: {words}." for words in resonances(campbell)]
     found += _yielded(sizing)
     found += [

@@ -1,53 +1,19 @@
-"""Simulated peaks beside the rated loads: what is left of the margins when the peak of a run counts."""
+"""Simulated peaks beside the rated loads as a table."""
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass, fields
-from typing import Annotated
+from dataclasses import fields
 
 from gearwright.dynamics import Trace
-from gearwright.parts.gears import transverse_pressure_angle
+from gearwright.dynamics.vibration import DynamicLoad, dynamic_loads
 from gearwright.render.tables.tables import Table, table
-from gearwright.sizing import MeshSizing, Sizing
-from gearwright.units import Origin, Quantity
+from gearwright.sizing import Sizing
 
 NOTE = (
     "Tangential peak of the worst line of each mesh row over its simulated mean, and over the force it is sized for:"
     " F_t K_A K_V where ISO 6336 or ISO 10300 rates the mesh, else F_t alone; a margin below 1 there asks for a dynamic"
     " factor (gears.bending_safety, gears.contact_safety)."
 )
-
-
-@dataclass(frozen=True)
-class DynamicLoad:
-    """One mesh row in a run."""
-
-    mesh: str
-    peak_over_mean: Annotated[float, Quantity("ratio"), Origin("F_max / F_mean", "run")]
-    """Dynamic factor of the run [-]."""
-    peak_force: Annotated[float, Quantity("force"), Origin("F_t = F cos α_t", "run")]
-    """Largest tangential force of one mesh [N]."""
-    rated_force: Annotated[
-        float, Quantity("force"), Origin("F_t of the worst case, times K_A K_V where rated", "sizing")
-    ]
-    """Tangential force that the mesh is sized for [N]."""
-    bending_margin: Annotated[float, Quantity("ratio"), Origin("margin · F_t / F_t,max", "Lewis")]
-    """Bending margin at the peak [-]."""
-    contact_margin: Annotated[float, Quantity("ratio"), Origin("margin · √(F_t / F_t,max)", "Hertz")]
-    """Contact margin at the peak [-]."""
-
-
-def dynamic_loads(sizing: Sizing, trace: Trace) -> tuple[DynamicLoad, ...]:
-    """Return the peak of every mesh row beside what it is sized for, the worst first.
-
-    Args:
-        sizing: As sized.
-        trace: A run of it.
-    """
-    meshes = sizing.meshes if trace.force.bins else ()
-    loads = [load for mesh in meshes if (load := _load(sizing, mesh, trace)) is not None]
-    return tuple(sorted(loads, key=lambda load: min(load.bending_margin, load.contact_margin)))
 
 
 def dynamic_table(sizing: Sizing, trace: Trace) -> Table:
@@ -59,34 +25,3 @@ def dynamic_table(sizing: Sizing, trace: Trace) -> Table:
     """
     names = tuple(field.name for field in fields(DynamicLoad))
     return table("Peaks beside rated loads", dynamic_loads(sizing, trace), names, note=NOTE)
-
-
-def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:
-    lines = [name for name in trace.force.names if name == mesh.name or name.startswith(f"{mesh.name}-")]
-    if not lines or not mesh.tangential_force:
-        return None
-    # The halves of a double-helical gear are one line; planets have a line each.
-    together = mesh.count if lines == [mesh.name] else 1
-    gear = next(gear for gear in sizing.gears if gear.name == mesh.gears[0])
-    normal = sizing.design.rules(gear.stage).pressure_angle
-    transverse = transverse_pressure_angle(normal, gear.helix_angle)
-    found = [trace.force.of(name) for name in lines]
-    peak = max(max(abs(float(each["most"].max())), abs(float(each["least"].min()))) for each in found)
-    mean = max(abs(float(each["mean"].mean())) for each in found)
-    force, sized_for = peak * math.cos(transverse) / together, _sized_for(mesh)
-    return DynamicLoad(
-        mesh=mesh.name,
-        peak_over_mean=peak / mean if mean else math.inf,
-        peak_force=force,
-        rated_force=sized_for,
-        bending_margin=mesh.bending_margin * sized_for / force,
-        contact_margin=mesh.contact_margin * math.sqrt(sized_for / force),
-    )
-
-
-def _sized_for(mesh: MeshSizing) -> float:
-    """Return the tangential force of one mesh with the factors for load peaks that its rating has in it [N]."""
-    if mesh.rating is None:
-        return mesh.tangential_force
-    loads = mesh.rating.factors.loads
-    return mesh.tangential_force * float(loads.application) * float(loads.dynamic)

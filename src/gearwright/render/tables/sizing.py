@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
-from typing import Annotated
-
 from gearwright.render.tables.given import given_by_user, overrides_table
 from gearwright.render.tables.mounted import mounted_tables
 from gearwright.render.tables.tables import Mark, Table, table, written
-from gearwright.sizing import CarrierSizing, Check, MeshSizing, ShaftSizing, Sizing
+from gearwright.sizing import Margin, Sizing, asked_speeds, bearing_forces, margins, mass_parts
 from gearwright.sizing.arrangement import envelope
 from gearwright.train import Branch, branches
-from gearwright.units import Length, Mass, Origin, Quantity, Ratio, Speed, shown, unit
 
 NOT_IN_THE_MASS = "Not in the mass: housing, bearings, oil system, accessories, motors."
 _BEARINGS = "Positions from the shaft's first end; shafts that only torque acts on need none for it."
@@ -22,175 +17,6 @@ _JUST_ENOUGH = (
     "Margin: limit over value, or value over limit where more is better; 1 is just enough. Limits of stresses include"
     " the asked factor. Bending (Lewis), contact (Hertz), Tresca's stress: equations of Pulvirenti 2023."
 )
-KEPT = 1e-9
-"""Deviation of a speed below which it counts as kept [-]; rounding is far below."""
-ROUNDING = 1e-9
-"""What counts as rounding, of a margin or beside the largest force [-]."""
-
-
-@dataclass(frozen=True)
-class Margin:
-    """One check of one part."""
-
-    part: str
-    check: str
-    """What is checked."""
-    case: str
-    """Load case that governs; empty where no single one does."""
-    value: float
-    """As computed, in the unit."""
-    limit: float
-    """With the asked factor in it, in the unit."""
-    unit: str
-    """Empty for a ratio."""
-    margin: Ratio
-    """1 is just enough [-]."""
-    source: str
-    """Equation or clause."""
-    group: str
-    """gears, shafts, bearings, joints or carriers."""
-
-    @property
-    def holds(self) -> bool:
-        """True if the value is allowed."""
-        return self.margin >= 1.0 - ROUNDING
-
-    @property
-    def sentence(self) -> str:
-        """Part, check, value, limit, source, case and margin."""
-        value, limit = (f"{written(each)} {self.unit}".rstrip() for each in (self.value, self.limit))
-        case = f", case {self.case}" if self.case else ""
-        return (
-            f"{self.part}: {self.check} {value}, limit {limit} ({self.source}){case}: margin {written(self.margin, 3)}"
-        )
-
-
-@dataclass(frozen=True)
-class MassPart:
-    """One line of the mass breakdown."""
-
-    part: str
-    group: str
-    """gears, shafts or carriers."""
-    count: int
-    each: Mass
-    """Of one [kg]."""
-    total: Mass
-    """Of all [kg]."""
-    share: Annotated[float, Quantity("percent")]
-    """Of the mass of gears, shafts and carriers [-]."""
-
-
-@dataclass(frozen=True)
-class AskedSpeed:
-    """A speed that the teeth give only nearly."""
-
-    case: str
-    machine: str
-    asked: Speed
-    """[rad/s]"""
-    actual: Speed
-    """[rad/s]"""
-    deviation: Annotated[float, Quantity("percent"), Origin("actual / asked − 1", "kinematics of the teeth")]
-    """[-]"""
-
-
-@dataclass(frozen=True)
-class Bearing:
-    """What one bearing carries in the case that governs its shaft."""
-
-    shaft: str
-    case: str
-    position: Length
-    """From the shaft's first end [m]."""
-    radial_force: Annotated[float, Quantity("force"), Origin("√(F_y² + F_z²)", "equilibrium in both planes")]
-    """[N]"""
-
-
-def margins(sizing: Sizing) -> tuple[Margin, ...]:
-    """Return every check of a sizing, worst first.
-
-    Args:
-        sizing: As sized.
-    """
-    found = [each for mesh in sizing.meshes if mesh.rating is None for each in _mesh_margins(mesh)]
-    found += [_shaft_margin(shaft) for shaft in sizing.shafts]
-    found += [each for carrier in sizing.carriers for each in _carrier_margins(carrier)]
-    found += [_checked(check, _group(sizing, check)) for check in sizing.checks]
-    return tuple(sorted(found, key=lambda each: (round(each.margin, 9), each.part)))
-
-
-def _checked(check: Check, group: str) -> Margin:
-    value, limit = (shown(each, check.dimension) for each in (check.value, check.limit))
-    return Margin(
-        check.part, check.check, check.case, value, limit, unit(check.dimension), check.margin, check.clause, group
-    )
-
-
-def _group(sizing: Sizing, check: Check) -> str:
-    """Return the kind of part that a check is about."""
-    first = check.part.partition(" ")[0]
-    if check.part in {shaft.name for shaft in sizing.built_shafts}:
-        return "shafts"
-    if first in sizing.design.bearings:
-        return "bearings"
-    return "joints" if " on " in check.part else "gears"
-
-
-def _mesh_margins(mesh: MeshSizing) -> list[Margin]:
-    return [
-        _stressed(mesh.name, "bending", mesh.case, mesh.bending_stress, mesh.bending_margin, "eq. 2.1", "gears"),
-        _stressed(mesh.name, "contact", mesh.case, mesh.contact_stress, mesh.contact_margin, "eq. 2.2", "gears"),
-    ]  # fmt: skip
-
-
-def _shaft_margin(shaft: ShaftSizing) -> Margin:
-    return _stressed(shaft.name, "Tresca", shaft.case, shaft.stress, shaft.margin, "eq. 2.47", "shafts")
-
-
-def _carrier_margins(carrier: CarrierSizing) -> list[Margin]:
-    part, case = f"{carrier.stage}.carrier", carrier.case
-    pins = _stressed(part, "pin bending", case, carrier.pin_stress, carrier.pin_margin, "cantilever", "carriers")
-    if carrier.plate_margin is None:
-        return [pins]
-    plate = _stressed(part, "plate shear", case, carrier.plate_stress, carrier.plate_margin, "Tresca", "carriers")
-    return [pins, plate]
-
-
-def _stressed(part: str, check: str, case: str, stress: float, margin: float, source: str, group: str) -> Margin:
-    value = shown(stress, "stress")
-    limit = value * margin if math.isfinite(margin) else math.inf
-    return Margin(part, check, case, value, limit, unit("stress"), margin, source, group)
-
-
-def mass_parts(sizing: Sizing) -> tuple[MassPart, ...]:
-    """Return the mass breakdown of gears, shafts and carriers, heaviest first.
-
-    Args:
-        sizing: As sized.
-    """
-    parts = [(gear.name, "gears", gear.bodies, gear.mass) for gear in sizing.gears]
-    parts += [(shaft.name, "shafts", 1, shaft.mass) for shaft in sizing.shafts]
-    parts += [(f"{carrier.stage}.carrier", "carriers", 1, carrier.mass) for carrier in sizing.carriers]
-    rows = [
-        MassPart(part, group, count, each, count * each, count * each / sizing.parts_mass)
-        for part, group, count, each in parts
-    ]
-    return tuple(sorted(rows, key=lambda row: -row.total))
-
-
-def asked_speeds(sizing: Sizing) -> tuple[AskedSpeed, ...]:
-    """Return every asked speed that the teeth do not give exactly.
-
-    Args:
-        sizing: As sized.
-    """
-    return tuple(
-        AskedSpeed(case, each.machine, each.asked, each.actual, each.deviation)
-        for case, flow in sizing.flows.items()
-        for each in flow.yielded
-        if abs(each.deviation) > KEPT
-    )
 
 
 def flow_tables(sizing: Sizing) -> tuple[Table, ...]:
@@ -238,7 +64,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
                         mark=mark, note=_THICKEST if sizing.built_shafts else ""),
         "shaft_sizes": table("Shafts: sizes", sizing.shafts,
                              ("name", "length", "diameter", "bore", "stiffness", "mass", "inertia"), mark=mark),
-        "bearings": table("Bearing loads", bearings(sizing), ("shaft", "case", "position", "radial_force"),
+        "bearings": table("Bearing loads", bearing_forces(sizing), ("shaft", "case", "position", "radial_force"),
                           note=_BEARINGS),
         "envelope": table("Envelope", [envelope(sizing)], ("width", "height", "length", "volume"),
                           note=_ENVELOPE),
@@ -253,26 +79,20 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
     }  # fmt: skip
 
 
-def bearings(sizing: Sizing) -> tuple[Bearing, ...]:
-    """Return the load of every bearing on shafts of one diameter, shaft by shaft.
-
-    Args:
-        sizing: As sized.
-    """
-    built = {shaft.name for shaft in sizing.built_shafts}
-    largest = max((each.radial_force for shaft in sizing.shafts for each in shaft.bearings), default=0.0)
-    return tuple(
-        Bearing(shaft.name, shaft.case, each.position, _above_rounding(each.radial_force, largest))
-        for shaft in sizing.shafts
-        for each in shaft.bearings
-        if shaft.name not in built
-    )
-
-
-def _above_rounding(value: float, largest: float) -> float:
-    return value if value > ROUNDING * largest else 0.0
-
-
 def _gear_fields(sizing: Sizing) -> tuple[str, ...]:
     helical = ("helix_angle",) if any(gear.helix_angle for gear in sizing.gears) else ()
     return ("name", "bodies", "teeth", "module", *helical, "face_width", "pitch_diameter", "mass", "inertia")
+
+
+def margin_sentence(margin: Margin) -> str:
+    """Return part, check, value, limit, source, case and margin.
+
+    Args:
+        margin: Of a sizing.
+    """
+    value, limit = (f"{written(number)} {margin.unit}".rstrip() for number in (margin.value, margin.limit))
+    case = f", case {margin.case}" if margin.case else ""
+    return (
+        f"{margin.part}: {margin.check} {value}, limit {limit} ({margin.source}){case}:"
+        f" margin {written(margin.margin, 3)}"
+    )

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from gearwright.dynamics import Trace
-from gearwright.dynamics.vibration import CriticalSpeed, SpeedCase
-from gearwright.render.tables.dynamic_load import dynamic_loads
+from gearwright.dynamics.vibration import CriticalSpeed, SpeedCase, dynamic_loads
 from gearwright.sizing import Sizing
 
 ROUNDING = 1e-15

@@ -1,0 +1,107 @@
+"""Breakdown: masses part by part, forces on bearings, and speeds that the teeth give only nearly."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from gearwright.sizing.result import Sizing
+from gearwright.units import Length, Mass, Origin, Quantity, Speed
+
+KEPT = 1e-9
+"""Deviation of a speed below which it counts as kept [-]; rounding is far below."""
+ROUNDING = 1e-9
+"""Force beside the largest that counts as rounding [-]."""
+
+
+@dataclass(frozen=True)
+class MassPart:
+    """One line of the mass breakdown."""
+
+    part: str
+    group: str
+    """gears, shafts or carriers."""
+    count: int
+    """How many of it [-]."""
+    each: Mass
+    """Of one [kg]."""
+    total: Mass
+    """Of all [kg]."""
+    share: Annotated[float, Quantity("percent")]
+    """Of the mass of gears, shafts and carriers [-]."""
+
+
+@dataclass(frozen=True)
+class AskedSpeed:
+    """A speed that the teeth give only nearly."""
+
+    case: str
+    machine: str
+    asked: Speed
+    """[rad/s]"""
+    actual: Speed
+    """[rad/s]"""
+    deviation: Annotated[float, Quantity("percent"), Origin("actual / asked − 1", "kinematics of the teeth")]
+    """[-]"""
+
+
+@dataclass(frozen=True)
+class BearingForce:
+    """What one bearing carries in the case that governs its shaft."""
+
+    shaft: str
+    case: str
+    position: Length
+    """From the shaft's first end [m]."""
+    radial_force: Annotated[float, Quantity("force"), Origin("√(F_y² + F_z²)", "equilibrium in both planes")]
+    """[N]"""
+
+
+def mass_parts(sizing: Sizing) -> tuple[MassPart, ...]:
+    """Return the mass breakdown of gears, shafts and carriers, heaviest first.
+
+    Args:
+        sizing: As sized.
+    """
+    parts = [(gear.name, "gears", gear.bodies, gear.mass) for gear in sizing.gears]
+    parts += [(shaft.name, "shafts", 1, shaft.mass) for shaft in sizing.shafts]
+    parts += [(f"{carrier.stage}.carrier", "carriers", 1, carrier.mass) for carrier in sizing.carriers]
+    rows = [
+        MassPart(part, group, count, each, count * each, count * each / sizing.parts_mass)
+        for part, group, count, each in parts
+    ]
+    return tuple(sorted(rows, key=lambda row: -row.total))
+
+
+def asked_speeds(sizing: Sizing) -> tuple[AskedSpeed, ...]:
+    """Return every asked speed that the teeth do not give exactly.
+
+    Args:
+        sizing: As sized.
+    """
+    return tuple(
+        AskedSpeed(case, each.machine, each.asked, each.actual, each.deviation)
+        for case, flow in sizing.flows.items()
+        for each in flow.yielded
+        if abs(each.deviation) > KEPT
+    )
+
+
+def bearing_forces(sizing: Sizing) -> tuple[BearingForce, ...]:
+    """Return the load of every bearing on shafts of one diameter, shaft by shaft.
+
+    Args:
+        sizing: As sized.
+    """
+    built = {shaft.name for shaft in sizing.built_shafts}
+    largest = max((each.radial_force for shaft in sizing.shafts for each in shaft.bearings), default=0.0)
+    return tuple(
+        BearingForce(shaft.name, shaft.case, each.position, _above_rounding(each.radial_force, largest))
+        for shaft in sizing.shafts
+        for each in shaft.bearings
+        if shaft.name not in built
+    )
+
+
+def _above_rounding(value: float, largest: float) -> float:
+    return value if value > ROUNDING * largest else 0.0
