@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 import pytest
-from split_torque import ALL, STAGES, TURN, built, shipped, sized
+from split_torque import ALL, STAGES, TURN, built, errors, shipped, sized
 
 from gearwright.dynamics import modes
 from gearwright.dynamics.assembly import contacts_of
@@ -169,7 +169,9 @@ def test_thousands_of_random_error_sets_stay_below_their_sum():
 
 
 def test_shipped_design_gives_every_error_of_the_paper():
-    parts = shipped().errors.values()
-    assert sum(bool(part.eccentricity) for part in parts) == 10
-    assert sum(bool(part.radial) for part in parts) == 4
-    assert sum(bool(part.axial) for part in parts) == 2
+    """Sizes and phases of the documented table: β = 0 and γ = 90° in the paper's way of counting."""
+    given = {part: row.model_dump() for part, row in shipped().errors.items()}
+    wanted = {part: row.model_dump() for part, row in errors(ALL).items()}
+    assert set(given) == set(wanted)
+    for part, fields in wanted.items():
+        assert given[part] == pytest.approx(fields, rel=1e-12), part

@@ -6,10 +6,11 @@ import pytest
 from split_torque import shipped
 
 from gearwright.dynamics.sharing import sharing_problem, sharing_study
-from gearwright.render.pages.sharing import split_torque_page
+from gearwright.render.pages.sharing import sharing_page
 from gearwright.replays.pulvirenti.claims import Verdict
 from gearwright.replays.wang.claims import split_torque_claims
 from gearwright.sizing import size
+from gearwright.study import split_torque
 
 VERDICTS = {
     "Without floating": Verdict.HOLDS,
@@ -32,14 +33,14 @@ def sizing():
 
 def test_verdicts_are_those_of_the_independent_reproduction(sizing):
     """Each from its own numbers; an independent program for the same equations came to the same ten."""
-    found = {claim.printed: claim.verdict for claim in split_torque_claims(sizing)}
+    found = {claim.printed: claim.verdict for claim in split_torque_claims(sizing, split_torque(sizing.design))}
     assert len(found) == len(VERDICTS)
     for start, verdict in VERDICTS.items():
         assert next(each for words, each in found.items() if words.startswith(start)) is verdict
 
 
 def test_page_has_every_figure_of_the_paper(sizing):
-    page = split_torque_page(sizing, [sharing_study(sharing_problem(sizing))])
+    page = sharing_page(sizing, [sharing_study(sharing_problem(sizing))])
     for caption in ("Figure 3:", "Figure 4:", "Figure 6:", "Figures 5 and 7:", "Figures 8 to 18:"):
         assert caption in page
     assert page.count('class="verdict') == len(VERDICTS)

@@ -18,9 +18,6 @@ from gearwright.writing import write_text
 if TYPE_CHECKING:
     from gearwright.dynamics.sharing import SharingStudy
 
-SPLIT_TORQUE = "face-gear-split-torque"
-"""Shipped design whose page carries the paper's figures and claims."""
-
 
 def sharing(
     design: DesignArgument,
@@ -56,10 +53,9 @@ def sharing(
     if figure is not None:
         _draw(study, figure)
     if report is not None:
-        from gearwright.render.pages.sharing import sharing_page, split_torque_page
+        from gearwright.render.pages.sharing import sharing_page
 
-        page = split_torque_page if Path(design).stem == SPLIT_TORQUE else sharing_page
-        drawn = page(sizing, [study], counts=[] if counts is None else [counts], target=share)
+        drawn = sharing_page(sizing, [study], counts=[] if counts is None else [counts], target=share)
         write_text(report, drawn)
         tell(f"wrote {report}")
 

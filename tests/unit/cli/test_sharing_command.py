@@ -10,6 +10,7 @@ from typer.testing import CliRunner
 
 from gearwright.cli.sharing import asked_share, sharing
 from gearwright.errors import DesignError
+from gearwright.shipped import shipped_design
 
 APP = typer.Typer()
 APP.command()(sharing)
@@ -47,3 +48,14 @@ def test_json_for_machines():
 def test_figure_of_an_unknown_kind_is_refused(tmp_path):
     with pytest.raises(DesignError, match=r"end the name with .svg or .png"):
         called(SPLIT, "--method", "quasi-static", "--figure", str(tmp_path / "a.pdf"))
+
+
+def test_page_is_chosen_by_the_train_and_not_by_the_name_of_the_file(tmp_path):
+    """Another design under the name of the split torque gets the plain page, a renamed copy of it the paper's."""
+    other, renamed, page = tmp_path / f"{SPLIT}.toml", tmp_path / "mine.toml", tmp_path / "page.html"
+    other.write_bytes(shipped_design("off-set").read_bytes())
+    renamed.write_bytes(shipped_design(SPLIT).read_bytes())
+    called(str(other), "--report", str(page))
+    assert "Figures of the paper" not in page.read_text(encoding="utf-8")
+    called(str(renamed), "--method", "quasi-static", "--report", str(page))
+    assert "Figures of the paper" in page.read_text(encoding="utf-8")

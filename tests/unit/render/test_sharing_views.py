@@ -27,12 +27,13 @@ from gearwright.render.figures.sharing import (
     support_figure,
     tornado_figure,
 )
-from gearwright.render.pages.sharing import SINGLE_ERRORS, sharing_page
+from gearwright.render.pages.sharing import sharing_page
 from gearwright.render.style.theme import to_svg
 from gearwright.render.words.sharing import sharing_json, summary
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size
 from gearwright.spec import read
+from gearwright.study import split_torque
 
 TABLES = {"a table": {3: 1.1, 4: 1.25}}
 
@@ -87,16 +88,16 @@ def test_every_figure_is_drawn_and_the_same_twice():
 def test_page_stands_alone():
     page = sharing_page(sized(), [studied()], target=0.52)
     assert "Stage second" in page
-    assert page.count("<svg") == 6
+    assert page.count("<svg") == 11
     assert 'src="http' not in page
     assert 'href="http' not in page.replace('xlink:href="#', "").replace("http://www.w3.org", "")
 
 
 def test_every_error_that_the_paper_shows_alone_is_one_of_the_design():
     """Figures 8 to 18 of the paper, one error each."""
-    names = {source.name for source in studied().problem.sources}
-    assert set(SINGLE_ERRORS) <= names
-    assert sorted(int(word.split()[1]) for word in SINGLE_ERRORS.values()) == list(range(8, 19))
+    names, shown = {source.name for source in studied().problem.sources}, split_torque(sized().design).single_errors
+    assert set(shown) <= names
+    assert sorted(int(word.split()[1]) for word in shown.values()) == list(range(8, 19))
 
 
 def test_planets_have_no_clocking_and_share_equally_without_errors():

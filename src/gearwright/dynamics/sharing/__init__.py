@@ -32,14 +32,14 @@ from gearwright.dynamics.sharing.of_design import (
 )
 from gearwright.dynamics.sharing.planet_counts import PlanetCounts, planet_counts
 from gearwright.dynamics.sharing.planets import PlanetSharing, PlanetTolerances, planet_sharing
-from gearwright.dynamics.sharing.solutions import TRANSIENT, LoadSharing, Method, load_sharing
+from gearwright.dynamics.sharing.solutions import SIDEBANDS, TRANSIENT, LoadSharing, load_sharing
 from gearwright.dynamics.sharing.tolerance_allocation import Allocation, allocate
 
 __all__ = [
+    "SIDEBANDS",
     "TRANSIENT",
     "Allocation",
     "LoadSharing",
-    "Method",
     "PlanetCounts",
     "PlanetSharing",
     "PlanetTolerances",

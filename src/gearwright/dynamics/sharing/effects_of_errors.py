@@ -45,7 +45,7 @@ def influences(train: Redundancy, sources: Sequence[ErrorSource], lines: Ints) -
     """
     gains = effect_gains(train, sources, lines)
     found = [
-        Influence(source.name, source.size, source.rate != 0.0, float(gain * abs(source.size)), float(gain))
+        Influence(source.name, abs(source.size), source.rate != 0.0, float(gain * abs(source.size)), float(gain))
         for source, gain in zip(sources, gains, strict=True)
     ]
     return tuple(sorted(found, key=lambda each: -each.effect))

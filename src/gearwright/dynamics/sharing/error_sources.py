@@ -151,7 +151,7 @@ def random_sets(sources: Sequence[ErrorSource], count: int, *, seed: int, sizes:
     draw = np.random.default_rng(seed)
     angle = draw.uniform(0.0, 2.0 * np.pi, (len(sources), count))
     share = draw.uniform(-1.0, 1.0, (len(sources), count))
-    size = np.array([source.size for source in sources]) if sizes is None else sizes
+    size = np.array([abs(source.size) for source in sources]) if sizes is None else sizes
     vector = np.array([source.kind in VECTORS for source in sources])[:, None]
     across = np.stack([np.where(vector, np.cos(angle), share), np.where(vector, np.sin(angle), 0.0)], axis=1)
     return _combine(sources, size[:, None, None] * across)

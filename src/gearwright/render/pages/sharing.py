@@ -37,25 +37,12 @@ from gearwright.render.words.sharing import summary
 from gearwright.replays.pulvirenti.claims import Verdict
 from gearwright.replays.wang.claims import FLOATING, HALF, RIGID, SplitClaim, split_torque_claims, with_support
 from gearwright.sizing import Sizing
+from gearwright.study import SplitTorque, split_torque
 from gearwright.version import __version__
 
 SPREAD = tuple(float(each) for each in np.geomspace(1e-2, 1e2, 41))
 """Stiffnesses of a support that are shown, over the design's [-]."""
 INSTANTS = 4000
-SINGLE_ERRORS = {
-    "first.pinion eccentricity": "Fig. 8",
-    "first.wheel.left eccentricity": "Fig. 9",
-    "first.wheel.right eccentricity": "Fig. 10",
-    "second.pinion.left eccentricity": "Fig. 11",
-    "second.pinion.right eccentricity": "Fig. 12",
-    "second.wheel eccentricity": "Fig. 13",
-    "input eccentricity": "Fig. 14",
-    "left eccentricity": "Fig. 15",
-    "right eccentricity": "Fig. 16",
-    "left axial": "Fig. 17",
-    "right axial": "Fig. 18",
-}
-"""Error -> the paper's figure on it alone."""
 _SIGNS = {Verdict.HOLDS: "yes", Verdict.CONDITION: "partly", Verdict.FAILS: "no"}
 _Drawn = tuple[str, Figure]
 
@@ -74,28 +61,19 @@ def sharing_page(
 ) -> str:
     """Return the page; it makes no request to anywhere.
 
+    A face-gear split torque gets the counterparts of the paper's figures and the paper's claims, too.
+
     Args:
         sizing: What was sized.
         studies: One for each stage that is shown.
         counts: K_γ against planets, of the sets that have it.
         target: Share that was asked for [-].
     """
-    return _page(sizing, _chapters(sizing, studies, counts, target), ())
-
-
-def split_torque_page(
-    sizing: Sizing, studies: Sequence[SharingStudy], *, counts: Sequence[PlanetCounts] = (), target: float | None = None
-) -> str:
-    """Return the page of the face-gear split torque: with the counterparts of the paper's figures and its claims.
-
-    Args:
-        sizing: Of the shipped design, or of a variant with the same names.
-        studies: One for each stage that is shown.
-        counts: K_γ against planets, of the sets that have it.
-        target: Share that was asked for [-].
-    """
-    paper = _Chapter("Figures of the paper", (), tuple(paper_figures(sizing)))
-    return _page(sizing, [*_chapters(sizing, studies, counts, target), paper], split_torque_claims(sizing))
+    chapters, parts = _chapters(sizing, studies, counts, target), split_torque(sizing.design)
+    if parts is None:
+        return _page(sizing, chapters, ())
+    paper = _Chapter("Figures of the paper", (), tuple(paper_figures(sizing, parts)))
+    return _page(sizing, [*chapters, paper], split_torque_claims(sizing, parts))
 
 
 def _chapters(
@@ -127,25 +105,28 @@ def _drawn(figures: Sequence[_Drawn], prefix: str) -> list[tuple[str, str]]:
     return [(words, theme.to_svg(each, prefix=f"{prefix}-{k}")) for k, (words, each) in enumerate(figures)]
 
 
-def paper_figures(sizing: Sizing) -> Iterator[_Drawn]:
+def paper_figures(sizing: Sizing, parts: SplitTorque) -> Iterator[_Drawn]:
     """Yield the counterparts of the paper's figures 3 to 18, with captions.
 
     Args:
-        sizing: Of the shipped design, or of a variant with the same names.
+        sizing: Of the shipped design ``face-gear-split-torque``, or of another of this kind.
+        parts: Its parts, from `split_torque`.
 
     Source: Wang, Zhao, Tao, Jia & Guo, "Floating shaft load sharing method for face gear split torque transmission
         system".
     """
     for stiffness, number in ((RIGID, "Figure 3"), (HALF, "Figure 4"), (FLOATING, "Figure 6")):
-        softer = with_support(sizing, stiffness)
+        softer = with_support(sizing, parts.pinion, stiffness)
         problems = {stage: sharing_problem(softer, stage) for stage in parallel_meshes(softer)}
         yield f"{number}: load sharing, support of shaft 1 {stiffness:.0e} N/m", sharing_figure(_solved(problems))
-    problems = {f"{each:.0e} N/m": sharing_problem(with_support(sizing, each)) for each in (HALF, FLOATING)}
-    yield "Figures 5 and 7: displacement of shaft 1", displacement_figure(problems, "input", _turn(problems))
+    soft = {each: with_support(sizing, parts.pinion, each) for each in (HALF, FLOATING)}
+    problems = {f"{stiffness:.0e} N/m": sharing_problem(softer) for stiffness, softer in soft.items()}
+    words = "Figures 5 and 7: displacement of shaft 1 by slow errors, without tooth ripple"
+    yield words, displacement_figure(problems, parts.pinion, _turn(problems))
     alone = sharing_problem(sizing)
     span = (TRANSIENT, TRANSIENT + float(_turn({"": alone})[-1]))
     words = "Figures 8 to 18: one error at a time, and those that the paper leaves out"
-    yield words, single_error_figure(alone, span, SINGLE_ERRORS)
+    yield words, single_error_figure(alone, span, parts.single_errors)
 
 
 def _solved(problems: dict[str, SharingProblem]) -> dict[str, LoadSharing]:

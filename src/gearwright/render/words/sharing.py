@@ -41,11 +41,14 @@ def summary(study: SharingStudy) -> list[str]:
     perfect = ", ".join(
         f"{name} {value / count:.2%}" for name, value in zip(problem.lines, problem.perfect, strict=True)
     )
+    given = ", ".join(
+        f"{name} {low / count:.2%} to {high / count:.2%}"
+        for name, low, high in zip(problem.lines, cycle.min(axis=0), cycle.max(axis=0), strict=True)
+    )
     found = [
         f"{problem.stage}: {count} paths; loops of the load in the train: {problem.train.count}",
         f"without errors: {perfect}",
-        f"with the errors as given: {cycle.min() / count:.2%} to {cycle.max() / count:.2%} over a tooth cycle, "
-        f"K_γ {sharing.load_factor:.3f} ({sharing.reason})",
+        f"with the errors as given: {given} over a tooth cycle, K_γ {sharing.load_factor:.3f} ({sharing.reason})",
     ]
     if not problem.shifts:
         found.append("statically determinate: equilibrium alone shares the load, and no error shifts it")

@@ -7,23 +7,27 @@ hand of the layout open, so that some of its claims hold only under a condition.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from gearwright.dynamics.model import Floats
 from gearwright.dynamics.sharing import (
+    SIDEBANDS,
     LoadSharing,
-    Method,
     SharingProblem,
     influences,
     load_sharing,
+    shaft_displacement,
     sharing_problem,
-    support_sweep,
     tooth_cycle_means,
 )
+from gearwright.dynamics.vibration import steady_forces
 from gearwright.replays.pulvirenti.claims import Verdict
 from gearwright.sizing import Sizing, size
+from gearwright.spec.design import ShaftLayout
+from gearwright.study import SplitTorque
 
 RIGID, FLOATING = 2e9, 1e7
 """Support stiffness of the pinion's shaft without floating, as of the other shafts, and of table 1 [N/m]."""
@@ -51,46 +55,58 @@ class SplitClaim:
     """Reason, with numbers."""
 
 
-def split_torque_claims(sizing: Sizing) -> tuple[SplitClaim, ...]:
+def split_torque_claims(sizing: Sizing, parts: SplitTorque) -> tuple[SplitClaim, ...]:
     """Return every claim of the paper with its verdict.
 
     Args:
-        sizing: Of the shipped design ``face-gear-split-torque``, or of a variant with the same names.
+        sizing: Of the shipped design ``face-gear-split-torque``, or of another of this kind.
+        parts: Its parts, from `split_torque`.
 
     Source: Wang, Zhao, Tao, Jia & Guo, "Floating shaft load sharing method for face gear split torque transmission
         system", case study and conclusion.
     """
-    effects = _effects(sharing_problem(sizing, "second"))
-    sharings = {each: _sharing(sizing, each, "second") for each in (RIGID, HALF, FLOATING)}
+    effects = _effects(sharing_problem(sizing, parts.joining))
+    problems = {each: _supported(sizing, parts, each) for each in (RIGID, HALF, FLOATING)}
+    sharings = {each: _sharing(problem) for each, problem in problems.items()}
     return (
         _unequal(sharings[RIGID]),
         _improves(sharings),
-        _moves_more(sizing),
-        _calmer(sizing),
-        _gears(effects),
-        _shafts(sizing, effects),
+        _moves_more([_displacement(problems[each], parts, sharings[each].time) for each in problems]),
+        _calmer(sizing, parts),
+        _gears(effects, parts),
+        _shafts(sizing, effects, parts),
         _three_percent(effects),
-        _axial(effects),
-        _identical(effects),
+        _axial(effects, parts),
+        _identical(effects, parts),
         _one_error(effects),
     )
 
 
-def with_support(sizing: Sizing, stiffness: float) -> Sizing:
-    """Return a sizing whose input shaft is held by another stiffness.
+def with_support(sizing: Sizing, shaft: str, stiffness: float) -> Sizing:
+    """Return a sizing whose shaft is held by another stiffness.
 
     Args:
-        sizing: With a support of the shaft ``input``.
+        sizing: With a support of the shaft.
+        shaft: Its name.
         stiffness: Across the shaft [N/m].
     """
     supports = sizing.design.supports
-    softer = {**supports, "input": supports["input"].model_copy(update={"radial": stiffness})}
+    softer = {**supports, shaft: supports[shaft].model_copy(update={"radial": stiffness})}
     return replace(sizing, design=sizing.design.model_copy(update={"supports": softer}))
 
 
-def _sharing(sizing: Sizing, stiffness: float, stage: str, method: Method = "sidebands") -> LoadSharing:
-    problem = sharing_problem(with_support(sizing, stiffness), stage)
-    return load_sharing(problem.system, problem.lines, method=method)
+def _supported(sizing: Sizing, parts: SplitTorque, stiffness: float, stage: str = "") -> SharingProblem:
+    return sharing_problem(with_support(sizing, parts.pinion, stiffness), stage or parts.joining)
+
+
+def _sharing(problem: SharingProblem) -> LoadSharing:
+    return load_sharing(problem.system, problem.lines, method="sidebands")
+
+
+def _displacement(problem: SharingProblem, parts: SplitTorque, time: Floats) -> float:
+    """Return how far shaft 1 moves at most, tooth ripple included [m]."""
+    force = steady_forces(problem.system, sidebands=SIDEBANDS).at(time)
+    return float(np.max(np.linalg.norm(shaft_displacement(problem, parts.pinion, force), axis=1)))
 
 
 def _effects(problem: SharingProblem) -> dict[str, float]:
@@ -128,18 +144,21 @@ def _improves(sharings: Mapping[float, LoadSharing]) -> SplitClaim:
     )
 
 
-def _moves_more(sizing: Sizing) -> SplitClaim:
-    moved = 1e6 * support_sweep(sizing, "input", (RIGID, HALF, FLOATING)).displacement
-    why = f"{moved[0]:.0f}, {moved[1]:.0f}, {moved[2]:.0f} µm at 2e9, 5e7, 1e7 N/m; it nears a kinematic limit"
+def _moves_more(displacements: Sequence[float]) -> SplitClaim:
+    rigid, half, floating = (1e6 * each for each in displacements)
+    why = f"{rigid:.0f}, {half:.0f}, {floating:.0f} µm at 2e9, 5e7, 1e7 N/m; it nears a kinematic limit"
     return SplitClaim(
-        "The displacement of the shaft grows", "figures 5, 7", _verdict(always=bool(np.all(np.diff(moved) > 0))), why
+        "The displacement of the shaft grows", "figures 5, 7", _verdict(always=rigid < half < floating), why
     )
 
 
-def _calmer(sizing: Sizing) -> SplitClaim:
+def _calmer(sizing: Sizing, parts: SplitTorque) -> SplitClaim:
     quiet = replace(sizing, design=sizing.design.model_copy(update={"errors": {}}))
     stiffnesses = (RIGID, BETWEEN, HALF, FLOATING)
-    ripple = {stage: [_ripple(_sharing(quiet, each, stage)) for each in stiffnesses] for stage in ("first", "second")}
+    ripple = {
+        stage: [_ripple(_sharing(_supported(quiet, parts, each, stage))) for each in stiffnesses]
+        for stage in (parts.face, parts.joining)
+    }
     falling = [one[0] > one[2] > one[3] for one in ripple.values()]
     first, second = (", ".join(f"{each:.1%}" for each in one) for one in ripple.values())
     why = (
@@ -162,13 +181,11 @@ def _ripple(sharing: LoadSharing) -> float:
     return float(np.sqrt(np.mean(ripple[:, 0] ** 2)) / np.mean(sharing.force[:, 0]))
 
 
-_GEARS = ("first.pinion", "first.wheel.left", "second.pinion.left", "second.wheel")
-
-
-def _gears(effects: dict[str, float]) -> SplitClaim:
-    gear = {name: effects[f"{name} eccentricity"] for name in _GEARS}
-    largest = max(gear, key=lambda name: gear[name]) == "second.pinion.left"
-    others = [value for name, value in gear.items() if name != "second.pinion.left"]
+def _gears(effects: dict[str, float], parts: SplitTorque) -> SplitClaim:
+    one, two, _, four, _, six = parts.gears
+    gear = {name: effects[f"{name} eccentricity"] for name in (one, two, four, six)}
+    largest = max(gear, key=lambda name: gear[name]) == four
+    others = [value for name, value in gear.items() if name != four]
     same = max(others) / min(others) <= 1.0 + ALIKE
     why = "; ".join(f"{name} {value:.2%}" for name, value in gear.items())
     words = "Eccentric gears 4 and 5 matter most, the others about the same"
@@ -177,23 +194,24 @@ def _gears(effects: dict[str, float]) -> SplitClaim:
     )
 
 
-def _shafts(sizing: Sizing, effects: dict[str, float]) -> SplitClaim:
+def _shafts(sizing: Sizing, effects: dict[str, float], parts: SplitTorque) -> SplitClaim:
     layout = sizing.design.layout
-    turned = layout["output"].model_copy(update={"angle": (layout["output"].angle or 0.0) - math.pi})
-    other = size(sizing.design.model_copy(update={"layout": {**layout, "output": turned}}))
-    mirrored = _effects(sharing_problem(other, "second"))
-    here, there = (_largest_shaft(each) == "left" for each in (effects, mirrored))
+    output = layout.get(parts.output, ShaftLayout())
+    turned = output.model_copy(update={"angle": (output.angle or 0.0) - math.pi})
+    other = size(sizing.design.model_copy(update={"layout": {**layout, parts.output: turned}}))
+    left, right = (f"{shaft} eccentricity" for shaft in parts.paths)
+    mirrored = _effects(sharing_problem(other, parts.joining))
+    here, there = (_largest_shaft(each, parts) == parts.paths[0] for each in (effects, mirrored))
     why = (
-        f"shaft 2 {effects['left eccentricity']:.2%}, shaft 3 {effects['right eccentricity']:.2%}; with shaft 4 on the "
-        f"other side {mirrored['left eccentricity']:.2%} and {mirrored['right eccentricity']:.2%}: the paper does not "
-        "say on which"
+        f"shaft 2 {effects[left]:.2%}, shaft 3 {effects[right]:.2%}; with shaft 4 on the other side "
+        f"{mirrored[left]:.2%} and {mirrored[right]:.2%}: the paper does not say on which"
     )
     return SplitClaim("Of the shafts, an eccentric shaft 2 matters most", "figures 14 to 16",
                       _verdict(always=here and there, partly=here or there), why)  # fmt: skip
 
 
-def _largest_shaft(effects: dict[str, float]) -> str:
-    return max(("input", "left", "right", "output"), key=lambda name: effects[f"{name} eccentricity"])
+def _largest_shaft(effects: dict[str, float], parts: SplitTorque) -> str:
+    return max(parts.shafts, key=lambda name: effects[f"{name} eccentricity"])
 
 
 def _three_percent(effects: dict[str, float]) -> SplitClaim:
@@ -203,16 +221,16 @@ def _three_percent(effects: dict[str, float]) -> SplitClaim:
                       _verdict(always=0.025 <= worst < 0.035), why)  # fmt: skip
 
 
-def _axial(effects: dict[str, float]) -> SplitClaim:
-    left, right = effects["left axial"], effects["right axial"]
+def _axial(effects: dict[str, float], parts: SplitTorque) -> SplitClaim:
+    left, right = (effects[f"{shaft} axial"] for shaft in parts.paths)
     same = math.isclose(left, right, rel_tol=1e-6)
     why = f"{left:.3%} and {right:.3%}: by geometry and at any support, not because the pinion floats"
     return SplitClaim("Axial errors of shafts 2 and 3 matter alike because the pinion floats", "figures 17, 18",
                       _verdict(always=False, partly=same), why)  # fmt: skip
 
 
-def _identical(effects: dict[str, float]) -> SplitClaim:
-    pairs = (("input", "first.pinion"), ("output", "second.wheel"))
+def _identical(effects: dict[str, float], parts: SplitTorque) -> SplitClaim:
+    pairs = ((parts.pinion, parts.gears[0]), (parts.output, parts.gears[-1]))
     same = all(
         math.isclose(effects[f"{shaft} eccentricity"], effects[f"{gear} eccentricity"], rel_tol=1e-9)
         for shaft, gear in pairs
