@@ -2,6 +2,7 @@
 
 from gearwright.mission.flight import Balance, Flight, PhaseSummary, phase_summaries
 from gearwright.mission.fly import fly
+from gearwright.mission.gearbox import Oil, gearbox_of
 from gearwright.mission.lives.bearings import BearingDamage, BearingLives, bearing_lives
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.mission.lives.life import LifeSizing, size_for_life
@@ -18,6 +19,7 @@ __all__ = [
     "Flight",
     "GearDamage",
     "LifeSizing",
+    "Oil",
     "PartLife",
     "PhaseSummary",
     "Window",
@@ -26,6 +28,7 @@ __all__ = [
     "durability",
     "fly",
     "gear_damage",
+    "gearbox_of",
     "governed_window",
     "mesh_spectrum",
     "phase_summaries",

@@ -21,7 +21,7 @@ from gearwright.parts.losses import (
     tooth_contact,
     windage_power,
 )
-from gearwright.sizing import GearSizing, Sizing
+from gearwright.sizing import GearSizing, Sizing, profile_shift
 from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
 from gearwright.spec import GROUND, Design, Drive
 from gearwright.train import INTERNAL, PowerFlow, Turning, power_flow
@@ -134,6 +134,7 @@ def _contact(design: Design, pair: tuple[GearSizing, GearSizing], sign: int) -> 
         one.module,
         pressure_angle=design.rules(one.stage).pressure_angle,
         helix_angle=one.helix_angle,
+        profile_shift=profile_shift(design, one),
     )
 
 

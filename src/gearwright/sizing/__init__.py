@@ -4,6 +4,7 @@ from gearwright.sizing.breakdown import AskedSpeed, MassPart, asked_speeds, bear
 from gearwright.sizing.margins import Margin, margins
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing, ShaftStep
 from gearwright.sizing.named import TEXT, Named, named_results, pick, total_results
+from gearwright.sizing.profile_shifts import profile_shift
 from gearwright.sizing.result import (
     CarrierSizing,
     GearSizing,
@@ -39,6 +40,7 @@ __all__ = [
     "mass_parts",
     "named_results",
     "pick",
+    "profile_shift",
     "size",
     "total_results",
 ]

@@ -54,6 +54,19 @@ def test_summary_answers_the_question():
         assert part in words
 
 
+def test_shares_that_the_design_states_are_told_from_the_elastic_ones():
+    """`share` reaches sizing alone: the text and the JSON say so beside what stiffness gives."""
+    design = read(shipped_design("face-gear-split-torque"))
+    pairs = {**design.pairs, "second": design.pairs["second"].model_copy(update={"share": [0.6, 0.4]})}
+    problem = sharing_problem(size(design.model_copy(update={"pairs": pairs})))
+    study = sharing_study(problem, method="quasi-static")
+    line = "stated in the design and taken by sizing: second.left 60.00%, second.right 40.00%; all below is what"
+    assert summary(study)[1].startswith(line)
+    assert "without errors: second.left 49.80%" in summary(study)[2]
+    assert json.loads(sharing_json(study))["stated"] == [0.6, 0.4]
+    assert json.loads(sharing_json(studied()))["stated"] is None
+
+
 def test_json_holds_what_the_tables_show():
     content = json.loads(sharing_json(studied()))
     sizes = content["allocation"]["sizes"]

@@ -35,6 +35,15 @@ def test_the_fzg_type_c_gears_have_their_published_loss_factor():
     assert tooth_loss_factor(teeth, 0.0, approach=ratios[1], recess=ratios[0]) == pytest.approx(0.195, rel=0.01)
 
 
+@pytest.mark.parametrize(("shift", "factor"), [(0.0, 0.1670), (0.4, 0.1769)])
+def test_profile_shift_changes_the_loss_factor_as_by_hand(shift, factor):
+    """18/54, 20°, module 1: ε = z/2π (√(r_a²/r_b² − 1) − tan 20°) with r_a = 9 + 1 + x and 27 + 1 − x, r_b = r cos 20°;
+    H_V = π (1/18 + 1/54)(1 − ε_α + ε_1² + ε_2²); rounded to the fourth digit.
+    """
+    contact = tooth_contact((18, 54), 1.0, pressure_angle=20 * DEGREE, profile_shift=shift)
+    assert contact.loss_factor == pytest.approx(factor, abs=5e-5)
+
+
 def test_an_internal_mesh_loses_less_than_an_external_one():
     """The sliding is that of the difference of the curvatures: (1/z_1 - 1/|z_2|)."""
     outer = tooth_contact((30, 90), 3e-3, pressure_angle=20 * DEGREE)

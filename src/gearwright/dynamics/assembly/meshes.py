@@ -21,8 +21,8 @@ from gearwright.parts.stiffness import (
     sampled_curve,
     square_wave_pulvirenti,
 )
-from gearwright.sizing import GearSizing, MeshSizing, Sizing
-from gearwright.spec import Pair
+from gearwright.sizing import GearSizing, MeshSizing, Sizing, profile_shift
+from gearwright.spec import Design, Pair
 from gearwright.spec.design import MeshCurve
 
 
@@ -35,8 +35,7 @@ def gear_pairs(sizing: Sizing) -> dict[str, GearPair]:
     gears = {gear.name: gear for gear in sizing.gears}
     pairs = {}
     for mesh in sizing.train.meshes:
-        angle = sizing.design.rules(mesh.stage).pressure_angle
-        one, other = (_cylindrical(gears[gear], angle) for gear in mesh.gears)
+        one, other = (_cylindrical(sizing.design, gears[gear], mesh.stage) for gear in mesh.gears)
         if is_bevel(sizing, mesh.stage):
             one, other = _virtual(one, other)
         pairs[mesh.name] = GearPair(one, replace(other, teeth=-other.teeth) if mesh.sign > 0 else other)
@@ -61,9 +60,9 @@ def _virtual(one: CylindricalGear, other: CylindricalGear) -> tuple[CylindricalG
     return replace(one, teeth=first), replace(other, teeth=second)
 
 
-def _cylindrical(gear: GearSizing, pressure_angle: float) -> CylindricalGear:
-    rack = BasicRack(pressure_angle=pressure_angle)
-    return CylindricalGear(gear.teeth, gear.module, gear.face_width, gear.helix_angle, rack=rack)
+def _cylindrical(design: Design, gear: GearSizing, stage: str) -> CylindricalGear:
+    rack, shift = BasicRack(pressure_angle=design.rules(stage).pressure_angle), profile_shift(design, gear)
+    return CylindricalGear(gear.teeth, gear.module, gear.face_width, gear.helix_angle, profile_shift=shift, rack=rack)
 
 
 def mesh_curve(sizing: Sizing, mesh: MeshSizing, pair: GearPair, *, harmonics: int | None = None) -> StiffnessCurve:

@@ -25,7 +25,7 @@ from gearwright.dynamics.sharing.solutions import LoadSharing, Method, load_shar
 from gearwright.dynamics.sharing.tolerance_allocation import Allocation, allocate
 from gearwright.errors import DesignError, Problem, near
 from gearwright.sizing import Sizing
-from gearwright.spec import Planetary
+from gearwright.spec import Pair, Planetary
 
 DETERMINATE = 1e-9
 """Force for each unit of error over the stiffness of a line below which equilibrium alone shares the load [-]."""
@@ -47,6 +47,8 @@ class SharingProblem:
     """Its force states."""
     sources: tuple[ErrorSource, ...]
     """Every single error of the design."""
+    stated: tuple[float, ...] | None = None
+    """Shares that the design states and sizing takes [-]; the elastic ones do not follow them. None: equal shares."""
 
     @property
     def places(self) -> Ints:
@@ -107,7 +109,9 @@ def sharing_problem(sizing: Sizing, stage: str | None = None, *, case: str | Non
     case = case or default_case(sizing)
     system, contacts = one_sided(assemble(sizing, case)), contacts_of(sizing, sizing.flows[case])
     sources = error_sources(system, contacts, sizing.design.errors)
-    return SharingProblem(name, groups[name], system, contacts, redundancy(system), sources)
+    rule = sizing.design.stages[name]
+    stated = tuple(rule.share) if isinstance(rule, Pair) and rule.share is not None else None
+    return SharingProblem(name, groups[name], system, contacts, redundancy(system), sources, stated)
 
 
 def one_sided(system: System) -> System:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
 from gearwright.dynamics.equations import Complexes, damped_modes, linear
+from gearwright.dynamics.given import numbers
 from gearwright.dynamics.model import Floats, System, Tone
 from gearwright.errors import DesignError, Problem
 
@@ -68,7 +68,7 @@ class Campbell:
         return sorted(found, key=lambda margin: abs(margin[0]))
 
 
-def campbell(system: System, factors: Sequence[float]) -> Campbell:
+def campbell(system: System, factors: Sequence[float] | Floats) -> Campbell:
     """Return natural frequencies at each speed, followed by their shapes, with all tones and shaft speeds as orders.
 
     Args:
@@ -79,11 +79,12 @@ def campbell(system: System, factors: Sequence[float]) -> Campbell:
         Shapes are paired from speed to speed by the assignment of largest total modal assurance criterion,
         Allemang 2003, Sound and Vibration 37(8).
     """
-    if len(factors) < 2 or any(later <= earlier for earlier, later in pairwise(factors)):
-        raise DesignError([Problem("factors", f"give at least two rising speeds; given {list(factors)}")])
-    values, shapes = damped_modes(linear(system.arrays, factors[0]))
+    speeds = numbers(factors, "factors")
+    if len(speeds) < 2 or np.any(np.diff(speeds) <= 0.0):
+        raise DesignError([Problem("factors", f"give at least two rising speeds; given {speeds.tolist()}")])
+    values, shapes = damped_modes(linear(system.arrays, float(speeds[0])))
     rows = [values]
-    for factor in factors[1:]:
+    for factor in speeds[1:].tolist():
         values, later = damped_modes(linear(system.arrays, factor))
         order = _pairing(system.arrays.mass, shapes, later, (rows[-1], values))
         shapes, values = later[:, order], values[order]
@@ -91,7 +92,6 @@ def campbell(system: System, factors: Sequence[float]) -> Campbell:
     table = np.array(rows)
     frequency, orders = table.imag / (2.0 * np.pi), tuple(_orders(system))
     damping = -table.real / np.abs(table)
-    speeds = np.array(factors, dtype=float)
     crossings = sorted(_crossings(speeds, frequency, orders), key=lambda crossing: crossing.factor)
     return Campbell(speeds, frequency, damping, orders, tuple(crossings))
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.dynamics.equations import Complexes, linear
+from gearwright.dynamics.given import positive_numbers
 from gearwright.dynamics.model import Floats, Labels, System, line_matrix
 from gearwright.dynamics.motion import index_of
-from gearwright.errors import DesignError, Problem
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +45,7 @@ class Response:
 
 def frequency_response(
     system: System,
-    frequency: Sequence[float],
+    frequency: Sequence[float] | Floats,
     *,
     errors: Mapping[str, complex] | None = None,
     loads: Mapping[str, complex] | None = None,
@@ -61,9 +61,7 @@ def frequency_response(
     Raises:
         DesignError: For a frequency that is not positive, or names that do not exist.
     """
-    rates = 2.0 * np.pi * np.asarray(frequency, dtype=float)
-    if not np.all((rates > 0.0) & np.isfinite(rates)):
-        raise DesignError([Problem("frequency", "every exciting frequency must be positive and finite")])
+    rates = 2.0 * np.pi * positive_numbers(frequency, "frequency")
     arrays, labels = system.arrays, system.labels
     error = _amplitudes(errors or {}, labels.lines, "line")
     load = _amplitudes(loads or {}, labels.coordinates, "coordinate")

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from gearwright.dynamics.given import positive_numbers
 from gearwright.dynamics.model import Floats, System
 from gearwright.dynamics.motion import Outputs, Samples, default_step, index_of, simulate
 from gearwright.dynamics.vibration.critical_speeds import order_name
@@ -43,7 +45,7 @@ class RunUp:
 def run_up(
     sizing: Sizing,
     system: System,
-    factors: Sequence[float],
+    factors: Sequence[float] | Floats,
     *,
     lines: Sequence[str],
     settle: float = 0.05,
@@ -64,20 +66,21 @@ def run_up(
     Raises:
         DesignError: For speeds or times that are not positive, or lines that do not exist.
     """
-    if not len(factors) or not min(factors) > 0.0 or not (settle >= 0.0 and window > 0.0):
-        raise DesignError([Problem("factors", "speeds and the window must be positive")])
+    speeds = positive_numbers(factors, "factors").tolist()
+    if not (settle >= 0.0 and 0.0 < window < math.inf):
+        raise DesignError([Problem("window", f"{window:g} s after {settle:g} s; the window must be positive")])
     for line in lines:
         index_of(line, system.labels.lines, "line")
-    step = min(default_step(at_speed(system, factor).arrays) for factor in (factors[0], factors[-1]))
+    step = min(default_step(at_speed(system, factor).arrays) for factor in (speeds[0], speeds[-1]))
     outputs = Outputs(samples=2, windows=((settle, settle + window),))
     rows = []
-    for number, factor in enumerate(factors, start=1):
+    for number, factor in enumerate(speeds, start=1):
         each = at_speed(system, factor)
         samples = simulate(each, settle + window, step=step, method="runge-kutta", outputs=outputs).whole().windows[0]
         rows.append([_heard(each, samples, samples.force(line)) for line in lines])
         if progress is not None:
-            progress(number / len(factors))
-    return _gathered(sizing, system, rows, (factors, tuple(lines), step))
+            progress(number / len(speeds))
+    return _gathered(sizing, system, rows, (speeds, tuple(lines), step))
 
 
 def _heard(system: System, samples: Samples, force: Floats) -> tuple[Floats, Floats, float, float]:

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from gearwright.dynamics.given import positive_numbers
 from gearwright.dynamics.model import Floats, System
 from gearwright.dynamics.motion import Ensemble, default_step, simulate_many
-from gearwright.errors import DesignError, Problem
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +33,7 @@ class SpeedMap:
 
 def speed_map(
     system: System,
-    factors: Sequence[float],
+    factors: Sequence[float] | Floats,
     *,
     settle: float,
     duration: float,
@@ -43,7 +43,7 @@ def speed_map(
 
     Args:
         system: Its loads are kept as they are at every speed.
-        factors: Speeds over the reference speeds [-], positive.
+        factors: Speeds over the reference speeds [-], positive; any sequence of numbers.
         settle: Time left out, for the transient to decay [s].
         duration: Whole time at each speed [s].
         progress: Called with the fraction done.
@@ -51,12 +51,11 @@ def speed_map(
     Raises:
         DesignError: For speeds that are not positive.
     """
-    if not factors or not all(0.0 < factor < np.inf for factor in factors):
-        raise DesignError([Problem("factors", "every speed must be positive and finite")])
-    systems = [at_speed(system, factor) for factor in factors]
+    speeds = positive_numbers(factors, "factors")
+    systems = [at_speed(system, factor) for factor in speeds]
     step = min(default_step(each.arrays) for each in systems)
     forces = simulate_many(systems, duration, step=step, settle=settle, progress=progress)
-    return SpeedMap(np.array(factors, dtype=float), forces)
+    return SpeedMap(speeds, forces)
 
 
 def at_speed(system: System, factor: float) -> System:

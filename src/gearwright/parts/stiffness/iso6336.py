@@ -7,6 +7,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import cast
+
+import numpy as np
+from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.gears import BasicRack, GearPair
@@ -14,6 +18,7 @@ from gearwright.parts.gears.involute import virtual_teeth
 from gearwright.parts.stiffness.curve import StiffnessCurve
 from gearwright.parts.stiffness.passing_pairs import rectangular_curve
 
+Floats = NDArray[np.float64]
 _C = (0.04723, 0.15551, 0.25791, -0.00635, -0.11654, -0.00193, -0.24188, 0.00529, 0.00182)
 """Coefficients C_1 to C_9 of the least flexibility q′ in mm µm/N (ISO 6336-1:2006, clause 9, method B)."""
 _UNIT = 1e9  # N/(mm µm) in N/m²
@@ -55,24 +60,35 @@ class MeshStiffness:
 def theoretical_stiffness(teeth: tuple[float, float], profile_shifts: tuple[float, float] = (0.0, 0.0)) -> float:
     """Return the theoretical single stiffness c′_th of a pair of solid steel spur gears.
 
+    The regression for q′ has one set of coefficients for the pinion and one for the wheel: the gear with fewer teeth
+    counts as the pinion, whichever drives; of equal ones that with the larger shift.
+
     Args:
-        teeth: Virtual numbers of teeth z_n1 and z_n2 [-]; infinite for an internal gear.
-        profile_shifts: x_1 and x_2 [-].
+        teeth: Virtual numbers of teeth z_n of both gears [-], or arrays of them; infinite for an internal gear.
+        profile_shifts: x of both [-].
 
     Returns:
         c′_th [N/m²], from the least flexibility q′.
 
-    Source: ISO 6336-1:2006, clause 9, 1/q′.
+    Source: ISO 6336-1:2006, clause 9, 1/q′; index 1 is the pinion, 2 the wheel.
     Valid for: x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2.
 
     >>> round(theoretical_stiffness((18.905, 114.543), (0.145, 0.0)) / 1e9, 4)
     17.8558
     """
-    (z_1, z_2), (x_1, x_2) = teeth, profile_shifts
-    c = _C
+    (z_1, z_2), (x_1, x_2), c = *_pinion_first(teeth, profile_shifts), _C
     flexibility = c[0] + c[1] / z_1 + c[2] / z_2 + c[3] * x_1 + c[4] * x_1 / z_1
     flexibility += c[5] * x_2 + c[6] * x_2 / z_2 + c[7] * x_1**2 + c[8] * x_2**2
-    return _UNIT / flexibility
+    return cast(float, _UNIT / flexibility)  # arrays pass through
+
+
+def _pinion_first(
+    teeth: tuple[float, float], shifts: tuple[float, float]
+) -> tuple[tuple[Floats, Floats], tuple[Floats, Floats]]:
+    (z_1, z_2), (x_1, x_2) = (tuple(np.asarray(each, dtype=np.float64) for each in both) for both in (teeth, shifts))
+    turned = (z_1 > z_2) | ((z_1 == z_2) & (x_1 < x_2))
+    ordered = [(np.where(turned, b, a), np.where(turned, a, b)) for a, b in ((z_1, z_2), (x_1, x_2))]
+    return ordered[0], ordered[1]
 
 
 def blank_factor(blank: GearBlank) -> float:

@@ -50,6 +50,9 @@ def summary(study: SharingStudy) -> list[str]:
         f"without errors: {perfect}",
         f"with the errors as given: {given} over a tooth cycle, K_γ {sharing.load_factor:.3f} ({sharing.reason})",
     ]
+    if problem.stated is not None:
+        stated = ", ".join(f"{name} {share:.2%}" for name, share in zip(problem.lines, problem.stated, strict=True))
+        found.insert(1, f"stated in the design and taken by sizing: {stated}; all below is what stiffness makes of it")
     if not problem.shifts:
         found.append("statically determinate: equilibrium alone shares the load, and no error shifts it")
     if study.distribution is not None and problem.shifts:
@@ -106,6 +109,7 @@ def sharing_json(study: SharingStudy) -> str:
         "stage": problem.stage,
         "paths": list(problem.lines),
         "redundancies": problem.train.count,
+        "stated": None if problem.stated is None else list(problem.stated),
         "without_errors": problem.perfect.tolist(),
         "method": study.sharing.method,
         "reason": study.sharing.reason,

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from gearwright.parts.bevel import BevelPair, Hand
 from gearwright.parts.gears import BasicRack, CylindricalGear
-from gearwright.sizing import GearSizing, Sizing
+from gearwright.sizing import GearSizing, Sizing, profile_shift
 from gearwright.sizing.arrangement import helix_hand
 from gearwright.sizing.rating import rating_of, standard_teeth
 from gearwright.spec import Pair
@@ -47,25 +47,20 @@ def is_internal(sizing: Sizing, gear: GearSizing) -> bool:
 def cylindrical_gear(sizing: Sizing, gear: GearSizing) -> CylindricalGear:
     """Return the teeth of a cylindrical gear with the basic rack ISO 53 A and the profile shift of its stage.
 
-    Pinions and suns have +x, what meshes with them −x, so that no centre distance changes.
-
     Args:
         sizing: What was sized.
         gear: One of its gears.
     """
     rules = sizing.design.rules(gear.stage)
-    sign = {"pinion": 1.0, "sun": 1.0, "ring": 1.0, "wheel": -1.0, "planet": -1.0}[gear.role]
-    inside = is_internal(sizing, gear)
-    shift = rules.profile_shift * (1.0 if inside else sign)
     teeth = CylindricalGear(
         gear.teeth,
         gear.module,
         gear.face_width,
         gear.helix_angle,
-        profile_shift=shift,
+        profile_shift=profile_shift(sizing.design, gear),
         rack=BasicRack(pressure_angle=rules.pressure_angle),
     )
-    return replace(teeth, teeth=-gear.teeth) if inside else teeth
+    return replace(teeth, teeth=-gear.teeth) if is_internal(sizing, gear) else teeth
 
 
 def bevel_pair(sizing: Sizing, stage: str) -> BevelPair:

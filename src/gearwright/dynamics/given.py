@@ -1,0 +1,54 @@
+"""What callers give as numbers: any sequence of them, as one array."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gearwright.dynamics.model import Floats
+from gearwright.errors import DesignError, Problem
+
+LONGEST = 60
+"""Characters of what was given that a message repeats."""
+
+
+def numbers(values: Sequence[float] | Floats, path: str) -> Floats:
+    """Return numbers as an array, one at least, all finite.
+
+    Args:
+        values: A list, a tuple, an array.
+        path: What they are called, for the message.
+
+    Raises:
+        DesignError: If they are anything else.
+    """
+    try:
+        found = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        found = np.zeros((0, 0))
+    if found.ndim != 1 or not len(found) or not np.all(np.isfinite(found)):
+        raise _refused(values, path, "finite")
+    return found
+
+
+def positive_numbers(values: Sequence[float] | Floats, path: str) -> Floats:
+    """Return numbers as an array, one at least, all positive and finite.
+
+    Args:
+        values: A list, a tuple, an array.
+        path: What they are called, for the message.
+
+    Raises:
+        DesignError: If they are anything else.
+    """
+    found = numbers(values, path)
+    if not np.all(found > 0.0):
+        raise _refused(values, path, "positive")
+    return found
+
+
+def _refused(values: object, path: str, what: str) -> DesignError:
+    shown = repr(values)
+    shown = shown if len(shown) <= LONGEST else f"{shown[:LONGEST]} …"
+    return DesignError([Problem(path, f"{shown}; give a sequence of {what} numbers, one at least, as [0.5, 1.0]")])

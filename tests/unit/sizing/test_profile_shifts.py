@@ -1,0 +1,44 @@
+"""Profile shifts reach everything that is computed from the teeth."""
+
+from __future__ import annotations
+
+import pytest
+
+from designs import PAIR
+from gearwright.dynamics.assembly import gear_pairs
+from gearwright.mission import Oil, gearbox_of
+from gearwright.render.drawings.views.teeth import cylindrical_gear
+from gearwright.shipped import shipped_design
+from gearwright.sizing import Sizing, profile_shift, size
+from gearwright.spec import edited, parse, read
+
+TEETH = "pinion_teeth = 18\nwheel_teeth = 54\n"
+
+
+def shifted(shift: float, more: str = "") -> Sizing:
+    return size(parse(f"{PAIR}{TEETH}{more}\n[gears]\nhelix_angle_deg = 0\nprofile_shift = {shift}\n"))
+
+
+@pytest.mark.parametrize(("shift", "factor"), [(0.0, 0.1670), (0.4, 0.1769)])
+def test_losses_in_flight_know_the_shift(shift, factor):
+    """H_V of 18/54 by hand: see the validation of losses."""
+    box = gearbox_of(shifted(shift), "propeller", Oil(353.15, 4e-7, {}))
+    assert box.contacts[0].loss_factor == pytest.approx(factor, abs=5e-5)
+
+
+def test_stiffness_and_contact_ratio_of_the_dynamics_know_the_shift():
+    """By hand: ε_α = 1.648770 without a shift and 1.559706 with 0.4."""
+    plain, cut = (gear_pairs(shifted(shift))["stage"] for shift in (0.0, 0.4))
+    assert (cut.driver.profile_shift, cut.driven.profile_shift) == (0.4, -0.4)
+    assert plain.transverse_contact_ratio == pytest.approx(1.648770, abs=3e-5)
+    assert cut.transverse_contact_ratio == pytest.approx(1.559706, abs=3e-5)
+
+
+def test_shifts_of_every_mesh_add_up_to_nothing():
+    """x_1 + x_2 = 0 keeps every centre distance, of planets and inside a wheel too."""
+    planetary = size(edited(read(shipped_design("in-line-h2")), {"gears.profile_shift": 0.3}))
+    for sizing in (planetary, shifted(0.3, "internal = true\n")):
+        gears = {gear.name: gear for gear in sizing.gears}
+        for mesh in sizing.train.meshes:
+            assert sum(profile_shift(sizing.design, gears[name]) for name in mesh.gears) == 0.0
+            assert sum(cylindrical_gear(sizing, gears[name]).profile_shift for name in mesh.gears) == 0.0
