@@ -6,9 +6,12 @@ of a file at once.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
+from typing import TypeVar
+
+_T = TypeVar("_T")
 
 
 @dataclass(frozen=True)
@@ -74,3 +77,19 @@ def near(name: str, allowed: Iterable[str]) -> str:
         return "none is defined"
     match = get_close_matches(name, names, n=1, cutoff=0.6)
     return f"did you mean {match[0]}?" if match else f"allowed: {', '.join(names)}"
+
+
+def by_name(name: str, among: Mapping[str, _T], what: str) -> _T:
+    """Return the part of a name.
+
+    Args:
+        name: What was asked for.
+        among: Name -> part.
+        what: Such as ``"case"``, for the message.
+
+    Raises:
+        DesignError: If there is none of this name; with the nearest one.
+    """
+    if name not in among:
+        raise DesignError([Problem(what, f"there is no {what} {name!r}; {near(name, among)}")])
+    return among[name]

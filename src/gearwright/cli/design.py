@@ -242,7 +242,7 @@ def _run_of(sizing: Sizing, results: Path) -> StoredRun:
     return stored
 
 
-def _assemble(sizing: Sizing, case: str | None, stiffness: str | None = None) -> System:
+def _assemble(sizing: Sizing, case: str | None, stiffness: Literal["constant", "varying"] | None = None) -> System:
     from gearwright.dynamics.assembly import assemble
 
     return assemble(sizing, case, stiffness=stiffness)

@@ -12,6 +12,7 @@ from gearwright.machines import HEATING_VALUE, PropellerMap
 from gearwright.sizing import Sizing
 from gearwright.spec import Mission
 from gearwright.units import Energy, Mass, Ratio, Time
+from gearwright.verbs import verb
 
 Array = NDArray[np.float64]
 
@@ -144,6 +145,7 @@ class PhaseSummary:
     """Of the gearbox: what it gives over what it takes [-]."""
 
 
+@verb
 def phase_summaries(flight: Flight) -> tuple[PhaseSummary, ...]:
     """Return fuel, energies and efficiency of each phase.
 

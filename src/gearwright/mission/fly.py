@@ -19,11 +19,13 @@ from gearwright.mission.supply import supply_of
 from gearwright.mission.thrust import performed, propeller_power
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, engine_out, mission_problems
+from gearwright.verbs import verb
 
 TRIAL_POWER = 1e5
 """Power at which an operating point is found before it is scaled [W]; torques and powers are proportional."""
 
 
+@verb
 def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flight:
     """Return the flight: what a mission asks of every shaft and mesh, and what it burns.
 

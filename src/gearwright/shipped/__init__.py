@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from gearwright.errors import DesignError, Problem, near
+from gearwright.verbs import verb
 
 _DESIGNS = Path(__file__).parent / "designs"
 _MISSIONS = Path(__file__).parent / "missions"
@@ -17,6 +18,7 @@ def shipped_designs() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in _DESIGNS.glob("*.toml")))
 
 
+@verb
 def shipped_design(name: str) -> Path:
     """Return the path of a shipped design file.
 
@@ -31,6 +33,7 @@ def shipped_design(name: str) -> Path:
     return _DESIGNS / f"{name}.toml"
 
 
+@verb
 def shipped_file(name: str) -> Path:
     """Return the path of a shipped design, mission or study file; no two share a name.
 
@@ -50,6 +53,7 @@ def shipped_file(name: str) -> Path:
     raise DesignError([Problem("name", f"there is no shipped design, mission or study {name!r}; {near(name, names)}")])
 
 
+@verb
 def find_design(name: str, folder: Path = Path()) -> Path:
     """Return the path of a design file, or of the shipped design of that name.
 
@@ -63,6 +67,7 @@ def find_design(name: str, folder: Path = Path()) -> Path:
     return _found(name, folder, shipped_design)
 
 
+@verb
 def find_mission(name: str, folder: Path = Path()) -> Path:
     """Return the path of a mission file, or of the shipped mission of that name.
 
@@ -76,6 +81,7 @@ def find_mission(name: str, folder: Path = Path()) -> Path:
     return _found(name, folder, shipped_mission)
 
 
+@verb
 def find_study(name: str) -> Path:
     """Return the path of a study file, or of the shipped study of that name.
 
@@ -106,6 +112,7 @@ def shipped_studies() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in _STUDIES.glob("*.toml")))
 
 
+@verb
 def shipped_study(name: str) -> Path:
     """Return the path of a shipped study file.
 
@@ -125,6 +132,7 @@ def shipped_missions() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in _MISSIONS.glob("*.toml")))
 
 
+@verb
 def shipped_mission(name: str) -> Path:
     """Return the path of a shipped mission file.
 

@@ -11,6 +11,7 @@ from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, MeshSizing, ShaftSizing, Sizing
 from gearwright.train import RATED, PowerFlow
 from gearwright.units import Quantity
+from gearwright.verbs import verb
 
 TEXT = "text"
 """Dimension of a result that is a name, such as the part that governs."""
@@ -25,6 +26,7 @@ class Named(NamedTuple):
     """Such as ``"mass"``, a key of the table of shown units; ``TEXT`` of a text."""
 
 
+@verb
 def named_results(sizing: Sizing) -> dict[str, Named]:
     """Return every number of a sizing by its dotted name.
 
@@ -61,6 +63,7 @@ def _efficiency(flow: PowerFlow) -> float:
     return 1.0 - flow.loss / sum(power for power in flow.machine_powers.values() if power > 0.0)
 
 
+@verb
 def pick(results: dict[str, Named], name: str) -> Named:
     """Return one result.
 

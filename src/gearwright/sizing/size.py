@@ -12,8 +12,10 @@ from gearwright.sizing.teeth import choose_teeth, refuse_bores, refuse_contradic
 from gearwright.spec import Design
 from gearwright.spec.design import Overrides
 from gearwright.train import Turning, build_train, power_flows, targets
+from gearwright.verbs import verb
 
 
+@verb
 def size(design: Design) -> Sizing:
     """Return the sized transmission: teeth, modules, widths, stresses, margins, shafts, carriers, masses.
 

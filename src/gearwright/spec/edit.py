@@ -13,11 +13,13 @@ from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import Design
 from gearwright.spec.mission import Mission, mission_problems
 from gearwright.spec.record import Record, keys_of
+from gearwright.verbs import verb
 
 Value = float | int | str | bool | list[Any]
 R = TypeVar("R", bound=Record)
 
 
+@verb
 def edited(design: Design, changes: Mapping[str, Value]) -> Design:
     """Return a design with some of its entries changed; the design itself stays as it is.
 
@@ -31,6 +33,7 @@ def edited(design: Design, changes: Mapping[str, Value]) -> Design:
     return _edited(design, changes, reference_problems)
 
 
+@verb
 def edited_mission(mission: Mission, changes: Mapping[str, Value]) -> Mission:
     """Return a mission with some of its entries changed, as `edited` does it with a design.
 

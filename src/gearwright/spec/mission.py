@@ -10,11 +10,13 @@ from pydantic import Field
 
 from gearwright.catalogue import gear_steel
 from gearwright.errors import DesignError, Problem
+from gearwright.shipped import find_mission
 from gearwright.spec.checks import STEEL_KEYS
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.spec.windows import GovernorRules, WindowRules, window_problems
 from gearwright.units import Angle, Area, Energy, Length, Mass, Power, Ratio, Speed, Time, Velocity
+from gearwright.verbs import verb
 
 NO_MAP = "none"
 """Name that stands for no propeller map."""
@@ -165,16 +167,17 @@ def engine_out(mission: Mission, phase: Phase) -> bool:
     return bool(phase.inoperative) or (phase.engines or mission.engines) < mission.engines
 
 
+@verb
 def read_mission(path: str | Path) -> Mission:
     """Return the mission that a file describes.
 
     Args:
-        path: A TOML file.
+        path: A TOML file, or the name of a shipped mission; a file of that name comes first.
 
     Raises:
         DesignError: With every problem of the file.
     """
-    return parse_mission(file_text(Path(path)), source=str(path))
+    return parse_mission(file_text(find_mission(str(path))), source=str(path))
 
 
 def parse_mission(text: str, *, source: str = "") -> Mission:

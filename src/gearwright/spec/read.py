@@ -8,28 +8,33 @@ from pathlib import Path
 from typing import Any, cast
 
 from gearwright.errors import DesignError, Problem
+from gearwright.shipped import find_design
 from gearwright.spec.checks import bearing_problems, reference_problems
 from gearwright.spec.curves import with_curves
 from gearwright.spec.design import Design
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.record import Location, build
+from gearwright.verbs import verb
 
 LARGEST_FILE = 1_000_000
 """Largest design file that is read [bytes]; the shipped ones have about a thousand."""
 
 
+@verb
 def read(path: str | Path) -> Design:
     """Return the design that a file describes.
 
     Args:
-        path: A TOML file.
+        path: A TOML file, or the name of a shipped design; a file of that name comes first.
 
     Raises:
         DesignError: With every problem of the file: its path, line, what was given, what is allowed and the fix.
     """
-    return parse(file_text(Path(path)), source=str(path), folder=Path(path).parent)
+    file = find_design(str(path))
+    return parse(file_text(file), source=str(path), folder=file.parent)
 
 
+@verb
 def parse(text: str, *, source: str = "", folder: Path | None = None) -> Design:
     """Return the design that a TOML text describes.
 

@@ -9,12 +9,13 @@ from typing import Literal, cast
 from pydantic import Field
 
 from gearwright.errors import DesignError, Problem
-from gearwright.shipped import find_mission
+from gearwright.shipped import find_mission, find_study
 from gearwright.spec.axis import Axis, Value, axis_length, axis_problems
 from gearwright.spec.mission import Mission, read_mission
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.units import Time
+from gearwright.verbs import verb
 
 MOST_CASES = 10_000_000
 """More cases than this are refused: at 1 ms each they would take three hours of one core, at 10 ms more than a day."""
@@ -161,16 +162,18 @@ def _sampled(study: Study) -> int:
     return sampling.count
 
 
+@verb
 def read_study(path: str | Path) -> Study:
     """Return the study that a file describes, with the mission that it names.
 
     Args:
-        path: A TOML file.
+        path: A TOML file, or the name of a shipped study; a file of that name comes first.
 
     Raises:
         DesignError: With every problem of the file.
     """
-    return parse_study(file_text(Path(path)), source=str(path), folder=Path(path).parent)
+    file = find_study(str(path))
+    return parse_study(file_text(file), source=str(path), folder=file.parent)
 
 
 def parse_study(text: str, *, source: str = "", folder: Path | None = None) -> Study:

@@ -18,9 +18,11 @@ from gearwright.dynamics import Labels, Samples, Statistics, Trace
 from gearwright.dynamics.equations import Work
 from gearwright.dynamics.model import Tone
 from gearwright.dynamics.motion import Checkpoints, Orders
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, by_name
 from gearwright.spec import Design
 from gearwright.store.image import new_netcdf
+from gearwright.train import RATED
+from gearwright.verbs import verb
 from gearwright.version import __version__
 
 FORMAT = "gearwright trace 1"
@@ -60,6 +62,7 @@ class StoredRun:
     """The run."""
 
 
+@verb
 def save(path: str | Path, trace: Trace, *, design: Design, case: str) -> None:
     """Write a run to a netCDF-4 file; a file that is there is replaced only when the new one is complete.
 
@@ -73,6 +76,7 @@ def save(path: str | Path, trace: Trace, *, design: Design, case: str) -> None:
         DesignError: If no file can be there.
         SolveError: If the disk does not take it.
     """
+    by_name(case, {RATED: {}, **design.cases}, "case")
     with new_netcdf(Path(path)) as file:
         file.attrs["format"], file.attrs["gearwright"] = FORMAT, __version__
         file.attrs["design"], file.attrs["case"] = design.model_dump_json(by_alias=True, exclude_unset=True), case
@@ -105,6 +109,7 @@ def _statistics_of(trace: Trace) -> dict[str, Statistics]:
     return {name: value for name, value in found.items() if value is not None}
 
 
+@verb
 def load(path: str | Path) -> StoredRun:
     """Return the run that a file holds, equal to what was saved.
 

@@ -12,7 +12,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from gearwright.catalogue import materials
 from gearwright.dynamics.assembly.geometry import add_errors, add_supports, base_radii, body_of, contacts_of
@@ -29,7 +29,7 @@ from gearwright.dynamics.model import (
     System,
     points_of,
 )
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import by_name
 from gearwright.parts.gears import GearPair
 from gearwright.parts.planetary import even_positions, planet_phases
 from gearwright.parts.shafts import shaft_diameter, torsional_stiffness
@@ -37,6 +37,7 @@ from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
 from gearwright.spec import GROUND, Planetary
 from gearwright.train import RATED, Joint, Mesh, PowerFlow
+from gearwright.verbs import verb
 
 
 class Driving(NamedTuple):
@@ -77,8 +78,13 @@ class _Assembly:
         self.inertias[name] = (own + inertia, speed)
 
 
+@verb
 def assemble(
-    sizing: Sizing, case: str | None = None, *, stiffness: str | None = None, driving: Driving | None = None
+    sizing: Sizing,
+    case: str | None = None,
+    *,
+    stiffness: Literal["constant", "varying"] | None = None,
+    driving: Driving | None = None,
 ) -> System:
     """Return the drive train of a sizing as bodies and lines.
 
@@ -95,10 +101,9 @@ def assemble(
         planets, damping by effective mass, ISO 6336-1 mesh stiffness, phases of Parker & Lin 2004).
     """
     case = case or default_case(sizing)
-    if case not in sizing.flows:
-        raise DesignError([Problem("case", f"there is no case {case!r}; {near(case, sizing.flows)}")])
+    flow = by_name(case, sizing.flows, "case")
     varying = (stiffness or sizing.design.dynamics.stiffness) == "varying"
-    assembly = _Assembly(sizing, sizing.flows[case], varying)
+    assembly = _Assembly(sizing, flow, varying)
     _bodies(assembly)
     shaft_lines = list(_shaft_lines(assembly, frozenset(driving.capacities) if driving else frozenset()))
     moving = _moving(sizing)

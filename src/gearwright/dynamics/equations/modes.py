@@ -8,8 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import linalg
 
+from gearwright.dynamics.finite import finite_numbers, refuse_not_finite
 from gearwright.dynamics.model import Arrays, Floats, Labels, System, line_matrix
 from gearwright.train.null_space import row_and_null_space
+from gearwright.verbs import verb
 
 REPEATED = 1e-6
 """Relative distance under which two natural frequencies count as one [-]."""
@@ -75,15 +77,29 @@ def stiffness_matrix(arrays: Arrays, stiffness: Floats) -> Floats:
     return matrix.T @ (stiffness[:, None] * matrix)
 
 
+@verb
 def modes(system: System) -> Modes:
     """Return natural frequencies, shapes and the lines that hold each mode's elastic energy.
 
     Args:
         system: Gyroscopic and centripetal terms are left out: see `campbell` for those.
 
+    Raises:
+        SolveError: If a number of the system or of its modes is not finite; with the part.
+
     Source:
         Symmetric eigenproblem K φ = ω² M φ, rigid motions taken out beforehand.
     """
+    with finite_numbers(system):
+        found = _modes(system)
+    numbers = [f"mode {number}" for number in range(1, 1 + len(found.frequency))]
+    refuse_not_finite(found.frequency, numbers, "frequency")
+    refuse_not_finite(found.shapes.T, system.labels.coordinates, "mode shape")
+    refuse_not_finite(found.line_energy.T, system.labels.lines, "energy")
+    return found
+
+
+def _modes(system: System) -> Modes:
     arrays = system.arrays
     rigid, elastic = split_rigid(arrays)
     matrix = line_matrix(arrays)

@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 
 from gearwright.dynamics.equations.modes import split_rigid
 from gearwright.dynamics.equations.reference import dead_zone, external_load, line_state, speed_factor
+from gearwright.dynamics.finite import finite_numbers, refuse_not_finite
 from gearwright.dynamics.model import Arrays, Floats, Labels, System, entry_matrix, line_matrix
 from gearwright.errors import SolveError
+from gearwright.verbs import verb
 
 BALANCE_TOLERANCE = 1e-6
 """Largest power of the loads on a rigid motion, over the sum of its parts [-]: room for rounded radii."""
@@ -37,6 +39,7 @@ class Equilibrium:
     """Names of coordinates and lines."""
 
 
+@verb
 def statics(system: System, *, time: float = 0.0, balance: Balance = "required") -> Equilibrium:
     """Return the elastic equilibrium under the loads, stiffnesses and errors of one instant.
 
@@ -49,6 +52,14 @@ def statics(system: System, *, time: float = 0.0, balance: Balance = "required")
     Raises:
         SolveError: If loads do not balance on a motion that no line holds, or contact does not settle.
     """
+    with finite_numbers(system):
+        found = _equilibrium(system, time, balance)
+    refuse_not_finite(found.position, system.labels.coordinates, "static position")
+    refuse_not_finite(found.force, system.labels.lines, "static force")
+    return found
+
+
+def _equilibrium(system: System, time: float, balance: Balance) -> Equilibrium:
     arrays = system.arrays
     elastic = split_rigid(arrays)[1]
     rest = np.zeros(len(arrays.mass))

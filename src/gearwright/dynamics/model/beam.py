@@ -14,6 +14,7 @@ from typing import NamedTuple
 from gearwright.dynamics.model.line import DampingRatio, Line
 from gearwright.dynamics.model.model import Model
 from gearwright.errors import DesignError, Problem
+from gearwright.verbs import verb
 
 DIRECTIONS = ("x", "y", "z", "tilt x", "tilt y", "twist")
 """Coordinates of a station: two across, one along the axis, two tilts about x and y, and the rotation."""
@@ -70,6 +71,7 @@ class _End(NamedTuple):
     polar: float
 
 
+@verb
 def bending_shaft(
     model: Model, name: str, segments: Sequence[Segment], *, speed: float | None = None, damping_ratio: float = 0.0
 ) -> list[str]:

@@ -22,11 +22,13 @@ from gearwright.dynamics.codegen import (
     waves_of,
 )
 from gearwright.dynamics.equations import WORKS, statics
+from gearwright.dynamics.finite import check_finite, refuse_not_finite
 from gearwright.dynamics.model import Arrays, Floats, Labels, System, check_structure, envelope, own_groups, stacked
 from gearwright.dynamics.motion.recorder import RUNAWAY
 from gearwright.dynamics.motion.stepsize import STABLE, check_duration, check_step, default_step, fastest_rate
 from gearwright.dynamics.motion.trace import index_of
 from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.verbs import verb
 
 LANES = 8
 """Trajectories in one vector."""
@@ -63,6 +65,7 @@ class Ensemble:
         return {key: getattr(self, key)[:, column] for key in ("mean", "least", "most", "rms")}
 
 
+@verb
 def simulate_many(
     systems: Sequence[System],
     duration: float,
@@ -90,6 +93,8 @@ def simulate_many(
     """
     if not systems:
         raise DesignError([Problem("systems", "there is none")])
+    for system in systems:
+        check_finite(system)
     members = [system.arrays for system in systems]
     family = stacked(members)
     _check_family(family)
@@ -210,4 +215,5 @@ def _ensemble(labels: Labels, summary: Floats, ends: Floats, clock: tuple[float,
             f"take a smaller step than {step:.3g} s"
         )
     state = ends[:, : 2 * len(labels.coordinates)]
+    refuse_not_finite(state, [*labels.coordinates, *(f"{name} (rate)" for name in labels.coordinates)], "end")
     return Ensemble(total / count, least, most, np.sqrt(square / count), state, step, labels)

@@ -10,6 +10,7 @@ from gearwright.dynamics.model import OUTSIDE_MAP, Floats, Ints, System
 from gearwright.dynamics.motion.orders import OrderSums
 from gearwright.dynamics.motion.trace import Checkpoints, Samples, Statistics
 from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.verbs import check_fields
 
 BLOCK = 512
 """Steps in a block; replays start at its multiples."""
@@ -33,6 +34,9 @@ class Outputs:
     """Stretches of time of which every step is kept, (from, to) [s]."""
     orders: tuple[str, ...] = ()
     """Lines whose force is split into the amplitudes of the tones, in each bin."""
+
+    def __post_init__(self) -> None:
+        check_fields(self)
 
 
 class Recorder:

@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 
 from gearwright.dynamics.equations import WORKS, Work, statics, stored_energy, unbalanced
+from gearwright.dynamics.finite import check_finite, refuse_not_finite
 from gearwright.dynamics.model import Arrays, Floats, System
 from gearwright.dynamics.motion.exact import is_exact
 from gearwright.dynamics.motion.pacing import STRETCH, estimated_error, pace_of
@@ -18,6 +19,7 @@ from gearwright.dynamics.motion.stepsize import Accuracy, Pace, check_duration, 
 from gearwright.dynamics.motion.touching import slack_lines
 from gearwright.dynamics.motion.trace import Samples, Trace
 from gearwright.errors import DesignError, Problem, near
+from gearwright.verbs import verb
 
 LARGEST_GENERATED = 250
 """Lines up to which code is generated for the structure: beyond, generating it takes seconds."""
@@ -31,6 +33,7 @@ Ran = tuple[str, Pace, float, tuple[str, ...]]
 """Method, pace, error estimate and notes of a run."""
 
 
+@verb
 def simulate(
     system: System,
     duration: float,
@@ -61,6 +64,7 @@ def simulate(
         DesignError: Method, step, duration or outputs that cannot be.
         SolveError: If the motion diverges, with time, line and value.
     """
+    check_finite(system)
     arrays = system.arrays
     method, reason = _method(arrays, method)
     state = _start(system, start)
@@ -81,6 +85,7 @@ def simulate(
     return _trace(recorder, (method, pace, error, tuple(notes)), (first, state), done)
 
 
+@verb
 def replay(system: System, trace: Trace, start: float, end: float) -> Samples:
     """Return every step of a part of a run, bit for bit as it was.
 
@@ -197,6 +202,9 @@ def _sensitivity(growth: float) -> list[str]:
 def _trace(recorder: Recorder, ran: Ran, ends: tuple[Floats, Floats], done: int) -> Trace:
     method, pace, error, notes = ran
     size, labels = recorder.size, recorder.system.labels
+    moved = [*labels.coordinates, *(f"{name} (rate)" for name in labels.coordinates)]
+    refuse_not_finite(ends[1][: 2 * size], moved, f"motion at {done * recorder.step:.4g} s")
+    refuse_not_finite([error], ["the largest force"], "error estimate")
     lines = len(labels.lines)
     return Trace(
         method=method,

@@ -5,8 +5,10 @@ from __future__ import annotations
 from gearwright.dynamics.assembly import assemble, default_case
 from gearwright.dynamics.equations import statics
 from gearwright.sizing import Sizing
+from gearwright.verbs import verb
 
 
+@verb
 def elastic_shares(sizing: Sizing, case: str | None = None) -> dict[str, dict[str, float]]:
     """Return the share of each parallel mesh of every pair that meshes with several, from the System's statics [-].
 

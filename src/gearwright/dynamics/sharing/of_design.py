@@ -23,9 +23,10 @@ from gearwright.dynamics.sharing.effects_of_errors import (
 from gearwright.dynamics.sharing.error_sources import ErrorSource, drawn_set, error_sources, with_errors
 from gearwright.dynamics.sharing.solutions import LoadSharing, Method, load_sharing
 from gearwright.dynamics.sharing.tolerance_allocation import Allocation, allocate
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import DesignError, Problem, by_name, near
 from gearwright.sizing import Sizing
 from gearwright.spec import Pair, Planetary
+from gearwright.verbs import verb
 
 DETERMINATE = 1e-9
 """Force for each unit of error over the stiffness of a line below which equilibrium alone shares the load [-]."""
@@ -73,6 +74,7 @@ class SharingProblem:
         return self.shifts and all(side.place is None for side in sides)
 
 
+@verb
 def parallel_meshes(sizing: Sizing) -> dict[str, tuple[str, ...]]:
     """Return the stages whose load goes over several meshes, with the names of their lines.
 
@@ -89,6 +91,7 @@ def parallel_meshes(sizing: Sizing) -> dict[str, tuple[str, ...]]:
     return {name: lines for name, lines in found.items() if len(lines) > 1}
 
 
+@verb
 def sharing_problem(sizing: Sizing, stage: str | None = None, *, case: str | None = None) -> SharingProblem:
     """Return the parallel meshes of a stage, ready for every study.
 
@@ -144,6 +147,7 @@ class SharingStudy:
     """Tolerances for a target, if one was asked for."""
 
 
+@verb
 def sharing_study(
     problem: SharingProblem,
     *,
@@ -196,6 +200,7 @@ class SupportSweep:
     """Largest displacement of the shaft, quasi-static [m], shape (n,)."""
 
 
+@verb
 def support_sweep(
     sizing: Sizing, shaft: str, stiffness: Sequence[float], *, stage: str | None = None, case: str | None = None
 ) -> SupportSweep:
@@ -232,6 +237,7 @@ def _sweep_row(problem: SharingProblem, shaft: str) -> tuple[float, float, float
     return float(problem.perfect[0]), float(np.min(share)), float(np.max(share)), float(np.max(moved))
 
 
+@verb
 def shaft_displacement(problem: SharingProblem, shaft: str, force: Floats) -> Floats:
     """Return a shaft's displacement across itself from the forces of its bearings [m], shape (instants, 2).
 
@@ -240,8 +246,11 @@ def shaft_displacement(problem: SharingProblem, shaft: str, force: Floats) -> Fl
         shaft: That moves.
         force: Line forces [N], shape (instants, lines).
     """
-    names = problem.system.labels.lines
-    own = [place for place, name in enumerate(names) if name.startswith(f"{shaft}.") and name.endswith(" support")]
+    held: dict[str, list[int]] = {}
+    for place, name in enumerate(problem.system.labels.lines):
+        if name.endswith(" support"):
+            held.setdefault(name.partition(".")[0], []).append(place)
+    own = by_name(shaft, held, "shaft with a support")
     return np.asarray(force[:, own[:2]] / problem.system.arrays.stiffness[own[:2]])
 
 
@@ -255,6 +264,7 @@ def _turn(system: System) -> Floats:
     return np.linspace(0.0, turn, 64 * int(np.ceil(np.max(rates) / np.min(rates))) + 1)
 
 
+@verb
 def single_error_sharing(
     problem: SharingProblem,
     source: ErrorSource,

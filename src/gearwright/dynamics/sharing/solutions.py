@@ -21,6 +21,7 @@ from gearwright.dynamics.model import Floats, System, top_rate
 from gearwright.dynamics.motion import Outputs, check_shared_load, default_step, line_numbers, simulate
 from gearwright.dynamics.sharing.coefficients import elastic_forces, share_coefficients, tooth_cycle_shares
 from gearwright.errors import DesignError, Problem, near
+from gearwright.verbs import verb
 
 Method = Literal["auto", "quasi-static", "frequency response", "sidebands", "dynamics"]
 SIDEBANDS = 2
@@ -70,6 +71,7 @@ class LoadSharing:
         return float(np.max(self.tooth_cycle))
 
 
+@verb
 def load_sharing(
     system: System, lines: Sequence[str], *, method: Method = "auto", span: tuple[float, float] | None = None
 ) -> LoadSharing:

@@ -8,9 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.dynamics.equations import Complexes, damped_modes, linear
+from gearwright.dynamics.finite import finite_numbers, refuse_not_finite
 from gearwright.dynamics.given import numbers
 from gearwright.dynamics.model import Floats, System, Tone
 from gearwright.errors import DesignError, Problem
+from gearwright.verbs import verb
 
 
 @dataclass(frozen=True)
@@ -68,12 +70,17 @@ class Campbell:
         return sorted(found, key=lambda margin: abs(margin[0]))
 
 
+@verb
 def campbell(system: System, factors: Sequence[float] | Floats) -> Campbell:
     """Return natural frequencies at each speed, followed by their shapes, with all tones and shaft speeds as orders.
 
     Args:
         system: With reference speeds.
         factors: Rising speeds over the reference speeds [-].
+
+    Raises:
+        DesignError: For speeds that do not rise.
+        SolveError: If a number of the system or a frequency is not finite; with the part.
 
     Source:
         Shapes are paired from speed to speed by the assignment of largest total modal assurance criterion,
@@ -82,6 +89,18 @@ def campbell(system: System, factors: Sequence[float] | Floats) -> Campbell:
     speeds = numbers(factors, "factors")
     if len(speeds) < 2 or np.any(np.diff(speeds) <= 0.0):
         raise DesignError([Problem("factors", f"give at least two rising speeds; given {speeds.tolist()}")])
+    with finite_numbers(system):
+        table = np.array(_tracked(system, speeds))
+    modes = [f"mode {number}" for number in range(1, 1 + table.shape[1])]
+    refuse_not_finite(table, modes, "frequency")
+    frequency, orders = table.imag / (2.0 * np.pi), tuple(_orders(system))
+    damping = -table.real / np.abs(table)
+    crossings = sorted(_crossings(speeds, frequency, orders), key=lambda crossing: crossing.factor)
+    return Campbell(speeds, frequency, damping, orders, tuple(crossings))
+
+
+def _tracked(system: System, speeds: Floats) -> list[Complexes]:
+    """Return eigenvalues at each speed, each mode in its own column."""
     values, shapes = damped_modes(linear(system.arrays, float(speeds[0])))
     rows = [values]
     for factor in speeds[1:].tolist():
@@ -89,11 +108,7 @@ def campbell(system: System, factors: Sequence[float] | Floats) -> Campbell:
         order = _pairing(system.arrays.mass, shapes, later, (rows[-1], values))
         shapes, values = later[:, order], values[order]
         rows.append(values)
-    table = np.array(rows)
-    frequency, orders = table.imag / (2.0 * np.pi), tuple(_orders(system))
-    damping = -table.real / np.abs(table)
-    crossings = sorted(_crossings(speeds, frequency, orders), key=lambda crossing: crossing.factor)
-    return Campbell(speeds, frequency, damping, orders, tuple(crossings))
+    return rows
 
 
 def _pairing(mass: Floats, before: Complexes, after: Complexes, values: tuple[Complexes, Complexes]) -> list[int]:

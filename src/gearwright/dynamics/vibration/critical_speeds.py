@@ -15,9 +15,10 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.equations import Complexes, damped_modes, linear, statics
 from gearwright.dynamics.model import Floats, Ints, System, Tone, line_matrix
 from gearwright.dynamics.vibration.campbell import Campbell, Crossing, campbell
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import by_name
 from gearwright.sizing import Sizing
 from gearwright.units import Frequency, Ratio, Speed
+from gearwright.verbs import verb
 
 RESONANCE = (0.85, 1.15)
 """Operating over critical speed within which a gear runs in its main resonance range [-].
@@ -76,6 +77,7 @@ class SpeedCase:
     """Excited ones first, then by distance to the operating speed."""
 
 
+@verb
 def critical_speeds(
     sizing: Sizing, *, cases: Sequence[str] | None = None, factors: Sequence[float] = FACTORS
 ) -> tuple[SpeedCase, ...]:
@@ -94,9 +96,7 @@ def critical_speeds(
     """
     groups: dict[tuple[float, ...], list[str]] = {}
     for case in cases or sizing.flows:
-        if case not in sizing.flows:
-            raise DesignError([Problem("case", f"there is no case {case!r}; {near(case, sizing.flows)}")])
-        flow = sizing.flows[case]
+        flow = by_name(case, sizing.flows, "case")
         groups.setdefault(tuple(round(speed, 6) for speed in flow.speeds.values()), []).append(case)
     return tuple(_speed_case(sizing, cases, factors) for cases in groups.values())
 

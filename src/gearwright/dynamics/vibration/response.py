@@ -8,9 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.dynamics.equations import Complexes, linear
+from gearwright.dynamics.finite import finite_numbers, refuse_not_finite
 from gearwright.dynamics.given import positive_numbers
-from gearwright.dynamics.model import Floats, Labels, System, line_matrix
+from gearwright.dynamics.model import Arrays, Floats, Labels, System, line_matrix
 from gearwright.dynamics.motion import index_of
+from gearwright.verbs import verb
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +45,7 @@ class Response:
         return self.position[:, index_of(coordinate, self.labels.coordinates, "coordinate")]
 
 
+@verb
 def frequency_response(
     system: System,
     frequency: Sequence[float] | Floats,
@@ -60,11 +63,21 @@ def frequency_response(
 
     Raises:
         DesignError: For a frequency that is not positive, or names that do not exist.
+        SolveError: If a number of the system or of its response is not finite; with the part.
     """
     rates = 2.0 * np.pi * positive_numbers(frequency, "frequency")
     arrays, labels = system.arrays, system.labels
     error = _amplitudes(errors or {}, labels.lines, "line")
     load = _amplitudes(loads or {}, labels.coordinates, "coordinate")
+    with finite_numbers(system):
+        position, force = _solved(arrays, rates, error, load)
+    refuse_not_finite(position, labels.coordinates, "vibration")
+    refuse_not_finite(force, labels.lines, "force")
+    return Response(rates / (2.0 * np.pi), position, force, labels)
+
+
+def _solved(arrays: Arrays, rates: Floats, error: Complexes, load: Complexes) -> tuple[Complexes, Complexes]:
+    """Return coordinates and line forces, shapes (frequencies, …)."""
     matrix, model = line_matrix(arrays), linear(arrays)
     dynamic = arrays.stiffness + 1j * rates[:, None] * arrays.damping
     inertia = np.diag(model.mass)
@@ -72,7 +85,7 @@ def frequency_response(
     right = load + (dynamic * error) @ matrix
     position = np.linalg.solve(left, right[:, :, None])[:, :, 0]
     force = dynamic * (position @ matrix.T - error)
-    return Response(rates / (2.0 * np.pi), position.astype(np.complex128), force.astype(np.complex128), labels)
+    return position.astype(np.complex128), force.astype(np.complex128)
 
 
 def _amplitudes(given: Mapping[str, complex], names: tuple[str, ...], what: str) -> Complexes:

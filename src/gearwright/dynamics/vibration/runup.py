@@ -16,6 +16,7 @@ from gearwright.dynamics.vibration.spectra import tone_amplitudes
 from gearwright.dynamics.vibration.speed_map import at_speed
 from gearwright.errors import DesignError, Problem
 from gearwright.sizing import Sizing
+from gearwright.verbs import verb
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +43,7 @@ class RunUp:
     """Names."""
 
 
+@verb
 def run_up(
     sizing: Sizing,
     system: System,

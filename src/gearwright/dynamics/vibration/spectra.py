@@ -10,6 +10,7 @@ from gearwright.dynamics.equations import Complexes, speed_factors
 from gearwright.dynamics.model import Floats, System, Tone
 from gearwright.dynamics.motion import Samples
 from gearwright.errors import DesignError, Problem
+from gearwright.verbs import verb
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,6 +25,7 @@ class Waterfall:
     """Peak amplitude in the unit of the signal, shape (stretches, frequencies)."""
 
 
+@verb
 def tone_amplitudes(system: System, samples: Samples, signal: Floats) -> list[tuple[Tone, complex]]:
     """Return the complex amplitude of each tone in a signal, largest first: its real part times e^(iφ) is the share.
 
@@ -51,6 +53,7 @@ def tone_amplitudes(system: System, samples: Samples, signal: Floats) -> list[tu
     return [(system.labels.tones[turning[place]], complex(shares[place])) for place in order]
 
 
+@verb
 def waterfall(samples: Samples, signal: Floats, *, stretches: int = 64) -> Waterfall:
     """Return amplitude spectra of overlapping stretches of a signal, Hann window.
 

@@ -7,9 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from gearwright.dynamics.finite import check_finite
 from gearwright.dynamics.given import positive_numbers
 from gearwright.dynamics.model import Floats, System
 from gearwright.dynamics.motion import Ensemble, default_step, simulate_many
+from gearwright.verbs import verb
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +33,7 @@ class SpeedMap:
         return np.sqrt(np.maximum(values["rms"] ** 2 - values["mean"] ** 2, 0.0))
 
 
+@verb
 def speed_map(
     system: System,
     factors: Sequence[float] | Floats,
@@ -52,6 +55,7 @@ def speed_map(
         DesignError: For speeds that are not positive.
     """
     speeds = positive_numbers(factors, "factors")
+    check_finite(system)
     systems = [at_speed(system, factor) for factor in speeds]
     step = min(default_step(each.arrays) for each in systems)
     forces = simulate_many(systems, duration, step=step, settle=settle, progress=progress)

@@ -17,6 +17,7 @@ from gearwright.dynamics.equations import Complexes, split_rigid, statics
 from gearwright.dynamics.model import Arrays, Floats, System
 from gearwright.dynamics.motion import Outputs, Samples, default_step, simulate, simulate_many
 from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.verbs import verb
 
 CLOSED = 1e-9
 """Gap between end and start of the period over the size of the motion, at which it counts as closed [-]."""
@@ -67,6 +68,7 @@ def common_period(arrays: Arrays) -> float:
     return float(2.0 * np.pi / rates[0] * bottom / top)
 
 
+@verb
 def periodic(system: System, *, period: float | None = None, step: float | None = None) -> Orbit:
     """Return the periodic motion near static equilibrium.
 

@@ -34,6 +34,7 @@ from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
 from gearwright.spec import GROUND, BearingLifeRules
 from gearwright.spec.checks import KINDS
 from gearwright.units import Force, Mass, Ratio, Speed
+from gearwright.verbs import verb
 
 Array = NDArray[np.float64]
 FATIGUE = "rolling fatigue"
@@ -127,6 +128,7 @@ class BearingLives:
         return sum(row.mass for row in self.rows)
 
 
+@verb
 def bearing_lives(flight: Flight) -> BearingLives:
     """Return the life of every bearing that the design gives or the mission asks for, over the flight's spectrum.
 

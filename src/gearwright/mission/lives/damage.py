@@ -17,6 +17,7 @@ from gearwright.spec import Design
 from gearwright.spec.design import Iso6336Rules
 from gearwright.train import Mesh
 from gearwright.units import Ratio
+from gearwright.verbs import verb
 
 PITTING, BENDING = "pitting", "bending"
 _OIL_VISCOSITY = 100.0
@@ -49,6 +50,7 @@ class GearDamage:
         return self.flights * self.hours
 
 
+@verb
 def gear_damage(flight: Flight) -> tuple[GearDamage, ...]:
     """Return the damage of every gear in pitting and bending, the worst first.
 
@@ -79,6 +81,7 @@ def gear_damage(flight: Flight) -> tuple[GearDamage, ...]:
     return tuple(sorted(rows, key=lambda row: -row.damage))
 
 
+@verb
 def unrated_stages(design: Design) -> tuple[str, ...]:
     """Return the stages whose gears have no damage here: face gears, which no standard rates.
 

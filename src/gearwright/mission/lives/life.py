@@ -13,6 +13,7 @@ from gearwright.mission.lives.damage import BENDING, GearDamage, gear_damage, un
 from gearwright.sizing import Sizing, size
 from gearwright.spec import Design, GearRules, Mission
 from gearwright.units import Mass
+from gearwright.verbs import verb
 
 STRENGTHENING = 1.04
 """Factor on the safety factor that governs, in each round [-]."""
@@ -53,6 +54,7 @@ class LifeSizing:
         return self.sizing.mass - self.mass_before
 
 
+@verb
 def size_for_life(design: Design, mission: Mission, hours: float, *, folder: Path | None = None) -> LifeSizing:
     """Return a design's sizing with which every gear lives a number of flight hours of a mission.
 

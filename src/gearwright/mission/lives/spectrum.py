@@ -7,9 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.errors import by_name
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.bearings import seat_duties
 from gearwright.spec import GROUND
+from gearwright.verbs import verb
 
 Array = NDArray[np.float64]
 CLASSES = 40
@@ -30,6 +32,7 @@ class DutyBin:
     """Revolutions, of the same [-]."""
 
 
+@verb
 def mesh_spectrum(flight: Flight, mesh: str, *, classes: int = CLASSES) -> tuple[DutyBin, ...]:
     """Return the spectrum of one mesh.
 
@@ -38,12 +41,13 @@ def mesh_spectrum(flight: Flight, mesh: str, *, classes: int = CLASSES) -> tuple
         mesh: Name of its row, such as ``first.sun-planet``.
         classes: Number of load classes [-].
     """
-    row = next(each for each in flight.sizing.train.meshes if each.name == mesh)
+    row = by_name(mesh, {each.name: each for each in flight.sizing.train.meshes}, "mesh")
     speeds = {**flight.speeds, GROUND: np.zeros(len(flight.phase))}
     rolling = speeds[row.nodes[0]] - speeds[row.nodes[2]]
     return _binned(flight, flight.mesh_torques[mesh], rolling, classes)
 
 
+@verb
 def shaft_spectrum(flight: Flight, shaft: str, *, classes: int = CLASSES) -> tuple[DutyBin, ...]:
     """Return the spectrum of one shaft.
 
@@ -52,9 +56,10 @@ def shaft_spectrum(flight: Flight, shaft: str, *, classes: int = CLASSES) -> tup
         shaft: Its name.
         classes: Number of load classes [-].
     """
-    return _binned(flight, flight.shaft_torques[shaft], flight.speeds[shaft], classes)
+    return _binned(flight, by_name(shaft, flight.shaft_torques, "shaft"), flight.speeds[shaft], classes)
 
 
+@verb
 def bearing_spectra(flight: Flight, *, classes: int = CLASSES) -> dict[str, tuple[DutyBin, ...]]:
     """Return the spectrum of the radial force in every bearing seat, by the seat's name.
 

@@ -9,6 +9,7 @@ from gearwright.mission.flight import Flight
 from gearwright.mission.lives.bearings import FATIGUE, BearingLives, bearing_lives
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.units import Ratio
+from gearwright.verbs import verb
 
 ENDLESS = 1e7
 """Flights beyond which a part does not fail for any practical purpose [-]."""
@@ -69,6 +70,7 @@ class Durability:
         return tuple(row for row in self.parts if row.flights < ENDLESS)
 
 
+@verb
 def durability(flight: Flight) -> Durability:
     """Return what a flight does to the gears and bearings that can be rated, and what cannot.
 

@@ -24,6 +24,7 @@ from gearwright.machines import (
     marched,
 )
 from gearwright.mission.flight import Array, Flight
+from gearwright.verbs import verb
 
 _NUDGE = 5e-3
 """Part of the speed, and angle in rad, over which slopes of the map are taken [-]; [rad]"""
@@ -87,6 +88,7 @@ class Window:
         return float(self.torque.max() / self.torque[-1] - 1.0)
 
 
+@verb
 def trim_at(flight: Flight, time: float) -> Trim:
     """Return the propeller in equilibrium at a time of a flight.
 
@@ -113,6 +115,7 @@ def trim_at(flight: Flight, time: float) -> Trim:
     )
 
 
+@verb
 def rotor_at(trim: Trim) -> Rotor:
     """Return the propeller linear about its equilibrium, driven by a constant torque.
 
@@ -129,6 +132,7 @@ def rotor_at(trim: Trim) -> Rotor:
     return Rotor(trim.inertia, -speeding, pitching, trim.pitch)
 
 
+@verb
 def governed_window(
     trim: Trim, governor: Governor, *, duration: float, torque_step: float = 0.0, speed_step: float = 0.0,
     step: float = 2e-3,

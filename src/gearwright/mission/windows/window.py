@@ -19,6 +19,7 @@ from gearwright.mission.windows.background import Background, Curve, background
 from gearwright.mission.windows.events import changed, value_at
 from gearwright.spec import GovernorRules, WindowRules
 from gearwright.train import RATED
+from gearwright.verbs import verb
 
 STEPS_PER_CYCLE = 1.6
 """Steps in a cycle of the highest stiffness harmonic: line forces within 1e-3, in a quarter of the default steps."""
@@ -50,6 +51,7 @@ class DynamicWindow:
     """What the governor sustains; None where it comes to rest."""
 
 
+@verb
 def window_rules(flight: Flight, name: str) -> WindowRules:
     """Return the rules of a window of a flight's mission.
 
@@ -65,6 +67,7 @@ def window_rules(flight: Flight, name: str) -> WindowRules:
     return flight.mission.windows[name]
 
 
+@verb
 def fly_window(flight: Flight, name: str, rules: WindowRules | None = None) -> DynamicWindow:
     """Return a window of a flight, with propeller, governor and machines coupled to the elastic train.
 

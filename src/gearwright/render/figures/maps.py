@@ -8,6 +8,7 @@ from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
 from gearwright.dynamics.model import Floats
+from gearwright.dynamics.motion import index_of
 from gearwright.dynamics.vibration import RunUp
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
@@ -35,6 +36,7 @@ def waterfall_figure(found: RunUp, line: str, *, speed: float, shaft: str) -> Fi
         speed: Operating speed of the shaft [rad/s].
         shaft: Named at the speed axis.
     """
+    index_of(line, found.lines, "line")
     figure = theme.sheet(WIDTH, 150.0)
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1.6, 1.0))
     rpm = found.factor * speed / RPM

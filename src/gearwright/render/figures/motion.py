@@ -12,10 +12,11 @@ from matplotlib.ticker import MaxNLocator, NullLocator
 
 from gearwright.dynamics import Labels, Modes, Samples, Trace
 from gearwright.dynamics.model import Floats
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, by_name
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.sizing import Sizing
+from gearwright.verbs import verb
 
 ORDERS = 3
 """Multiples of each mesh frequency that a spectrum marks."""
@@ -28,6 +29,7 @@ MOST_MODES = 9
 _KINDS = {"m": ("Mesh and support forces", "force [N]"), "rad": ("Shaft torques", "torque [N m]")}
 
 
+@verb
 def mesh_frequencies(sizing: Sizing, case: str) -> dict[str, float]:
     """Return the frequency with which teeth meet in every mesh row [Hz].
 
@@ -37,7 +39,7 @@ def mesh_frequencies(sizing: Sizing, case: str) -> dict[str, float]:
 
     Source: f = z_a |n_a − n_c|, kinematics.
     """
-    speeds = sizing.flows[case].speeds
+    speeds = by_name(case, sizing.flows, "case").speeds
     return {
         mesh.name: sizing.teeth[mesh.gears[0]] * abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]) / (2.0 * np.pi)
         for mesh in sizing.train.meshes

@@ -25,9 +25,11 @@ from gearwright.render.tables.sizing import flow_tables, tables_of
 from gearwright.render.tables.tables import MARKS, Table
 from gearwright.render.words.inputs import entries
 from gearwright.sizing import Sizing
+from gearwright.verbs import verb
 from gearwright.version import __version__
 
 
+@verb
 def report(
     sizing: Sizing,
     *,

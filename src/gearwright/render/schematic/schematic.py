@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
+from gearwright.errors import by_name
 from gearwright.render.schematic.bands import Pen, band_scale, draw_bands, half_width, source_colours, spots
 from gearwright.render.schematic.drawing import draw_train, gear_sides
 from gearwright.render.schematic.glyphs import tinted
@@ -54,8 +55,8 @@ def power_flow_figure(sizing: Sizing, case: str) -> Figure:
         sizing: As sized.
         case: Load case.
     """
+    flow = by_name(case, sizing.flows, "case")
     board, train, layout, kinds = _start(sizing)
-    flow = sizing.flows[case]
     stretches, feeds = trace_power(train, flow, layout)
     pen = Pen(board.axes, band_scale(stretches, feeds), source_colours(train, flow, kinds))
     opened = [joint.name for joint in train.joints if joint.name not in flow.joints]

@@ -18,6 +18,8 @@ from cycler import cycler
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from gearwright.verbs import verb
+
 INK, MUTED, HAIR, PAPER = "#1d2530", "#66707c", "#d9dde2", "#ffffff"
 BLUE, ORANGE, GREEN, PURPLE = "#0072b2", "#d55e00", "#009e73", "#a3548c"
 SKY, AMBER = "#56b4e9", "#e69f00"
@@ -77,13 +79,14 @@ def styled(draw: Callable[_Inputs, Figure]) -> Callable[_Inputs, Figure]:
     """Return a drawing function whose figure has the look of this module and leaves matplotlib's settings alone.
 
     Args:
-        draw: Builds the figure.
+        draw: Builds the figure; it refuses what is not of its types, as every public verb.
     """
+    built = verb(draw)
 
     @functools.wraps(draw)
     def drawn(*args: _Inputs.args, **kwargs: _Inputs.kwargs) -> Figure:
         with mpl.rc_context(_STYLE):
-            figure = draw(*args, **kwargs)
+            figure = built(*args, **kwargs)
             # Solved anew at every saving, the layout would drift in the last digits.
             engine = figure.get_layout_engine()
             if engine is not None:

@@ -8,8 +8,10 @@ from gearwright.errors import DesignError, Problem
 from gearwright.spec import Design, edited
 from gearwright.spec.edit import Value
 from gearwright.units import RPM
+from gearwright.verbs import verb
 
 
+@verb
 def for_engine(
     design: Design,
     *,

@@ -9,8 +9,10 @@ from gearwright.spec import Design, Study, case_count
 from gearwright.study.answers import Row, Table
 from gearwright.study.cases import Case, cases, evaluate
 from gearwright.study.running.search import generations
+from gearwright.verbs import verb
 
 
+@verb
 def run(study: Study, designs: Mapping[str, Design], *, progress: Callable[[float], None] | None = None) -> Table:
     """Return the table of a study, computed in this process.
 

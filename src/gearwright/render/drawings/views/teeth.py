@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from gearwright.errors import by_name
 from gearwright.parts.bevel import BevelPair, Hand
 from gearwright.parts.gears import BasicRack, CylindricalGear
 from gearwright.sizing import GearSizing, Sizing, profile_shift
@@ -20,7 +21,7 @@ def gear_of(sizing: Sizing, name: str) -> GearSizing:
         sizing: What was sized.
         name: Such as ``first.sun``.
     """
-    return next(gear for gear in sizing.gears if gear.name == name)
+    return by_name(name, {gear.name: gear for gear in sizing.gears}, "gear")
 
 
 def kind_of(sizing: Sizing, gear: GearSizing) -> str:

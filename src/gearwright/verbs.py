@@ -1,0 +1,171 @@
+"""Public verbs: who gives one something else than it asks for is told by a sentence which call makes the right thing.
+
+``verb`` holds what is given against the verb's own annotations, before the verb runs.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import types
+import typing
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from numbers import Integral, Number, Real
+from pathlib import Path
+from typing import Annotated, Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin
+
+from gearwright.errors import DesignError, Problem, near
+
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+MAKES: Mapping[str, str] = types.MappingProxyType(
+    {
+        "Campbell": "gearwright.dynamics.vibration.campbell(system, factors)",
+        "Design": "gw.read(path or shipped name)",
+        "DynamicWindow": "fly_window(flight, name)",
+        "Flight": "gearwright.mission.fly(sizing, mission)",
+        "Mission": "read_mission(path)",
+        "Model": "gw.Model()",
+        "Modes": "gw.modes(system)",
+        "Outputs": "gw.Outputs(...)",
+        "Response": "gearwright.dynamics.frequency_response(system, frequency)",
+        "RunUp": "run_up(sizing, system, factors, lines=...)",
+        "Samples": "trace.samples, of a trace from gw.simulate(system, duration)",
+        "SharingProblem": "sharing_problem(sizing, stage)",
+        "SharingStudy": "sharing_study(problem)",
+        "Sizing": "gw.size(design)",
+        "SpeedMap": "gearwright.dynamics.vibration.speed_map(system, factors, settle=..., duration=...)",
+        "Study": "read_study(path)",
+        "System": "gw.assemble(sizing, case)",
+        "Table": "gearwright.study.running.run(study, designs)",
+        "Trace": "gw.simulate(system, duration)",
+    }
+)
+"""Type -> call that makes one."""
+_WORDS = {float: "a number", int: "a whole number", complex: "a number", str: "a text", bool: "True or False"}
+_PLAIN = {float: Real, int: Integral, complex: Number}
+LONGEST = 40
+"""Characters of what was given that a message repeats."""
+
+
+def verb(function: Callable[_P, _R]) -> Callable[_P, _R]:
+    """Return a function that refuses what is not of its annotated type.
+
+    Args:
+        function: A public verb.
+
+    Raises:
+        DesignError: With every argument of a wrong type, and the call that makes the right one.
+    """
+
+    @functools.wraps(function)
+    def checked(*args: _P.args, **kwargs: _P.kwargs) -> _R:
+        names = inspect.signature(function).parameters
+        given = dict(zip(names, args, strict=False)) | kwargs
+        problems = [
+            Problem(name, _sentence(value, hint))
+            for name, hint in _hints(function).items()
+            if name in given and not _fits(value := given[name], hint)
+        ]
+        if problems:
+            raise DesignError(problems, function.__name__)
+        return function(*args, **kwargs)
+
+    return checked
+
+
+def check_fields(record: object) -> None:
+    """Refuse a record whose fields are not of their annotated types.
+
+    Args:
+        record: A dataclass that users make.
+
+    Raises:
+        DesignError: With every field of a wrong type.
+    """
+    hints = _hints(type(record)).items()
+    problems = [
+        Problem(name, _sentence(value, hint)) for name, hint in hints if not _fits(value := getattr(record, name), hint)
+    ]
+    if problems:
+        raise DesignError(problems, type(record).__name__)
+
+
+@functools.cache
+def _hints(function: Any) -> dict[str, Any]:
+    return {name: hint for name, hint in typing.get_type_hints(function).items() if name != "return"}
+
+
+def _fits(value: object, hint: Any) -> bool:
+    """Return False only for what is certainly of another type."""
+    origin, inside = get_origin(hint), get_args(hint)
+    if origin in (Union, types.UnionType):
+        return any(_fits(value, one) for one in inside)
+    if origin is Literal:
+        return any(type(value) is type(one) and value == one for one in inside)
+    if hint is None or hint is type(None):
+        return value is None
+    if origin is not None:
+        return _holds(value, origin, inside)
+    if hint is bool:
+        return type(value).__name__ in ("bool", "bool_")
+    return not isinstance(hint, type) or isinstance(value, _PLAIN.get(hint, hint))
+
+
+def _holds(value: object, origin: Any, inside: tuple[Any, ...]) -> bool:
+    """Return whether a container is of its kind and holds what it must; an array is a sequence, a text is none."""
+    if not isinstance(origin, type):
+        return True
+    if origin.__module__ == "numpy" or (issubclass(origin, Sequence | Iterable) and not issubclass(origin, Mapping)):
+        fits = isinstance(value, Iterable) and not isinstance(value, str | bytes | Mapping)
+        return fits and all(_fits(one, inside[0]) for one in _some(value, origin, inside))
+    if issubclass(origin, Mapping):
+        return isinstance(value, Mapping) and all(_fits(one, inside[1]) for one in value.values())
+    return isinstance(value, origin)
+
+
+def _some(value: object, origin: type, inside: tuple[Any, ...]) -> Iterator[object]:
+    """Yield the members that can be looked at: of lists and tuples that hold one kind of thing."""
+    if isinstance(value, list | tuple) and inside and origin is not tuple and origin.__module__ != "numpy":
+        yield from value
+
+
+def _sentence(value: object, hint: Any) -> str:
+    shown = value.__name__ if isinstance(value, type) else repr(value)
+    kind = "a class" if isinstance(value, type) else f"of type {type(value).__name__}"
+    shown = shown if len(shown) <= LONGEST and "\n" not in shown else ""
+    given = f"{shown} is {kind}" if shown else f"what is given is {kind}"
+    wanted = [one for one in _alternatives(hint) if one is not type(None)]
+    names = [str(one) for literal in wanted if get_origin(literal) is Literal for one in get_args(literal)]
+    if names and isinstance(value, str):
+        return f"{shown or 'this'} is none of {', '.join(names)}; {near(value, names)}"
+    return f"{given}; give {' or '.join(dict.fromkeys(_words(one) for one in wanted))}"
+
+
+def _alternatives(hint: Any) -> tuple[Any, ...]:
+    return get_args(hint) if get_origin(hint) in (Union, types.UnionType) else (hint,)
+
+
+def _words(hint: Any) -> str:
+    """Return what a type is called, with the call that makes one."""
+    origin, inside = get_origin(hint), get_args(hint)
+    if origin is Annotated:
+        return _words(inside[0])
+    if origin is Literal:
+        return " or ".join(repr(one) for one in inside)
+    if origin is not None:
+        return _container(origin, inside)
+    name = getattr(hint, "__name__", str(hint))
+    if hint is Path:
+        return "a path"
+    return f"a {name}, from {MAKES[name]}" if name in MAKES else _WORDS.get(hint, f"a {name}")
+
+
+def _container(origin: Any, inside: tuple[Any, ...]) -> str:
+    if isinstance(origin, type) and issubclass(origin, Mapping):
+        return f"a mapping of names to each {_words(inside[1])}"
+    if origin is Callable or not inside or origin is tuple or origin.__module__ == "numpy":
+        kinds = {"Callable": "a function", "tuple": "a tuple", "ndarray": "an array of numbers"}
+        return kinds.get(getattr(origin, "__name__", ""), f"a {origin}")
+    return f"a sequence, each member {_words(inside[0])}"
