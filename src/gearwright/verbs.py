@@ -84,7 +84,8 @@ def check_fields(record: object) -> None:
     Raises:
         DesignError: With every field of a wrong type.
     """
-    hints = _hints(type(record)).items()
+    kind: Any = type(record)
+    hints = _hints(kind).items()
     problems = [
         Problem(name, _sentence(value, hint)) for name, hint in hints if not _fits(value := getattr(record, name), hint)
     ]

@@ -26,6 +26,7 @@ from gearwright.dynamics.sharing import (
 from gearwright.dynamics.vibration import critical_speeds, run_up, waterfall
 from gearwright.errors import DesignError
 from gearwright.mission import fly, mesh_spectrum, shaft_spectrum
+from gearwright.mission.gearbox import Oil, gearbox_of
 from gearwright.mission.windows import fly_window, window_rules
 from gearwright.render.figures.dynamics import response_figure
 from gearwright.render.figures.maps import waterfall_figure
@@ -46,6 +47,10 @@ SHOWN_ELSEWHERE = (
 """Verbs of the how-to pages and of the commands beside those of the reference."""
 
 
+INNER = {"compiled", "compiled_callback", "refuse_not_finite", "common_period"}
+"""What layers export for each other and no page shows."""
+
+
 def reference() -> list[Callable[..., object]]:
     """Every function that the reference of Python shows."""
     found = []
@@ -59,7 +64,8 @@ def public_verbs() -> dict[str, Callable[..., object]]:
     exported = [getattr(gw, name) for name in gw.__all__]
     exported += [getattr(layer, name) for layer in (dynamics, mission, study) for name in layer.__all__]
     every = [*exported, *reference(), *SHOWN_ELSEWHERE]
-    return {f"{verb.__module__}.{verb.__name__}": verb for verb in every if inspect.isfunction(verb)}
+    shown = [verb for verb in every if inspect.isfunction(verb) and verb.__name__ not in INNER]
+    return {f"{verb.__module__}.{verb.__name__}": verb for verb in shown}
 
 
 VERBS = public_verbs()
@@ -162,6 +168,7 @@ UNKNOWN = {
     "fly_window name": lambda: fly_window(flight(), "cruis"),
     "frequency_response errors": lambda: dynamics.frequency_response(system(), [9.0], errors={"first": 1e-6}),
     "frequency_response loads": lambda: dynamics.frequency_response(system(), [9.0], loads={"first": 1.0}),
+    "gearbox_of propeller": lambda: gearbox_of(sizing(), "propelle", Oil(353.15, 4e-7, {})),
     "load_sharing lines": lambda: load_sharing(split().system, ["second.lef"]),
     "load_sharing method": lambda: load_sharing(split().system, split().lines, method="quasi"),
     "mesh_frequencies case": lambda: mesh_frequencies(sizing(), "rate"),

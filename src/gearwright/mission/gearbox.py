@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.errors import by_name
 from gearwright.parts.losses import (
     OIL_DENSITY,
     ToothContact,
@@ -25,6 +26,7 @@ from gearwright.sizing import GearSizing, Sizing, profile_shift
 from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
 from gearwright.spec import GROUND, Design, Drive
 from gearwright.train import INTERNAL, PowerFlow, Turning, power_flow
+from gearwright.verbs import verb
 
 Array = NDArray[np.float64]
 _CASE = "mission"
@@ -102,6 +104,7 @@ class Gearbox:
         return tuple(name for name in self.sizing.train.machines if name != self.propeller)
 
 
+@verb
 def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
     """Return a sizing made ready to fly.
 
@@ -110,6 +113,7 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
         propeller: Name of the propeller that flies.
         oil: Its oil.
     """
+    by_name(propeller, sizing.design.propellers, "propeller")
     gears = {gear.name: gear for gear in sizing.gears}
     pairs = [(gears[mesh.gears[0]], gears[mesh.gears[1]]) for mesh in sizing.train.meshes]
     return Gearbox(

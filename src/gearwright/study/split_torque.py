@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from gearwright.spec import Design, Pair
+from gearwright.verbs import verb
 
 FIRST_FIGURE = 8
 """Number of the paper's first figure on one error alone."""
@@ -53,6 +54,7 @@ class SplitTorque(NamedTuple):
         return {error: f"Fig. {number}" for number, error in enumerate([*eccentric, *axial], start=FIRST_FIGURE)}
 
 
+@verb
 def split_torque(design: Design) -> SplitTorque | None:
     """Return the parts of a face-gear split torque that has the support and the errors of the paper's figures.
 

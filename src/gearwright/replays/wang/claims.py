@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from gearwright.dynamics.equations import steady_forces
 from gearwright.dynamics.model import Floats
 from gearwright.dynamics.sharing import (
     SIDEBANDS,
@@ -23,7 +24,6 @@ from gearwright.dynamics.sharing import (
     sharing_problem,
     tooth_cycle_means,
 )
-from gearwright.dynamics.vibration import steady_forces
 from gearwright.replays.pulvirenti.claims import Verdict
 from gearwright.sizing import Sizing, size
 from gearwright.spec.design import ShaftLayout
