@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 import gearwright as gw
-from gearwright.dynamics import campbell, frequency_response, modes, refuse_not_finite, simulate, speed_map, statics
+from gearwright.dynamics import campbell, frequency_response, modes, simulate, speed_map, statics
+from gearwright.dynamics.finite import refuse_not_finite
 from gearwright.errors import SolveError
 
 VERBS = {
