@@ -1,5 +1,7 @@
 """The mission file: what it may say, and what it may not."""
 
+import tomllib
+
 import pytest
 
 from gearwright.errors import DesignError
@@ -18,8 +20,9 @@ def message(text):
 
 
 @pytest.mark.parametrize("name", shipped_missions())
-def test_a_shipped_mission_reads(name):
-    assert read_mission(shipped_mission(name)).phases
+def test_a_shipped_mission_is_flown_in_the_order_of_its_file(name):
+    written = tomllib.loads(shipped_mission(name).read_text(encoding="utf-8"))["phases"]
+    assert list(read_mission(shipped_mission(name)).phases) == list(written)
 
 
 def test_two_kinds_of_speed_at_once_are_refused():

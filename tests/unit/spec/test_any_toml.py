@@ -1,5 +1,7 @@
 """Whatever a file holds, the reader answers with a design or with a `DesignError`."""
 
+import math
+
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -47,7 +49,7 @@ def test_any_text_gives_a_design_error(text):
     try:
         parse(text)
     except DesignError as error:
-        assert error.problems
+        assert all(problem.message for problem in error.problems) and error.problems
     else:
         raise AssertionError("this cannot be a design")
 
@@ -73,9 +75,12 @@ def test_any_damage_to_a_design_gives_a_design_or_a_design_error(data):
                 )
                 lines[k] = lines[k].partition("=")[0] + "= " + new
     try:
-        size(parse("\n".join(lines)))
+        sizing = size(parse("\n".join(lines)))
     except DesignError as error:
-        assert error.problems
+        assert all(problem.message for problem in error.problems) and error.problems
+    else:
+        masses = [sizing.mass, *(gear.mass for gear in sizing.gears), *(shaft.mass for shaft in sizing.shafts)]
+        assert all(0.0 < mass < math.inf for mass in masses)
 
 
 def test_lines_are_those_of_the_text():

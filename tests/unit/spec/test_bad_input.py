@@ -4,7 +4,9 @@ import pytest
 
 from designs import HYBRID, PAIR, changed, problem, problems
 from gearwright.errors import DesignError
+from gearwright.sizing import size
 from gearwright.spec import LARGEST_FILE, parse, parse_mission, parse_study, read
+from gearwright.units import RPM
 
 
 def test_an_unknown_key_names_the_nearest_one():
@@ -217,7 +219,10 @@ def test_two_machines_that_fight_over_one_speed_are_named():
 
 
 def test_machines_on_one_shaft_may_agree_within_the_tolerance():
-    parse(PAIR + '[motors.helper]\nshaft = "fast"\npower_kw = 5\nspeed_rpm = 6200\n')
+    """By 5 %; the shaft then turns as the first of them says."""
+    design = parse(PAIR + '[motors.helper]\nshaft = "fast"\npower_kw = 5\nspeed_rpm = 6200\n')
+    assert design.motors["helper"].speed == pytest.approx(6200 * RPM)
+    assert abs(size(design).flows["rated"].speeds["fast"]) == pytest.approx(6000 * RPM, rel=1e-9)
 
 
 def test_a_train_has_machines_and_a_taker():
