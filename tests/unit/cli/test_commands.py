@@ -191,6 +191,13 @@ def test_simulate_writes_a_run_that_report_shows(call, tmp_path):
     assert "this is a run of another design" in refused.err
 
 
+def test_reports_of_two_designs_do_not_meet(call, design, tmp_path):
+    (tmp_path / "other.toml").write_text(PAIR.replace("one pair", "another"), encoding="utf-8")
+    assert "wrote design-report.html" in call("report", design).out
+    assert "wrote other-report.html" in call("report", "other.toml").out
+    assert "<title>one pair" in (tmp_path / "design-report.html").read_text(encoding="utf-8")
+
+
 def test_run_leaves_report_run_and_sizing(call, design, tmp_path):
     done = call("run", design, "--duration", "0.001", "--stiffness", "constant", "--out", "results")
     assert done.code == DONE

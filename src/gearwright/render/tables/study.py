@@ -110,7 +110,7 @@ def summary_grid(table: Table) -> Grid:
         table: Of the study.
     """
     title = f"{table.name}: {len(table.rows):,} cases, {len(table.failed):,} cannot be had"
-    caption = "\n".join(["", *reasons(table)]) if table.failed else ""
+    caption = "\n".join(reasons(table)) if table.failed else ""
     grid = Grid(title, caption=caption)
     for name in ("result", "", "least", "5 %", "median", "95 %", "most"):
         grid.add_column(name, justify="left" if name in ("result", "") else "right")
@@ -170,9 +170,9 @@ def reasons(table: Table) -> list[str]:
 def _caption(table: Table) -> str:
     paths = _few(table)
     failed = [f"{' '.join([row.design, *_inputs(row, paths)])}: {row.problem}" for row in table.failed]
-    lines = ["", f"{len(failed)} of {len(table.rows)} cannot be had:", *failed] if failed else []
+    lines = [f"{len(failed)} of {len(table.rows)} cannot be had:", *failed] if failed else []
     hidden = len(table.rows[0].inputs) - len(paths) if table.rows else 0
-    lines += ["", f"{hidden} more inputs are in --csv, --json and --report"] if hidden else []
+    lines += [f"{hidden} more inputs are in --csv, --json and --report"] if hidden else []
     return "\n".join(lines)
 
 
