@@ -53,6 +53,7 @@ def total_results(sizing: Sizing) -> dict[str, Named]:
         "motor_mass": Named(sizing.motor_mass, "mass"),
         "total_mass": Named(sizing.mass + sizing.motor_mass, "mass"),
         "power_density": Named(sizing.power_density, "specific_power"),
+        "total_power_density": Named(sizing.total_power_density, "specific_power"),
         "worst_margin": Named(sizing.worst_margin, "ratio"),
         "efficiency": Named(_efficiency(sizing.flows[RATED]), "ratio"),
     }

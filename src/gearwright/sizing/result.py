@@ -302,7 +302,16 @@ class Sizing:
     @property
     def power_density(self) -> Annotated[float, Quantity("specific_power")]:
         """Rated power over the mass of gears, shafts and carriers [W/kg]."""
-        return sum(power for power in self.flows["rated"].machine_powers.values() if power > 0.0) / self.mass
+        return self._rated_power / self.mass
+
+    @property
+    def total_power_density(self) -> Annotated[float, Quantity("specific_power")]:
+        """Rated power over gearbox and motors, as Pulvirenti 2023, appendix, has it [W/kg]."""
+        return self._rated_power / (self.mass + self.motor_mass)
+
+    @property
+    def _rated_power(self) -> float:
+        return sum(power for power in self.flows["rated"].machine_powers.values() if power > 0.0)
 
     @property
     def worst_margin(self) -> Number:

@@ -19,7 +19,7 @@ FEW_CURVES = 3
 """Curves up to which every optimum is written beside its ring."""
 _STACK = ("gear_mass", "shaft_mass", "carrier_mass", "motor_mass")
 _STACK_COLOURS = dict(zip(_STACK, (theme.BLUE, theme.GREEN, theme.AMBER, theme.ORANGE), strict=True))
-_HEAVIER_IS_BETTER = ("power_density", "worst_margin")
+_HEAVIER_IS_BETTER = ("power_density", "total_power_density", "worst_margin")
 
 
 def study_figure(table: Table, objectives: Mapping[str, str] | None = None) -> Figure:
