@@ -1,8 +1,10 @@
 """What stands in files and in names does not steer the terminal, and keeps its brackets."""
 
 import os
+import re
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -67,3 +69,13 @@ def test_streams_that_are_not_there_cost_nothing(tmp_path, closed):
     (tmp_path / "pair.toml").write_text(PAIR, encoding="utf-8")
     call = f"exec '{sys.executable}' -c 'from gearwright.cli import main; main()' check pair.toml {closed}"
     assert subprocess.run(["sh", "-c", call], cwd=tmp_path, capture_output=True, check=False).returncode == 0
+
+
+def test_commands_print_through_one_place_alone():
+    """What goes past it is neither cleaned nor folded, and dies of letters that a stream lacks."""
+    import gearwright.cli
+
+    for path in Path(gearwright.cli.__file__).parent.glob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        assert "typer.echo" not in text, path.name
+        assert path.name == "output.py" or not re.search(r"\bprint\(|\bConsole\(\)", text), path.name

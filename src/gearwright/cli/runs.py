@@ -87,10 +87,10 @@ def _verify(journal: Path) -> None:
 
     found = verify(journal)
     if not found.damaged and not found.lost:
-        typer.echo(f"whole: {found.kept:,} cases as they were written")
+        show(f"whole: {found.kept:,} cases as they were written")
         return
     lost = f"cases {_spans(found.lost)} are lost" if found.lost else "no case is lost, but the file is damaged"
-    typer.echo(f"{lost}; {found.kept:,} are as they were written\nnext: gearwright resume {journal}")
+    show(f"{lost}; {found.kept:,} are as they were written\nnext: gearwright resume {journal}")
     raise typer.Exit(1)
 
 
