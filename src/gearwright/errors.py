@@ -1,7 +1,8 @@
 """The two ways in which gearwright fails: a design that is wrong, and a computation that does not succeed.
 
 Every message names the place, what was given, what is allowed and what to do. A `DesignError` carries all problems
-of a file at once.
+of a file at once. What a user wrote is shown cut to a length that a reader takes in, and without anything that a
+terminal would obey.
 """
 
 from __future__ import annotations
@@ -12,6 +13,13 @@ from difflib import get_close_matches
 from typing import TypeVar
 
 _T = TypeVar("_T")
+
+LONGEST_EXCERPT = 80
+"""Characters of a value, key or name that a message shows."""
+MOST_SHOWN = 50
+"""Problems of one file that a message lists; the others are counted."""
+MOST_NAMES = 40
+"""Allowed names that a message lists; the others are counted."""
 
 
 @dataclass(frozen=True)
@@ -27,7 +35,8 @@ class Problem:
 
     def __str__(self) -> str:
         where = f"line {self.line}: " if self.line is not None else ""
-        return f"{where}{self.path}: {self.message}" if self.path else f"{where}{self.message}"
+        path = f"{excerpt(self.path, 2 * LONGEST_EXCERPT)}: " if self.path else ""
+        return f"{where}{path}{printable(self.message)}"
 
 
 class GearwrightError(Exception):
@@ -44,9 +53,11 @@ class DesignError(GearwrightError):
 
     def __str__(self) -> str:
         count = len(self.problems)
-        head = f"{self.source}: " if self.source else ""
-        lines = "\n".join(f"  {problem}" for problem in self.problems)
-        return f"{head}{count} problem{'s' if count != 1 else ''}\n{lines}"
+        head = f"{printable(self.source)}: " if self.source else ""
+        lines = [f"  {problem}" for problem in self.problems[:MOST_SHOWN]]
+        if count > MOST_SHOWN:
+            lines.append(f"  ... and {count - MOST_SHOWN:,} more")
+        return f"{head}{count} problem{'s' if count != 1 else ''}\n" + "\n".join(lines)
 
 
 class SolveError(GearwrightError):
@@ -65,6 +76,33 @@ def install(extra: str) -> str:
     return f'in a clone: pip install ".[{extra}]"; from a package index: pip install "gearwright[{extra}]"'
 
 
+def printable(text: str) -> str:
+    r"""Return a text whose control characters are written out, so that no terminal obeys them.
+
+    Args:
+        text: From anywhere.
+
+    >>> printable("a\x1b[2J")
+    'a\\x1b[2J'
+    """
+    if text.isprintable():
+        return text
+    return "".join(each if each.isprintable() else repr(each)[1:-1] for each in text)
+
+
+def excerpt(text: str, longest: int = LONGEST_EXCERPT) -> str:
+    """Return the beginning of what a user wrote, as a message may show it.
+
+    Args:
+        text: A key, name or value.
+        longest: Characters that are shown [-].
+
+    >>> excerpt("first.carrier", 8)
+    'first...'
+    """
+    return printable(text if len(text) <= longest else f"{text[: longest - 3]}...")
+
+
 def near(name: str, allowed: Iterable[str]) -> str:
     """Return a hint for a name that is not known: the nearest one, or all of them.
 
@@ -75,8 +113,11 @@ def near(name: str, allowed: Iterable[str]) -> str:
     names: Sequence[str] = sorted(allowed)
     if not names:
         return "none is defined"
-    match = get_close_matches(name, names, n=1, cutoff=0.6)
-    return f"did you mean {match[0]}?" if match else f"allowed: {', '.join(names)}"
+    match = get_close_matches(name[:LONGEST_EXCERPT], names, n=1, cutoff=0.6)
+    if match:
+        return f"did you mean {match[0]}?"
+    more = f" and {len(names) - MOST_NAMES:,} more" if len(names) > MOST_NAMES else ""
+    return f"allowed: {', '.join(names[:MOST_NAMES])}{more}"
 
 
 def by_name(name: str, among: Mapping[str, _T], what: str) -> _T:
@@ -91,5 +132,5 @@ def by_name(name: str, among: Mapping[str, _T], what: str) -> _T:
         DesignError: If there is none of this name; with the nearest one.
     """
     if name not in among:
-        raise DesignError([Problem(what, f"there is no {what} {name!r}; {near(name, among)}")])
+        raise DesignError([Problem(what, f"there is no {what} {excerpt(name)!r}; {near(name, among)}")])
     return among[name]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import math
 from collections.abc import Iterable, Mapping
@@ -16,6 +15,7 @@ from scipy.optimize import brentq
 
 from gearwright.errors import DesignError, Problem, SolveError, near
 from gearwright.machines import SMALL_THRUST, Blades, Charts, PropellerMap, compressibility, performance
+from gearwright.reading import numbers_of, text_of
 
 MAPS: Mapping[str, Blades] = {
     "6-blades-af115": Blades(6, 115.0, 0.5),
@@ -24,6 +24,15 @@ MAPS: Mapping[str, Blades] = {
 """Shipped maps by name -> blades; activity factor and lift are assumptions for a propeller of the ATR 72's class."""
 COLUMNS = ("advance_ratio", "blade_angle_deg", "power_coefficient", "thrust_coefficient")
 """What a map's CSV file has: every advance ratio with a run of blade angles from one common list."""
+_SENSIBLE: Mapping[str, tuple[float, float]] = {
+    "advance_ratio": (0.0, 20.0),
+    "blade_angle_deg": (-90.0, 90.0),
+    "power_coefficient": (-20.0, 20.0),
+    "thrust_coefficient": (-20.0, 20.0),
+}
+"""Column -> range of what a propeller can have, several times beyond every chart."""
+MOST_POINTS = 250_000
+"""Advance ratios times blade angles that a map may have."""
 
 
 @cache
@@ -138,11 +147,7 @@ def read_propeller_map(path: str | Path) -> PropellerMap:
     Raises:
         DesignError: The file is missing or is no such map; with the line.
     """
-    try:
-        text = Path(path).read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError):
-        raise DesignError([Problem("propeller_map", f"{str(path)!r} is no text file that can be read")]) from None
-    return map_of(text, str(path))
+    return map_of(text_of(path, "propeller_map"), str(path))
 
 
 def map_of(text: str, source: str) -> PropellerMap:
@@ -161,6 +166,9 @@ def map_of(text: str, source: str) -> PropellerMap:
     if len(ratios) < 2 or len(angles) < 2:
         raise _unusable(source, "it needs at least two advance ratios and two blade angles")
     shape = (len(ratios), len(angles))
+    if len(ratios) * len(angles) > MOST_POINTS:
+        count = f"{len(ratios):,} advance ratios by {len(angles):,} blade angles"
+        raise _unusable(source, f"{count} are more than {MOST_POINTS:,} points; take fewer from one common list")
     power, thrust, given = np.zeros(shape), np.zeros(shape), np.zeros(shape, dtype=bool)
     for ratio, angle, *values in points:
         place = (int(np.searchsorted(ratios, ratio)), int(np.searchsorted(angles, angle)))
@@ -177,18 +185,15 @@ def map_of(text: str, source: str) -> PropellerMap:
 
 
 def _points(text: str, source: str) -> list[list[float]]:
-    reader = csv.DictReader(text.splitlines())
-    missing = [name for name in COLUMNS if name not in (reader.fieldnames or ())]
-    if missing:
-        raise _unusable(source, f"the column {missing[0]} is missing; the first line names {', '.join(COLUMNS)}")
-    points = []
-    for number, row in enumerate(reader, start=2):
-        try:
-            points.append([float(row[name]) for name in COLUMNS])
-        except (TypeError, ValueError):
-            raise _unusable(source, f"line {number} is not four numbers") from None
-        if not all(math.isfinite(value) for value in points[-1]):
-            raise _unusable(source, f"line {number} has a number that is not finite")
+    try:
+        points = numbers_of(text, COLUMNS)
+    except ValueError as error:
+        raise _unusable(source, str(error)) from None
+    for line, point in enumerate(points, start=2):
+        for value, name in zip(point, COLUMNS, strict=True):
+            low, high = _SENSIBLE[name]
+            if not low <= value <= high:
+                raise _unusable(source, f"line {line}: {name} is not from {low:g} to {high:g}")
     return points
 
 

@@ -10,12 +10,12 @@ if TYPE_CHECKING:
     from gearwright.spec import Design
 
 
-def design_of(name: str, folder: Path = Path()) -> Design:
+def design_of(name: str, folder: Path | None = None) -> Design:
     """Return a design from a file, or a shipped one by its name.
 
     Args:
         name: Path or name.
-        folder: Where paths start.
+        folder: Of the study that names it; left out: the path may lead anywhere.
     """
     from gearwright.shipped import find_design
     from gearwright.spec import read
@@ -35,10 +35,10 @@ def sized(name: str) -> Sizing:
     from gearwright.errors import DesignError
     from gearwright.shipped import find_design
     from gearwright.sizing import size
-    from gearwright.spec import placed
+    from gearwright.spec import file_text, placed
 
     design = design_of(name)
     try:
         return size(design)
     except DesignError as error:
-        raise DesignError(placed(error.problems, find_design(name).read_text(encoding="utf-8-sig")), name) from None
+        raise DesignError(placed(error.problems, file_text(find_design(name))), name) from None

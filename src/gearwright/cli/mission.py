@@ -96,7 +96,7 @@ def _flown(design: Design, name: str, *, life_h: float | None) -> tuple[Flight, 
     from gearwright.mission import fly as flown_by
     from gearwright.shipped import find_mission
     from gearwright.sizing import size
-    from gearwright.spec import placed
+    from gearwright.spec import file_text, placed
 
     mission, folder = mission_of(name)
     try:
@@ -107,4 +107,4 @@ def _flown(design: Design, name: str, *, life_h: float | None) -> tuple[Flight, 
         if any(each.path.partition(".")[0] not in type(mission).model_fields for each in error.problems):
             raise
         path = find_mission(name)
-        raise DesignError(placed(error.problems, path.read_text(encoding="utf-8-sig")), str(path)) from None
+        raise DesignError(placed(error.problems, file_text(path)), str(path)) from None

@@ -100,7 +100,7 @@ def compare(
     read = read.model_copy(update={"changes": _changes(changes)})
     fitted = {
         name: for_engine(
-            design_of(name, Path()),
+            design_of(name),
             power=power_kw * 1e3 if power_kw else None,
             engine_speed=engine_rpm * RPM if engine_rpm else None,
             propeller_speed=propeller_rpm * RPM if propeller_rpm else None,

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import DesignError, Problem, excerpt, near
+from gearwright.reading import beside
 from gearwright.verbs import verb
 
 _DESIGNS = Path(__file__).parent / "designs"
@@ -29,7 +30,9 @@ def shipped_design(name: str) -> Path:
         DesignError: If there is none of this name; with the nearest one.
     """
     if name not in shipped_designs():
-        raise DesignError([Problem("name", f"there is no shipped design {name!r}; {near(name, shipped_designs())}")])
+        raise DesignError(
+            [Problem("name", f"there is no shipped design {excerpt(name)!r}; {near(name, shipped_designs())}")]
+        )
     return _DESIGNS / f"{name}.toml"
 
 
@@ -50,35 +53,37 @@ def shipped_file(name: str) -> Path:
     if name in shipped_designs():
         return shipped_design(name)
     names = (*shipped_designs(), *shipped_missions(), *shipped_studies())
-    raise DesignError([Problem("name", f"there is no shipped design, mission or study {name!r}; {near(name, names)}")])
+    raise DesignError(
+        [Problem("name", f"there is no shipped design, mission or study {excerpt(name)!r}; {near(name, names)}")]
+    )
 
 
 @verb
-def find_design(name: str, folder: Path = Path()) -> Path:
+def find_design(name: str, folder: Path | None = None) -> Path:
     """Return the path of a design file, or of the shipped design of that name.
 
     Args:
         name: A path, or a name such as ``in-line-h2``; a file of that name comes first.
-        folder: Where paths start.
+        folder: Of the study that names it, in which it must stand; left out: the path may lead anywhere.
 
     Raises:
         DesignError: If it looks like the name of a shipped design and is none; with the nearest one.
     """
-    return _found(name, folder, shipped_design)
+    return _found(name, folder, shipped_design, "designs")
 
 
 @verb
-def find_mission(name: str, folder: Path = Path()) -> Path:
+def find_mission(name: str, folder: Path | None = None) -> Path:
     """Return the path of a mission file, or of the shipped mission of that name.
 
     Args:
         name: A path, or a name such as ``thesis``; a file of that name comes first.
-        folder: Where paths start.
+        folder: Of the study that names it, in which it must stand; left out: the path may lead anywhere.
 
     Raises:
         DesignError: If it looks like the name of a shipped mission and is none; with the nearest one.
     """
-    return _found(name, folder, shipped_mission)
+    return _found(name, folder, shipped_mission, "fly.mission")
 
 
 @verb
@@ -91,20 +96,28 @@ def find_study(name: str) -> Path:
     Raises:
         DesignError: If it looks like the name of a shipped study and is none; with the nearest one.
     """
-    return _found(name, Path(), shipped_study)
+    return _found(name, None, shipped_study, "")
 
 
-def _found(name: str, folder: Path, shipped: Callable[[str], Path]) -> Path:
+def _found(name: str, folder: Path | None, shipped: Callable[[str], Path], key: str) -> Path:
     """Return a file, or what is shipped of that name; a folder stands for itself only where nothing is."""
-    path = folder / name
-    if path.is_file() or path.suffix or len(Path(name).parts) != 1:
+    path = Path(name) if folder is None else beside(name, folder, key)
+    if _is_there(path, Path.is_file) or path.suffix or len(Path(name).parts) != 1:
         return path
     try:
         return shipped(name)
     except DesignError:
-        if path.exists():
+        if _is_there(path, Path.exists):
             return path
         raise
+
+
+def _is_there(path: Path, asked: Callable[[Path], bool]) -> bool:
+    """Ask for a file; a name that no file can have, as it is too long or holds a null byte, is not there."""
+    try:
+        return asked(path)
+    except (OSError, ValueError):
+        return False
 
 
 def shipped_studies() -> tuple[str, ...]:
@@ -123,7 +136,9 @@ def shipped_study(name: str) -> Path:
         DesignError: If there is none of this name; with the nearest one.
     """
     if name not in shipped_studies():
-        raise DesignError([Problem("name", f"there is no shipped study {name!r}; {near(name, shipped_studies())}")])
+        raise DesignError(
+            [Problem("name", f"there is no shipped study {excerpt(name)!r}; {near(name, shipped_studies())}")]
+        )
     return _STUDIES / f"{name}.toml"
 
 
@@ -143,5 +158,11 @@ def shipped_mission(name: str) -> Path:
         DesignError: If there is none of this name; with the nearest one.
     """
     if name not in shipped_missions():
-        raise DesignError([Problem("name", f"there is no shipped mission {name!r}; {near(name, shipped_missions())}")])
+        raise DesignError(
+            [Problem("name", f"there is no shipped mission {excerpt(name)!r}; {near(name, shipped_missions())}")]
+        )
     return _MISSIONS / f"{name}.toml"
+
+
+def _none(kind: str, name: str, names: Iterable[str]) -> DesignError:
+    return DesignError([Problem("name", f"there is no shipped {kind} {excerpt(name)!r}; {near(name, names)}")])

@@ -26,7 +26,7 @@ from gearwright.spec.mission import (
     parse_mission,
     read_mission,
 )
-from gearwright.spec.read import LARGEST_FILE, parse, placed, read
+from gearwright.spec.read import file_text, parse, placed, read
 from gearwright.spec.record import Record, build, keys_of, quantity_of
 from gearwright.spec.schema import records, schema
 from gearwright.spec.study import (
@@ -43,7 +43,6 @@ from gearwright.spec.windows import GovernorRules, WindowRules
 
 __all__ = [
     "GROUND",
-    "LARGEST_FILE",
     "MISSION_PATH",
     "NO_MAP",
     "Axis",
@@ -72,6 +71,7 @@ __all__ = [
     "edited",
     "edited_mission",
     "engine_out",
+    "file_text",
     "key_lines",
     "keys_of",
     "line_of",

@@ -10,6 +10,7 @@ from pydantic import Field
 
 from gearwright.catalogue import gear_steel
 from gearwright.errors import DesignError, Problem
+from gearwright.reading import beside
 from gearwright.shipped import find_mission
 from gearwright.spec.checks import STEEL_KEYS
 from gearwright.spec.read import file_text, placed, toml_tables
@@ -20,6 +21,8 @@ from gearwright.verbs import verb
 
 NO_MAP = "none"
 """Name that stands for no propeller map."""
+MAP_FILE = ".csv"
+"""How the name of a map ends that is a file."""
 Kind = Literal["deep-groove", "cylindrical", "taper", "four-point"]
 """Kinds of rolling bearing in the catalogue."""
 _SAME_ALTITUDE = 0.1
@@ -177,15 +180,17 @@ def read_mission(path: str | Path) -> Mission:
     Raises:
         DesignError: With every problem of the file.
     """
-    return parse_mission(file_text(find_mission(str(path))), source=str(path))
+    file = find_mission(str(path))
+    return parse_mission(file_text(file), source=str(path), folder=file.parent)
 
 
-def parse_mission(text: str, *, source: str = "") -> Mission:
+def parse_mission(text: str, *, source: str = "", folder: Path | None = None) -> Mission:
     """Return the mission that a TOML text describes.
 
     Args:
         text: The file's content.
         source: Name of the file, for messages.
+        folder: Where a propeller map is looked for; left out: where the program runs.
 
     Raises:
         DesignError: With every problem of the text.
@@ -194,9 +199,25 @@ def parse_mission(text: str, *, source: str = "") -> Mission:
     problems = list(written.problems)
     if record is not None and not problems:
         problems += mission_problems(cast(Mission, record))
+        problems += map_problems(cast(Mission, record).propeller_map, folder or Path())
     if problems:
         raise DesignError(placed(problems, text), source)
     return cast(Mission, record)
+
+
+def map_problems(name: str, folder: Path) -> tuple[Problem, ...]:
+    """Return why a propeller map cannot be had from where it is said to be.
+
+    Args:
+        name: Of a shipped map or a file.
+        folder: Of the mission, in which the file must stand.
+    """
+    try:
+        if name.endswith(MAP_FILE):
+            beside(name, folder, "propeller_map")
+    except DesignError as error:
+        return error.problems
+    return ()
 
 
 def mission_problems(mission: Mission) -> list[Problem]:

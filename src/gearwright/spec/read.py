@@ -7,7 +7,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, cast
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, excerpt
+from gearwright.reading import text_of
 from gearwright.shipped import find_design
 from gearwright.spec.checks import bearing_problems, reference_problems
 from gearwright.spec.curves import with_curves
@@ -16,8 +17,9 @@ from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.record import Location, build
 from gearwright.verbs import verb
 
-LARGEST_FILE = 1_000_000
-"""Largest design file that is read [bytes]; the shipped ones have about a thousand."""
+_MISSING = "there is no such file; `gearwright new` lists the shipped designs, `fly` missions, `study` studies"
+_REASON = 160
+"""Characters of what TOML's reader says, which may repeat a key [-]."""
 
 
 @verb
@@ -76,7 +78,7 @@ def toml_tables(text: str, source: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # ValueError also for whole numbers of thousands of digits
-        reason = "its brackets nest too deeply" if isinstance(error, RecursionError) else error
+        reason = "its brackets nest too deeply" if isinstance(error, RecursionError) else excerpt(str(error), _REASON)
         raise DesignError(
             [Problem("", f"this is not TOML: {reason}; a line reads  key = value  or  [table]")], source
         ) from None
@@ -100,8 +102,8 @@ def _in_written_keys(problems: Iterable[Problem], keys: Mapping[Location, str]) 
     return [Problem(written.get(each.path, each.path), each.message) for each in problems]
 
 
-def file_text(path: Path) -> str:
-    """Return the file's text, or say why there is none to be had; never read more than the largest design.
+def file_text(path: str | Path) -> str:
+    """Return the text of a file that a user writes, or say why there is none to be had.
 
     Args:
         path: Of a design file, or of any other TOML file that a user writes.
@@ -109,20 +111,4 @@ def file_text(path: Path) -> str:
     Raises:
         DesignError: If there is no such text file, or it is too large.
     """
-    name = str(path)
-    if path.is_dir():
-        raise DesignError([Problem("", "this is a folder; name a design file in it, such as design.toml")], name)
-    try:
-        with path.open("rb") as file:
-            content = file.read(LARGEST_FILE + 1)
-        if len(content) > LARGEST_FILE:
-            message = f"the file has more than {LARGEST_FILE:,} bytes, the most that a design has; name a design file"
-            raise DesignError([Problem("", message)], name)
-        return content.decode("utf-8-sig").replace("\r\n", "\n")
-    except FileNotFoundError:
-        message = "there is no such file; `gearwright new` lists the shipped designs, `fly` missions, `study` studies"
-        raise DesignError([Problem("", message)], name) from None
-    except UnicodeDecodeError:
-        raise DesignError([Problem("", "this is not a text file in UTF-8; a design file is TOML")], name) from None
-    except OSError as error:
-        raise DesignError([Problem("", f"the file cannot be read: {error.strerror}")], name) from None
+    return text_of(path, missing=_MISSING)

@@ -9,9 +9,10 @@ from typing import Literal, cast
 from pydantic import Field
 
 from gearwright.errors import DesignError, Problem
+from gearwright.reading import beside
 from gearwright.shipped import find_mission, find_study
 from gearwright.spec.axis import Axis, Value, axis_length, axis_problems
-from gearwright.spec.mission import Mission, read_mission
+from gearwright.spec.mission import MAP_FILE, Mission, mission_problems, read_mission
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.units import Time
@@ -23,6 +24,7 @@ MOST_SAMPLES = 1_000_000
 """Most samples that are drawn at once."""
 MISSION_PATH, FLY_RESULT = "mission.", "fly."
 """How paths into the mission and the results of its flight begin."""
+MAP_PATH = f"{MISSION_PATH}propeller_map"
 Method = Literal["grid", "list", "random", "sobol", "latin-hypercube", "saltelli", "nsga2"]
 
 
@@ -98,6 +100,10 @@ def study_problems(study: Study) -> list[Problem]:
     """
     sampled = study.sampling.method not in ("grid", "list")
     problems = [each for path, axis in study.axes.items() for each in axis_problems(path, axis, sampled=sampled)]
+    if study.fly.mission is not None and study.mission is not None:
+        problems.append(Problem("fly.mission", "there is a [mission] as well; keep one of them"))
+    if study.mission is not None:
+        problems += [Problem(f"{MISSION_PATH}{each.path}", each.message) for each in mission_problems(study.mission)]
     try:
         if not problems:
             case_count(study)
@@ -204,17 +210,16 @@ def with_mission(study: Study, folder: Path) -> Study:
     Raises:
         DesignError: If a mission is needed and none is given, or the one that is named cannot be read.
     """
-    if study.fly.mission is not None and study.mission is not None:
-        raise DesignError([Problem("fly.mission", "there is a [mission] as well; keep one of them")])
     if study.fly.mission is not None:
-        path = find_mission(study.fly.mission, folder)
-        return study.model_copy(update={"mission": _with_map(read_mission(path), path.parent)})
+        study = study.model_copy(update={"mission": _mission_of(study.fly.mission, folder)})
+    elif study.mission is not None:
+        study = study.model_copy(update={"mission": _with_map(study.mission, folder)})
     paths = [f"axes.{path}" for path in study.axes if path.startswith(MISSION_PATH)]
     paths += [f"changes.{path}" for path in study.changes if path.startswith(MISSION_PATH)]
     if study.mission is None and (study.flies or paths):
         message = 'nothing says what is flown; write [fly] mission = "thesis", or another mission file'
         raise DesignError([Problem(paths[0] if paths else "fly.mission", message)])
-    return study
+    return _with_maps(study, folder)
 
 
 def mission_changed(study: Study, folder: Path) -> bool:
@@ -226,11 +231,32 @@ def mission_changed(study: Study, folder: Path) -> bool:
     """
     if study.fly.mission is None or not find_mission(study.fly.mission, folder).is_file():
         return False
-    return with_mission(study.model_copy(update={"mission": None}), folder).mission != study.mission
+    return _mission_of(study.fly.mission, folder) != study.mission
+
+
+def _mission_of(name: str, folder: Path) -> Mission:
+    path = find_mission(name, folder)
+    return _with_map(read_mission(path), path.parent)
 
 
 def _with_map(mission: Mission, folder: Path) -> Mission:
     """Return a mission whose propeller map, where it is a file, is found from anywhere on this machine."""
-    if not mission.propeller_map.endswith(".csv"):
-        return mission
-    return mission.model_copy(update={"propeller_map": str((folder / mission.propeller_map).resolve())})
+    chart = _map_from(mission.propeller_map, folder, "mission.propeller_map")
+    return mission.model_copy(update={"propeller_map": chart})
+
+
+def _with_maps(study: Study, folder: Path) -> Study:
+    """Return a study whose other propeller maps, too, which it varies, are found from anywhere on this machine."""
+    changes, axes = dict(study.changes), dict(study.axes)
+    if MAP_PATH in changes:
+        changes[MAP_PATH] = _map_from(changes[MAP_PATH], folder, f"changes.{MAP_PATH}")
+    if MAP_PATH in axes and axes[MAP_PATH].values is not None:
+        values = [_map_from(value, folder, f"axes.{MAP_PATH}") for value in axes[MAP_PATH].values or []]
+        axes[MAP_PATH] = axes[MAP_PATH].model_copy(update={"values": values})
+    return study.model_copy(update={"changes": changes, "axes": axes})
+
+
+def _map_from(name: Value, folder: Path, key: str) -> Value:
+    if not isinstance(name, str) or not name.endswith(MAP_FILE):
+        return name
+    return str(beside(name, folder, key).resolve())

@@ -19,6 +19,7 @@ from gearwright.dynamics.equations import Work
 from gearwright.dynamics.model import Tone
 from gearwright.dynamics.motion import Checkpoints, Orders
 from gearwright.errors import DesignError, Problem, by_name
+from gearwright.reading import refuse_irregular
 from gearwright.spec import Design
 from gearwright.store.image import new_netcdf
 from gearwright.train import RATED
@@ -119,11 +120,12 @@ def load(path: str | Path) -> StoredRun:
     Raises:
         DesignError: If there is no such file, or it is not one of gearwright's.
     """
+    refuse_irregular(path)
     try:
         with h5netcdf.File(Path(path), "r") as file:
             if file.attrs.get("format") != FORMAT:
                 raise DesignError(
-                    [Problem("", f"this is not a gearwright run; its format is {file.attrs.get('format')!r}")],
+                    [Problem("", "this is not a gearwright run; `gearwright simulate --output` writes one")],
                     str(path),
                 )
             return _read(file)

@@ -114,7 +114,7 @@ REFUSED = {
     ),
     "a map that is not there": (
         ("in-line-h2", THESIS, '"6-blades-af115"', '"nowhere.csv"'),
-        "propeller_map: '.*nowhere.csv' is no text file that can be read",
+        "propeller_map: .*nowhere.csv: there is no such file",
     ),
     "two speeds": (
         ("in-line-h2", THESIS, "tas_kt = 313", "tas_kt = 313\nmach = 0.52"),

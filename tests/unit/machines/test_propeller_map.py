@@ -57,10 +57,10 @@ def test_a_power_that_no_blade_angle_takes_is_refused():
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("a,b\n1,2\n", "column advance_ratio is missing"),
+        ("a,b\n1,2\n", "lacks advance_ratio and"),
         (HEAD, "at least two"),
-        (SMALL + "1,x,0.1,0.1\n", "line 6 is not four numbers"),
-        (SMALL + "1,30,nan,0.1\n", "line 6 has a number that is not finite"),
+        (SMALL + "1,x,0.1,0.1\n", "has no 4 numbers in line 6"),
+        (SMALL + "1,30,nan,0.1\n", "has no 4 numbers in line 6"),
         (SMALL + "1,20,0.1,0.1\n", "given twice"),
         (SMALL + "0,40,0.5,0.5\n1,30,0.1,0.1\n", "gap between its blade angles"),
     ],
@@ -73,7 +73,7 @@ def test_a_file_that_is_no_map_is_refused(text, message):
 def test_a_users_own_file_is_read(tmp_path):
     (tmp_path / "own.csv").write_text(SMALL, encoding="utf-8")
     assert read_propeller_map(tmp_path / "own.csv").power[1, 1] == 0.2
-    with pytest.raises(DesignError, match="no text file"):
+    with pytest.raises(DesignError, match="there is no such file"):
         read_propeller_map(tmp_path / "none.csv")
 
 

@@ -4,8 +4,9 @@ import pytest
 
 from designs import HYBRID, PAIR, changed, problem, problems
 from gearwright.errors import DesignError
+from gearwright.reading import LARGEST_TEXT
 from gearwright.sizing import size
-from gearwright.spec import LARGEST_FILE, parse, parse_mission, parse_study, read
+from gearwright.spec import parse, parse_mission, parse_study, read
 from gearwright.units import RPM
 
 
@@ -151,7 +152,7 @@ def test_odd_but_legal_toml_is_refused_by_name(text):
 
 
 def test_a_folder_is_not_a_file(tmp_path):
-    with pytest.raises(DesignError, match=r"this is a folder; name a design file in it") as caught:
+    with pytest.raises(DesignError, match=r"this is a folder; name a file in it") as caught:
         read(tmp_path)
     assert caught.value.source == str(tmp_path)
 
@@ -164,7 +165,7 @@ def test_a_missing_file_says_where_to_start(tmp_path):
 def test_a_file_of_ten_megabytes_is_not_read(tmp_path):
     path = tmp_path / "big.toml"
     path.write_bytes(b"#" * 10_000_000)
-    with pytest.raises(DesignError, match=f"more than {LARGEST_FILE:,} bytes"):
+    with pytest.raises(DesignError, match=f"more than {LARGEST_TEXT:,} bytes"):
         read(path)
 
 

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.reading import refuse_irregular
 from gearwright.spec import Design, Study, case_count
 from gearwright.study.answers import Row
 from gearwright.study.running.journal_file import (
@@ -147,6 +148,8 @@ def begin(path: Path, study: Study, designs: Mapping[str, Design], *, origin: st
         DesignError: If the file is there already.
         SolveError: If it cannot be written.
     """
+    if path.exists():
+        refuse_irregular(path)
     try:
         with closing(sqlite3.connect(path)) as database:
             used = has_tables(database)

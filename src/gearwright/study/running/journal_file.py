@@ -10,6 +10,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from gearwright.errors import DesignError, GearwrightError, Problem, SolveError
+from gearwright.reading import refuse_irregular
 from gearwright.sizing import Named
 from gearwright.study.answers import Row
 
@@ -132,8 +133,7 @@ def reading(path: Path) -> Iterator[sqlite3.Connection]:
         DesignError: If there is no such file, or it is none of a journal.
         SolveError: If it cannot be read where it is.
     """
-    if not path.is_file():
-        raise DesignError([Problem("", "there is no such journal; `gearwright study --journal` writes one")], str(path))
+    refuse_irregular(path, missing="there is no such journal; `gearwright study --journal` writes one")
     with closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=rw", uri=True)) as database:
         try:
             yield database

@@ -1,0 +1,153 @@
+"""Files that a user names, read in one way: regular files only, up to a limit, and never a word of what is in others.
+
+A path that a command is given may lead anywhere. A path that stands inside a file leads into the folder of that file
+or below it, links followed, so that a design from elsewhere cannot make gearwright open what is not its own.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import os
+import stat
+from collections.abc import Sequence
+from pathlib import Path, PureWindowsPath
+
+from gearwright.errors import DesignError, Problem, excerpt
+
+LARGEST_TEXT = 1_000_000
+"""Largest text file that is read [bytes]; shipped designs have about a thousand, propeller maps ten thousand."""
+_OPEN = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
+"""How files are opened: a pipe that nobody writes into, or a device, does not make the caller wait."""
+_SHOWN = 200
+"""Characters of a path in a message [-]."""
+
+
+def text_of(path: str | Path, key: str = "", *, missing: str = "there is no such file") -> str:
+    """Return the text of a regular file, with the line ends of Unix.
+
+    Args:
+        path: Of the file.
+        key: Entry that names the file, if it is not the caller itself.
+        missing: What is said if there is none.
+
+    Raises:
+        DesignError: If there is no such file, it is none that can be read, is too large, or is no text in UTF-8.
+    """
+    try:
+        return _content(path, key, missing).decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError:
+        raise _refused(path, key, "this is not a text file in UTF-8") from None
+
+
+def refuse_irregular(path: str | Path, *, missing: str = "there is no such file") -> None:
+    """Raise for what is no regular file, before a library that knows no such rule opens it.
+
+    Args:
+        path: Of the file.
+        missing: What is said if there is none.
+
+    Raises:
+        DesignError: If there is no such file, or it is a folder, a pipe or a device.
+    """
+    os.close(_opened(path, "", missing))
+
+
+def numbers_of(text: str, names: Sequence[str]) -> list[list[float]]:
+    """Return columns of a CSV text, row by row.
+
+    Args:
+        text: With the names of its columns in the first row; columns that are not asked for are left alone.
+        names: Of the columns.
+
+    Raises:
+        ValueError: A column is missing, or a number is none, with the line, but not with what stands there.
+    """
+    rows, line = csv.DictReader(text.splitlines()), 1
+    try:
+        missing = [name for name in names if name not in (rows.fieldnames or ())]
+        if missing:
+            raise ValueError(f"lacks {' and '.join(missing)}; its first row must name the columns {', '.join(names)}")
+        found = []
+        for line, row in enumerate(rows, start=2):  # noqa: B007 - said below
+            found.append([_finite(row[name]) for name in names])
+    except (csv.Error, _NoNumber):
+        raise ValueError(f"has no {len(names)} numbers in line {line}") from None
+    return found
+
+
+def _finite(cell: str | None) -> float:
+    try:
+        number = float(cell or "")
+    except ValueError:
+        raise _NoNumber from None
+    if not math.isfinite(number):
+        raise _NoNumber
+    return number
+
+
+class _NoNumber(Exception):
+    """A cell of a table holds something else."""
+
+
+def beside(name: str, folder: Path, key: str) -> Path:
+    """Return the path of a file that is named inside a file.
+
+    Args:
+        name: As written.
+        folder: Of the file in which it is written.
+        key: Entry that names it.
+
+    Raises:
+        DesignError: If the path is absolute, leads upwards, or leaves the folder through a link.
+    """
+    path, other = Path(name), PureWindowsPath(name)
+    rule = "name a file in the folder of this file, or below it"
+    if path.is_absolute() or other.drive or other.root:
+        raise _refused(name, key, f"this path is absolute; {rule}")
+    if ".." in other.parts:
+        raise _refused(name, key, f"this path leads upwards; {rule}")
+    try:
+        inside = (folder / path).resolve().is_relative_to(folder.resolve())
+    except (OSError, ValueError, RuntimeError):  # a null byte; links in a circle
+        raise _refused(name, key, f"this is no path; {rule}") from None
+    if not inside:
+        raise _refused(name, key, f"a link leads out of the folder; {rule}")
+    return folder / path
+
+
+def _content(path: str | Path, key: str, missing: str) -> bytes:
+    too_large = f"the file has more than {LARGEST_TEXT:,} bytes, the most that is read"
+    try:
+        with os.fdopen(_opened(path, key, missing), "rb") as file:
+            if os.fstat(file.fileno()).st_size > LARGEST_TEXT:
+                raise _refused(path, key, too_large)
+            content = file.read(LARGEST_TEXT + 1)
+    except OSError as error:
+        raise _refused(path, key, f"the file cannot be read: {error.strerror}") from None
+    if len(content) > LARGEST_TEXT:
+        raise _refused(path, key, too_large)
+    return content
+
+
+def _opened(path: str | Path, key: str, missing: str) -> int:
+    """Return the descriptor of a regular file."""
+    if Path(path).is_dir():
+        raise _refused(path, key, "this is a folder; name a file in it")
+    try:
+        descriptor = os.open(path, _OPEN)
+    except FileNotFoundError:
+        raise _refused(path, key, missing) from None
+    except OSError as error:
+        raise _refused(path, key, f"the file cannot be read: {error.strerror}") from None
+    except ValueError:  # a null byte
+        raise _refused(path, key, "this is no path") from None
+    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+        os.close(descriptor)
+        raise _refused(path, key, "this is a pipe or a device; name a regular file")
+    return descriptor
+
+
+def _refused(path: str | Path, key: str, reason: str) -> DesignError:
+    name = excerpt(str(path), _SHOWN)
+    return DesignError([Problem(key, f"{name}: {reason}")]) if key else DesignError([Problem("", reason)], name)
