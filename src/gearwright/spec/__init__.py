@@ -1,6 +1,7 @@
 """What users write: the design file, its types, its reader and its JSON Schema."""
 
-from gearwright.spec.axis import Axis, axis_values, value_at
+from gearwright.spec.axis import MOST_VALUES, Axis, axis_values, value_at
+from gearwright.spec.bounds import LONGEST_NAME, Range, is_name, quantity_of, range_of
 from gearwright.spec.design.design import (
     GROUND,
     Clutch,
@@ -16,6 +17,7 @@ from gearwright.spec.design.design import (
 from gearwright.spec.edit import edited, edited_mission, path_problem
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.mission import (
+    MOST_INTERVALS,
     NO_MAP,
     BatteryRules,
     BearingLifeRules,
@@ -27,7 +29,7 @@ from gearwright.spec.mission import (
     read_mission,
 )
 from gearwright.spec.read import file_text, parse, placed, read
-from gearwright.spec.record import Record, build, keys_of, quantity_of
+from gearwright.spec.record import Record, build, keys_of
 from gearwright.spec.schema import records, schema
 from gearwright.spec.study import (
     MISSION_PATH,
@@ -43,7 +45,10 @@ from gearwright.spec.windows import GovernorRules, WindowRules
 
 __all__ = [
     "GROUND",
+    "LONGEST_NAME",
     "MISSION_PATH",
+    "MOST_INTERVALS",
+    "MOST_VALUES",
     "NO_MAP",
     "Axis",
     "BatteryRules",
@@ -60,6 +65,7 @@ __all__ = [
     "Phase",
     "Planetary",
     "Propeller",
+    "Range",
     "Record",
     "Simulated",
     "Study",
@@ -72,6 +78,7 @@ __all__ = [
     "edited_mission",
     "engine_out",
     "file_text",
+    "is_name",
     "key_lines",
     "keys_of",
     "line_of",
@@ -83,6 +90,7 @@ __all__ = [
     "path_problem",
     "placed",
     "quantity_of",
+    "range_of",
     "read",
     "read_mission",
     "read_study",

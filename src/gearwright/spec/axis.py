@@ -13,6 +13,8 @@ from gearwright.errors import DesignError, Problem
 from gearwright.spec.record import Record
 
 Value = float | int | str | bool
+MOST_VALUES = 1_000_000
+"""Values of one axis of equal steps [-]."""
 
 
 class Axis(Record):
@@ -40,10 +42,12 @@ def axis_values(path: str, axis: Axis) -> list[Value]:
     Raises:
         DesignError: If neither a list nor first, last and step are given, or they do not go together.
     """
-    length = axis_length(path, axis)
-    if axis.values is not None:
-        return axis.values
-    return [(axis.first or 0) + (axis.step or 0) * k for k in range(length)]
+    return [_value(axis, k) for k in range(axis_length(path, axis))]
+
+
+def _value(axis: Axis, k: int) -> Value:
+    """Return the k-th value of a list or of equal steps."""
+    return axis.values[k] if axis.values is not None else (axis.first or 0) + (axis.step or 0) * k
 
 
 def axis_length(path: str, axis: Axis) -> int:
@@ -68,6 +72,9 @@ def axis_length(path: str, axis: Axis) -> int:
     if steps < 0 or not math.isfinite(steps):
         message = f"there is nothing from {axis.first:g} up to {axis.last:g}; exchange them"
         raise DesignError([Problem(f"axes.{path}", message)])
+    if steps >= MOST_VALUES:
+        message = f"{math.floor(steps) + 1:,} values; at most {MOST_VALUES:,} are taken: make the step larger"
+        raise DesignError([Problem(f"axes.{path}.step", message)])
     return math.floor(steps + 1e-9) + 1
 
 
@@ -111,8 +118,8 @@ def value_at(path: str, axis: Axis, place: float) -> Value:
         inside = min(max(place, sys.float_info.min), 1.0 - 2.0**-53)
         return NormalDist(axis.mean, axis.deviation).inv_cdf(inside)
     if axis.values is not None or axis.step is not None:
-        values = axis_values(path, axis)
-        return values[min(int(place * len(values)), len(values) - 1)]
+        length = axis_length(path, axis)
+        return _value(axis, min(int(place * length), length - 1))
     return _in_range(path, axis, place)
 
 

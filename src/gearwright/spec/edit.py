@@ -12,7 +12,7 @@ from gearwright.errors import DesignError, Problem, near
 from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import Design
 from gearwright.spec.mission import Mission, mission_problems
-from gearwright.spec.record import Record, keys_of
+from gearwright.spec.record import Record, brief, keys_of
 from gearwright.verbs import verb
 
 Value = float | int | str | bool | list[Any]
@@ -56,7 +56,9 @@ def _edited(record: R, changes: Mapping[str, Value], problems_of: Callable[[R], 
         changed = kind.model_validate(data)
     except ValidationError as error:
         raise DesignError(
-            Problem(".".join(str(part) for part in each["loc"]), f"{each['input']!r} is not allowed: {each['msg']}")
+            Problem(
+                ".".join(str(part) for part in each["loc"]), f"{brief(each['input'])} is not allowed: {each['msg']}"
+            )
             for each in error.errors(include_url=False)
         ) from None
     found = problems_of(changed)

@@ -9,23 +9,31 @@ from __future__ import annotations
 
 import math
 import reprlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from types import MappingProxyType, UnionType
-from typing import Any, ClassVar, Union, get_args, get_origin
+from types import MappingProxyType
+from typing import Any, ClassVar, get_args, get_origin
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, ValidationError, ValidationInfo, field_validator
 from pydantic.fields import FieldInfo
 
 from gearwright.errors import Problem, near
-from gearwright.units import SUFFIXES, Quantity
+from gearwright.spec.bounds import NAME_RULE, checked, is_path, parts, quantity_of, range_of
+from gearwright.units import SUFFIXES
 
 
 class Record(BaseModel):
     """What all records of a file share: frozen, and no field that is not declared."""
 
     model_config: ClassVar[ConfigDict] = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+
+    @field_validator("*")
+    @classmethod
+    def _sensible(cls, value: Any, info: ValidationInfo) -> Any:
+        """Refuse what no file may hold: numbers that no machine has, texts and lists without end."""
+        name = info.field_name or ""
+        return checked(value, cls.model_fields[name], name)
 
 
 Location = tuple[str, ...]
@@ -41,6 +49,8 @@ class Written:
     """Location of the field -> value as written."""
     factors: dict[Location, tuple[float, str]] = field(default_factory=dict)
     """Location of a quantity -> (SI value of its unit, suffix)."""
+    fields: dict[Location, FieldInfo] = field(default_factory=dict)
+    """Location of the field -> what it takes."""
     problems: list[Problem] = field(default_factory=list)
     """What was found so far."""
     incomplete: bool = False
@@ -49,26 +59,6 @@ class Written:
     def report(self, location: Location, message: str) -> None:
         """Add a problem at a location."""
         self.problems.append(Problem(self.keys.get(location, ".".join(location)), message))
-
-
-def quantity_of(info: FieldInfo) -> Quantity | None:
-    """Return the quantity that marks a field, if any.
-
-    Args:
-        info: Field of a record.
-    """
-    marks = [mark for mark in info.metadata if isinstance(mark, Quantity)]
-    if not marks:
-        marks = [mark for part in _parts(info.annotation) for mark in getattr(part, "__metadata__", ())]
-    found = next((mark for mark in marks if isinstance(mark, Quantity)), None)
-    return found if found is not None and found.dimension in SUFFIXES else None
-
-
-def _parts(annotation: Any) -> Iterator[Any]:
-    if get_origin(annotation) in (Union, UnionType):
-        yield from get_args(annotation)
-    else:
-        yield annotation
 
 
 @cache
@@ -118,6 +108,7 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
             )
             continue
         written.keys[location], written.values[location] = path, value
+        written.fields[location] = _field(model, name)
         if suffix:
             written.factors[location] = (factor, suffix)
             result[name] = _number(value, factor, suffix, written, location)
@@ -156,14 +147,14 @@ def _unknown(key: str, model: type[Record], keys: Mapping[str, object]) -> str:
 
 def _number(value: object, factor: float, suffix: str, written: Written, location: Location) -> object:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        written.report(location, f"{_brief(value)} is not a number; give a number in {suffix}")
+        written.report(location, f"{brief(value)} is not a number; give a number in {suffix}")
         return _STAND_IN
     try:
         converted = float(value) * factor
     except OverflowError:
         converted = math.inf
     if not math.isfinite(converted):
-        written.report(location, f"{_brief(value)} is not a finite number; give a finite number in {suffix}")
+        written.report(location, f"{brief(value)} is not a finite number; give a finite number in {suffix}")
         return _STAND_IN
     return converted
 
@@ -172,8 +163,12 @@ _BRIEF = reprlib.Repr()
 _BRIEF.maxstring = _BRIEF.maxother = 60
 
 
-def _brief(value: object) -> str:
-    """Return a value as written, cut where it is long or deep."""
+def brief(value: object) -> str:
+    """Return a value as written, cut where it is long or deep.
+
+    Args:
+        value: Of an entry.
+    """
     try:
         return _BRIEF.repr(value)
     except ValueError:  # Python refuses to print whole numbers of thousands of digits
@@ -182,12 +177,12 @@ def _brief(value: object) -> str:
 
 def _nested(value: object, annotation: Any, written: Written, location: Location) -> object:
     """Convert a record, or a table of records (of any depth), inside a table."""
-    for part in _parts(annotation):
+    for part in parts(annotation):
         if isinstance(part, type) and issubclass(part, Record):
             if isinstance(value, Mapping):
                 return convert(value, part, written, location)
             written.report(
-                location, f"{_brief(value)} is not a table; write [{written.keys[location]}] and its fields below"
+                location, f"{brief(value)} is not a table; write [{written.keys[location]}] and its fields below"
             )
             written.incomplete = True
             return None
@@ -208,6 +203,10 @@ def _flat(value: Mapping[str, object], written: Written, location: Location) -> 
             waiting += [(f"{path}.{key}", each) for key, each in inner.items()]
             continue
         place = (*location, path)
+        if not is_path(path):
+            written.keys[place] = f"{written.keys[location]}.{path}"
+            written.report(place, f"{brief(path)} {NAME_RULE}")
+            continue
         if path in flat:
             written.report(place, "is given twice; keep one")
         flat[path], written.values[place] = inner, inner
@@ -224,13 +223,16 @@ def _holds_records(annotation: Any) -> bool:
 def _table(value: object, annotation: Any, written: Written, location: Location) -> object:
     path = written.keys[location]
     if not isinstance(value, Mapping):
-        written.report(location, f"{_brief(value)} is not a table; write [{path}.NAME] and its fields below")
+        written.report(location, f"{brief(value)} is not a table; write [{path}.NAME] and its fields below")
         written.incomplete = True
         return None
     rows: dict[str, object] = {}
     for name, row in value.items():
         inner = (*location, name)
         written.keys[inner] = f"{path}.{name}"
+        if not is_path(name):
+            written.report(inner, f"{brief(name)} {NAME_RULE}")
+            continue
         rows[name] = _nested(row, annotation, written, inner)
     return rows
 
@@ -292,23 +294,23 @@ def _add(written: Written, details: Any) -> None:
         written.problems.append(Problem(path, message))
 
 
-_BOUNDS = {"greater_than": ("gt", "greater than"), "greater_than_equal": ("ge", "at least"),
-           "less_than": ("lt", "less than"), "less_than_equal": ("le", "at most")}  # fmt: skip
+_BOUNDS = ("beyond", "greater_than", "greater_than_equal", "less_than", "less_than_equal")
 _WANTED = {"bool_type": "true or false", "dict_type": "a table", "finite_number": "a finite number",
            "float_type": "a number", "int_type": "a whole number", "list_type": 'a list such as ["one", "two"]',
            "string_type": "a text in quotes", "too_short": "at least one"}  # fmt: skip
 
 
 def _message(details: Any, written: Written, location: Location) -> str:
-    given = written.values.get(location, details["input"])
-    factor, suffix = written.factors.get(location, (1.0, ""))
-    context = details.get("ctx", {})
-    if details["type"] in _BOUNDS:
-        key, words = _BOUNDS[details["type"]]
-        unit = f" {suffix}" if suffix else ""
-        return f"{_brief(given)}{unit} is not allowed; give a value {words} {context[key] / factor:.6g}{unit}"
+    inside = len(location) < len(details["loc"])
+    given = brief(details["input"] if inside else written.values.get(location, details["input"]))
+    if details["type"] == "name":
+        return f"{given} {details['msg']}"
+    if details["type"] in _BOUNDS and location in written.fields and not inside:
+        factor, suffix = written.factors.get(location, (1.0, ""))
+        words = range_of(written.fields[location]).words(factor, suffix)
+        return f"{given}{f' {suffix}' if suffix else ''} is not allowed; give {words}"
     if details["type"] == "literal_error":
-        return f"{_brief(given)} is not known; allowed: {context['expected']}"
+        return f"{given} is not known; allowed: {details['ctx']['expected']}"
     if details["type"] in _WANTED:
-        return f"{_brief(given)} is not allowed; give {_WANTED[details['type']]}"
-    return f"{_brief(given)} is not allowed: {details['msg']}"
+        return f"{given} is not allowed; give {_WANTED[details['type']]}"
+    return f"{given} is not allowed: {details['msg']}"

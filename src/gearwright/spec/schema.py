@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from gearwright.spec.bounds import Range, quantity_of, range_of
 from gearwright.spec.design import Design
-from gearwright.spec.record import Record, keys_of, quantity_of
+from gearwright.spec.record import Record, keys_of
 from gearwright.units import SUFFIXES
 
 
@@ -53,7 +54,7 @@ def _expand(table: dict[str, Any], model: type[Record]) -> None:
         entry = properties.pop(name)
         options = [key for key, (field, _, _) in keys_of(model).items() if field == name]
         for key, (suffix, factor) in zip(options, SUFFIXES[quantity.dimension].items(), strict=True):
-            properties[key] = _number(entry, suffix, factor)
+            properties[key] = _number(entry, suffix, factor, range_of(info))
         choices: list[dict[str, Any]] = [{"required": [key]} for key in options]
         if name in required:
             required.remove(name)
@@ -64,13 +65,11 @@ def _expand(table: dict[str, Any], model: type[Record]) -> None:
         table.setdefault("allOf", []).append({"oneOf": choices})
 
 
-def _number(entry: dict[str, Any], suffix: str, factor: float) -> dict[str, Any]:
+def _number(entry: dict[str, Any], suffix: str, factor: float, allowed: Range) -> dict[str, Any]:
     """Return the property of one unit, its bounds converted from SI."""
-    source = next((part for part in entry.get("anyOf", []) if part.get("type") == "number"), entry)
     number: dict[str, Any] = {"type": "number", "description": f"{entry.get('description', '')} [{suffix}]"}
-    for bound in ("minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum"):
-        if bound in source:
-            number[bound] = source[bound] / factor
+    number["exclusiveMinimum" if allowed.above else "minimum"] = allowed.least / factor
+    number["exclusiveMaximum" if allowed.below else "maximum"] = allowed.most / factor
     if isinstance(entry.get("default"), int | float):
         number["default"] = entry["default"] / factor
     return number

@@ -91,7 +91,7 @@ def test_the_ends_of_the_unit_interval_have_values() -> None:
         ("sobol", '"a.b" = {distribution = "normal", mean = 3}', "needs mean and deviation"),
         ("sobol", '"a.b" = {from = 0, to = 1, likeliest = 2, distribution = "triangular"}', "not between 0 and 1"),
         ("list", '"a.b" = {values = [1]}\n"a.c" = {values = [1, 2]}', "axes of equal length"),
-        ("grid", '"a.b" = {from = 0, to = 1e12, step = 1}', "1,000,000,000,001 cases; at most"),
+        ("grid", '"a.b" = {from = 0, to = 1e12, step = 1}', "1,000,000,000,001 values; at most"),
         ("grid", '"a.b" = {from = 0, to = 1}', "a range needs"),
         ("nsga2", '"a.b" = {from = 0, to = 1}', "a search needs at least one"),
         ("saltelli", '"a.b" = {from = 0, to = 1}', "give two or more"),

@@ -145,7 +145,7 @@ def _number_teeth(board: Board, train: Train, layout: Layout, sizing: Sizing) ->
     for gear, x, y in gear_sides(train, layout):
         half = layout.places[train.gear(gear).stage].half
         words = f"$z$ {sizing.teeth[gear]}"
-        reach = text_width(words, 6.0) / 2.0 + 1.0
+        reach = text_width(words, 6.0, math=True) / 2.0 + 1.0
         width = layout.outlines[gear].width * layout.scale / 2.0
         away = [(x + side * (width * k + reach), y + up) for k in (1.0, 2.1) for up in (0.0, 2.0, -2.0, 4.0, -4.0)
                 for side in (-1.0, 1.0) if width * k < half]  # fmt: skip

@@ -51,7 +51,7 @@ class Board:
         """Write a label at the first of its places that is free, or else where it overlaps least.
 
         Args:
-            text: Lines to write.
+            text: Lines to write: names, numbers, and symbols between dollar signs.
             places: Middles (x, y) in order of preference [mm].
             size: Of the font [pt].
             bold: First line in bold.
@@ -61,13 +61,14 @@ class Board:
             The label's box.
         """
         lines = text.split("\n")
-        width, height = max(text_width(each, size) for each in lines), len(lines) * size * SPACING * POINT
+        width, height = max(text_width(each, size, math=True) for each in lines), len(lines) * size * SPACING * POINT
         boxes = [(x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0) for x, y in places]
         box = min(boxes, key=lambda each: sum(_overlap(each, other) for other in self.taken))
         for k, each in enumerate(lines):
             y = box[3] - (k + 0.5) * size * SPACING * POINT
             self.axes.text((box[0] + box[2]) / 2.0, y, each, ha="center", va="center_baseline", fontsize=size,
-                           color=colour, weight="bold" if bold and k == 0 else "normal", zorder=8)  # fmt: skip
+                           color=colour, weight="bold" if bold and k == 0 else "normal", zorder=8,
+                           parse_math=True)  # fmt: skip
         self.taken.append(box)
         self.labels.append(box)
         return box
@@ -81,16 +82,17 @@ class Board:
 
 
 @functools.lru_cache(maxsize=4096)
-def text_width(text: str, size: float) -> float:
+def text_width(text: str, size: float, *, math: bool = False) -> float:
     """Return the width of one line [mm].
 
     Args:
         text: The line.
         size: Of the font [pt].
+        math: True: symbols stand between dollar signs.
     """
     # Bold is the wider face: what fits in bold fits in both.
     font = FontProperties(family="DejaVu Sans", weight="bold", size=size)
-    return float(text_to_path.get_text_width_height_descent(text, font, ismath="$" in text)[0]) * POINT
+    return float(text_to_path.get_text_width_height_descent(text, font, ismath=math and "$" in text)[0]) * POINT
 
 
 def _overlap(one: Box, other: Box) -> float:

@@ -70,7 +70,11 @@ _STYLE: dict[Any, Any] = {
     "svg.fonttype": "path",
     "svg.hashsalt": "gearwright",
     "path.simplify": True,
+    # What a user wrote is never read as mathematics; a text of ours that is one says so itself.
+    "text.parse_math": False,
 }
+_FINISH: dict[Any, Any] = {**_STYLE, "text.parse_math": True}
+"""For what matplotlib itself adds when it lays a figure out: labels of logarithmic axes are powers."""
 
 _Inputs = ParamSpec("_Inputs")
 
@@ -87,6 +91,8 @@ def styled(draw: Callable[_Inputs, Figure]) -> Callable[_Inputs, Figure]:
     def drawn(*args: _Inputs.args, **kwargs: _Inputs.kwargs) -> Figure:
         with mpl.rc_context(_STYLE):
             figure = built(*args, **kwargs)
+            _allow_powers(figure)
+        with mpl.rc_context(_FINISH):
             # Solved anew at every saving, the layout would drift in the last digits.
             engine = figure.get_layout_engine()
             if engine is not None:
@@ -95,6 +101,16 @@ def styled(draw: Callable[_Inputs, Figure]) -> Callable[_Inputs, Figure]:
         return figure
 
     return drawn
+
+
+def _allow_powers(figure: Figure) -> None:
+    """Let those labels of logarithmic axes that are there already be powers, as later ones are."""
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            if axis.get_scale() in ("log", "symlog"):
+                for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks()):
+                    tick.label1.set_parse_math(True)
+                    tick.label2.set_parse_math(True)
 
 
 def sheet(width: float, height: float) -> Figure:
@@ -127,7 +143,7 @@ def to_svg(figure: Figure, prefix: str = "") -> str:
         prefix: Goes before every id, so that several figures can share a page.
     """
     buffer = io.StringIO()
-    with mpl.rc_context(_STYLE):
+    with mpl.rc_context(_FINISH):
         figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
     text = buffer.getvalue()
     text = text[text.index("<svg") :]
@@ -145,6 +161,6 @@ def to_png(figure: Figure, resolution: float = RESOLUTION) -> bytes:
         resolution: [dots per inch].
     """
     buffer = io.BytesIO()
-    with mpl.rc_context(_STYLE):
+    with mpl.rc_context(_FINISH):
         figure.savefig(buffer, format="png", dpi=resolution, metadata={"Software": None})
     return buffer.getvalue()

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import re
 from collections import Counter
@@ -13,6 +11,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.render.tables.csv_text import csv_text
 from gearwright.render.tables.grid import Grid
 from gearwright.render.tables.tables import written
 from gearwright.study import Row, Table
@@ -222,8 +221,4 @@ def study_csv(table: Table) -> str:
         table: Of the study.
     """
     records = study_records(table)
-    buffer = io.StringIO()
-    writer = csv.DictWriter(buffer, fieldnames=list(records[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(records)
-    return buffer.getvalue()
+    return csv_text(records[0], (record.values() for record in records))

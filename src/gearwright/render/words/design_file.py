@@ -15,7 +15,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from gearwright.render.tables.tables import written
-from gearwright.spec import Mission, Record, Study, quantity_of
+from gearwright.spec import Mission, Record, Study, quantity_of, range_of
 from gearwright.spec.design import Design
 from gearwright.units import SUFFIXES, shown, unit
 
@@ -39,7 +39,6 @@ A mission is a file of phases; `gearwright fly DESIGN MISSION` flies it: [flying
 This page is made from the types that read the file.
 """
 _COLUMNS = "| key | default | allowed | meaning |\n| --- | --- | --- | --- |\n"
-_SIGNS = {"ge": "≥", "gt": ">", "le": "≤", "lt": "<"}
 
 
 def design_file_markdown() -> str:
@@ -172,13 +171,19 @@ def _allowed(info: FieldInfo) -> Iterator[str]:
         yield ", ".join(f"`{each}`" for each in choices)
     else:
         yield _kind(info)
+    yield from _bounds(info)
     for mark in info.metadata:
-        for name, sign in _SIGNS.items():
-            bound = getattr(mark, name, None)
-            if bound is not None:
-                yield f"{sign} {_value(float(bound), info)}"
         if getattr(mark, "min_length", 0):
             yield f"at least {mark.min_length}"
+
+
+def _bounds(info: FieldInfo) -> Iterator[str]:
+    """Yield the least and the most of a number; a number without a unit may have none of its own."""
+    own = any(getattr(mark, name, None) is not None for mark in info.metadata for name in ("ge", "gt", "le", "lt"))
+    if own or quantity_of(info) is not None:
+        allowed = range_of(info)
+        yield f"{'>' if allowed.above else '≥'} {_value(allowed.least, info)}"
+        yield f"{'<' if allowed.below else '≤'} {_value(allowed.most, info)}"
 
 
 def _options(annotation: Any) -> tuple[Any, ...]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 
@@ -17,6 +15,7 @@ from gearwright.mission import (
     shaft_spectrum,
 )
 from gearwright.mission.lives import seat_duties
+from gearwright.render.tables.csv_text import csv_text
 
 
 def flight_csv(flight: Flight) -> str:
@@ -33,13 +32,8 @@ def flight_csv(flight: Flight) -> str:
         **{f"force.{name}": values for name, values in flight.mesh_forces.items()},
         **{f"bearing.{seat.name}": duty.radial for seat, duty in seat_duties(flight)},
     }
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(["phase", *columns])
-    writer.writerows(
-        [phase, *(float(values[k]) for values in columns.values())] for k, phase in enumerate(flight.phase)
-    )
-    return out.getvalue()
+    rows = ([phase, *(float(values[k]) for values in columns.values())] for k, phase in enumerate(flight.phase))
+    return csv_text(["phase", *columns], rows)
 
 
 def flight_json(flight: Flight, parts: Durability, life: LifeSizing | None = None) -> str:

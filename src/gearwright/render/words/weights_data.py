@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Iterable
 
+from gearwright.render.tables.csv_text import csv_text
 from gearwright.units import RPM
 from gearwright.weights import COLUMNS, CheckedEngine, Comparison, StatedMass, gearbox_mass
 
@@ -29,11 +28,7 @@ def to_csv(rows: list[Row]) -> str:
     Args:
         rows: Of equal keys.
     """
-    out = io.StringIO()
-    writer = csv.DictWriter(out, fieldnames=list(rows[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return out.getvalue()
+    return csv_text(rows[0], (row.values() for row in rows))
 
 
 def to_json(value: object) -> str:

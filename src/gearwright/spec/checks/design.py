@@ -9,6 +9,7 @@ from itertools import combinations
 from gearwright.catalogue import materials
 from gearwright.errors import Problem, near
 from gearwright.parts.gears import FEWEST_TEETH
+from gearwright.spec.bounds import NAME_RULE, is_name
 from gearwright.spec.checks.gears import gear_problems
 from gearwright.spec.checks.motion import motion_problems
 from gearwright.spec.checks.mounting import mounting_problems
@@ -41,20 +42,11 @@ def _shafts(design: Design) -> Iterator[Problem]:
             yield Problem("shafts", f"{name!r} stands twice; every shaft has one name")
         if name == GROUND:
             yield Problem("shafts", f"{GROUND!r} is the frame and stands still; give the shaft another name")
-        elif not _is_name(name):
-            yield Problem("shafts", f"{name!r} {_NO_NAME}")
         seen.add(name)
     used = _used_shafts(design)
     for name in design.shafts:
         if name not in used:
             yield Problem("shafts", f"{name!r} carries nothing; remove it, or put a machine or a gear on it")
-
-
-_NO_NAME = "cannot be a name: use letters, digits, hyphens or spaces; a dot joins a stage to its gear"
-
-
-def _is_name(name: str) -> bool:
-    return bool(name.strip()) and name.isprintable() and "." not in name
 
 
 def _names(design: Design) -> Iterator[Problem]:
@@ -64,8 +56,8 @@ def _names(design: Design) -> Iterator[Problem]:
     }  # fmt: skip
     for table, entries in tables.items():
         for name in entries:
-            if not _is_name(name):
-                yield Problem(f"{table}.{name}", f"{name!r} {_NO_NAME}")
+            if not is_name(name):
+                yield Problem(f"{table}.{name}", f"{name!r} {NAME_RULE}")
 
 
 def _used_shafts(design: Design) -> set[str]:

@@ -10,6 +10,7 @@ from typing import Literal
 
 from pydantic import Field
 
+from gearwright.spec.bounds import Name
 from gearwright.spec.design.dynamics import DynamicsRules, PlanetaryBearings
 from gearwright.spec.design.mounting import BearingSeat, Joint
 from gearwright.spec.design.planet_bearing import PlanetBearing
@@ -103,7 +104,7 @@ class GearRules(Record):
     )
     idler_factor: Ratio = Field(
         1.0,
-        gt=0,
+        ge=0.1,
         le=1,
         description="Share of the bending allowable for gears loaded both ways (planets); ISO 6336-3 takes 0.7",
     )
@@ -120,7 +121,7 @@ class GearRules(Record):
         1.0, gt=0.5, le=1, description="Efficiency of one mesh; the driven gear receives that part of the tooth power"
     )
     web_ratio: Ratio = Field(
-        1.0, gt=0, le=1, description="Mass of a wheel body over that of the solid disc; 1 is solid"
+        1.0, ge=0.01, le=1, description="Mass of a wheel body over that of the solid disc; 1 is solid"
     )
     rim_thickness_ratio: Ratio = Field(3.95, ge=1, description="Ring wall from its pitch circle over the module")
 
@@ -157,7 +158,7 @@ class Pair(Record):
     pinion_teeth: int | None = Field(None, ge=6, le=2000, description="z_1; left out: gearwright chooses")
     wheel_teeth: int | None = Field(None, ge=6, le=2000, description="z_2; left out: gearwright chooses")
     ratio: Ratio | None = Field(
-        None, gt=0, description="Asked ratio z_2/z_1; left out: the shafts' speeds or the split give it"
+        None, ge=0.001, description="Asked ratio z_2/z_1; left out: the shafts' speeds or the split give it"
     )
     ratio_split: Ratio = Field(1.0, gt=0.2, lt=5, description="ψ: this stage takes ψ times its equal part of the ratio")
     halves: Literal[1, 2] = Field(
@@ -184,7 +185,9 @@ class Pair(Record):
     stiffness_swing: Ratio | None = Field(
         None, ge=0, lt=1, description="Known first harmonic of the mesh stiffness over its mean"
     )
-    backlash: Length = Field(0.0, ge=0, description="Along the line of action; 0: teeth stay in contact both ways")
+    backlash: Length = Field(
+        0.0, ge=0, le=0.01, description="Along the line of action; 0: teeth stay in contact both ways"
+    )
     coaxial_with: str | None = Field(
         None, description="Pair whose centre distance this one must have, as their shafts lie on the same axes"
     )
@@ -206,7 +209,9 @@ class Planetary(Record):
         None, gt=1, description="Asked ratio 1 + z_r/z_s; left out: the speeds or the split give it"
     )
     ratio_split: Ratio = Field(1.0, gt=0.2, lt=5, description="ψ: this stage takes ψ times its equal part of the ratio")
-    backlash: Length = Field(0.0, ge=0, description="Of each mesh, along the line of action; 0: contact both ways")
+    backlash: Length = Field(
+        0.0, ge=0, le=0.01, description="Of each mesh, along the line of action; 0: contact both ways"
+    )
     bearings: PlanetaryBearings = Field(
         default_factory=PlanetaryBearings, description="What holds its members, with dynamics.fidelity translational"
     )
@@ -256,8 +261,8 @@ class CarrierRules(Record):
     """How carriers are sized."""
 
     safety: Ratio = Field(2.0, ge=1, description="Factor on R_p0.2 against the stress of pins and plate")
-    plate_ratio: Ratio = Field(0.25, gt=0, le=2, description="Plate thickness over the planets' face width")
-    fill: Ratio = Field(0.6, gt=0, le=1, description="Share of the plate that is not cut out")
+    plate_ratio: Ratio = Field(0.25, ge=0.01, le=2, description="Plate thickness over the planets' face width")
+    fill: Ratio = Field(0.6, ge=0.01, le=1, description="Share of the plate that is not cut out")
 
 
 class Place(Record):
@@ -331,7 +336,7 @@ class Design(Record):
     schema_version: Literal[1] = Field(1, alias="schema", description="Version of this file format")
     name: str = Field(description="Name of the design")
     description: str = Field("", description="What it is for")
-    shafts: list[str] = Field(min_length=1, description="Names of all shafts")
+    shafts: list[Name] = Field(min_length=1, description="Names of all shafts")
     turbines: dict[str, Turbine] = Field(default_factory=dict, description="Gas turbines by name")
     motors: dict[str, Motor] = Field(default_factory=dict, description="Electric motors by name")
     propellers: dict[str, Propeller] = Field(default_factory=dict, description="Propellers by name")

@@ -25,8 +25,8 @@ class Iso6336Rules(Record):
     helix_modification: Literal["none", "crowning", "corrected"] = Field(
         "corrected", description="Lead of cylindrical gears: as cut, crowned, or corrected for the shafts' deflection"
     )
-    flank_roughness: Length = Field(4e-6, gt=0, le=1e-4, description="Mean R_z of the flanks")
-    root_roughness: Length = Field(10e-6, gt=0, le=1e-3, description="R_z of the root fillets")
+    flank_roughness: Length = Field(4e-6, ge=1e-8, le=1e-4, description="Mean R_z of the flanks")
+    root_roughness: Length = Field(10e-6, ge=1e-8, le=1e-3, description="R_z of the root fillets")
     oil_viscosity: float = Field(25.0, ge=5, le=1000, description="ν_40 of the oil [mm²/s]")
     oil_temperature: float = Field(90.0, ge=-40, le=200, description="Temperature of the oil [°C], for scuffing")
     scuffing_stage: int = Field(10, ge=1, le=14, description="FZG load stage of the oil (A/8.3/90), for scuffing")

@@ -18,11 +18,13 @@ _TURN = 2.0 * math.pi
 class PartErrors(Record):
     """Errors of one gear, shaft or planet."""
 
-    eccentricity: Length = Field(0.0, ge=0, description="Distance of its own axis from the axis that it turns about")
+    eccentricity: Length = Field(
+        0.0, ge=0, le=0.1, description="Distance of its own axis from the axis that it turns about"
+    )
     phase: Angle = Field(
         0.0, ge=-_TURN, le=_TURN, description="Where the eccentricity points at time 0, from the first axis across it"
     )
-    radial: Length = Field(0.0, ge=0, description="Distance of its standing axis from the drawn place")
+    radial: Length = Field(0.0, ge=0, le=0.1, description="Distance of its standing axis from the drawn place")
     radial_angle: Angle = Field(
         0.0, ge=-_TURN, le=_TURN, description="Where that distance points, from the first axis across it"
     )

@@ -1,0 +1,242 @@
+"""What a number, a text or a list in a file may be: bounds of each kind of quantity, which fields narrow.
+
+Bounds are generous: they keep out what no machine has (a diameter of 1e-300 m, a power of 1e300 W), where formulas
+give zeros, infinities and numbers that are none. What is sensible for one field stands with the field.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType, UnionType
+from typing import Annotated, Any, Union, get_args, get_origin
+
+from pydantic import AfterValidator
+from pydantic.fields import FieldInfo
+from pydantic_core import PydanticCustomError
+
+from gearwright.errors import excerpt
+from gearwright.units import SUFFIXES, Quantity
+
+SIZES: Mapping[str, tuple[float, float, float]] = MappingProxyType({
+    "angle": (1e-9, 1e-6, 1e2),
+    "area": (1e-9, 1e-6, 1e6),
+    "density": (1e-3, 1.0, 1e5),
+    "energy": (1e-3, 1.0, 1e13),
+    "force": (1e-6, 1.0, 1e9),
+    "frequency": (1e-6, 1e-3, 1e9),
+    "inertia": (1e-12, 1e-9, 1e7),
+    "length": (1e-9, 1e-4, 1e2),
+    "life": (1e-3, 1.0, 1e11),
+    "mass": (1e-9, 1e-3, 1e6),
+    "power": (1e-3, 1e-1, 1e9),
+    "slope": (1e-9, 1e-6, 1e2),
+    "speed": (1e-6, 1e-6, 2e4),
+    "stiffness": (1e-3, 1e3, 1e13),
+    "stress": (1.0, 1e4, 1e11),
+    "time": (1e-9, 1e-6, 1e11),
+    "torque": (1e-6, 1e-3, 1e9),
+    "torsional_stiffness": (1e-3, 1e-2, 1e13),
+    "velocity": (1e-6, 1e-6, 1e3),
+    "volume": (1e-12, 1e-9, 1e6),
+    "ratio": (1e-9, 1e-6, 1e3),
+})  # fmt: skip
+"""Dimension -> smallest size of what is not 0, least of what must be greater than 0, largest size [SI]."""
+ANY_SIZE = (1e-15, 1e-15, 1e15)
+"""The same of a number without a dimension [-]."""
+MOST_ENTRIES = 1_000
+"""Entries of a table or list, but for lists of numbers [-]."""
+MOST_NUMBERS = 100_000
+"""Numbers of a list [-]."""
+LONGEST_NAME, LONGEST_LINE = 60, 140
+"""Characters of a name, and of a text such as one that refers to two names [-]."""
+_FILE = 4096
+_LONGEST = {
+    "description": 10_000, "name": 200, "origins": 500,
+    "file": _FILE, "propeller_map": _FILE, "mission": _FILE, "changes": _FILE, "values": _FILE,
+}  # fmt: skip
+"""Characters of other texts, by their field [-]."""
+NAME_RULE = (
+    f"cannot be a name: use up to {LONGEST_NAME} letters, digits, hyphens, underscores or single spaces, a letter or"
+    " digit first and last"
+)
+
+
+@dataclass(frozen=True)
+class Range:
+    """Numbers that a field takes, in SI."""
+
+    least: float
+    most: float
+    above: bool = False
+    """True: `least` itself is not taken."""
+    below: bool = False
+    """True: `most` itself is not taken."""
+    smallest: float = 0.0
+    """What is not 0 is no nearer to it than this."""
+
+    def holds(self, value: float) -> bool:
+        """Tell whether a number is taken.
+
+        Args:
+            value: In SI.
+        """
+        low = value > self.least if self.above else value >= self.least
+        high = value < self.most if self.below else value <= self.most
+        return low and high and (value == 0.0 or abs(value) >= self.smallest)
+
+    def words(self, factor: float = 1.0, unit: str = "") -> str:
+        """Return the numbers that are taken, as a message says it.
+
+        Args:
+            factor: SI value of the unit.
+            unit: As users write it.
+
+        >>> Range(0.0, 0.1, smallest=1e-6).words(1e-3, "mm")
+        '0 or a value from 0.001 to 100 mm'
+        """
+        least, most, smallest = (f"{each / factor:.6g}" for each in (self.least, self.most, self.smallest))
+        end = f" {unit}" if unit else ""
+        if self.least <= 0.0 <= self.most and self.smallest and not self.above:
+            sized = "a value" if self.least == 0.0 else "a size"
+            return f"0 or {sized} from {smallest} to {most}{end}"
+        if not self.above and not self.below:
+            return f"a value from {least} to {most}{end}"
+        low, high = "above" if self.above else "from", "below" if self.below else "up to"
+        return f"a value {low} {least} and {high} {most}{end}"
+
+
+def quantity_of(info: FieldInfo) -> Quantity | None:
+    """Return the quantity with a unit that marks a field, if any.
+
+    Args:
+        info: Field of a record.
+    """
+    found = _mark(info)
+    return found if found is not None and found.dimension in SUFFIXES else None
+
+
+def range_of(info: FieldInfo) -> Range:
+    """Return the numbers that a field takes: its own bounds, or those of its kind where it has none.
+
+    Args:
+        info: Field of a record.
+    """
+    mark = _mark(info)
+    smallest, positive, largest = ANY_SIZE if mark is None else SIZES.get(mark.dimension, ANY_SIZE)
+    own = {name: float(bound) for name in ("ge", "gt", "le", "lt") for bound in _bounds(info, name)}
+    least, most = own.get("gt", own.get("ge", -largest)), own.get("lt", own.get("le", largest))
+    if own.get("gt") == 0.0:  # what is greater than 0 has a size
+        return Range(min(positive, most), most, below="lt" in own)
+    return Range(least, most, above="gt" in own, below="lt" in own, smallest=smallest)
+
+
+def checked(value: Any, info: FieldInfo, name: str) -> Any:
+    """Return a value of a field as it is.
+
+    Args:
+        value: In SI.
+        info: The field.
+        name: Of the field.
+
+    Raises:
+        PydanticCustomError: If it is beyond what a file may hold.
+    """
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        _refuse_beyond(value, range_of(info), info)
+    elif isinstance(value, str):
+        _refuse_text(value, _LONGEST.get(name, LONGEST_LINE), lines=name == "description")
+    elif isinstance(value, list | dict):
+        _refuse_many(value, name)
+    return value
+
+
+def is_name(name: str) -> bool:
+    """Tell whether a text is a name, from which paths, files, figures and tables can be made.
+
+    Args:
+        name: As written.
+
+    >>> is_name("gas-turbine 1"), is_name("a/b"), is_name("-x"), is_name("$x$")
+    (True, False, False, False)
+    """
+    plain = name.replace("-", "x").replace("_", "x").replace(" ", "x")
+    ends = name[:1].isalnum() and name[-1:].isalnum()
+    return ends and plain.isalnum() and "  " not in name and len(name) <= LONGEST_NAME
+
+
+def is_path(path: str) -> bool:
+    """Tell whether a text is a name, or names joined by dots, as `first.pinion` is.
+
+    Args:
+        path: As written.
+    """
+    return all(map(is_name, path.split(".")))
+
+
+def a_name(name: str) -> str:
+    """Return a name as it is.
+
+    Args:
+        name: As written.
+
+    Raises:
+        PydanticCustomError: If it is none.
+    """
+    if not is_name(name):
+        raise PydanticCustomError("name", "{rule}", {"rule": NAME_RULE, "shown": excerpt(name)})
+    return name
+
+
+Name = Annotated[str, AfterValidator(a_name)]
+"""Type of what is called by a name."""
+
+
+def _refuse_beyond(value: float, allowed: Range, info: FieldInfo) -> None:
+    if allowed.holds(value):
+        return
+    mark = quantity_of(info)
+    suffix = "" if mark is None else next(each for each, factor in SUFFIXES[mark.dimension].items() if factor == 1.0)
+    raise PydanticCustomError("beyond", "give {words}", {"words": allowed.words(1.0, suffix)})
+
+
+def _refuse_text(text: str, longest: int, *, lines: bool) -> None:
+    if len(text) > longest:
+        raise PydanticCustomError("long", "give at most {longest} characters", {"longest": longest})
+    if not (text.replace("\n", "").replace("\t", "") if lines else text).isprintable():
+        raise PydanticCustomError("control", "control characters have no place in it; leave them out")
+
+
+def _refuse_many(entries: list[Any] | dict[str, Any], name: str) -> None:
+    """Check the entries of a list or table, but for records, which check themselves."""
+    inner = list(entries.values()) if isinstance(entries, dict) else entries
+    numbers = all(isinstance(each, int | float) for each in inner)
+    most = MOST_NUMBERS if numbers else MOST_ENTRIES
+    if len(inner) > most:
+        raise PydanticCustomError("many", "{count} entries; give at most {most}", {"count": len(inner), "most": most})
+    for each in inner:
+        checked(each, _PLAIN, name)
+
+
+_PLAIN = FieldInfo()
+
+
+def _mark(info: FieldInfo) -> Quantity | None:
+    marks = [*info.metadata, *(mark for part in parts(info.annotation) for mark in getattr(part, "__metadata__", ()))]
+    return next((mark for mark in marks if isinstance(mark, Quantity)), None)
+
+
+def parts(annotation: Any) -> Iterator[Any]:
+    """Yield the parts of a union, or the annotation itself.
+
+    Args:
+        annotation: Of a field.
+    """
+    if get_origin(annotation) in (Union, UnionType):
+        yield from get_args(annotation)
+    else:
+        yield annotation
+
+
+def _bounds(info: FieldInfo, name: str) -> Iterator[float]:
+    return (bound for mark in info.metadata if (bound := getattr(mark, name, None)) is not None)
