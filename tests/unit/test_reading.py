@@ -54,7 +54,7 @@ def test_a_curve_is_no_device(tmp_path: Path) -> None:
         ("link.csv", "link.csv: a link leads out of the folder"),
         ("below/secret.csv", "a link leads out of the folder"),
         ("circle.csv", "circle.csv"),
-        ("a\\u0000b.csv", "this is no path"),
+        ("a\\u0000b.csv", "control characters have no place in it"),
     ],
 )
 def test_a_file_that_a_design_names_lies_in_its_folder(tmp_path: Path, name: str, said: str) -> None:
