@@ -4,7 +4,6 @@ import os
 from pathlib import Path
 
 import pytest
-from gearwright.study.journal_file import reading
 
 from designs import PAIR
 from gearwright.catalogue import read_propeller_map
@@ -13,6 +12,7 @@ from gearwright.reading import LARGEST_TEXT, beside, text_of
 from gearwright.shipped import find_design, shipped_mission
 from gearwright.spec import parse, parse_mission, parse_study, read, read_mission, read_study
 from gearwright.store import load
+from gearwright.study.running.journal_file import reading
 
 CURVE = PAIR + '[dynamics.curves.stage]\nfile = "{}"\n'
 STUDY = 'schema = 1\nname = "s"\ndesigns = ["in-line-h2"]\n'
