@@ -18,6 +18,7 @@ from gearwright.parts.bevel import (
     gleason_profile_shift,
     rate_bevel,
 )
+from gearwright.render.tables.sizing import margin_sentence
 from gearwright.shipped import shipped_design
 from gearwright.sizing import GearSizing, MeshSizing, Sizing, margins, size
 from gearwright.spec import read
@@ -110,7 +111,7 @@ def helicopter_markdown() -> str:
 
 def _weak(sizing: Sizing) -> str:
     """Return the worst checks as the command prints them."""
-    return "\n".join(f"{each.sentence}; the margin should be 1 or more" for each in margins(sizing)[:SHOWN])
+    return "\n".join(f"{margin_sentence(margin)}; the margin should be 1 or more" for margin in margins(sizing)[:SHOWN])
 
 
 def _steps() -> str:
