@@ -56,6 +56,8 @@ COMMANDS = (
     Command("validate Timoshenko"),
     Command("thesis --errata"),
     Command("colibri --part shaft-1"),
+    Command("replay pulvirenti"),
+    Command("replay wang"),
 )
 RATED = PAIR + '\n[gears]\nrating = "iso6336"\n'
 STUDY = """\

@@ -11,10 +11,10 @@ from typer.testing import CliRunner
 
 from gearwright.cli.sharing import sharing
 from gearwright.replays.wang.claims import split_torque_claims
+from gearwright.replays.wang.split_torque import split_torque
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import read
-from gearwright.study import split_torque
 
 PAGE = Path(__file__).parents[2] / "docs" / "theory" / "load-sharing.md"
 NUMBER = r"\d+(?:\.\d+)?(?:e[+]?\d+)?"

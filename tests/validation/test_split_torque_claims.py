@@ -7,10 +7,11 @@ from split_torque import shipped
 
 from gearwright.dynamics.sharing import sharing_problem, sharing_study
 from gearwright.render.pages.sharing import sharing_page
-from gearwright.replays.pulvirenti.claims import Verdict
+from gearwright.replays import paper_on
+from gearwright.replays.verdict import Verdict
 from gearwright.replays.wang.claims import split_torque_claims
+from gearwright.replays.wang.split_torque import split_torque
 from gearwright.sizing import size
-from gearwright.study import split_torque
 
 VERDICTS = {
     "Without floating": Verdict.HOLDS,
@@ -40,7 +41,7 @@ def test_verdicts_are_those_of_the_independent_reproduction(sizing):
 
 
 def test_page_has_every_figure_of_the_paper(sizing):
-    page = sharing_page(sizing, [sharing_study(sharing_problem(sizing))])
+    page = sharing_page(sizing, [sharing_study(sharing_problem(sizing))], paper=paper_on(sizing))
     for caption in ("Figure 3:", "Figure 4:", "Figure 6:", "Figures 5 and 7:", "Figures 8 to 18:"):
         assert caption in page
     assert page.count('class="verdict') == len(VERDICTS)

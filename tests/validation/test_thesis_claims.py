@@ -5,7 +5,8 @@ Numbers of masses may move by 1 % with the model of shafts and carriers, differe
 
 import pytest
 
-from gearwright.replays.pulvirenti.claims import Verdict, claims
+from gearwright.replays.pulvirenti.claims import claims
+from gearwright.replays.verdict import Verdict
 
 PINNED = [
     ("in-line-lightest", 1.90, None, 0.04),

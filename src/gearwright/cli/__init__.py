@@ -13,18 +13,17 @@ from typing import Annotated
 
 import typer
 
-from gearwright.cli.colibri import colibri
 from gearwright.cli.design import check, mass, modes, new, report, run, schema, simulate, size
 from gearwright.cli.draw import draw
 from gearwright.cli.dynamics import campbell, response, runup, validate
 from gearwright.cli.ends import BROKEN_PIPE, FAILED, WRONG, ended_well
 from gearwright.cli.mission import fly
 from gearwright.cli.output import STANDARD_OUTPUT, show, tell
+from gearwright.cli.replay import colibri, replay, thesis
 from gearwright.cli.runs import cluster, resume, status
 from gearwright.cli.sharing import sharing
 from gearwright.cli.streams import flushed, steady_streams
 from gearwright.cli.study import compare, study
-from gearwright.cli.thesis import thesis
 from gearwright.cli.weights import engines
 from gearwright.cli.windows import window
 from gearwright.version import __version__
@@ -43,6 +42,7 @@ COMMANDS = (
 )
 for _command in COMMANDS:
     app.command()(ended_well(_command))
+app.add_typer(replay)
 
 
 @app.callback(invoke_without_command=True)

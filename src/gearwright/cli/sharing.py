@@ -54,8 +54,10 @@ def sharing(
         _draw(study, figure)
     if report is not None:
         from gearwright.render.pages.sharing import sharing_page
+        from gearwright.replays import paper_on
 
-        drawn = sharing_page(sizing, [study], counts=[] if counts is None else [counts], target=share)
+        planets = [] if counts is None else [counts]
+        drawn = sharing_page(sizing, [study], counts=planets, target=share, paper=paper_on(sizing))
         write_text(report, drawn)
         tell(f"wrote {report}")
 

@@ -30,10 +30,11 @@ from gearwright.render.figures.sharing import (
 from gearwright.render.pages.sharing import sharing_page
 from gearwright.render.style.theme import to_svg
 from gearwright.render.words.sharing import sharing_json, summary
+from gearwright.replays import paper_on
+from gearwright.replays.wang.split_torque import split_torque
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Sizing, size
 from gearwright.spec import read
-from gearwright.study import split_torque
 
 TABLES = {"a table": {3: 1.1, 4: 1.25}}
 
@@ -99,7 +100,7 @@ def test_every_figure_is_drawn_and_the_same_twice():
 
 
 def test_page_stands_alone():
-    page = sharing_page(sized(), [studied()], target=0.52)
+    page = sharing_page(sized(), [studied()], target=0.52, paper=paper_on(sized()))
     assert "Stage second" in page
     assert page.count("<svg") == 11
     assert 'src="http' not in page

@@ -23,6 +23,8 @@ from gearwright.dynamics.sharing import (
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 
+INSTANTS = 4000
+"""Of a turn that is drawn."""
 MICROMETRE = 1e-6
 ROW = 5.0
 """Height of one bar [mm of paper]."""
@@ -274,3 +276,13 @@ def load_factor_figure(found: Mapping[str, PlanetSharing], curves: Mapping[str, 
     axes.set_xticks(sorted(counts.union(*curves.values())))
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=6.5)
     return figure
+
+
+def one_turn(problems: Mapping[str, SharingProblem]) -> Floats:
+    """Return instants over one turn of the slowest part that turns [s].
+
+    Args:
+        problems: Whose errors turn.
+    """
+    rates = [abs(source.rate) for each in problems.values() for source in each.sources if source.rate]
+    return np.linspace(0.0, 2.0 * np.pi / min(rates), INSTANTS) if rates else np.zeros(1)

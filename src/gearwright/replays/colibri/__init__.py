@@ -2,3 +2,7 @@
 
 A client of the public verbs; nothing in the engine knows it.
 """
+
+from gearwright.replays.replay import Replay, register
+
+register(Replay("colibri", 'The transmission of the EC120B "Colibri" (term project)'))

@@ -21,12 +21,12 @@ _CLASSES = {Outcome.INPUT: "input", Outcome.REPRODUCED: "same", Outcome.HIDDEN: 
 
 def colibri_page() -> str:
     """Return the page as HTML that makes no request to anywhere."""
-    return _rendered("colibri_page.html.j2")
+    return _rendered("page.html.j2")
 
 
 def colibri_markdown() -> str:
     """Return the same as Markdown, for the documentation."""
-    return _rendered("colibri_page.md.j2")
+    return _rendered("page.md.j2")
 
 
 def indexed(written: str) -> Markup:
@@ -71,7 +71,7 @@ def _rendered(template: str) -> str:
 @cache
 def _environment() -> Environment:
     environment = Environment(
-        loader=PackageLoader("gearwright.render", "templates"),
+        loader=PackageLoader("gearwright.replays.colibri"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,

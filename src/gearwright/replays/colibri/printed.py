@@ -101,7 +101,7 @@ class ColibriErratum:
 @cache
 def printed_numbers() -> tuple[PrintedNumber, ...]:
     """Return every number of the report in its order."""
-    rows = csv.DictReader(_text("colibri_numbers.csv").splitlines())
+    rows = csv.DictReader(_text("numbers.csv").splitlines())
     return tuple(
         PrintedNumber(row["key"], row["place"], row["symbol"], row["unit"], row["printed"], row["stated"] == "yes")
         for row in rows
@@ -121,8 +121,8 @@ def colibri_errata() -> tuple[ColibriErratum, ...]:
 
 
 def _notes() -> dict[str, Any]:
-    return tomllib.loads(_text("colibri_notes.toml"))
+    return tomllib.loads(_text("notes.toml"))
 
 
 def _text(name: str) -> str:
-    return files("gearwright.catalogue").joinpath(f"data/{name}").read_text(encoding="utf-8")
+    return files("gearwright.replays.colibri").joinpath(f"data/{name}").read_text(encoding="utf-8")

@@ -7,22 +7,14 @@ the phase of flight) both ways are computed, and the verdict is that of the numb
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
 
 from gearwright.replays.pulvirenti.claim_masses import MASS_CLAIMS
 from gearwright.replays.pulvirenti.claim_runs import Found
 from gearwright.replays.pulvirenti.claim_torques import TORQUE_CLAIMS
 from gearwright.replays.pulvirenti.errata import PrintedClaim, printed_claims
+from gearwright.replays.verdict import Verdict
 
 _NUMBERS = {**MASS_CLAIMS, **TORQUE_CLAIMS}
-
-
-class Verdict(StrEnum):
-    """What becomes of a claim."""
-
-    HOLDS = "holds"
-    CONDITION = "holds with condition"
-    FAILS = "does not hold"
 
 
 @dataclass(frozen=True)

@@ -93,6 +93,6 @@ def printed_claims() -> tuple[PrintedClaim, ...]:
 
 
 def _rows(name: str) -> list[dict[str, Any]]:
-    text = files("gearwright.catalogue").joinpath(f"data/thesis_{name}.toml").read_text(encoding="utf-8")
+    text = files("gearwright.replays.pulvirenti").joinpath(f"data/{name}.toml").read_text(encoding="utf-8")
     rows: list[dict[str, Any]] = tomllib.loads(text)[name]
     return rows

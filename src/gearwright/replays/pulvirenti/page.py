@@ -11,8 +11,9 @@ from rich.text import Text
 
 from gearwright.render.tables.grid import Grid
 from gearwright.render.tables.tables import written
-from gearwright.replays.pulvirenti.claims import Claim, Verdict, claims
+from gearwright.replays.pulvirenti.claims import Claim, claims
 from gearwright.replays.pulvirenti.errata import Erratum, errata
+from gearwright.replays.verdict import Verdict
 from gearwright.units import unit
 from gearwright.version import __version__
 
@@ -23,12 +24,12 @@ _SIGNS = {Verdict.HOLDS: "yes", Verdict.CONDITION: "partly", Verdict.FAILS: "no"
 
 def thesis_page() -> str:
     """Return the page as HTML that makes no request to anywhere."""
-    return _rendered("thesis_page.html.j2")
+    return _rendered("page.html.j2")
 
 
 def thesis_markdown() -> str:
     """Return the same as Markdown, for the documentation."""
-    return _rendered("thesis_page.md.j2")
+    return _rendered("page.md.j2")
 
 
 def claims_table(found: Sequence[Claim]) -> Grid:
@@ -107,7 +108,7 @@ def _rendered(template: str) -> str:
 
 @cache
 def _environment() -> Environment:
-    loader = PackageLoader("gearwright.render", "templates")
+    loader = PackageLoader("gearwright.replays.pulvirenti")
     environment = Environment(
         loader=loader, autoescape=_escapes, undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True
     )

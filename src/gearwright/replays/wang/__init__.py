@@ -2,3 +2,28 @@
 
 A client of the public verbs; nothing in the engine knows it.
 """
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from gearwright.replays.replay import Replay, register
+
+if TYPE_CHECKING:
+    from gearwright.render.pages.sharing import Paper
+    from gearwright.sizing import Sizing
+
+
+def _paper(sizing: Sizing) -> Paper | None:
+    from gearwright.replays.wang.figures import paper
+
+    return paper(sizing)
+
+
+register(
+    Replay(
+        "wang",
+        "Wang, Zhao, Tao, Jia & Guo, load sharing of a face-gear split torque with a floating shaft (paper)",
+        _paper,
+    )
+)

@@ -24,10 +24,10 @@ from gearwright.dynamics.sharing import (
     sharing_problem,
     tooth_cycle_means,
 )
-from gearwright.replays.pulvirenti.claims import Verdict
+from gearwright.replays.verdict import Verdict
+from gearwright.replays.wang.split_torque import SplitTorque
 from gearwright.sizing import Sizing, size
 from gearwright.spec.design import ShaftLayout
-from gearwright.study import SplitTorque
 
 RIGID, FLOATING = 2e9, 1e7
 """Support stiffness of the pinion's shaft without floating, as of the other shafts, and of table 1 [N/m]."""

@@ -9,7 +9,7 @@ from html_checks import stands_alone
 from rich.console import Console
 from typer.testing import CliRunner
 
-from gearwright.cli.colibri import Part, colibri
+from gearwright.cli.replay import Part, colibri
 from gearwright.replays.colibri.page import colibri_page, indexed
 from gearwright.replays.colibri.printed import printed_numbers
 from gearwright.replays.colibri.replay import replay

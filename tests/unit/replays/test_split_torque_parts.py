@@ -6,9 +6,9 @@ import re
 
 import pytest
 
+from gearwright.replays.wang.split_torque import SplitTorque, split_torque
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.spec import parse, read
-from gearwright.study import SplitTorque, split_torque
 
 TEXT = shipped_design("face-gear-split-torque").read_text(encoding="utf-8")
 

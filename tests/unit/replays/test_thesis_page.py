@@ -7,7 +7,7 @@ import typer
 from html_checks import stands_alone
 from typer.testing import CliRunner
 
-from gearwright.cli.thesis import thesis
+from gearwright.cli.replay import thesis
 from gearwright.replays.pulvirenti.errata import errata, printed_claims
 from gearwright.replays.pulvirenti.page import thesis_markdown, thesis_page
 

@@ -1,0 +1,139 @@
+"""The commands ``replay NAME``: published work held against what gearwright computes.
+
+``thesis`` and ``colibri`` are older names of two of them.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gearwright.cli.designs import sized
+from gearwright.cli.ends import ended_well
+from gearwright.cli.options import JsonOption
+from gearwright.cli.output import show, show_json, tell, write_figure
+from gearwright.writing import make_folder, write_bytes, write_text
+
+PAGE_RESOLUTION = 110.0
+"""Of the figures beside the page of chapter 4: enough to read, and light [dots per inch]."""
+
+
+def thesis(
+    out: Annotated[Path, typer.Option(help="Page to write; .md gives Markdown, all else HTML")] = Path("thesis.html"),
+    errata: Annotated[bool, typer.Option("--errata", help="Print the errata, too")] = False,
+    chapter_4: Annotated[
+        Path | None,
+        typer.Option("--chapter-4", help="Fly chapter 4 again, and write its page (.md) and figures"),
+    ] = None,
+    figures: Annotated[
+        Path | None, typer.Option(help="Folder for counterparts of figures 4.2 to 4.23, with --chapter-4")
+    ] = None,
+) -> None:
+    """Hold the claims of the thesis against what its corrected equations give, or fly its chapter 4 again."""
+    if chapter_4 is not None:
+        _chapter(chapter_4, figures)
+        return
+    from gearwright.replays.pulvirenti.claims import claims
+    from gearwright.replays.pulvirenti.errata import errata as all_errata
+    from gearwright.replays.pulvirenti.page import claims_table, errata_table, thesis_markdown, thesis_page
+
+    show(claims_table(claims()), *([errata_table(all_errata())] if errata else []))
+    page = thesis_markdown() if out.suffix == ".md" else thesis_page()
+    write_text(out, page)
+    show(f"wrote {out}, with the reasons")
+
+
+def _chapter(page: Path, figures: Path | None) -> None:
+    """Write the page of chapter 4 with a figure for each window beside it, and all counterparts into a folder."""
+    from gearwright.render.style.theme import to_png
+    from gearwright.replays.pulvirenti.flight_claims import chapter_runs, flight_claims
+    from gearwright.replays.pulvirenti.flight_page import FIGURES, PANELS, chapter_figure, chapter_markdown
+    from gearwright.replays.pulvirenti.flight_phases import phased
+
+    runs = chapter_runs()
+    images = {window: f"{page.stem}-{window}.png" for window in PANELS}
+    for window, name in images.items():
+        write_bytes(page.with_name(name), to_png(chapter_figure(runs, window, PANELS[window]), PAGE_RESOLUTION))
+    write_text(page, chapter_markdown(flight_claims(runs), phased(runs), images))
+    show(f"wrote {page} and {len(images)} figures beside it")
+    if figures is not None:
+        make_folder(figures)
+        for number, (window, panel) in FIGURES.items():
+            write_figure(chapter_figure(runs, window, (panel,)), figures / f"{number}.svg")
+        show(f"wrote {len(FIGURES)} figures to {figures}")
+
+
+class Part(StrEnum):
+    """Parts of the report."""
+
+    REQUIREMENT = "requirement"
+    MATERIAL = "material"
+    HELICAL_PINION = "helical-pinion"
+    HELICAL_WHEEL = "helical-wheel"
+    BEVEL_PINION = "bevel-pinion"
+    BEVEL_WHEEL = "bevel-wheel"
+    SHAFT_1 = "shaft-1"
+    SHAFT_2 = "shaft-2"
+    ROTOR_SHAFT = "rotor-shaft"
+
+
+def colibri(
+    part: Annotated[Part | None, typer.Option(help="Show one part only")] = None,
+    wrong: Annotated[bool, typer.Option("--wrong", help="Show only the numbers that are wrong")] = False,
+    out: Annotated[Path | None, typer.Option(help="Page to write, whole; .md gives Markdown, all else HTML")] = None,
+    json: JsonOption = False,
+) -> None:
+    """Compute every printed number of the EC120B term project, and say which are wrong, why, and what is right."""
+    import json as notation
+
+    from gearwright.replays.colibri.page import colibri_markdown, colibri_page
+    from gearwright.replays.colibri.replay import replay
+    from gearwright.replays.colibri.words import chosen, counts_text, findings_table, replay_record, replay_tables
+
+    found = replay()
+    numbers = chosen(found, part=part or "", wrong=wrong)
+    if json:
+        show_json(notation.dumps(replay_record(numbers, found), indent=2, ensure_ascii=False, allow_nan=False))
+    else:
+        findings = [findings_table(found.findings)] if part is None else []
+        show(replay_tables(numbers, found), *findings, counts_text(found))
+    if out is not None:
+        write_text(out, colibri_markdown() if out.suffix == ".md" else colibri_page())
+        (tell if json else show)(f"wrote {out}")
+
+
+def wang(
+    design: Annotated[
+        str, typer.Argument(help="A face-gear split torque: a file, or the name of a shipped design")
+    ] = "face-gear-split-torque",
+    out: Annotated[Path | None, typer.Option(help="Page to write, with counterparts of the paper's figures")] = None,
+) -> None:
+    """Hold the claims of the paper on a face-gear split torque against what gearwright computes."""
+    from gearwright.dynamics.sharing import sharing_problem, sharing_study
+    from gearwright.errors import DesignError, Problem
+    from gearwright.render.pages.sharing import sharing_page
+    from gearwright.replays import paper_on
+    from gearwright.replays.wang.words import claims_table
+
+    sizing = sized(design)
+    paper = paper_on(sizing)
+    if paper is None:
+        message = (
+            "not a face-gear split torque with a floating shaft and errors, which the paper is about;"
+            " start from: gearwright new face-gear-split-torque mine.toml"
+        )
+        raise DesignError([Problem("pairs", message)], design)
+    show(claims_table(paper.claims))
+    if out is not None:
+        write_text(out, sharing_page(sizing, [sharing_study(sharing_problem(sizing))], paper=paper))
+        show(f"wrote {out}")
+
+
+COMMANDS = {"pulvirenti": thesis, "colibri": colibri, "wang": wang}
+"""Replay -> its command."""
+replay = typer.Typer(name="replay", help="Hold published work against what gearwright computes.", no_args_is_help=True)
+for _name, _command in COMMANDS.items():
+    replay.command(_name)(ended_well(_command))
