@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
@@ -132,7 +133,7 @@ def wang(
         show(f"wrote {out}")
 
 
-COMMANDS = {"pulvirenti": thesis, "colibri": colibri, "wang": wang}
+COMMANDS: dict[str, Callable[..., None]] = {"pulvirenti": thesis, "colibri": colibri, "wang": wang}
 """Replay -> its command."""
 replay = typer.Typer(name="replay", help="Hold published work against what gearwright computes.", no_args_is_help=True)
 for _name, _command in COMMANDS.items():
