@@ -77,10 +77,13 @@ def _list() -> None:
 
 def check(design: DesignArgument) -> None:
     """Check a design file and say everything that is wrong with it; a margin below 1 ends with exit code 1."""
+    from gearwright.dynamics.assembly import assemble
     from gearwright.render.tables.sizing import margin_sentence
     from gearwright.sizing import margins
 
     sizing = sized(design)
+    for case in sizing.flows:  # what the dynamic model would refuse is said here
+        assemble(sizing, case)
     weak = [each for each in margins(sizing) if not each.holds]
     for each in weak:
         tell(f"{margin_sentence(each)}; the margin should be 1 or more")

@@ -1,6 +1,7 @@
 """From a design to a sized transmission."""
 
 from gearwright.sizing.breakdown import AskedSpeed, MassPart, asked_speeds, bearing_forces, mass_parts
+from gearwright.sizing.gate import refuse_no_numbers
 from gearwright.sizing.margins import Margin, margins
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing, ShaftStep
 from gearwright.sizing.named import TEXT, Named, named_results, pick, total_results
@@ -41,6 +42,7 @@ __all__ = [
     "named_results",
     "pick",
     "profile_shift",
+    "refuse_no_numbers",
     "size",
     "total_results",
 ]

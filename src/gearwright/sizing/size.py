@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from gearwright.sizing.carriers import size_carriers
+from gearwright.sizing.gate import refuse_no_numbers
+from gearwright.sizing.idle import refuse_idle_shafts
 from gearwright.sizing.machines import size_machines
 from gearwright.sizing.rating import context
 from gearwright.sizing.result import Sizing
@@ -16,6 +20,7 @@ from gearwright.verbs import verb
 
 
 @verb
+@np.errstate(all="ignore")  # what overflows or is no number does not pass the gate
 def size(design: Design) -> Sizing:
     """Return the sized transmission: teeth, modules, widths, stresses, margins, shafts, carriers, masses.
 
@@ -37,6 +42,7 @@ def size(design: Design) -> Sizing:
     meshes = size_meshes(given, gears)
     shafts, built = size_shafts(given, gears)
     refuse_bores(shafts)
+    refuse_idle_shafts(shafts)
     checks = [
         *gear_checks(given, gears, meshes, sizes),
         *(check for each in built for check in checks_of(each, design)),
@@ -60,4 +66,4 @@ def size(design: Design) -> Sizing:
         origins=overrides.origins,
     )
     overrides.require_all_used()
-    return sizing
+    return refuse_no_numbers(sizing)

@@ -3,7 +3,7 @@
 Their kinematics are `train`'s, their motion is for `dynamics`.
 """
 
-from gearwright.parts.planetary.assembly import assembles, most_planets, neighbours_clear
+from gearwright.parts.planetary.assembly import ADDENDUMS, assembles, most_planets, neighbours_clear
 from gearwright.parts.planetary.carrier import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
 from gearwright.parts.planetary.load_factor import pin_error_share
 from gearwright.parts.planetary.phasing import (
@@ -15,6 +15,7 @@ from gearwright.parts.planetary.phasing import (
 )
 
 __all__ = [
+    "ADDENDUMS",
     "PlanetPhases",
     "assembles",
     "even_positions",

@@ -137,9 +137,17 @@ def _around(
 
 def _half_distance(bonds: list[Bond], ring: Mapping[str, float]) -> float:
     """Return the shortest centre distance of all axes that mesh with both of two shafts: half of what parts them."""
-    reach = {name: {bond.other(name): bond.distance for bond in bonds if name in bond.axes} for name in ring}
-    one, other = reach.values()
+    one, other = (_reach(bonds, name) for name in ring)
     return min(min(one[hub], other[hub]) for hub in one.keys() & other.keys())
+
+
+def _reach(bonds: list[Bond], name: str) -> dict[str, float]:
+    """Return axis -> shortest centre distance from another one [m]; where two pairs differ, `_close` says so."""
+    reach: dict[str, float] = {}
+    for bond in bonds:
+        if name in bond.axes:
+            reach[bond.other(name)] = min(bond.distance, reach.get(bond.other(name), math.inf))
+    return reach
 
 
 def _crossing(known: Mapping[complex, float], placed: Mapping[str, complex], angle: float | None) -> complex:
@@ -170,8 +178,8 @@ def _close(bonds: list[Bond], placed: Mapping[str, complex]) -> None:
         if abs(apart - bond.distance) > TOLERANCE * bond.distance:
             message = (
                 f"the axes of {one!r} and {other!r} stand {1e3 * apart:.4g} mm apart where their other meshes put them,"
-                f" but the gears ask {1e3 * bond.distance:.4g} mm; change an angle in [layout], or give a module in"
-                " [overrides] that closes the triangle"
+                f" but the gears ask {1e3 * bond.distance:.4g} mm; change an angle in [layout], give a module in"
+                " [overrides] that closes the triangle, or write coaxial_with where two pairs lie on the same axes"
             )
             problems.append(Problem(f"pairs.{bond.stage}", message))
     if problems:

@@ -63,18 +63,16 @@ def room_checks(shaft: str, items: Sequence[Item], length: float) -> Iterator[Ch
         yield Check(shaft, f"distance of {one.name} and {other.name}", "half of both widths", apart, needed, "length")
 
 
-def seat_checks(stretches: Sequence[Stretch], bearings: Mapping[str, Bearing]) -> Iterator[Check]:
+def seat_checks(seat: float, bearings: Mapping[str, Bearing]) -> Iterator[Check]:
     """Yield whether every bearing has the bore of its seat.
 
     Args:
-        stretches: Of the shaft.
+        seat: Diameter of the shaft [m].
         bearings: On it, by name.
     """
-    seats = {each.name: each.diameter for each in stretches}
     for name, bearing in bearings.items():
-        seat, thick = seats[name], seats[name] > bearing.bore
         part, clause = f"{name} ({bearing.designation})", "ISO 15, d"
-        yield Check(part, "shaft in its bore", clause, seat, bearing.bore, "length", at_most=thick)
+        yield Check(part, "shaft in its bore", clause, seat, bearing.bore, "length", at_most=seat > bearing.bore)
 
 
 def joint_checks(joint: Joint, seat: Seat, sized: JointSizing) -> Iterator[Check]:

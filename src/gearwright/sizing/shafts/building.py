@@ -338,7 +338,9 @@ def _finished(task: _Task, seated: Seating, attempt: _Attempt) -> Built:
         highest_speed=max(abs(flow.speeds[task.name]) for flow in task.given.flows.values()),
     )
     sized = bearing_sizings(seated, attempt.chosen, task.name, tuple(task.given.flows))
-    return Built(shaft, sized, attempt.joints, () if task.as_given is None else tuple(_fits(task, attempt)))
+    return Built(
+        shaft, sized, attempt.joints, () if task.as_given is None else tuple(_fits(task, attempt, task.as_given))
+    )
 
 
 def _refuse(task: _Task, attempt: _Attempt) -> None:
@@ -351,10 +353,10 @@ def _refuse(task: _Task, attempt: _Attempt) -> None:
         refuse_thick(joint, seat)
 
 
-def _fits(task: _Task, attempt: _Attempt) -> Iterator[Check]:
+def _fits(task: _Task, attempt: _Attempt, diameter: float) -> Iterator[Check]:
     """Yield whether the parts of a shaft that is taken as given fit."""
     yield from room_checks(task.name, _items(task, attempt.chosen), task.forces.plan.length)
-    yield from seat_checks(attempt.stretches, attempt.chosen)
+    yield from seat_checks(diameter, attempt.chosen)
     for joint in attempt.joints:
         yield from joint_checks(task.joints[joint.part], _seat(task, joint.part, attempt.bore), joint)
 

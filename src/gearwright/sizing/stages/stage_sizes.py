@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from gearwright.parts.bevel import WIDEST, WIDEST_MODULES
+from gearwright.sizing.idle import refuse_idle_stages
 from gearwright.sizing.rating import Context, Rating, bevel_pair, cone_ratio, mean_module, rate_row, width_ratio_of
 from gearwright.sizing.teeth import groups_of
 
@@ -36,6 +37,9 @@ def stage_sizes(given: Context) -> dict[str, StageSize]:
 
     Args:
         given: What gear sizing reads.
+
+    Raises:
+        DesignError: If nothing loads a stage, or its standard does not cover it.
     """
     group = groups_of(given.design)
     needed: dict[str, float] = {}
@@ -43,6 +47,7 @@ def stage_sizes(given: Context) -> dict[str, StageSize]:
         owner = group[mesh.stage]
         needed[owner] = max(needed.get(owner, 0.0), *given.demands[mesh.name][2:])
     _align(given, needed, group)
+    refuse_idle_stages(given, needed)
     sizes = {owner: _size(given, owner, value) for owner, value in needed.items()}
     return {stage: _like(given, stage, owner, sizes[owner]) for stage, owner in group.items()}
 

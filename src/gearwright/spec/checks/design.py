@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import combinations
 
 from gearwright.catalogue import materials
 from gearwright.errors import Problem, near
-from gearwright.parts.gears import FEWEST_TEETH
-from gearwright.spec.bounds import NAME_RULE, is_name
+from gearwright.spec.checks.effect import effect_problems
 from gearwright.spec.checks.gears import gear_problems
 from gearwright.spec.checks.motion import motion_problems
 from gearwright.spec.checks.mounting import mounting_problems
-from gearwright.spec.design import GROUND, Design, GearRules, Pair, Planetary
+from gearwright.spec.checks.names import name_problems
+from gearwright.spec.checks.planets import planetary_problems
+from gearwright.spec.design import Design, GearRules, Pair, Planetary
 from gearwright.units import text
 
 WIDEST = 60
@@ -28,36 +28,19 @@ def reference_problems(design: Design) -> list[Problem]:
         design: As typed; its references are not resolved yet.
     """
     checks = (
-        _shafts, _names, _machines, _speeds, _pairs, _planetaries, _clutches, _teeth, _layout, _cases, _keep,
-        _materials, _widths, _overrides,
+        name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, _clutches, _teeth, _layout, _cases,
+        _keep, _materials, _widths, _overrides,
     )  # fmt: skip
     found = [problem for check in checks for problem in check(design)]
-    return [*found, *gear_problems(design), *motion_problems(design), *mounting_problems(design)]
+    more = (gear_problems, effect_problems, motion_problems, mounting_problems)
+    return [*found, *(problem for check in more for problem in check(design))]
 
 
 def _shafts(design: Design) -> Iterator[Problem]:
-    seen: set[str] = set()
-    for name in design.shafts:
-        if name in seen:
-            yield Problem("shafts", f"{name!r} stands twice; every shaft has one name")
-        if name == GROUND:
-            yield Problem("shafts", f"{GROUND!r} is the frame and stands still; give the shaft another name")
-        seen.add(name)
     used = _used_shafts(design)
     for name in design.shafts:
         if name not in used:
             yield Problem("shafts", f"{name!r} carries nothing; remove it, or put a machine or a gear on it")
-
-
-def _names(design: Design) -> Iterator[Problem]:
-    tables: Mapping[str, Mapping[str, object]] = {
-        "turbines": design.turbines, "motors": design.motors, "propellers": design.propellers, "pairs": design.pairs,
-        "planetaries": design.planetaries, "clutches": design.clutches, "cases": design.cases,
-    }  # fmt: skip
-    for table, entries in tables.items():
-        for name in entries:
-            if not is_name(name):
-                yield Problem(f"{table}.{name}", f"{name!r} {NAME_RULE}")
 
 
 def _used_shafts(design: Design) -> set[str]:
@@ -80,27 +63,23 @@ def as_list(names: str | list[str]) -> list[str]:
     return [names] if isinstance(names, str) else names
 
 
-def _shaft(path: str, name: str, design: Design, *, ground: bool = False) -> Iterator[Problem]:
-    allowed = [*design.shafts, GROUND] if ground else design.shafts
-    if name not in allowed:
-        yield Problem(path, f"there is no shaft {name!r}; {near(name, allowed)}")
+def _shaft(path: str, name: str, design: Design) -> Iterator[Problem]:
+    if name not in design.shafts:
+        yield Problem(path, f"there is no shaft {name!r}; {near(name, design.shafts)}")
 
 
 def _machines(design: Design) -> Iterator[Problem]:
     tables = {"turbines": design.turbines, "motors": design.motors, "propellers": design.propellers}
-    owner: dict[str, str] = {}
     for table, machines in tables.items():
         for name, machine in machines.items():  # type: ignore[attr-defined]
             yield from _shaft(f"{table}.{name}.shaft", machine.shaft, design)
-            if name in owner:
-                yield Problem(
-                    f"{table}.{name}", f"{owner[name]} has a machine of this name already; cases need different names"
-                )
-            owner[name] = table
     if not design.machines:
         yield Problem("", "no machine drives or loads this train; add a table such as [turbines.gas-turbine]")
     if design.machines and not design.propellers:
         yield Problem("propellers", "nothing takes the power; add a table such as [propellers.propeller]")
+    elif design.propellers and not design.turbines and all(motor.balances for motor in design.motors.values()):
+        fix = "write balances = false at a motor" if design.motors else "add a table such as [turbines.gas-turbine]"
+        yield Problem("", f"no machine of a stated power drives this train, so that nothing loads it; {fix}")
 
 
 def _speeds(design: Design) -> Iterator[Problem]:
@@ -138,8 +117,6 @@ def _pairs(design: Design) -> Iterator[Problem]:
         if pair.pinion == [] or pair.wheel == []:
             yield Problem(path, "a gear sits on at least one shaft; name one in pinion and in wheel")
             continue
-        if name in design.planetaries:
-            yield Problem(path, "a planetary set has this name too; stages need different names")
         sides = {side: as_list(getattr(pair, side)) for side in SIDES}
         if all(isinstance(getattr(pair, side), list) for side in SIDES):
             yield Problem(
@@ -177,47 +154,6 @@ def _gear_reference(path: str, name: str, own: str, design: Design) -> Iterator[
         yield Problem(path, f"there is no gear {name!r} in another pair; {near(name, others)}")
     elif any("." in each for each in as_list(getattr(design.pairs[stage], gear))):
         yield Problem(path, f"{name!r} is itself a shared gear; name the pair that owns it")
-
-
-def _planetaries(design: Design) -> Iterator[Problem]:
-    for name, planetary in design.planetaries.items():
-        path = f"planetaries.{name}"
-        members = {"sun": planetary.sun, "ring": planetary.ring, "carrier": planetary.carrier}
-        for member, shaft in members.items():
-            yield from _shaft(f"{path}.{member}", shaft, design, ground=True)
-        for (one, shaft), (other, same) in combinations(members.items(), 2):
-            if shaft == same:
-                yield Problem(f"{path}.{other}", f"{same!r} is the {one} already; the three members are three shafts")
-        yield from _planetary_teeth(path, planetary)
-        yield from _few_teeth(path, planetary, design.teeth.planet_minimum)
-
-
-def _planetary_teeth(path: str, planetary: Planetary) -> Iterator[Problem]:
-    sun, planet, ring = planetary.sun_teeth, planetary.planet_teeth, planetary.ring_teeth
-    if sun is not None and planet is not None and ring is not None and sun + 2 * planet != ring:
-        yield Problem(
-            f"{path}.ring_teeth",
-            f"{ring} does not close: z_s + 2 z_p = {sun} + 2·{planet} = {sun + 2 * planet}; give that, or leave it out",
-        )
-    elif sun is not None and ring is not None and (ring <= sun or (ring - sun) % 2):
-        message = f"{ring} leaves no planets beside a sun of {sun}: z_r − z_s = 2 z_p is even and above 0"
-        yield Problem(f"{path}.ring_teeth", message)
-    elif planet is not None and ring is not None and ring <= 2 * planet:
-        yield Problem(f"{path}.ring_teeth", f"{ring} leaves no sun inside planets of {planet}: z_r = z_s + 2 z_p")
-
-
-def _few_teeth(path: str, planetary: Planetary, planet_minimum: int) -> Iterator[Problem]:
-    sun, planet = planetary.sun_teeth, planetary.planet_teeth
-    if sun is not None and sun < FEWEST_TEETH:
-        yield Problem(
-            f"{path}.sun_teeth", f"{sun} is below {FEWEST_TEETH}, where the table of Lewis form factors begins"
-        )
-    if planet is not None and planet < max(planet_minimum, FEWEST_TEETH):
-        yield Problem(
-            f"{path}.planet_teeth",
-            f"{planet} is below {max(planet_minimum, FEWEST_TEETH)}, the least of teeth.planet_minimum and of the table"
-            " of Lewis form factors",
-        )
 
 
 def _clutches(design: Design) -> Iterator[Problem]:

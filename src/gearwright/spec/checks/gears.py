@@ -27,6 +27,9 @@ def gear_problems(design: Design) -> Iterator[Problem]:
     """
     for name, pair in design.pairs.items():
         yield from _crossing(name, pair, design)
+        for side in ("pinion", "wheel"):
+            yield from _shared(name, side, design)
+        yield from _inside(name, pair)
     rated = {"gears": design.gears} if design.gears.rating == "iso6336" else {}
     for table, stages in (("pairs", design.pairs), ("planetaries", design.planetaries)):
         for name, stage in stages.items():
@@ -43,6 +46,49 @@ def _steel(path: str, rules: GearRules) -> Iterator[Problem]:
     except DesignError as error:
         for each in error.problems:
             yield Problem(f"{path}.{STEEL_KEYS.get(each.path, each.path)}", each.message)
+
+
+def _shared(name: str, side: str, design: Design) -> Iterator[Problem]:
+    """Find a pair that says otherwise of a gear that it shares than the pair that owns it."""
+    pair, gear = design.pairs[name], getattr(design.pairs[name], side)
+    stage, dot, role = gear.partition(".") if isinstance(gear, str) else ("", "", "")
+    owner = design.pairs.get(stage)
+    if not dot or owner is None or role not in ("pinion", "wheel"):
+        return
+    path, own, theirs = f"pairs.{name}", getattr(pair, f"{side}_teeth"), getattr(owner, f"{role}_teeth")
+    if own is not None and own != theirs:
+        rest = "gearwright chooses them" if theirs is None else f"has {theirs} there"
+        yield Problem(
+            f"{path}.{side}_teeth", f"{own}, but {gear} is the gear of pairs.{stage} and {rest}; give it there"
+        )
+    values = ((pair.kind, owner.kind), (pair.halves, owner.halves))
+    for key, (mine, other) in zip(("kind", "halves"), values, strict=True):
+        if mine != other and "face" not in (mine, other):
+            yield Problem(
+                f"{path}.{key}", f"{mine!r}, but the gear that it shares with pairs.{stage} has {other!r} there"
+            )
+    rules, others = design.rules(name), design.rules(stage)
+    for key in ("pressure_angle", "helix_angle"):
+        if getattr(rules, key) != getattr(others, key):
+            given, asked = (math.degrees(getattr(each, key)) for each in (rules, others))
+            message = f"{given:.6g} deg, but the gear that it shares with pairs.{stage} has {asked:.6g} deg; give one"
+            yield Problem(f"{path}.gears.{key}", message)
+    shifts = [
+        -each.profile_shift if end == "wheel" else each.profile_shift for each, end in ((rules, side), (others, role))
+    ]
+    if shifts[0] != shifts[1]:
+        message = f"{gear} would have the shift {shifts[0]:g} here and {shifts[1]:g} at pairs.{stage}; give 0 to both"
+        yield Problem(f"{path}.gears.profile_shift", message)
+
+
+def _inside(name: str, pair: Pair) -> Iterator[Problem]:
+    """Find pinions that do not go into their ring."""
+    path, one, two = f"pairs.{name}", pair.pinion_teeth, pair.wheel_teeth
+    if pair.internal and one is not None and two is not None and two <= one:
+        yield Problem(f"{path}.wheel_teeth", f"{two} teeth leave no room inside for a pinion of {one}; give more")
+    if pair.internal and pair.ratio is not None and pair.ratio <= 1.0:
+        message = f"{pair.ratio:g} leaves no room inside the wheel for the pinion; an internal pair needs more than 1"
+        yield Problem(f"{path}.ratio", message)
 
 
 def _crossing(name: str, pair: Pair, design: Design) -> Iterator[Problem]:

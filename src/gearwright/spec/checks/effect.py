@@ -1,0 +1,169 @@
+"""Keys that are given and that nothing reads, in the structure in which they stand: what a user wrote has an effect.
+
+The tables of rules ([gears], [teeth], [shafting], [carriers]) hold for whatever a design has, so that one study can
+vary them over several architectures; a key there is told only where it belongs to another method of rating.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from gearwright.errors import Problem
+from gearwright.spec.design import Design, GearRules, Pair, Planetary
+from gearwright.spec.record import Record
+
+_DECIDED = {
+    "turbines": {"diameter": "inertia"},
+    "motors": {"flux": "inertia", "mass_law": "mass"},
+}
+"""Table -> key that only estimates what another key states."""
+_OF_BEVELS = ("spiral_angle", "pinion_apex", "wheel_apex")
+_OF_LEWIS = ("bending_safety", "contact_safety", "idler_factor", "contact_angles")
+"""Rules of gears that only Lewis and Hertz read."""
+_OF_PAIRS = ("helix_angle", "overlap_ratio", "contact_angles", "web_ratio")
+"""Rules of gears that planetary sets, spur and without wheels, do not read."""
+_OF_SETS = ("idler_factor", "rim_thickness_ratio")
+"""Rules of gears that pairs, without planets and rings, do not read."""
+_OF_HELICAL = ("overlap_ratio", "contact_angles")
+_OF_CYLINDERS = (
+    "helix_modification", "scuffing_safety", "scuffing_stage", "oil_temperature", "widest_diameters", "widest_modules",
+)  # fmt: skip
+"""Rules of ISO 6336 that ISO 10300 does not read."""
+_OF_CONES = ("mounting",)
+
+
+def effect_problems(design: Design) -> Iterator[Problem]:
+    """Yield every key of a design that is given and has no effect where it stands.
+
+    Args:
+        design: As typed.
+    """
+    for table, decided in _DECIDED.items():
+        for name, machine in getattr(design, table).items():
+            for key, by in decided.items():
+                if {key, by} <= machine.model_fields_set:
+                    message = f"it only estimates the {by}, which is given too; keep one of the two"
+                    yield Problem(f"{table}.{name}.{key}", message)
+    for name, pair in design.pairs.items():
+        yield from _ratio(f"pairs.{name}", pair, given=bool(pair.pinion_teeth and pair.wheel_teeth))
+        yield from _pair(name, pair, design)
+    for name, planetary in design.planetaries.items():
+        path, teeth = f"planetaries.{name}", (planetary.sun_teeth, planetary.planet_teeth, planetary.ring_teeth)
+        yield from _ratio(path, planetary, given=sum(each is not None for each in teeth) > 1)
+        yield from _stage_rules(path, design.rules(name), planetary.gears, _OF_PAIRS, "planetary sets are spur here")
+        yield from _shifted(path, design.rules(name), "planetary sets")
+    yield from _methods(design)
+    yield from _joints(design)
+    yield from _bearings(design)
+
+
+def _ratio(path: str, stage: Pair | Planetary, *, given: bool) -> Iterator[Problem]:
+    """Find ratios that the stage's own teeth decide, and a split of what is not open."""
+    if given and stage.ratio is not None:
+        yield Problem(f"{path}.ratio", f"{stage.ratio:g}, but its teeth are given and decide it; keep one of the two")
+    if "ratio_split" in stage.model_fields_set and (given or stage.ratio is not None):
+        by = "its teeth decide" if given else "ratio states"
+        yield Problem(f"{path}.ratio_split", f"it splits an open ratio, and {by} this one; leave it out")
+
+
+def _pair(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
+    path, rules = f"pairs.{name}", design.rules(name)
+    if pair.kind != "bevel":
+        yield from _idle(path, pair, _OF_BEVELS, f"only bevel gears have one, and this pair is {pair.kind}")
+    if pair.kind == "bevel":
+        yield from _shifted(path, rules, "bevel gears")
+    elif pair.internal:
+        yield from _shifted(path, rules, "internal pairs")
+    yield from _stage_rules(path, rules, pair.gears, _OF_SETS, "only planetary sets have planets and rings")
+    if pair.gears is None:
+        return
+    if pair.kind != "bevel" and not rules.helix_angle:
+        yield from _idle(f"{path}.gears", pair.gears, _OF_HELICAL, "only helical gears read it, and these are spur")
+    own, foreign = pair.gears.iso6336, _OF_CYLINDERS if pair.kind == "bevel" else _OF_CONES
+    standard = "ISO 10300 does not read it" if pair.kind == "bevel" else "only bevel gears read it"
+    yield from _idle(f"{path}.gears.iso6336", own, foreign, standard)
+
+
+def _stage_rules(
+    path: str, rules: GearRules, own: GearRules | None, foreign: tuple[str, ...], why: str
+) -> Iterator[Problem]:
+    """Find a stage's own rules that belong to the other kind of stage, or to the other method."""
+    if own is None:
+        return
+    yield from _idle(f"{path}.gears", own, foreign, why)
+    if rules.rating == "iso6336":
+        rest = tuple(key for key in _OF_LEWIS if key not in foreign)
+        yield from _idle(f"{path}.gears", own, rest, "ISO 6336 does not read it; its safeties stand in gears.iso6336")
+    elif "iso6336" in own.model_fields_set:
+        yield Problem(f"{path}.gears.iso6336", _NO_STANDARD)
+
+
+_NO_STANDARD = 'has no effect with Lewis and Hertz; write rating = "iso6336", or leave it out'
+
+
+def _idle(path: str, record: Record, keys: tuple[str, ...], why: str) -> Iterator[Problem]:
+    """Yield the keys of a record that are given, although nothing reads them."""
+    for key in keys:
+        if key in record.model_fields_set:
+            yield Problem(f"{path}.{key}", f"has no effect: {why}; leave it out")
+
+
+def _shifted(path: str, rules: GearRules, what: str) -> Iterator[Problem]:
+    if rules.profile_shift:
+        message = f"{rules.profile_shift:g}, but {what} are cut without profile shift here; write 0 for this stage"
+        yield Problem(f"{path}.gears.profile_shift", message)
+
+
+def _methods(design: Design) -> Iterator[Problem]:
+    """Find rules of a method by which no stage is rated."""
+    methods = {design.rules(name).rating for name in design.stages}
+    if methods == {"iso6336"}:
+        keys = ("bending_safety", "contact_safety", "idler_factor")
+        yield from _idle("gears", design.gears, keys, "ISO 6336 does not read it; its safeties stand in gears.iso6336")
+    if methods == {"lewis-hertz"}:
+        if "iso6336" in design.gears.model_fields_set:
+            yield Problem("gears.iso6336", _NO_STANDARD)
+        if "service" in design.model_fields_set and not design.bearings:
+            message = 'has no effect without a rated part; write gears.rating = "iso6336", give [bearings], or leave it'
+            yield Problem("service", f"{message} out")
+
+
+def _joints(design: Design) -> Iterator[Problem]:
+    """Find joints on shafts without bearings, which are cylinders without seats."""
+    built = {seat.shaft for seat in design.bearings.values()}
+    for part in design.joints:
+        shafts = _carriers_of(part, design)
+        if shafts and not shafts & built:
+            names = ", ".join(sorted(shafts))
+            message = f"has no effect: {names} has no bearings and is one cylinder; give it [bearings], or leave it out"
+            yield Problem(f"joints.{part}", message)
+
+
+def _carriers_of(part: str, design: Design) -> set[str]:
+    """Return the shafts that carry a gear or a machine; none where there is no such part."""
+    if part in design.machines:
+        return {design.machines[part].shaft}
+    stage, _, role = part.partition(".")
+    if stage in design.pairs and role in ("pinion", "wheel"):
+        shafts = getattr(design.pairs[stage], role)
+        return {shafts} if isinstance(shafts, str) else set(shafts)
+    return {design.planetaries[stage].sun} if stage in design.planetaries and role == "sun" else set()
+
+
+def _bearings(design: Design) -> Iterator[Problem]:
+    """Find the places of bearings on shafts that nothing bends."""
+    bent = _bent(design)
+    for shaft, layout in design.layout.items():
+        if shaft in design.shafts and shaft not in bent:
+            why = "only torque acts on this shaft, so that its bearings bear nothing"
+            yield from _idle(f"layout.{shaft}", layout, ("first_bearing", "second_bearing"), why)
+
+
+def _bent(design: Design) -> set[str]:
+    """Return the shafts that a gear of a pair or a rotor may bend, and those that the design gives bearings."""
+    gears: Mapping[str, Pair] = design.pairs
+    sides = [side for pair in gears.values() for side in (pair.pinion, pair.wheel)]
+    bent = {name for side in sides for name in ([side] if isinstance(side, str) else side)}
+    rotors = design.propellers.values()
+    bent |= {rotor.shaft for rotor in rotors if rotor.thrust or rotor.in_plane_force or rotor.hub_moment}
+    return bent | {seat.shaft for seat in design.bearings.values()}
