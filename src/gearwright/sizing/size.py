@@ -6,11 +6,11 @@ import numpy as np
 
 from gearwright.sizing.carriers import size_carriers
 from gearwright.sizing.gate import refuse_no_numbers
-from gearwright.sizing.idle import refuse_idle_shafts
 from gearwright.sizing.machines import size_machines
 from gearwright.sizing.rating import context
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import checks_of, size_shafts
+from gearwright.sizing.shafts.idle import refuse_idle_shafts
 from gearwright.sizing.stages import gear_checks, size_gears, size_meshes, stage_sizes
 from gearwright.sizing.teeth import choose_teeth, refuse_bores, refuse_contradictions
 from gearwright.spec import Design

@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from gearwright.parts.bevel import WIDEST, WIDEST_MODULES
-from gearwright.sizing.idle import refuse_idle_stages
 from gearwright.sizing.rating import Context, Rating, bevel_pair, cone_ratio, mean_module, rate_row, width_ratio_of
+from gearwright.sizing.stages.idle import refuse_idle_stages
 from gearwright.sizing.teeth import groups_of
 
 STANDARD_MODULES = (
