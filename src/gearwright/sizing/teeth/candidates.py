@@ -103,8 +103,8 @@ def _refuse_many(task: Task, count: int) -> None:
     """Raise where a stage multiplies the combinations of the stages before it beyond what can be held."""
     if count > MOST_COMBINATIONS:
         message = (
-            f"with this stage {count:,} combinations of tooth numbers are to be weighed, and {MOST_COMBINATIONS:,} can be;"
-            " give the teeth of a stage or two, or narrow the limits in [teeth]"
+            f"with this stage {count:,} combinations of tooth numbers are to be weighed, and"
+            f" {MOST_COMBINATIONS:,} can be; give the teeth of a stage or two, or narrow the limits in [teeth]"
         )
         table = "planetaries" if isinstance(task.stage, Planetary) else "pairs"
         raise DesignError([Problem(f"{table}.{task.name}", message)])
