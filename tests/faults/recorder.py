@@ -1,0 +1,85 @@
+"""Plugin for pytest: which functions of the package every test calls, and how long it takes.
+
+    pytest -p recorder --calls calls.json tests/unit
+
+Functions, not lines: `sys.settrace` that looks at calls alone costs a third of a test's time, and a test that calls the
+faulty function is a test that may notice. What a test module calls while it is collected counts for all of its tests.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import threading
+import time
+from pathlib import Path
+from types import CodeType, FrameType
+
+import pytest
+
+import gearwright
+
+PACKAGE = str(Path(gearwright.__file__).parent)
+
+
+class Recorder:
+    """Collects the functions that run, test by test."""
+
+    def __init__(self, out: Path) -> None:
+        self.out = out
+        self.running: set[CodeType] = set()
+        self.collected: dict[str, set[CodeType]] = {}
+        self.calls: dict[str, set[CodeType]] = {}
+        self.seconds: dict[str, float] = {}
+
+    def called(self, frame: FrameType, event: str, _: object) -> None:
+        """Note a call; as nothing is returned, the lines of the function are not traced."""
+        if frame.f_code.co_filename.startswith(PACKAGE):
+            self.running.add(frame.f_code)
+
+    def pytest_collectstart(self, collector: pytest.Collector) -> None:
+        """Begin a test module."""
+        if isinstance(collector, pytest.Module):
+            self.running = set()
+            sys.settrace(self.called)
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        """End a test module."""
+        if report.nodeid.endswith(".py"):
+            sys.settrace(None)
+            self.collected[report.nodeid] = self.running
+
+    @pytest.hookimpl(hookwrapper=True)
+    def pytest_runtest_protocol(self, item: pytest.Item):
+        """Run one test, and its fixtures, under the tracer."""
+        self.running, start = set(), time.perf_counter()
+        sys.settrace(self.called)
+        threading.settrace(self.called)
+        yield
+        sys.settrace(None)
+        threading.settrace(None)  # type: ignore[arg-type]
+        self.calls[item.nodeid], self.seconds[item.nodeid] = self.running, time.perf_counter() - start
+
+    def pytest_sessionfinish(self) -> None:
+        """Write what was seen: test -> seconds and functions as ``module.py:qualified name``."""
+        tests = {
+            test: {
+                "seconds": round(self.seconds[test], 3),
+                "calls": sorted(map(_label, codes | self.collected.get(test.partition("::")[0], set()))),
+            }
+            for test, codes in self.calls.items()
+        }
+        self.out.write_text(json.dumps(tests))
+
+
+def _label(code: CodeType) -> str:
+    module = Path(code.co_filename).relative_to(PACKAGE).as_posix()
+    return f"{module}:{code.co_qualname.replace('.<locals>', '')}"
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--calls", type=Path, required=True, help="Where to write which test calls what")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.pluginmanager.register(Recorder(config.getoption("--calls")))
