@@ -1,4 +1,4 @@
-"""Faults anew: a child imports the faulty module, and all that computes with it, as if the fault had always been there."""
+"""Faults anew: a child imports the faulty module, and all that computes with it, as if it had always been faulty."""
 
 from __future__ import annotations
 

@@ -1,18 +1,21 @@
-"""Children: one process for each fault, some at once; one that hangs is ended, and its fault counts as noticed."""
+"""Children: one process for each fault, some at once; one that hangs is ended, and its fault counts as noticed.
+
+A child hangs by the processor time that it takes, so that what else is at work does not look like it.
+"""
 
 from __future__ import annotations
 
 import os
+import resource
 import signal
 import tempfile
-import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from mutators import Fault
 
 PATIENCE = 10.0
-"""A child that takes a minute and this many times its tests' own time hangs."""
+"""A child that takes a minute and this many times its tests' own time of the processor hangs."""
 HANGS = "it hangs"
 
 
@@ -27,7 +30,7 @@ class Trial:
 
     @property
     def limit(self) -> float:
-        """When a child hangs [s]."""
+        """Processor time after which a child hangs [s]."""
         return 60.0 + PATIENCE * sum(self.seconds[test] for test in self.tests)
 
 
@@ -39,29 +42,26 @@ def run_all(trials: Sequence[Trial], jobs: int, work: Callable[[Trial], str]) ->
         jobs: Children at once.
         work: Returns one line: which test is red, or nothing.
     """
-    waiting, running = list(reversed(trials)), dict[int, tuple[Trial, float, int]]()
+    waiting, running = list(reversed(trials)), dict[int, tuple[Trial, int]]()
     while waiting or running:
         while waiting and len(running) < jobs:
             trial = waiting.pop()
             answer = os.open(tempfile.gettempdir(), os.O_TMPFILE | os.O_RDWR)
-            running[_child(trial, work, answer)] = (trial, time.monotonic(), answer)
-        time.sleep(0.01)
-        for child, (trial, start, answer) in list(running.items()):
-            hangs = time.monotonic() - start > trial.limit
-            if hangs:
-                os.kill(child, signal.SIGKILL)
-            ended, status = os.waitpid(child, 0 if hangs else os.WNOHANG)
-            if ended:
-                del running[child]
-                text = os.pread(answer, 4096, 0).decode()
-                os.close(answer)
-                yield trial, HANGS if hangs else text or ("it ends the process" if status else "")
+            running[_child(trial, work, answer)] = (trial, answer)
+        child, status = os.wait()
+        trial, answer = running.pop(child)
+        text = os.pread(answer, 4096, 0).decode()
+        os.close(answer)
+        hangs = os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL)
+        yield trial, HANGS if hangs else text or ("it ends the process" if status else "")
 
 
 def _child(trial: Trial, work: Callable[[Trial], str], answer: int) -> int:
     """Begin the work on a trial in a child and return its number."""
     if child := os.fork():
         return child
+    seconds = int(trial.limit)
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
     nowhere = os.open(os.devnull, os.O_RDWR)
     for stream in (0, 1, 2):
         os.dup2(nowhere, stream)

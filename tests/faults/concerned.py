@@ -15,44 +15,30 @@ from pathlib import Path
 from mutators import Fault
 
 ROOT = "gearwright"
-PACKAGES = ("gearwright.parts", "gearwright.train", "gearwright.sizing")
-"""Packages whose modules all get faults."""
-DYNAMICS = "gearwright.dynamics"
-ASSEMBLY = "assemble"
-"""Function of the dynamics whose module gets faults, with all modules of the dynamics that it imports."""
-ALSO = ("error_sources",)
-"""Functions of the dynamics whose modules get faults by themselves."""
+TARGETS = (
+    "gearwright.parts",
+    "gearwright.train",
+    "gearwright.sizing",
+    "gearwright.dynamics.assembly",
+    "gearwright.dynamics.model",
+    "gearwright.dynamics.sharing.error_sources",
+)
+"""Packages, whose modules all get faults, and modules."""
 
 
 def targets() -> list[str]:
     """Return the dotted names of the modules that get faults; compiled ones are left out."""
-    names = {name for package in PACKAGES for name in _modules(package)}
-    dynamics = list(_modules(DYNAMICS))
-    home = {function: _home(dynamics, function) for function in (ASSEMBLY, *ALSO)}
-    names |= _needed(home[ASSEMBLY]) | {home[function] for function in ALSO}
+    names = {name for target in TARGETS for name in _modules(target)}
     return sorted(name for name in names if "from numba" not in source_of(name))
 
 
-def _modules(package: str) -> Iterator[str]:
-    for module in pkgutil.walk_packages(importlib.import_module(package).__path__, f"{package}."):
+def _modules(target: str) -> Iterator[str]:
+    paths = getattr(importlib.import_module(target), "__path__", None)
+    if paths is None:
+        yield target
+    for module in pkgutil.walk_packages(paths or [], f"{target}."):
         if not module.ispkg:
             yield module.name
-
-
-def _home(modules: Sequence[str], function: str) -> str:
-    """Return the module that defines a function."""
-    return next(name for name in modules if f"\ndef {function}(" in source_of(name))
-
-
-def _needed(module: str) -> set[str]:
-    """Return a module of the dynamics and what it imports of them, directly or not."""
-    known, new = set[str](), {module}
-    while new:
-        known |= new
-        trees = [ast.parse(source_of(name)) for name in new]
-        imports = {node.module or "" for tree in trees for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
-        new = {name for name in imports if name.startswith(f"{DYNAMICS}.")} - known
-    return known
 
 
 def source_of(module: str) -> str:
@@ -94,8 +80,12 @@ class Calls:
             budget: Time that all of them may take together [s]; the most telling ones come first.
         """
         file = f"{fault.module.removeprefix(f'{ROOT}.').replace('.', '/')}.py"
-        own = [name for name in self.tests if name == f"{file}:{fault.function}" or name.startswith(f"{file}:{fault.function}.")]
-        if fault.function == "<module>" or fault.function in self.readers and fault.function.strip("_")[:1].isupper():
+        own = [
+            name
+            for name in self.tests
+            if name == f"{file}:{fault.function}" or name.startswith(f"{file}:{fault.function}.")
+        ]
+        if fault.function == "<module>" or (fault.function in self.readers and fault.function.strip("_")[:1].isupper()):
             # A constant, or the default of a field.
             own = sorted(self.readers.get(fault.name or fault.function, set()))
         if not any(name in self.tests for name in own):

@@ -16,7 +16,18 @@ from children import HANGS, Trial, run_all
 from mutators import Fault
 
 ROOT = Path(__file__).resolve().parents[2]
-RULES = ["-x", "-q", "--assert=plain", "--capture=sys", "-p", "no:xdist", "--rootdir", str(ROOT), "-c", str(ROOT / "pyproject.toml")]
+RULES = [
+    "-x",
+    "-q",
+    "--assert=plain",
+    "--capture=sys",
+    "-p",
+    "no:xdist",
+    "--rootdir",
+    str(ROOT),
+    "-c",
+    str(ROOT / "pyproject.toml"),
+]
 
 
 def noticed_in_place(trials: Sequence[Trial], jobs: int) -> dict[str, str]:
@@ -52,7 +63,11 @@ class _Loop:
             self.functions.setdefault(_key(function.__code__), []).append(function)
         gc.freeze()
         for number, (trial, red) in enumerate(run_all(self.trials, self.jobs, self.faulty), start=1):
-            print(f"{number}/{len(self.trials)} {trial.fault} -- {red or 'not noticed in place'}", file=sys.__stdout__, flush=True)
+            print(
+                f"{number}/{len(self.trials)} {trial.fault} -- {red or 'not noticed in place'}",
+                file=sys.__stdout__,
+                flush=True,
+            )
             if red and red != HANGS:
                 self.noticed[str(trial.fault)] = red
         telling = sorted({red for red in self.noticed.values() if red in self.items})

@@ -1,7 +1,7 @@
-"""Every single fault that can be put into a module: a constant, a sign, an operator, an exponent, a comparison, a choice.
+"""Every single fault of a module: a constant, a sign, an operator, an exponent, a comparison, a choice, a swap.
 
-What cannot change a number is left alone: docstrings and texts, annotations, descriptions of fields, errors. A condition
-that only refuses is a `guard`: its faults are counted apart.
+What cannot change a number is left alone: docstrings and texts, annotations, descriptions of fields, errors. A
+condition that only refuses is a `guard`: its faults are counted apart.
 """
 
 from __future__ import annotations
@@ -148,7 +148,12 @@ def _exponent(tree: ast.Module, place: _Place) -> bool:
     for field, index in place.path[:-1]:
         parent = getattr(parent, field)
         parent = parent[index] if index is not None and isinstance(parent, list) else parent
-    return bool(place.path) and isinstance(parent, ast.BinOp) and isinstance(parent.op, ast.Pow) and place.path[-1][0] == "right"
+    return (
+        bool(place.path)
+        and isinstance(parent, ast.BinOp)
+        and isinstance(parent.op, ast.Pow)
+        and place.path[-1][0] == "right"
+    )
 
 
 def _put(tree: ast.AST, path: Path, new: ast.AST) -> None:
@@ -221,9 +226,14 @@ def _call(node: ast.Call) -> Iterator[tuple[str, ast.expr]]:
         other = NAMES[name]
         new = ast.Attribute(called.value, other, ast.Load()) if isinstance(called, ast.Attribute) else ast.Name(other)
         yield "choice", ast.Call(new, node.args, node.keywords)
-    elif second is not None and name not in ALIKE and ast.Starred not in (type(first), type(second)):
-        if ast.dump(first) != ast.dump(second):
-            yield "swap", ast.Call(called, [second, first, *node.args[2:]], node.keywords)
+    elif _differ(first, second) and name not in ALIKE:
+        yield "swap", ast.Call(called, [second, first, *node.args[2:]], node.keywords)
+
+
+def _differ(first: ast.expr | None, second: ast.expr | None) -> bool:
+    if first is None or second is None or ast.Starred in (type(first), type(second)):
+        return False
+    return ast.dump(first) != ast.dump(second)
 
 
 def _called(node: ast.Call) -> str:

@@ -5,22 +5,26 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
-from mounted_designs import PAIR, sized
 
-from gearwright.parts.bevel_geometry import BevelPair
-from gearwright.parts.iso6336_bending import Edition, helix_factor, load_sharing_factor
-from gearwright.parts.iso6336_distribution import lead_allowance
-from gearwright.parts.iso6336_dynamic import MeshDeviations, dynamic_factor, running_in_allowance
-from gearwright.parts.iso6336_strength import GearSteel, Treatment
-from gearwright.parts.losses_mesh import ToothContact, mesh_friction
-from gearwright.parts.losses_oil import oil_viscosity
-from gearwright.parts.scuffing import SPRAY, Oil, ScuffingMesh
-from gearwright.parts.scuffing_integral import integral_temperature
+from gearwright.parts.bevel import BevelPair
+from gearwright.parts.iso6336 import (
+    Edition,
+    GearSteel,
+    MeshDeviations,
+    Treatment,
+    dynamic_factor,
+    helix_factor,
+    lead_allowance,
+    load_sharing_factor,
+    running_in_allowance,
+)
+from gearwright.parts.losses import ToothContact, mesh_friction, oil_viscosity
+from gearwright.parts.scuffing import SPRAY, Oil, ScuffingMesh, integral_temperature
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.rating import rating_of
-from gearwright.sizing.standard_teeth import bevel_pair, cylindrical_mesh, stage_width_ratio
+from gearwright.sizing.rating import bevel_pair, cylindrical_mesh, rating_of, stage_width_ratio
 from gearwright.spec import read
+from mounted_designs import PAIR, sized
 
 HELICOPTER = read(shipped_design("ec120b"))
 SOFT = GearSteel("soft", Treatment.THROUGH_HARDENED, "MQ", 300.0, 640e6, 310e6, yield_strength=700e6)
@@ -69,7 +73,8 @@ def test_load_sharing_of_deep_teeth_goes_over_from_spur_to_helical():
 
 
 @pytest.mark.parametrize(
-    ("overlap", "degrees", "printed"), [(1.0, 15.0, 0.875), (2.5, 30.0, 0.75), (1.0, 40.0, 0.75), (0.5, 24.0, 0.9), (0.0, 20.0, 1.0)]
+    ("overlap", "degrees", "printed"),
+    [(1.0, 15.0, 0.875), (2.5, 30.0, 0.75), (1.0, 40.0, 0.75), (0.5, 24.0, 0.9), (0.0, 20.0, 1.0)],
 )
 def test_the_helix_factor_of_bending_is_one_less_the_overlap_by_a_third_of_a_turn(overlap, degrees, printed):
     """DIN 3990-3 and ISO 6336-3: Y_β = 1 − ε_β β/120°, not below 0.75; since 2019 over cos³ β."""
@@ -98,7 +103,9 @@ def test_the_dynamic_factor_has_the_printed_coefficients_in_every_range(overlap,
     def factor(ratio, specific_load=load, scale=1.0):
         deviations = MeshDeviations(pitch * scale, profile * scale, relief * scale)
         mesh = SimpleNamespace(teeth=(20, 60), total_contact_ratio=overlap)
-        found = dynamic_factor(mesh, (single, 4e8), deviations, specific_load=specific_load, pinion_speed=1e3 * ratio, mass=1.0)
+        found = dynamic_factor(
+            mesh, (single, 4e8), deviations, specific_load=specific_load, pinion_speed=1e3 * ratio, mass=1.0
+        )
         assert found.resonance_ratio == pytest.approx(ratio)
         return found.factor
 
@@ -146,8 +153,10 @@ def test_a_bevel_pair_has_its_mean_module_in_the_middle_of_its_face():
     rating = rating_of(HELICOPTER, "bevel")
     pair = bevel_pair((17, 43), 3e-3, 20e-3, rating)
     outer = 0.5 * pair.outer_module * math.hypot(17, 43)
-    assert 3e-3 == pytest.approx(pair.outer_module * math.cos(rating.helix_angle) * (outer - 10e-3) / outer)
-    assert BevelPair((17, 43), 4e-3, 20e-3).mean_diameters[0] == pytest.approx(4e-3 * 17 * (1.0 - 10e-3 / (2e-3 * math.hypot(17, 43))))
+    assert pytest.approx(pair.outer_module * math.cos(rating.helix_angle) * (outer - 10e-3) / outer) == 3e-3
+    assert BevelPair((17, 43), 4e-3, 20e-3).mean_diameters[0] == pytest.approx(
+        4e-3 * 17 * (1.0 - 10e-3 / (2e-3 * math.hypot(17, 43)))
+    )
 
 
 def test_the_rim_under_a_gear_is_counted_in_teeth_of_iso_53():
@@ -170,7 +179,13 @@ def test_scuffing_takes_a_sixth_of_the_peak_to_valley_roughness_as_the_mean_one(
     load = float(helical.factors.tangential_force) / pinion.face_width
     loads = helical.factors.loads
     hot = rules.oil_viscosity * 1e-6 * oil_viscosity(rules.oil_temperature + 273.15) / oil_viscosity(40.0 + 273.15)
-    oil = Oil(rules.oil_temperature, hot * 950.0, float(rules.scuffing_stage), supply=SPRAY, viscosity_40=rules.oil_viscosity * 1e-6)
+    oil = Oil(
+        rules.oil_temperature,
+        hot * 950.0,
+        float(rules.scuffing_stage),
+        supply=SPRAY,
+        viscosity_40=rules.oil_viscosity * 1e-6,
+    )
     mesh = ScuffingMesh(
         cylindrical_mesh((pinion.teeth, gears["helical.wheel"].teeth), pinion.module, pinion.face_width, rating),
         specific_load=load * float(loads.contact),

@@ -4,16 +4,15 @@ import math
 
 import numpy as np
 import pytest
-from mounted_designs import PAIR, ROTOR, sized
 
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
-from gearwright.sizing.axes import axes_of
-from gearwright.sizing.context import context
-from gearwright.sizing.layout import plan_of
+from gearwright.sizing.arrangement import axes_of, plan_of
 from gearwright.sizing.loads import shaft_loads
+from gearwright.sizing.rating import context
 from gearwright.spec import read
-from gearwright.spec.overrides import Overrides
+from gearwright.spec.design import Overrides
+from mounted_designs import PAIR, ROTOR, sized
 
 SIZED = {name: size(read(shipped_design(name))) for name in shipped_designs()}
 
@@ -28,7 +27,9 @@ def test_the_three_forces_of_a_mesh_make_the_normal_force_of_its_flank(name):
         pair = sizing.design.pairs.get(stage)
         if pair is not None and pair.kind == "face":
             continue
-        normal = mesh.tangential_force / math.cos(sizing.design.rules(stage).pressure_angle) / math.cos(helix[mesh.gears[0]])
+        normal = (
+            mesh.tangential_force / math.cos(sizing.design.rules(stage).pressure_angle) / math.cos(helix[mesh.gears[0]])
+        )
         forces = (mesh.tangential_force, mesh.radial_force, mesh.axial_force)
         assert math.hypot(*forces) == pytest.approx(normal, rel=1e-9)
         if pair is None or pair.kind == "cylindrical":
@@ -60,7 +61,7 @@ def test_the_force_on_a_helical_tooth_stands_square_to_its_trace(shaft):
     along it. The pinion turns forwards and has a right-hand helix, its wheel the other way and a left-hand one.
     """
     sizing = sized(PAIR)
-    loads, axial = point_loads(sizing, shaft)
+    _, axial = point_loads(sizing, shaft)
     gear = next(gear for gear in sizing.gears if shaft in gear.shafts)
     speed = sizing.flows["rated"].speeds[shaft]
     torque = next(flow.torques[0 if shaft == "input" else 1] for flow in sizing.flows["rated"].meshes.values())

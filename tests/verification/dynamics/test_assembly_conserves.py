@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from gearwright.catalogue.materials import materials
-from gearwright.dynamics.assemble import assemble
-from gearwright.dynamics.reference import line_state
-from gearwright.dynamics.translational import pin_stiffness
+from gearwright.catalogue import materials
+from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.assembly.translational import pin_stiffness
+from gearwright.dynamics.equations import line_state
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.spec import parse
@@ -31,7 +31,9 @@ def turning_parts(sizing):
             planet = next(gear for gear in sizing.gears if gear.name == f"{carrier.stage}.planet")
             yield carrier.inertia + planet.bodies * planet.mass * carrier.radius**2, speeds[carrier.shaft]
     for gear in sizing.gears:
-        nodes = [f"{gear.stage}.planet"] if gear.role == "planet" else [name for name in gear.shafts if name != "ground"]
+        nodes = (
+            [f"{gear.stage}.planet"] if gear.role == "planet" else [name for name in gear.shafts if name != "ground"]
+        )
         yield from ((gear.inertia * gear.bodies / len(nodes), speeds[node]) for node in nodes)
 
 
@@ -88,7 +90,9 @@ def test_a_clutch_is_as_soft_as_the_softer_of_the_shafts_that_it_joins():
     system = assemble(sizing, "rated")
     stiffness = {shaft.name: shaft.stiffness for shaft in sizing.shafts}
     ends = [(stiffness[joint.driving], stiffness[joint.driven]) for joint in sizing.train.joints]
-    clutches = [system.arrays.stiffness[system.labels.lines.index(f"{joint.name} clutch")] for joint in sizing.train.joints]
+    clutches = [
+        system.arrays.stiffness[system.labels.lines.index(f"{joint.name} clutch")] for joint in sizing.train.joints
+    ]
     assert clutches == [one if one < other else other for one, other in ends]
     assert all(one != other for one, other in ends)
 
