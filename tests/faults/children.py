@@ -65,5 +65,9 @@ def _child(trial: Trial, work: Callable[[Trial], str], answer: int) -> int:
     nowhere = os.open(os.devnull, os.O_RDWR)
     for stream in (0, 1, 2):
         os.dup2(nowhere, stream)
-    os.pwrite(answer, work(trial).encode(), 0)
-    os._exit(0)
+    try:
+        os.pwrite(answer, work(trial).encode(), 0)
+        os._exit(0)
+    finally:
+        # Whatever happens, a child does not go on as its parent.
+        os._exit(1)

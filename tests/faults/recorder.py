@@ -31,6 +31,7 @@ class Recorder:
         self.collected: dict[str, set[CodeType]] = {}
         self.calls: dict[str, set[CodeType]] = {}
         self.seconds: dict[str, float] = {}
+        self.red: set[str] = set()
 
     def called(self, frame: FrameType, event: str, _: object) -> None:
         """Note a call; as nothing is returned, the lines of the function are not traced."""
@@ -60,6 +61,11 @@ class Recorder:
         threading.settrace(None)  # type: ignore[arg-type]
         self.calls[item.nodeid], self.seconds[item.nodeid] = self.running, time.perf_counter() - start
 
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Leave out what is red, or skipped, without any fault."""
+        if not report.passed:
+            self.red.add(report.nodeid)
+
     def pytest_sessionfinish(self) -> None:
         """Write what was seen: test -> seconds and functions as ``module.py:qualified name``."""
         tests = {
@@ -68,6 +74,7 @@ class Recorder:
                 "calls": sorted(map(_label, codes | self.collected.get(test.partition("::")[0], set()))),
             }
             for test, codes in self.calls.items()
+            if test not in self.red
         }
         self.out.write_text(json.dumps(tests))
 

@@ -1,8 +1,7 @@
 """Inject faults one at a time, run the tests concerned, report the survivors.
 
-    cd tests/faults
-    PYTHONPATH=. python -m pytest -p recorder --calls calls.json ../unit ../verification ../validation ../golden
-    python inject.py --calls calls.json --count 330 --seed 14 --jobs 2 --out score.json
+    PYTHONPATH=tests/faults pytest -p recorder --calls calls.json tests/unit tests/verification tests/validation
+    python tests/faults --calls calls.json --count 330 --seed 14 --jobs 2 --out score.json
 
 The first command notes which test calls which function (once, some minutes). The second draws faults from all that
 there are and runs, for each, the tests that call the faulty function until one turns red: at first in a child of a
