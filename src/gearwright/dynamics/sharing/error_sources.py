@@ -104,7 +104,7 @@ def _source(
         line = index_of(contact.line, system.labels.lines, "line")
         for direction in range(2 if kind in VECTORS else 1):
             fields = {kind: 1.0} | ({VECTORS[kind]: direction * QUARTER} if kind in VECTORS else {})
-            unit = PartErrors.model_construct(**fields)  # an influence of size 1, beyond what a file may ask for
+            unit = PartErrors.model_construct(None, **fields)  # an influence of size 1, beyond what a file may ask for
             for error in contact_errors(contact, {part: unit}):
                 still[direction, line] += error.constant
                 if error.phase and direction == 0:
