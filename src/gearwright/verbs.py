@@ -137,8 +137,8 @@ def _sentence(value: object, hint: Any) -> str:
     kind = "a class" if isinstance(value, type) else f"of type {type(value).__name__}"
     shown = shown if len(shown) <= LONGEST and "\n" not in shown else ""
     given = f"{shown} is {kind}" if shown else f"what is given is {kind}"
-    wanted = [one for one in _alternatives(hint) if one is not type(None)]
-    names = [str(one) for literal in wanted if get_origin(literal) is Literal for one in get_args(literal)]
+    wanted = [alternative for alternative in _alternatives(hint) if alternative is not type(None)]
+    names = [str(arg) for literal in wanted if get_origin(literal) is Literal for arg in get_args(literal)]
     if names and isinstance(value, str):
         return f"{shown or 'this'} is none of {', '.join(names)}; {near(value, names)}"
     return f"{given}; give {' or '.join(dict.fromkeys(_words(one) for one in wanted))}"

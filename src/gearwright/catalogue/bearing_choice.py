@@ -147,7 +147,7 @@ def _steady(duty: BearingDuty) -> BearingSpectrum:
 def _mean(bearing: Bearing, loads: list[float], spectrum: BearingSpectrum) -> float:
     """Return the load that tires a bearing as all cases do; none where it does not turn."""
     turns = [abs(speed) * share for speed, share in zip(spectrum.speed, spectrum.share, strict=True)]
-    turning = [load for load, each in zip(loads, turns, strict=True) if each > 0.0]
+    turning = [load for load, turn in zip(loads, turns, strict=True) if turn > 0.0]
     if len(turning) == 1:
         return turning[0]
     return mean_load(loads, turns, life_exponent(bearing.kind)) if any(turns) else 0.0
@@ -207,11 +207,11 @@ def fitting_bearings(
         DesignError: If no size has that bore; the nearest is named.
     """
     fitting = [
-        each
-        for each in bearings().values()
-        if each.kind is kind
-        and bore - 1e-9 <= each.bore <= largest_bore + 1e-9
-        and each.outer_diameter <= largest_outer + 1e-9
+        bearing
+        for bearing in bearings().values()
+        if bearing.kind is kind
+        and bore - 1e-9 <= bearing.bore <= largest_bore + 1e-9
+        and bearing.outer_diameter <= largest_outer + 1e-9
     ]
     if not fitting:
         raise DesignError([Problem("bore", _no_bore(kind, bore))])
@@ -219,7 +219,7 @@ def fitting_bearings(
 
 
 def _no_bore(kind: BearingKind, bore: float) -> str:
-    bores = sorted({each.bore for each in bearings().values() if each.kind is kind})
+    bores = sorted({bearing.bore for bearing in bearings().values() if bearing.kind is kind})
     closest = min(bores, key=lambda each: abs(each - bore))
     return (
         f"no {kind} bearing for {1e3 * bore:.4g} mm within the room given; the catalogue has {1e3 * bores[0]:g} to "

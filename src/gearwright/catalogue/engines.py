@@ -205,11 +205,11 @@ def select(
     wanted = ((series, "name"), (manufacturer, "manufacturer"), (kind, "kind"))
     low, high = power or (0.0, math.inf)
     found = tuple(
-        one
-        for one in engines()
-        if all(text.casefold() in getattr(one.series, field).casefold() for text, field in wanted)
-        and model.casefold() in one.model.casefold()
-        and low <= one.power <= high
+        engine
+        for engine in engines()
+        if all(text.casefold() in getattr(engine.series, field).casefold() for text, field in wanted)
+        and model.casefold() in engine.model.casefold()
+        and low <= engine.power <= high
     )
     if not found:
         raise DesignError([Problem("engines", f"no engine of the catalogue answers to this; {_choice()}")])
@@ -217,7 +217,7 @@ def select(
 
 
 def _choice() -> str:
-    powers = [one.power / _KW for one in engines()]
+    powers = [engine.power / _KW for engine in engines()]
     names = ", ".join(one.name for one in all_series())
     return f"series: {names}; power {min(powers):g} to {max(powers):g} kW"
 

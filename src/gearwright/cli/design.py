@@ -84,7 +84,7 @@ def check(design: DesignArgument) -> None:
     sizing = sized(design)
     for case in sizing.flows:  # what the dynamic model would refuse is said here
         assemble(sizing, case)
-    weak = [each for each in margins(sizing) if not each.holds]
+    weak = [margin for margin in margins(sizing) if not margin.holds]
     for each in weak:
         tell(f"{margin_sentence(each)}; the margin should be 1 or more")
     if weak:

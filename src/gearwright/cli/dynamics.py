@@ -132,7 +132,7 @@ def _show(tables: list[Table], *, json: bool) -> None:
     from gearwright.render.words.text import table_text
 
     if json:
-        show_json(words.dumps([as_json(each) for each in tables], indent=2, ensure_ascii=False, allow_nan=False))
+        show_json(words.dumps([as_json(table) for table in tables], indent=2, ensure_ascii=False, allow_nan=False))
     else:
         show(*map(table_text, tables))
 

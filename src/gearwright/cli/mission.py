@@ -76,8 +76,8 @@ def _list() -> None:
     from gearwright.shipped import shipped_mission, shipped_missions
     from gearwright.spec import read_mission
 
-    for each in shipped_missions():
-        show(f"{each:20} {read_mission(shipped_mission(each)).name}")
+    for mission in shipped_missions():
+        show(f"{mission:20} {read_mission(shipped_mission(mission)).name}")
 
 
 def mission_of(name: str) -> tuple[Mission, Path]:
@@ -104,7 +104,7 @@ def _flown(design: Design, name: str, *, life_h: float | None) -> tuple[Flight, 
         flight = life.flight if life is not None else flown_by(size(design), mission, folder=folder)
         return flight, durability(flight), life
     except DesignError as error:
-        if any(each.path.partition(".")[0] not in type(mission).model_fields for each in error.problems):
+        if any(problem.path.partition(".")[0] not in type(mission).model_fields for problem in error.problems):
             raise
         path = find_mission(name)
         raise DesignError(placed(error.problems, file_text(path)), str(path)) from None

@@ -66,7 +66,7 @@ def study(
     path = find_study(name)
     read = read_study(path)
     read = read.model_copy(update={"changes": {**read.changes, **_changes(changes)}})
-    designs = {each: design_of(each, path.parent) for each in read.designs}
+    designs = {design: design_of(design, path.parent) for design in read.designs}
     refuse_files(csv, export, figure, report)
     table = run_shown(
         read, designs, journal=journal, workers=workers, start=start_of(cluster, tls), origin=str(path.parent)

@@ -63,7 +63,7 @@ def engines(
     if sort is not Order.TABLE:
         rows.sort(key=_sort_keys()[sort])
     show(weights.engine_table(rows, width=screen().width))
-    if any(one.engine.notes for one in rows):
+    if any(row.engine.notes for row in rows):
         show(weights.note_table(rows))
     for path, write in ((csv, weights_data.to_csv), (json, weights_data.to_json)):
         if path is not None:

@@ -47,19 +47,19 @@ def collect(flown: Flown, intervals: Sequence[Interval], chart: PropellerMap | N
         chart: Map of the propeller.
     """
     gearbox, mission, _ = flown
-    history = {name: np.array([each.values[name] for each in intervals]) for name in intervals[0].values}
+    history = {name: np.array([interval.values[name] for interval in intervals]) for name in intervals[0].values}
     powers = {name: history.pop(f"power.{name}") for name in gearbox.machines}
     heat = history["gearbox_heat"]
     history["oil_outlet"] = mission.oil.inlet_temperature_k + mission.oil.rise_k * heat / heat.max()
     train = gearbox.sizing.train
     speeds, shafts, meshes = (
-        np.array([getattr(each.point, name) for each in intervals])
+        np.array([getattr(interval.point, name) for interval in intervals])
         for name in ("speeds", "shaft_torques", "mesh_torques")
     )
     return Flight(
         mission=mission,
         sizing=gearbox.sizing,
-        phase=tuple(each.phase for each in intervals),
+        phase=tuple(interval.phase for interval in intervals),
         history=history,
         speeds=dict(zip(train.nodes, speeds.T, strict=True)),
         shaft_torques=dict(zip(train.nodes, shafts.T, strict=True)),

@@ -88,7 +88,9 @@ def _chart(mission: Mission, folder: Path | None) -> PropellerMap | None:
 
 def _placed(error: DesignError, moment: Moment) -> DesignError:
     at = f"phases.{moment.phase}"
-    return DesignError([Problem(at, f"at {moment.time:.0f} s, {each.path}: {each.message}") for each in error.problems])
+    return DesignError(
+        [Problem(at, f"at {moment.time:.0f} s, {problem.path}: {problem.message}") for problem in error.problems]
+    )
 
 
 def _interval(

@@ -120,4 +120,4 @@ def _true_airspeed(phase: Phase, name: str, air: Air) -> float:
     try:
         return phase.tas if phase.tas is not None else true_of_calibrated(phase.cas or 0.0, air)
     except DesignError as error:
-        raise DesignError([Problem(f"phases.{name}", each.message) for each in error.problems]) from None
+        raise DesignError([Problem(f"phases.{name}", problem.message) for problem in error.problems]) from None

@@ -58,7 +58,7 @@ class Supply:
                 [Problem("inoperative", f"there is no machine {unknown[0]!r}; {near(unknown[0], machines)}")]
             )
         if phase.mode == "rated":
-            working = {name: each for name, each in self.ratings.items() if name not in phase.inoperative}
+            working = {name: rating for name, rating in self.ratings.items() if name not in phase.inoperative}
             if not working:
                 raise DesignError([Problem("inoperative", "every machine is out; name fewer")])
             return _divided(1.0, working)
@@ -67,8 +67,8 @@ class Supply:
             raise DesignError([Problem("mode", f"{phase.mode}, but the design has no motor; write conventional")])
         if share != 1.0 and not self.engines:
             raise DesignError([Problem("mode", f"{phase.mode}, but the design has no turbine; write electric")])
-        turbines = {name: each.rated_power for name, each in self.engines.items() if name not in phase.inoperative}
-        motors = {name: each.peak_power for name, each in self.motors.items() if name not in phase.inoperative}
+        turbines = {name: engine.rated_power for name, engine in self.engines.items() if name not in phase.inoperative}
+        motors = {name: motor.peak_power for name, motor in self.motors.items() if name not in phase.inoperative}
         if (share != 1.0 and not turbines) or (share != 0.0 and not motors):
             message = (
                 f"{', '.join(phase.inoperative)} out, and {phase.mode} mode needs one; name fewer, or change the mode"
@@ -92,7 +92,7 @@ class Supply:
         """
         (point, values), (charge, rating, mode) = now, state
         speeds = _machine_speeds(gearbox, point)
-        powers = dict(zip(gearbox.machines, (float(each) for each in values), strict=True))
+        powers = dict(zip(gearbox.machines, (float(value) for value in values), strict=True))
         fuel, available = self._burn(moment, powers, speeds, rating)
         lost = sum(self._heat(name, (powers[name], speeds[name]), mode) for name in self.motors if powers[name])
         electric = sum(powers[name] for name in self.motors) + lost

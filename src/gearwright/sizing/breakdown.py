@@ -94,11 +94,11 @@ def bearing_forces(sizing: Sizing) -> tuple[BearingForce, ...]:
         sizing: As sized.
     """
     built = {shaft.name for shaft in sizing.built_shafts}
-    largest = max((each.radial_force for shaft in sizing.shafts for each in shaft.bearings), default=0.0)
+    largest = max((bearing.radial_force for shaft in sizing.shafts for bearing in shaft.bearings), default=0.0)
     return tuple(
-        BearingForce(shaft.name, shaft.case, each.position, _above_rounding(each.radial_force, largest))
+        BearingForce(shaft.name, shaft.case, bearing.position, _above_rounding(bearing.radial_force, largest))
         for shaft in sizing.shafts
-        for each in shaft.bearings
+        for bearing in shaft.bearings
         if shaft.name not in built
     )
 

@@ -47,9 +47,9 @@ def margins(sizing: Sizing) -> tuple[Margin, ...]:
     Args:
         sizing: As sized.
     """
-    found = [each for mesh in sizing.meshes if mesh.rating is None for each in _mesh_margins(mesh)]
+    found = [margin for mesh in sizing.meshes if mesh.rating is None for margin in _mesh_margins(mesh)]
     found += [_shaft_margin(shaft) for shaft in sizing.shafts]
-    found += [each for carrier in sizing.carriers for each in _carrier_margins(carrier)]
+    found += [margin for carrier in sizing.carriers for margin in _carrier_margins(carrier)]
     found += [_checked(check, _group(sizing, check)) for check in sizing.checks]
     return tuple(sorted(found, key=lambda each: (round(each.margin, 9), each.part)))
 

@@ -117,7 +117,7 @@ class BuiltShaft:
     @property
     def weakest(self) -> SectionStrength:
         """The section with the least safety against fatigue."""
-        return min(self.sections, key=lambda each: each.fatigue_safety)
+        return min(self.sections, key=lambda section: section.fatigue_safety)
 
 
 @dataclass(frozen=True)

@@ -274,15 +274,15 @@ class Sizing:
     @property
     def bearing_mass(self) -> Mass:
         """Mass of all bearings of built shafts [kg]; not in `mass`, which compares designs with and without them."""
-        return sum(each.bearing.mass for each in self.bearings)
+        return sum(bearing.bearing.mass for bearing in self.bearings)
 
     @property
     def system_life(
         self,
     ) -> Annotated[float | None, Quantity("life"), Origin("Σ (L/L_i)^e_i = 1", "Weibull's product")]:
         """Life that 90 % reach with no bearing failed [s]; None where no bearings are sized."""
-        slopes = [weibull_slope(each.bearing.kind) for each in self.bearings]
-        return system_life([each.life for each in self.bearings], slopes) if self.bearings else None
+        slopes = [weibull_slope(bearing.bearing.kind) for bearing in self.bearings]
+        return system_life([bearing.life for bearing in self.bearings], slopes) if self.bearings else None
 
     @property
     def mass(self) -> Mass:
@@ -317,7 +317,7 @@ class Sizing:
     def worst_margin(self) -> Number:
         """Smallest margin of all checks [-]."""
         margins = [margin for mesh in self.meshes for margin in (mesh.bending_margin, mesh.contact_margin)]
-        margins += [each.pin_margin for each in self.carriers]
-        margins += [each.plate_margin for each in self.carriers if each.plate_margin is not None]
+        margins += [carrier.pin_margin for carrier in self.carriers]
+        margins += [carrier.plate_margin for carrier in self.carriers if carrier.plate_margin is not None]
         margins += [check.margin for check in self.checks]
         return min([*margins, *(shaft.margin for shaft in self.shafts)])

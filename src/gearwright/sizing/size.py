@@ -61,7 +61,7 @@ def size(design: Design) -> Sizing:
         built_shafts=tuple(each.shaft for each in built),
         bearings=tuple(bearing for each in built for bearing in each.bearings),
         joints=tuple(joint for each in built for joint in each.joints),
-        checks=tuple(sorted(checks, key=lambda each: (round(each.margin, 9), each.part))),
+        checks=tuple(sorted(checks, key=lambda check: (round(check.margin, 9), check.part))),
         overrides=overrides.used,
         origins=overrides.origins,
     )

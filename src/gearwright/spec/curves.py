@@ -54,7 +54,7 @@ def _filled(path: str, curve: MeshCurve, folder: Path) -> MeshCurve:
     try:
         sampled_curve(2.0 * math.pi * np.array(curve.phase_cycles), curve.stiffness_n_m, harmonics=1, source="")
     except DesignError as error:
-        raise DesignError([Problem(path, f"{each.path}: {each.message}") for each in error.problems]) from None
+        raise DesignError([Problem(path, f"{problem.path}: {problem.message}") for problem in error.problems]) from None
     return curve
 
 

@@ -57,9 +57,9 @@ def _edited(record: R, changes: Mapping[str, Value], problems_of: Callable[[R], 
     except ValidationError as error:
         raise DesignError(
             Problem(
-                ".".join(str(part) for part in each["loc"]), f"{brief(each['input'])} is not allowed: {each['msg']}"
+                ".".join(str(part) for part in error["loc"]), f"{brief(error['input'])} is not allowed: {error['msg']}"
             )
-            for each in error.errors(include_url=False)
+            for error in error.errors(include_url=False)
         ) from None
     found = problems_of(changed)
     if found:

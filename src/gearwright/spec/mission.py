@@ -270,7 +270,10 @@ def _steel(rules: GearLifeRules) -> list[Problem]:
     try:
         gear_steel(rules.steel, rules.grade, rules.hardness_hv)
     except DesignError as error:
-        return [Problem(f"gears.{STEEL_KEYS.get(each.path, each.path)}", each.message) for each in error.problems]
+        return [
+            Problem(f"gears.{STEEL_KEYS.get(problem.path, problem.path)}", problem.message)
+            for problem in error.problems
+        ]
     return []
 
 

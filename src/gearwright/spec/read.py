@@ -92,14 +92,14 @@ def placed(problems: Iterable[Problem], text: str) -> list[Problem]:
         text: The file's content.
     """
     lines = key_lines(text)
-    found = [Problem(each.path, each.message, line_of(each.path, lines)) for each in problems]
+    found = [Problem(problem.path, problem.message, line_of(problem.path, lines)) for problem in problems]
     return sorted(found, key=lambda each: (each.line or 0, each.path))
 
 
 def _in_written_keys(problems: Iterable[Problem], keys: Mapping[Location, str]) -> list[Problem]:
     """Return problems whose paths end in the key with its unit, as the user wrote it."""
     written = {".".join(location): path for location, path in keys.items()}
-    return [Problem(written.get(each.path, each.path), each.message) for each in problems]
+    return [Problem(written.get(problem.path, problem.path), problem.message) for problem in problems]
 
 
 def file_text(path: str | Path) -> str:

@@ -99,11 +99,13 @@ def study_problems(study: Study) -> list[Problem]:
         study: Typed, but not yet checked.
     """
     sampled = study.sampling.method not in ("grid", "list")
-    problems = [each for path, axis in study.axes.items() for each in axis_problems(path, axis, sampled=sampled)]
+    problems = [problem for path, axis in study.axes.items() for problem in axis_problems(path, axis, sampled=sampled)]
     if study.fly.mission is not None and study.mission is not None:
         problems.append(Problem("fly.mission", "there is a [mission] as well; keep one of them"))
     if study.mission is not None:
-        problems += [Problem(f"{MISSION_PATH}{each.path}", each.message) for each in mission_problems(study.mission)]
+        problems += [
+            Problem(f"{MISSION_PATH}{problem.path}", problem.message) for problem in mission_problems(study.mission)
+        ]
     try:
         if not problems:
             case_count(study)

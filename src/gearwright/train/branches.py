@@ -80,8 +80,15 @@ def branches(train: Train, flow: PowerFlow) -> tuple[Branch, ...]:
         flow: The case.
     """
     return tuple(
-        Branch(each.shaft, each.part, each.stage, each.kind, flow.speeds[each.shaft], _torque(each, train, flow))
-        for each in attachments(train)
+        Branch(
+            attachment.shaft,
+            attachment.part,
+            attachment.stage,
+            attachment.kind,
+            flow.speeds[attachment.shaft],
+            _torque(attachment, train, flow),
+        )
+        for attachment in attachments(train)
     )
 
 

@@ -92,7 +92,7 @@ def compare(
     >>> round(found.taken.mass, 1)
     136.5
     """
-    estimates = tuple(estimate(one, requirement) for one in methods())
+    estimates = tuple(estimate(method, requirement) for method in methods())
     has_refit = any(one.method.key == "refit" and one.mass is not None for one in estimates)
     return Comparison(
         requirement=requirement,

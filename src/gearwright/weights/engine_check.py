@@ -72,7 +72,9 @@ class CheckedEngine:
     @property
     def flagged(self) -> tuple[Check, ...]:
         """The numbers that do not agree."""
-        return tuple(one for one in self.checks if one.verdict not in (Verdict.AGREES, Verdict.ROUNDED, Verdict.BLANK))
+        return tuple(
+            check for check in self.checks if check.verdict not in (Verdict.AGREES, Verdict.ROUNDED, Verdict.BLANK)
+        )
 
     def check(self, column: str) -> Check:
         """Return the check of a column.
@@ -80,7 +82,7 @@ class CheckedEngine:
         Args:
             column: Key of `COLUMNS`.
         """
-        return next(one for one in self.checks if one.column == column)
+        return next(check for check in self.checks if check.column == column)
 
 
 @cache

@@ -99,7 +99,7 @@ def estimate(method: Method, requirement: Requirement) -> Estimate:
         method: Of `methods`.
         requirement: Power and speeds.
     """
-    broken = [one for one in method.ranges if one.complaint(requirement)]
+    broken = [range_ for range_ in method.ranges if range_.complaint(requirement)]
     reason = "; ".join(one.complaint(requirement) for one in broken)
     if not broken:
         return Estimate(method, method.mass(requirement))

@@ -102,7 +102,7 @@ def refit() -> LogLine:
         Weights of NASA/TM-2009-215680, fitted here by least squares in log10.
     """
     points = weighed_gearboxes()
-    return log_line([one.beta for one in points], [one.mass / POUND for one in points])
+    return log_line([point.beta for point in points], [point.mass / POUND for point in points])
 
 
 def mass_refit(requirement: Requirement) -> float:
@@ -130,5 +130,5 @@ def bands(requirement: Requirement, levels: tuple[float, ...] = (0.68, 0.95)) ->
 
 def refit_range() -> Range:
     """Return the β of the 61 weights."""
-    betas = [one.beta for one in weighed_gearboxes()]
+    betas = [gearbox.beta for gearbox in weighed_gearboxes()]
     return Range("beta", min(betas), max(betas), "weights of NASA/TM-2009-215680")

@@ -54,14 +54,16 @@ class Score:
 def middle() -> Assumption:
     """Return the geometric middle of the ratios and output speeds of the classes."""
     classes = gearbox_classes()
-    ratio = math.prod(one.engine_speed / one.output_speed for one in classes) ** (1.0 / len(classes))
-    return Assumption(ratio, math.prod(one.output_speed for one in classes) ** (1.0 / len(classes)))
+    ratio = math.prod(class_name.engine_speed / class_name.output_speed for class_name in classes) ** (
+        1.0 / len(classes)
+    )
+    return Assumption(ratio, math.prod(class_name.output_speed for class_name in classes) ** (1.0 / len(classes)))
 
 
 def corners() -> tuple[Assumption, ...]:
     """Return the four corners of the ratios and output speeds of the classes."""
-    ratios = [one.engine_speed / one.output_speed for one in gearbox_classes()]
-    speeds = [one.output_speed for one in gearbox_classes()]
+    ratios = [class_name.engine_speed / class_name.output_speed for class_name in gearbox_classes()]
+    speeds = [class_name.output_speed for class_name in gearbox_classes()]
     return tuple(Assumption(r, w) for r in (min(ratios), max(ratios)) for w in (min(speeds), max(speeds)))
 
 
@@ -99,7 +101,7 @@ def left_out_scatter() -> float:
     points = weighed_gearboxes()
     errors = []
     for left_out in points:
-        rest = [one for one in points if one is not left_out]
+        rest = [point for point in points if point is not left_out]
         line = log_line([one.beta for one in rest], [one.mass for one in rest])
         errors.append(math.log10(line.at(left_out.beta) / left_out.mass))
     return float(10.0 ** np.std(errors, ddof=1))
@@ -108,7 +110,7 @@ def left_out_scatter() -> float:
 def _score(method: Method) -> Score:
     quotients = [quotient for _, quotient in ratios_to_weights(method, middle())]
     spans = [_bias([q for _, q in ratios_to_weights(method, corner)]) for corner in corners()]
-    biases = [one for one in spans if one is not None]
+    biases = [span for span in spans if span is not None]
     return Score(
         method=method,
         count=len(quotients),

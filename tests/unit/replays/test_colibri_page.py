@@ -5,7 +5,6 @@ import re
 
 import pytest
 import typer
-from html_checks import stands_alone
 from rich.console import Console
 from typer.testing import CliRunner
 
@@ -14,6 +13,7 @@ from gearwright.replays.colibri.page import colibri_page, indexed
 from gearwright.replays.colibri.printed import printed_numbers
 from gearwright.replays.colibri.replay import replay
 from gearwright.replays.colibri.words import PARTS, chosen, findings_table, replay_tables
+from html_checks import stands_alone
 
 
 def command(*arguments):

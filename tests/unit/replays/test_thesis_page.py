@@ -4,12 +4,12 @@ import re
 from pathlib import Path
 
 import typer
-from html_checks import stands_alone
 from typer.testing import CliRunner
 
 from gearwright.cli.replay import thesis
 from gearwright.replays.pulvirenti.errata import errata, printed_claims
 from gearwright.replays.pulvirenti.page import thesis_markdown, thesis_page
+from html_checks import stands_alone
 
 DOCS = Path(__file__).parents[3] / "docs" / "theory" / "thesis.md"
 

@@ -49,7 +49,7 @@ def tables(draw: st.DrawFn) -> tuple[dict[str, Any], dict[str, int], dict[str, f
     }  # fmt: skip
     names = ["turbine", "propeller", *motors]
     balancing = draw(st.sampled_from(names))
-    powers = {name: {"power": draw(st.floats(0.0 if name == "turbine" else -1e6, 1e6))} for name in names}
+    powers = {name: {"power": draw(_powers(name))} for name in names}
     table["cases"] = {"case": {**powers, balancing: {"speed": 300.0}}}
     return table, teeth, efficiency
 
@@ -69,3 +69,9 @@ def _reordered(draw: st.DrawFn, value: Any) -> Any:
 def design_of(table: dict[str, Any]) -> Design:
     """Return the design of a table in SI."""
     return Design.model_validate(table)
+
+
+def _powers(name: str) -> st.SearchStrategy[float]:
+    """Return powers that a file may ask for: none, or between a milliwatt and a megawatt; motors take them, too [W]."""
+    given = st.floats(1e-3, 1e6)
+    return st.just(0.0) | given if name == "turbine" else st.just(0.0) | given | given.map(lambda power: -power)

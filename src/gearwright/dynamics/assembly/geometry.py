@@ -189,13 +189,15 @@ def _frames(sizing: Sizing, contacts: tuple[Contact, ...], flow: PowerFlow) -> d
                 carriers[side.shaft].add(next(iter(side.housing_turns), ""))
     problems = [
         Problem(f"supports.{shaft}", "it carries gears of a planetary set and of another frame; leave its support out")
-        for shaft, found in carriers.items()
-        if len(found) > 1
+        for shaft, carrier in carriers.items()
+        if len(carrier) > 1
     ]
     if problems:
         raise DesignError(problems)
-    speeds = {f"{name}.carrier": flow.speeds[each.carrier] for name, each in sizing.design.planetaries.items()}
-    return {shaft: speeds.get(next(iter(found), ""), 0.0) for shaft, found in carriers.items()}
+    speeds = {
+        f"{name}.carrier": flow.speeds[planetary.carrier] for name, planetary in sizing.design.planetaries.items()
+    }
+    return {shaft: speeds.get(next(iter(carrier), ""), 0.0) for shaft, carrier in carriers.items()}
 
 
 def _moving_mass(sizing: Sizing, shaft: str) -> float:

@@ -84,7 +84,7 @@ def mesh_curve(sizing: Sizing, mesh: MeshSizing, pair: GearPair, *, harmonics: i
         curve = _own(own, orders) if own is not None else _by_model(sizing, mesh, pair, orders)
     except DesignError as error:
         at = f"dynamics.curves.{mesh.name}" if own is not None else "dynamics.mesh_stiffness"
-        raise DesignError([Problem(at, f"{mesh.name}: {each.message}") for each in error.problems]) from None
+        raise DesignError([Problem(at, f"{mesh.name}: {problem.message}") for problem in error.problems]) from None
     stage = sizing.design.stages[name]
     return _known(curve, stage) if isinstance(stage, Pair) else curve
 

@@ -145,7 +145,7 @@ def _instant(row: str) -> str:
 
 
 def _stage(name: str, row: str, arrays: tuple[str, ...], factors: tuple[str, str]) -> str:
-    pointers = ", ".join(f"ptr {each}" for each in ("%p", "%own", row, "%now", *(f"%{one}" for one in arrays)))
+    pointers = ", ".join(f"ptr {each}" for each in ("%p", "%own", row, "%now", *(f"%{array}" for array in arrays)))
     c, share = factors
     return f"call void @{name}({pointers}, ptr %works, ptr %seen, {VECTOR} {c}, {VECTOR} {share})"
 

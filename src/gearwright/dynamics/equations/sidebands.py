@@ -103,7 +103,7 @@ def _shifts(meshes: tuple[float, ...], sidebands: int) -> Floats:
     ]  # fmt: skip
     orders = range(-sidebands, sidebands + 1)
     counts = [each for each in product(orders, repeat=len(ground)) if sum(map(abs, each)) <= sidebands]
-    return np.array(sorted({round(float(np.dot(each, ground)), 9) if each else 0.0 for each in counts}))
+    return np.array(sorted({round(float(np.dot(count, ground)), 9) if count else 0.0 for count in counts}))
 
 
 class _Balance:

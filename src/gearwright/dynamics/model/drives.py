@@ -172,9 +172,9 @@ def _schedules(inputs: Sequence[tuple[int, Curve]]) -> Schedules:
     points = [points_of(curve) for _, curve in inputs]
     return Schedules(
         dof=np.array([number for number, _ in inputs], dtype=np.int64),
-        start=np.cumsum([0, *(len(each) for each in points)]).astype(np.int64),
-        time=np.array([time for each in points for time, _ in each], dtype=float),
-        value=np.array([value for each in points for _, value in each], dtype=float),
+        start=np.cumsum([0, *(len(point) for point in points)]).astype(np.int64),
+        time=np.array([time for point in points for time, _ in point], dtype=float),
+        value=np.array([value for point in points for _, value in point], dtype=float),
     )
 
 

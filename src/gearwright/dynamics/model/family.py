@@ -90,7 +90,7 @@ def own_groups(family: Arrays, layout: tuple[int, ...], names: Sequence[str], ro
     ends = [*layout[1:], len(differs)]
     own = {name for name, start, end in zip(names, layout, ends, strict=True) if np.any(differs[start:end])}
     clocks = (family.profile.factor[:, :1], family.tone_rate)
-    return frozenset(own | {"clock"} if any(np.any(each != each[0]) for each in clocks) else own)
+    return frozenset(own | {"clock"} if any(np.any(clock != clock[0]) for clock in clocks) else own)
 
 
 def envelope(first: Arrays, family: Arrays) -> Arrays:

@@ -150,7 +150,7 @@ def _run(
 ) -> tuple[Floats, Floats]:
     """March one vector of trajectories from their numbers and states; missing ones repeat the last."""
     step, settled, steps, shared = clock
-    own, states = (np.vstack([each, np.repeat(each[-1:], LANES - len(group), axis=0)]) for each in rows)
+    own, states = (np.vstack([row, np.repeat(row[-1:], LANES - len(group), axis=0)]) for row in rows)
     lanes = [*group, *[group[-1]] * (LANES - len(group))]
     numbers, state = aligned(*own.T.shape), aligned(*states.T.shape)
     numbers[:], state[:] = own.T, states.T

@@ -63,8 +63,8 @@ def effect_gains(train: Redundancy, sources: Sequence[ErrorSource], lines: Ints)
         Shape (sources,).
     """
     forces = as_forces(train, sources, lines)
-    still = np.array([each.still for each in forces]).reshape(-1, 2, len(lines))
-    turning = np.array([each.turning for each in forces]).reshape(-1, len(lines))
+    still = np.array([force.still for force in forces]).reshape(-1, 2, len(lines))
+    turning = np.array([force.turning for force in forces]).reshape(-1, len(lines))
     scale = len(lines) / float(np.sum(train.perfect[lines]))
     return np.asarray(scale * np.max(np.linalg.norm(still, axis=1) + np.abs(turning), axis=1, initial=0.0))
 

@@ -127,7 +127,7 @@ def as_forces(train: Redundancy, sources: Sequence[ErrorSource], lines: Ints) ->
         Sources with ``still`` (2, n) and ``turning`` (n,) [N/m or N/rad].
     """
     gain = train.gain[:, lines]
-    return tuple(replace(each, still=each.still @ gain, turning=each.turning @ gain) for each in sources)
+    return tuple(replace(source, still=source.still @ gain, turning=source.turning @ gain) for source in sources)
 
 
 def drawn_set(sources: Sequence[ErrorSource]) -> ErrorSets:

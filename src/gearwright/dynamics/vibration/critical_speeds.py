@@ -127,7 +127,7 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
 
 def _together(crossings: Sequence[Crossing]) -> Iterator[tuple[Crossing, Crossing]]:
     """Yield first and last crossing of an order with modes of one frequency that follow each other."""
-    rows = sorted(crossings, key=lambda each: (each.order.frequency, each.mode))
+    rows = sorted(crossings, key=lambda crossing: (crossing.order.frequency, crossing.mode))
     first = 0
     for place in range(1, len(rows) + 1):
         one, before = rows[first], rows[place - 1]

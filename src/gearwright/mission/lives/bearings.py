@@ -153,8 +153,8 @@ def bearing_lives(flight: Flight) -> BearingLives:
             try:
                 rows.append(_known(flight, seat, duty, named))
             except DesignError as error:
-                problems += [Problem(_path(seat), each.message) for each in error.problems if named]
-                notes += [f"{seat.name}: {each.message}" for each in error.problems if not named]
+                problems += [Problem(_path(seat), problem.message) for problem in error.problems if named]
+                notes += [f"{seat.name}: {problem.message}" for problem in error.problems if not named]
                 failed.append(seat.name)
     if problems:
         raise DesignError(problems)
@@ -280,8 +280,8 @@ def _chosen(seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamag
         limit_factor=float(np.hypot(duty.radial, duty.axial).max()) / share / math.hypot(radial, axial),
     )
     sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_outer=seat.room)
-    able = (each for each in sizes if min(each.life_margin, each.static_margin) >= 1.0)
-    found = next(able, max(sizes, key=lambda each: min(each.life_margin, each.static_margin))).bearing
+    able = (size for size in sizes if min(size.life_margin, size.static_margin) >= 1.0)
+    found = next(able, max(sizes, key=lambda size: min(size.life_margin, size.static_margin))).bearing
     return _lived(seat, duty, found, (rules.side_by_side, rules.reliability), asked=rules.life)
 
 

@@ -72,7 +72,7 @@ def gear_damage(flight: Flight) -> tuple[GearDamage, ...]:
         try:
             found = _mesh_damage(flight, mesh)
         except DesignError as error:
-            raise DesignError([Problem(mesh.name, each.message) for each in error.problems]) from None
+            raise DesignError([Problem(mesh.name, problem.message) for problem in error.problems]) from None
         for gear, modes in zip(mesh.gears, found, strict=True):
             for mode, damage in zip((PITTING, BENDING), modes, strict=True):
                 sums.setdefault((gear, mode), []).append(damage)

@@ -60,8 +60,8 @@ class Durability:
     @property
     def parts(self) -> tuple[PartLife, ...]:
         """Every part and every way to fail, the one that governs first."""
-        rows = [PartLife(each.gear, each.mode, each.damage, each.flights, each.life) for each in self.gears]
-        rows += [PartLife(each.seat, FATIGUE, each.damage, each.flights, each.life) for each in self.bearings.rows]
+        rows = [PartLife(gear.gear, gear.mode, gear.damage, gear.flights, gear.life) for gear in self.gears]
+        rows += [PartLife(row.seat, FATIGUE, row.damage, row.flights, row.life) for row in self.bearings.rows]
         return tuple(sorted(rows, key=lambda row: -row.damage))
 
     @property
@@ -90,5 +90,5 @@ def durability(flight: Flight) -> Durability:
     try:
         gears = gear_damage(flight)
     except DesignError as error:  # the flight is good without a rating; say why there is none
-        gears, notes = (), notes + [f"{each.path}: {each.message}" for each in error.problems]
+        gears, notes = (), notes + [f"{problem.path}: {problem.message}" for problem in error.problems]
     return Durability(gears, bearings, (*notes, *bearings.notes))

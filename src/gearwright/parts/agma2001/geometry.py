@@ -233,7 +233,7 @@ def stress_correction(pressure_angle: Value, over_fillet: Value, over_height: Va
 def _load_line(pair: HobbedPair, gear: int, shift: Value, *, place: LoadPlace) -> tuple[Value, Value]:
     """Load angle φ_nL and the radius at which the line of action crosses the tooth's centre line."""
     teeth = pair.virtual_teeth[gear]
-    pitch = [0.5 * each for each in pair.virtual_teeth]
+    pitch = [0.5 * tooth for tooth in pair.virtual_teeth]
     base = [each * np.cos(pair.pressure_angle) for each in pitch]
     tips = [r + h + x for r, h, x in zip(pitch, pair.addenda, pair.profile_shifts, strict=True)]
     reach = [np.sqrt(tip**2 - each**2) for tip, each in zip(tips, base, strict=True)]

@@ -188,5 +188,5 @@ def taper_pair_thrusts(
 
     Source: induced thrust F_r/(2 Y) with ISO 281:2007, table 8; equilibrium along the shaft.
     """
-    own = [force / (2.0 * each.axial) for force, each in zip(radial, factors, strict=True)]
+    own = [force / (2.0 * factor.axial) for force, factor in zip(radial, factors, strict=True)]
     return max(own[0], own[1] + axial), max(own[1], own[0] - axial)

@@ -61,7 +61,7 @@ def integral_temperature(mesh: ScuffingMesh, oil: Oil) -> IntegralTemperature:
     elastic = float(np.sqrt(1000.0) * (mesh.elastic_modulus / 1e6 / (1.0 - mesh.poisson_ratio**2)) ** 0.25)
     elastic /= np.sqrt(50.0 * 3.8)  # √(λ_M c_v) of case-hardened steel, clause 5.3
     geometry = _geometry_factor(mesh)
-    first, second = (float(each) for each in pair.addendum_contact_ratios)
+    first, second = (float(ratio) for ratio in pair.addendum_contact_ratios)
     approach = float(np.interp(second / first, [1.5, 3.0], [1.0, 0.6]))
     relief = tip_relief_factor(mesh)
     ratio_factor = contact_ratio_factor_integral(first, second)
@@ -135,7 +135,7 @@ def tip_relief_factor(mesh: ScuffingMesh) -> float:
     if mesh.grade > 6:
         return 1.0
     pair = mesh.geometry
-    first, second = (float(each) for each in pair.addendum_contact_ratios)
+    first, second = (float(ratio) for ratio in pair.addendum_contact_ratios)
     needed = mesh.nominal_load / mesh.stiffness[1 if pair.helix_angle > 0.0 else 0]
     chosen = mesh.reliefs[0] if first > 1.5 * second else mesh.reliefs[1]
     part = min(chosen, needed) / needed

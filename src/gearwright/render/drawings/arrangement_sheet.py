@@ -136,9 +136,11 @@ def _machines(sizing: Sizing, found: Positions, scale: float) -> Iterator[Entity
 def _ends(sizing: Sizing, found: Positions, shaft: str) -> tuple[float, float]:
     """Return the middles of the first and the last gear, carrier or bearing on a shaft [mm]."""
     carried = [gear.name for gear in sizing.gears if shaft in gear.shafts]
-    carried += [f"{name}.carrier" for name, each in sizing.design.planetaries.items() if each.carrier == shaft]
+    carried += [
+        f"{name}.carrier" for name, planetary in sizing.design.planetaries.items() if planetary.carrier == shaft
+    ]
     seats = [found.places[shaft][name] for name in carried]
-    seats += [MM * each.position for each in sizing.bearings if each.shaft == shaft]
+    seats += [MM * bearing.position for bearing in sizing.bearings if bearing.shaft == shaft]
     lying = found.shafts[shaft]
     middle = (lying.start + lying.end) / 2.0
     return min(seats, default=middle), max(seats, default=middle)

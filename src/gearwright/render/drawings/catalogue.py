@@ -60,7 +60,7 @@ def gear_sheets(sizing: Sizing, gear: GearSizing) -> dict[str, str]:
         sizing: What was sized.
         gear: One of its gears.
     """
-    integral = {each.shaft for each in sizing.joints if each.part == gear.name and each.kind == "integral"}
+    integral = {joint.shaft for joint in sizing.joints if joint.part == gear.name and joint.kind == "integral"}
     found: dict[tuple[object, object], str] = {}
     for shaft in gear.shafts:
         if shaft not in integral or kind_of(sizing, gear) == "bevel":

@@ -216,7 +216,7 @@ def _bevel_lengths(
     tip = axis.at(profile.large[0].real, profile.large[0].imag)
     clear = ((tip - far) * above.conjugate()).real
     yield Distance(near, far, far + above * (clear + 9.0), turn, axis.scale)
-    texts = [point for each in angles if isinstance(each, Corner) for point in words_corners(corner_words(each))]
+    texts = [point for angle in angles if isinstance(angle, Corner) for point in words_corners(corner_words(angle))]
     over = max(((point - far) * above.conjugate()).real for point in texts)
     yield Distance(apex, far, far + above * max(clear + 17.0, over + 1.0), turn, axis.scale)
     crown = axis.at(profile.large[0].real, -profile.large[0].imag)

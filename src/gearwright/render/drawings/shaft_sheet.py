@@ -133,7 +133,7 @@ def _lengths(axis: Axis, body: ShaftBody) -> Iterator[Entity]:
     """Yield lengths from the first end, one below the other, and those of keyways and splines nearest to the shaft."""
     level = axis.origin - 1j * (axis.scale * max(piece.diameter for piece in body.pieces) / 2.0 + 9.0)
     spans = [(slot.start, slot.end, slot.diameter) for slot in body.slots]
-    spans += [(each.start, each.end, MM * each.teeth.shaft_tip) for each in body.splines]
+    spans += [(spline.start, spline.end, MM * spline.teeth.shaft_tip) for spline in body.splines]
     for start, end, diameter in spans:
         radius = -diameter / 2.0
         yield Distance(axis.at(start, radius), axis.at(end, radius), level, 0.0, axis.scale)
@@ -152,7 +152,7 @@ def _shoulders(body: ShaftBody) -> Iterator[tuple[float, float]]:
     last = body.pieces[-1]
     ends.append((last.end, last.diameters[1] / 2.0 - end_chamfer(last)))
     ends += [(slot.start, slot.diameter / 2.0) for slot in body.slots if slot.start > 1e-6]
-    ends += [(each.start, MM * each.teeth.shaft_tip / 2.0) for each in body.splines]
+    ends += [(spline.start, MM * spline.teeth.shaft_tip / 2.0) for spline in body.splines]
     seen: list[float] = []
     for x, radius in sorted(ends):
         if x > body.pieces[0].start + 1e-6 and all(abs(x - each) > 1e-6 for each in seen):
@@ -178,8 +178,8 @@ def _section(slot: Slot, bore: float, letter: str, scale: float) -> list[Entity]
 
 def _fits(body: ShaftBody) -> tuple[Grid, ...]:
     """Return the limits of every seat; none where no seat has a tolerance."""
-    seats = {f"Ø{millimetres(each.diameter)} {each.tolerance}": each for each in body.pieces if each.tolerance}
-    rows = tuple((fit, *_limits(each)) for fit, each in seats.items())
+    seats = {f"Ø{millimetres(piece.diameter)} {piece.tolerance}": piece for piece in body.pieces if piece.tolerance}
+    rows = tuple((fit, *_limits(seat)) for fit, seat in seats.items())
     return (Grid("Fits (ISO 286-2), deviations in µm", rows, ("Fit", "upper", "lower")),) if rows else ()
 
 
@@ -201,7 +201,7 @@ def _limits(piece: Piece) -> tuple[str, str]:
 def _notes(sizing: Sizing, body: ShaftBody) -> Iterator[str]:
     chamfers = {end_chamfer(piece) for piece in (body.pieces[0], body.pieces[-1])} - {0.0}
     if chamfers:
-        yield f"Ends chamfered {' and '.join(f'{each:g}' for each in sorted(chamfers))} × 45° (assumed)."
+        yield f"Ends chamfered {' and '.join(f'{chamfer:g}' for chamfer in sorted(chamfers))} × 45° (assumed)."
     if any(piece.tolerance for piece in body.pieces):
         yield f"Bearing seats (assumed): k6 under balls, m6 under rollers, n6 over Ø100; {SEAT_SOURCE}; {SEAT_TEXTURE}."
         yield "Total radial run-out of bearing seats IT5/2, axial run-out of their shoulders IT5 (usual; assumed)."

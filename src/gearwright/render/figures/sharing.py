@@ -149,11 +149,11 @@ def tornado_figure(study: SharingStudy) -> Figure:
     rows = study.influences
     figure = theme.sheet(WIDTH, 22.0 + ROW * len(rows))
     axes = figure.subplots()
-    colours = [theme.BLUE if each.turns else theme.AMBER for each in rows]
-    effect = 100.0 * np.array([each.effect for each in rows])
+    colours = [theme.BLUE if row.turns else theme.AMBER for row in rows]
+    effect = 100.0 * np.array([row.effect for row in rows])
     place = np.arange(len(rows))
     axes.barh(place, 2.0 * effect, left=-effect, color=colours, height=0.62)
-    axes.set_yticks(place, [each.source for each in rows], fontsize=7.0)
+    axes.set_yticks(place, [row.source for row in rows], fontsize=7.0)
     axes.set_ylim(len(rows) - 0.4, -0.6)
     axes.set(
         xlabel="change of the sharing coefficient [%]", title="One error at a time: blue comes and goes, amber stays"
@@ -284,5 +284,5 @@ def one_turn(problems: Mapping[str, SharingProblem]) -> Floats:
     Args:
         problems: Whose errors turn.
     """
-    rates = [abs(source.rate) for each in problems.values() for source in each.sources if source.rate]
+    rates = [abs(source.rate) for problem in problems.values() for source in problem.sources if source.rate]
     return np.linspace(0.0, 2.0 * np.pi / min(rates), INSTANTS) if rates else np.zeros(1)

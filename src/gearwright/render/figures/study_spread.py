@@ -179,12 +179,12 @@ def tornado_figure(result: str, influences: Sequence[Influence]) -> Figure:
     axes = figure.add_subplot()
     place = np.arange(len(influences))
     for offset, kind, colour in ((-0.19, "total", theme.BLUE), (0.19, "first", theme.SKY)):
-        values = np.array([getattr(each, kind) for each in influences])
-        ends = np.array([getattr(each, f"{kind}_interval") for each in influences]).T
+        values = np.array([getattr(influence, kind) for influence in influences])
+        ends = np.array([getattr(influence, f"{kind}_interval") for influence in influences]).T
         errors = np.maximum(0.0, np.stack([values - ends[0], ends[1] - values]))
         label = "with interactions" if kind == "total" else "alone"
         axes.barh(place + offset, values, 0.36, xerr=errors, color=colour, label=label, error_kw={"lw": 0.8})
-    axes.set_yticks(place, [each.axis for each in influences])
+    axes.set_yticks(place, [influence.axis for influence in influences])
     axes.invert_yaxis()
     axes.set_xlabel(f"share of the variance of {heading(result)} [-]; bars of {percent(CONFIDENCE)} confidence")
     axes.legend(loc="lower right")

@@ -39,12 +39,14 @@ def trade_figure(study: Study, table: Table, found: Verdict) -> Figure:
     panels = figure.subplots(1, len(objectives), sharey=True, squeeze=False)[0]
     for panel, name in zip(panels, objectives, strict=True):
         _draw_objective(panel, table, found.standings, name, sense=study.objectives[name])
-    panels[0].set_yticks(range(len(found.standings)), [each.design for each in found.standings])
+    panels[0].set_yticks(range(len(found.standings)), [standing.design for standing in found.standings])
     return figure
 
 
 def _draw_objective(panel: Axes, table: Table, standings: Sequence[Standing], name: str, *, sense: str) -> None:
-    spreads = [np.array([row.shown(name) for row in table.good if row.design == each.design]) for each in standings]
+    spreads = [
+        np.array([row.shown(name) for row in table.good if row.design == standing.design]) for standing in standings
+    ]
     medians = [float(np.median(values)) if len(values) else np.nan for values in spreads]
     best = int(np.nanargmin(medians) if sense == "least" else np.nanargmax(medians))
     draw_ranges(panel, spreads, best)
@@ -96,18 +98,18 @@ def weights_figure(found: Verdict) -> Figure:
     Args:
         found: How designs stand; those that are hardly ever first are left out.
     """
-    rows = [each for each in found.standings if each.first or each.weights >= SELDOM]
+    rows = [standing for standing in found.standings if standing.first or standing.weights >= SELDOM]
     figure = theme.sheet(150.0, 19.0 + 7.0 * len(rows))
     axes = figure.add_subplot()
     place = np.arange(len(rows))
-    bars = ((-0.19, [each.first / found.scenarios for each in rows], theme.BLUE, "objectives weigh the same"),
-            (0.19, [each.weights for each in rows], theme.SKY, "over all weights of the objectives"))  # fmt: skip
+    bars = ((-0.19, [row.first / found.scenarios for row in rows], theme.BLUE, "objectives weigh the same"),
+            (0.19, [row.weights for row in rows], theme.SKY, "over all weights of the objectives"))  # fmt: skip
     for offset, values, colour, label in bars:
         axes.barh(place + offset, values, 0.36, color=colour, label=label)
         for at, value in zip(place, values, strict=True):
             axes.annotate(percent(value), (value, at + offset), (3, 0), textcoords="offset points", va="center",
                           fontsize=7)  # fmt: skip
-    axes.set_yticks(place, [each.design for each in rows])
+    axes.set_yticks(place, [row.design for row in rows])
     axes.invert_yaxis()
     axes.set_xlim(0.0, 1.1)
     axes.set_xticks([0.0, 0.25, 0.5, 0.75, 1.0], ["0", "25 %", "50 %", "75 %", "100 %"])

@@ -55,15 +55,17 @@ def figure_mass_over_power(chosen: Comparison | None = None) -> Figure:
 def turboprop_fit() -> LogLine:
     """Return the power law of gearbox mass [kg] in power [kW] through the turboprops whose mass follows the formula."""
     found = [
-        one for one in engines() if one.series.kind == "turboprop" and one.note("gearbox_mass_kg", "differs") is None
+        engine
+        for engine in engines()
+        if engine.series.kind == "turboprop" and engine.note("gearbox_mass_kg", "differs") is None
     ]
     return log_line([one.power / _KW for one in found], [gearbox_mass(one) for one in found])
 
 
 def fit_of_all_rows() -> LogLine:
     """Return the power law of printed gearbox mass [kg] in power [kW] through all 121 rows, flagged or not."""
-    masses = [printed.value for one in engines() if (printed := one.as_printed("gearbox_mass_kg")) is not None]
-    return log_line([one.power / _KW for one in engines()], masses)
+    masses = [printed.value for engine in engines() if (printed := engine.as_printed("gearbox_mass_kg")) is not None]
+    return log_line([engine.power / _KW for engine in engines()], masses)
 
 
 def figure_densities() -> Figure:
@@ -72,11 +74,11 @@ def figure_densities() -> Figure:
     left, right = figure.subplots(1, 2, sharey=True)
     names = [one.name for one in all_series()]
     for place, series in enumerate(all_series()):
-        rows = [one for one in checked_engines() if one.engine.series is series]
+        rows = [engine for engine in checked_engines() if engine.engine.series is series]
         colour = _COLOURS[series.manufacturer]
         face = colour if rows[0].engine.has_gearbox else "none"
         for axes, column in ((left, "gearbox_kw_kg"), (right, "torque_nm_kg")):
-            values = [value for one in rows if (value := one.check(column).computed) is not None]
+            values = [value for row in rows if (value := row.check(column).computed) is not None]
             axes.plot(
                 [min(values), max(values)], [place, place], color=colour, lw=5.0, alpha=0.25, solid_capstyle="round"
             )
@@ -110,18 +112,18 @@ def figure_methods(chosen: Comparison | None = None) -> Figure:
     if chosen is not None:
         _mark_methods(left, chosen)
     left.legend(loc="upper left", frameon=False, fontsize=8.5)
-    _draw_scores(right, [one for one in scores() if one.bias is not None])
+    _draw_scores(right, [score for score in scores() if score.bias is not None])
     return figure
 
 
 def _draw_series(axes: Axes, series: Series) -> None:
-    rows = [one for one in engines() if one.series is series]
-    whole = [one for one in rows if one.has_gearbox and one.note("gearbox_mass_kg", "differs") is None]
+    rows = [engine for engine in engines() if engine.series is series]
+    whole = [row for row in rows if row.has_gearbox and row.note("gearbox_mass_kg", "differs") is None]
     kin = [one for one in all_series() if one.manufacturer == series.manufacturer]
     colour, marker = _COLOURS[series.manufacturer], _MARKERS[kin.index(series)]
     face = colour if whole else "none"
     label = f"{series.name} ({len(rows)})" + ("" if whole else " flagged")
-    x, y = [one.power / _KW for one in rows], [_mass_shown(one) for one in rows]
+    x, y = [row.power / _KW for row in rows], [_mass_shown(row) for row in rows]
     axes.scatter(
         x, y, s=30, marker=marker, facecolors=face, edgecolors=colour, lw=0.9, alpha=0.85, label=label, zorder=3
     )
@@ -165,8 +167,8 @@ def _draw_weights(axes: Axes) -> None:
     law = f"refit: W[lb] = 10$^{{{line.intercept:.4f}}}$ β$^{{{line.slope:.4f}}}$, R² = {line.r_squared:.3f}"
     axes.plot(reach, [line.at(one) * POUND for one in reach], color=_BLUE, lw=1.5, label=law)
     axes.scatter(
-        [one.beta for one in points],
-        [one.mass for one in points],
+        [point.beta for point in points],
+        [point.mass for point in points],
         s=16,
         color=_INK,
         zorder=3,
@@ -179,7 +181,7 @@ def _draw_weights(axes: Axes) -> None:
 
 
 def _mark_methods(axes: Axes, chosen: Comparison) -> None:
-    found = [one.mass for one in chosen.estimates if one.mass is not None]
+    found = [estimate.mass for estimate in chosen.estimates if estimate.mass is not None]
     beta = chosen.requirement.beta
     label = f"methods at β = {beta:.3g}: {min(found):.0f} to {max(found):.0f} kg"
     axes.scatter([beta] * len(found), found, s=90, marker="_", color=_ORANGE, lw=1.8, zorder=4, label=label)

@@ -62,7 +62,7 @@ def flight_page(
     tables = [table for section in sections for table in section.tables]
     return environment().get_template("flight_page.html.j2").render(
         design=flight.sizing.design, mission=flight.mission, numbers=_numbers(flight, parts), sections=sections,
-        entries=[each for each in entries(flight.mission) if not each.path.startswith("phases.")],
+        entries=[entry for entry in entries(flight.mission) if not entry.path.startswith("phases.")],
         basis=BASIS, formulas=formulas(tables), marks=MARKS, version=__version__,
     )  # fmt: skip
 

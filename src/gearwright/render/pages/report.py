@@ -59,7 +59,7 @@ def report(
     ]
     if system is not None:
         sections += dynamics_sections(sizing, system, case=case, modes=modes, trace=trace, campbell=campbell)
-    tables = [one for section in sections for one in section.tables]
+    tables = [table for section in sections for table in section.tables]
     return environment().get_template("report.html.j2").render(
         design=sizing.design,
         numbers=key_numbers(sizing, trace, campbell),
@@ -129,7 +129,7 @@ def _mounted(sizing: Sizing) -> tuple[Section, ...]:
 
 
 def _filled(*tables: Table) -> tuple[Table, ...]:
-    return tuple(one for one in tables if one.rows)
+    return tuple(table for table in tables if table.rows)
 
 
 def _modes(modes: Modes, *, drawn: bool) -> Section:

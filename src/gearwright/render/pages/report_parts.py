@@ -79,7 +79,7 @@ def warnings(sizing: Sizing, trace: Trace | None, campbell: Sequence[SpeedCase] 
         trace: As simulated, if it was.
         campbell: Critical speeds, if they are shown.
     """
-    found = [f"{margin_sentence(each)}; it should be 1 or more." for each in margins(sizing) if not each.holds]
+    found = [f"{margin_sentence(margin)}; it should be 1 or more." for margin in margins(sizing) if not margin.holds]
     found += [f"In resonance: {words}." for words in resonances(campbell)]
     found += _yielded(sizing)
     found += [
@@ -104,12 +104,12 @@ def warnings(sizing: Sizing, trace: Trace | None, campbell: Sequence[SpeedCase] 
 def _yielded(sizing: Sizing) -> list[str]:
     """Return one sentence for each speed that yields, whatever the number of cases."""
     cases: dict[str, list[str]] = {}
-    for each in asked_speeds(sizing):
+    for speed in asked_speeds(sizing):
         words = (
-            f"{each.machine} turns at {text(each.actual, 'speed')}, asked were {text(each.asked, 'speed')}"
-            f" ({each.deviation:+.2%}): the teeth give no better"
+            f"{speed.machine} turns at {text(speed.actual, 'speed')}, asked were {text(speed.asked, 'speed')}"
+            f" ({speed.deviation:+.2%}): the teeth give no better"
         )
-        cases.setdefault(words, []).append(each.case)
+        cases.setdefault(words, []).append(speed.case)
     return [f"{words} (case {', '.join(names)})." for words, names in cases.items()]
 
 
@@ -133,16 +133,16 @@ def assumptions(sizing: Sizing) -> tuple[str, ...]:
     found = ["Mass counts gears, shafts and carriers; not housing, bearings, oil system, accessories, motors."]
     if all(flow.loss <= 1e-9 * max(map(abs, flow.machine_powers.values())) for flow in sizing.flows.values()):
         found.append("Power flow without losses in the meshes.")
-    if all(each.load_factor == 1.0 for each in sizing.meshes):
+    if all(mesh.load_factor == 1.0 for mesh in sizing.meshes):
         found.append("Parallel meshes share the load equally: K_γ = 1.")
     found.append("Gears are sized without application and dynamic factor (K_A = K_v = 1); see the peaks of a run.")
-    if any(each.idler_factor == 1.0 for each in rules) and design.planetaries:
+    if any(rule.idler_factor == 1.0 for rule in rules) and design.planetaries:
         found.append("Planets, loaded on both flanks, keep the full bending allowable; ISO 6336-3 takes 0.7 of it.")
     if all(shaft.bending_moment == 0.0 for shaft in sizing.shafts):
         found.append("Shafts carry torsion alone.")
     if sizing.built_shafts:
         found += _MOUNTED
-    estimated = [each.name for each in sizing.machines if not each.inertia_is_given]
+    estimated = [machine.name for machine in sizing.machines if not machine.inertia_is_given]
     if estimated:
         found.append(f"Inertia estimated, not given: {', '.join(estimated)}.")
     if any(pair.kind == "face" for pair in design.pairs.values()):
@@ -160,8 +160,8 @@ def formulas(tables: Iterable[Table]) -> tuple[Formula, ...]:
         (column.header, column.origin.equation): Formula(
             column.header, column.symbol, column.origin.equation, column.origin.source
         )
-        for one in tables
-        for column in one.columns
+        for table in tables
+        for column in table.columns
         if column.origin
     }
     return tuple(found.values())

@@ -98,7 +98,7 @@ def _chapters(
         _Chapter(f"Stage {study.problem.stage}", tuple(summary(study)), tuple(_figures(study, target)))
         for study in studies
     ]
-    stages += [_planets(each) for each in counts]
+    stages += [_planets(count) for count in counts]
     floating = tuple(_supports(sizing))
     return [*stages, _Chapter("Floating", (), floating)] if floating else stages
 
@@ -111,7 +111,7 @@ def _planets(counts: PlanetCounts) -> _Chapter:
 
 def _page(sizing: Sizing, chapters: Sequence[_Chapter], claims: Sequence[ClaimRow]) -> str:
     # Numbers in the page keep the ids of its figures apart and the same each time.
-    shown = [(each.title, each.sentences, _drawn(each.figures, f"f{i}")) for i, each in enumerate(chapters)]
+    shown = [(chapter.title, chapter.sentences, _drawn(chapter.figures, f"f{i}")) for i, chapter in enumerate(chapters)]
     page = environment().get_template("sharing_page.html.j2")
     return page.render(name=sizing.design.name, chapters=shown, claims=claims, version=__version__)
 

@@ -146,8 +146,8 @@ def _drawn(study: Study, table: Table, designs: Mapping[str, Design], found: Ver
 def _chosen(study: Study, table: Table, found: Verdict | None) -> Iterator[tuple[str, Row]]:
     """Yield caption and case of what is drawn."""
     if found is not None:
-        for place, each in enumerate(found.standings[:2]):
-            row = next((row for row in table.good if row.design == each.design), None)
+        for place, standing in enumerate(found.standings[:2]):
+            row = next((row for row in table.good if row.design == standing.design), None)
             if row is not None:
                 yield f"{'The winner' if place == 0 else 'The next'}, {row.design}, in the first case of the study", row
     elif study.objectives:

@@ -48,12 +48,12 @@ def _context(found: Comparison) -> _Cells:
         "requirement": weights.requirement_text(found.requirement),
         "taken": weights.taken_text(found),
         "spread": weights.spread_text(found).splitlines(),
-        "estimates": [_estimate(one) for one in found.estimates],
+        "estimates": [_estimate(estimate) for estimate in found.estimates],
         "given": [
             {"name": weights.given_name(one), "mass": f"{one.mass:.1f} kg", "origin": one.origin} for one in given
         ],
-        "alike": [_alike(one) for one in found.engines],
-        "scores": [_score(one) for one in scores()],
+        "alike": [_alike(engine) for engine in found.engines],
+        "scores": [_score(score) for score in scores()],
         "assumption": weights.score_assumption(),
         "columns": [{"key": key, "symbol": s, "unit": u, "formula": f} for key, (s, u, f) in COLUMNS.items()],
         "tables": [_table(one) for one in all_series()],
@@ -105,16 +105,16 @@ def _score(one: Score) -> _Cells:
 
 
 def _table(series: Series) -> _Cells:
-    rows = [one for one in checked_engines() if one.engine.series is series]
+    rows = [engine for engine in checked_engines() if engine.engine.series is series]
     unit = "times the propeller speed" if series.rule == "ratio" else "rpm"
-    notes = dict.fromkeys(note for one in rows for note in one.engine.notes)
+    notes = dict.fromkeys(note for row in rows for note in row.engine.notes)
     return {
         "number": series.table,
         "name": series.name,
         "manufacturer": series.manufacturer,
         "kind": series.kind,
         "rule": f"{series.value:g} {unit}; {series.reason}",
-        "rows": [_row(one) for one in rows],
+        "rows": [_row(row) for row in rows],
         "notes": [
             {
                 "model": "every model" if note.model == "*" else note.model,
@@ -151,7 +151,7 @@ def _cell(check: Check) -> _Cells:
 
 
 def _verdict_count() -> str:
-    counts = Counter(check.verdict for one in checked_engines() for check in one.checks)
+    counts = Counter(check.verdict for engine in checked_engines() for check in engine.checks)
     total = sum(counts.values()) - counts[Verdict.BLANK]
     parts = [f"{counts[one]} {one.value}" for one in Verdict if counts[one] and one is not Verdict.BLANK]
     return f"Of {total} printed numbers: {', '.join(parts)}."

@@ -56,7 +56,9 @@ def band_scale(stretches: Sequence[Stretch], feeds: Sequence[Feed]) -> float:
         stretches: Of all shafts.
         feeds: Of all parts.
     """
-    largest = max([abs(each.power) for each in stretches] + [abs(each.branch.power) for each in feeds], default=0.0)
+    largest = max(
+        [abs(stretch.power) for stretch in stretches] + [abs(feed.branch.power) for feed in feeds], default=0.0
+    )
     return WIDEST / largest if largest else 0.0
 
 
@@ -72,9 +74,9 @@ def draw_bands(pen: Pen, train: Train, flow: PowerFlow, layout: Layout,
         traced: Stretches and feeds of `trace_power`.
     """
     stretches, feeds = traced
-    for each in stretches:
-        if abs(each.power) * pen.scale > WIDEST * NOTHING:
-            _along(pen, each, layout, stretches)
+    for stretch in stretches:
+        if abs(stretch.power) * pen.scale > WIDEST * NOTHING:
+            _along(pen, stretch, layout, stretches)
     for mesh in pair_meshes(train):
         power = flow.meshes[mesh.name].tooth_power
         start, end = (layout.heights[node] for node in (mesh.nodes[:2] if power > 0.0 else mesh.nodes[1::-1]))

@@ -182,7 +182,7 @@ def _heights(train: Train, axis: Mapping[str, int], outlines: Mapping[str, Outli
             heights[new], direction[new] = _height(origins, heights, direction, (rank, len(found)))
     for shaft in axis:
         if axis[shaft] not in heights:
-            heights[axis[shaft]] = min(heights.values()) - max(each.radius for each in outlines.values())
+            heights[axis[shaft]] = min(heights.values()) - max(outline.radius for outline in outlines.values())
     return heights
 
 
@@ -212,7 +212,7 @@ def _is_true(
 
 
 def _scale(heights: Mapping[int, float], outlines: Mapping[str, Outline]) -> float:
-    largest = max((each.radius + each.rim for each in outlines.values()), default=0.1)
+    largest = max((outline.radius + outline.rim for outline in outlines.values()), default=0.1)
     spread = max(heights.values()) - min(heights.values()) + 2.0 * largest
     return 1.0 / max(largest / LARGEST, spread / TALLEST)
 

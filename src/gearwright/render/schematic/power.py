@@ -61,7 +61,7 @@ def trace_power(train: Train, flow: PowerFlow, layout: Layout) -> tuple[list[Str
         flow: The load case.
         layout: Where everything stands.
     """
-    on = [each for each in branches(train, flow) if each.shaft != GROUND]
+    on = [branch for branch in branches(train, flow) if branch.shaft != GROUND]
     pieces = [piece for shaft in layout.spans for piece in _pieces(shaft, on, layout)]
     edges: list[Edge] = [_directed((p[0], p[1]), (p[0], p[2]), p[4]) for p in pieces]
     edges += [_directed((_part(each), 0.0), (each.shaft, _column(each, layout)), each.power) for each in on]

@@ -122,15 +122,15 @@ def _name_shafts(board: Board, layout: Layout) -> None:
 
 def _label_stretches(board: Board, pen: Pen, layout: Layout, stretches: Sequence[Stretch]) -> None:
     """Write kW and N m at every stretch, and the shaft's name and speed at its first."""
-    fastest = max((abs(each.speed) for each in stretches), default=0.0)
-    largest = max((abs(each.power) for each in stretches), default=0.0)
-    for place, each in enumerate(stretches):
-        first = all(other.shaft != each.shaft for other in stretches[:place])
-        lines = [each.shaft, text(_clean(each.speed, fastest), "speed").replace("-", "−")] if first else []
-        lines += [text(_clean(abs(each.power), largest), "power"), text(abs(each.torque), "torque")]
-        clear = half_width(each, pen, layout, stretches) + 1.0 + len(lines) * 1.5
-        y = layout.heights[each.shaft]
-        away = [(spot, y + side * (clear + more)) for spot in spots(each, layout)
+    fastest = max((abs(stretch.speed) for stretch in stretches), default=0.0)
+    largest = max((abs(stretch.power) for stretch in stretches), default=0.0)
+    for place, stretch in enumerate(stretches):
+        first = all(other.shaft != stretch.shaft for other in stretches[:place])
+        lines = [stretch.shaft, text(_clean(stretch.speed, fastest), "speed").replace("-", "−")] if first else []
+        lines += [text(_clean(abs(stretch.power), largest), "power"), text(abs(stretch.torque), "torque")]
+        clear = half_width(stretch, pen, layout, stretches) + 1.0 + len(lines) * 1.5
+        y = layout.heights[stretch.shaft]
+        away = [(spot, y + side * (clear + more)) for spot in spots(stretch, layout)
                 for more in (0.0, 3.0, 6.0, 10.0, 15.0) for side in (1.0, -1.0)]  # fmt: skip
         board.place("\n".join(lines), away, bold=first)
 

@@ -61,12 +61,12 @@ class Board:
             The label's box.
         """
         lines = text.split("\n")
-        width, height = max(text_width(each, size, math=True) for each in lines), len(lines) * size * SPACING * POINT
+        width, height = max(text_width(line, size, math=True) for line in lines), len(lines) * size * SPACING * POINT
         boxes = [(x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0) for x, y in places]
         box = min(boxes, key=lambda each: sum(_overlap(each, other) for other in self.taken))
-        for k, each in enumerate(lines):
+        for k, line in enumerate(lines):
             y = box[3] - (k + 0.5) * size * SPACING * POINT
-            self.axes.text((box[0] + box[2]) / 2.0, y, each, ha="center", va="center_baseline", fontsize=size,
+            self.axes.text((box[0] + box[2]) / 2.0, y, line, ha="center", va="center_baseline", fontsize=size,
                            color=colour, weight="bold" if bold and k == 0 else "normal", zorder=8,
                            parse_math=True)  # fmt: skip
         self.taken.append(box)

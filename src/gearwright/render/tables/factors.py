@@ -70,8 +70,8 @@ def _table(sizing: Sizing, mesh: MeshSizing, found: MeshRating) -> Table:
     if found.scuffing is not None:
         rows += _rows(found.scuffing, "scuffing")
     names = tuple(field.name for field in fields(Factor))
-    chapters = ["", *(one.chapter for one in rows)]
-    rows = [replace(one, chapter="") if one.chapter == last else one for one, last in zip(rows, chapters, strict=False)]
+    chapters = ["", *(row.chapter for row in rows)]
+    rows = [replace(row, chapter="") if row.chapter == last else row for row, last in zip(rows, chapters, strict=False)]
     title = f"Rating of {mesh.name}: {mesh.gears[0]} and {mesh.gears[1]}, {standard}, case {found.case}"
     return table(title, rows, names, note=_NOTE)
 

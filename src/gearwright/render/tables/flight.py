@@ -188,7 +188,7 @@ def mode_table(flight: Flight) -> Table:
         flight: As flown.
     """
     rows: dict[str, list[PhaseView]] = {}
-    for row in (_phase(flight, each) for each in phase_summaries(flight)):
+    for row in (_phase(flight, summary) for summary in phase_summaries(flight)):
         rows.setdefault(row.mode, []).append(row)
     sums = [
         ModeView(mode, *(sum(getattr(row, name) for row in own) for name in _names(ModeView)[1:]))

@@ -74,7 +74,7 @@ def mounted_tables(sizing: Sizing) -> dict[str, Table]:
     shafts, strength = sizing.built_shafts, [section for shaft in sizing.built_shafts for section in shaft.sections]
     steps = [step for shaft in shafts for step in _steps(shaft)]
     bends = [bend for shaft in shafts for bend in _bends(shaft)]
-    joined = [each for each in sizing.joints if each.kind != "integral"]
+    joined = [joint for joint in sizing.joints if joint.kind != "integral"]
     return {
         "steps": table("Shafts: steps", steps, ("shaft", "seat", "start", "end", "diameter", "bore"), note=_STEPS),
         "strength": table("Shafts: strength of sections", strength, _STRENGTH_FIELDS, note=_STRENGTH),
@@ -86,8 +86,8 @@ def mounted_tables(sizing: Sizing) -> dict[str, Table]:
 
 
 def _steps(shaft: BuiltShaft) -> Iterator[Step]:
-    for each in shaft.steps:
-        yield Step(shaft.name, each.seat, each.start, each.end, each.diameter, shaft.bore)
+    for step in shaft.steps:
+        yield Step(shaft.name, step.seat, step.start, step.end, step.diameter, shaft.bore)
 
 
 def _bends(shaft: BuiltShaft) -> Iterator[Bend]:

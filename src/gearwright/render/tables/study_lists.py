@@ -30,10 +30,10 @@ def standings_table(rows: Rows, found: Verdict) -> Table:
     columns = [_column("design"), _column("mean place"), _column("first"), _column("all weights"), _column("unbeaten")]
     columns += [_result_column(name, rows.good[0].results[name]) for name in names]
     lines = []
-    for each in found.standings:
-        own = [row for row in rows.good if row.design == each.design]
-        cells = [Cell(each.design, each.design), Cell(each.place, f"{each.place:.1f}")]
-        cells += [_share(part) for part in (each.first / found.scenarios, each.weights, each.unbeaten)]
+    for standing in found.standings:
+        own = [row for row in rows.good if row.design == standing.design]
+        cells = [Cell(standing.design, standing.design), Cell(standing.place, f"{standing.place:.1f}")]
+        cells += [_share(part) for part in (standing.first / found.scenarios, standing.weights, standing.unbeaten)]
         lines.append((*cells, *(_typical(own, name, rows) for name in names)))
     note = (
         "Mean place over all objectives; first: part of the cases with equal inputs in which that place is the best;"
@@ -53,10 +53,10 @@ def values_table(study: Study, rows: Rows, found: Verdict) -> Table:
     """
     names = [*study.objectives, *(name for name in rows.numbers if name not in study.objectives)]
     columns = [_column("design"), *(_result_column(name, rows.good[0].results[name]) for name in names)]
-    owns = [[row for row in rows.good if row.design == each.design] for each in found.standings]
+    owns = [[row for row in rows.good if row.design == standing.design] for standing in found.standings]
     lines = [
-        (Cell(each.design, each.design), *(_typical(own, name, rows) for name in names))
-        for each, own in zip(found.standings, owns, strict=True)
+        (Cell(standing.design, standing.design), *(_typical(own, name, rows) for name in names))
+        for standing, own in zip(found.standings, owns, strict=True)
     ]
     note = "Medians; in brackets from 5 to 95 % of the cases." if found.scenarios > 1 else ""
     return Table("What they come to", tuple(columns), tuple(lines), note)

@@ -58,7 +58,7 @@ def engine_table(rows: Iterable[CheckedEngine], *, width: int = WIDE) -> Grid:
     table = Grid(f"{len(shown)} engines (Pulvirenti 2023, tables 1.3-1.15; * flagged)")
     for heading in ("series", "model", "kW", "rpm\nin", "rpm\nout"):
         table.add_column(heading, justify="left" if heading in ("series", "model") else "right", no_wrap=True)
-    for symbol, unit, _ in (COLUMNS[one] for one in columns):
+    for symbol, unit, _ in (COLUMNS[column] for column in columns):
         table.add_column(f"{symbol}\n{unit}", justify="right", no_wrap=True)
     for one in shown:
         table.add_row(*_identity(one.engine), *(_printed(one, column) for column in columns))
@@ -74,7 +74,7 @@ def note_table(rows: Iterable[CheckedEngine]) -> Grid:
     table = Grid("Flagged")
     for heading in ("series", "model", "column", "verdict", "reason"):
         table.add_column(heading)
-    notes = dict.fromkeys(note for one in rows for note in one.engine.notes)
+    notes = dict.fromkeys(note for row in rows for note in row.engine.notes)
     for note in notes:
         symbol = COLUMNS[note.column][0] if note.column in COLUMNS else note.column
         table.add_row(note.series, note.model, symbol, note.verdict, note.reason)
@@ -114,7 +114,7 @@ def score_cells(score: Score) -> tuple[str, str, str]:
 def score_assumption() -> str:
     """Return in one sentence what the scores assume."""
     centre, edges = middle(), corners()
-    ratios, speeds = [one.ratio for one in edges], [one.propeller_speed / RPM for one in edges]
+    ratios, speeds = [edge.ratio for edge in edges], [edge.propeller_speed / RPM for edge in edges]
     centre_rpm = centre.propeller_speed / RPM
     return (
         f"The weights give β only. Assumed for all: ratio {centre.ratio:.3g}, output {centre_rpm:.3g} rpm; "
@@ -175,9 +175,11 @@ def _methods(found: Comparison, width: int) -> Grid:
     table.add_column("assumed, or why there is no mass")
     if width >= WIDE:
         table.add_column("source")
-    for one in found.estimates:
-        source = [one.method.source] if width >= WIDE else []
-        table.add_row(one.method.name, mass_text(one), *_signs(one.method.includes), remark(one), *source)
+    for estimate in found.estimates:
+        source = [estimate.method.source] if width >= WIDE else []
+        table.add_row(
+            estimate.method.name, mass_text(estimate), *_signs(estimate.method.includes), remark(estimate), *source
+        )
     for given in (found.bottom_up, found.stated):
         if given is not None:
             table.add_row(given_name(given), f"{given.mass:.1f} kg", "", "", "", "", given.origin, style="bold")
@@ -186,7 +188,7 @@ def _methods(found: Comparison, width: int) -> Grid:
 
 def _signs(covered: Coverage) -> tuple[str, str, str, str]:
     parts = (covered.housing, covered.lubrication, covered.rotor_shaft, covered.accessories)
-    housing, lubrication, shaft, accessories = (_SIGNS[one] for one in parts)
+    housing, lubrication, shaft, accessories = (_SIGNS[part] for part in parts)
     return housing, lubrication, shaft, accessories
 
 
@@ -208,7 +210,8 @@ def spread_text(found: Comparison) -> str:
     low, high = found.spread
     lines = [f"The methods that apply span {low:.3g} to {high:.3g} kg, a factor of {high / low:.1f}."]
     lines += [
-        f"{one.level:.0%} of real gearboxes of this β weigh {one.low:.0f} to {one.high:.0f} kg." for one in found.bands
+        f"{band.level:.0%} of real gearboxes of this β weigh {band.low:.0f} to {band.high:.0f} kg."
+        for band in found.bands
     ]
     if not found.bands:
         lines.append("No band: β lies outside the 61 real weights.")
@@ -231,8 +234,8 @@ def _engines_alike(rows: tuple[Engine, ...]) -> Grid:
     table = Grid("Most alike in the catalogue; masses by NASA'15")
     for heading in ("series", "model", "kW", "rpm in", "rpm out", "m_GB, kg"):
         table.add_column(heading, justify="left" if heading in ("series", "model") else "right")
-    for one in rows:
-        table.add_row(*_identity(one), f"{gearbox_mass(one):.1f}")
+    for row in rows:
+        table.add_row(*_identity(row), f"{gearbox_mass(row):.1f}")
     return table
 
 

@@ -166,9 +166,9 @@ def _plain(value: float) -> str:
 
 
 def _allowed(info: FieldInfo) -> Iterator[str]:
-    choices = [each for part in _options(info.annotation) if get_origin(part) is Literal for each in get_args(part)]
+    choices = [arg for part in _options(info.annotation) if get_origin(part) is Literal for arg in get_args(part)]
     if choices:
-        yield ", ".join(f"`{each}`" for each in choices)
+        yield ", ".join(f"`{choice}`" for choice in choices)
     else:
         yield _kind(info)
     yield from _bounds(info)

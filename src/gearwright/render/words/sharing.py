@@ -75,9 +75,11 @@ def _influences(study: SharingStudy) -> Grid:
     for header in ("size", "change of b [%]"):
         table.add_column(header, justify="right")
     table.add_column("")
-    for each in study.influences:
-        effect = f"±{100.0 * each.effect:.3f}"
-        table.add_row(each.source, _size(each.source, each.size), effect, "turns" if each.turns else "stays")
+    for influence in study.influences:
+        effect = f"±{100.0 * influence.effect:.3f}"
+        table.add_row(
+            influence.source, _size(influence.source, influence.size), effect, "turns" if influence.turns else "stays"
+        )
     return table
 
 
@@ -116,8 +118,8 @@ def sharing_json(study: SharingStudy) -> str:
         "tooth_cycle": {"least": cycle.min(axis=0).tolist(), "most": cycle.max(axis=0).tolist()},
         "load_factor": study.sharing.load_factor,
         "influences": [
-            {"error": each.source, "size": each.size, "turns": each.turns, "effect": each.effect}
-            for each in study.influences
+            {"error": influence.source, "size": influence.size, "turns": influence.turns, "effect": influence.effect}
+            for influence in study.influences
         ],
     }
     if study.distribution is not None:

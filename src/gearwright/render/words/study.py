@@ -74,8 +74,8 @@ def _wins(found: Verdict) -> Iterator[str]:
             f"{text} It is first in {first.first:,} of {found.scenarios:,} cases with equal inputs,"
             f" {percent(first.first / found.scenarios)} (95 % confidence: {percent(low)} to {percent(high)})."
         )
-    shares = sorted(found.standings, key=lambda each: -each.weights)
-    named = ", ".join(f"{each.design} {percent(each.weights)}" for each in shares[:3] if each.weights >= 0.005)
+    shares = sorted(found.standings, key=lambda standing: -standing.weights)
+    named = ", ".join(f"{share.design} {percent(share.weights)}" for share in shares[:3] if share.weights >= 0.005)
     changed = ", ".join(f"{design} without {heading(name)}" for name, design in found.without.items())
     one = f"If one did not count, it would be {changed}" if changed else "It wins whichever one of them does not count"
     yield f"If nothing is known of the objectives' weights, the chance to be first is: {named}. {one}."
@@ -83,7 +83,7 @@ def _wins(found: Verdict) -> Iterator[str]:
 
 def _duel(study: Study, table: Table, found: Verdict) -> Iterator[str]:
     """Compare the winner with the next one, objective by objective, at equal inputs."""
-    first, second = (each.design for each in found.standings[:2])
+    first, second = (standing.design for standing in found.standings[:2])
     better, worse, open_ = list[str](), list[str](), list[str]()
     for name, sense in study.objectives.items():
         ratios = _ratios(table, name, first, second)
@@ -166,7 +166,7 @@ def _range(table: Table, name: str) -> str:
     """Say where a result lies, and how sure that is."""
     unit = f" {table.unit(name)}" if table.unit(name) else ""
     values = [row.shown(name) for row in table.good]
-    low, median, high = (written(each) for each in quantiles(values, (0.05, 0.5, 0.95)))
+    low, median, high = (written(quantile) for quantile in quantiles(values, (0.05, 0.5, 0.95)))
     limit = bound(values)
     sure = "" if limit is None else f"; 95 % of all that may come stay below {written(limit)}{unit}, 95 % sure"
     return f"{heading(name)}: median {median}{unit}, 5 to 95 %: {low} to {high}{unit}{sure}."

@@ -75,8 +75,8 @@ def sizing_json(sizing: Sizing) -> str:
         sizing: As sized.
     """
     tables = {name: as_json(each) for name, each in tables_of(sizing).items()}
-    flows = {case: as_json(each) for case, each in zip(sizing.flows, flow_tables(sizing), strict=True)}
-    factors = {mesh.name: as_json(each) for mesh, each in zip(rated(sizing), factor_tables(sizing), strict=True)}
+    flows = {case: as_json(table) for case, table in zip(sizing.flows, flow_tables(sizing), strict=True)}
+    factors = {mesh.name: as_json(table) for mesh, table in zip(rated(sizing), factor_tables(sizing), strict=True)}
     head = {
         "design": sizing.design.name,
         "mass_kg": sizing.mass,

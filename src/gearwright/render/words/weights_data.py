@@ -19,7 +19,7 @@ def engine_rows(rows: Iterable[CheckedEngine]) -> list[Row]:
     Args:
         rows: Checked rows of the catalogue.
     """
-    return [_engine_row(one) for one in rows]
+    return [_engine_row(row) for row in rows]
 
 
 def to_csv(rows: list[Row]) -> str:
@@ -56,20 +56,20 @@ def comparison_record(found: Comparison) -> dict[str, object]:
         },
         "methods": [
             {
-                "key": one.method.key,
-                "name": one.method.name,
-                "mass_kg": one.mass,
-                "reason": one.reason,
-                "beyond_range_kg": one.beyond,
-                "formula": one.method.formula,
-                "source": one.method.source,
-                "assumes": one.method.assumes,
-                "includes": vars(one.method.includes),
+                "key": estimate.method.key,
+                "name": estimate.method.name,
+                "mass_kg": estimate.mass,
+                "reason": estimate.reason,
+                "beyond_range_kg": estimate.beyond,
+                "formula": estimate.method.formula,
+                "source": estimate.method.source,
+                "assumes": estimate.method.assumes,
+                "includes": vars(estimate.method.includes),
             }
-            for one in found.estimates
+            for estimate in found.estimates
         ],
-        "bands": [{"level": one.level, "low_kg": one.low, "high_kg": one.high} for one in found.bands],
-        "nearest_engines": [f"{one.series.name} {one.model}" for one in found.engines],
+        "bands": [{"level": band.level, "low_kg": band.low, "high_kg": band.high} for band in found.bands],
+        "nearest_engines": [f"{engine.series.name} {engine.model}" for engine in found.engines],
         "bottom_up": _stated(found.bottom_up),
         "stated": _stated(found.stated),
         "taken": _stated(found.taken),

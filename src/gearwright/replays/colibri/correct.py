@@ -78,11 +78,11 @@ def bearings_of_size(outer: float, width: float) -> tuple[Bearing, ...]:
         width: B [m].
     """
     return tuple(
-        each
-        for each in catalogue_bearings().values()
-        if each.kind is BearingKind.DEEP_GROOVE
-        and math.isclose(each.outer_diameter, outer)
-        and math.isclose(each.width, width)
+        bearing
+        for bearing in catalogue_bearings().values()
+        if bearing.kind is BearingKind.DEEP_GROOVE
+        and math.isclose(bearing.outer_diameter, outer)
+        and math.isclose(bearing.width, width)
     )
 
 

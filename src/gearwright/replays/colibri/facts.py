@@ -83,8 +83,8 @@ def _bearing_facts() -> dict[str, float | str]:
     steps = executed()
     own = Known(steps, "shaft-2")
     fitting = bearings_of_size(own["bearing-outer"], own["bearing-width"])
-    balls = (each for each in bearings().values() if each.kind is BearingKind.DEEP_GROOVE)
-    bored = [each for each in balls if math.isclose(each.bore, own["bearing-bore"])]
+    balls = (bearing for bearing in bearings().values() if bearing.kind is BearingKind.DEEP_GROOVE)
+    bored = [ball for ball in balls if math.isclose(ball.bore, own["bearing-bore"])]
     facts: dict[str, float | str] = {
         "relative_1": relative_axial(steps, "shaft-1"),
         "share_1": axial_share(steps, "shaft-1"),

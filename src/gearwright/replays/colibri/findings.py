@@ -148,7 +148,7 @@ def _bearings() -> tuple[Finding, ...]:
         Finding(f"{_NAMES[part]}: life of its bearing", bearing_life(part), Sense.LEAST, _LEAST_LIFE, "time", "ISO 281")
         for part in SHAFTS
     )
-    together = system_life([each.value for each in lives])
+    together = system_life([life.value for life in lives])
     return (
         Finding("shaft 2: bore of a bearing of 120 × 29 mm", own["bearing-bore"], Sense.MOST, bore, "length", names),
         *lives,

@@ -59,7 +59,7 @@ def _rendered(template: str) -> str:
             parts=grouped,
             outcomes=Outcome,
             counts={
-                part: [sum(one.outcome is each for _, rows in places for one in rows) for each in Outcome]
+                part: [sum(row.outcome is each for _, rows in places for row in rows) for each in Outcome]
                 for _, part, places in grouped
             },
             source=SOURCE,

@@ -79,7 +79,7 @@ class Replay:
         Args:
             outcome: Which.
         """
-        return sum(one.outcome is outcome for one in self.numbers)
+        return sum(number.outcome is outcome for number in self.numbers)
 
 
 @cache
@@ -88,6 +88,12 @@ def replay() -> Replay:
     facts, steps, right = colibri_facts(), executed(), correct_values()
     errata = tuple(replace(one, why=one.why.format(**facts)) for one in colibri_errata())
     wrong = {row: one for one in errata for row in one.rows}
-    numbers = tuple(Replayed(one, steps[one.key], right.get(one.key), wrong.get(one.key)) for one in printed_numbers())
-    hidden = {key: replace(one, evidence=one.evidence.format(**facts)) for key, one in assumptions().items()}
+    numbers = tuple(
+        Replayed(number, steps[number.key], right.get(number.key), wrong.get(number.key))
+        for number in printed_numbers()
+    )
+    hidden = {
+        key: replace(assumption, evidence=assumption.evidence.format(**facts))
+        for key, assumption in assumptions().items()
+    }
     return Replay(numbers, findings(), errata, hidden)

@@ -51,7 +51,7 @@ class Known:
 
 def stated_steps() -> dict[str, Step]:
     """Return the numbers that the report states."""
-    return {one.key: Step(one.value, "stated") for one in printed_numbers() if one.is_stated}
+    return {number.key: Step(number.value, "stated") for number in printed_numbers() if number.is_stated}
 
 
 def of_part(part: str, found: Steps) -> dict[str, Step]:

@@ -38,9 +38,9 @@ def chosen(found: Replay, *, part: str = "", wrong: bool = False) -> tuple[Repla
         wrong: Whether to leave out the others.
     """
     return tuple(
-        one
-        for one in found.numbers
-        if (not part or one.printed.part == part) and (not wrong or one.outcome is Outcome.WRONG)
+        number
+        for number in found.numbers
+        if (not part or number.printed.part == part) and (not wrong or number.outcome is Outcome.WRONG)
     )
 
 
@@ -136,11 +136,12 @@ def replay_record(numbers: Sequence[Replayed], found: Replay) -> dict[str, Any]:
     """
     return {
         "counts": {outcome.value: found.count(outcome) for outcome in Outcome},
-        "numbers": [_record(one) for one in numbers],
-        "findings": [_finding_record(one) for one in found.findings],
+        "numbers": [_record(number) for number in numbers],
+        "findings": [_finding_record(finding) for finding in found.findings],
         "errata": [{"key": one.key, "title": one.title, "why": one.why} for one in found.errata],
         "assumptions": [
-            {"key": one.key, "text": one.text, "evidence": one.evidence} for one in found.assumptions.values()
+            {"key": assumption.key, "text": assumption.text, "evidence": assumption.evidence}
+            for assumption in found.assumptions.values()
         ],
     }
 
@@ -183,8 +184,8 @@ def _table(part: str, rows: Sequence[Replayed]) -> Grid:
     for place, numbers in groupby(rows, lambda one: one.printed.place):
         table.add_section()
         table.add_row(Text(place.rpartition(", ")[2], style="bold"))
-        for one in numbers:
-            table.add_row(*map(Text, _cells(one)), style=_STYLES[one.outcome])
+        for number in numbers:
+            table.add_row(*map(Text, _cells(number)), style=_STYLES[number.outcome])
     return table
 
 
@@ -195,16 +196,16 @@ def _cells(one: Replayed) -> Iterator[str]:
 
 
 def _reasons(numbers: Sequence[Replayed], found: Replay) -> Grid:
-    named = {key for one in numbers for key in reason_keys(one)}
+    named = {key for number in numbers for key in reason_keys(number)}
     table = Grid("Reasons", show_header=False, spaced=True)
     table.add_column("")
     table.add_column("")
     for mistake in found.errata:
         if mistake.key in named:
             table.add_row(Text(mistake.key, style="red"), Text(f"{mistake.title}. {mistake.why}"))
-    for one in found.assumptions.values():
-        if one.key in named:
-            table.add_row(Text(one.key, style="yellow"), Text(f"{one.text} {one.evidence}"))
+    for assumption in found.assumptions.values():
+        if assumption.key in named:
+            table.add_row(Text(assumption.key, style="yellow"), Text(f"{assumption.text} {assumption.evidence}"))
     return table
 
 

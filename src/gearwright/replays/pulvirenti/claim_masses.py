@@ -150,7 +150,9 @@ def _h1_best() -> Found:
 
 def _pt6t_densest() -> Found:
     def printed(column: str) -> dict[tuple[str, str], float]:
-        found = {(one.series.name, one.model): one.as_meant(column) for one in engines() if one.has_gearbox}
+        found = {
+            (engine.series.name, engine.model): engine.as_meant(column) for engine in engines() if engine.has_gearbox
+        }
         return {key: digits.value for key, digits in found.items() if digits is not None}
 
     density, torque = printed("gearbox_kw_kg"), printed("torque_nm_kg")

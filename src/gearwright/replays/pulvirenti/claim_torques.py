@@ -60,7 +60,7 @@ def _propeller_over_turbine() -> Found:
 def _force(stage: str, case: str) -> float:
     """Return the tangential force of one sun-planet mesh [N]."""
     sizing = sized(_DESIGN)
-    row = next(each for each in sizing.train.meshes if each.name == f"{stage}.sun-planet")
+    row = next(mesh for mesh in sizing.train.meshes if mesh.name == f"{stage}.sun-planet")
     module = next(gear.module for gear in sizing.gears if gear.name == f"{stage}.sun")
     return 2.0 * abs(sizing.flows[case].meshes[row.name].multiplier) / (module * row.count)
 

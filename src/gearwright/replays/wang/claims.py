@@ -71,7 +71,7 @@ def split_torque_claims(sizing: Sizing, parts: SplitTorque) -> tuple[SplitClaim,
     return (
         _unequal(sharings[RIGID]),
         _improves(sharings),
-        _moves_more([_displacement(problems[each], parts, sharings[each].time) for each in problems]),
+        _moves_more([_displacement(problems[problem], parts, sharings[problem].time) for problem in problems]),
         _calmer(sizing, parts),
         _gears(effects, parts),
         _shafts(sizing, effects, parts),
@@ -111,7 +111,9 @@ def _displacement(problem: SharingProblem, parts: SplitTorque, time: Floats) -> 
 
 def _effects(problem: SharingProblem) -> dict[str, float]:
     """Return error -> largest change of b [-]."""
-    return {each.source: each.effect for each in influences(problem.train, problem.sources, problem.places)}
+    return {
+        influence.source: influence.effect for influence in influences(problem.train, problem.sources, problem.places)
+    }
 
 
 def _worst(sharing: LoadSharing) -> float:
@@ -145,7 +147,7 @@ def _improves(sharings: Mapping[float, LoadSharing]) -> SplitClaim:
 
 
 def _moves_more(displacements: Sequence[float]) -> SplitClaim:
-    rigid, half, floating = (1e6 * each for each in displacements)
+    rigid, half, floating = (1e6 * displacement for displacement in displacements)
     why = f"{rigid:.0f}, {half:.0f}, {floating:.0f} µm at 2e9, 5e7, 1e7 N/m; it nears a kinematic limit"
     return SplitClaim(
         "The displacement of the shaft grows", "figures 5, 7", _verdict(always=rigid < half < floating), why
@@ -156,7 +158,7 @@ def _calmer(sizing: Sizing, parts: SplitTorque) -> SplitClaim:
     quiet = replace(sizing, design=sizing.design.model_copy(update={"errors": {}}))
     stiffnesses = (RIGID, BETWEEN, HALF, FLOATING)
     ripple = {
-        stage: [_ripple(_sharing(_supported(quiet, parts, each, stage))) for each in stiffnesses]
+        stage: [_ripple(_sharing(_supported(quiet, parts, stiffness, stage))) for stiffness in stiffnesses]
         for stage in (parts.face, parts.joining)
     }
     falling = [one[0] > one[2] > one[3] for one in ripple.values()]

@@ -63,4 +63,4 @@ def paper_figures(sizing: Sizing, parts: SplitTorque) -> Iterator[Drawn]:
 
 
 def _solved(problems: Mapping[str, SharingProblem]) -> dict[str, LoadSharing]:
-    return {name: load_sharing(each.system, each.lines, method="sidebands") for name, each in problems.items()}
+    return {name: load_sharing(problem.system, problem.lines, method="sidebands") for name, problem in problems.items()}

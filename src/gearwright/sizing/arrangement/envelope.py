@@ -37,7 +37,7 @@ def envelope(sizing: Sizing) -> Envelope:
         sizing: What was sized; its axes stand where its layout says.
     """
     discs = list(_discs(sizing))
-    sides = [(min(each[k] - each[2] for each in discs), max(each[k] + each[2] for each in discs)) for k in (0, 1)]
+    sides = [(min(disc[k] - disc[2] for disc in discs), max(disc[k] + disc[2] for disc in discs)) for k in (0, 1)]
     (left, right), (low, high) = sides
     return Envelope(right - left, high - low, max(_lengths(sizing).values()))
 

@@ -80,7 +80,7 @@ class Seating:
             return sizes[0]
         if seat.bore is not None:
             least = most = sizes[0].bore
-        room = [each for each in sizes if least - 1e-9 <= each.bore <= most + 1e-9]
+        room = [size for size in sizes if least - 1e-9 <= size.bore <= most + 1e-9]
         for each in room:
             if _bears(self.check(name, each)):
                 return each
@@ -169,7 +169,7 @@ def _none(duty: BearingSpectrum, seat: BearingSeat, room: tuple[float, float], c
     )
     if least == most:
         around = f"a bore of {1e3 * least:.4g} mm"
-    best = max(checks, key=lambda each: min(each.life_margin, each.static_margin))
+    best = max(checks, key=lambda check: min(check.life_margin, check.static_margin))
     outer = seat.largest_outer_diameter
     inside = f" and {1e3 * outer:.4g} mm outside" if outer else ""
     return (

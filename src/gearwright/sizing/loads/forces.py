@@ -57,7 +57,7 @@ class ShaftForces(NamedTuple):
     def largest_radial(self) -> Array:
         """Return what both radial bearings must bear [N], (cases, 2): rotors point where they load each one most."""
         parts = [each.loads.force[..., -2:] for each in self.apart] or [self.radial()]
-        return np.asarray(np.sum([np.hypot(each[:, 0], each[:, 1]) for each in parts], axis=0))
+        return np.asarray(np.sum([np.hypot(part[:, 0], part[:, 1]) for part in parts], axis=0))
 
     def moments(self, positions: Array) -> tuple[Array, Array]:
         """Return bending moment and torque at sections, the larger of both sides [N m], each (cases, n).
@@ -67,7 +67,7 @@ class ShaftForces(NamedTuple):
         """
         parts = [each.drawn for each in self.apart] or [self.drawn]
         left, right = (
-            np.sum([_at(each, positions + beside) for each in parts], axis=0) for beside in (-_BESIDE, _BESIDE)
+            np.sum([_at(part, positions + beside) for part in parts], axis=0) for beside in (-_BESIDE, _BESIDE)
         )
         bending, torque = np.maximum(left, right)
         return _cleaned(bending), _cleaned(torque)
@@ -182,5 +182,5 @@ def _joined(loads: PointLoads, alone: PointLoads, plan: ShaftPlan) -> PointLoads
 
 def _padded(loads: PointLoads, position: float) -> PointLoads:
     """Return loads with one more, of nothing, at a place."""
-    wider = [np.concatenate([each, np.zeros((*each.shape[:-1], 1))], axis=-1) for each in loads[1:]]
+    wider = [np.concatenate([load, np.zeros((*load.shape[:-1], 1))], axis=-1) for load in loads[1:]]
     return PointLoads(np.append(loads.position, position), *wider)

@@ -109,7 +109,7 @@ def rate_row(given: Context, mesh: Mesh, module: float, face_width: float) -> Me
         rated = [factors] if single else [rate(rating, load, module, face_width) for load in loads]
     except DesignError as error:
         raise DesignError(
-            [Problem(f"pairs.{mesh.stage}.{each.path}", each.message) for each in error.problems]
+            [Problem(f"pairs.{mesh.stage}.{problem.path}", problem.message) for problem in error.problems]
         ) from None
     pitting, bending = _safeties(rated, rating)
     return MeshRating(
@@ -152,7 +152,7 @@ def _rate_cylindrical(rating: Rating, load: _Load, module: float, face_width: fl
 
 
 def _rate_bevel(rating: Rating, load: _Load, module: float, face_width: float) -> BevelRating:
-    one, two = (round(float(np.asarray(each))) for each in load.ask.teeth)
+    one, two = (round(float(np.asarray(tooth))) for tooth in load.ask.teeth)
     pair, steel = bevel_pair((one, two), module, face_width, rating), steel_of(rating)
     duty = bevel_duty(rating, pair, float(load.torque), float(np.asarray(load.ask.speed)))
     return rate_bevel(pair, (steel, steel), duty, load.life, surfaces=bevel_surfaces(rating))

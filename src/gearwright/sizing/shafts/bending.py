@@ -80,8 +80,8 @@ def bend(forces: ShaftForces, stretches: Sequence[Stretch], material: Material, 
         material: Steel.
         bore: Of the shaft [m].
     """
-    edges = np.array([stretches[0].start, *(each.end for each in stretches)])
-    diameters = np.array([each.diameter for each in stretches])
+    edges = np.array([stretches[0].start, *(stretch.end for stretch in stretches)])
+    diameters = np.array([stretch.diameter for stretch in stretches])
     sections = Sections(edges, diameters, np.full(len(diameters), bore))
     line = None
     if forces.bends:

@@ -108,7 +108,7 @@ def build_shaft(
     Raises:
         DesignError: If a bearing, a joint or the shaft itself cannot be had; with the nearest that can.
     """
-    own = {each: gears[each] for each in forces.plan.places if each in gears}
+    own = {place: gears[place] for place in forces.plan.places if place in gears}
     joints = {each: given.design.joints.get(each, Joint(kind="integral")) for each in own}
     joints |= {each: joint for each, joint in given.design.joints.items() if each in forces.plan.places}
     task = _Task(given, name, forces, material, own, core, joints)
@@ -130,7 +130,7 @@ def _weight(built: Built, material: Material) -> float:
         shaft_mass(step.diameter, step.end - step.start, material.density, bore=built.shaft.bore)
         for step in built.shaft.steps
     )
-    return metal + sum(each.bearing.mass for each in built.bearings)
+    return metal + sum(bearing.bearing.mass for bearing in built.bearings)
 
 
 def _settled(task: _Task, *, slim: bool) -> Built:
@@ -152,7 +152,7 @@ def _stiff(task: _Task, seated: Seating) -> _Attempt:
     attempt = _strong(task, seated, {})
     for _ in range(ROUNDS):
         bent = bend(task.forces, attempt.stretches, task.material, bore=attempt.bore)
-        excess = slope_excess(bent, seated.seats, {each: task.forces.plan.places[each] for each in task.gears})
+        excess = slope_excess(bent, seated.seats, {gear: task.forces.plan.places[gear] for gear in task.gears})
         if excess <= 1.0:
             break
         growth = max(excess**0.25, LEAST_GROWTH)
@@ -168,7 +168,7 @@ def _stiff(task: _Task, seated: Seating) -> _Attempt:
 
 def _free(attempt: _Attempt) -> tuple[Stretch, ...]:
     """Return the stretches that may grow; gears of one piece grow with what lies beside them."""
-    return tuple(each for each in attempt.stretches if each.kind != "integral")
+    return tuple(stretch for stretch in attempt.stretches if stretch.kind != "integral")
 
 
 def _strong(task: _Task, seated: Seating, needed: Mapping[str, float]) -> _Attempt:
@@ -186,7 +186,7 @@ def _strong(task: _Task, seated: Seating, needed: Mapping[str, float]) -> _Attem
 def _grown(task: _Task, attempt: _Attempt, wanted: Mapping[str, float]) -> dict[str, float]:
     """Return what must be thicker."""
     service = task.given.design.service
-    diameters = {each.name: each.diameter for each in attempt.stretches}
+    diameters = {stretch.name: stretch.diameter for stretch in attempt.stretches}
     walled = attempt.bore / MOST_HOLLOW
     found = {each.name: walled for each in _free(attempt) if each.diameter < walled - 1e-9}
     for section, owner in zip(attempt.sections, attempt.owners, strict=True):
@@ -210,13 +210,19 @@ def _attempt(task: _Task, seated: Seating, needed: Mapping[str, float]) -> _Atte
         items = _items(task, chosen)
         stretches, chosen = _laid(task, seated, _wanted(task, items, needed))
     bore = _bore(task, chosen)
-    joints = tuple(_joint(task, each, stretches, bore) for each in task.joints)
-    roots = {each.part: spline_root(task.joints[each.part], each.diameter) for each in joints if each.kind == "spline"}
-    hubs: dict[str, HubNotch] = {each.part: each.kind for each in joints if each.kind in ("key", "spline", "press-fit")}  # type: ignore[misc]
+    joints = tuple(_joint(task, joint, stretches, bore) for joint in task.joints)
+    roots = {
+        joint.part: spline_root(task.joints[joint.part], joint.diameter) for joint in joints if joint.kind == "spline"
+    }
+    hubs: dict[str, HubNotch] = {
+        joint.part: joint.kind  # type: ignore[misc]
+        for joint in joints
+        if joint.kind in ("key", "spline", "press-fit")
+    }
     sections = sections_of(stretches, task.forces, hubs, roots, fillet_ratio=task.given.design.shafting.fillet_ratio)
     judge = Strength(task.name, task.given.design, task.material, tuple(task.given.flows))
     sized = strengths(sections, task.forces, judge, bore=bore)
-    return _Attempt(stretches, chosen, bore, sized, tuple(each.owner for each in sections), joints)
+    return _Attempt(stretches, chosen, bore, sized, tuple(section.owner for section in sections), joints)
 
 
 def _laid(task: _Task, seated: Seating, wanted: Wanted) -> tuple[tuple[Stretch, ...], dict[str, Bearing]]:
@@ -224,7 +230,7 @@ def _laid(task: _Task, seated: Seating, wanted: Wanted) -> tuple[tuple[Stretch, 
     diameter = task.as_given
     if diameter is None:
         return lay(task.name, wanted, seated.choose)
-    chosen = {each: seated.choose(each, diameter, diameter) for each in seated.seats}
+    chosen = {seat: seated.choose(seat, diameter, diameter) for seat in seated.seats}
     return cylinder(wanted.items, wanted.length, diameter, wanted.fixed), chosen
 
 
@@ -268,7 +274,7 @@ def _wanted(task: _Task, items: tuple[Item, ...], needed: Mapping[str, float]) -
 def _loaded(task: _Task, items: tuple[Item, ...]) -> tuple[str, ...]:
     """Return the stretches beyond the outermost items that carry a load, and every hub."""
     stations = task.forces.drawn.position
-    hubs = tuple(each.name for each in items if each.kind == "hub")
+    hubs = tuple(item.name for item in items if item.kind == "hub")
     first = ("after",) if stations[0] < items[0].start else ()
     last = (f"after {items[-1].name}",) if stations[-1] > items[-1].end else ()
     return (*hubs, *first, *last)
@@ -286,8 +292,8 @@ def _bore(task: _Task, chosen: Mapping[str, Bearing]) -> float:
 def _joint(task: _Task, part: str, stretches: tuple[Stretch, ...], bore: float) -> JointSizing:
     place = task.forces.plan.places[part]
     seat = _seat(task, part, bore)
-    on = next((each for each in stretches if each.name == part), None)
-    on = on or next(each for each in stretches if each.start - 1e-9 <= place <= each.end + 1e-9)
+    on = next((stretch for stretch in stretches if stretch.name == part), None)
+    on = on or next(stretch for stretch in stretches if stretch.start - 1e-9 <= place <= stretch.end + 1e-9)
     return size_joint(task.joints[part], seat, on.diameter, task.material)
 
 
@@ -329,9 +335,12 @@ def _finished(task: _Task, seated: Seating, attempt: _Attempt) -> Built:
     places = {name: task.forces.plan.places[name] for name in task.gears}
     shaft = BuiltShaft(
         name=task.name,
-        steps=tuple(ShaftStep(each.start, each.end, each.diameter, _sits(each)) for each in attempt.stretches),
+        steps=tuple(
+            ShaftStep(stretch.start, stretch.end, stretch.diameter, _sits(stretch)) for stretch in attempt.stretches
+        ),
         bore=attempt.bore,
-        sections=tuple(each for each in attempt.sections if each.bending_moment or each.torque) or attempt.sections[:1],
+        sections=tuple(section for section in attempt.sections if section.bending_moment or section.torque)
+        or attempt.sections[:1],
         slopes=tuple((name, bent.slope(place)) for name, place in {**places, **seats}.items()),
         deflections=tuple((name, bent.deflection(place)) for name, place in places.items()),
         critical_speed=bent.critical_speed(places, {name: _mass(gear) for name, gear in task.gears.items()}),

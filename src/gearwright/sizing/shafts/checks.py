@@ -33,7 +33,7 @@ def checks_of(built: Built, design: Design) -> Iterator[Check]:
 
 def _shaft(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
     service, rules, name = design.service, design.shafting, shaft.name
-    tired, strained = shaft.weakest, min(shaft.sections, key=lambda each: each.yield_safety)
+    tired, strained = shaft.weakest, min(shaft.sections, key=lambda section: section.yield_safety)
     law = "DE-ASME" if rules.fatigue == "asme" else "DE-Goodman"
     fatigue, least = tired.fatigue_safety, service.shaft_fatigue_safety
     yield Check(name, f"fatigue n_f, {tired.place}", f"{law}, Shigley ch. 7", fatigue, least, case=tired.case)

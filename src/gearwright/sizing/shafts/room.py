@@ -47,7 +47,7 @@ def refuse_thin(shaft: str, stretches: Sequence[Stretch], *, bore: float) -> Non
     Raises:
         DesignError: With the largest bore that would do.
     """
-    thin = min(stretches, key=lambda each: each.diameter)
+    thin = min(stretches, key=lambda stretch: stretch.diameter)
     if thin.diameter < bore / MOST_HOLLOW - 1e-9:
         message = (
             f"{1e3 * bore:.4g} mm leave too thin a wall in {1e3 * thin.diameter:.4g} mm ({thin.name}); the bore"

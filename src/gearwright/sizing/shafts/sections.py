@@ -101,7 +101,7 @@ def sections_of(
         roots: Hub -> diameter that is left under it, of a spline [m].
         fillet_ratio: Fillet over the thinner diameter where no bearing asks for less [-].
     """
-    blank = max(each.diameter for each in stretches)
+    blank = max(stretch.diameter for stretch in stretches)
     found = list(_shoulders(stretches, fillet_ratio, blank))
     for each in stretches:
         if hubs.get(each.name):
@@ -112,7 +112,7 @@ def sections_of(
                     Section(f"{hubs[each.name]} at {each.name}", each.name, at, root, blank, hub=hubs[each.name])
                 )
     for at in np.unique(forces.drawn.position).tolist():
-        each = next((one for one in stretches if one.start <= at <= one.end), stretches[-1])
+        each = next((stretch for stretch in stretches if stretch.start <= at <= stretch.end), stretches[-1])
         if each.kind != "integral" and not hubs.get(each.name):
             found.append(Section(_words(each, at, forces), each.name, at, each.diameter, blank))
     return tuple(sorted(found, key=lambda section: section.position))
@@ -157,7 +157,7 @@ def strengths(
         judge: Asked safeties and steel.
         bore: Of the shaft [m].
     """
-    moments, torques = forces.moments(np.array([each.position for each in sections]))
+    moments, torques = forces.moments(np.array([section.position for section in sections]))
     return tuple(
         _strength(section, moments[:, k], torques[:, k], judge, bore=bore) for k, section in enumerate(sections)
     )

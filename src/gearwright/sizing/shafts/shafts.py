@@ -176,20 +176,20 @@ def _stepped(given: Context, forces: ShaftForces, built: Built, axis: complex, *
     """Return the row of a built shaft: its weakest section, and the mass, inertia and stiffness of its steps."""
     rules, layout, take = given.design.shafting, given.design.layout.get(name, NOTHING_GIVEN), given.overrides.take
     material, steps, bore = shaft_material(given), built.shaft.steps, built.shaft.bore
-    weak = max(built.shaft.sections, key=lambda each: _tresca(each, bore))
+    weak = max(built.shaft.sections, key=lambda section: _tresca(section, bore))
     case, stress = list(given.flows).index(weak.case), _tresca(weak, bore)
     allowable = (material.yield_strength or 0.0) / rules.safety
     inside = {step.seat for step in steps if step.seat.partition(".")[0] in given.design.stages}
-    outside = [0.0 if each.seat in inside else each.diameter for each in steps]
+    outside = [0.0 if step.seat in inside else step.diameter for step in steps]
     pieces = [
-        shaft_mass(diameter, each.end - each.start, material.density, bore=bore)
-        for each, diameter in zip(steps, outside, strict=True)
+        shaft_mass(diameter, step.end - step.start, material.density, bore=bore)
+        for step, diameter in zip(steps, outside, strict=True)
     ]
     mass = take(f"{name}.mass", "mass", sum(pieces))
     turning = sum(shaft_inertia(piece, diameter, bore=bore) for piece, diameter in zip(pieces, outside, strict=True))
     compliance = sum(
-        1.0 / torsional_stiffness(each.diameter, each.end - each.start, material.shear_modulus, bore=bore)
-        for each in steps
+        1.0 / torsional_stiffness(step.diameter, step.end - step.start, material.shear_modulus, bore=bore)
+        for step in steps
     )
     inertia = turning * mass / sum(pieces)
     return ShaftSizing(
@@ -200,7 +200,7 @@ def _stepped(given: Context, forces: ShaftForces, built: Built, axis: complex, *
         bending_moment=weak.bending_moment,
         axial_force=float(forces.axial[case]),
         length=forces.plan.length,
-        diameter=max(each.diameter for each in steps if each.seat not in inside),
+        diameter=max(step.diameter for step in steps if step.seat not in inside),
         bore=bore,
         stress=stress,
         margin=allowable / stress if stress else math.inf,

@@ -117,7 +117,7 @@ def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[Stretch, ...]
     if wanted.core is not None and bare[low].kind == "integral":
         beside = {bare[low - 1].name: wanted.core, bare[high + 1].name: wanted.core}
         wanted = replace(wanted, needed={**wanted.needed, **beside})
-    limit = min((each.limit for each in wanted.items if each.kind == "integral"), default=math.inf)
+    limit = min((item.limit for item in wanted.items if item.kind == "integral"), default=math.inf)
     chosen: dict[str, Bearing] = {}
 
     def bounded(name: str, least: float, most: float) -> Bearing:
@@ -229,7 +229,7 @@ def _core(
 
 def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) -> list[Stretch]:
     """Return gears of one piece with the shaft, and what lies between them."""
-    limits = {each.name: each.limit for each in wanted.items}
+    limits = {item.name: item.limit for item in wanted.items}
     found = []
     for each in middle:
         if each.kind in ("bearing", "hub"):

@@ -43,4 +43,4 @@ def _planet_bearings(design: Design) -> Iterator[Problem]:
         try:
             bearing(given.designation)
         except DesignError as error:
-            yield from (Problem(f"{path}.designation", each.message) for each in error.problems)
+            yield from (Problem(f"{path}.designation", problem.message) for problem in error.problems)

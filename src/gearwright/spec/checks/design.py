@@ -236,13 +236,13 @@ def _widths(design: Design) -> Iterator[Problem]:
     rules |= {
         f"pairs.{name}.gears": design.rules(name) for name, pair in design.pairs.items() if pair.gears is not None
     }
-    for path, each in rules.items():
-        least = math.asin(each.overlap_ratio * math.pi / WIDEST)
-        if each.face_width_ratio is None and 0.0 < each.helix_angle < least:
+    for path, rule in rules.items():
+        least = math.asin(rule.overlap_ratio * math.pi / WIDEST)
+        if rule.face_width_ratio is None and 0.0 < rule.helix_angle < least:
             yield Problem(
                 f"{path}.helix_angle",
-                f"{text(each.helix_angle, 'angle')} needs gears wider than {WIDEST} modules for the overlap ratio"
-                f" {each.overlap_ratio:g}; use 0, {text(least, 'angle')} or more, or give face_width_ratio",
+                f"{text(rule.helix_angle, 'angle')} needs gears wider than {WIDEST} modules for the overlap ratio"
+                f" {rule.overlap_ratio:g}; use 0, {text(least, 'angle')} or more, or give face_width_ratio",
             )
 
 

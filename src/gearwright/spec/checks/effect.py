@@ -49,7 +49,7 @@ def effect_problems(design: Design) -> Iterator[Problem]:
         yield from _pair(name, pair, design)
     for name, planetary in design.planetaries.items():
         path, teeth = f"planetaries.{name}", (planetary.sun_teeth, planetary.planet_teeth, planetary.ring_teeth)
-        yield from _ratio(path, planetary, given=sum(each is not None for each in teeth) > 1)
+        yield from _ratio(path, planetary, given=sum(tooth is not None for tooth in teeth) > 1)
         yield from _stage_rules(path, design.rules(name), planetary.gears, _OF_PAIRS, "planetary sets are spur here")
         yield from _shifted(path, design.rules(name), "planetary sets")
     yield from _methods(design)

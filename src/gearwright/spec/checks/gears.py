@@ -44,8 +44,8 @@ def _steel(path: str, rules: GearRules) -> Iterator[Problem]:
     try:
         gear_steel(own.steel, own.grade, own.hardness_hv)
     except DesignError as error:
-        for each in error.problems:
-            yield Problem(f"{path}.{STEEL_KEYS.get(each.path, each.path)}", each.message)
+        for problem in error.problems:
+            yield Problem(f"{path}.{STEEL_KEYS.get(problem.path, problem.path)}", problem.message)
 
 
 def _shared(name: str, side: str, design: Design) -> Iterator[Problem]:

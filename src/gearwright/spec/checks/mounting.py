@@ -85,7 +85,7 @@ def _tasks(path: str, seat: BearingSeat) -> Iterator[Problem]:
 
 
 def _size(path: str, seat: BearingSeat) -> Iterator[Problem]:
-    of_kind = {each.designation: each for each in bearings().values() if each.kind == KINDS[seat.kind]}
+    of_kind = {bearing.designation: bearing for bearing in bearings().values() if bearing.kind == KINDS[seat.kind]}
     if seat.designation is not None:
         yield from _designated(path, seat, bearings().get(seat.designation))
     elif seat.dynamic_rating is not None or seat.static_rating is not None:
@@ -186,7 +186,7 @@ def _strength(design: Design) -> Iterator[Problem]:
     name = design.shafting.material or design.gears.material
     steel = materials().get(name)
     if design.bearings and steel is not None and (steel.ultimate_strength is None or steel.group is None):
-        enough = [other for other, each in materials().items() if each.ultimate_strength and each.group]
+        enough = [other for other, material in materials().items() if material.ultimate_strength and material.group]
         message = f"{name!r} has no tensile strength, which shafts with bearings need; use one of {', '.join(enough)}"
         yield Problem("shafting.material", message)
 

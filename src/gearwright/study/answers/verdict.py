@@ -74,16 +74,16 @@ def verdict(study: Study, table: Table) -> Verdict | None:
         return None
     designs = [row.design for row in groups[0]]
     values = np.stack([_allowed(study, rows) for rows in groups])
-    places = np.stack([_places(each) for each in values])
+    places = np.stack([_places(value) for value in values])
     means = places.mean(axis=2)
-    unbeaten = np.mean([ranks(each, np.zeros(len(designs))) == 0 for each in values], axis=0)
+    unbeaten = np.mean([ranks(value, np.zeros(len(designs))) == 0 for value in values], axis=0)
     standings = [
         Standing(name, float(place), int(won), float(share), float(free))
         for name, place, won, share, free in zip(
             designs, means.mean(axis=0), _firsts(means), _acceptability(study, places), unbeaten, strict=True
         )
     ]
-    standings.sort(key=lambda each: (each.place, -each.first))
+    standings.sort(key=lambda standing: (standing.place, -standing.first))
     return Verdict(tuple(standings), len(groups), _without(study, places, designs, standings[0].design))
 
 
@@ -128,8 +128,8 @@ def _acceptability(study: Study, places: Floats) -> Floats:
     generator = np.random.default_rng(study.sampling.seed)
     weights = generator.dirichlet(np.ones(places.shape[2]), WEIGHTS)
     shares = np.zeros(places.shape[1])
-    for each in places:  # one scenario at a time: all of them together would need gigabytes
-        shares += np.bincount(np.argmin(each @ weights.T, axis=0), minlength=len(shares))
+    for place in places:  # one scenario at a time: all of them together would need gigabytes
+        shares += np.bincount(np.argmin(place @ weights.T, axis=0), minlength=len(shares))
     shares /= shares.sum()
     return shares
 

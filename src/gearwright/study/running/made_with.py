@@ -37,4 +37,4 @@ def changes_of(begun: Mapping[str, str], now: Mapping[str, str]) -> list[tuple[s
     """
     names = dict.fromkeys([*begun, *now])
     pairs = [(name, begun.get(name, "none"), now.get(name, "none")) for name in names]
-    return [each for each in pairs if each[1] != each[2]]
+    return [pair for pair in pairs if pair[1] != pair[2]]

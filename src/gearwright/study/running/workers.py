@@ -120,7 +120,7 @@ class _Crew:
             self.members.append(self._hire())
         while self._give():
             for pipe in wait([worker.pipe for worker in self.members]):
-                worker = next(each for each in self.members if each.pipe is pipe)
+                worker = next(member for member in self.members if member.pipe is pipe)
                 finished = self._take(worker)
                 if finished:
                     yield finished

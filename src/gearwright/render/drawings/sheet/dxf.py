@@ -105,7 +105,7 @@ def _prepare(document: Drawing, enlarged: float) -> None:
     document.styles.add(STYLE, font="arial.ttf")
     for layer in Layer:
         if layer.dashes:
-            pattern = [sum(layer.dashes), *(each * (-1.0) ** k for k, each in enumerate(layer.dashes))]
+            pattern = [sum(layer.dashes), *(dash * (-1.0) ** k for k, dash in enumerate(layer.dashes))]
             document.linetypes.add(layer.name, pattern, description=layer.value[0])
         line = layer.name if layer.dashes else "Continuous"
         added = document.layers.add(layer.name, color=_BLACK, linetype=line, lineweight=round(100 * layer.width))

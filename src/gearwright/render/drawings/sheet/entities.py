@@ -227,7 +227,7 @@ def moved(entities: Iterable[Entity], by: complex) -> list[Entity]:
         entities: What to move.
         by: How far [mm].
     """
-    return [_moved(each, by) for each in entities]
+    return [_moved(entity, by) for entity in entities]
 
 
 def _moved(entity: Entity, by: complex) -> Entity:

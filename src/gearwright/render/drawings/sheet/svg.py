@@ -34,7 +34,7 @@ def sheet_svg(sheet: Sheet) -> str:
         sheet: The sheet.
     """
     width, height = sheet.size.width, sheet.size.height
-    hatches = {(each.angle, each.spacing) for each in sheet.entities if isinstance(each, Hatch)}
+    hatches = {(entity.angle, entity.spacing) for entity in sheet.entities if isinstance(entity, Hatch)}
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" '
         f'viewBox="0 0 {width:g} {height:g}" font-family="{_FONT}">',
@@ -43,14 +43,14 @@ def sheet_svg(sheet: Sheet) -> str:
         *(_pattern(angle, spacing) for angle, spacing in sorted(hatches)),
     ]
     for layer in Layer:
-        own = [line for each in sheet.entities if each.layer is layer for line in _element(each, height)]
+        own = [line for entity in sheet.entities if entity.layer is layer for line in _element(entity, height)]
         if own:
             lines += [_group(layer), *own, "</g>"]
     return "\n".join([*lines, "</svg>"]) + "\n"
 
 
 def _group(layer: Layer) -> str:
-    dashes = f' stroke-dasharray="{" ".join(f"{each:g}" for each in layer.dashes)}"' if layer.dashes else ""
+    dashes = f' stroke-dasharray="{" ".join(f"{dash:g}" for dash in layer.dashes)}"' if layer.dashes else ""
     return (
         f'<g id="{layer.name}" fill="none" stroke="#000" stroke-width="{layer.width:g}" stroke-linejoin="round" '
         f'stroke-linecap="butt"{dashes}>'

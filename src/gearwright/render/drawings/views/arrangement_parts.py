@@ -136,7 +136,7 @@ def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, seat: tuple[str, fl
     if kind_of(sizing, gear) == "face" and gear.role == "wheel":
         radius = MM * teeth.pitch_radius
         ends = [(axis.at(middle, -radius), axis.at(middle, radius))]
-        return [Path(each, Layer.PITCH) for each in ends]
+        return [Path(end, Layer.PITCH) for end in ends]
     if is_internal(sizing, gear):
         return ring_section(axis, teeth, MM * (teeth.pitch_radius + gear.rim), span, lean=lean)
     return cylinder_section(axis, teeth, hub, span, lean=lean)

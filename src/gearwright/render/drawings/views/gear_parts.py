@@ -95,7 +95,7 @@ def _joined(joint: JointSizing) -> Hub:
 
 def _boss(sizing: Sizing, gear: GearSizing, joint: JointSizing, hub: Hub) -> Boss | None:
     """Return the hub over the gear's seat on its shaft, within the root at the small end; None of one piece with it."""
-    built = next(each for each in sizing.built_shafts if each.name == joint.shaft)
+    built = next(shaft for shaft in sizing.built_shafts if shaft.name == joint.shaft)
     seats = [step for step in built.steps if step.seat == gear.name]
     if not hub.bore or not seats:
         return None

@@ -124,7 +124,7 @@ def _beside(
     choices = [Lying(lying.at(at - own, sign * apart), lying.along, 0.0, length) for sign in (1.0, -1.0)]
     others = [(shaft, _reach(sizing, name)) for name, shaft in shafts.items() if name != known]
     reach = _reach(sizing, new)
-    return min(choices, key=lambda each: sum(_overlap(each, reach, other, far) for other, far in others))
+    return min(choices, key=lambda choice: sum(_overlap(choice, reach, other, far) for other, far in others))
 
 
 def centre_distance(sizing: Sizing, mesh: Mesh) -> float:
@@ -242,5 +242,5 @@ def _width(sizing: Sizing, name: str) -> float:
     if not own:
         return 10.0
     halves = max(gear.bodies // len(gear.shafts) if gear.role in ("pinion", "wheel") else 1 for gear in own)
-    plates = [MM * each.plate_thickness + PLATE_GAP for each in sizing.carriers if each.stage == name]
+    plates = [MM * carrier.plate_thickness + PLATE_GAP for carrier in sizing.carriers if carrier.stage == name]
     return max(MM * gear.face_width for gear in own) * max(halves, 1) + 2.0 * sum(plates)

@@ -123,7 +123,7 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
         slots=tuple(_slot(joint) for joint in joints if joint.kind == "key"),
         splines=tuple(_toothing(joint) for joint in joints if joint.kind == "spline"),
         gears=tuple(joint.part for joint in own),
-        fillets=tuple((MM * each.position, MM * each.fillet) for each in built.sections if each.fillet),
+        fillets=tuple((MM * section.position, MM * section.fillet) for section in built.sections if section.fillet),
     )
 
 
@@ -135,7 +135,7 @@ def mass_with_gears(sizing: Sizing, body: ShaftBody, name: str) -> float:
         body: The shaft as drawn.
         name: Of the shaft.
     """
-    own = [gear_of(sizing, each) for each in body.gears]
+    own = [gear_of(sizing, gear) for gear in body.gears]
     shaft = next(each for each in sizing.shafts if each.name == name)
     return shaft.mass + sum(gear.mass * gear.bodies / len(gear.shafts) for gear in own)
 
@@ -240,14 +240,14 @@ def away_of(sizing: Sizing, gear: GearSizing) -> float:
 def _overlaid(pieces: list[Piece], own: Piece) -> list[Piece]:
     """Return pieces with teeth in place of what they cover."""
     left = [
-        Piece(each.start, min(each.end, own.start), each.diameters, each.seat, each.tolerance, each.pitch)
-        for each in pieces
-        if each.start < own.start - 1e-6
+        Piece(piece.start, min(piece.end, own.start), piece.diameters, piece.seat, piece.tolerance, piece.pitch)
+        for piece in pieces
+        if piece.start < own.start - 1e-6
     ]
     right = [
-        Piece(max(each.start, own.end), each.end, each.diameters, each.seat, each.tolerance, each.pitch)
-        for each in pieces
-        if each.end > own.end + 1e-6
+        Piece(max(piece.start, own.end), piece.end, piece.diameters, piece.seat, piece.tolerance, piece.pitch)
+        for piece in pieces
+        if piece.end > own.end + 1e-6
     ]
     return [*left, own, *right]
 

@@ -140,7 +140,7 @@ def _slot(axis: Axis, slot: Slot) -> Iterator[Entity]:
     half = MM * slot.section.width / 2.0
     if slot.form == "B":
         corners = ((slot.start, -half), (slot.end, -half), (slot.end, half), (slot.start, half))
-        yield Path(tuple(axis.at(*each) for each in corners), Layer.OUTLINE, closed=True)
+        yield Path(tuple(axis.at(*corner) for corner in corners), Layer.OUTLINE, closed=True)
         return
     for side in (-1.0, 1.0):
         ends = (axis.at(slot.start + half, side * half), axis.at(slot.end - half, side * half))

@@ -97,7 +97,7 @@ def _measurement(sizing: Sizing, gear: GearSizing, teeth: CylindricalGear) -> It
     if allowances is None:
         yield "Allowances of the span", "E_{bn}", "none: no class, or d out of ISO 286-1"
     else:
-        low, high = (f"{1e3 * each:.3f}".replace("-", "−") for each in allowances)
+        low, high = (f"{1e3 * allowance:.3f}".replace("-", "−") for allowance in allowances)
         yield "Allowances of the span", "E_{bns} / E_{bni}", f"{high} / {low}"
 
 
