@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from gearwright.shipped import shipped_design
@@ -127,4 +127,5 @@ def assert_whole(journal: Path, expected: Table) -> None:
 
 
 def kill(process: int) -> None:
-    os.kill(process, signal.SIGKILL)
+    with suppress(ProcessLookupError):  # it may have ended since it was listed
+        os.kill(process, signal.SIGKILL)
