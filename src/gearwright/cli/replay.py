@@ -50,9 +50,9 @@ def thesis(
 def _chapter(page: Path, figures: Path | None) -> None:
     """Write the page of chapter 4 with a figure for each window beside it, and all counterparts into a folder."""
     from gearwright.render.style.theme import to_png
-    from gearwright.replays.pulvirenti.flight_claims import chapter_runs, flight_claims
-    from gearwright.replays.pulvirenti.flight_page import FIGURES, PANELS, chapter_figure, chapter_markdown
-    from gearwright.replays.pulvirenti.flight_phases import phased
+    from gearwright.replays.pulvirenti.flight.claims import chapter_runs, flight_claims
+    from gearwright.replays.pulvirenti.flight.page import FIGURES, PANELS, chapter_figure, chapter_markdown
+    from gearwright.replays.pulvirenti.flight.phases import phased
 
     runs = chapter_runs()
     images = {window: f"{page.stem}-{window}.png" for window in PANELS}

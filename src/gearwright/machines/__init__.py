@@ -12,7 +12,13 @@ from gearwright.machines.governor import (
     marched,
 )
 from gearwright.machines.hamilton_standard import SMALL_THRUST, Blades, Charts, compressibility, performance
-from gearwright.machines.motor import LENGTH_RATIO, motor_diameter, motor_mass_ndarc, motor_mass_thesis, rotor_inertia
+from gearwright.machines.motor import (
+    LENGTH_RATIO,
+    motor_diameter,
+    motor_mass_cube_root,
+    motor_mass_ndarc,
+    rotor_inertia,
+)
 from gearwright.machines.motor_efficiency import MotorLosses, motor_loss, rated_losses
 from gearwright.machines.propeller_map import (
     INSIDE,
@@ -58,8 +64,8 @@ __all__ = [
     "marched",
     "motor_diameter",
     "motor_loss",
+    "motor_mass_cube_root",
     "motor_mass_ndarc",
-    "motor_mass_thesis",
     "performance",
     "power_limits",
     "propeller_inertia",

@@ -4,10 +4,10 @@ import math
 
 import pytest
 
-from gearwright.replays.pulvirenti.claim_masses import MASS_CLAIMS
-from gearwright.replays.pulvirenti.claim_torques import TORQUE_CLAIMS
 from gearwright.replays.pulvirenti.claims import Claim
 from gearwright.replays.pulvirenti.errata import PrintedClaim, printed_claims
+from gearwright.replays.pulvirenti.masses import MASS_CLAIMS
+from gearwright.replays.pulvirenti.torques import TORQUE_CLAIMS
 from gearwright.replays.verdict import Verdict
 
 PRINTED = PrintedClaim("key", "p. 1", "twice", "ratio", "the other way", "ratio", 1.8, 2.2, "")

@@ -8,11 +8,11 @@ import pytest
 
 from gearwright.mission import fly
 from gearwright.mission.windows import fly_window
-from gearwright.replays.pulvirenti.claim_runs import sized
-from gearwright.replays.pulvirenti.flight_claims import CLAIMS, CONSTANT, DESIGN, MISSION, VARYING, JudgedClaim
-from gearwright.replays.pulvirenti.flight_measures import mesh_means, mesh_swing, off_ideal, steady
-from gearwright.replays.pulvirenti.flight_page import FIGURES, PANELS, TITLES, chapter_figure, covered_text, number_text
-from gearwright.replays.pulvirenti.flight_phases import phased
+from gearwright.replays.pulvirenti.flight.claims import CLAIMS, CONSTANT, DESIGN, MISSION, VARYING, JudgedClaim
+from gearwright.replays.pulvirenti.flight.measures import mesh_means, mesh_swing, off_ideal, steady
+from gearwright.replays.pulvirenti.flight.page import FIGURES, PANELS, TITLES, chapter_figure, covered_text, number_text
+from gearwright.replays.pulvirenti.flight.phases import phased
+from gearwright.replays.pulvirenti.runs import sized
 from gearwright.shipped import shipped_mission
 from gearwright.spec import read_mission
 

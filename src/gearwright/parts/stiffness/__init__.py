@@ -24,7 +24,7 @@ from gearwright.parts.stiffness.iso6336 import (
 )
 from gearwright.parts.stiffness.kuang_yang import (
     mesh_stiffness_kuang_yang,
-    square_wave_pulvirenti,
+    square_wave,
     tooth_stiffness_kuang_yang,
 )
 from gearwright.parts.stiffness.passing_pairs import pair_curve, rectangular_curve
@@ -57,7 +57,7 @@ __all__ = [
     "rack_factor",
     "rectangular_curve",
     "sampled_curve",
-    "square_wave_pulvirenti",
+    "square_wave",
     "stiffness_at",
     "theoretical_stiffness",
     "tooth_compliance",

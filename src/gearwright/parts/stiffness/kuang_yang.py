@@ -1,4 +1,4 @@
-"""The two mesh stiffness forms of Pulvirenti's thesis: Kuang & Yang's single tooth, and a cut square wave.
+"""Two simple forms of mesh stiffness: Kuang & Yang's single tooth, and a cut square wave.
 
 They are here to be compared with; `mesh_stiffness_iso6336` is the default.
 """
@@ -98,8 +98,8 @@ def mesh_stiffness_kuang_yang(pair: GearPair, *, harmonics: int = 8) -> Stiffnes
     )
 
 
-def square_wave_pulvirenti(mean: float) -> StiffnessCurve:
-    """Return the thesis's variable stiffness: a square wave of ± a quarter of the mean, cut at its fifth harmonic.
+def square_wave(mean: float) -> StiffnessCurve:
+    """Return a stiffness that varies as a square wave of ± a quarter of the mean, cut at its fifth harmonic.
 
     Args:
         mean: Mean mesh stiffness K [N/m].

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gearwright.replays.pulvirenti.claim_masses import MASS_CLAIMS
-from gearwright.replays.pulvirenti.claim_runs import Found
-from gearwright.replays.pulvirenti.claim_torques import TORQUE_CLAIMS
 from gearwright.replays.pulvirenti.errata import PrintedClaim, printed_claims
+from gearwright.replays.pulvirenti.masses import MASS_CLAIMS
+from gearwright.replays.pulvirenti.runs import Computed
+from gearwright.replays.pulvirenti.torques import TORQUE_CLAIMS
 from gearwright.replays.verdict import Verdict
 
 _NUMBERS = {**MASS_CLAIMS, **TORQUE_CLAIMS}
@@ -43,5 +43,5 @@ def claims() -> tuple[Claim, ...]:
     return tuple(_claim(printed, _NUMBERS[printed.key]()) for printed in printed_claims())
 
 
-def _claim(printed: PrintedClaim, found: Found) -> Claim:
-    return Claim(printed, found.value, found.other, printed.why.format(**found.numbers))
+def _claim(printed: PrintedClaim, computed: Computed) -> Claim:
+    return Claim(printed, computed.value, computed.other, printed.why.format(**computed.numbers))

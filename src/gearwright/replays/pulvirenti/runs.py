@@ -18,7 +18,7 @@ _LAW, _SPEED = "motors.electric.mass_law", "motors.electric.speed_rpm"
 
 
 @dataclass(frozen=True)
-class Found:
+class Computed:
     """What was computed for one claim."""
 
     value: float
@@ -29,14 +29,14 @@ class Found:
     """What the reason quotes."""
 
 
-def by_laws(measure: Callable[[str], float], numbers: Mapping[str, float]) -> Found:
+def by_laws(measure: Callable[[str], float], numbers: Mapping[str, float]) -> Computed:
     """Return a number with the thesis's motor and beside it with NDARC's.
 
     Args:
         measure: Gives the number for a motor law.
         numbers: What the reason quotes.
     """
-    return Found(measure(THESIS), measure(NDARC), numbers)
+    return Computed(measure(THESIS), measure(NDARC), numbers)
 
 
 @dataclass(frozen=True)

@@ -15,9 +15,9 @@ from gearwright.dynamics.model import Floats
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
-from gearwright.replays.pulvirenti.flight_claims import CONSTANT, ROUNDING, VARYING, JudgedClaim, Runs
-from gearwright.replays.pulvirenti.flight_measures import torques
-from gearwright.replays.pulvirenti.flight_phases import Phased
+from gearwright.replays.pulvirenti.flight.claims import CONSTANT, ROUNDING, VARYING, JudgedClaim, Runs
+from gearwright.replays.pulvirenti.flight.measures import torques
+from gearwright.replays.pulvirenti.flight.phases import Phased
 
 ROW = 44.0
 """Height of one row of panels [mm]."""

@@ -9,9 +9,9 @@ import numpy as np
 
 from gearwright.dynamics import Outputs, System, simulate
 from gearwright.mission.windows import DynamicWindow
-from gearwright.replays.pulvirenti.claim_runs import sized
-from gearwright.replays.pulvirenti.flight_claims import DESIGN, VARYING, Runs
-from gearwright.replays.pulvirenti.flight_measures import mean_off_ideal, off_ideal, output_swing
+from gearwright.replays.pulvirenti.flight.claims import DESIGN, VARYING, Runs
+from gearwright.replays.pulvirenti.flight.measures import mean_off_ideal, off_ideal, output_swing
+from gearwright.replays.pulvirenti.runs import sized
 
 DURATION = 1.0
 """Of the runs with other phases [s]."""

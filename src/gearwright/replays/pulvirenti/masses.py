@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from gearwright.catalogue import engines
-from gearwright.replays.pulvirenti.claim_runs import NDARC, THESIS, Found, by_laws, hybrids, in_line_h2, off_set, sized
+from gearwright.replays.pulvirenti.runs import NDARC, THESIS, Computed, by_laws, hybrids, in_line_h2, off_set, sized
 
 SLOW, BEST, MIDDLE, FAST = 3500, 4100, 4500, 5500
 """Motor speeds of In-Line H2 that the claims are about [rpm]."""
@@ -19,22 +19,22 @@ def _percent(new: float, old: float) -> float:
     return 100.0 * (new / old - 1.0)
 
 
-def _in_line_lightest() -> Found:
+def _in_line_lightest() -> Computed:
     kg = {name.replace("-", "_"): sized(name).mass for name in ("in-line", "mixed", "off-set")}
-    return Found(min(kg["mixed"], kg["off_set"]) / kg["in_line"], numbers=kg)
+    return Computed(min(kg["mixed"], kg["off_set"]) / kg["in_line"], numbers=kg)
 
 
-def _h3_heaviest() -> Found:
+def _h3_heaviest() -> Computed:
     kg = {name: sized(f"off-set-{name}").mass for name in ("h1", "h2", "h3")}
-    return Found(kg["h3"] / max(kg["h1"], kg["h2"]), numbers=kg)
+    return Computed(kg["h3"] / max(kg["h1"], kg["h2"]), numbers=kg)
 
 
-def _conventional_density() -> Found:
+def _conventional_density() -> Computed:
     sizing = sized("off-set")
-    return Found(sizing.power_density / 1e3, numbers={"mass": sizing.mass})
+    return Computed(sizing.power_density / 1e3, numbers={"mass": sizing.mass})
 
 
-def _hybrid_density() -> Found:
+def _hybrid_density() -> Computed:
     sizing = sized("in-line-h2")
     power = sizing.power_density * sizing.mass / 1e3
     mass = {law: in_line_h2(law)[MIDDLE] for law in (THESIS, NDARC)}
@@ -49,7 +49,7 @@ def _hybrid_density() -> Found:
     )
 
 
-def _in_line_h2_best() -> Found:
+def _in_line_h2_best() -> Computed:
     def ratio(law: str) -> float:
         of = hybrids(law)
         return min(kg.total for name, kg in of.items() if name != "in-line-h2") / of["in-line-h2"].total
@@ -68,7 +68,7 @@ def _in_line_h2_best() -> Found:
     )
 
 
-def _optimum_speed() -> Found:
+def _optimum_speed() -> Computed:
     def best(law: str) -> int:
         of = in_line_h2(law)
         return min(of, key=lambda speed: of[speed].total)
@@ -79,7 +79,7 @@ def _optimum_speed() -> Found:
     return by_laws(best, {"flat_from": min(flat), "flat_to": max(flat), "motor_gain": gain})
 
 
-def _in_line_heavier(new: int, old: int = MIDDLE) -> Found:
+def _in_line_heavier(new: int, old: int = MIDDLE) -> Computed:
     gearbox = in_line_h2(THESIS)
     return by_laws(
         lambda law: _percent(in_line_h2(law)[new].total, in_line_h2(law)[old].total),
@@ -87,7 +87,7 @@ def _in_line_heavier(new: int, old: int = MIDDLE) -> Found:
     )
 
 
-def _optimum_gain() -> Found:
+def _optimum_gain() -> Computed:
     """Return by how much density falls from 4100 to 4500 rpm; the power is one, so masses suffice."""
     gearbox = in_line_h2(THESIS)
     return by_laws(
@@ -96,20 +96,20 @@ def _optimum_gain() -> Found:
     )
 
 
-def _motor_flat() -> Found:
+def _motor_flat() -> Computed:
     return by_laws(
         lambda law: in_line_h2(law)[FAST].motor / in_line_h2(law)[SLOW].motor, {"torque": 100.0 * SLOW / FAST}
     )
 
 
-def _motor_share() -> Found:
+def _motor_share() -> Computed:
     kg = {law: in_line_h2(law)[MIDDLE] for law in (THESIS, NDARC)}
     return by_laws(
         lambda law: 100.0 * kg[law].motor / kg[law].total, {"thesis": kg[THESIS].motor, "ndarc": kg[NDARC].motor}
     )
 
 
-def _h2_slow_heavier() -> Found:
+def _h2_slow_heavier() -> Computed:
     slow, fast = (off_set(THESIS)["h2", speed].gearbox for speed in (5000, 10000))
     return by_laws(
         lambda law: _percent(off_set(law)["h2", 5000].total, off_set(law)["h2", 10000].total),
@@ -117,7 +117,7 @@ def _h2_slow_heavier() -> Found:
     )
 
 
-def _off_set_slow_heavier() -> Found:
+def _off_set_slow_heavier() -> Computed:
     of = off_set(THESIS)
     gearbox = _percent(sum(of[each].gearbox for each in _SLOW_PAIR), sum(of[each].gearbox for each in _FAST_PAIR))
 
@@ -128,7 +128,7 @@ def _off_set_slow_heavier() -> Found:
     return by_laws(heavier, {"gearbox": gearbox})
 
 
-def _off_set_faster() -> Found:
+def _off_set_faster() -> Computed:
     def h1(law: str) -> float:
         return off_set(law)["h1", 20000].total / off_set(law)["h1", 10000].total
 
@@ -139,7 +139,7 @@ def _off_set_faster() -> Found:
     return by_laws(lambda law: max(h1(law), h2(law)), {"h1": h1(THESIS), "h2": h2(THESIS), "h2_fast": heaviest})
 
 
-def _h1_best() -> Found:
+def _h1_best() -> Computed:
     def ratio(law: str) -> float:
         best, *others = (off_set(law)[each].total for each in (*_FAST_PAIR, *_SLOW_PAIR))
         return min(others) / best
@@ -148,7 +148,7 @@ def _h1_best() -> Found:
     return by_laws(ratio, {"h1": of["h1", 20000].total, "h2": of["h2", 5000].total})
 
 
-def _pt6t_densest() -> Found:
+def _pt6t_densest() -> Computed:
     def printed(column: str) -> dict[tuple[str, str], float]:
         found = {
             (engine.series.name, engine.model): engine.as_meant(column) for engine in engines() if engine.has_gearbox
@@ -159,10 +159,10 @@ def _pt6t_densest() -> Found:
     own = {key for key in density if key[0].startswith("PT6T")}
     best, mine = (max(value for key, value in density.items() if (key in own) is mine) for mine in (False, True))
     lowest = {"torque": min(torque[key] for key in own), "lowest": min(torque.values())}
-    return Found(mine / best, numbers={"density": best, "own": mine, **lowest})
+    return Computed(mine / best, numbers={"density": best, "own": mine, **lowest})
 
 
-MASS_CLAIMS: Mapping[str, Callable[[], Found]] = MappingProxyType({
+MASS_CLAIMS: Mapping[str, Callable[[], Computed]] = MappingProxyType({
     "in-line-lightest": _in_line_lightest,
     "off-set-h3-heaviest": _h3_heaviest,
     "conventional-density": _conventional_density,

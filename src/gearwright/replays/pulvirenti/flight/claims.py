@@ -13,8 +13,8 @@ import numpy as np
 
 from gearwright.mission import fly
 from gearwright.mission.windows import DynamicWindow, fly_window
-from gearwright.replays.pulvirenti import flight_measures as measured
-from gearwright.replays.pulvirenti.claim_runs import sized
+from gearwright.replays.pulvirenti.flight import measures as measured
+from gearwright.replays.pulvirenti.runs import sized
 from gearwright.shipped import shipped_mission
 from gearwright.spec import read_mission
 

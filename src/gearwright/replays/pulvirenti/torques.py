@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from gearwright.replays.pulvirenti.claim_runs import Found, sized
+from gearwright.replays.pulvirenti.runs import Computed, sized
 from gearwright.train import RATED
 
 CRUISE = "cruise"
@@ -37,24 +37,24 @@ def _stage_ratio(stage: str) -> float:
     return 1.0 + teeth[f"{stage}.ring"] / teeth[f"{stage}.sun"]
 
 
-def _motor_over_turbine() -> Found:
+def _motor_over_turbine() -> Computed:
     cruise, rated = _torques(CRUISE), _torques(RATED)
-    return Found(cruise.motor / cruise.turbine, numbers={"rated": rated.motor / rated.turbine})
+    return Computed(cruise.motor / cruise.turbine, numbers={"rated": rated.motor / rated.turbine})
 
 
-def _carrier_over_turbine() -> Found:
+def _carrier_over_turbine() -> Computed:
     cruise = _torques(CRUISE)
-    return Found(cruise.carrier / cruise.turbine, numbers={"tau": _stage_ratio("first")})
+    return Computed(cruise.carrier / cruise.turbine, numbers={"tau": _stage_ratio("first")})
 
 
-def _carrier_over_motor() -> Found:
+def _carrier_over_motor() -> Computed:
     cruise = _torques(CRUISE)
-    return Found(cruise.carrier / cruise.motor)
+    return Computed(cruise.carrier / cruise.motor)
 
 
-def _propeller_over_turbine() -> Found:
+def _propeller_over_turbine() -> Computed:
     cruise = _torques(CRUISE)
-    return Found(cruise.propeller / cruise.turbine, numbers={"tau": _stage_ratio("second")})
+    return Computed(cruise.propeller / cruise.turbine, numbers={"tau": _stage_ratio("second")})
 
 
 def _force(stage: str, case: str) -> float:
@@ -65,7 +65,7 @@ def _force(stage: str, case: str) -> float:
     return 2.0 * abs(sizing.flows[case].meshes[row.name].multiplier) / (module * row.count)
 
 
-def _mesh_forces() -> Found:
+def _mesh_forces() -> Computed:
     """Return the ratio of forces, and the motor's share of the power that would give the printed one.
 
     The ratio is (1 + p) times what the turbine alone gives, p the motor's power over the turbine's. A torque τ times as
@@ -82,10 +82,10 @@ def _mesh_forces() -> Found:
         "share": 100.0 * (1.0 - turbine_alone / _PRINTED_RATIO),
         "printed": cruise * _stage_ratio("second") ** (2.0 / 3.0),
     }
-    return Found(cruise, rated, numbers)
+    return Computed(cruise, rated, numbers)
 
 
-TORQUE_CLAIMS: Mapping[str, Callable[[], Found]] = MappingProxyType({
+TORQUE_CLAIMS: Mapping[str, Callable[[], Computed]] = MappingProxyType({
     "torque-motor-turbine": _motor_over_turbine,
     "torque-carrier-turbine": _carrier_over_turbine,
     "torque-carrier-motor": _carrier_over_motor,
