@@ -27,7 +27,7 @@ _HEAD = """# A helicopter's gearbox
 
 A student term project designed the main gearbox of the EC120B: 322 kW from 6000 to 600 rpm by a helical and a bevel
 pair, three shafts, bearings and keys.
-[Its numbers are replayed](../theory/colibri.md) with `gearwright colibri`. Two designs come with gearwright: the
+[Its numbers are replayed](../theory/colibri.md) with `gearwright replay colibri`. Two designs come with gearwright: the
 gearbox as the report prints it,
 and one for the same duty that holds.
 

@@ -30,7 +30,7 @@ def test_the_page_is_the_same_at_every_run():
 
 
 def test_the_page_of_the_documentation_is_what_the_command_writes():
-    """After a change of a number: gearwright thesis --out docs/theory/thesis.md."""
+    """After a change of a number: gearwright replay pulvirenti --out docs/theory/thesis.md."""
     assert DOCS.read_text(encoding="utf-8") == thesis_markdown()
 
 

@@ -231,7 +231,7 @@ Chapter 4 of Pulvirenti (2023) shows its two-stage hybrid gearbox in flight, in 
 into cruise, and taxi on the motor alone, with constant and with varying mesh stiffness. In-Line H2 flies the same
 windows here, with propeller, governor and machines on the elastic train. The page is written by
 
-    gearwright thesis --chapter-4 thesis-flight.md --figures FOLDER
+    gearwright replay pulvirenti --chapter-4 thesis-flight.md --figures FOLDER
 
 and FOLDER gets a counterpart of each figure, `4.2.svg` to `4.23.svg`, with both stiffnesses side by side. Of {claims}
 claims {holds} hold and {fails} do not. Every claim is measured with both stiffnesses; the number that is judged, in
