@@ -72,27 +72,27 @@ class DesignView:
     """[-]"""
 
 
-def comparison(found: Table, sizings: Mapping[str, Sizing]) -> str:
+def comparison(variants: Table, sizings: Mapping[str, Sizing]) -> str:
     """Return several sizings side by side as one self-contained HTML page; the same input gives the same bytes.
 
     Args:
-        found: Table of the study that compares them.
+        variants: Table of the study that compares them.
         sizings: Design -> what was sized, of the rows that did not fail.
     """
-    ranked = dict(sorted(sizings.items(), key=lambda each: each[1].mass + each[1].motor_mass))
-    masses = Figure(theme.to_svg(comparison_figure(found), "masses"), "Masses, lightest first.")
-    designs = [_whole(name, each) for name, each in ranked.items()]
+    ranked = dict(sorted(sizings.items(), key=lambda variant: variant[1].mass + variant[1].motor_mass))
+    masses = Figure(theme.to_svg(comparison_figure(variants), "masses"), "Masses, lightest first.")
+    designs = [_whole(name, sizing) for name, sizing in ranked.items()]
     wholes = table("Designs, lightest first", designs, tuple(field.name for field in fields(DesignView)))
-    rows = [stage for name, each in ranked.items() for stage in _stages(name, each)]
+    rows = [stage for name, sizing in ranked.items() for stage in _stages(name, sizing)]
     stages = table("Stages", rows, tuple(field.name for field in fields(StageView)))
-    failed = tuple(f"{row.design} cannot be had: {row.problem}" for row in found.failed)
+    failed = tuple(f"{row.design} cannot be had: {row.problem}" for row in variants.failed)
     sections = [
         Section("Masses", tables=(wholes,), figures=(masses,), notes=failed),
         Section("Why they rank so", tables=(stages,), notes=(_WHY,)),
-        *(_flow(name, each) for name, each in ranked.items()),
+        *(_flow(name, sizing) for name, sizing in ranked.items()),
     ]
     return environment().get_template("comparison.html.j2").render(
-        title=found.name, description=found.description, sections=sections, marks=MARKS, version=__version__
+        title=variants.name, description=variants.description, sections=sections, marks=MARKS, version=__version__
     )  # fmt: skip
 
 
@@ -135,18 +135,18 @@ def _stages(name: str, sizing: Sizing) -> Iterator[StageView]:
 
 
 def _kind(sizing: Sizing, stage: str, rows: int) -> str:
-    found = sizing.design.stages[stage]
-    if isinstance(found, Planetary):
-        if "ground" not in (found.sun, found.ring, found.carrier):
+    record = sizing.design.stages[stage]
+    if isinstance(record, Planetary):
+        if "ground" not in (record.sun, record.ring, record.carrier):
             return "differential"
-        return "star" if found.carrier == "ground" else "planetary"
+        return "star" if record.carrier == "ground" else "planetary"
     return "parallel pairs" if rows > 1 else "pair"
 
 
 def _ratio(sizing: Sizing, stage: str) -> float:
-    found, teeth = sizing.design.stages[stage], sizing.teeth
-    if isinstance(found, Planetary):
+    record, teeth = sizing.design.stages[stage], sizing.teeth
+    if isinstance(record, Planetary):
         ratio = teeth[f"{stage}.ring"] / teeth[f"{stage}.sun"]
-        return ratio if found.carrier == "ground" else 1.0 + ratio
+        return ratio if record.carrier == "ground" else 1.0 + ratio
     mesh = next(mesh for mesh in sizing.train.meshes if mesh.stage == stage)
     return teeth[mesh.gears[1]] / teeth[mesh.gears[0]]

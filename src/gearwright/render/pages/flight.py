@@ -87,8 +87,8 @@ def _numbers(flight: Flight, parts: Durability) -> Iterator[tuple[str, str]]:
 def _windows(flight: Flight, flown: Sequence[DynamicWindow]) -> Section:
     """Return the dynamic windows: those that were flown as figures, and all of the mission by name."""
     figures = tuple(
-        _figure(window_figure(each), f"window{k}", f"Window {each.name}: {window_verdict(each)}.")
-        for k, each in enumerate(flown)
+        _figure(window_figure(window), f"window{k}", f"Window {window.name}: {window_verdict(window)}.")
+        for k, window in enumerate(flown)
     )
     named = ", ".join(f"{name} ({rules.phase}, {rules.event})" for name, rules in flight.mission.windows.items())
     note = f"Windows of the mission: {named}. Those that were flown with the page are drawn here."
@@ -144,5 +144,5 @@ def _effects(flight: Flight, parts: Durability) -> Iterator[Section]:
     spectrum = _figure(spectrum_figure(flight), "spectrum", "Duty of one flight: turns at which a load is reached.")
     yield Section("Duty spectrum", figures=(spectrum,))
     lives = (_figure(life_figure(parts), "lives", "Flights that each part lives."),) if parts.failing else ()
-    tables = tuple(each for each in (life_table(flight, parts), bearing_table(parts)) if each.rows)
+    tables = tuple(table for table in (life_table(flight, parts), bearing_table(parts)) if table.rows)
     yield Section("Damage and life", tables=tables, figures=lives, notes=tuple(f"{note}." for note in parts.notes))

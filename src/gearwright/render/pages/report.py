@@ -96,36 +96,38 @@ def _power(sizing: Sizing, shown: str) -> Section:
 
 
 def _parts(sizing: Sizing) -> tuple[Section, ...]:
-    found = tables_of(sizing)
+    tables = tables_of(sizing)
     margins = _figure(margin_figure(sizing), "margins", "Margins of all kinds of checks, worst first.")
     mass = _figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
     return (
-        Section("Gears", tables=_filled(found["gears"])),
+        Section("Gears", tables=_filled(tables["gears"])),
         Section(
-            "Meshes: forces, stresses and margins", tables=_filled(found["meshes"], found["rating"]), figures=(margins,)
+            "Meshes: forces, stresses and margins",
+            tables=_filled(tables["meshes"], tables["rating"]),
+            figures=(margins,),
         ),
         *([Section("Rating of the gears", tables=factor_tables(sizing))] if factor_tables(sizing) else []),
         _shafts(sizing),
         *_mounted(sizing),
-        Section("Mass and envelope", tables=(found["mass"], found["envelope"]), figures=(mass,)),
+        Section("Mass and envelope", tables=(tables["mass"], tables["envelope"]), figures=(mass,)),
     )
 
 
 def _shafts(sizing: Sizing) -> Section:
-    found = tables_of(sizing)
+    tables = tables_of(sizing)
     names = ("shafts", "shaft_sizes", "bearings", "carriers", "machines")
     caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
     figures = (_figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
-    return Section("Shafts, carriers and machines", tables=_filled(*(found[name] for name in names)), figures=figures)
+    return Section("Shafts, carriers and machines", tables=_filled(*(tables[name] for name in names)), figures=figures)
 
 
 def _mounted(sizing: Sizing) -> tuple[Section, ...]:
     """Return shafts as they are built, with bearings and joints, where the design gives bearings."""
     if not sizing.built_shafts:
         return ()
-    found = tables_of(sizing)
+    tables = tables_of(sizing)
     names = ("bearing_sizes", "joints", "steps", "strength", "stiffness")
-    return (Section("Shafts as built, bearings and joints", tables=_filled(*(found[name] for name in names))),)
+    return (Section("Shafts as built, bearings and joints", tables=_filled(*(tables[name] for name in names))),)
 
 
 def _filled(*tables: Table) -> tuple[Table, ...]:

@@ -57,11 +57,11 @@ def key_numbers(
         campbell: Critical speeds, if they are shown.
     """
     rated = sizing.flows["rated"]
-    power = sum(each for each in rated.machine_powers.values() if each > 0.0)
-    taken = [name for name, each in rated.machine_powers.items() if each < 0.0]
+    given = sum(power for power in rated.machine_powers.values() if power > 0.0)
+    taken = [name for name, power in rated.machine_powers.items() if power < 0.0]
     torque = max((abs(rated.machine_torques[name]) for name in taken), default=0.0)
     numbers = [
-        ("rated power", text(power, "power")),
+        ("rated power", text(given, "power")),
         ("output torque", text(torque, "torque")),
         ("mass of the train", text(sizing.mass, "mass")),
         ("power density", text(sizing.power_density, "specific_power")),
@@ -79,26 +79,32 @@ def warnings(sizing: Sizing, trace: Trace | None, campbell: Sequence[SpeedCase] 
         trace: As simulated, if it was.
         campbell: Critical speeds, if they are shown.
     """
-    found = [f"{margin_sentence(margin)}; it should be 1 or more." for margin in margins(sizing) if not margin.holds]
-    found += [f"In resonance: {words}." for words in resonances(campbell)]
-    found += _yielded(sizing)
-    found += [
+    sentences = [
+        f"{margin_sentence(margin)}; it should be 1 or more." for margin in margins(sizing) if not margin.holds
+    ]
+    sentences += [f"In resonance: {words}." for words in resonances(campbell)]
+    sentences += _yielded(sizing)
+    sentences += [
         f"{text(loop.power, 'power')} circulate in case {case}: {', '.join(loop.path)}."
         for case, flow in sizing.flows.items()
         for loop in recirculation(sizing.train, flow)
     ]
-    found += [f"{path} is given in place of its computed value ({origin})." for path, origin in sizing.origins.items()]
+    sentences += [
+        f"{path} is given in place of its computed value ({origin})." for path, origin in sizing.origins.items()
+    ]
     if trace is not None:
-        found += [
+        sentences += [
             f"{load.mesh}: with the simulated peak force, {load.peak_over_mean:.2f} times the mean, the margins are"
             f" {load.bending_margin:.2f} (bending) and {load.contact_margin:.2f} (contact)."
             for load in dynamic_loads(sizing, trace)
             if min(load.bending_margin, load.contact_margin) < 1.0
         ]
-        found += [f"{note[0].upper()}{note[1:]}." for note in trace.notes if "contact" in note or "interrupted" in note]
+        sentences += [
+            f"{note[0].upper()}{note[1:]}." for note in trace.notes if "contact" in note or "interrupted" in note
+        ]
         if trace.error > LARGE_ERROR:
-            found.append(f"The run's estimated force error is {trace.error:.1%}; take a smaller step.")
-    return tuple(found)
+            sentences.append(f"The run's estimated force error is {trace.error:.1%}; take a smaller step.")
+    return tuple(sentences)
 
 
 def _yielded(sizing: Sizing) -> list[str]:
@@ -130,24 +136,24 @@ def assumptions(sizing: Sizing) -> tuple[str, ...]:
     """
     design = sizing.design
     rules = [design.rules(stage) for stage in design.stages]
-    found = ["Mass counts gears, shafts and carriers; not housing, bearings, oil system, accessories, motors."]
+    sentences = ["Mass counts gears, shafts and carriers; not housing, bearings, oil system, accessories, motors."]
     if all(flow.loss <= 1e-9 * max(map(abs, flow.machine_powers.values())) for flow in sizing.flows.values()):
-        found.append("Power flow without losses in the meshes.")
+        sentences.append("Power flow without losses in the meshes.")
     if all(mesh.load_factor == 1.0 for mesh in sizing.meshes):
-        found.append("Parallel meshes share the load equally: K_γ = 1.")
-    found.append("Gears are sized without application and dynamic factor (K_A = K_v = 1); see the peaks of a run.")
+        sentences.append("Parallel meshes share the load equally: K_γ = 1.")
+    sentences.append("Gears are sized without application and dynamic factor (K_A = K_v = 1); see the peaks of a run.")
     if any(rule.idler_factor == 1.0 for rule in rules) and design.planetaries:
-        found.append("Planets, loaded on both flanks, keep the full bending allowable; ISO 6336-3 takes 0.7 of it.")
+        sentences.append("Planets, loaded on both flanks, keep the full bending allowable; ISO 6336-3 takes 0.7 of it.")
     if all(shaft.bending_moment == 0.0 for shaft in sizing.shafts):
-        found.append("Shafts carry torsion alone.")
+        sentences.append("Shafts carry torsion alone.")
     if sizing.built_shafts:
-        found += _MOUNTED
+        sentences += _MOUNTED
     estimated = [machine.name for machine in sizing.machines if not machine.inertia_is_given]
     if estimated:
-        found.append(f"Inertia estimated, not given: {', '.join(estimated)}.")
+        sentences.append(f"Inertia estimated, not given: {', '.join(estimated)}.")
     if any(pair.kind == "face" for pair in design.pairs.values()):
-        found.append("Face-gear pairs are drawn as if their axes were parallel.")
-    return tuple(found)
+        sentences.append("Face-gear pairs are drawn as if their axes were parallel.")
+    return tuple(sentences)
 
 
 def formulas(tables: Iterable[Table]) -> tuple[Formula, ...]:
@@ -156,7 +162,7 @@ def formulas(tables: Iterable[Table]) -> tuple[Formula, ...]:
     Args:
         tables: Of the report.
     """
-    found = {
+    listed = {
         (column.header, column.origin.equation): Formula(
             column.header, column.symbol, column.origin.equation, column.origin.source
         )
@@ -164,4 +170,4 @@ def formulas(tables: Iterable[Table]) -> tuple[Formula, ...]:
         for column in table.columns
         if column.origin
     }
-    return tuple(found.values())
+    return tuple(listed.values())

@@ -30,7 +30,7 @@ from gearwright.render.words.sharing import summary
 from gearwright.sizing import Sizing
 from gearwright.version import __version__
 
-SPREAD = tuple(float(each) for each in np.geomspace(1e-2, 1e2, 41))
+SPREAD = tuple(float(factor) for factor in np.geomspace(1e-2, 1e2, 41))
 """Stiffnesses of a support that are shown, over the design's [-]."""
 Drawn = tuple[str, Figure]
 """Caption and figure."""
@@ -117,7 +117,7 @@ def _page(sizing: Sizing, chapters: Sequence[_Chapter], claims: Sequence[ClaimRo
 
 
 def _drawn(figures: Sequence[Drawn], prefix: str) -> list[tuple[str, str]]:
-    return [(words, theme.to_svg(each, prefix=f"{prefix}-{k}")) for k, (words, each) in enumerate(figures)]
+    return [(words, theme.to_svg(figure, prefix=f"{prefix}-{k}")) for k, (words, figure) in enumerate(figures)]
 
 
 def _figures(study: SharingStudy, target: float | None) -> Iterator[Drawn]:
@@ -135,8 +135,8 @@ def _supports(sizing: Sizing) -> Iterator[Drawn]:
     if not supports or not sizing.design.errors:
         return
     shaft = min(supports, key=lambda name: supports[name].radial)
-    own = supports[shaft].radial
-    sweep = support_sweep(sizing, shaft, [own * each for each in SPREAD])
-    yield f"Support of shaft {shaft}", support_figure(sweep, {own: "design"})
+    stiffness = supports[shaft].radial
+    sweep = support_sweep(sizing, shaft, [stiffness * factor for factor in SPREAD])
+    yield f"Support of shaft {shaft}", support_figure(sweep, {stiffness: "design"})
     problem = sharing_problem(sizing)
     yield "Orbits of the shafts", orbit_figure(problem, list(supports)[:4], one_turn({"": problem}))

@@ -51,35 +51,35 @@ def study_page(study: Study, table: Table, designs: Mapping[str, Design]) -> str
         table: Its rows.
         designs: Name -> design, to draw those that are chosen.
     """
-    found = verdict(study, table)
-    sections = [_answer(study, table, found)]
-    if len(study.objectives) > 1 and found is None:
+    outcome = verdict(study, table)
+    sections = [_answer(study, table, outcome)]
+    if len(study.objectives) > 1 and outcome is None:
         sections.append(_front(study, table))
     if study.sampling.method == "saltelli":
         sections.append(_sensitivity(study, table))
-    if found is None or found.scenarios == 1:
+    if outcome is None or outcome.scenarios == 1:
         sections.append(_cases(study, table))
-    sections += _drawn(study, table, designs, found)
+    sections += _drawn(study, table, designs, outcome)
     sections.append(_made(study))
     return environment().get_template("comparison.html.j2").render(
-        title=table.name, description=table.description, numbers=key_numbers(found), sections=sections, marks=MARKS,
+        title=table.name, description=table.description, numbers=key_numbers(outcome), sections=sections, marks=MARKS,
         version=__version__,
     )  # fmt: skip
 
 
-def _answer(study: Study, table: Table, found: Verdict | None) -> Section:
+def _answer(study: Study, table: Table, outcome: Verdict | None) -> Section:
     notes = tuple(answer(study, table))
-    if found is None:
+    if outcome is None:
         return Section("Answer", notes=notes)
     caption = "Medians; bars from 5 to 95 % of the cases; the best of each objective in orange; the winner at the top."
-    trade = Figure(theme.to_svg(trade_figure(study, table, found), "trade"), caption)
+    trade = Figure(theme.to_svg(trade_figure(study, table, outcome), "trade"), caption)
     figures = [trade]
     if len(study.objectives) > 1:
         weights = "Who comes first: objectives of the same weight, and over all weights."
-        figures.append(Figure(theme.to_svg(weights_figure(found), "weights"), weights))
+        figures.append(Figure(theme.to_svg(weights_figure(outcome), "weights"), weights))
     return Section(
         "Answer",
-        tables=(standings_table(table, found), values_table(study, table, found)),
+        tables=(standings_table(table, outcome), values_table(study, table, outcome)),
         figures=tuple(figures),
         notes=notes,
     )
@@ -99,12 +99,12 @@ def _sensitivity(study: Study, table: Table) -> Section:
     figures, notes = [], []
     for k, result in enumerate(table.numbers):
         try:
-            found = sensitivity(study, table, result)
+            indices = sensitivity(study, table, result)
         except SolveError as error:
             notes.append(f"{heading(result)}: {error}.")
             continue
         caption = f"{heading(result)}: Sobol' indices; the total index includes interactions."
-        figures.append(Figure(theme.to_svg(tornado_figure(result, found), f"tornado{k}"), caption))
+        figures.append(Figure(theme.to_svg(tornado_figure(result, indices), f"tornado{k}"), caption))
     return Section("What it depends on", figures=tuple(figures), notes=tuple(notes))
 
 
@@ -132,9 +132,9 @@ def _shapes(study: Study, table: Table) -> list[Figure]:
     ]
 
 
-def _drawn(study: Study, table: Table, designs: Mapping[str, Design], found: Verdict | None) -> Iterator[Section]:
+def _drawn(study: Study, table: Table, designs: Mapping[str, Design], outcome: Verdict | None) -> Iterator[Section]:
     """Yield the chosen designs as schematics: the winner and the next, or the ends and the middle of a front."""
-    chosen = dict(_chosen(study, table, found))
+    chosen = dict(_chosen(study, table, outcome))
     figures = [
         Figure(theme.to_svg(schematic_figure(sized(study, designs[row.design], row.inputs)), f"drawn{k}"), caption)
         for k, (caption, row) in enumerate(chosen.items())
@@ -143,10 +143,10 @@ def _drawn(study: Study, table: Table, designs: Mapping[str, Design], found: Ver
         yield Section("The chosen designs", figures=tuple(figures))
 
 
-def _chosen(study: Study, table: Table, found: Verdict | None) -> Iterator[tuple[str, Row]]:
+def _chosen(study: Study, table: Table, outcome: Verdict | None) -> Iterator[tuple[str, Row]]:
     """Yield caption and case of what is drawn."""
-    if found is not None:
-        for place, standing in enumerate(found.standings[:2]):
+    if outcome is not None:
+        for place, standing in enumerate(outcome.standings[:2]):
             row = next((row for row in table.good if row.design == standing.design), None)
             if row is not None:
                 yield f"{'The winner' if place == 0 else 'The next'}, {row.design}, in the first case of the study", row

@@ -33,48 +33,48 @@ _KINDS = {Verdict.AGREES: "agrees", Verdict.ROUNDED: "rounded", Verdict.BLANK: "
 _Cells = dict[str, object]
 
 
-def weights_page(found: Comparison) -> str:
+def weights_page(comparison: Comparison) -> str:
     """Return the whole page; it makes no request to anywhere.
 
     Args:
-        found: Of `compare`.
+        comparison: Of `compare`.
     """
-    return environment().get_template("weights_page.html.j2").render(_context(found))
+    return environment().get_template("weights_page.html.j2").render(_context(comparison))
 
 
-def _context(found: Comparison) -> _Cells:
-    given = [one for one in (found.bottom_up, found.stated) if one is not None]
+def _context(comparison: Comparison) -> _Cells:
+    stated = [mass for mass in (comparison.bottom_up, comparison.stated) if mass is not None]
     return {
-        "requirement": weights.requirement_text(found.requirement),
-        "taken": weights.taken_text(found),
-        "spread": weights.spread_text(found).splitlines(),
-        "estimates": [_estimate(estimate) for estimate in found.estimates],
+        "requirement": weights.requirement_text(comparison.requirement),
+        "taken": weights.taken_text(comparison),
+        "spread": weights.spread_text(comparison).splitlines(),
+        "estimates": [_estimate(estimate) for estimate in comparison.estimates],
         "given": [
-            {"name": weights.given_name(one), "mass": f"{one.mass:.1f} kg", "origin": one.origin} for one in given
+            {"name": weights.given_name(mass), "mass": f"{mass.mass:.1f} kg", "origin": mass.origin} for mass in stated
         ],
-        "alike": [_alike(engine) for engine in found.engines],
+        "alike": [_alike(engine) for engine in comparison.engines],
         "scores": [_score(score) for score in scores()],
         "assumption": weights.score_assumption(),
         "columns": [{"key": key, "symbol": s, "unit": u, "formula": f} for key, (s, u, f) in COLUMNS.items()],
-        "tables": [_table(one) for one in all_series()],
+        "tables": [_table(series) for series in all_series()],
         "verdict_count": _verdict_count(),
         "figures": {
-            "power": _svg(figure_mass_over_power(found), "power"),
+            "power": _svg(figure_mass_over_power(comparison), "power"),
             "densities": _svg(figure_densities(), "densities"),
-            "methods": _svg(figure_methods(found), "methods"),
+            "methods": _svg(figure_methods(comparison), "methods"),
         },
     }
 
 
-def _estimate(one: Estimate) -> _Cells:
-    method = one.method
+def _estimate(estimate: Estimate) -> _Cells:
+    method = estimate.method
     return {
         "key": method.key,
         "name": method.name,
-        "mass": weights.mass_text(one),
-        "none": one.mass is None,
+        "mass": weights.mass_text(estimate),
+        "none": estimate.mass is None,
         "covered": weights.coverage_text(method.includes),
-        "remark": weights.remark(one),
+        "remark": weights.remark(estimate),
         "formula": method.formula,
         "source": method.source,
         "basis": method.basis,
@@ -88,20 +88,25 @@ def _range(limit: Range) -> str:
     return f"{limit.quantity} {text(limit.low, dimension)} to {text(limit.high, dimension)} ({limit.reason})"
 
 
-def _alike(one: Engine) -> _Cells:
+def _alike(engine: Engine) -> _Cells:
     return {
-        "table": one.series.table,
-        "series": one.series.name,
-        "model": one.model,
-        "power": f"{one.power / 1e3:g}",
-        "fast": f"{one.engine_speed / RPM:.0f}",
-        "slow": f"{one.propeller_speed / RPM:.0f}",
-        "mass": f"{gearbox_mass(one):.1f}",
+        "table": engine.series.table,
+        "series": engine.series.name,
+        "model": engine.model,
+        "power": f"{engine.power / 1e3:g}",
+        "fast": f"{engine.engine_speed / RPM:.0f}",
+        "slow": f"{engine.propeller_speed / RPM:.0f}",
+        "mass": f"{gearbox_mass(engine):.1f}",
     }
 
 
-def _score(one: Score) -> _Cells:
-    return {"key": one.method.key, "name": one.method.name, "count": one.count, "cells": weights.score_cells(one)}
+def _score(score: Score) -> _Cells:
+    return {
+        "key": score.method.key,
+        "name": score.method.name,
+        "count": score.count,
+        "cells": weights.score_cells(score),
+    }
 
 
 def _table(series: Series) -> _Cells:
@@ -127,13 +132,13 @@ def _table(series: Series) -> _Cells:
     }
 
 
-def _row(one: CheckedEngine) -> _Cells:
-    power, slow = one.engine.as_printed("power_kw"), one.engine.as_printed("propeller_rpm")
+def _row(checked: CheckedEngine) -> _Cells:
+    power, slow = checked.engine.as_printed("power_kw"), checked.engine.as_printed("propeller_rpm")
     return {
-        "model": one.engine.model,
+        "model": checked.engine.model,
         "power": power.text if power else "",
         "slow": slow.text if slow else "",
-        "cells": [_cell(check) for check in one.checks],
+        "cells": [_cell(check) for check in checked.checks],
     }
 
 
@@ -153,7 +158,9 @@ def _cell(check: Check) -> _Cells:
 def _verdict_count() -> str:
     counts = Counter(check.verdict for engine in checked_engines() for check in engine.checks)
     total = sum(counts.values()) - counts[Verdict.BLANK]
-    parts = [f"{counts[one]} {one.value}" for one in Verdict if counts[one] and one is not Verdict.BLANK]
+    parts = [
+        f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict] and verdict is not Verdict.BLANK
+    ]
     return f"Of {total} printed numbers: {', '.join(parts)}."
 
 

@@ -14,15 +14,15 @@ _SUBSCRIPT = re.compile(r"_([A-Za-z0-9α-ω.]*[A-Za-z0-9α-ω])")
 @cache
 def environment() -> Environment:
     """Return where the templates are, with the filters that they use."""
-    found = Environment(
+    templates = Environment(
         loader=PackageLoader("gearwright.render"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    found.filters["symbols"] = symbols
-    return found
+    templates.filters["symbols"] = symbols
+    return templates
 
 
 def symbols(words: str) -> Markup:

@@ -57,40 +57,48 @@ class Loudest:
     """What swings most there."""
 
 
-def critical_table(found: SpeedCase, *, most: int = 25) -> Table:
+def critical_table(speeds: SpeedCase, *, most: int = 25) -> Table:
     """Return the critical speeds of one set of speeds, worst first.
 
     Args:
-        found: From `critical_speeds`.
+        speeds: From `critical_speeds`.
         most: Rows at most; what is not excited stands last.
     """
     rows = [
-        Critical(one.order, one.mode, one.frequency, one.speed, one.margin, one.dynamic_force, _verdict(one))
-        for one in found.critical[:most]
+        Critical(
+            critical.order,
+            critical.mode,
+            critical.frequency,
+            critical.speed,
+            critical.margin,
+            critical.dynamic_force,
+            _verdict(critical),
+        )
+        for critical in speeds.critical[:most]
     ]
-    left = f" {len(found.critical) - most} more are left out." if len(found.critical) > most else ""
+    left = f" {len(speeds.critical) - most} more are left out." if len(speeds.critical) > most else ""
     note = (
         "n: critical speed of the first machine's shaft; f: damped frequency there. Margin: over the operating speed,"
         " less 1. Dynamic force: estimated amplitude of the worst mesh force at the resonance over its mean, from the"
         f" stiffness variation and errors of the design.{left}"
     )
     fields = ("order", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
-    return table(f"Critical speeds, case {found.cases}", rows, fields, note=note)
+    return table(f"Critical speeds, case {speeds.cases}", rows, fields, note=note)
 
 
-def _verdict(one: CriticalSpeed) -> str:
-    if not one.excited:
+def _verdict(critical: CriticalSpeed) -> str:
+    if not critical.excited:
         return "not excited"
-    return "in resonance" if one.in_resonance else "clear"
+    return "in resonance" if critical.in_resonance else "clear"
 
 
-def assumption_table(found: Sequence[Assumption]) -> Table:
+def assumption_table(listed: Sequence[Assumption]) -> Table:
     """Return what the dynamic model rests on.
 
     Args:
-        found: From `assumptions`.
+        listed: From `assumptions`.
     """
-    return table("Assumptions of the dynamic model", found, ("subject", "value", "origin", "path"))
+    return table("Assumptions of the dynamic model", listed, ("subject", "value", "origin", "path"))
 
 
 def peak_table(response: Response, lines: Sequence[str], *, most: int = 12) -> Table:
@@ -110,20 +118,20 @@ def peak_table(response: Response, lines: Sequence[str], *, most: int = 12) -> T
     return table("Peaks", peaks[:most], ("line", "frequency", "force"))
 
 
-def loudest_table(found: RunUp, speed: float) -> Table:
+def loudest_table(run_up: RunUp, speed: float) -> Table:
     """Return for each line the speed at which its force swings most, and the order that does it.
 
     Args:
-        found: Speeds and spectra.
+        run_up: Speeds and spectra.
         speed: Operating speed of the first machine's shaft [rad/s].
     """
     rows = []
-    for number, line in enumerate(found.lines):
-        place = int(np.argmax(found.swing[:, number]))
-        order = found.orders[int(np.argmax(found.order_amplitude[place, number]))]
+    for number, line in enumerate(run_up.lines):
+        place = int(np.argmax(run_up.swing[:, number]))
+        order = run_up.orders[int(np.argmax(run_up.order_amplitude[place, number]))]
         rows.append(
-            Loudest(line, float(found.factor[place]) * speed, float(found.swing[place, number]),
-                    float(found.mean[place, number]), order)
+            Loudest(line, float(run_up.factor[place]) * speed, float(run_up.swing[place, number]),
+                    float(run_up.mean[place, number]), order)
         )  # fmt: skip
     rows.sort(key=lambda row: -row.swing)
     note = "Steady running at each speed with the torques of the case."

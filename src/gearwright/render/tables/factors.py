@@ -63,16 +63,16 @@ def rated(sizing: Sizing) -> tuple[MeshSizing, ...]:
     return tuple(mesh for mesh in sizing.meshes if mesh.rating is not None)
 
 
-def _table(sizing: Sizing, mesh: MeshSizing, found: MeshRating) -> Table:
-    standard = "ISO 10300, method B1" if isinstance(found.factors, BevelRating) else "ISO 6336, method B"
+def _table(sizing: Sizing, mesh: MeshSizing, rating: MeshRating) -> Table:
+    standard = "ISO 10300, method B1" if isinstance(rating.factors, BevelRating) else "ISO 6336, method B"
     steel = steel_of(rating_of(sizing.design, mesh.name.partition(".")[0]))
-    rows = [*_rows(pair_data(sizing, mesh), "geometry"), *_rows(steel, "steel"), *_rows(found.factors, "mesh")]
-    if found.scuffing is not None:
-        rows += _rows(found.scuffing, "scuffing")
+    rows = [*_rows(pair_data(sizing, mesh), "geometry"), *_rows(steel, "steel"), *_rows(rating.factors, "mesh")]
+    if rating.scuffing is not None:
+        rows += _rows(rating.scuffing, "scuffing")
     names = tuple(field.name for field in fields(Factor))
     chapters = ["", *(row.chapter for row in rows)]
     rows = [replace(row, chapter="") if row.chapter == last else row for row, last in zip(rows, chapters, strict=False)]
-    title = f"Rating of {mesh.name}: {mesh.gears[0]} and {mesh.gears[1]}, {standard}, case {found.case}"
+    title = f"Rating of {mesh.name}: {mesh.gears[0]} and {mesh.gears[1]}, {standard}, case {rating.case}"
     return table(title, rows, names, note=_NOTE)
 
 
@@ -91,8 +91,10 @@ def _rows(record: object, chapter: str) -> Iterator[Factor]:
 
 
 def _side_by_side(first: list[Factor], second: list[Factor]) -> Iterator[Factor]:
-    for one, other in zip(first, second, strict=True):
-        yield Factor(one.chapter, one.quantity, one.equation, one.pinion, other.pinion, one.unit, one.clause)
+    for pinion, wheel in zip(first, second, strict=True):
+        yield Factor(
+            pinion.chapter, pinion.quantity, pinion.equation, pinion.pinion, wheel.pinion, pinion.unit, pinion.clause
+        )
 
 
 def _line(name: str, value: Any, hint: Any, chapter: str) -> Iterator[Factor]:
@@ -101,12 +103,12 @@ def _line(name: str, value: Any, hint: Any, chapter: str) -> Iterator[Factor]:
     if origin is None or value is None:
         return
     dimension = next((mark.dimension for mark in marks if isinstance(mark, Quantity)), "number")
-    values = [_read(each, dimension) for each in (value if isinstance(value, tuple) else (value,))]
+    values = [_read(gear_value, dimension) for gear_value in (value if isinstance(value, tuple) else (value,))]
     if len(values) > 2:
         values = [", ".join(values)]
-    one, other = (*values, "")[:2]
+    pinion, wheel = (*values, "")[:2]
     words = name.replace("_", " ")
-    yield Factor(chapter, words, origin.equation, one, other, unit(dimension), origin.source)
+    yield Factor(chapter, words, origin.equation, pinion, wheel, unit(dimension), origin.source)
 
 
 def _read(value: Any, dimension: str) -> str:

@@ -166,7 +166,7 @@ def _names(view: type) -> tuple[str, ...]:
 
 
 def _phase(flight: Flight, row: PhaseSummary) -> PhaseView:
-    own = np.array(flight.phase) == row.name
+    inside = np.array(flight.phase) == row.name
     return PhaseView(
         name=row.name,
         mode=flight.mission.phases[row.name].mode,
@@ -174,10 +174,10 @@ def _phase(flight: Flight, row: PhaseSummary) -> PhaseView:
         fuel=row.fuel,
         from_battery=row.battery,
         propeller=row.propeller,
-        greatest_power=float(flight.history["propeller_power"][own].max()),
+        greatest_power=float(flight.history["propeller_power"][inside].max()),
         gearbox_heat=row.loss,
         efficiency=row.efficiency,
-        oil_out=float(flight.history["oil_outlet"][own].max()) - CELSIUS,
+        oil_out=float(flight.history["oil_outlet"][inside].max()) - CELSIUS,
     )
 
 
@@ -191,8 +191,8 @@ def mode_table(flight: Flight) -> Table:
     for row in (_phase(flight, summary) for summary in phase_summaries(flight)):
         rows.setdefault(row.mode, []).append(row)
     sums = [
-        ModeView(mode, *(sum(getattr(row, name) for row in own) for name in _names(ModeView)[1:]))
-        for mode, own in rows.items()
+        ModeView(mode, *(sum(getattr(row, name) for row in phases) for name in _names(ModeView)[1:]))
+        for mode, phases in rows.items()
     ]
     return table("Propulsion modes", sums, _names(ModeView))
 

@@ -63,7 +63,7 @@ class Grid:
         names = list(range(min(self.names, len(least))))
         blocks = [names]
         for k in range(len(names), len(least)):
-            if _total([least[each] for each in (*blocks[-1], k)]) > width and len(blocks[-1]) > len(names):
+            if _total([least[column] for column in (*blocks[-1], k)]) > width and len(blocks[-1]) > len(names):
                 blocks.append([*names])
             blocks[-1] = [*blocks[-1], k]
         return blocks
@@ -74,7 +74,7 @@ class Grid:
         for most in range(max(widths, default=0), 0, -1):
             if _total(widths) <= width:
                 break
-            widths = [max(min(own, most), word) for own, word in zip(widths, words, strict=True)]
+            widths = [max(min(current, most), word) for current, word in zip(widths, words, strict=True)]
         return widths
 
     def _least(self, k: int) -> int:
@@ -96,8 +96,10 @@ class Grid:
         block = Table(box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), show_lines=self.spaced,
                       show_header=self.table.show_header)  # fmt: skip
         for k, width in zip(columns, widths, strict=True):
-            own = self.table.columns[k]
-            block.add_column(own.header, justify=own.justify, width=width, no_wrap=own.no_wrap, overflow="fold")
+            column = self.table.columns[k]
+            block.add_column(
+                column.header, justify=column.justify, width=width, no_wrap=column.no_wrap, overflow="fold"
+            )
         cells = zip(*(self.table.columns[k].cells for k in columns), strict=True)
         for row, texts in zip(self.table.rows, cells, strict=True):
             block.add_row(*map(_plain, texts), style=row.style, end_section=row.end_section)

@@ -120,20 +120,20 @@ def motion_tables(trace: Trace) -> tuple[Table, ...]:
     forces, torques = [], []
     weights = np.diff(trace.force.edges) / np.sum(np.diff(trace.force.edges))
     for name, unit in zip(trace.labels.lines, trace.labels.line_units, strict=True):
-        of = trace.force.of(name)
-        mean, rms = float(weights @ of["mean"]), float(np.sqrt(weights @ of["rms"] ** 2))
-        least, most = float(np.min(of["least"])), float(np.max(of["most"]))
+        statistics = trace.force.of(name)
+        mean, rms = float(weights @ statistics["mean"]), float(np.sqrt(weights @ statistics["rms"] ** 2))
+        least, most = float(np.min(statistics["least"])), float(np.max(statistics["most"]))
         if unit == "m":
             forces.append(LineForce(name, mean, least, most, rms, most - least))
         else:
             torques.append(LineTorque(name, mean, least, most, rms, most - least))
     fields = ("name", "mean", "least", "most", "rms", "peak_to_peak")
     span = f"From every step between {trace.force.edges[0]:.4g} and {trace.force.edges[-1]:.4g} s."
-    found = (
+    tables = (
         table("Forces", forces, fields, note=f"{span} {ALONG}"),
         table("Shaft torques", torques, fields, note=span),
     )
-    return tuple(each for each in found if each.rows)
+    return tuple(listed for listed in tables if listed.rows)
 
 
 def energy_table(trace: Trace) -> Table:

@@ -96,29 +96,32 @@ def pair_data(sizing: Sizing, mesh: MeshSizing) -> CylindricalPairData | BevelPa
         mesh: One of its meshes, rated by ISO 6336 or ISO 10300.
     """
     by_name = {gear.name: gear for gear in sizing.gears}
-    one, other = (by_name[name] for name in mesh.gears)
-    rating = rating_of(sizing.design, one.stage)
+    pinion, wheel = (by_name[name] for name in mesh.gears)
+    rating = rating_of(sizing.design, pinion.stage)
     if rating.kind == "bevel":
-        return _bevel(sizing, one, other)
-    geometry = cylindrical_mesh((one.teeth, other.teeth), one.module, min(one.face_width, other.face_width), rating,
-                                internal=other.role == "ring")  # fmt: skip
-    return _cylindrical(geometry, one, other)
+        return _bevel(sizing, pinion, wheel)
+    width = min(pinion.face_width, wheel.face_width)
+    geometry = cylindrical_mesh((pinion.teeth, wheel.teeth), pinion.module, width, rating,
+                                internal=wheel.role == "ring")  # fmt: skip
+    return _cylindrical(geometry, pinion, wheel)
 
 
-def _cylindrical(mesh: MeshGeometry, one: GearSizing, other: GearSizing) -> CylindricalPairData:
-    external = other.role != "ring"
+def _cylindrical(mesh: MeshGeometry, pinion: GearSizing, wheel: GearSizing) -> CylindricalPairData:
+    external = wheel.role != "ring"
     shifts = tuple(float(tooth.profile_shift) for tooth in mesh.proportions)
-    gears = [_gear(gear, shift, float(mesh.pressure_angle)) for gear, shift in zip((one, other), shifts, strict=True)]
+    gears = [
+        _gear(gear, shift, float(mesh.pressure_angle)) for gear, shift in zip((pinion, wheel), shifts, strict=True)
+    ]
     spanned = tuple(spanned_teeth(gear) for gear in gears)
     spans = tuple(span_measurement(gear, count) for gear, count in zip(gears, spanned, strict=True))
     tips = [2.0 * float(radius) for radius in mesh.tip_radii]
     roots = [tip - sign * 2.0 * float(height) for tip, height, sign in
              zip(tips, mesh.tooth_heights, (1.0, 1.0 if external else -1.0), strict=True)]  # fmt: skip
     return CylindricalPairData(
-        teeth=(one.teeth, other.teeth),
-        module=one.module,
+        teeth=(pinion.teeth, wheel.teeth),
+        module=pinion.module,
         pressure_angle=float(mesh.pressure_angle),
-        helix_angle=one.helix_angle,
+        helix_angle=pinion.helix_angle,
         profile_shift=(shifts[0], shifts[1]),
         face_width=float(mesh.face_width),
         centre_distance=float(mesh.centre_distance),
@@ -142,9 +145,9 @@ def _gear(gear: GearSizing, shift: float, pressure_angle: float) -> CylindricalG
     return CylindricalGear(gear.teeth, gear.module, gear.face_width, gear.helix_angle, shift, rack)
 
 
-def _bevel(sizing: Sizing, one: GearSizing, other: GearSizing) -> BevelPairData:
-    rating = rating_of(sizing.design, one.stage)
-    pair = bevel_pair((one.teeth, other.teeth), one.module, one.face_width, rating)
+def _bevel(sizing: Sizing, pinion: GearSizing, wheel: GearSizing) -> BevelPairData:
+    rating = rating_of(sizing.design, pinion.stage)
+    pair = bevel_pair((pinion.teeth, wheel.teeth), pinion.module, pinion.face_width, rating)
     return BevelPairData(
         teeth=pair.teeth,
         outer_module=pair.outer_module,

@@ -31,8 +31,8 @@ def flow_tables(sizing: Sizing) -> tuple[Table, ...]:
 
 
 def _shaft_by_shaft(sizing: Sizing, case: str) -> list[Branch]:
-    found = branches(sizing.train, sizing.flows[case])
-    return [each for shaft in sizing.design.shafts for each in found if each.shaft == shaft]
+    of_case = branches(sizing.train, sizing.flows[case])
+    return [branch for shaft in sizing.design.shafts for branch in of_case if branch.shaft == shaft]
 
 
 def tables_of(sizing: Sizing) -> dict[str, Table]:

@@ -138,8 +138,8 @@ def spread(table: Table) -> list[Spread]:
     """
     lines = []
     for result in table.numbers:
-        found = quantiles([row.shown(result) for row in table.good], (0.0, 0.05, 0.5, 0.95, 1.0))
-        lines.append(Spread(result, table.unit(result), tuple(written(value) for value in found)))
+        levels = quantiles([row.shown(result) for row in table.good], (0.0, 0.05, 0.5, 0.95, 1.0))
+        lines.append(Spread(result, table.unit(result), tuple(written(value) for value in levels)))
     return lines
 
 
@@ -154,7 +154,7 @@ def quantiles(values: Sequence[float] | NDArray[np.float64], parts: Sequence[flo
     ([1.5], [2.0, inf])
     """
     method: Literal["linear", "nearest"] = "linear" if np.isfinite(values).all() else "nearest"
-    return [float(each) for each in np.quantile(values, parts, method=method)]
+    return [float(quantile) for quantile in np.quantile(values, parts, method=method)]
 
 
 def reasons(table: Table) -> list[str]:

@@ -19,22 +19,22 @@ MILLION = 1e6
 """From here a number is written with a power of ten in narrow columns."""
 
 
-def standings_table(rows: Rows, found: Verdict) -> Table:
+def standings_table(rows: Rows, outcome: Verdict) -> Table:
     """Return how the designs stand: their places, how often they are first, and results that are names.
 
     Args:
         rows: Cases of a study.
-        found: How its designs stand.
+        outcome: How its designs stand.
     """
     names = [name for name in rows.results if name not in rows.numbers]
     columns = [_column("design"), _column("mean place"), _column("first"), _column("all weights"), _column("unbeaten")]
     columns += [_result_column(name, rows.good[0].results[name]) for name in names]
     lines = []
-    for standing in found.standings:
-        own = [row for row in rows.good if row.design == standing.design]
+    for standing in outcome.standings:
+        cases = [row for row in rows.good if row.design == standing.design]
         cells = [Cell(standing.design, standing.design), Cell(standing.place, f"{standing.place:.1f}")]
-        cells += [_share(part) for part in (standing.first / found.scenarios, standing.weights, standing.unbeaten)]
-        lines.append((*cells, *(_typical(own, name, rows) for name in names)))
+        cells += [_share(part) for part in (standing.first / outcome.scenarios, standing.weights, standing.unbeaten)]
+        lines.append((*cells, *(_typical(cases, name, rows) for name in names)))
     note = (
         "Mean place over all objectives; first: part of the cases with equal inputs in which that place is the best;"
         " all weights: part of all weights of the objectives, drawn evenly, with which it is first; unbeaten: part of"
@@ -43,37 +43,37 @@ def standings_table(rows: Rows, found: Verdict) -> Table:
     return Table("How the designs stand", tuple(columns), tuple(lines), note)
 
 
-def values_table(study: Study, rows: Rows, found: Verdict) -> Table:
+def values_table(study: Study, rows: Rows, outcome: Verdict) -> Table:
     """Return median and range of every result that is a number, designs in the order of their places.
 
     Args:
         study: With objectives, which come first.
         rows: Its cases.
-        found: How its designs stand.
+        outcome: How its designs stand.
     """
     names = [*study.objectives, *(name for name in rows.numbers if name not in study.objectives)]
     columns = [_column("design"), *(_result_column(name, rows.good[0].results[name]) for name in names)]
-    owns = [[row for row in rows.good if row.design == standing.design] for standing in found.standings]
+    by_design = [[row for row in rows.good if row.design == standing.design] for standing in outcome.standings]
     lines = [
-        (Cell(standing.design, standing.design), *(_typical(own, name, rows) for name in names))
-        for standing, own in zip(found.standings, owns, strict=True)
+        (Cell(standing.design, standing.design), *(_typical(cases, name, rows) for name in names))
+        for standing, cases in zip(outcome.standings, by_design, strict=True)
     ]
-    note = "Medians; in brackets from 5 to 95 % of the cases." if found.scenarios > 1 else ""
+    note = "Medians; in brackets from 5 to 95 % of the cases." if outcome.scenarios > 1 else ""
     return Table("What they come to", tuple(columns), tuple(lines), note)
 
 
-def _typical(own: Sequence[Row], name: str, rows: Rows) -> Cell:
+def _typical(cases: Sequence[Row], name: str, rows: Rows) -> Cell:
     """Return the median with its range, or the commonest name."""
-    if not own:
+    if not cases:
         return Cell(None, "–")
     if name not in rows.numbers:
-        word, count = Counter(str(row.results[name].value) for row in own).most_common(1)[0]
-        return Cell(word, word if count == len(own) else f"{word} ({percent(count / len(own))})")
-    low, median, high = quantiles([row.shown(name) for row in own], (0.05, 0.5, 0.95))
+        word, count = Counter(str(row.results[name].value) for row in cases).most_common(1)[0]
+        return Cell(word, word if count == len(cases) else f"{word} ({percent(count / len(cases))})")
+    low, median, high = quantiles([row.shown(name) for row in cases], (0.05, 0.5, 0.95))
     if low == high:
         return Cell(median, written(median))
     digits = 3 if high - low > 0.01 * abs(median) else 4
-    short = [_short(each, digits) for each in (median, low, high)]
+    short = [_short(quantile, digits) for quantile in (median, low, high)]
     return Cell(median, f"{short[0]} ({short[1]}–{short[2]})")
 
 

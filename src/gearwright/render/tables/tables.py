@@ -132,7 +132,7 @@ def table(
     hints = get_type_hints(type(listed[0]), include_extras=True)
     hints |= {name: _returned(type(listed[0]), name) for name in fields if name not in hints}
     columns = tuple(column(name, hints[name]) for name in fields)
-    rows = tuple(tuple(cell(getattr(one, c.name), c, mark(one, c.name)) for c in columns) for one in listed)
+    rows = tuple(tuple(cell(getattr(record, c.name), c, mark(record, c.name)) for c in columns) for record in listed)
     return Table(title, columns, rows, note)
 
 
@@ -173,8 +173,8 @@ def cell(value: object, column: Column, mark: Mark = "") -> Cell:
     if value is None:
         return Cell(None, "–", mark)
     if isinstance(value, tuple):
-        cells = [cell(each, column) for each in value]
-        return Cell([each.value for each in cells], ", ".join(each.text for each in cells), mark)
+        parts = [cell(part, column) for part in value]
+        return Cell([part.value for part in parts], ", ".join(part.text for part in parts), mark)
     return Cell(value, str(value), mark)
 
 
@@ -201,22 +201,22 @@ def written(number: float, digits: int = 4) -> str:
     return f"{number:#.{digits}g}".rstrip(".")
 
 
-def as_json(one: Table) -> dict[str, Any]:
+def as_json(listing: Table) -> dict[str, Any]:
     """Return a table for machines: columns with unit, equation and source, and rows by key.
 
     Values have all their digits and the unit that the key names; what is not finite is null.
 
     Args:
-        one: The table.
+        listing: The table.
     """
     columns = [
         {"key": c.key, "unit": c.unit, "equation": c.origin.equation, "source": c.origin.source}
         if c.origin
         else {"key": c.key, "unit": c.unit}
-        for c in one.columns
+        for c in listing.columns
     ]
-    rows = [{c.key: _finite(each.value) for c, each in zip(one.columns, row, strict=True)} for row in one.rows]
-    return {"title": one.title, "columns": columns, "rows": rows}
+    rows = [{c.key: _finite(cell.value) for c, cell in zip(listing.columns, row, strict=True)} for row in listing.rows]
+    return {"title": listing.title, "columns": columns, "rows": rows}
 
 
 def _finite(value: Any) -> Any:

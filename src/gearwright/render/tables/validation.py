@@ -24,41 +24,41 @@ def by_source(cases: Iterable[Case]) -> Iterator[tuple[Checked, ...]]:
         cases: Published results, those of one source together.
     """
     for _, group in groupby(cases, key=lambda case: case.source):
-        yield tuple(one for case in group for one in check(case))
+        yield tuple(result for case in group for result in check(case))
 
 
-def source_table(found: tuple[Checked, ...]) -> Table:
+def source_table(results: tuple[Checked, ...]) -> Table:
     """Return the numbers of one source for the terminal; what is missed is said below, with its tolerance's reason.
 
     Args:
-        found: Numbers of that source.
+        results: Numbers of that source.
     """
-    plain = table(found[0].source, found, SHOWN)
-    rows = tuple(_written(row, one) for row, one in zip(plain.rows, found, strict=True))
-    missed = "; ".join(f"{one.case} (allowed because {one.reason})" for one in found if not one.holds)
+    plain = table(results[0].source, results, SHOWN)
+    rows = tuple(_written(row, result) for row, result in zip(plain.rows, results, strict=True))
+    missed = "; ".join(f"{result.case} (allowed because {result.reason})" for result in results if not result.holds)
     return replace(plain, rows=rows, note=f"Missed: {missed}." if missed else "")
 
 
-def validation_table(found: Iterable[Checked]) -> Table:
+def validation_table(results: Iterable[Checked]) -> Table:
     """Return all numbers for machines.
 
     Args:
-        found: Of all sources.
+        results: Of all sources.
     """
-    return table("Validation", found, FIELDS)
+    return table("Validation", results, FIELDS)
 
 
-def verdict(found: Iterable[Checked]) -> str:
+def verdict(results: Iterable[Checked]) -> str:
     """Return how many numbers come out.
 
     Args:
-        found: Of all sources.
+        results: Of all sources.
     """
-    holds = [one.holds for one in found]
+    holds = [result.holds for result in results]
     return f"{sum(holds)} of {len(holds)} published numbers come out within their tolerance."
 
 
-def _written(row: tuple[Cell, ...], one: Checked) -> tuple[Cell, ...]:
+def _written(row: tuple[Cell, ...], result: Checked) -> tuple[Cell, ...]:
     expected, got, error, *words = row
     shown = [replace(cell, text=f"{cell.value:.{DIGITS}g}") for cell in (expected, got)]
-    return (*shown, replace(error, text=f"{one.error:+.1e}{'' if one.holds else ' missed'}"), *words)
+    return (*shown, replace(error, text=f"{result.error:+.1e}{'' if result.holds else ' missed'}"), *words)

@@ -34,15 +34,18 @@ WIDE = 130
 _BRIEF = ("gearbox_mass_kg", "gearbox_kw_kg", "torque_nm_kg")
 
 
-def comparison_table(found: Comparison, *, width: int = WIDE) -> RenderableType:
+def comparison_table(comparison: Comparison, *, width: int = WIDE) -> RenderableType:
     """Return every method side by side with the band, the mass that is taken and the engines that are alike.
 
     Args:
-        found: Of `compare`.
+        comparison: Of `compare`.
         width: Of the terminal [characters].
     """
     return Group(
-        _methods(found, width), Text(spread_text(found) + "\n"), _engines_alike(found.engines), Text(taken_text(found))
+        _methods(comparison, width),
+        Text(spread_text(comparison) + "\n"),
+        _engines_alike(comparison.engines),
+        Text(taken_text(comparison)),
     )
 
 
@@ -60,8 +63,8 @@ def engine_table(rows: Iterable[CheckedEngine], *, width: int = WIDE) -> Grid:
         table.add_column(heading, justify="left" if heading in ("series", "model") else "right", no_wrap=True)
     for symbol, unit, _ in (COLUMNS[column] for column in columns):
         table.add_column(f"{symbol}\n{unit}", justify="right", no_wrap=True)
-    for one in shown:
-        table.add_row(*_identity(one.engine), *(_printed(one, column) for column in columns))
+    for checked in shown:
+        table.add_row(*_identity(checked.engine), *(_printed(checked, column) for column in columns))
     return table
 
 
@@ -81,17 +84,17 @@ def note_table(rows: Iterable[CheckedEngine]) -> Grid:
     return table
 
 
-def score_table(found: Iterable[Score]) -> Grid:
+def score_table(ranked: Iterable[Score]) -> Grid:
     """Return bias and scatter of every method against the 61 real weights.
 
     Args:
-        found: Of `scores`.
+        ranked: Of `scores`.
     """
     table = Grid("Against 61 real weights (NASA/TM-2009-215680)", caption=score_assumption())
     for heading in ("method", "in range", "bias", "scatter 1σ", "over assumed speeds"):
         table.add_column(heading, justify="left" if heading == "method" else "right")
-    for one in found:
-        table.add_row(one.method.name, str(one.count), *score_cells(one))
+    for score in ranked:
+        table.add_row(score.method.name, str(score.count), *score_cells(score))
     return table
 
 
@@ -107,7 +110,7 @@ def score_cells(score: Score) -> tuple[str, str, str]:
         return bias, scatter, "partly out of range"
     if score.needs_only_beta:
         return bias, scatter, "exact, β only"
-    low, high = (100.0 * (one - 1.0) for one in score.bias_span)
+    low, high = (100.0 * (end - 1.0) for end in score.bias_span)
     return bias, scatter, f"{low:+.0f} to {high:+.0f} %"
 
 
@@ -131,29 +134,31 @@ def coverage_text(covered: Coverage) -> str:
     """
     names = (("housing", covered.housing), ("lubrication", covered.lubrication), ("shaft", covered.rotor_shaft))
     stated = [
-        f"{name} {_MARKS[one]}" for name, one in (*names, ("accessories", covered.accessories)) if one != "not stated"
+        f"{name} {_MARKS[state]}"
+        for name, state in (*names, ("accessories", covered.accessories))
+        if state != "not stated"
     ]
-    silent = [name for name, one in (*names, ("accessories", covered.accessories)) if one == "not stated"]
+    silent = [name for name, state in (*names, ("accessories", covered.accessories)) if state == "not stated"]
     return ", ".join([*stated, *([f"not stated: {', '.join(silent)}"] if silent else [])])
 
 
-def mass_text(found: Estimate) -> str:
+def mass_text(estimate: Estimate) -> str:
     """Return the mass of an estimate, or that the method does not apply.
 
     Args:
-        found: Of `estimate`.
+        estimate: Of `estimate`.
     """
-    return "out of range" if found.mass is None else f"{found.mass:.1f} kg"
+    return "out of range" if estimate.mass is None else f"{estimate.mass:.1f} kg"
 
 
-def remark(found: Estimate) -> str:
+def remark(estimate: Estimate) -> str:
     """Return why there is no mass, or what the method assumes.
 
     Args:
-        found: Of `estimate`.
+        estimate: Of `estimate`.
     """
-    beyond = f"; the bare formula gives {found.beyond:.1f} kg" if found.beyond is not None else ""
-    return found.reason + beyond if found.mass is None else found.method.assumes
+    beyond = f"; the bare formula gives {estimate.beyond:.1f} kg" if estimate.beyond is not None else ""
+    return estimate.reason + beyond if estimate.mass is None else estimate.method.assumes
 
 
 def requirement_text(need: Requirement) -> str:
@@ -166,8 +171,8 @@ def requirement_text(need: Requirement) -> str:
     return f"{text(need.power, 'power')}, {speeds} (ratio {need.ratio:.2f}, output {need.output_torque:.0f} N m)"
 
 
-def _methods(found: Comparison, width: int) -> Grid:
-    table = Grid(f"Gearbox mass: {requirement_text(found.requirement)}", caption=_SIGN_KEY)
+def _methods(comparison: Comparison, width: int) -> Grid:
+    table = Grid(f"Gearbox mass: {requirement_text(comparison.requirement)}", caption=_SIGN_KEY)
     table.add_column("method", no_wrap=True)
     table.add_column("mass", justify="right", no_wrap=True)
     for sign in "HLSA":
@@ -175,14 +180,14 @@ def _methods(found: Comparison, width: int) -> Grid:
     table.add_column("assumed, or why there is no mass")
     if width >= WIDE:
         table.add_column("source")
-    for estimate in found.estimates:
+    for estimate in comparison.estimates:
         source = [estimate.method.source] if width >= WIDE else []
         table.add_row(
             estimate.method.name, mass_text(estimate), *_signs(estimate.method.includes), remark(estimate), *source
         )
-    for given in (found.bottom_up, found.stated):
-        if given is not None:
-            table.add_row(given_name(given), f"{given.mass:.1f} kg", "", "", "", "", given.origin, style="bold")
+    for stated in (comparison.bottom_up, comparison.stated):
+        if stated is not None:
+            table.add_row(given_name(stated), f"{stated.mass:.1f} kg", "", "", "", "", stated.origin, style="bold")
     return table
 
 
@@ -192,42 +197,42 @@ def _signs(covered: Coverage) -> tuple[str, str, str, str]:
     return housing, lubrication, shaft, accessories
 
 
-def given_name(given: StatedMass) -> str:
+def given_name(stated: StatedMass) -> str:
     """Return how a mass that no method made is called.
 
     Args:
-        given: The design's own mass or the user's.
+        stated: The design's own mass or the user's.
     """
-    return "Your own mass (override)" if given.overridden else "This design"
+    return "Your own mass (override)" if stated.overridden else "This design"
 
 
-def spread_text(found: Comparison) -> str:
+def spread_text(comparison: Comparison) -> str:
     """Return span of the methods and bands of the real weights, a sentence a line.
 
     Args:
-        found: Of `compare`.
+        comparison: Of `compare`.
     """
-    low, high = found.spread
+    low, high = comparison.spread
     lines = [f"The methods that apply span {low:.3g} to {high:.3g} kg, a factor of {high / low:.1f}."]
     lines += [
         f"{band.level:.0%} of real gearboxes of this β weigh {band.low:.0f} to {band.high:.0f} kg."
-        for band in found.bands
+        for band in comparison.bands
     ]
-    if not found.bands:
+    if not comparison.bands:
         lines.append("No band: β lies outside the 61 real weights.")
     return "\n".join(lines)
 
 
-def taken_text(found: Comparison) -> str:
+def taken_text(comparison: Comparison) -> str:
     """Return the mass that later results use, with its origin.
 
     Args:
-        found: Of `compare`.
+        comparison: Of `compare`.
     """
-    if found.taken is None:
+    if comparison.taken is None:
         return "No mass is taken: outside the real weights, and neither a design nor your own mass was given."
-    mark = "override, " if found.taken.overridden else ""
-    return f"Taken from here on: {found.taken.mass:.1f} kg ({mark}{found.taken.origin})."
+    mark = "override, " if comparison.taken.overridden else ""
+    return f"Taken from here on: {comparison.taken.mass:.1f} kg ({mark}{comparison.taken.origin})."
 
 
 def _engines_alike(rows: tuple[Engine, ...]) -> Grid:
@@ -239,9 +244,9 @@ def _engines_alike(rows: tuple[Engine, ...]) -> Grid:
     return table
 
 
-def _identity(one: Engine) -> tuple[str, str, str, str, str]:
-    fast, slow = (f"{speed / RPM:.0f}" for speed in (one.engine_speed, one.propeller_speed))
-    return one.series.name, one.model, f"{one.power / _KW:g}", fast, slow
+def _identity(engine: Engine) -> tuple[str, str, str, str, str]:
+    fast, slow = (f"{speed / RPM:.0f}" for speed in (engine.engine_speed, engine.propeller_speed))
+    return engine.series.name, engine.model, f"{engine.power / _KW:g}", fast, slow
 
 
 def _printed(row: CheckedEngine, column: str) -> str:

@@ -67,11 +67,11 @@ def _tables(model: type[Record]) -> str:
 
 def _sections(model: type[Record]) -> dict[type[Record], tuple[str, ...]]:
     """Return record type -> path of its table, the shortest one, in the order of the file."""
-    found: dict[type[Record], tuple[str, ...]] = {}
+    paths: dict[type[Record], tuple[str, ...]] = {}
     for record, path in _walk(model, ()):
-        if record not in found or len(path) < len(found[record]):
-            found[record] = path
-    return found
+        if record not in paths or len(path) < len(paths[record]):
+            paths[record] = path
+    return paths
 
 
 def _walk(model: type[Record], path: tuple[str, ...]) -> Iterator[tuple[type[Record], tuple[str, ...]]]:
@@ -125,14 +125,14 @@ def _key(name: str, info: FieldInfo) -> str:
     if quantity is None:
         return f"`{info.alias or name}`"
     first = _suffix(quantity.dimension)
-    others = [f"`_{each}`" for each in SUFFIXES[quantity.dimension] if each != first]
+    others = [f"`_{suffix}`" for suffix in SUFFIXES[quantity.dimension] if suffix != first]
     return f"`{name}_{first}`" + (f" ({', '.join(others)})" if others else "")
 
 
 def _suffix(dimension: str) -> str:
     """Return the suffix of the unit in which a dimension is shown, or its first one."""
     units = SUFFIXES[dimension]
-    same = (each for each, factor in units.items() if math.isclose(factor * shown(1.0, dimension), 1.0))
+    same = (suffix for suffix, factor in units.items() if math.isclose(factor * shown(1.0, dimension), 1.0))
     return next(same, next(iter(units)))
 
 
@@ -179,8 +179,8 @@ def _allowed(info: FieldInfo) -> Iterator[str]:
 
 def _bounds(info: FieldInfo) -> Iterator[str]:
     """Yield the least and the most of a number; a number without a unit may have none of its own."""
-    own = any(getattr(mark, name, None) is not None for mark in info.metadata for name in ("ge", "gt", "le", "lt"))
-    if own or quantity_of(info) is not None:
+    bounded = any(getattr(mark, name, None) is not None for mark in info.metadata for name in ("ge", "gt", "le", "lt"))
+    if bounded or quantity_of(info) is not None:
         allowed = range_of(info)
         yield f"{'>' if allowed.above else '≥'} {_value(allowed.least, info)}"
         yield f"{'<' if allowed.below else '≤'} {_value(allowed.most, info)}"

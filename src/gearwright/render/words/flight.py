@@ -102,7 +102,7 @@ def _totals(flight: Flight) -> list[str]:
 def _damage(rows: Sequence[PartLife]) -> list[str]:
     lines = [f"{'part':24} {'mode':16} {'damage a flight':>16} {'flights':>10} {'life h':>10}"]
     for row in rows[:MOST_ROWS]:
-        numbers = [count_text(each) for each in (row.flights, row.life)]
+        numbers = [count_text(number) for number in (row.flights, row.life)]
         lines.append(f"{row.name:24} {row.mode:16} {row.damage:16.2e} {numbers[0]:>10} {numbers[1]:>10}")
     return lines
 

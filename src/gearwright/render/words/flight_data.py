@@ -71,13 +71,14 @@ def flight_json(flight: Flight, parts: Durability, life: LifeSizing | None = Non
 
 def _spectrum(flight: Flight) -> dict[str, dict[str, list[dict[str, float]]]]:
     """Return the duty of one flight by classes: torques of meshes and shafts [N m], radial forces of bearings [N]."""
-    found = {
+    spectra_by_kind = {
         "meshes": {mesh.name: mesh_spectrum(flight, mesh.name) for mesh in flight.sizing.train.meshes},
         "shafts": {shaft: shaft_spectrum(flight, shaft) for shaft in flight.sizing.design.shafts},
         "bearings": bearing_spectra(flight),
     }
     return {
-        kind: {name: [vars(each) for each in bins] for name, bins in spectra.items()} for kind, spectra in found.items()
+        kind: {name: [vars(bin_) for bin_ in bins] for name, bins in spectra.items()}
+        for kind, spectra in spectra_by_kind.items()
     }
 
 

@@ -41,16 +41,16 @@ def resonances(campbell: Sequence[SpeedCase]) -> tuple[str, ...]:
 
 
 def _resonance(case: SpeedCase) -> str:
-    near = [one for one in case.critical if one.excited and one.in_resonance]
+    near = [critical for critical in case.critical if critical.excited and critical.in_resonance]
     if not near:
         return ""
     more = f", and {len(near) - 1} more" if len(near) > 1 else ""
     return f"{_distance(near[0])} (case {case.cases}){more}"
 
 
-def _distance(one: CriticalSpeed) -> str:
-    side = "above" if one.margin > 0.0 else "below"
-    return f"{one.order} meets mode {one.mode} {abs(one.margin):.2%} {side} the operating speed"
+def _distance(critical: CriticalSpeed) -> str:
+    side = "above" if critical.margin > 0.0 else "below"
+    return f"{critical.order} meets mode {critical.mode} {abs(critical.margin):.2%} {side} the operating speed"
 
 
 def energy_text(residual: float) -> str:

@@ -41,32 +41,32 @@ def summary(study: SharingStudy) -> list[str]:
     perfect = ", ".join(
         f"{name} {value / count:.2%}" for name, value in zip(problem.lines, problem.perfect, strict=True)
     )
-    given = ", ".join(
+    cycled = ", ".join(
         f"{name} {low / count:.2%} to {high / count:.2%}"
         for name, low, high in zip(problem.lines, cycle.min(axis=0), cycle.max(axis=0), strict=True)
     )
-    found = [
+    lines = [
         f"{problem.stage}: {count} paths; loops of the load in the train: {problem.train.count}",
         f"without errors: {perfect}",
-        f"with the errors as given: {given} over a tooth cycle, K_γ {sharing.load_factor:.3f} ({sharing.reason})",
+        f"with the errors as given: {cycled} over a tooth cycle, K_γ {sharing.load_factor:.3f} ({sharing.reason})",
     ]
     if problem.stated is not None:
         stated = ", ".join(f"{name} {share:.2%}" for name, share in zip(problem.lines, problem.stated, strict=True))
-        found.insert(1, f"stated in the design and taken by sizing: {stated}; all below is what stiffness makes of it")
+        lines.insert(1, f"stated in the design and taken by sizing: {stated}; all below is what stiffness makes of it")
     if not problem.shifts:
-        found.append("statically determinate: equilibrium alone shares the load, and no error shifts it")
+        lines.append("statically determinate: equilibrium alone shares the load, and no error shifts it")
     if study.distribution is not None and problem.shifts:
         shares = ", ".join(
             f"{percent:g} % below {study.distribution.percentile(percent):.2%}" for percent in PERCENTILES
         )
-        found.append(
+        lines.append(
             f"{len(study.distribution.peak)} gearboxes with random phases (seed {study.distribution.seed}): {shares}"
         )
     if study.clocking is not None:
         angles = ", ".join(f"{gear} {1e3 * angle:+.3f} mrad" for gear, angle in study.clocking.angles)
         window, target = 1e3 * study.clocking.window, study.clocking.target
-        found.append(f"equal without errors with clocking: {angles}; {target:.0%} within ±{window:.2f} mrad of it")
-    return found
+        lines.append(f"equal without errors with clocking: {angles}; {target:.0%} within ±{window:.2f} mrad of it")
+    return lines
 
 
 def _influences(study: SharingStudy) -> Grid:
@@ -84,18 +84,18 @@ def _influences(study: SharingStudy) -> Grid:
 
 
 def _size(name: str, size: float) -> str:
-    unit, scale = next((each for kind, each in _UNITS.items() if name.endswith(kind)), ("µm", 1e-6))
+    unit, scale = next((scaled for kind, scaled in _UNITS.items() if name.endswith(kind)), ("µm", 1e-6))
     return f"{size / scale:.4g} {unit}"
 
 
-def _allocation(found: Allocation) -> Grid:
-    share = f"{100.0 * found.target:g}/{100.0 * (1.0 - found.target):g}"
-    title = f"Tolerances for {share} in {found.percent:g} % of gearboxes (reached: {found.reached:.2%})"
+def _allocation(allocation: Allocation) -> Grid:
+    share = f"{100.0 * allocation.target:g}/{100.0 * (1.0 - allocation.target):g}"
+    title = f"Tolerances for {share} in {allocation.percent:g} % of gearboxes (reached: {allocation.reached:.2%})"
     table = Grid(title)
     table.add_column("error")
     for header in ("given", "allowed"):
         table.add_column(header, justify="right")
-    for name, before, after in sorted(found.sizes, key=lambda row: row[2] / row[1]):
+    for name, before, after in sorted(allocation.sizes, key=lambda row: row[2] / row[1]):
         table.add_row(name, _size(name, before), _size(name, after) if after < before else "as given")
     return table
 
@@ -130,6 +130,11 @@ def sharing_json(study: SharingStudy) -> str:
         content["clocking_window_rad"] = study.clocking.window if math.isfinite(study.clocking.window) else None
     if study.allocation is not None:
         sizes = {name: {"given": before, "allowed": after} for name, before, after in study.allocation.sizes}
-        found = study.allocation
-        content["allocation"] = {"target": found.target, "reached": found.reached, "cost": found.cost, "sizes": sizes}
+        allocation = study.allocation
+        content["allocation"] = {
+            "target": allocation.target,
+            "reached": allocation.reached,
+            "cost": allocation.cost,
+            "sizes": sizes,
+        }
     return json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)

@@ -24,15 +24,15 @@ def answer(study: Study, table: Table) -> Iterator[str]:
         study: As run.
         table: Its rows.
     """
-    found = verdict(study, table)
-    if found is not None:
-        yield from _wins(found)
-        yield from _duel(study, table, found)
+    outcome = verdict(study, table)
+    if outcome is not None:
+        yield from _wins(outcome)
+        yield from _duel(study, table, outcome)
     if study.sampling.method == "saltelli":
         yield from _drivers(study, table)
     elif study.sampling.method in SAMPLED and len(study.designs) == 1 and not study.objectives:
         yield from (_range(table, name) for name in table.numbers)
-    if found is None or study.sampling.method not in SAMPLED:
+    if outcome is None or study.sampling.method not in SAMPLED:
         yield from (_best(study, table, name, sense) for name, sense in study.objectives.items())
         yield from _ends(study, table)
     yield from _constraints(study, table)
@@ -42,70 +42,72 @@ def answer(study: Study, table: Table) -> Iterator[str]:
     yield from (f"Cannot be had: {reason}." for reason in reasons(table))
 
 
-def key_numbers(found: Verdict | None) -> list[tuple[str, str]]:
+def key_numbers(outcome: Verdict | None) -> list[tuple[str, str]]:
     """Return what a reader of the page sees first: name and value.
 
     Args:
-        found: How the designs stand; None gives nothing.
+        outcome: How the designs stand; None gives nothing.
     """
-    if found is None:
+    if outcome is None:
         return []
-    first, second = found.standings[:2]
+    first, second = outcome.standings[:2]
     return [
         ("wins", first.design),
-        (f"first in, of {found.scenarios:,} cases", percent(first.first / found.scenarios)),
+        (f"first in, of {outcome.scenarios:,} cases", percent(first.first / outcome.scenarios)),
         ("first, over all weights", percent(first.weights)),
         ("mean place", f"{first.place:.1f}"),
         ("next", f"{second.design}, {second.place:.1f}"),
     ]
 
 
-def _wins(found: Verdict) -> Iterator[str]:
-    first, second = found.standings[:2]
+def _wins(outcome: Verdict) -> Iterator[str]:
+    first, second = outcome.standings[:2]
     text = (
         f"{first.design} wins: with objectives of the same weight its mean place is {first.place:.1f} of"
-        f" {len(found.standings)}; next is {second.design} with {second.place:.1f}."
+        f" {len(outcome.standings)}; next is {second.design} with {second.place:.1f}."
     )
-    if found.scenarios == 1:
+    if outcome.scenarios == 1:
         yield f"{text} This is one case; sample what is not known ([sampling]) to see how sure it is."
     else:
-        low, high = found.sureness
+        low, high = outcome.sureness
         yield (
-            f"{text} It is first in {first.first:,} of {found.scenarios:,} cases with equal inputs,"
-            f" {percent(first.first / found.scenarios)} (95 % confidence: {percent(low)} to {percent(high)})."
+            f"{text} It is first in {first.first:,} of {outcome.scenarios:,} cases with equal inputs,"
+            f" {percent(first.first / outcome.scenarios)} (95 % confidence: {percent(low)} to {percent(high)})."
         )
-    shares = sorted(found.standings, key=lambda standing: -standing.weights)
+    shares = sorted(outcome.standings, key=lambda standing: -standing.weights)
     named = ", ".join(f"{share.design} {percent(share.weights)}" for share in shares[:3] if share.weights >= 0.005)
-    changed = ", ".join(f"{design} without {heading(name)}" for name, design in found.without.items())
-    one = f"If one did not count, it would be {changed}" if changed else "It wins whichever one of them does not count"
-    yield f"If nothing is known of the objectives' weights, the chance to be first is: {named}. {one}."
+    changed = ", ".join(f"{design} without {heading(name)}" for name, design in outcome.without.items())
+    decisive = (
+        f"If one did not count, it would be {changed}" if changed else "It wins whichever one of them does not count"
+    )
+    yield f"If nothing is known of the objectives' weights, the chance to be first is: {named}. {decisive}."
 
 
-def _duel(study: Study, table: Table, found: Verdict) -> Iterator[str]:
+def _duel(study: Study, table: Table, outcome: Verdict) -> Iterator[str]:
     """Compare the winner with the next one, objective by objective, at equal inputs."""
-    first, second = (standing.design for standing in found.standings[:2])
-    better, worse, open_ = list[str](), list[str](), list[str]()
+    first, second = (standing.design for standing in outcome.standings[:2])
+    better, worse, undecided = list[str](), list[str](), list[str]()
     for name, sense in study.objectives.items():
         ratios = _ratios(table, name, first, second)
         if len(ratios):
             median = float(np.median(ratios))
             gains = int(((ratios < 1.0) if sense == "least" else (ratios > 1.0)).sum())
             low, high = confidence(gains, len(ratios)) if len(ratios) > 1 else (gains, gains)
-            place = better if low > 0.5 else worse if high < 0.5 else open_
-            much = "" if place is open_ else f" {_more(median)}"
-            place.append(f"{heading(name)}{much} ({gains:,} of {len(ratios):,} better)")
-    groups = ((better, "better in"), (worse, "worse in"), (open_, "no difference to tell in"))
+            side = better if low > 0.5 else worse if high < 0.5 else undecided
+            much = "" if side is undecided else f" {_more(median)}"
+            side.append(f"{heading(name)}{much} ({gains:,} of {len(ratios):,} better)")
+    groups = ((better, "better in"), (worse, "worse in"), (undecided, "no difference to tell in"))
     said = "; ".join(f"{words} {', '.join(names)}" for names, words in groups if names)
     yield f"{first} against {second}, medians at equal inputs: {said}."
 
 
 def _ratios(table: Table, name: str, first: str, second: str) -> np.ndarray:
     pairs = [
-        (own[first].number(name), own[second].number(name))
-        for own in ({row.design: row for row in rows if not row.problem} for rows in scenarios(table))
-        if first in own and second in own
+        (by_design[first].number(name), by_design[second].number(name))
+        for by_design in ({row.design: row for row in rows if not row.problem} for rows in scenarios(table))
+        if first in by_design and second in by_design
     ]
-    return np.array([one / other for one, other in pairs if other and np.isfinite(one) and np.isfinite(other)])
+    return np.array([ours / theirs for ours, theirs in pairs if theirs and np.isfinite(ours) and np.isfinite(theirs)])
 
 
 def _more(ratio: float) -> str:
@@ -122,7 +124,7 @@ def _best(study: Study, table: Table, name: str, sense: str) -> str:
     sign = 1.0 if sense == "least" else -1.0
     best: dict[str, Row] = {}
     allowed = [row for row in table.good if not violations(study, [row])[0]]
-    for row in sorted(allowed or table.good, key=lambda each: sign * each.number(name)):
+    for row in sorted(allowed or table.good, key=lambda row: sign * row.number(name)):
         best.setdefault(row.design, row)
     first, *others = best.values()
     text = f"{sense.capitalize()} {heading(name)}: {first.design}{at(table, first)}, {value(table, first, name)}"
@@ -131,9 +133,9 @@ def _best(study: Study, table: Table, name: str, sense: str) -> str:
     return f"{text}{_flat(study, table, name, first)}."
 
 
-def _off(first: Row, other: Row, name: str) -> str:
+def _off(first: Row, second: Row, name: str) -> str:
     """Say how far the next one is off, where a ratio says anything."""
-    best, next_best = first.number(name), other.number(name)
+    best, next_best = first.number(name), second.number(name)
     if next_best == best:
         return ", as good"
     return f", {percent(abs(next_best / best - 1.0), 1)} off" if best and np.isfinite(best) else ""
@@ -180,9 +182,9 @@ def _drivers(study: Study, table: Table) -> Iterator[str]:
         except SolveError:
             continue
         parts = []
-        for each in (most, *rest[:1]):
-            low, high = each.total_interval
-            parts.append(f"{each.axis} {percent(each.total)} ({percent(low)} to {percent(high)})")
+        for index in (most, *rest[:1]):
+            low, high = index.total_interval
+            parts.append(f"{index.axis} {percent(index.total)} ({percent(low)} to {percent(high)})")
         yield f"{heading(name)} depends most on {', then '.join(parts)}, as shares of its variance, 95 % confidence."
 
 
@@ -206,8 +208,8 @@ def at(table: Table, row: Row) -> str:
         row: Of the table.
     """
     values = {path: row.inputs[path] for path in table.free}
-    given = [f"{path} = {x:.6g}" if isinstance(x, float) else f"{path} = {x}" for path, x in values.items()]
-    return f" at {', '.join(given)}" if given else ""
+    inputs = [f"{path} = {x:.6g}" if isinstance(x, float) else f"{path} = {x}" for path, x in values.items()]
+    return f" at {', '.join(inputs)}" if inputs else ""
 
 
 def value(table: Table, row: Row, name: str) -> str:

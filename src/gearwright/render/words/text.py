@@ -54,7 +54,7 @@ def sizing_text(sizing: Sizing, *, trace: Trace | None = None, campbell: Sequenc
     tables = tables_of(sizing)
     head = [Text(words) for words in (summary(sizing, trace), *resonance_lines(campbell))]
     parts: list[RenderableType] = [Text(sizing.design.name, style="bold"), *head, Text()]
-    parts += [table_text(each) for each in (*flow_tables(sizing), path_table(sizing)) if each.rows]
+    parts += [table_text(table) for table in (*flow_tables(sizing), path_table(sizing)) if table.rows]
     parts += [table_text(tables[name]) for name in _ORDER if tables[name].rows]
     return Group(*parts)
 
@@ -74,7 +74,7 @@ def sizing_json(sizing: Sizing) -> str:
     Args:
         sizing: As sized.
     """
-    tables = {name: as_json(each) for name, each in tables_of(sizing).items()}
+    tables = {name: as_json(table) for name, table in tables_of(sizing).items()}
     flows = {case: as_json(table) for case, table in zip(sizing.flows, flow_tables(sizing), strict=True)}
     factors = {mesh.name: as_json(table) for mesh, table in zip(rated(sizing), factor_tables(sizing), strict=True)}
     head = {
@@ -162,37 +162,37 @@ def trace_json(trace: Trace) -> str:
     Args:
         trace: As simulated.
     """
-    tables = {each.title.lower(): as_json(each) for each in (*motion_tables(trace), energy_table(trace))}
+    tables = {table.title.lower(): as_json(table) for table in (*motion_tables(trace), energy_table(trace))}
     head = {"method": trace.method, "step_s": trace.step, "duration_s": trace.duration, "error": trace.error}
     return json.dumps({**head, "notes": list(trace.notes), **tables}, indent=2, ensure_ascii=False, allow_nan=False)
 
 
-def table_text(one: Table) -> RenderableType:
+def table_text(table: Table) -> RenderableType:
     """Return a table for the terminal, in several blocks where it is too narrow for all columns.
 
     Args:
-        one: The table.
+        table: The table.
     """
-    grid = Grid(one.title, names=_names(one))
-    for k, column in enumerate(one.columns):
-        right = _is_number(one, k)
+    grid = Grid(table.title, names=_names(table))
+    for k, column in enumerate(table.columns):
+        right = _is_number(table, k)
         grid.add_column(_head(column), justify="right" if right else "left", no_wrap=right)
-    for row in one.rows:
+    for row in table.rows:
         grid.add_row(*map(_shown, row))
-    legend = [f"{MARKS[mark][0]} {MARKS[mark][1]}" for mark in one.marks]
-    below = " ".join([*([one.note] if one.note else []), *(f"{words}." for words in legend)])
+    legend = [f"{MARKS[mark][0]} {MARKS[mark][1]}" for mark in table.marks]
+    below = " ".join([*([table.note] if table.note else []), *(f"{words}." for words in legend)])
     return Group(grid, Text(f"{below}\n", style="dim")) if below else grid
 
 
-def _names(one: Table) -> int:
+def _names(table: Table) -> int:
     """Return how many columns name a row: the first, or where it repeats itself all words before the first number."""
-    if len({row[0].text for row in one.rows}) == len(one.rows):
+    if len({row[0].text for row in table.rows}) == len(table.rows):
         return 1
-    return max(next((k for k in range(len(one.columns)) if _is_number(one, k)), 1), 1)
+    return max(next((k for k in range(len(table.columns)) if _is_number(table, k)), 1), 1)
 
 
-def _is_number(one: Table, k: int) -> bool:
-    return any(row[k].is_number for row in one.rows)
+def _is_number(table: Table, k: int) -> bool:
+    return any(row[k].is_number for row in table.rows)
 
 
 def _head(column: Column) -> str:

@@ -40,13 +40,13 @@ def to_json(value: object) -> str:
     return json.dumps(value, indent=1, ensure_ascii=False, allow_nan=False)
 
 
-def comparison_record(found: Comparison) -> dict[str, object]:
+def comparison_record(comparison: Comparison) -> dict[str, object]:
     """Return a comparison with units in its keys, every mass beside its formula and source.
 
     Args:
-        found: Of `compare`.
+        comparison: Of `compare`.
     """
-    need = found.requirement
+    need = comparison.requirement
     return {
         "requirement": {
             "power_kw": need.power / _KW,
@@ -66,22 +66,22 @@ def comparison_record(found: Comparison) -> dict[str, object]:
                 "assumes": estimate.method.assumes,
                 "includes": vars(estimate.method.includes),
             }
-            for estimate in found.estimates
+            for estimate in comparison.estimates
         ],
-        "bands": [{"level": band.level, "low_kg": band.low, "high_kg": band.high} for band in found.bands],
-        "nearest_engines": [f"{engine.series.name} {engine.model}" for engine in found.engines],
-        "bottom_up": _stated(found.bottom_up),
-        "stated": _stated(found.stated),
-        "taken": _stated(found.taken),
+        "bands": [{"level": band.level, "low_kg": band.low, "high_kg": band.high} for band in comparison.bands],
+        "nearest_engines": [f"{engine.series.name} {engine.model}" for engine in comparison.engines],
+        "bottom_up": _stated(comparison.bottom_up),
+        "stated": _stated(comparison.stated),
+        "taken": _stated(comparison.taken),
     }
 
 
-def _stated(given: StatedMass | None) -> dict[str, object] | None:
-    return None if given is None else {"mass_kg": given.mass, "origin": given.origin, "overridden": given.overridden}
+def _stated(mass: StatedMass | None) -> dict[str, object] | None:
+    return None if mass is None else {"mass_kg": mass.mass, "origin": mass.origin, "overridden": mass.overridden}
 
 
-def _engine_row(one: CheckedEngine) -> Row:
-    engine = one.engine
+def _engine_row(checked: CheckedEngine) -> Row:
+    engine = checked.engine
     row: Row = {
         "table": engine.series.table,
         "series": engine.series.name,
@@ -93,11 +93,11 @@ def _engine_row(one: CheckedEngine) -> Row:
         "engine_rpm_rule": engine.series.reason,
         "propeller_rpm": round(engine.propeller_speed / RPM, 6),
         "nasa15_mass_kg": gearbox_mass(engine),
-        "engine_mass_least_kg": None if one.engine_mass is None else one.engine_mass[0],
-        "engine_mass_greatest_kg": None if one.engine_mass is None else one.engine_mass[1],
+        "engine_mass_least_kg": None if checked.engine_mass is None else checked.engine_mass[0],
+        "engine_mass_greatest_kg": None if checked.engine_mass is None else checked.engine_mass[1],
     }
     for column in COLUMNS:
-        check = one.check(column)
+        check = checked.check(column)
         row[f"{column}_printed"] = None if check.printed is None else check.printed.text
         row[f"{column}_computed"] = check.computed
         row[f"{column}_verdict"] = check.verdict.value

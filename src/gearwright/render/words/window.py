@@ -54,23 +54,23 @@ def _drives(trace: Trace) -> Iterator[Range]:
 
 
 def _lines(trace: Trace) -> Iterator[Range]:
-    for name, own in zip(trace.labels.lines, trace.labels.line_units, strict=True):
-        if own == "rad":
+    for name, line_unit in zip(trace.labels.lines, trace.labels.line_units, strict=True):
+        if line_unit == "rad":
             yield _range(trace.force, name, "torque")
-    for name, own in zip(trace.labels.lines, trace.labels.line_units, strict=True):
-        if own == "m":
+    for name, line_unit in zip(trace.labels.lines, trace.labels.line_units, strict=True):
+        if line_unit == "m":
             yield _range(trace.force, name, "force")
 
 
 def _range(statistics: Statistics, name: str, dimension: str) -> Range:
-    own = statistics.of(name)
+    history = statistics.of(name)
     return Range(
         name,
         dimension,
-        float(own["mean"][0]),
-        float(np.min(own["least"])),
-        float(np.max(own["most"])),
-        float(own["mean"][-1]),
+        float(history["mean"][0]),
+        float(np.min(history["least"])),
+        float(np.max(history["most"])),
+        float(history["mean"][-1]),
     )
 
 
@@ -106,12 +106,12 @@ def window_verdict(window: DynamicWindow) -> str:
     Args:
         window: As flown.
     """
-    found = window.limit_cycle
-    if found is None:
+    cycle = window.limit_cycle
+    if cycle is None:
         return "The governor does not limit-cycle"
     return (
-        f"The governor limit-cycles at {found.frequency:.3g} Hz with {found.amplitude:.3g} rad/s"
-        f" ({found.amplitude * 30.0 / math.pi:.3g} rpm); lower its gain, or give a faster actuator"
+        f"The governor limit-cycles at {cycle.frequency:.3g} Hz with {cycle.amplitude:.3g} rad/s"
+        f" ({cycle.amplitude * 30.0 / math.pi:.3g} rpm); lower its gain, or give a faster actuator"
     )
 
 
@@ -121,7 +121,7 @@ def window_json(window: DynamicWindow) -> str:
     Args:
         window: As flown.
     """
-    found, trace = window.limit_cycle, window.trace
+    cycle, trace = window.limit_cycle, window.trace
     return json.dumps(
         {
             "window": window.name,
@@ -132,7 +132,7 @@ def window_json(window: DynamicWindow) -> str:
             "step": trace.step,
             "error": trace.error,
             "energy_imbalance": trace.work.imbalance,
-            "limit_cycle": None if found is None else found._asdict(),
+            "limit_cycle": None if cycle is None else cycle._asdict(),
             "ranges": [row._asdict() for row in ranges(window)],
             "notes": list(trace.notes),
         },
