@@ -68,12 +68,12 @@ def numbers_of(text: str, names: Sequence[str]) -> list[list[float]]:
         missing = [name for name in names if name not in (rows.fieldnames or ())]
         if missing:
             raise ValueError(f"lacks {' and '.join(missing)}; its first row must name the columns {', '.join(names)}")
-        found = []
+        table = []
         for line, row in enumerate(rows, start=2):  # noqa: B007 - said below
-            found.append([_finite(row[name]) for name in names])
+            table.append([_finite(row[name]) for name in names])
     except (csv.Error, _NoNumber):
         raise ValueError(f"has no {len(names)} numbers in line {line}") from None
-    return found
+    return table
 
 
 def _finite(cell: str | None) -> float:
@@ -101,11 +101,11 @@ def beside(name: str, folder: Path, key: str) -> Path:
     Raises:
         DesignError: If the path is absolute, leads upwards, or leaves the folder through a link.
     """
-    path, other = Path(name), PureWindowsPath(name)
+    path, windows = Path(name), PureWindowsPath(name)
     rule = "name a file in the folder of this file, or below it"
-    if path.is_absolute() or other.drive or other.root:
+    if path.is_absolute() or windows.drive or windows.root:
         raise _refused(name, key, f"this path is absolute; {rule}")
-    if ".." in other.parts:
+    if ".." in windows.parts:
         raise _refused(name, key, f"this path leads upwards; {rule}")
     try:
         inside = (folder / path).resolve().is_relative_to(folder.resolve())

@@ -62,11 +62,11 @@ def verb(function: Callable[_P, _R]) -> Callable[_P, _R]:
     @functools.wraps(function)
     def checked(*args: _P.args, **kwargs: _P.kwargs) -> _R:
         names = inspect.signature(function).parameters
-        given = dict(zip(names, args, strict=False)) | kwargs
+        arguments = dict(zip(names, args, strict=False)) | kwargs
         problems = [
             Problem(name, _sentence(value, hint))
             for name, hint in _hints(function).items()
-            if name in given and not _fits(value := given[name], hint)
+            if name in arguments and not _fits(value := arguments[name], hint)
         ]
         if problems:
             raise DesignError(problems, function.__name__)
@@ -102,9 +102,9 @@ def _fits(value: object, hint: Any) -> bool:
     """Return False only for what is certainly of another type."""
     origin, inside = get_origin(hint), get_args(hint)
     if origin in (Union, types.UnionType):
-        return any(_fits(value, one) for one in inside)
+        return any(_fits(value, alternative) for alternative in inside)
     if origin is Literal:
-        return any(type(value) is type(one) and value == one for one in inside)
+        return any(type(value) is type(literal) and value == literal for literal in inside)
     if hint is None or hint is type(None):
         return value is None
     if origin is not None:
@@ -120,9 +120,9 @@ def _holds(value: object, origin: Any, inside: tuple[Any, ...]) -> bool:
         return True
     if origin.__module__ == "numpy" or (issubclass(origin, Sequence | Iterable) and not issubclass(origin, Mapping)):
         fits = isinstance(value, Iterable) and not isinstance(value, str | bytes | Mapping)
-        return fits and all(_fits(one, inside[0]) for one in _some(value, origin, inside))
+        return fits and all(_fits(member, inside[0]) for member in _some(value, origin, inside))
     if issubclass(origin, Mapping):
-        return isinstance(value, Mapping) and all(_fits(one, inside[1]) for one in value.values())
+        return isinstance(value, Mapping) and all(_fits(member, inside[1]) for member in value.values())
     return isinstance(value, origin)
 
 
@@ -136,12 +136,12 @@ def _sentence(value: object, hint: Any) -> str:
     shown = value.__name__ if isinstance(value, type) else repr(value)
     kind = "a class" if isinstance(value, type) else f"of type {type(value).__name__}"
     shown = shown if len(shown) <= LONGEST and "\n" not in shown else ""
-    given = f"{shown} is {kind}" if shown else f"what is given is {kind}"
+    stated = f"{shown} is {kind}" if shown else f"what is given is {kind}"
     wanted = [alternative for alternative in _alternatives(hint) if alternative is not type(None)]
     names = [str(arg) for literal in wanted if get_origin(literal) is Literal for arg in get_args(literal)]
     if names and isinstance(value, str):
         return f"{shown or 'this'} is none of {', '.join(names)}; {near(value, names)}"
-    return f"{given}; give {' or '.join(dict.fromkeys(_words(one) for one in wanted))}"
+    return f"{stated}; give {' or '.join(dict.fromkeys(_words(alternative) for alternative in wanted))}"
 
 
 def _alternatives(hint: Any) -> tuple[Any, ...]:
@@ -154,7 +154,7 @@ def _words(hint: Any) -> str:
     if origin is Annotated:
         return _words(inside[0])
     if origin is Literal:
-        return " or ".join(repr(one) for one in inside)
+        return " or ".join(repr(literal) for literal in inside)
     if origin is not None:
         return _container(origin, inside)
     name = getattr(hint, "__name__", str(hint))

@@ -14,8 +14,8 @@ def digest(folder: Path) -> str:
     Args:
         folder: Of a package.
     """
-    found = sha256()
-    for path in sorted(each for each in folder.rglob("*") if each.is_file() and "__pycache__" not in each.parts):
-        found.update(path.relative_to(folder).as_posix().encode() + b"\0")
-        found.update(sha256(path.read_bytes()).digest())
-    return found.hexdigest()[:_DIGITS]
+    hashed = sha256()
+    for path in sorted(entry for entry in folder.rglob("*") if entry.is_file() and "__pycache__" not in entry.parts):
+        hashed.update(path.relative_to(folder).as_posix().encode() + b"\0")
+        hashed.update(sha256(path.read_bytes()).digest())
+    return hashed.hexdigest()[:_DIGITS]

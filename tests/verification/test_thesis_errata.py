@@ -10,7 +10,7 @@ import pytest
 
 from gearwright.dynamics.equations import damped_modes, linear
 from gearwright.dynamics.model import DampingRatio, Model
-from gearwright.machines import motor_mass_cube_root, motor_mass_ndarc
+from gearwright.machines import motor_mass_ndarc, motor_mass_power_law
 from gearwright.parts.gears import (
     HERTZ_COEFFICIENT,
     bending_stress_lewis,
@@ -23,7 +23,7 @@ from gearwright.parts.gears import (
 )
 from gearwright.parts.planetary import assembles, even_positions, most_planets, neighbours_clear, pin_diameter
 from gearwright.parts.shafts import shaft_stress
-from gearwright.parts.stiffness import square_wave, stiffness_at
+from gearwright.parts.stiffness import cut_square_wave, stiffness_at
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import width_ratio
@@ -314,7 +314,7 @@ def test_appendix_inertia_of_a_disc():
 def test_appendix_motor_is_four_times_lighter_than_ndarcs():
     """1005 kW at 4500 rpm: 23 and 99 kg."""
     torque = 1005e3 / (4500.0 * RPM)
-    assert motor_mass_ndarc(torque) / motor_mass_cube_root(torque) == pytest.approx(4.26, abs=0.05)
+    assert motor_mass_ndarc(torque) / motor_mass_power_law(torque) == pytest.approx(4.26, abs=0.05)
 
 
 def test_3_57_is_the_absolute_speed_of_a_planet(in_line_h2):
@@ -344,7 +344,7 @@ def test_3_34_puts_the_last_planet_onto_the_first(planets):
 
 def test_3_35_is_a_square_wave_of_a_quarter():
     """(1/π) Σ sin(nφ)/n over odd n is ±1/4; to the fifth harmonic its mean over a half wave is 0.233."""
-    curve = square_wave(1e8)
+    curve = cut_square_wave(1e8)
     phase = (np.arange(2000) + 0.5) * math.pi / 2000
     swing = np.array([stiffness_at(curve, each) for each in phase]) / 1e8 - 1.0
     expected = 2.0 / math.pi**2 * sum(1.0 / n**2 for n in (1, 3, 5))

@@ -125,8 +125,8 @@ def check_bearing(bearing: Bearing, duty: Duty) -> BearingCheck:
     loads = [
         equivalent_loads(bearing, radial, axial) for radial, axial in zip(spectrum.radial, spectrum.axial, strict=True)
     ]
-    load = spectrum.mean_factor * _mean(bearing, [each for each, _ in loads], spectrum)
-    static = spectrum.limit_factor * max(each for _, each in loads)
+    load = spectrum.mean_factor * _mean(bearing, [dynamic for dynamic, _ in loads], spectrum)
+    static = spectrum.limit_factor * max(at_rest for _, at_rest in loads)
     life = life_time(basic_life(bearing.dynamic_rating, load, bearing.kind), spectrum.mean_speed) if load else math.inf
     safety = static_safety(bearing.static_rating, static) if static else math.inf
     return BearingCheck(bearing, load, life, safety, life / spectrum.life, safety / spectrum.static_safety)
@@ -215,12 +215,12 @@ def fitting_bearings(
     ]
     if not fitting:
         raise DesignError([Problem("bore", _no_bore(kind, bore))])
-    return tuple(sorted((check_bearing(each, duty) for each in fitting), key=lambda check: check.bearing.mass))
+    return tuple(sorted((check_bearing(bearing, duty) for bearing in fitting), key=lambda check: check.bearing.mass))
 
 
 def _no_bore(kind: BearingKind, bore: float) -> str:
     bores = sorted({bearing.bore for bearing in bearings().values() if bearing.kind is kind})
-    closest = min(bores, key=lambda each: abs(each - bore))
+    closest = min(bores, key=lambda size: abs(size - bore))
     return (
         f"no {kind} bearing for {1e3 * bore:.4g} mm within the room given; the catalogue has {1e3 * bores[0]:g} to "
         f"{1e3 * bores[-1]:g} mm, the nearest {1e3 * closest:g} mm"

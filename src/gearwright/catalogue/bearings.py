@@ -83,8 +83,7 @@ class _Series:
 @cache
 def bearings() -> Mapping[str, Bearing]:
     """Return every bearing of the catalogue by designation."""
-    found = {each.designation: each for each in (*_radial(), *_taper())}
-    return MappingProxyType(found)
+    return MappingProxyType({standard.designation: standard for standard in (*_radial(), *_taper())})
 
 
 def bearing(designation: str) -> Bearing:
@@ -123,7 +122,7 @@ def with_ratings(standard: Bearing, dynamic: float, static: float, *, source: st
 
 def _nearest(designation: str) -> str:
     known = near(designation, bearings())
-    return known if known.startswith("did") else f"series: {', '.join(each.name for each in _series())}"
+    return known if known.startswith("did") else f"series: {', '.join(series.name for series in _series())}"
 
 
 @cache
@@ -159,12 +158,12 @@ def _radial() -> Iterator[Bearing]:
 def _taper() -> Iterator[Bearing]:
     """Yield taper roller bearings of ISO 355."""
     source = "dimensions ISO 355; contact angle from e as printed in catalogues; ratings ISO 281 and ISO 76"
-    series = {each.name: each for each in _series()}
+    by_name = {series.name: series for series in _series()}
     for row in _rows("taper_bearing_sizes.csv"):
         bore, outer = float(row["bore_mm"]) / _MM, float(row["outer_mm"]) / _MM
         angle = math.atan(float(row["axial_limit"]) / 1.5)
         cup = float(row["cup_width_mm"]) / _MM
-        inside = _inside(series[row["designation"][:3]], bore, outer, angle=angle, length=cup)
+        inside = _inside(by_name[row["designation"][:3]], bore, outer, angle=angle, length=cup)
         yield _rated(row["designation"], inside, (bore, outer, float(row["width_mm"]) / _MM), source)
 
 

@@ -115,8 +115,10 @@ class Engine:
             column: Such as ``torque_nm``.
             verdict: Only a note with this verdict, if given.
         """
-        found = (note for note in self.notes if note.column == column and verdict in ("", note.verdict))
-        return next(found, None)
+        return next(
+            (note for note in self.notes if note.column == column and verdict in ("", note.verdict)),
+            None,
+        )
 
     @property
     def power(self) -> Power:
@@ -170,16 +172,16 @@ def notes() -> tuple[Note, ...]:
 @cache
 def engines() -> tuple[Engine, ...]:
     """Return the 121 engines in the order of the tables."""
-    of_name = {one.name: one for one in all_series()}
+    of_name = {series.name: series for series in all_series()}
     place = dict.fromkeys(of_name, 0)
-    found = []
+    table = []
     for row in _rows("engines.csv"):
         name, model = row.pop("series"), row.pop("model")
         place[name] += 1
         printed = tuple((column, Printed(text)) for column, text in row.items() if text)
         remarks = tuple(note for note in notes() if note.series == name and note.model in ("*", model))
-        found.append(Engine(of_name[name], model, place[name], printed, remarks))
-    return tuple(found)
+        table.append(Engine(of_name[name], model, place[name], printed, remarks))
+    return tuple(table)
 
 
 def select(
@@ -204,21 +206,21 @@ def select(
     """
     wanted = ((series, "name"), (manufacturer, "manufacturer"), (kind, "kind"))
     low, high = power or (0.0, math.inf)
-    found = tuple(
+    matching = tuple(
         engine
         for engine in engines()
         if all(text.casefold() in getattr(engine.series, field).casefold() for text, field in wanted)
         and model.casefold() in engine.model.casefold()
         and low <= engine.power <= high
     )
-    if not found:
+    if not matching:
         raise DesignError([Problem("engines", f"no engine of the catalogue answers to this; {_choice()}")])
-    return found
+    return matching
 
 
 def _choice() -> str:
     powers = [engine.power / _KW for engine in engines()]
-    names = ", ".join(one.name for one in all_series())
+    names = ", ".join(series.name for series in all_series())
     return f"series: {names}; power {min(powers):g} to {max(powers):g} kW"
 
 
@@ -243,7 +245,9 @@ def nearest(power: float, engine_speed: float, propeller_speed: float, *, count:
         )
 
     distinct = {
-        (one.series.name, one.power, one.propeller_speed): one for one in reversed(engines()) if one.has_gearbox
+        (engine.series.name, engine.power, engine.propeller_speed): engine
+        for engine in reversed(engines())
+        if engine.has_gearbox
     }
     return tuple(sorted(distinct.values(), key=distance)[:count])
 

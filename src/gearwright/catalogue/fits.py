@@ -59,7 +59,7 @@ def shaft_limits(diameter: float, tolerance_class: str) -> tuple[Length, Length]
     Raises:
         DesignError: If the table has no such size or class.
 
-    >>> tuple(round(1e6 * each) for each in shaft_limits(0.060, "m6"))
+    >>> tuple(round(1e6 * limit) for limit in shaft_limits(0.060, "m6"))
     (11, 30)
     """
     letter, row = tolerance_class[:1], _range(diameter)
@@ -72,7 +72,7 @@ def shaft_limits(diameter: float, tolerance_class: str) -> tuple[Length, Length]
 
 def _entry(row: dict[str, float], name: str) -> float:
     if name not in row:
-        known = [each.removesuffix("_um") for each in row if each.endswith("_um")]
+        known = [column.removesuffix("_um") for column in row if column.endswith("_um")]
         raise DesignError([Problem("tolerance", f"the table has no {name.removesuffix('_um')}; {near(name, known)}")])
     return row[name]
 

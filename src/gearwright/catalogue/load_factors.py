@@ -61,8 +61,8 @@ def load_factors() -> tuple[LoadFactor, ...]:
 
 def load_factor_tables() -> Mapping[str, Mapping[int, float]]:
     """Return the standards' tables: name -> number of planets -> K_γ [-]."""
-    found: dict[str, dict[int, float]] = {}
+    tables: dict[str, dict[int, float]] = {}
     for row in load_factors():
         if not row.measured:
-            found.setdefault(row.name, {})[row.planets] = row.load_factor
-    return found
+            tables.setdefault(row.name, {})[row.planets] = row.load_factor
+    return tables

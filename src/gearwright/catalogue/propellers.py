@@ -39,12 +39,12 @@ MOST_POINTS = 250_000
 def hamilton_standard_charts() -> Charts:
     """Return the charts of NASA CR-114399, with two misprints read as their file says."""
     raw = json.loads(_data("hamilton_standard.json"))
-    for each in raw["corrections"]:
-        *path, last = each["place"]
+    for correction in raw["corrections"]:
+        *path, last = correction["place"]
         table = raw
         for part in path:
             table = table[part]
-        table[last] = each["read_as"]
+        table[last] = correction["read_as"]
     return _charts(raw)
 
 
@@ -54,8 +54,8 @@ def _charts(raw: Mapping[str, Any]) -> Charts:
         blade_counts=np.array(raw["blade_counts"], dtype=float),
         advance_ratio=np.array(raw["advance_ratio"], dtype=float),
         blade_angle=_rows(raw["blade_angle_deg"]),
-        power=tuple(_rows(each) for each in raw["power_coefficient"]),
-        thrust=tuple(_rows(each) for each in raw["thrust_coefficient"]),
+        power=tuple(_rows(rows) for rows in raw["power_coefficient"]),
+        thrust=tuple(_rows(rows) for rows in raw["thrust_coefficient"]),
         activity_factor=np.array(activity["activity_factor"]),
         activity_power=np.array(activity["power_at_J0_and_J_half_and_above"]),
         activity_thrust=np.array(activity["thrust_at_J0_and_J_half_and_above"]),
@@ -85,7 +85,7 @@ def _charts(raw: Mapping[str, Any]) -> Charts:
 
 
 def _rows(lists: Iterable[list[float]]) -> tuple[np.ndarray[Any, np.dtype[np.float64]], ...]:
-    return tuple(np.array(each, dtype=float) for each in lists)
+    return tuple(np.array(row, dtype=float) for row in lists)
 
 
 @cache
@@ -128,11 +128,11 @@ def compressed(name: str, advance_ratio: float, thrust_coefficient: float, *, ma
         mach=mach,
         tip_mach=tip_mach,
     )
-    held = [each for each in left if each != SMALL_THRUST]
-    if held:
+    outside = [table for table in left if table != SMALL_THRUST]
+    if outside:
         message = (
             f"Mach {mach:.3f}, {tip_mach:.3f} at the tips, at advance ratio {advance_ratio:.3g} lies outside the charts"
-            f" ({', '.join(held)}); fly slower, turn slower, or give a map of your own"
+            f" ({', '.join(outside)}); fly slower, turn slower, or give a map of your own"
         )
         raise DesignError([Problem("propeller.map", message)])
     return factor
@@ -169,15 +169,15 @@ def map_of(text: str, source: str) -> PropellerMap:
     if len(ratios) * len(angles) > MOST_POINTS:
         count = f"{len(ratios):,} advance ratios by {len(angles):,} blade angles"
         raise _unusable(source, f"{count} are more than {MOST_POINTS:,} points; take fewer from one common list")
-    power, thrust, given = np.zeros(shape), np.zeros(shape), np.zeros(shape, dtype=bool)
+    power, thrust, known = np.zeros(shape), np.zeros(shape), np.zeros(shape, dtype=bool)
     for ratio, angle, *values in points:
-        place = (int(np.searchsorted(ratios, ratio)), int(np.searchsorted(angles, angle)))
-        if given[place]:
+        cell = (int(np.searchsorted(ratios, ratio)), int(np.searchsorted(angles, angle)))
+        if known[cell]:
             raise _unusable(source, f"advance ratio {ratio:g}, blade angle {angle:g}° is given twice")
-        (power[place], thrust[place]), given[place] = values, True
-    first, last = given.argmax(axis=1), shape[1] - 1 - given[:, ::-1].argmax(axis=1)
+        (power[cell], thrust[cell]), known[cell] = values, True
+    first, last = known.argmax(axis=1), shape[1] - 1 - known[:, ::-1].argmax(axis=1)
     for k, ratio in enumerate(ratios):
-        if given[k].sum() != last[k] - first[k] + 1:
+        if known[k].sum() != last[k] - first[k] + 1:
             raise _unusable(source, f"advance ratio {ratio:g} has a gap between its blade angles")
         if k and min(last[k], last[k - 1]) <= max(first[k], first[k - 1]):
             raise _unusable(source, f"advance ratio {ratio:g} shares less than two blade angles with the one before")
@@ -222,12 +222,12 @@ def charted_point(blades: Blades, advance_ratio: float, blade_angle: float) -> t
         if excess(low) > 0.0 or excess(high) < 0.0:
             return None
         power = float(brentq(excess, low, high, xtol=1e-10))
-        found = performance(charts, blades, advance_ratio, power_coefficient=power)
+        point = performance(charts, blades, advance_ratio, power_coefficient=power)
     except SolveError:
         return None
-    if found.held or found.thrust_coefficient <= 0.0 or abs(excess(power)) > 1e-7:
+    if point.held or point.thrust_coefficient <= 0.0 or abs(excess(power)) > 1e-7:
         return None
-    return power, found.thrust_coefficient
+    return power, point.thrust_coefficient
 
 
 def charted_map(blades: Blades, advance_ratios: Iterable[float], blade_angles: Iterable[float]) -> str:
@@ -244,9 +244,9 @@ def charted_map(blades: Blades, advance_ratios: Iterable[float], blade_angles: I
     lines = [",".join(COLUMNS)]
     for ratio in advance_ratios:
         for angle in angles:
-            found = charted_point(blades, ratio, math.radians(angle))
-            if found is not None:
-                lines.append(f"{ratio:g},{angle:g},{found[0]:.6f},{found[1]:.6f}")
+            point = charted_point(blades, ratio, math.radians(angle))
+            if point is not None:
+                lines.append(f"{ratio:g},{angle:g},{point[0]:.6f},{point[1]:.6f}")
     return "\n".join(lines) + "\n"
 
 

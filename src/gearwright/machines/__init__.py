@@ -15,8 +15,8 @@ from gearwright.machines.hamilton_standard import SMALL_THRUST, Blades, Charts, 
 from gearwright.machines.motor import (
     LENGTH_RATIO,
     motor_diameter,
-    motor_mass_cube_root,
     motor_mass_ndarc,
+    motor_mass_power_law,
     rotor_inertia,
 )
 from gearwright.machines.motor_efficiency import MotorLosses, motor_loss, rated_losses
@@ -64,8 +64,8 @@ __all__ = [
     "marched",
     "motor_diameter",
     "motor_loss",
-    "motor_mass_cube_root",
     "motor_mass_ndarc",
+    "motor_mass_power_law",
     "performance",
     "power_limits",
     "propeller_inertia",

@@ -86,14 +86,14 @@ def battery_step(battery: Battery, state_of_charge: float, power: float, duratio
     effective = battery.resistance + 0.5 * rise * duration / battery.charge
     square = voltage * voltage - 4.0 * effective * power
     current = 2.0 * power / (voltage + math.sqrt(max(square, 0.0)))  # holds without any resistance, too
-    after = state_of_charge - current * duration / battery.charge
-    middle = battery.empty_voltage + rise * 0.5 * (state_of_charge + after)
+    final = state_of_charge - current * duration / battery.charge
+    middle = battery.empty_voltage + rise * 0.5 * (state_of_charge + final)
     fault = ""
     if square < 0.0 or abs(current) > highest_current(battery) * (1.0 + 1e-9):
         fault = OVERLOADED
-    elif after < battery.least:
+    elif final < battery.least:
         fault = EMPTY
-    elif after > 1.0 + 1e-12:
+    elif final > 1.0 + 1e-12:
         fault = FULL
     terminal = middle - battery.resistance * current
-    return BatteryStep(after, current, middle * current, battery.resistance * current * current, terminal, fault)
+    return BatteryStep(final, current, middle * current, battery.resistance * current * current, terminal, fault)

@@ -66,8 +66,8 @@ def governor_rates(governor: Governor, state: GovernorState, error: float) -> Go
     square = governor.time_constant * governor.time_constant
     pull = (gap - 2.0 * governor.damping * governor.time_constant * state.pitch_rate) / square
     moving = min(max(state.pitch_rate, -governor.rate), governor.rate)
-    held = (state.pitch_rate >= governor.rate and pull > 0.0) or (state.pitch_rate <= -governor.rate and pull < 0.0)
-    return GovernorState(moving, 0.0 if held else pull, summing)
+    at_limit = (state.pitch_rate >= governor.rate and pull > 0.0) or (state.pitch_rate <= -governor.rate and pull < 0.0)
+    return GovernorState(moving, 0.0 if at_limit else pull, summing)
 
 
 class Rotor(NamedTuple):
@@ -110,12 +110,12 @@ def marched(
     states = np.zeros((count + 1, len(start)))
     states[0] = start
     for k in range(count):
-        now = states[k]
-        a = rates(now)
-        b = rates(now + 0.5 * step * a)
-        c = rates(now + 0.5 * step * b)
-        d = rates(now + step * c)
-        states[k + 1] = now + step / 6.0 * (a + 2.0 * b + 2.0 * c + d)
+        state = states[k]
+        a = rates(state)
+        b = rates(state + 0.5 * step * a)
+        c = rates(state + 0.5 * step * b)
+        d = rates(state + step * c)
+        states[k + 1] = state + step / 6.0 * (a + 2.0 * b + 2.0 * c + d)
     return np.linspace(0.0, duration, count + 1), states
 
 
@@ -130,11 +130,11 @@ def limit_cycle(time: Array, speed: Array) -> LimitCycle | None:
         it, and crosses its mean at least four times, is sustained.
     """
     half, quarter = len(time) // 2, 3 * len(time) // 4
-    before, after = speed[half:quarter], speed[quarter:]
-    swing = float(np.ptp(after))
-    centred = after - after.mean()
+    earlier, later = speed[half:quarter], speed[quarter:]
+    swing = float(np.ptp(later))
+    centred = later - later.mean()
     crossings = np.flatnonzero(np.diff(np.signbit(centred)))
-    if swing < 0.9 * float(np.ptp(before)) or len(crossings) < 4 or swing < 1e-6 * max(float(np.ptp(speed)), 1e-12):
+    if swing < 0.9 * float(np.ptp(earlier)) or len(crossings) < 4 or swing < 1e-6 * max(float(np.ptp(speed)), 1e-12):
         return None
     moments = time[quarter:][crossings]
     return LimitCycle((len(crossings) - 1) / (2.0 * float(moments[-1] - moments[0])), 0.5 * swing)

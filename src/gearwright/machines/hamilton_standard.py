@@ -153,8 +153,8 @@ def performance(
         look.held.add("advance ratio")
         advance_ratio = min(max(advance_ratio, 0.0), float(charts.advance_ratio[-1]))
     counts = _around(charts.blade_counts, blades.number)
-    found = [_incompressible(look, charts, blades, (k, advance_ratio, power_coefficient)) for k in counts]
-    angle, thrust = (_over(look, charts.blade_counts, blades.number, [each[i] for each in found]) for i in (0, 1))
+    points = [_incompressible(look, charts, blades, (k, advance_ratio, power_coefficient)) for k in counts]
+    angle, thrust = (_over(look, charts.blade_counts, blades.number, [point[i] for point in points]) for i in (0, 1))
     factor = _compressibility(look, charts, blades, (advance_ratio, mach, tip_mach, thrust))
     return Performance(math.radians(angle), float(thrust * factor), float(factor), tuple(sorted(look.held)))
 
@@ -211,7 +211,7 @@ def _incompressible(look: Look, charts: Charts, blades: Blades, where: tuple[int
         chart = (charts.power[count][j], charts.blade_angle[j])
         angles.append(look.at(effective * lift, _rising(chart), f"power chart J = {charts.advance_ratio[j]:g}"))
         thrusts.append(look.at(angles[-1], (charts.blade_angle[j], charts.thrust[count][j]), "thrust chart"))
-    angle, thrust = (_over(look, charts.advance_ratio, advance_ratio, each) for each in (angles, thrusts))
+    angle, thrust = (_over(look, charts.advance_ratio, advance_ratio, values) for values in (angles, thrusts))
     return angle, _thrust(look, charts, blades, (count, advance_ratio, thrust))
 
 
@@ -251,7 +251,7 @@ def _root(excess: Callable[[float], float], chart: float) -> float:
 
 
 def _activity_thrust(look: Look, charts: Charts, factor: float, advance_ratio: float) -> float:
-    ends = [look.at(factor, (charts.activity_factor, each), "activity factor") for each in charts.activity_thrust]
+    ends = [look.at(factor, (charts.activity_factor, row), "activity factor") for row in charts.activity_thrust]
     return ends[0] + (ends[1] - ends[0]) * min(advance_ratio / 0.5, 1.0)
 
 

@@ -6,9 +6,9 @@ import math
 
 from gearwright.units import FOOT, POUND, POUND_FORCE
 
-CUBE_ROOT_COEFFICIENT = 1.854
+POWER_LAW_COEFFICIENT = 1.854
 """k of m = k T^0.33 [kg/(N m)^0.33]: the motor is 30 % of gearbox and motor at 4500 rpm, as Pulvirenti 2023 says."""
-CUBE_ROOT_EXPONENT = 0.33
+POWER_LAW_EXPONENT = 0.33
 ROTOR_SHARE = 0.4
 """Part of the motor's mass that turns; an assumption for the inertia estimate only."""
 MEAN_DENSITY = 4500.0
@@ -31,18 +31,18 @@ def motor_mass_ndarc(torque: float) -> float:
     return 0.3928 * math.pow(torque / (POUND_FORCE * FOOT), 0.8587) * POUND
 
 
-def motor_mass_cube_root(torque: float) -> float:
-    """Return the mass of a motor that grows with about the cube root of its torque [kg]; a quarter of NDARC's.
+def motor_mass_power_law(torque: float) -> float:
+    """Return the mass of a motor by a power law of its torque [kg]; about a quarter of NDARC's.
 
     Args:
         torque: Rated torque [N m].
 
     Source: m = k T^0.33; Pulvirenti 2023, appendix. Its exponent is doubtful (NDARC 0.8587), its k is not printed.
 
-    >>> round(motor_mass_cube_root(2132.7), 1)
+    >>> round(motor_mass_power_law(2132.7), 1)
     23.3
     """
-    return CUBE_ROOT_COEFFICIENT * math.pow(torque, CUBE_ROOT_EXPONENT)
+    return POWER_LAW_COEFFICIENT * math.pow(torque, POWER_LAW_EXPONENT)
 
 
 def motor_diameter(mass: float, length_ratio: float) -> float:

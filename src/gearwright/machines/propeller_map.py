@@ -58,16 +58,16 @@ def look_up(chart: PropellerMap, advance_ratio: float, blade_angle: float) -> Co
     k = min(max(int(np.searchsorted(angle, blade_angle)) - 1, 0), len(angle) - 2)
     low = max(chart.first[i], chart.first[i + 1])
     high = min(chart.last[i], chart.last[i + 1])
-    held = min(max(k, int(low)), int(high) - 1)
+    j = min(max(k, int(low)), int(high) - 1)
     u = (advance_ratio - ratio[i]) / (ratio[i + 1] - ratio[i])
-    v = (blade_angle - angle[held]) / (angle[held + 1] - angle[held])
+    v = (blade_angle - angle[j]) / (angle[j + 1] - angle[j])
     slack = 1e-9  # a point on the edge, but for rounding, is inside
     status = 0 if -slack <= u <= 1.0 + slack and -slack <= v <= 1.0 + slack else 1
     u, v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
     a, b, c, d = (1.0 - u) * (1.0 - v), (1.0 - u) * v, u * (1.0 - v), u * v
     cp, ct = chart.power, chart.thrust
-    power = a * cp[i, held] + b * cp[i, held + 1] + c * cp[i + 1, held] + d * cp[i + 1, held + 1]
-    thrust = a * ct[i, held] + b * ct[i, held + 1] + c * ct[i + 1, held] + d * ct[i + 1, held + 1]
+    power = a * cp[i, j] + b * cp[i, j + 1] + c * cp[i + 1, j] + d * cp[i + 1, j + 1]
+    thrust = a * ct[i, j] + b * ct[i, j + 1] + c * ct[i + 1, j] + d * ct[i + 1, j + 1]
     return Coefficients(power, thrust, status)
 
 
@@ -84,10 +84,10 @@ def coefficients(chart: PropellerMap, advance_ratio: float, blade_angle: float) 
     Raises:
         DesignError: The point lies outside the map; with the point and what is given.
     """
-    found = look_up(chart, advance_ratio, blade_angle)
-    if found.status != INSIDE:
+    point = look_up(chart, advance_ratio, blade_angle)
+    if point.status != INSIDE:
         raise _outside(chart, advance_ratio, f"blade angle {np.degrees(blade_angle):.4g}°")
-    return found
+    return point
 
 
 def blade_angles(chart: PropellerMap, advance_ratio: float) -> tuple[float, float]:
@@ -117,7 +117,7 @@ def angle_for_power(chart: PropellerMap, advance_ratio: float, power: float) -> 
     Raises:
         DesignError: No blade angle of the map does.
     """
-    return _inverted(chart, advance_ratio, (power, chart.power, "power coefficient"))
+    return _inverted(chart, advance_ratio, power, table=chart.power, name="power coefficient")
 
 
 def angle_for_thrust(chart: PropellerMap, advance_ratio: float, thrust: float) -> float:
@@ -133,18 +133,16 @@ def angle_for_thrust(chart: PropellerMap, advance_ratio: float, thrust: float) -
     Raises:
         DesignError: No blade angle of the map does.
     """
-    return _inverted(chart, advance_ratio, (thrust, chart.thrust, "thrust coefficient"))
+    return _inverted(chart, advance_ratio, thrust, table=chart.thrust, name="thrust coefficient")
 
 
-def _inverted(chart: PropellerMap, advance_ratio: float, wanted: tuple[float, Array, str]) -> float:
-    value, table, name = wanted
+def _inverted(chart: PropellerMap, advance_ratio: float, value: float, *, table: Array, name: str) -> float:
     angles, row = _row(chart, advance_ratio, table)
     # Beyond the first fall the blade stalls, and an angle there is not what a governor would find.
     falls = np.flatnonzero(np.diff(row) <= 0.0)
     end = int(falls[0]) + 1 if len(falls) else len(row)
     if not row[0] <= value <= row[end - 1]:
-        given = f"{name} {value:.4g}, of {row[0]:.4g} to {row[end - 1]:.4g}"
-        raise _outside(chart, advance_ratio, given)
+        raise _outside(chart, advance_ratio, f"{name} {value:.4g}, of {row[0]:.4g} to {row[end - 1]:.4g}")
     return float(np.interp(value, row[:end], angles[:end]))
 
 
@@ -154,15 +152,15 @@ def _row(chart: PropellerMap, advance_ratio: float, table: Array) -> tuple[Array
     if not ratio[0] <= advance_ratio <= ratio[-1]:
         raise _outside(chart, advance_ratio, "no blade angle")
     i = min(max(int(np.searchsorted(ratio, advance_ratio)) - 1, 0), len(ratio) - 2)
-    own = slice(max(chart.first[i], chart.first[i + 1]), min(chart.last[i], chart.last[i + 1]) + 1)
+    shared = slice(max(chart.first[i], chart.first[i + 1]), min(chart.last[i], chart.last[i + 1]) + 1)
     u = (advance_ratio - ratio[i]) / (ratio[i + 1] - ratio[i])
-    return chart.blade_angle[own], (1.0 - u) * table[i, own] + u * table[i + 1, own]
+    return chart.blade_angle[shared], (1.0 - u) * table[i, shared] + u * table[i + 1, shared]
 
 
-def _outside(chart: PropellerMap, advance_ratio: float, given: str) -> DesignError:
+def _outside(chart: PropellerMap, advance_ratio: float, detail: str) -> DesignError:
     ratio, angle = chart.advance_ratio, np.degrees(chart.blade_angle)
     message = (
-        f"advance ratio {advance_ratio:.4g}, {given}: outside the map, which spans advance ratios {ratio[0]:.4g} to"
+        f"advance ratio {advance_ratio:.4g}, {detail}: outside the map, which spans advance ratios {ratio[0]:.4g} to"
         f" {ratio[-1]:.4g} and blade angles {angle[0]:.4g} to {angle[-1]:.4g}°, not all of them together;"
         " change speed, power or propeller speed, or give a map that covers the point"
     )

@@ -5,8 +5,8 @@ from __future__ import annotations
 from gearwright.machines import (
     LENGTH_RATIO,
     motor_diameter,
-    motor_mass_cube_root,
     motor_mass_ndarc,
+    motor_mass_power_law,
     propeller_inertia,
     rotor_inertia,
     turbine_diameter,
@@ -17,7 +17,7 @@ from gearwright.sizing.result import MachineSizing
 from gearwright.spec import Motor, Propeller, Turbine
 from gearwright.train import RATED
 
-_MASS_LAWS = {"ndarc": motor_mass_ndarc, "thesis": motor_mass_cube_root}
+_MASS_LAWS = {"ndarc": motor_mass_ndarc, "thesis": motor_mass_power_law}
 
 
 def size_machines(given: Context) -> tuple[MachineSizing, ...]:

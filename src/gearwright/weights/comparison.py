@@ -62,11 +62,11 @@ class Comparison:
     @property
     def spread(self) -> tuple[float, float]:
         """Least and greatest mass among the methods that apply [kg]."""
-        masses = [one.mass for one in self.estimates if one.mass is not None]
+        masses = [answer.mass for answer in self.estimates if answer.mass is not None]
         return min(masses), max(masses)
 
     def _from_refit(self) -> StatedMass | None:
-        best = next(one for one in self.estimates if one.method.key == "refit")
+        best = next(answer for answer in self.estimates if answer.method.key == "refit")
         if best.mass is None:
             return None
         return StatedMass(best.mass, f"{best.method.name}: {best.method.formula} ({best.method.source})")
@@ -88,12 +88,12 @@ def compare(
         count: How many engines to show [-].
 
     >>> from gearwright.units import RPM
-    >>> found = compare(Requirement(2051e3, 20204 * RPM, 1212 * RPM))
-    >>> round(found.taken.mass, 1)
+    >>> result = compare(Requirement(2051e3, 20204 * RPM, 1212 * RPM))
+    >>> round(result.taken.mass, 1)
     136.5
     """
     estimates = tuple(estimate(method, requirement) for method in methods())
-    has_refit = any(one.method.key == "refit" and one.mass is not None for one in estimates)
+    has_refit = any(answer.method.key == "refit" and answer.mass is not None for answer in estimates)
     return Comparison(
         requirement=requirement,
         estimates=estimates,

@@ -126,7 +126,7 @@ def _spans(engine: Engine, engine_mass: tuple[float, float] | None) -> dict[str,
     torque = 1e3 / speed
     (p0, p1), (m0, m1) = power.bounds, box.bounds
     p, m = power.value, box.value
-    by_formula = [mass_afdd00(1e3 * one, engine.engine_speed, speed) for one in (p0, p, p1)]
+    by_formula = [mass_afdd00(1e3 * kilowatts, engine.engine_speed, speed) for kilowatts in (p0, p, p1)]
     spans: dict[str, _Span] = {
         "gearbox_mass_kg": (by_formula[0], by_formula[1], by_formula[2]),
         "torque_nm": (p0 * torque, p * torque, p1 * torque),
@@ -151,7 +151,7 @@ def _engine_mass(engine: Engine) -> tuple[float, float] | None:
     p, (m0, m1) = power.value, box.bounds
     torque = 1e3 * p / engine.propeller_speed
     lows, highs = [], []
-    for column, least, greatest, offset in (
+    for column, low, high, offset in (
         ("engine_kw_kg", p, p, (0.0, 0.0)),
         ("torque_nm_kg", torque, torque, (0.0, 0.0)),
         ("turbine_kw_kg", p, p, (m0, m1)),
@@ -159,8 +159,8 @@ def _engine_mass(engine: Engine) -> tuple[float, float] | None:
     ):
         printed = engine.as_meant(column)
         if printed is not None:
-            lows.append(least / printed.bounds[1] + offset[0])
-            highs.append(greatest / printed.bounds[0] + offset[1])
+            lows.append(low / printed.bounds[1] + offset[0])
+            highs.append(high / printed.bounds[0] + offset[1])
     return (max(lows), min(highs)) if lows and max(lows) <= min(highs) else None
 
 

@@ -53,8 +53,8 @@ class Range:
         if self.low * (1.0 - _ROUNDING) <= value <= self.high * (1.0 + _ROUNDING):
             return ""
         dimension = "power" if self.quantity == "power" else "number"
-        given, low, high = (text(one, dimension) for one in (value, self.low, self.high))
-        return f"{self.quantity} {given} is outside {low} to {high} ({self.reason})"
+        shown, low, high = (text(number, dimension) for number in (value, self.low, self.high))
+        return f"{self.quantity} {shown} is outside {low} to {high} ({self.reason})"
 
 
 @dataclass(frozen=True)
@@ -100,9 +100,9 @@ def estimate(method: Method, requirement: Requirement) -> Estimate:
         requirement: Power and speeds.
     """
     broken = [range_ for range_ in method.ranges if range_.complaint(requirement)]
-    reason = "; ".join(one.complaint(requirement) for one in broken)
+    reason = "; ".join(range_.complaint(requirement) for range_ in broken)
     if not broken:
         return Estimate(method, method.mass(requirement))
-    if all(one.shows_beyond for one in broken):
+    if all(range_.shows_beyond for range_ in broken):
         return Estimate(method, None, reason, method.mass(requirement))
     return Estimate(method, None, reason)

@@ -27,11 +27,11 @@ class Requirement:
             if not (math.isfinite(value) and value > 0.0)
         ]
         if not problems and self.engine_speed <= self.propeller_speed:
-            given = (
+            speeds = (
                 f"{text(self.engine_speed, 'speed')} at the engine, {text(self.propeller_speed, 'speed')} at the output"
             )
             problems.append(
-                Problem("engine_speed", f"{given}; the methods are for reduction gearboxes: swap the speeds")
+                Problem("engine_speed", f"{speeds}; the methods are for reduction gearboxes: swap the speeds")
             )
         if problems:
             raise DesignError(problems)

@@ -54,16 +54,14 @@ class Score:
 def middle() -> Assumption:
     """Return the geometric middle of the ratios and output speeds of the classes."""
     classes = gearbox_classes()
-    ratio = math.prod(class_name.engine_speed / class_name.output_speed for class_name in classes) ** (
-        1.0 / len(classes)
-    )
-    return Assumption(ratio, math.prod(class_name.output_speed for class_name in classes) ** (1.0 / len(classes)))
+    ratio = math.prod(gearbox.engine_speed / gearbox.output_speed for gearbox in classes) ** (1.0 / len(classes))
+    return Assumption(ratio, math.prod(gearbox.output_speed for gearbox in classes) ** (1.0 / len(classes)))
 
 
 def corners() -> tuple[Assumption, ...]:
     """Return the four corners of the ratios and output speeds of the classes."""
-    ratios = [class_name.engine_speed / class_name.output_speed for class_name in gearbox_classes()]
-    speeds = [class_name.output_speed for class_name in gearbox_classes()]
+    ratios = [gearbox.engine_speed / gearbox.output_speed for gearbox in gearbox_classes()]
+    speeds = [gearbox.output_speed for gearbox in gearbox_classes()]
     return tuple(Assumption(r, w) for r in (min(ratios), max(ratios)) for w in (min(speeds), max(speeds)))
 
 
@@ -74,13 +72,13 @@ def ratios_to_weights(method: Method, assumption: Assumption) -> list[tuple[floa
         method: Of `methods`.
         assumption: Ratio and output speed of all gearboxes.
     """
-    found = []
+    quotients = []
     for weighed in weighed_gearboxes():
         need = from_beta(weighed.beta, ratio=assumption.ratio, propeller_speed=assumption.propeller_speed)
         mass = estimate(method, need).mass
         if mass is not None:
-            found.append((weighed.beta, mass / weighed.mass))
-    return found
+            quotients.append((weighed.beta, mass / weighed.mass))
+    return quotients
 
 
 @cache
@@ -101,8 +99,8 @@ def left_out_scatter() -> float:
     points = weighed_gearboxes()
     errors = []
     for left_out in points:
-        rest = [point for point in points if point is not left_out]
-        line = log_line([one.beta for one in rest], [one.mass for one in rest])
+        others = [point for point in points if point is not left_out]
+        line = log_line([point.beta for point in others], [point.mass for point in others])
         errors.append(math.log10(line.at(left_out.beta) / left_out.mass))
     return float(10.0 ** np.std(errors, ddof=1))
 

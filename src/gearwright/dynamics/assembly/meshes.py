@@ -14,12 +14,12 @@ from gearwright.parts.gears import BasicRack, CylindricalGear, GearPair
 from gearwright.parts.stiffness import (
     MeshStiffness,
     StiffnessCurve,
+    cut_square_wave,
     mesh_curve_iso6336,
     mesh_stiffness_energy,
     mesh_stiffness_iso6336,
     mesh_stiffness_kuang_yang,
     sampled_curve,
-    square_wave,
 )
 from gearwright.sizing import GearSizing, MeshSizing, Sizing, profile_shift
 from gearwright.spec import Design, Pair
@@ -102,7 +102,7 @@ def _by_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair, harmonics: int) 
         case "kuang-yang":
             return mesh_stiffness_kuang_yang(pair, harmonics=harmonics)
         case "square-wave":
-            wave = square_wave(_iso(mesh, pair, steel).mesh * pair.face_width)
+            wave = cut_square_wave(_iso(mesh, pair, steel).mesh * pair.face_width)
             return replace(wave, cosine=wave.cosine[:harmonics], sine=wave.sine[:harmonics])
     return mesh_curve_iso6336(pair, _iso(mesh, pair, steel), harmonics=harmonics)
 

@@ -133,8 +133,8 @@ def load_sharing_ratio(pair: HobbedPair) -> Value:
     a, r = np.mod(pair.axial_ratio, 1.0), np.mod(profile, 1.0)
     pitch = pair.face_width / width  # axial pitch p_x
     wasted = np.where(np.asarray(a) <= 1.0 - np.asarray(r), a * r, (1.0 - a) * (1.0 - r))
-    least = np.maximum((profile * pair.face_width - wasted * pitch) / np.cos(pair.base_helix_angle), 1e-300)
-    return as_value(np.where(np.asarray(pair.axial_ratio) > 1.0, pair.face_width / least, 1.0))
+    shortest = np.maximum((profile * pair.face_width - wasted * pitch) / np.cos(pair.base_helix_angle), 1e-300)
+    return as_value(np.where(np.asarray(pair.axial_ratio) > 1.0, pair.face_width / shortest, 1.0))
 
 
 def helical_overlap_factor(pair: HobbedPair) -> Value:
@@ -234,9 +234,9 @@ def _load_line(pair: HobbedPair, gear: int, shift: Value, *, place: LoadPlace) -
     """Load angle φ_nL and the radius at which the line of action crosses the tooth's centre line."""
     teeth = pair.virtual_teeth[gear]
     pitch = [0.5 * tooth for tooth in pair.virtual_teeth]
-    base = [each * np.cos(pair.pressure_angle) for each in pitch]
+    base = [radius * np.cos(pair.pressure_angle) for radius in pitch]
     tips = [r + h + x for r, h, x in zip(pitch, pair.addenda, pair.profile_shifts, strict=True)]
-    reach = [np.sqrt(tip**2 - each**2) for tip, each in zip(tips, base, strict=True)]
+    reach = [np.sqrt(tip**2 - radius**2) for tip, radius in zip(tips, base, strict=True)]
     line = sum(pitch) * np.sin(pair.pressure_angle)
     single = line - reach[1 - gear] + np.pi * np.cos(pair.pressure_angle)
     at_tip = (np.asarray(pair.axial_ratio) > 1.0) | (place is LoadPlace.TIP)

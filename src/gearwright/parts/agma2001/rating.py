@@ -130,8 +130,8 @@ def agma_strength(steel: AgmaSteel, grade: int, hardness: float = 0.0) -> AgmaSt
         raise DesignError([Problem("grade", f"{grade} given; {steel.value} steel has grades 1 to {len(rows)}")])
     bending, contact = rows[grade - 1]
     if (bending[0] or contact[0]) and not 180.0 <= hardness <= 400.0:
-        given = f"{hardness:g} HB given for {steel.value} steel"
-        raise DesignError([Problem("hardness", f"{given}; AGMA 2001-D04 covers 180 to 400 HB")])
+        message = f"{hardness:g} HB given for {steel.value} steel; AGMA 2001-D04 covers 180 to 400 HB"
+        raise DesignError([Problem("hardness", message)])
     return AgmaStrength(_PSI * (bending[0] * hardness + bending[1]), _PSI * (contact[0] * hardness + contact[1]))
 
 

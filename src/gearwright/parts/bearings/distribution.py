@@ -119,10 +119,10 @@ def load_distribution(geometry: BearingGeometry, load: RingLoad, *, clearance: f
     balls = _balls(geometry, clearance)
     wanted = np.array(load) / np.array([1.0, 1.0, 1.0, balls.distance, balls.distance])
     moved = _equilibrium(balls, wanted)
-    rest = float(np.abs(_unbalance(moved, balls, wanted)[0]).max())
-    if rest > BALANCED:
+    residual = float(np.abs(_unbalance(moved, balls, wanted)[0]).max())
+    if residual > BALANCED:
         message = f"no equilibrium of the bearing under {tuple(map(float, load))} N, N m"
-        raise SolveError(f"{message}: {rest:.2g} of the load is left over")
+        raise SolveError(f"{message}: {residual:.2g} of the load is left over")
     squeeze, radial, axial = _squeeze(moved, balls)
     lengths = np.array([balls.distance, balls.distance, balls.distance, 1.0, 1.0])
     motion = RingMotion(*(moved * lengths).tolist())
@@ -148,18 +148,18 @@ def _equilibrium(balls: _Balls, wanted: Array) -> Array:
 
 def _settled(motion: Array, balls: _Balls, wanted: Array, *, springs: Array) -> Array:
     """Return a motion after Newton steps, each taken only as far as it lessens what is left over."""
-    rest, slope = _unbalance(motion, balls, wanted)
-    rest, slope = rest + springs @ motion, slope + springs
+    residual, slope = _unbalance(motion, balls, wanted)
+    residual, slope = residual + springs @ motion, slope + springs
     for _ in range(_STEPS):
-        if np.linalg.norm(rest) < 1e-3 * BALANCED:
+        if np.linalg.norm(residual) < 1e-3 * BALANCED:
             break
-        step = np.linalg.lstsq(slope, -rest)[0]
+        step = np.linalg.lstsq(slope, -residual)[0]
         for halving in range(14):
             trial = motion + 0.5**halving * step
             new, tangent = _unbalance(trial, balls, wanted)
             new += springs @ trial
-            if np.linalg.norm(new) < np.linalg.norm(rest):
-                motion, rest, slope = trial, new, tangent + springs
+            if np.linalg.norm(new) < np.linalg.norm(residual):
+                motion, residual, slope = trial, new, tangent + springs
                 break
         else:
             break
@@ -216,11 +216,11 @@ def _unbalance(motion: Array, balls: _Balls, wanted: Array) -> tuple[Array, Arra
     across = np.stack([-along[1], along[0]])
     spring, string = 1.5 * np.sqrt(squeeze), squeeze**1.5 / length
     local = spring * along[:, None] * along + string * across[:, None] * across
-    cosine, sine, none = np.cos(balls.angle), np.sin(balls.angle), np.zeros(len(balls.angle))
-    one = none + 1.0
+    cosine, sine, zeros = np.cos(balls.angle), np.sin(balls.angle), np.zeros(len(balls.angle))
+    ones = zeros + 1.0
     round_ring = np.stack([cosine, sine])
-    moves = np.array([[*round_ring, none, none, none], [none, none, one, *(balls.tilt_arm * round_ring)]])
-    bears = np.array([[*round_ring, none, none, none], [none, none, one, *(balls.couple_arm * round_ring)]])
+    moves = np.array([[*round_ring, zeros, zeros, zeros], [zeros, zeros, ones, *(balls.tilt_arm * round_ring)]])
+    bears = np.array([[*round_ring, zeros, zeros, zeros], [zeros, zeros, ones, *(balls.couple_arm * round_ring)]])
     moves[1, 3:] *= np.cos(motion[3:])[:, None]
     size = np.abs(wanted).max() / balls.stiffness
     force = np.einsum("dkj,dj->k", bears, squeeze**1.5 * along) / size - wanted / (size * balls.stiffness)

@@ -107,10 +107,10 @@ def system_life(lives: Sequence[float], slope: float | Sequence[float] = 10.0 / 
     >>> round(system_life([1000.0, 1000.0], 1.0))
     500
     """
-    own, slopes = np.broadcast_arrays(np.asarray(lives, dtype=float), np.asarray(slope, dtype=float))
-    life = float(np.sum(own ** -slopes.max()) ** (-1.0 / slopes.max()))
+    single, slopes = np.broadcast_arrays(np.asarray(lives, dtype=float), np.asarray(slope, dtype=float))
+    life = float(np.sum(single ** -slopes.max()) ** (-1.0 / slopes.max()))
     for _ in range(100):
-        parts = (life / own) ** slopes
+        parts = (life / single) ** slopes
         step = math.log(parts.sum()) * parts.sum() / float(parts @ slopes)
         life *= math.exp(-step)
         if abs(step) < 1e-14:

@@ -188,5 +188,5 @@ def taper_pair_thrusts(
 
     Source: induced thrust F_r/(2 Y) with ISO 281:2007, table 8; equilibrium along the shaft.
     """
-    own = [force / (2.0 * factor.axial) for force, factor in zip(radial, factors, strict=True)]
-    return max(own[0], own[1] + axial), max(own[1], own[0] - axial)
+    thrusts = [force / (2.0 * factor.axial) for force, factor in zip(radial, factors, strict=True)]
+    return max(thrusts[0], thrusts[1] + axial), max(thrusts[1], thrusts[0] - axial)

@@ -131,9 +131,9 @@ def life_modification(clean_share: float, viscosity_ratio: float, kind: BearingK
         message = f"κ = {viscosity_ratio:.3g} is below 0.1, where ISO 281 gives no life; take a thicker oil"
         raise DesignError([Problem("viscosity_ratio", message)])
     law, kappa = (_BALL if kind.is_ball else _ROLLER), min(viscosity_ratio, 4.0)
-    exponent = next(each for greatest, each in _FILM_EXPONENTS if kappa <= greatest)
+    exponent = next(c for greatest, c in _FILM_EXPONENTS if kappa <= greatest)
     film = law.clean - law.film[kappa >= _FILM_EXPONENTS[0][0]] / kappa**exponent
-    rest = 1.0 - film**law.inner * clean_share**law.outer
-    if rest <= 0.0:
+    remainder = 1.0 - film**law.inner * clean_share**law.outer
+    if remainder <= 0.0:
         return LARGEST_MODIFICATION
-    return min(0.1 * math.pow(rest, -law.last), LARGEST_MODIFICATION)
+    return min(0.1 * math.pow(remainder, -law.last), LARGEST_MODIFICATION)

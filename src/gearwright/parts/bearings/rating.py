@@ -52,9 +52,9 @@ def ball_dynamic_factor(geometry: BearingGeometry) -> float:
     """
     gamma, inner = geometry.curvature_ratio, geometry.inner_conformity
     rings = 1.04 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72
-    both = (1.0 + rings ** (10.0 / 3.0)) ** -0.3
+    combined = (1.0 + rings ** (10.0 / 3.0)) ** -0.3
     shape = gamma**0.3 * (1.0 - gamma) ** 1.39 / math.cbrt(1.0 + gamma)
-    return float(BALL_CONSTANT * BALL_REDUCTION * both * shape * (2.0 * inner / (2.0 * inner - 1.0)) ** 0.41)
+    return float(BALL_CONSTANT * BALL_REDUCTION * combined * shape * (2.0 * inner / (2.0 * inner - 1.0)) ** 0.41)
 
 
 def roller_dynamic_factor(geometry: BearingGeometry) -> float:

@@ -179,7 +179,7 @@ def bevel_forces(pair: BevelPair, torque: float, *, hand: Hand, rotation: Rotati
 
     >>> pair = BevelPair((17, 43), 8.5e-3, 51e-3, math.radians(35.0))
     >>> forces = bevel_forces(pair, 2031.1, hand=Hand.LEFT, rotation=Rotation.CLOCKWISE)
-    >>> [round(each / 1e3, 1) for each in (forces.tangential, *forces.axial)]
+    >>> [round(force / 1e3, 1) for force in (forces.tangential, *forces.axial)]
     [32.3, 26.3, 5.0]
     """
     sign = 1.0 if (hand is Hand.LEFT) == (rotation is Rotation.CLOCKWISE) else -1.0
@@ -221,7 +221,7 @@ def _limits(pair: BevelPair) -> list[Problem]:
         ("spiral_angle", f"{pair.spiral_angle:.4g} rad", "from 0 to 45°", 0.0 <= pair.spiral_angle <= math.pi / 4.0),
         ("shaft_angle", f"{pair.shaft_angle:.4g} rad", "above 0 and below π", 0.0 < pair.shaft_angle < math.pi),
     )
-    wrong = [Problem(name, f"{given} given; must be {allowed}") for name, given, allowed, good in checks if not good]
+    wrong = [Problem(name, f"{value} given; must be {allowed}") for name, value, allowed, good in checks if not good]
     return wrong or _too_wide(pair) + _undercut(pair)
 
 
@@ -230,8 +230,11 @@ def _too_wide(pair: BevelPair) -> list[Problem]:
     limit = min(WIDEST * pair.outer_cone_distance, WIDEST_MODULES * pair.outer_module)
     if pair.face_width <= limit * (1.0 + 1e-9):
         return []
-    given = f"{1e3 * pair.face_width:.4g} mm given with a cone distance of {1e3 * pair.outer_cone_distance:.4g} mm"
-    return [Problem("face_width", f"{given}; use at most {1e3 * limit:.4g} mm (R_e/3 and 10 m_et)")]
+    message = (
+        f"{1e3 * pair.face_width:.4g} mm given with a cone distance of {1e3 * pair.outer_cone_distance:.4g} mm; "
+        f"use at most {1e3 * limit:.4g} mm (R_e/3 and 10 m_et)"
+    )
+    return [Problem("face_width", message)]
 
 
 def _undercut(pair: BevelPair) -> list[Problem]:
@@ -241,11 +244,14 @@ def _undercut(pair: BevelPair) -> list[Problem]:
         virtual = pair.teeth[gear] / math.cos(pair.pitch_angles[gear])
         edge = pair.tooth.edge_radii[gear] * (1.0 - math.sin(pair.pressure_angle))
         straight = pair.tooth.dedendum - edge
-        least = least_profile_shift(
+        needed = least_profile_shift(
             virtual, straight, pressure_angle=pair.pressure_angle, helix_angle=pair.spiral_angle
         )
         shift = sign * pair.tooth.profile_shift
-        if shift < least - 1e-9 and virtual > 0.0:
-            given = f"x_hm{gear + 1} = {shift:.4g} undercuts {pair.teeth[gear]} teeth (virtual {virtual:.1f})"
-            problems.append(Problem("tooth.profile_shift", f"{given}; needs {least:.3f} or more teeth"))
+        if shift < needed - 1e-9 and virtual > 0.0:
+            message = (
+                f"x_hm{gear + 1} = {shift:.4g} undercuts {pair.teeth[gear]} teeth (virtual {virtual:.1f}); "
+                f"needs {needed:.3f} or more teeth"
+            )
+            problems.append(Problem("tooth.profile_shift", message))
     return problems

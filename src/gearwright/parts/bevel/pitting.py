@@ -250,8 +250,10 @@ def bevel_pitting(
     mid, sharing, elastic = mid_zone_factor(virtual), virtual.load_sharing, elasticity_factor(steels)
     nominal = math.sqrt(force / (virtual.lines[1].length * virtual.curvature)) * mid * sharing * elastic
     stress = nominal * float(np.sqrt(loads.contact))
-    one, two = (
+    pinion, wheel = (
         steel.contact_strength * life * math.prod(film) * BEVEL_FACTOR
         for steel, life in zip(steels, lives, strict=True)
     )
-    return BevelPitting(mid, sharing, elastic, film, nominal, stress, (one, two), (one / stress, two / stress))
+    return BevelPitting(
+        mid, sharing, elastic, film, nominal, stress, (pinion, wheel), (pinion / stress, wheel / stress)
+    )

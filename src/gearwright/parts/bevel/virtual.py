@@ -134,11 +134,11 @@ class VirtualPair:
         if helix > 1e-9:
             centre = 0.5 * width + distance / math.sin(helix)
             reach = 0.5 * self.path / math.tan(helix)
-            whole = max(min(centre + reach, width) - max(centre - reach, 0.0), 0.0) / math.cos(helix)
+            length = max(min(centre + reach, width) - max(centre - reach, 0.0), 0.0) / math.cos(helix)
         else:
-            whole = width
+            length = width
         shortened = (1.0 - math.sqrt(EFFECTIVE_WIDTH)) * math.sqrt(1.0 - part**2)
-        return ContactLine(distance, whole * (1.0 - shortened), 1.0 - part**self.peak_exponent)
+        return ContactLine(distance, length * (1.0 - shortened), 1.0 - part**self.peak_exponent)
 
     @cached_property
     def load_sharing(self) -> float:

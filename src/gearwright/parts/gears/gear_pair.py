@@ -28,10 +28,10 @@ class GearPair:
 
     def __post_init__(self) -> None:
         problems = _mismatches(self.driver, self.driven)
-        given = self.given_centre_distance
-        if not problems and given is not None and given <= self.base_centre_distance:
-            least = f"above {1e3 * self.base_centre_distance:.6g} mm, where the base circles would roll on each other"
-            problems.append(Problem("given_centre_distance", f"{1e3 * given:.6g} mm given; must be {least}"))
+        distance = self.given_centre_distance
+        if not problems and distance is not None and distance <= self.base_centre_distance:
+            allowed = f"above {1e3 * self.base_centre_distance:.6g} mm, where the base circles would roll on each other"
+            problems.append(Problem("given_centre_distance", f"{1e3 * distance:.6g} mm given; must be {allowed}"))
         if problems:
             raise DesignError(problems)
         _ = self.working_pressure_angle  # profile shifts that fit no centre distance are refused here
@@ -137,11 +137,12 @@ def _mismatches(driver: CylindricalGear, driven: CylindricalGear) -> list[Proble
         problems.append(Problem("driver", f"{driver.teeth} teeth given; gear 1 must be external, exchange the gears"))
     elif driven.side < 0 and driver.teeth >= -driven.teeth:
         problems.append(Problem("driver", f"{driver.teeth} teeth do not fit inside a ring of {-driven.teeth}"))
-    for name, one, two in (
+    for name, expected, value in (
         ("module", driver.module, driven.module),
         ("helix_angle", driver.helix_angle, driven.helix_angle),
         ("rack.pressure_angle", driver.rack.pressure_angle, driven.rack.pressure_angle),
     ):
-        if not math.isclose(one, two, rel_tol=1e-9):
-            problems.append(Problem(f"driven.{name}", f"{two:.6g} given, the driver has {one:.6g}; they must be equal"))
+        if not math.isclose(expected, value, rel_tol=1e-9):
+            message = f"{value:.6g} given, the driver has {expected:.6g}; they must be equal"
+            problems.append(Problem(f"driven.{name}", message))
     return problems

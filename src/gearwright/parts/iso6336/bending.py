@@ -145,10 +145,10 @@ def rim_factor(rim: Value, height: Value, module: Value, *, internal: bool = Fal
     Raises:
         DesignError: thinner rims, which the standard asks to avoid.
     """
-    least = 1.75 * module if internal else 0.5 * height
-    if np.any(np.asarray(rim) <= least):
-        given = f"{1e3 * float(np.min(rim)):.4g} mm given"
-        raise DesignError([Problem("rim", f"{given}; ISO 6336-3 rates rims above {1e3 * float(np.max(least)):.4g} mm")])
+    thinnest = 1.75 * module if internal else 0.5 * height
+    if np.any(np.asarray(rim) <= thinnest):
+        allowed = f"ISO 6336-3 rates rims above {1e3 * float(np.max(thinnest)):.4g} mm"
+        raise DesignError([Problem("rim", f"{1e3 * float(np.min(rim)):.4g} mm given; {allowed}")])
     thin = 1.15 * np.log(8.324 * module / rim) if internal else 1.6 * np.log(2.242 * height / rim)
     return np.maximum(1.0, thin)
 

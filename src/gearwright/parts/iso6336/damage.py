@@ -52,9 +52,9 @@ def damage_parts(bins: Sequence[StressBin], reference: float, curve: LifeCurve) 
         (Z_NT or Y_NT = 0.85 at 1e10), and not at all where it is flat.
     """
     parts = []
-    for each in bins:
-        endured = endurable_cycles(curve, each.stress / reference) if each.stress > 0.0 else float("inf")
-        parts.append(each.cycles / endured if endured > 0.0 else float("inf"))
+    for level in bins:
+        endured = endurable_cycles(curve, level.stress / reference) if level.stress > 0.0 else float("inf")
+        parts.append(level.cycles / endured if endured > 0.0 else float("inf"))
     return tuple(parts)
 
 
@@ -78,7 +78,7 @@ def spectrum_damage(bins: Sequence[StressBin], reference: float, curve: LifeCurv
     >>> round(spectrum_damage([StressBin(1000e6, 5e7)], 1500e6, curve).safety, 6)
     1.5
     """
-    if not any(each.cycles > 0.0 and each.stress > 0.0 for each in bins):
+    if not any(level.cycles > 0.0 and level.stress > 0.0 for level in bins):
         raise DesignError([Problem("spectrum", "no bin has both stress and cycles; give at least one")])
     parts = damage_parts(bins, reference, curve)
 

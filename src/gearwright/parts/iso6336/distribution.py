@@ -153,18 +153,18 @@ def face_load_factor(
     >>> pair = MeshGeometry((20, 60), 2e-3, 0.02, 0.08, (0.022, 0.062))
     >>> from gearwright.parts.iso6336 import Treatment
     >>> steel = GearSteel("x", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 500e6)
-    >>> found = face_load_factor(pair, (0.0, 10e-6), (steel, steel), stiffness=17e9, specific_load=2e5, speed=5.0)
-    >>> round(float(found.contact), 4)
+    >>> result = face_load_factor(pair, (0.0, 10e-6), (steel, steel), stiffness=17e9, specific_load=2e5, speed=5.0)
+    >>> round(float(result.contact), 4)
     1.3613
     """
     deflection, manufacture = misalignments
     weighted = 1.33 * modification.deflection * deflection + modification.manufacture * manufacture
-    before = np.maximum(weighted, _LEAST_MISALIGNMENT * specific_load)
-    allowance = 0.5 * (lead_allowance(before, steels[0], speed) + lead_allowance(before, steels[1], speed))
-    after = before - allowance
-    tilt = after * stiffness / (2.0 * specific_load)
+    initial = np.maximum(weighted, _LEAST_MISALIGNMENT * specific_load)
+    allowance = 0.5 * (lead_allowance(initial, steels[0], speed) + lead_allowance(initial, steels[1], speed))
+    effective = initial - allowance
+    tilt = effective * stiffness / (2.0 * specific_load)
     contact = as_value(np.where(tilt >= 1.0, 2.0 * np.sqrt(tilt), 1.0 + tilt))
-    return FaceLoadFactor(deflection, manufacture, after, contact, contact ** _face_exponent(mesh))
+    return FaceLoadFactor(deflection, manufacture, effective, contact, contact ** _face_exponent(mesh))
 
 
 def _face_exponent(mesh: MeshGeometry) -> Value:

@@ -88,10 +88,10 @@ def work_hardening_factor(
     Source: ISO 6336-2:2006, clause 13: 1.2 − (HB − 130)/1700 times (3 µm/R_zH)^0.15 against a hard mate;
         1 + (0.00898 HB_1/HB_2 − 0.00829)(u − 1) between through-hardened gears.
     """
-    own, mate = treatments
-    if own.is_surface_hardened:
+    treatment, mate_treatment = treatments
+    if treatment.is_surface_hardened:
         return 1.0
-    if mate.is_surface_hardened:
+    if mate_treatment.is_surface_hardened:
         base = 1.2 - (min(max(hardness, 130.0), 470.0) - 130.0) / 1700.0
         return max(1.0, base * float((3.0 * _MICRON / mate_roughness) ** 0.15))
     harder = mate_hardness / hardness

@@ -102,8 +102,8 @@ class MeshGeometry:
     @cached_property
     def working_angle(self) -> Value:
         """α_wt [rad], cos α_wt = (d_b2 ± d_b1) / (2 a_w)."""
-        one, two = self.base_diameters
-        return np.arccos((two + self.side * one) / (2.0 * self.centre_distance))
+        first, second = self.base_diameters
+        return np.arccos((second + self.side * first) / (2.0 * self.centre_distance))
 
     @cached_property
     def base_pitch(self) -> Value:
@@ -150,9 +150,9 @@ class MeshGeometry:
     @cached_property
     def relative_curvature(self) -> Value:
         """Radius of relative curvature at the pitch point ρ_red = ρ_1 ρ_2 / (ρ_1 + ρ_2) [m] (ISO 6336-2, clause 12)."""
-        one = 0.5 * self.base_diameters[0] * np.tan(self.working_angle)
-        two = 0.5 * self.side * self.base_diameters[1] * np.tan(self.working_angle)
-        return one * two / (one + two)
+        first = 0.5 * self.base_diameters[0] * np.tan(self.working_angle)
+        second = 0.5 * self.side * self.base_diameters[1] * np.tan(self.working_angle)
+        return first * second / (first + second)
 
     @cached_property
     def tooth_heights(self) -> tuple[Value, Value]:
@@ -218,8 +218,11 @@ def _interference(pair: GearPair) -> list[Problem]:
         if beyond:
             limit = 1e3 * float(np.hypot(gear.base_radius, reach))
             bound = "at most" if pair.side > 0 else "at least"
-            given = f"tip radius {1e3 * gear.tip_radius:.5g} mm interferes with the mate's root"
-            problems.append(Problem(f"{name}.tip_radius", f"{given}; use {bound} {limit:.5g} mm or shift the profiles"))
+            message = (
+                f"tip radius {1e3 * gear.tip_radius:.5g} mm interferes with the mate's root; "
+                f"use {bound} {limit:.5g} mm or shift the profiles"
+            )
+            problems.append(Problem(f"{name}.tip_radius", message))
     if not problems and not pair.transverse_contact_ratio >= 1.0:
         ratio = f"contact ratio {pair.transverse_contact_ratio:.3f} given"
         problems.append(Problem("contact_ratio", f"{ratio}; ISO 6336 needs at least 1: longer teeth or less shift"))

@@ -59,7 +59,7 @@ def bending_life_curve(treatment: Treatment, *, at_1e10: float = STANDARD) -> Li
 
     Source: ISO 6336-3:2019, clause 11, table 1.
     """
-    least, greatest = {
+    first_corner, greatest = {
         Treatment.STRUCTURAL: (1e4, 2.5),
         Treatment.THROUGH_HARDENED: (1e4, 2.5),
         Treatment.CASE_HARDENED: (1e3, 2.5),
@@ -68,7 +68,7 @@ def bending_life_curve(treatment: Treatment, *, at_1e10: float = STANDARD) -> Li
         Treatment.NITRIDED_THROUGH_HARDENED: (1e3, 1.6),
         Treatment.NITROCARBURISED: (1e3, 1.1),
     }[treatment]
-    return LifeCurve((least, 3e6, 1e10), (greatest, 1.0, at_1e10))
+    return LifeCurve((first_corner, 3e6, 1e10), (greatest, 1.0, at_1e10))
 
 
 def life_factor(curve: LifeCurve, cycles: Value) -> Value:

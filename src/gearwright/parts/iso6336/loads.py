@@ -167,9 +167,9 @@ def load_distribution(
 
 def _deviations(mesh: MeshGeometry, grade: int) -> tuple[Value, Value, Value]:
     """Greater f_pb and f_fα of the two gears, and f_ma = √(f_Hβ1² + f_Hβ2²) [m]."""
-    one, two = (flank_tolerances(d, mesh.module, mesh.face_width, grade=grade) for d in mesh.pitch_diameters)
+    pinion, wheel = (flank_tolerances(d, mesh.module, mesh.face_width, grade=grade) for d in mesh.pitch_diameters)
     return (
-        np.maximum(one.single_pitch, two.single_pitch) * np.cos(mesh.transverse_angle),
-        np.maximum(one.profile_form, two.profile_form),
-        np.hypot(one.helix_slope, two.helix_slope),
+        np.maximum(pinion.single_pitch, wheel.single_pitch) * np.cos(mesh.transverse_angle),
+        np.maximum(pinion.profile_form, wheel.profile_form),
+        np.hypot(pinion.helix_slope, wheel.helix_slope),
     )

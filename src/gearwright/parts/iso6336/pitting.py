@@ -157,10 +157,10 @@ def single_contact_factors(mesh: MeshGeometry, *, profile_factor: Value = 1.0) -
     """
     turns = [2.0 * np.pi / mesh.teeth[0], 2.0 * np.pi / np.abs(mesh.teeth[1])]
     beyond = mesh.transverse_contact_ratio - 1.0
-    one, two = mesh.tip_tangents
+    pinion_tip, wheel_tip = mesh.tip_tangents
     tangent = np.tan(mesh.working_angle)
-    first = tangent / np.sqrt((one - turns[0]) * (two - mesh.side * beyond * turns[1]))
-    second = tangent / np.sqrt(np.abs((two - mesh.side * turns[1]) * (one - beyond * turns[0])))
+    first = tangent / np.sqrt((pinion_tip - turns[0]) * (wheel_tip - mesh.side * beyond * turns[1]))
+    second = tangent / np.sqrt(np.abs((wheel_tip - mesh.side * turns[1]) * (pinion_tip - beyond * turns[0])))
     beta = np.minimum(mesh.overlap_ratio, 1.0)
     helical = np.sqrt(profile_factor)
     pinion, wheel = (
@@ -217,7 +217,7 @@ def pitting_rating(
     load = tangential_force / (mesh.pitch_diameters[0] * mesh.face_width) * (mesh.ratio + 1.0) / mesh.ratio
     nominal = factors.zone * factors.elasticity * factors.contact_ratio * factors.helix * np.sqrt(load)
     root = np.sqrt(loads.contact)
-    stresses = tuple(each * nominal * root for each in factors.single_contact)
+    stresses = tuple(factor * nominal * root for factor in factors.single_contact)
     limits = tuple(steel.contact_strength * strength.product for steel, strength in zip(steels, strengths, strict=True))
     return PittingRating(
         geometry=factors,

@@ -180,10 +180,10 @@ def _contact_strengths(
 
 def _work_hardening(mesh: MeshGeometry, steels: Steels, gear: int, *, quality: MeshQuality) -> Value:
     """Z_W of one gear by the Brinell hardness of both."""
-    own, mate = steels[gear], steels[1 - gear]
+    steel, mate = steels[gear], steels[1 - gear]
     return work_hardening_factor(
-        own.hardness * _BRINELL_PER_VICKERS,
-        (own.treatment, mate.treatment),
+        steel.hardness * _BRINELL_PER_VICKERS,
+        (steel.treatment, mate.treatment),
         mate_hardness=mate.hardness * _BRINELL_PER_VICKERS,
         mate_roughness=quality.flank_roughness,
         ratio=np.abs(mesh.ratio),

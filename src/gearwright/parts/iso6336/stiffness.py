@@ -48,5 +48,5 @@ def mesh_springs(mesh: MeshGeometry, specific_load: Value = LINEAR_LOAD) -> Mesh
     rack = rack * (1.0 - 0.02 * (20.0 - np.degrees(mesh.pressure_angle)))
     light = np.minimum(1.0, (specific_load / LINEAR_LOAD) ** 0.25)
     single = theory * THEORY_TO_MEASUREMENT * rack * np.cos(mesh.helix_angle) * light
-    whole = single * (0.75 * mesh.transverse_contact_ratio + 0.25)
-    return MeshSprings(single, whole, 0.85 * whole)
+    mean = single * (0.75 * mesh.transverse_contact_ratio + 0.25)
+    return MeshSprings(single, mean, 0.85 * mean)

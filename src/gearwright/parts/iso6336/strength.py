@@ -103,6 +103,7 @@ def allowable_stress(line: StrengthLine, hardness: float) -> float:
     """
     low, high = line.hardness
     if not low <= hardness <= high:
-        given = f"{hardness:.4g} given; ISO 6336-5 covers {low:g} to {high:g} for this steel and grade"
-        raise DesignError([Problem("hardness", f"{given}; nearest is {min(max(hardness, low), high):g}")])
+        allowed = f"ISO 6336-5 covers {low:g} to {high:g} for this steel and grade"
+        nearest = min(max(hardness, low), high)
+        raise DesignError([Problem("hardness", f"{hardness:.4g} given; {allowed}; nearest is {nearest:g}")])
     return line.slope * hardness + line.intercept

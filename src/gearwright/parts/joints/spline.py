@@ -84,8 +84,8 @@ def spline(reference_diameter: float, module: float) -> Spline:
     >>> spline(0.120, 0.003).teeth
     38
     """
-    if not any(math.isclose(module, each) for each in MODULES):
-        closest = min(MODULES, key=lambda each: abs(each - module))
+    if not any(math.isclose(module, standard) for standard in MODULES):
+        closest = min(MODULES, key=lambda standard: abs(standard - module))
         message = f"{1e3 * module:g} mm is not a module of DIN 5480; the nearest is {1e3 * closest:g} mm"
         raise DesignError([Problem("spline.module", message)])
     room = reference_diameter / module - 1.1

@@ -27,8 +27,8 @@ def pin_error_share(
 
     Valid for: rigid ring, carrier and pins; all planets loaded; N ≥ 3.
 
-    >>> given = dict(stiffness=(5e8, 5e8), pressure_angle=math.radians(24.6), floating=True)
-    >>> [round(pin_error_share(n, 1e-5, 4e4, **given), 6) for n in (3, 4, 5, 6)]
+    >>> set_up = dict(stiffness=(5e8, 5e8), pressure_angle=math.radians(24.6), floating=True)
+    >>> [round(pin_error_share(n, 1e-5, 4e4, **set_up), 6) for n in (3, 4, 5, 6)]
     [0.333333, 0.301669, 0.282671, 0.270005]
     """
     free = 3 if floating else 1

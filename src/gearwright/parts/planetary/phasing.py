@@ -106,10 +106,10 @@ def excited_modes(sun_teeth: int, planets: int, harmonic: int) -> str:
     >>> excited_modes(27, 4, 1)
     'translational'
     """
-    rest = (harmonic * sun_teeth) % planets
-    if rest == 0:
+    remainder = (harmonic * sun_teeth) % planets
+    if remainder == 0:
         return "rotational"
-    return "translational" if rest in (1, planets - 1) else "planet"
+    return "translational" if remainder in (1, planets - 1) else "planet"
 
 
 def _centred(value: float) -> float:

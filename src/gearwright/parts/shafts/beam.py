@@ -94,11 +94,11 @@ def supported(loads: PointLoads, bearings: ArrayLike, *, length: float) -> Point
     """
     seats = np.asarray(bearings, dtype=float)
     reactions = bearing_reactions(loads, seats)
-    for what, places in (("loads", loads.position), ("bearings", seats)):
+    for entry, places in (("loads", loads.position), ("bearings", seats)):
         outside = places[(places < 0.0) | (places > length)]
         if outside.size:
             message = f"{1e3 * outside[0]:.6g} mm is outside the shaft; allowed: 0 to {1e3 * length:.6g} mm"
-            raise DesignError([Problem(what, message)])
+            raise DesignError([Problem(entry, message)])
     return PointLoads(
         np.concatenate([loads.position, seats]),
         np.concatenate([loads.force, reactions], axis=-1),
@@ -139,6 +139,4 @@ def diagram(loads: PointLoads) -> Diagram:
 
 
 def _both_sides(left: Array, right: Array) -> Array:
-    both = np.empty((*left.shape, 2))
-    both[..., 0], both[..., 1] = left, right
-    return both.reshape(*left.shape[:-1], -1)
+    return np.stack([left, right], axis=-1).reshape(*left.shape[:-1], -1)

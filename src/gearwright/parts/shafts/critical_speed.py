@@ -22,16 +22,11 @@ def critical_speed(coefficients: Array, masses: ArrayLike) -> float:
 
     Source: largest root of |δ_ij m_j − I/ω²| = 0 (Budynas & Nisbett, Shigley, eqs (7-26) to (7-28)).
     """
-    roots = np.sqrt(_weighty(masses))
+    weights = np.asarray(masses, dtype=float)
+    if weights.min(initial=0.0) < 0.0 or weights.sum() <= 0.0:
+        raise DesignError([Problem("masses", f"{weights.tolist()} kg given; none is below 0, and some are above")])
+    roots = np.sqrt(weights)
     return float(1.0 / math.sqrt(np.linalg.eigvalsh(roots[:, None] * coefficients * roots)[-1]))
-
-
-def _weighty(masses: ArrayLike) -> Array:
-    """Return masses as an array, or refuse those that nothing can swing."""
-    found = np.asarray(masses, dtype=float)
-    if found.min(initial=0.0) < 0.0 or found.sum() <= 0.0:
-        raise DesignError([Problem("masses", f"{found.tolist()} kg given; none is below 0, and some are above")])
-    return found
 
 
 def lumped_shaft(sections: Sections, density: float, *, pieces: int = 40) -> tuple[Array, Array]:

@@ -123,6 +123,6 @@ def influence(sections: Sections, bearings: ArrayLike, places: ArrayLike, *, ela
     stations = np.asarray(places, dtype=float)
     none = np.zeros((len(stations), len(stations)))
     loads = PointLoads(stations, np.eye(len(stations)), none, none)
-    whole = supported(loads, bearings, length=float(sections.edges[-1]))
-    line = bent_line(diagram(whole), sections, bearings, elastic_modulus=elastic_modulus)
+    balanced = supported(loads, bearings, length=float(sections.edges[-1]))
+    line = bent_line(diagram(balanced), sections, bearings, elastic_modulus=elastic_modulus)
     return line.deflection[:, np.searchsorted(line.position, stations)]

@@ -175,7 +175,7 @@ def yield_limits(section: ShaftSection, steel: ShaftSteel) -> Concentration:
     """
     strength = steel.yielding * blank_factor(section.blank, steel.group, yielding=True)
     support = _support(section, steel.group)
-    raised = next((factor for most, factor in _NOTCH_RAISES if section.notch.bending <= most), _NOTCH_RAISES_MOST)
+    raised = next((factor for end, factor in _NOTCH_RAISES if section.notch.bending <= end), _NOTCH_RAISES_MOST)
     return Concentration(strength * support.bending * raised, strength * support.torsion / math.sqrt(3.0))
 
 
@@ -194,12 +194,12 @@ def _fatigue_limits(load: SectionLoad, section: ShaftSection, steel: ShaftSteel,
     mean = math.hypot(load.bending_mean / resist, math.sqrt(3.0) * load.torque_mean / (2.0 * resist))
     means, limits = (mean, mean / math.sqrt(3.0)), []
     smooth = (size * steel.bending_fatigue, size * steel.torsion_fatigue)
-    yielding = yield_limits(section, steel)
-    for limit, notch, rough, steady, most in zip(smooth, section.notch, surface, means, yielding, strict=True):
+    yields = yield_limits(section, steel)
+    for limit, notch, rough, steady, yielding in zip(smooth, section.notch, surface, means, yields, strict=True):
         part = limit / (notch / section_factor(section.diameter) + 1.0 / rough - 1.0) * section.hardening
-        left = min(part - part / (2.0 * ultimate - part) * steady, most - steady)
-        if left <= 0.0:
+        amplitude = min(part - part / (2.0 * ultimate - part) * steady, yielding - steady)
+        if amplitude <= 0.0:
             message = f"mean stress of {steady / _MPA:.4g} MPa leaves no fatigue strength; take a larger diameter"
             raise DesignError([Problem("section.diameter", message)])
-        limits.append(left)
+        limits.append(amplitude)
     return Concentration(*limits)

@@ -82,7 +82,7 @@ def endurance_limit(ultimate_strength: float, diameter: float, *, surface: str, 
     if surface not in SURFACES:
         problems.append(Problem("surface", f"{surface!r} is not known; allowed: {', '.join(SURFACES)}"))
     if reliability not in RELIABILITY_DEVIATES:
-        allowed = ", ".join(f"{each:g}" for each in RELIABILITY_DEVIATES)
+        allowed = ", ".join(f"{level:g}" for level in RELIABILITY_DEVIATES)
         problems.append(Problem("reliability", f"{reliability:g} given; allowed: {allowed}"))
     size = diameter * _MM
     if not 2.79 <= size <= 254.0:

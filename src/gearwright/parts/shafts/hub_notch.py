@@ -69,7 +69,7 @@ def spline_factor(diameter: float, ultimate_strength: float) -> Concentration:
 
 def _of_size(tested: Concentration, diameter: float) -> Concentration:
     """Return measured factors at another diameter: times K_3(d_BK)/K_3(d)."""
-    return Concentration(*(each * _size(each, _REFERENCE) / _size(each, diameter * _MM) for each in tested))
+    return Concentration(*(factor * _size(factor, _REFERENCE) / _size(factor, diameter * _MM) for factor in tested))
 
 
 def _size(factor: float, diameter: float) -> float:

@@ -43,8 +43,8 @@ def _check_shoulder(shoulder: Shoulder) -> None:
         message = f"{1e3 * shoulder.larger:g} mm is not above the smaller diameter, {1e3 * shoulder.diameter:g} mm"
         raise DesignError([Problem("shoulder.larger", message)])
     if shoulder.radius < LEAST_RADIUS * step:
-        least = 1e3 * LEAST_RADIUS * step
-        message = f"{1e3 * shoulder.radius:g} mm given; the formulas hold from {least:.3g} mm on, 0.03 of the step"
+        smallest = 1e3 * LEAST_RADIUS * step
+        message = f"{1e3 * shoulder.radius:g} mm given; the formulas hold from {smallest:.3g} mm on, 0.03 of the step"
         raise DesignError([Problem("shoulder.radius", message)])
 
 
@@ -94,7 +94,7 @@ def fatigue_notch_factor(shoulder: Shoulder, yield_strength: float) -> Concentra
     support = math.pow(10.0, -(0.33 + yield_strength / _MPA / 712.0))
     gradients = (2.3 * (1.0 + phi), 1.15)
     factors = (1.0 + math.sqrt(gradient / (shoulder.radius * _MM)) * support for gradient in gradients)
-    return Concentration(*(each / factor for each, factor in zip(alpha, factors, strict=True)))
+    return Concentration(*(peak / factor for peak, factor in zip(alpha, factors, strict=True)))
 
 
 def notch_sensitivity(radius: float, ultimate_strength: float) -> Concentration:

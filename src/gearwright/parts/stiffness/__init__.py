@@ -23,8 +23,8 @@ from gearwright.parts.stiffness.iso6336 import (
     theoretical_stiffness,
 )
 from gearwright.parts.stiffness.kuang_yang import (
+    cut_square_wave,
     mesh_stiffness_kuang_yang,
-    square_wave,
     tooth_stiffness_kuang_yang,
 )
 from gearwright.parts.stiffness.passing_pairs import pair_curve, rectangular_curve
@@ -44,6 +44,7 @@ __all__ = [
     "StiffnessCurve",
     "blank_factor",
     "contact_compliance",
+    "cut_square_wave",
     "half_plane_foundation",
     "held_body_foundation",
     "load_factor",
@@ -57,7 +58,6 @@ __all__ = [
     "rack_factor",
     "rectangular_curve",
     "sampled_curve",
-    "square_wave",
     "stiffness_at",
     "theoretical_stiffness",
     "tooth_compliance",

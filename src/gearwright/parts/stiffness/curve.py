@@ -112,8 +112,8 @@ def _lowest(curve: StiffnessCurve) -> tuple[float, float]:
     """Lowest stiffness of a fine sampling of one cycle [N/m] and its phase [rad]."""
     phase = np.linspace(0.0, 2.0 * np.pi, 32 * len(curve.cosine) + 1)
     stiffness = stiffness_at(curve, phase)
-    place = int(np.argmin(stiffness))
-    return float(stiffness[place]), float(phase[place])
+    lowest = int(np.argmin(stiffness))
+    return float(stiffness[lowest]), float(phase[lowest])
 
 
 def _sample_problems(x: Array, y: Array) -> list[Problem]:
@@ -132,8 +132,8 @@ def _sample_problems(x: Array, y: Array) -> list[Problem]:
             Problem("stiffness", f"{y[0]:.6g} N/m at the start and {y[-1]:.6g} N/m one cycle later: not periodic")
         )
     if not (np.all(np.isfinite(y)) and np.all(y > 0.0)):
-        place = int(np.argmax(~(y > 0.0)))
+        index = int(np.argmax(~(y > 0.0)))
         problems.append(
-            Problem("stiffness", f"point {place}: {y[place]:.6g} N/m given; a stiffness must be positive and finite")
+            Problem("stiffness", f"point {index}: {y[index]:.6g} N/m given; a stiffness must be positive and finite")
         )
     return problems

@@ -85,7 +85,7 @@ def theoretical_stiffness(teeth: tuple[float, float], profile_shifts: tuple[floa
 def _pinion_first(
     teeth: tuple[float, float], shifts: tuple[float, float]
 ) -> tuple[tuple[Floats, Floats], tuple[Floats, Floats]]:
-    (z_1, z_2), (x_1, x_2) = (tuple(np.asarray(each, dtype=np.float64) for each in both) for both in (teeth, shifts))
+    z_1, z_2, x_1, x_2 = (np.asarray(value, dtype=np.float64) for value in (*teeth, *shifts))
     turned = (z_1 > z_2) | ((z_1 == z_2) & (x_1 < x_2))
     ordered = [(np.where(turned, b, a), np.where(turned, a, b)) for a, b in ((z_1, z_2), (x_1, x_2))]
     return ordered[0], ordered[1]
@@ -208,11 +208,11 @@ def _outside(pair: GearPair) -> list[Problem]:
     total = pair.driver.profile_shift + pair.driven.profile_shift
     problems = []
     if pair.driver.helix_angle > math.radians(45.0):
-        given = math.degrees(pair.driver.helix_angle)
-        problems.append(Problem("helix_angle", f"{given:.4g}° given; ISO 6336-1 allows at most 45°"))
+        degrees = math.degrees(pair.driver.helix_angle)
+        problems.append(Problem("helix_angle", f"{degrees:.4g}° given; ISO 6336-1 allows at most 45°"))
     if not -0.5 <= total <= 2.0:
         problems.append(Problem("profile_shift", f"x_1 + x_2 = {total:.4g}; ISO 6336-1 allows −0.5 to 2"))
-    if not pair.transverse_contact_ratio >= 1.0:
-        given = pair.transverse_contact_ratio
-        problems.append(Problem("", f"contact ratio {given:.3f}; a mesh needs at least 1: longer teeth or less shift"))
+    ratio = pair.transverse_contact_ratio
+    if not ratio >= 1.0:
+        problems.append(Problem("", f"contact ratio {ratio:.3f}; a mesh needs at least 1: longer teeth or less shift"))
     return problems

@@ -1,4 +1,4 @@
-"""Two simple forms of mesh stiffness: Kuang & Yang's single tooth, and a cut square wave.
+"""Two closed forms of mesh stiffness: Kuang & Yang's single tooth, and a cut square wave.
 
 They are here to be compared with; `mesh_stiffness_iso6336` is the default.
 """
@@ -51,11 +51,11 @@ def tooth_stiffness_kuang_yang(teeth: int, radius_offset: ArrayLike, profile_shi
     >>> round(float(tooth_stiffness_kuang_yang(20, 0.0)) / 1e9, 4)
     25.6854
     """
-    least, most = KUANG_YANG_TEETH
+    fewest, most = KUANG_YANG_TEETH
     problems = []
-    if not least <= teeth <= most:
+    if not fewest <= teeth <= most:
         problems.append(
-            Problem("teeth", f"{teeth} given; Kuang & Yang's fit holds from {least} to {most}: use ISO 6336-1")
+            Problem("teeth", f"{teeth} given; Kuang & Yang's fit holds from {fewest} to {most}: use ISO 6336-1")
         )
     if abs(profile_shift) > 0.6:
         problems.append(
@@ -98,8 +98,8 @@ def mesh_stiffness_kuang_yang(pair: GearPair, *, harmonics: int = 8) -> Stiffnes
     )
 
 
-def square_wave(mean: float) -> StiffnessCurve:
-    """Return a stiffness that varies as a square wave of ± a quarter of the mean, cut at its fifth harmonic.
+def cut_square_wave(mean: float) -> StiffnessCurve:
+    """Return a variable stiffness: a square wave of ± a quarter of the mean, cut at its fifth harmonic.
 
     Args:
         mean: Mean mesh stiffness K [N/m].
