@@ -35,8 +35,8 @@ def arrangement_content(sizing: Sizing) -> Content:
     Args:
         sizing: What was sized.
     """
-    found = positions(sizing)
-    _, items = _parts(sizing, found, 1.0)
+    plane = positions(sizing)
+    _, items = _parts(sizing, plane, 1.0)
     rows = tuple(
         (f"{k}", f"{item.count}", item.part, item.remark, "" if item.mass is None else f"{item.mass:.3g}")
         for k, item in enumerate(items, start=1)
@@ -44,13 +44,13 @@ def arrangement_content(sizing: Sizing) -> Content:
     heads = ("Item", "Qty", "Part", "Remark", "Mass [kg]")
     title = Title(sizing.design.name, "General arrangement", NAME, "Assembly drawing", mass=f"{sizing.mass:.1f}")
     return Content(
-        NAME, title, lambda scale: _views(sizing, found, scale), (Grid("Parts; mass of one", rows, heads),),
-        (*found.notes, *_notes(sizing, found)), largest_scale=1.0,
+        NAME, title, lambda scale: _views(sizing, plane, scale), (Grid("Parts; mass of one", rows, heads),),
+        (*plane.notes, *_notes(sizing, plane)), largest_scale=1.0,
     )  # fmt: skip
 
 
-def _notes(sizing: Sizing, found: Positions) -> Iterator[str]:
-    if _has_end_view(sizing, found):
+def _notes(sizing: Sizing, plane: Positions) -> Iterator[str]:
+    if _has_end_view(sizing, plane):
         yield "Pitch circles on the left: seen along the axes from the second ends, at their true places."
     if sizing.bearings:
         yield (
@@ -69,14 +69,14 @@ def _notes(sizing: Sizing, found: Positions) -> Iterator[str]:
 def _crowded(sizing: Sizing) -> Iterator[str]:
     """Yield where a bevel gear's body stands into a bearing; its seat is sized beside bearings, its body is not."""
     bevels = [gear for gear in sizing.gears if kind_of(sizing, gear) == "bevel"]
-    for gear, each in product(bevels, sizing.bearings):
-        if each.shaft in gear.shafts:
-            hub = hub_of(sizing, gear, each.shaft)
-            within = hub.boss is not None and MM * each.bearing.outer_diameter <= hub.boss.diameter
-            place, (start, end) = MM * each.position, _bevel_span(sizing, gear, each.shaft, hub)
-            over = min(end - place, place - start) + MM * each.bearing.width / 2.0
+    for gear, bearing in product(bevels, sizing.bearings):
+        if bearing.shaft in gear.shafts:
+            hub = hub_of(sizing, gear, bearing.shaft)
+            within = hub.boss is not None and MM * bearing.bearing.outer_diameter <= hub.boss.diameter
+            place, (start, end) = MM * bearing.position, _bevel_span(sizing, gear, bearing.shaft, hub)
+            over = min(end - place, place - start) + MM * bearing.bearing.width / 2.0
             if over > 0.0 and not within:
-                yield f"{gear.name} as drawn stands {over:.3g} mm into {each.name}: put one of them elsewhere."
+                yield f"{gear.name} as drawn stands {over:.3g} mm into {bearing.name}: put one of them elsewhere."
 
 
 def _bevel_span(sizing: Sizing, gear: GearSizing, shaft: str, hub: Hub) -> tuple[float, float]:
@@ -86,42 +86,42 @@ def _bevel_span(sizing: Sizing, gear: GearSizing, shaft: str, hub: Hub) -> tuple
         piece = toothed_piece(sizing, gear, middle)
         return piece.start, piece.end
     body = bevel_corners(bevel_profile(sizing, gear), hub)[:3]
-    ends = [MM * middle + away_of(sizing, gear) * each.real for each in body]
+    ends = [MM * middle + away_of(sizing, gear) * corner.real for corner in body]
     return min(ends), max(ends)
 
 
-def _views(sizing: Sizing, found: Positions, scale: float) -> Rows:
-    entities, items = _parts(sizing, found, scale)
-    entities += _machines(sizing, found, scale)
-    entities += _distances(sizing, found, scale)
+def _views(sizing: Sizing, plane: Positions, scale: float) -> Rows:
+    entities, items = _parts(sizing, plane, scale)
+    entities += _machines(sizing, plane, scale)
+    entities += _distances(sizing, plane, scale)
     entities += _balloons(items, extent(entities))
-    return [[*([end_view(sizing, scale)] if _has_end_view(sizing, found) else []), entities]]
+    return [[*([end_view(sizing, scale)] if _has_end_view(sizing, plane) else []), entities]]
 
 
-def _has_end_view(sizing: Sizing, found: Positions) -> bool:
+def _has_end_view(sizing: Sizing, plane: Positions) -> bool:
     parallel = all(pair.kind == "cylindrical" for pair in sizing.design.pairs.values())
-    return parallel and any(note.startswith("Unfolded") for note in found.notes)
+    return parallel and any(note.startswith("Unfolded") for note in plane.notes)
 
 
-def _parts(sizing: Sizing, found: Positions, scale: float) -> tuple[list[Entity], list[Item]]:
+def _parts(sizing: Sizing, plane: Positions, scale: float) -> tuple[list[Entity], list[Item]]:
     entities: list[Entity] = []
     items: list[Item] = []
-    for name in found.shafts:
-        drawn, listed = shaft_parts(sizing, found, name, scale)
+    for name in plane.shafts:
+        drawn, listed = shaft_parts(sizing, plane, name, scale)
         entities, items = entities + drawn, items + listed
     for stage in sizing.design.planetaries:
-        drawn, listed = planetary_parts(sizing, stage, found, scale, lean=3.0 * math.pi / 4.0)
+        drawn, listed = planetary_parts(sizing, stage, plane, scale, lean=3.0 * math.pi / 4.0)
         entities, items = entities + drawn, items + listed
     return entities, items
 
 
-def _machines(sizing: Sizing, found: Positions, scale: float) -> Iterator[Entity]:
+def _machines(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entity]:
     """Yield the name of every machine and clutch where it joins its shaft."""
     seats = dict(sizing.train.machines) | {joint.name: joint.driving for joint in sizing.train.joints}
     for name, shaft in seats.items():
-        lying, x = found.shafts[shaft], found.places[shaft][name]
+        lying, x = plane.shafts[shaft], plane.places[shaft][name]
         axis = axis_of(lying, scale)
-        first, last = _ends(sizing, found, shaft)
+        first, last = _ends(sizing, plane, shaft)
         if first < x < last:
             yield from _between(name, axis.at(x))
             continue
@@ -133,15 +133,15 @@ def _machines(sizing: Sizing, found: Positions, scale: float) -> Iterator[Entity
         yield Words(place + 1j * drop, name, SMALL, align)
 
 
-def _ends(sizing: Sizing, found: Positions, shaft: str) -> tuple[float, float]:
+def _ends(sizing: Sizing, plane: Positions, shaft: str) -> tuple[float, float]:
     """Return the middles of the first and the last gear, carrier or bearing on a shaft [mm]."""
     carried = [gear.name for gear in sizing.gears if shaft in gear.shafts]
     carried += [
         f"{name}.carrier" for name, planetary in sizing.design.planetaries.items() if planetary.carrier == shaft
     ]
-    seats = [found.places[shaft][name] for name in carried]
+    seats = [plane.places[shaft][name] for name in carried]
     seats += [MM * bearing.position for bearing in sizing.bearings if bearing.shaft == shaft]
-    lying = found.shafts[shaft]
+    lying = plane.shafts[shaft]
     middle = (lying.start + lying.end) / 2.0
     return min(seats, default=middle), max(seats, default=middle)
 
@@ -154,14 +154,14 @@ def _between(name: str, middle: complex) -> Iterator[Entity]:
     yield words
 
 
-def _distances(sizing: Sizing, found: Positions, scale: float) -> Iterator[Entity]:
+def _distances(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entity]:
     """Yield centre distances that the plane shows, left of both gears."""
     seen: set[tuple[float, float]] = set()
     for mesh in pair_meshes(sizing.train):
-        lines = [found.shafts[node] for node in mesh.nodes[:2]]
+        lines = [plane.shafts[node] for node in mesh.nodes[:2]]
         if getattr(sizing.design.stages[mesh.stage], "kind", "cylindrical") != "cylindrical":
             continue
-        if any(name.startswith(f"Unfolded: {mesh.name} ({mesh.nodes[0]}, {mesh.nodes[1]})") for name in found.notes):
+        if any(name.startswith(f"Unfolded: {mesh.name} ({mesh.nodes[0]}, {mesh.nodes[1]})") for name in plane.notes):
             continue
         ends = [axis_of(line, scale).at(line.start) for line in lines]
         key = (round(ends[0].imag, 3), round(ends[1].imag, 3))
@@ -177,11 +177,11 @@ def _balloons(items: Sequence[Item], box: Box) -> Iterator[Entity]:
     for k, item in enumerate(items, start=1):
         x, y = item.anchor.real, item.anchor.imag
         far = {"left": x - box[0], "right": box[2] - x, "bottom": y - box[1], "top": box[3] - y}
-        side = min(far, key=lambda each: far[each])
+        side = min(far, key=far.__getitem__)
         sides[side].append((y if side in ("left", "right") else x, f"{k}", item.anchor))
     for side, listed in sides.items():
         ordered = sorted(listed)
-        for place, (_, number, anchor) in zip(spread([each[0] for each in ordered], _APART), ordered, strict=True):
+        for place, (_, number, anchor) in zip(spread([along for along, *_ in ordered], _APART), ordered, strict=True):
             middle = {
                 "left": complex(box[0] - AROUND, place), "right": complex(box[2] + AROUND, place),
                 "bottom": complex(place, box[1] - AROUND), "top": complex(place, box[3] + AROUND),

@@ -27,15 +27,18 @@ def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
         DesignError: If there is no sheet of a name.
     """
     every = list(contents(sizing))
-    known = {each.name for each in every} | {each.name.partition("-")[0] for each in every}
+    known = {content.name for content in every} | {content.name.partition("-")[0] for content in every}
     wrong = [name for name in names if name not in known]
     if wrong:
         raise DesignError([Problem("--what", f"there is no sheet {name!r}; {near(name, known)}") for name in wrong])
     numbered = [
-        replace(each, title=replace(each.title, sheet=(k, len(every)))) for k, each in enumerate(every, start=1)
+        replace(content, title=replace(content.title, sheet=(k, len(every))))
+        for k, content in enumerate(every, start=1)
     ]
-    wanted = [each for each in numbered if not names or {each.name, each.name.partition("-")[0]} & set(names)]
-    return [compose(each) for each in wanted]
+    wanted = [
+        content for content in numbered if not names or {content.name, content.name.partition("-")[0]} & set(names)
+    ]
+    return [compose(content) for content in wanted]
 
 
 def contents(sizing: Sizing) -> Iterator[Content]:
@@ -61,9 +64,9 @@ def gear_sheets(sizing: Sizing, gear: GearSizing) -> dict[str, str]:
         gear: One of its gears.
     """
     integral = {joint.shaft for joint in sizing.joints if joint.part == gear.name and joint.kind == "integral"}
-    found: dict[tuple[object, object], str] = {}
+    bodies: dict[tuple[object, object], str] = {}
     for shaft in gear.shafts:
         if shaft not in integral or kind_of(sizing, gear) == "bevel":
-            found.setdefault((hub_of(sizing, gear, shaft), hand_of(sizing, gear, shaft)), shaft)
-    several = len(found) > 1
-    return {f"gear-{gear.name}-{shaft}" if several else f"gear-{gear.name}": shaft for shaft in found.values()}
+            bodies.setdefault((hub_of(sizing, gear, shaft), hand_of(sizing, gear, shaft)), shaft)
+    several = len(bodies) > 1
+    return {f"gear-{gear.name}-{shaft}" if several else f"gear-{gear.name}": shaft for shaft in bodies.values()}

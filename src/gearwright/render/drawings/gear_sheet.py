@@ -222,7 +222,7 @@ def _bevel_lengths(
     crown = axis.at(profile.large[0].real, -profile.large[0].imag)
     points = [] if hub.boss is None else [axis.at(hub.boss.start, -hub.boss.diameter / 2.0)]
     points += [crown, *([axis.at(back, -profile.roots[0].imag)] if hub.bore else [])]
-    for row, point in enumerate(sorted(points, key=lambda each: each.real)):
+    for row, point in enumerate(sorted(points, key=lambda point: point.real)):
         yield Distance(apex, point, complex(0.0, crown.imag - 9.0 - 8.0 * row), 0.0, axis.scale)
 
 

@@ -95,7 +95,7 @@ def _diameters(axis: Axis, body: ShaftBody) -> Iterator[Entity]:
 
 def _marks(body: ShaftBody) -> Iterator[_Mark]:
     for before, piece, after in zip((None, *body.pieces), body.pieces, (*body.pieces[1:], None), strict=False):
-        beside = [each.diameter for each in (before, after) if each is not None and each.tolerance]
+        beside = [neighbour.diameter for neighbour in (before, after) if neighbour is not None and neighbour.tolerance]
         if not piece.tolerance and piece.diameter in beside:
             continue
         share = 0.25 if any(slot.start < piece.end and slot.end > piece.start for slot in body.slots) else 0.5
@@ -155,7 +155,7 @@ def _shoulders(body: ShaftBody) -> Iterator[tuple[float, float]]:
     ends += [(spline.start, MM * spline.teeth.shaft_tip / 2.0) for spline in body.splines]
     seen: list[float] = []
     for x, radius in sorted(ends):
-        if x > body.pieces[0].start + 1e-6 and all(abs(x - each) > 1e-6 for each in seen):
+        if x > body.pieces[0].start + 1e-6 and all(abs(x - earlier) > 1e-6 for earlier in seen):
             seen.append(x)
             yield x, radius
 

@@ -22,17 +22,17 @@ LARGEST_DOT = 70.0
 
 
 @theme.styled
-def campbell_figure(sizing: Sizing, found: SpeedCase) -> Figure:
+def campbell_figure(sizing: Sizing, speeds: SpeedCase) -> Figure:
     """Return the Campbell diagram of one set of speeds, and the margins of the nearest excited critical speeds.
 
     Args:
         sizing: As sized.
-        found: From `critical_speeds`.
+        speeds: From `critical_speeds`.
     """
-    near = [each for each in found.critical if each.excited][:MOST_MARGINS]
+    near = [critical for critical in speeds.critical if critical.excited][:MOST_MARGINS]
     figure = theme.sheet(WIDTH, 105.0 + 5.0 * max(len(near), 1))
     diagram, margins = figure.subplots(2, 1, height_ratios=(85.0, 12.0 + 5.0 * max(len(near), 1)))
-    _draw_campbell(diagram, sizing, found)
+    _draw_campbell(diagram, sizing, speeds)
     _draw_margins(margins, near)
     return figure
 
@@ -47,27 +47,30 @@ class _Frame:
     """Highest frequency [kHz]."""
 
 
-def _draw_campbell(axes: Axes, sizing: Sizing, found: SpeedCase) -> None:
-    machine, case = sizing.machines[0], found.cases.split(", ")[0]
-    excited = [each for each in found.critical if each.excited]
+def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
+    machine, case = sizing.machines[0], speed_case.cases.split(", ")[0]
+    excited = [critical for critical in speed_case.critical if critical.excited]
     highest = max(
-        (each.frequency for each in excited or found.critical), default=float(np.max(found.campbell.frequency))
+        (critical.frequency for critical in excited or speed_case.critical),
+        default=float(np.max(speed_case.campbell.frequency)),
     )
     frame = _Frame(abs(sizing.flows[case].speeds[machine.shaft]) / RPM, 1.12e-3 * highest)
-    speeds = found.campbell.factor * frame.speed
+    speeds = speed_case.campbell.factor * frame.speed
     axes.axvspan(RESONANCE[0] * frame.speed, RESONANCE[1] * frame.speed, color=theme.STEEL, lw=0.0, zorder=0)
     axes.axvline(frame.speed, color=theme.INK, lw=0.9)
     axes.annotate("operating", (frame.speed, 1.0), (2, -2), xycoords=("data", "axes fraction"), fontsize=6.5,
                   textcoords="offset points", va="top")  # fmt: skip
-    axes.plot(speeds, found.campbell.frequency / 1e3, color=theme.MUTED, lw=0.7)
+    axes.plot(speeds, speed_case.campbell.frequency / 1e3, color=theme.MUTED, lw=0.7)
     axes.plot([], [], color=theme.MUTED, lw=0.7, label="natural frequency")
     axes.set(xlim=(0.0, speeds[-1]), ylim=(0.0, frame.top), ylabel="frequency [kHz]")
     axes.set_xlabel(f"speed of {machine.shaft} [rpm]")
-    axes.set_title(f"Campbell diagram, case {found.cases}", pad=30.0)
-    _draw_orders(axes, sizing, found.campbell.orders, frame)
-    for each in excited:
-        area = LARGEST_DOT * min(each.dynamic_force, 2.0)
-        axes.scatter(each.speed / RPM, each.frequency / 1e3, s=max(area, 2.0), color=theme.ORANGE, zorder=3, lw=0.0)
+    axes.set_title(f"Campbell diagram, case {speed_case.cases}", pad=30.0)
+    _draw_orders(axes, sizing, speed_case.campbell.orders, frame)
+    for critical in excited:
+        area = LARGEST_DOT * min(critical.dynamic_force, 2.0)
+        axes.scatter(
+            critical.speed / RPM, critical.frequency / 1e3, s=max(area, 2.0), color=theme.ORANGE, zorder=3, lw=0.0
+        )
     axes.scatter(
         [], [], s=LARGEST_DOT, color=theme.ORANGE, lw=0.0, label="resonance; area: force amplitude over mean force"
     )
@@ -77,7 +80,7 @@ def _draw_campbell(axes: Axes, sizing: Sizing, found: SpeedCase) -> None:
 def _draw_orders(axes: Axes, sizing: Sizing, orders: Sequence[Order], frame: _Frame) -> None:
     """Draw the rays: mesh orders named, in the colour of their stage; shafts dotted."""
     stages, end, free = list(sizing.design.stages), axes.get_xlim()[1], 0.0
-    for order in sorted(orders, key=lambda each: -each.frequency):
+    for order in sorted(orders, key=lambda order: -order.frequency):
         name, top = order_name(sizing, order.tone), order.frequency / 1e3 * end / frame.speed
         if " mesh" not in name:
             axes.plot([0.0, end], [0.0, top], color=theme.MUTED, lw=0.6, ls=":", zorder=1)
@@ -111,11 +114,12 @@ def _draw_margins(axes: Axes, near: Sequence[CriticalSpeed]) -> None:
     axes.axvspan(*band, color=theme.STEEL, lw=0.0, zorder=0)
     axes.axvline(0.0, color=theme.INK, lw=0.9)
     place = np.arange(len(near))
-    margin = np.array([100.0 * each.margin for each in near])
+    margin = np.array([100.0 * critical.margin for critical in near])
     axes.hlines(place, 0.0, margin, color=theme.MUTED, lw=0.7)
-    area = [max(2.0, LARGEST_DOT * min(each.dynamic_force, 2.0)) for each in near]
+    area = [max(2.0, LARGEST_DOT * min(critical.dynamic_force, 2.0)) for critical in near]
     axes.scatter(margin, place, s=area, color=theme.ORANGE, zorder=3, lw=0.0)
-    axes.set_yticks(place, [f"{each.order}, mode {each.mode} ({each.frequency:.0f} Hz)" for each in near], fontsize=6.5)
+    names = [f"{critical.order}, mode {critical.mode} ({critical.frequency:.0f} Hz)" for critical in near]
+    axes.set_yticks(place, names, fontsize=6.5)
     axes.set_ylim(len(near) - 0.4, -0.6)
     reach = 1.15 * max(float(np.max(np.abs(margin))), band[1])
     axes.set_xlim(-reach, reach)

@@ -50,12 +50,12 @@ def stretches(flight: Flight) -> tuple[Stretch, ...]:
     Args:
         flight: As flown.
     """
-    found, clock, names = [], 0.0, np.array(flight.phase)
+    phases, clock, names = [], 0.0, np.array(flight.phase)
     for name, phase in flight.mission.phases.items():
         length = float(flight.history["duration"][names == name].sum()) / _MINUTE
-        found.append(Stretch(name, phase.mode, clock, clock + length))
+        phases.append(Stretch(name, phase.mode, clock, clock + length))
         clock += length
-    return tuple(found)
+    return tuple(phases)
 
 
 def apart(places: Sequence[float], gap: float) -> list[float]:
@@ -239,14 +239,14 @@ def heat_figure(flight: Flight) -> Figure:
     """
     figure, (losses, share, oil) = _panels(flight, [34.0, 22.0, 26.0])
     time, history = _minutes(flight), flight.history
-    kinds = {name: each for name, each in LOSSES.items() if history[name].any()}
+    kinds = {name: look for name, look in LOSSES.items() if history[name].any()}
     words, colours = zip(*kinds.values(), strict=True)
     losses.stackplot(time, [history[name] / _KILO for name in kinds], lw=0.0, colors=colours, labels=words)
     losses.set_ylabel("heat of the\ngearbox [kW]")
     losses.set_ylim(0.0, 1.25 * float(history["gearbox_heat"].max()) / _KILO)
     losses.legend(loc="upper right", ncols=4)
-    taken, given = flight.passed()
-    share.plot(time, 100.0 * given / taken, color=theme.INK)
+    taken, delivered = flight.passed()
+    share.plot(time, 100.0 * delivered / taken, color=theme.INK)
     share.set_ylabel("efficiency\n[%]")
     oil.plot(time, history["oil_outlet"] - CELSIUS, color=theme.ORANGE, label="behind the gearbox")
     oil.axhline(flight.mission.oil.inlet_temperature_k - CELSIUS, color=theme.BLUE, label="into it")

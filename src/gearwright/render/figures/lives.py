@@ -115,7 +115,7 @@ def mass_of_life_figure(life: LifeSizing) -> Figure:
     Args:
         life: From `size_for_life`.
     """
-    hours, masses = (list(each) for each in zip(*life.path, strict=True))
+    hours, masses = (list(column) for column in zip(*life.path, strict=True))
     figure = theme.sheet(WIDTH, 64.0)
     axes = figure.add_subplot()
     axes.plot(hours, masses, color=theme.BLUE, marker="o", ms=3.5)

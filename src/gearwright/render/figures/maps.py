@@ -27,21 +27,21 @@ _SHADES = LinearSegmentedColormap.from_list("gearwright", [theme.PAPER, "#c5dcec
 
 
 @theme.styled
-def waterfall_figure(found: RunUp, line: str, *, speed: float, shaft: str) -> Figure:
+def waterfall_figure(run_up: RunUp, line: str, *, speed: float, shaft: str) -> Figure:
     """Return the waterfall of a line's force over speed, and below it the amplitudes of its strongest orders.
 
     Args:
-        found: From `run_up`.
+        run_up: From `run_up`.
         line: One of its lines.
         speed: Operating speed of the shaft [rad/s].
         shaft: Named at the speed axis.
     """
-    index_of(line, found.lines, "line")
+    index_of(line, run_up.lines, "line")
     figure = theme.sheet(WIDTH, 150.0)
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1.6, 1.0))
-    rpm = found.factor * speed / RPM
-    _draw_map(figure, above, found, (line, rpm))
-    _draw_tracks(below, found, (line, rpm))
+    rpm = run_up.factor * speed / RPM
+    _draw_map(figure, above, run_up, (line, rpm))
+    _draw_tracks(below, run_up, (line, rpm))
     for axes in (above, below):
         axes.axvline(speed / RPM, color=theme.ORANGE, lw=0.9)
     above.annotate("operating", (speed / RPM, 1.0), (2, -2), xycoords=("data", "axes fraction"), fontsize=6.5,
@@ -50,9 +50,9 @@ def waterfall_figure(found: RunUp, line: str, *, speed: float, shaft: str) -> Fi
     return figure
 
 
-def _draw_map(figure: Figure, axes: Axes, found: RunUp, of: tuple[str, Floats]) -> None:
+def _draw_map(figure: Figure, axes: Axes, run_up: RunUp, of: tuple[str, Floats]) -> None:
     line, rpm = of
-    frequency, amplitude = _cells(found, line)
+    frequency, amplitude = _cells(run_up, line)
     largest = float(np.max(amplitude))
     level = np.log10(np.maximum(amplitude / largest, 10.0**-DECADES))
     image = axes.pcolormesh(rpm, frequency / 1e3, level.T, cmap=_SHADES, shading="nearest",
@@ -64,31 +64,31 @@ def _draw_map(figure: Figure, axes: Axes, found: RunUp, of: tuple[str, Floats]) 
     axes.set(ylabel="frequency [kHz]", ylim=(0.0, frequency[-1] / 1e3), xlim=(rpm[0], rpm[-1]))
     axes.set_title(f"Waterfall of the force in {line}")
     axes.grid(visible=False)
-    for name, end in zip(found.orders, found.order_frequency * found.factor[-1], strict=True):
+    for name, end in zip(run_up.orders, run_up.order_frequency * run_up.factor[-1], strict=True):
         if end < frequency[-1]:
             axes.annotate(name.replace(" mesh", ""), (rpm[-1], end / 1e3), (3, 0), textcoords="offset points",
                           fontsize=6.0, va="center", color=theme.MUTED, annotation_clip=False)  # fmt: skip
 
 
-def _cells(found: RunUp, line: str) -> tuple[Floats, Floats]:
+def _cells(run_up: RunUp, line: str) -> tuple[Floats, Floats]:
     """Return frequencies [Hz] and the largest amplitudes around each, up to the highest that shows [N]."""
-    amplitude = found.amplitude[:, found.lines.index(line)]
+    amplitude = run_up.amplitude[:, run_up.lines.index(line)]
     loud = np.flatnonzero(np.max(amplitude, axis=0) > 10.0**-DECADES * np.max(amplitude))
-    end = min(len(found.frequency), int(1.05 * loud[-1]) + 2)
+    end = min(len(run_up.frequency), int(1.05 * loud[-1]) + 2)
     edges = np.unique(np.linspace(0, end, CELLS + 1).astype(int))
     largest = np.maximum.reduceat(amplitude[:, :end], edges[:-1], axis=1)
-    return 0.5 * (found.frequency[edges[:-1]] + found.frequency[np.minimum(edges[1:], end) - 1]), largest
+    return 0.5 * (run_up.frequency[edges[:-1]] + run_up.frequency[np.minimum(edges[1:], end) - 1]), largest
 
 
-def _draw_tracks(axes: Axes, found: RunUp, of: tuple[str, Floats]) -> None:
+def _draw_tracks(axes: Axes, run_up: RunUp, of: tuple[str, Floats]) -> None:
     line, rpm = of
-    number = found.lines.index(line)
-    tracks = found.order_amplitude[:, number]
+    number = run_up.lines.index(line)
+    tracks = run_up.order_amplitude[:, number]
     peaks = np.max(tracks, axis=0)
     strongest = [place for place in np.argsort(-peaks)[:MOST_ORDERS] if peaks[place] > QUIET * np.max(peaks)]
     for place in sorted(strongest):
-        axes.plot(rpm, tracks[:, place], label=found.orders[place])
-    axes.plot(rpm, found.swing[:, number], color=theme.INK, lw=1.4, label="all, rms")
+        axes.plot(rpm, tracks[:, place], label=run_up.orders[place])
+    axes.plot(rpm, run_up.swing[:, number], color=theme.INK, lw=1.4, label="all, rms")
     axes.set(ylabel="amplitude [N]", ylim=(0.0, None))
     axes.set_title("Orders")
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))

@@ -77,23 +77,23 @@ def families(labels: Labels, unit: str) -> dict[str, list[str]]:
         labels: Of a trace or its samples.
         unit: ``"m"`` for forces, ``"rad"`` for torques.
     """
-    found: dict[str, list[str]] = {}
-    for name, own in zip(labels.lines, labels.line_units, strict=True):
-        if own == unit:
-            found.setdefault(re.sub(r"-\d+(?=-|$)", "", name), []).append(name)
-    return found
+    by_family: dict[str, list[str]] = {}
+    for name, line_unit in zip(labels.lines, labels.line_units, strict=True):
+        if line_unit == unit:
+            by_family.setdefault(re.sub(r"-\d+(?=-|$)", "", name), []).append(name)
+    return by_family
 
 
 def _several(family: str, names: list[str]) -> str:
     return family if len(names) == 1 else f"{family} ({len(names)})"
 
 
-def _draw_lines(axes: Axes, samples: Samples, unit: str, most: int) -> None:
+def _draw_lines(axes: Axes, samples: Samples, unit: str, last: int) -> None:
     for place, (family, names) in enumerate(families(samples.labels, unit).items()):
         colour = theme.CYCLE[place % len(theme.CYCLE)]
-        forces = np.array([samples.force(name)[-most:] for name in names]).T
+        forces = np.array([samples.force(name)[-last:] for name in names]).T
         curves = axes.plot(
-            samples.time[-most:] * 1e3, forces, color=colour, lw=0.8, alpha=1.0 if len(names) == 1 else 0.6
+            samples.time[-last:] * 1e3, forces, color=colour, lw=0.8, alpha=1.0 if len(names) == 1 else 0.6
         )
         curves[0].set_label(_several(family, names))
     axes.margins(x=0.0)
@@ -219,9 +219,9 @@ def _first_of_each(modes: Modes) -> Iterator[int]:
 def _draw_shape(axes: Axes, modes: Modes, mode: int) -> None:
     shape, units = modes.shapes[:, mode], np.array(modes.labels.coordinate_units)
     for unit, colour in (("rad", theme.BLUE), ("m", theme.GREEN)):
-        own = np.flatnonzero(units == unit)
-        if len(own) and np.any(shape[own]):
-            axes.barh(own, _normalised(shape[own]), color=colour, height=0.62)
+        places = np.flatnonzero(units == unit)
+        if len(places) and np.any(shape[places]):
+            axes.barh(places, _normalised(shape[places]), color=colour, height=0.62)
     held = int(np.argmax(modes.line_energy[:, mode]))
     axes.set_title(f"{mode + 1}:  {modes.frequency[mode]:.4g} Hz", fontsize=8.5, pad=11.0)
     share = f"{modes.line_energy[held, mode]:.0%} of the strain in {modes.labels.lines[held]}"

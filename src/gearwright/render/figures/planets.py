@@ -18,18 +18,18 @@ PERCENT = 95.0
 LIMIT = "errors as given, torque and gears kept; the tables grant planets that are sized for their number"
 
 
-def planets_text(found: PlanetCounts) -> RenderableType:
+def planets_text(counts: PlanetCounts) -> RenderableType:
     """Return K_γ by number of planets as a table, with where the printed ones come from.
 
     Args:
-        found: From `planet_counts`.
+        counts: From `planet_counts`.
     """
-    columns = {f"{PERCENT:g} % of random sets": found.random.percentile(PERCENT), **_beside(found)}
-    table = Grid(f"K_γ of {found.stage} against planets", caption=LIMIT)
+    columns = {f"{PERCENT:g} % of random sets": counts.random.percentile(PERCENT), **_beside(counts)}
+    table = Grid(f"K_γ of {counts.stage} against planets", caption=LIMIT)
     table.add_column("planets", justify="right")
     for name in columns:
         table.add_column(name, justify="right")
-    for count in found.random.planets:
+    for count in counts.random.planets:
         table.add_row(str(count), *(f"{row[count]:.2f}" if count in row else "" for row in columns.values()))
     return Group(table, *(Text(line) for line in published_notes()))
 
@@ -37,20 +37,21 @@ def planets_text(found: PlanetCounts) -> RenderableType:
 def published_notes() -> list[str]:
     """Return one sentence on how sure each table is, and the measured values."""
     tables = {row.name: row.confidence for row in load_factors() if not row.measured}
-    found = [f"{name}: {confidence}" for name, confidence in tables.items()]
     measured = (row for row in load_factors() if row.measured)
-    return found + [f"measured, {row.name}: {row.load_factor:.2f} ({row.planets} planets)" for row in measured]
+    return [f"{name}: {confidence}" for name, confidence in tables.items()] + [
+        f"measured, {row.name}: {row.load_factor:.2f} ({row.planets} planets)" for row in measured
+    ]
 
 
-def planets_figure(found: PlanetCounts) -> Figure:
+def planets_figure(counts: PlanetCounts) -> Figure:
     """Return K_γ against planets with the closed form and the standards' tables.
 
     Args:
-        found: From `planet_counts`.
+        counts: From `planet_counts`.
     """
-    return load_factor_figure({"random sets": found.random}, _beside(found))
+    return load_factor_figure({"random sets": counts.random}, _beside(counts))
 
 
-def _beside(found: PlanetCounts) -> dict[str, Mapping[int, float]]:
-    closed = {"one pin, floating": found.floating, "one pin, fixed": found.fixed}
+def _beside(counts: PlanetCounts) -> dict[str, Mapping[int, float]]:
+    closed = {"one pin, floating": counts.floating, "one pin, fixed": counts.fixed}
     return {**closed, **load_factor_tables()}

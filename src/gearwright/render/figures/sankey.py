@@ -113,8 +113,8 @@ def _flows(axes: Axes, flows: Energies, unit: float) -> None:
     gap = _GAP
     first, second, third, _ = _COLUMNS
     heat = sum(sink.energy for sink in flows.hot) / unit
-    turbine, electric, generated = (each / unit for each in (flows.turbine, flows.electric, flows.generated))
-    fuel, battery, slowed, air = (each / unit for each in (flows.fuel, flows.battery, flows.slowed, flows.air))
+    turbine, electric, generated = (energy / unit for energy in (flows.turbine, flows.electric, flows.generated))
+    fuel, battery, slowed, air = (energy / unit for energy in (flows.fuel, flows.battery, flows.slowed, flows.air))
     used, lost = (sum(sink.energy for sink in sinks) / unit for sinks in (flows.used, flows.lost))
     motors_top, gearbox_top = -(fuel + 4.0 * gap), -(heat + 2.0 * gap)
     below = gearbox_top - turbine - electric

@@ -58,7 +58,7 @@ def _draw_sharing(axes: Axes, sharing: LoadSharing) -> None:
     bins = np.linspace(0, len(instants) - 1, POINTS // 2 + 1).astype(int)[:-1]
     for column, name in enumerate(sharing.lines):
         colour = theme.CYCLE[column % len(theme.CYCLE)]
-        low, high = (each.reduceat(instants[:, column], bins) for each in (np.minimum, np.maximum))
+        low, high = (extreme.reduceat(instants[:, column], bins) for extreme in (np.minimum, np.maximum))
         axes.fill_between(sharing.time[bins], low, high, color=colour, alpha=0.2, lw=0.0, zorder=1)
         axes.plot(middle[::stride], cycle[::stride, column], color=colour, label=name, zorder=2)
     axes.axhline(1.0, color=theme.MUTED, lw=0.6)
@@ -228,22 +228,22 @@ def single_error_figure(
         names: Error -> what its panel is called besides.
     """
     # Over a tooth cycle the ripple is gone, so that mean stiffness is enough.
-    found = {
+    sharings = {
         source.name: single_error_sharing(problem, source, method="frequency response", span=span)
         for source in problem.sources
     }
     columns = 3
-    rows = -(-len(found) // columns)
+    rows = -(-len(sharings) // columns)
     figure = theme.sheet(WIDTH, 14.0 + 30.0 * rows)
     grid = figure.subplots(rows, columns, squeeze=False, sharey=True)
-    for axes, (name, sharing) in zip(grid.flat, found.items(), strict=False):
+    for axes, (name, sharing) in zip(grid.flat, sharings.items(), strict=False):
         cycle = sharing.tooth_cycle
         stride = max(1, len(cycle) // POINTS)
         axes.plot(sharing.time[: len(cycle) : stride], cycle[::stride], lw=0.8)
         axes.set_title(": ".join(filter(None, ((names or {}).get(name), name))), fontsize=6.0)
         axes.axhline(1.0, color=theme.MUTED, lw=0.5)
         axes.margins(x=0.0)
-    for axes in grid.flat[len(found) :]:
+    for axes in grid.flat[len(sharings) :]:
         axes.set_axis_off()
     for axes in grid[:, 0]:
         axes.set_ylabel("b [-]")
@@ -253,26 +253,26 @@ def single_error_figure(
 
 
 @theme.styled
-def load_factor_figure(found: Mapping[str, PlanetSharing], curves: Mapping[str, Mapping[int, float]]) -> Figure:
+def load_factor_figure(sets: Mapping[str, PlanetSharing], curves: Mapping[str, Mapping[int, float]]) -> Figure:
     """Return K_γ of random planetary sets against the number of planets: median, and where 90 % of the sets lie.
 
     Args:
-        found: Label, such as ``"floating sun"`` -> sets.
+        sets: Label, such as ``"floating sun"`` -> sets.
         curves: Label -> number of planets -> K_γ to lay beside them [-]: closed form, tables of standards.
     """
     figure = theme.sheet(WIDTH, 80.0)
     axes = figure.subplots()
-    for number, (label, sharing) in enumerate(found.items()):
+    for number, (label, sharing) in enumerate(sets.items()):
         low, middle, high = (list(sharing.percentile(percent).values()) for percent in (5.0, 50.0, 95.0))
-        place = np.array(sharing.planets) + 0.12 * (number - 0.5 * (len(found) - 1))
+        place = np.array(sharing.planets) + 0.12 * (number - 0.5 * (len(sets) - 1))
         spread = [np.subtract(middle, low), np.subtract(high, middle)]
         axes.errorbar(place, middle, yerr=spread, fmt="o", ms=3.5, lw=1.2, capsize=2.5, label=label)
     for number, (label, curve) in enumerate(curves.items()):
-        order = number + len(found)
+        order = number + len(sets)
         colour, style = theme.CYCLE[order % len(theme.CYCLE)], "--" if order < len(theme.CYCLE) else ":"
         axes.plot(list(curve), list(curve.values()), style, lw=0.9, marker=".", color=colour, label=label, zorder=1)
     axes.set(xlabel="planets", ylabel="mesh load factor K_γ [-]", title="Random sets: median, 5 and 95 %")
-    counts = {count for sharing in found.values() for count in sharing.planets}
+    counts = {count for sharing in sets.values() for count in sharing.planets}
     axes.set_xticks(sorted(counts.union(*curves.values())))
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=6.5)
     return figure

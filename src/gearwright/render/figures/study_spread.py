@@ -36,9 +36,9 @@ def figure_of(study: Study, table: Table) -> Figure:
         study: As run.
         table: Its rows.
     """
-    found = verdict(study, table)
-    if found is not None:
-        return trade_figure(study, table, found)
+    outcome = verdict(study, table)
+    if outcome is not None:
+        return trade_figure(study, table, outcome)
     if len(study.objectives) > 1:
         return pareto_figure(study, table, pareto_front(study, table))
     if study.sampling.method in ("grid", "list"):
@@ -63,8 +63,10 @@ def distribution_figure(table: Table) -> Figure:
     for panel, result in zip(panels, drawn, strict=False):
         panel.set_xlabel(_label(table, result))
         if many:
-            each = [np.array([_shown(row, result) for row in _good(table) if row.design == name]) for name in designs]
-            draw_ranges(panel, each)
+            spreads = [
+                np.array([_shown(row, result) for row in _good(table) if row.design == name]) for name in designs
+            ]
+            draw_ranges(panel, spreads)
             panel.set_yticks(range(len(designs)), designs)
             continue
         everything = np.array([_shown(row, result) for row in _good(table)])

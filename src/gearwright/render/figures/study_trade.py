@@ -26,20 +26,20 @@ LOGARITHMIC = 30.0
 
 
 @theme.styled
-def trade_figure(study: Study, table: Table, found: Verdict) -> Figure:
+def trade_figure(study: Study, table: Table, verdict: Verdict) -> Figure:
     """Return the objectives side by side, one row for each design, the winner at the top: median and 5 to 95 % range.
 
     Args:
         study: With objectives.
         table: Its rows.
-        found: How its designs stand.
+        verdict: How its designs stand.
     """
     objectives = list(study.objectives)
-    figure = theme.sheet(196.0, 24.0 + 7.5 * len(found.standings))
+    figure = theme.sheet(196.0, 24.0 + 7.5 * len(verdict.standings))
     panels = figure.subplots(1, len(objectives), sharey=True, squeeze=False)[0]
     for panel, name in zip(panels, objectives, strict=True):
-        _draw_objective(panel, table, found.standings, name, sense=study.objectives[name])
-    panels[0].set_yticks(range(len(found.standings)), [standing.design for standing in found.standings])
+        _draw_objective(panel, table, verdict.standings, name, sense=study.objectives[name])
+    panels[0].set_yticks(range(len(verdict.standings)), [standing.design for standing in verdict.standings])
     return figure
 
 
@@ -92,17 +92,17 @@ def _unit(table: Table, name: str) -> str:
 
 
 @theme.styled
-def weights_figure(found: Verdict) -> Figure:
+def weights_figure(verdict: Verdict) -> Figure:
     """Return how often each design comes first: with equal weights, and with all weights of the objectives.
 
     Args:
-        found: How designs stand; those that are hardly ever first are left out.
+        verdict: How designs stand; those that are hardly ever first are left out.
     """
-    rows = [standing for standing in found.standings if standing.first or standing.weights >= SELDOM]
+    rows = [standing for standing in verdict.standings if standing.first or standing.weights >= SELDOM]
     figure = theme.sheet(150.0, 19.0 + 7.0 * len(rows))
     axes = figure.add_subplot()
     place = np.arange(len(rows))
-    bars = ((-0.19, [row.first / found.scenarios for row in rows], theme.BLUE, "objectives weigh the same"),
+    bars = ((-0.19, [row.first / verdict.scenarios for row in rows], theme.BLUE, "objectives weigh the same"),
             (0.19, [row.weights for row in rows], theme.SKY, "over all weights of the objectives"))  # fmt: skip
     for offset, values, colour, label in bars:
         axes.barh(place + offset, values, 0.36, color=colour, label=label)

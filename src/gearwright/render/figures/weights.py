@@ -54,12 +54,14 @@ def figure_mass_over_power(chosen: Comparison | None = None) -> Figure:
 
 def turboprop_fit() -> LogLine:
     """Return the power law of gearbox mass [kg] in power [kW] through the turboprops whose mass follows the formula."""
-    found = [
+    turboprops = [
         engine
         for engine in engines()
         if engine.series.kind == "turboprop" and engine.note("gearbox_mass_kg", "differs") is None
     ]
-    return log_line([one.power / _KW for one in found], [gearbox_mass(one) for one in found])
+    return log_line(
+        [turboprop.power / _KW for turboprop in turboprops], [gearbox_mass(turboprop) for turboprop in turboprops]
+    )
 
 
 def fit_of_all_rows() -> LogLine:
@@ -72,7 +74,7 @@ def figure_densities() -> Figure:
     """Return power density of the gearbox and torque density of the engine, series by series."""
     figure = Figure(figsize=(9.0, 5.2), layout="constrained")
     left, right = figure.subplots(1, 2, sharey=True)
-    names = [one.name for one in all_series()]
+    names = [series.name for series in all_series()]
     for place, series in enumerate(all_series()):
         rows = [engine for engine in checked_engines() if engine.engine.series is series]
         colour = _COLOURS[series.manufacturer]
@@ -92,7 +94,7 @@ def figure_densities() -> Figure:
         axes.grid(axis="x", color="0.9")
         axes.set_xlim(0.0, axes.get_xlim()[1] * 1.2)
         _bare(axes)
-    left.set_yticks(range(len(names)), [f"{one.name}  ({one.kind})" for one in all_series()], fontsize=9)
+    left.set_yticks(range(len(names)), [f"{series.name}  ({series.kind})" for series in all_series()], fontsize=9)
     left.invert_yaxis()
     figure.suptitle(
         "Densities by series, recomputed. Hollow: no such gearbox (CT7 turboshaft)", x=0.01, ha="left", fontsize=11
@@ -118,11 +120,11 @@ def figure_methods(chosen: Comparison | None = None) -> Figure:
 
 def _draw_series(axes: Axes, series: Series) -> None:
     rows = [engine for engine in engines() if engine.series is series]
-    whole = [row for row in rows if row.has_gearbox and row.note("gearbox_mass_kg", "differs") is None]
-    kin = [one for one in all_series() if one.manufacturer == series.manufacturer]
+    computed = [row for row in rows if row.has_gearbox and row.note("gearbox_mass_kg", "differs") is None]
+    kin = [relative for relative in all_series() if relative.manufacturer == series.manufacturer]
     colour, marker = _COLOURS[series.manufacturer], _MARKERS[kin.index(series)]
-    face = colour if whole else "none"
-    label = f"{series.name} ({len(rows)})" + ("" if whole else " flagged")
+    face = colour if computed else "none"
+    label = f"{series.name} ({len(rows)})" + ("" if computed else " flagged")
     x, y = [row.power / _KW for row in rows], [_mass_shown(row) for row in rows]
     axes.scatter(
         x, y, s=30, marker=marker, facecolors=face, edgecolors=colour, lw=0.9, alpha=0.85, label=label, zorder=3
@@ -161,11 +163,11 @@ def _draw_weights(axes: Axes) -> None:
     line = refit()
     reach = np.geomspace(points[0].beta, points[-1].beta, 120)
     for level, alpha in ((0.95, 0.13), (0.68, 0.22)):
-        limits = np.array([line.band(one, level) for one in reach]) * POUND
+        limits = np.array([line.band(beta, level) for beta in reach]) * POUND
         label = f"{level:.0%} of new gearboxes"
         axes.fill_between(reach, limits[:, 0], limits[:, 1], color=_BLUE, alpha=alpha, lw=0.0, label=label)
     law = f"refit: W[lb] = 10$^{{{line.intercept:.4f}}}$ β$^{{{line.slope:.4f}}}$, R² = {line.r_squared:.3f}"
-    axes.plot(reach, [line.at(one) * POUND for one in reach], color=_BLUE, lw=1.5, label=law)
+    axes.plot(reach, [line.at(beta) * POUND for beta in reach], color=_BLUE, lw=1.5, label=law)
     axes.scatter(
         [point.beta for point in points],
         [point.mass for point in points],
@@ -181,14 +183,14 @@ def _draw_weights(axes: Axes) -> None:
 
 
 def _mark_methods(axes: Axes, chosen: Comparison) -> None:
-    found = [estimate.mass for estimate in chosen.estimates if estimate.mass is not None]
+    masses = [estimate.mass for estimate in chosen.estimates if estimate.mass is not None]
     beta = chosen.requirement.beta
-    label = f"methods at β = {beta:.3g}: {min(found):.0f} to {max(found):.0f} kg"
-    axes.scatter([beta] * len(found), found, s=90, marker="_", color=_ORANGE, lw=1.8, zorder=4, label=label)
+    label = f"methods at β = {beta:.3g}: {min(masses):.0f} to {max(masses):.0f} kg"
+    axes.scatter([beta] * len(masses), masses, s=90, marker="_", color=_ORANGE, lw=1.8, zorder=4, label=label)
 
 
-def _draw_scores(axes: Axes, found: list[Score]) -> None:
-    for place, score in enumerate(found):
+def _draw_scores(axes: Axes, methods: list[Score]) -> None:
+    for place, score in enumerate(methods):
         assert score.bias is not None  # the caller leaves the others out
         if score.bias_span is not None:
             axes.plot(score.bias_span, [place, place], color=_ORANGE, lw=7.0, alpha=0.35, solid_capstyle="butt")
@@ -198,9 +200,9 @@ def _draw_scores(axes: Axes, found: list[Score]) -> None:
     axes.axvline(1.0, color=_BLUE, lw=1.2, zorder=0)
     _log_axes(axes, "estimate over real weight", "")
     axes.xaxis.set_major_locator(FixedLocator([0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 5.0]))
-    axes.yaxis.set_major_locator(FixedLocator(range(len(found))))
-    axes.set_yticklabels([f"{one.method.name} ({one.count})" for one in found], fontsize=9)
-    axes.set_ylim(len(found) - 0.5, -0.5)
+    axes.yaxis.set_major_locator(FixedLocator(range(len(methods))))
+    axes.set_yticklabels([f"{score.method.name} ({score.count})" for score in methods], fontsize=9)
+    axes.set_ylim(len(methods) - 0.5, -0.5)
     axes.set_title("Bias, one standard deviation (line),\nreach of the assumed speeds (bar)", loc="left", fontsize=11)
 
 

@@ -75,10 +75,10 @@ def _bands(axes: Axes, trace: Trace, unit: str) -> None:
     middle = 0.5 * (edges[1:] + edges[:-1])
     for place, (family, names) in enumerate(families(trace.labels, unit).items()):
         colour = theme.CYCLE[place % len(theme.CYCLE)]
-        own = [trace.force.of(name) for name in names]
-        least, most = np.min([each["least"] for each in own], 0), np.max([each["most"] for each in own], 0)
-        axes.fill_between(middle, least / 1e3, most / 1e3, color=colour, alpha=0.25, lw=0.0)
-        axes.plot(middle, own[0]["mean"] / 1e3, color=colour, lw=0.9, label=family)
+        bins = [trace.force.of(name) for name in names]
+        lowest, highest = np.min([bin["least"] for bin in bins], 0), np.max([bin["most"] for bin in bins], 0)
+        axes.fill_between(middle, lowest / 1e3, highest / 1e3, color=colour, alpha=0.25, lw=0.0)
+        axes.plot(middle, bins[0]["mean"] / 1e3, color=colour, lw=0.9, label=family)
     axes.set_title("Shaft torques" if unit == "rad" else "Mesh forces")
     axes.set_ylabel("[kN m]" if unit == "rad" else "[kN]")
     axes.legend(loc="best", fontsize=6.0, ncols=2)

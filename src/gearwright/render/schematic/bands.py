@@ -45,7 +45,9 @@ def source_colours(train: Train, flow: PowerFlow, kinds: Mapping[str, str]) -> d
     for name in train.machines:
         if flow.machine_powers[name] > 0.0:
             first = theme.KIND_COLOURS.get(kinds.get(name, ""), theme.BLUE)
-            colours[name] = next(each for each in (first, *theme.CYCLE, theme.MUTED) if each not in colours.values())
+            colours[name] = next(
+                colour for colour in (first, *theme.CYCLE, theme.MUTED) if colour not in colours.values()
+            )
     return colours
 
 
@@ -90,62 +92,62 @@ def draw_bands(pen: Pen, train: Train, flow: PowerFlow, layout: Layout,
             _around(pen, (feed.x, y), feed)
 
 
-def half_width(each: Stretch, pen: Pen, layout: Layout, stretches: Sequence[Stretch]) -> float:
+def half_width(stretch: Stretch, pen: Pen, layout: Layout, stretches: Sequence[Stretch]) -> float:
     """Return how far a stretch's band reaches from its axis, the bands inside it included [mm].
 
     Args:
-        each: The stretch.
+        stretch: The stretch.
         pen: How power is drawn.
         layout: Where everything stands.
         stretches: Of all shafts.
     """
-    return _inside(each, pen, layout, stretches) + abs(each.power) * pen.scale / 2.0
+    return _inside(stretch, pen, layout, stretches) + abs(stretch.power) * pen.scale / 2.0
 
 
-def _inside(each: Stretch, pen: Pen, layout: Layout, stretches: Sequence[Stretch]) -> float:
+def _inside(stretch: Stretch, pen: Pen, layout: Layout, stretches: Sequence[Stretch]) -> float:
     """Return half the width of the bands on the shafts inside a hollow one [mm]."""
     return sum(
-        max(abs(o.power) * pen.scale / 2.0 for o in stretches if o.shaft == shaft)
-        for shaft in {o.shaft for o in stretches if _is_within(o, each, layout)}
+        max(abs(inner.power) * pen.scale / 2.0 for inner in stretches if inner.shaft == shaft)
+        for shaft in {inner.shaft for inner in stretches if _is_within(inner, stretch, layout)}
     )
 
 
-def _is_within(one: Stretch, other: Stretch, layout: Layout) -> bool:
+def _is_within(inner: Stretch, outer: Stretch, layout: Layout) -> bool:
     return (
-        layout.heights[one.shaft] == layout.heights[other.shaft]
-        and layout.levels[one.shaft] < layout.levels[other.shaft]
-        and min(one.end, other.end) > max(one.start, other.start)
+        layout.heights[inner.shaft] == layout.heights[outer.shaft]
+        and layout.levels[inner.shaft] < layout.levels[outer.shaft]
+        and min(inner.end, outer.end) > max(inner.start, outer.start)
     )
 
 
-def _along(pen: Pen, each: Stretch, layout: Layout, stretches: Sequence[Stretch]) -> None:
-    y, width = layout.heights[each.shaft], abs(each.power) * pen.scale
-    inner = _inside(each, pen, layout, stretches)
-    spot = spots(each, layout)[0]
-    head = HEAD if each.power > 0.0 else -HEAD
+def _along(pen: Pen, stretch: Stretch, layout: Layout, stretches: Sequence[Stretch]) -> None:
+    y, width = layout.heights[stretch.shaft], abs(stretch.power) * pen.scale
+    inner = _inside(stretch, pen, layout, stretches)
+    spot = spots(stretch, layout)[0]
+    head = HEAD if stretch.power > 0.0 else -HEAD
     lanes = (
         [(y - width / 2.0, width)]
         if inner == 0.0
         else [(y + inner, width / 2.0), (y - inner - width / 2.0, width / 2.0)]
     )
     for low, room in lanes:
-        for name, share in each.sources.items():
-            _patch(pen, (each.start, low, each.end - each.start, share * room), name)
+        for name, share in stretch.sources.items():
+            _patch(pen, (stretch.start, low, stretch.end - stretch.start, share * room), name)
             low += share * room
         middle = low - room / 2.0
         tip = [(spot - head / 2.0, middle - 1.6), (spot - head / 2.0, middle + 1.6), (spot + head / 2.0, middle)]
         pen.axes.add_patch(Polygon(tip, fc=theme.INK, lw=0.0, zorder=6))
 
 
-def spots(each: Stretch, layout: Layout) -> list[float]:
+def spots(stretch: Stretch, layout: Layout) -> list[float]:
     """Return places along a stretch that no column covers, the middle ones first [mm].
 
     Args:
-        each: The stretch.
+        stretch: The stretch.
         layout: Where everything stands.
     """
-    middle = (each.start + each.end) / 2.0
-    free = [gap for gap in layout.gaps() if each.start < gap < each.end]
+    middle = (stretch.start + stretch.end) / 2.0
+    free = [gap for gap in layout.gaps() if stretch.start < gap < stretch.end]
     return sorted(free, key=lambda gap: (abs(gap - middle), gap)) or [middle]
 
 

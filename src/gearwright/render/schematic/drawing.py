@@ -46,8 +46,8 @@ def draw_train(
 
 
 def _planetary(name: str, train: Train, layout: Layout, seats: Collection[Attachment]) -> glyphs.PlanetaryShape:
-    own = {seat.kind: seat for seat in seats if seat.stage == name}
-    shafts = [seat.shaft for seat in own.values() if seat.shaft != GROUND]
+    members = {seat.kind: seat for seat in seats if seat.stage == name}
+    shafts = [seat.shaft for seat in members.values() if seat.shaft != GROUND]
     sun, planet, ring = (layout.outlines[f"{name}.{role}"] for role in ("sun", "planet", "ring"))
     scale = layout.scale
     return glyphs.PlanetaryShape(
@@ -58,24 +58,24 @@ def _planetary(name: str, train: Train, layout: Layout, seats: Collection[Attach
         ring=ring.radius * scale,
         wall=max(ring.rim * scale, glyphs.LEAST_WALL),
         width=max(sun.width * scale, glyphs.LEAST_WIDTH),
-        members=_members(name, own, layout),
+        members=_members(name, members, layout),
     )
 
 
-def _members(name: str, own: Mapping[str, Attachment], layout: Layout) -> dict[str, glyphs.Member]:
+def _members(name: str, seats: Mapping[str, Attachment], layout: Layout) -> dict[str, glyphs.Member]:
     """Return sun, carrier and ring; a web that would cut a shaft outside it goes to the other side."""
-    found: dict[str, glyphs.Member] = {}
+    members: dict[str, glyphs.Member] = {}
     for kind in ("sun", "carrier", "ring"):
-        shaft = own[kind].shaft
+        shaft = seats[kind].shaft
         if shaft == GROUND:
-            found[kind] = glyphs.Member(grounded=True, side=_SIDES[kind], level=0)
+            members[kind] = glyphs.Member(grounded=True, side=_SIDES[kind], level=0)
             continue
-        side, level = member_side(own[kind], layout), layout.levels[shaft]
-        inside = [each for each in found.values() if not each.grounded and each.side == side]
-        if any(each.level >= level for each in inside):
+        side, level = member_side(seats[kind], layout), layout.levels[shaft]
+        inside = [member for member in members.values() if not member.grounded and member.side == side]
+        if any(member.level >= level for member in inside):
             side = -side
-        found[kind] = glyphs.Member(grounded=False, side=side, level=level)
-    return found
+        members[kind] = glyphs.Member(grounded=False, side=side, level=level)
+    return members
 
 
 def member_side(seat: Attachment, layout: Layout) -> float:
@@ -123,10 +123,10 @@ def drawn_radii(mesh: Mesh, layout: Layout) -> tuple[float, float]:
         mesh: Of a pair.
         layout: Where everything stands.
     """
-    one, other = (layout.outlines[gear].radius for gear in mesh.gears)
+    first, second = (layout.outlines[gear].radius for gear in mesh.gears)
     apart = abs(layout.heights[mesh.nodes[0]] - layout.heights[mesh.nodes[1]])
-    scale = apart / abs(other - mesh.sign * one)
-    return one * scale, other * scale
+    scale = apart / abs(second - mesh.sign * first)
+    return first * scale, second * scale
 
 
 def _draw_pairs(axes: Axes, train: Train, layout: Layout) -> None:

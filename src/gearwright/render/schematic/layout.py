@@ -159,8 +159,8 @@ def centre_distance(mesh: Mesh, outlines: Mapping[str, Outline]) -> float:
         mesh: Of a pair.
         outlines: Gear -> what is drawn of it.
     """
-    one, other = (outlines[gear].radius for gear in mesh.gears)
-    return abs(other - mesh.sign * one)
+    first, second = (outlines[gear].radius for gear in mesh.gears)
+    return abs(second - mesh.sign * first)
 
 
 def _heights(train: Train, axis: Mapping[str, int], outlines: Mapping[str, Outline]) -> dict[int, float]:
@@ -169,17 +169,17 @@ def _heights(train: Train, axis: Mapping[str, int], outlines: Mapping[str, Outli
     direction = {axis[next(iter(axis))]: 0.0}
     meshes = list(pair_meshes(train))
     while True:
-        ready = next((mesh.stage for mesh in meshes if _is_open(mesh, axis, heights)), None)
-        if ready is None:
+        stage = next((mesh.stage for mesh in meshes if _is_open(mesh, axis, heights)), None)
+        if stage is None:
             break
-        found: dict[int, list[tuple[int, float]]] = {}
+        joined: dict[int, list[tuple[int, float]]] = {}
         for mesh in meshes:
             ends = [axis[node] for node in mesh.nodes[:2]]
             for known, new in (ends, ends[::-1]):
-                if mesh.stage == ready and known in heights and new not in heights:
-                    found.setdefault(new, []).append((known, centre_distance(mesh, outlines)))
-        for rank, (new, origins) in enumerate(found.items()):
-            heights[new], direction[new] = _height(origins, heights, direction, (rank, len(found)))
+                if mesh.stage == stage and known in heights and new not in heights:
+                    joined.setdefault(new, []).append((known, centre_distance(mesh, outlines)))
+        for rank, (new, origins) in enumerate(joined.items()):
+            heights[new], direction[new] = _height(origins, heights, direction, (rank, len(joined)))
     for shaft in axis:
         if axis[shaft] not in heights:
             heights[axis[shaft]] = min(heights.values()) - max(outline.radius for outline in outlines.values())
@@ -238,8 +238,8 @@ def _places(
     lines = {name: {axis[seat.shaft] for seat in seats if element(seat) == name} for name in distance}
     slots: list[list[str]] = []
     for name in sorted(distance, key=rank):
-        beside = slots[-1] if slots and all(rank(each) == rank(name) for each in slots[-1]) else []
-        if beside and all(lines[name].isdisjoint(lines[each]) for each in beside):
+        beside = slots[-1] if slots and all(rank(earlier) == rank(name) for earlier in slots[-1]) else []
+        if beside and all(lines[name].isdisjoint(lines[earlier]) for earlier in beside):
             beside.append(name)
         else:
             slots.append([name])
@@ -278,9 +278,9 @@ def _leaves(
     for name in machines:
         shaft = next(seat.shaft for seat in seats if seat.part == name and not seat.stage)
         beside = [element(seat) for seat in seats if seat.shaft == shaft and element(seat) != name]
-        nearer = beside and all(distance[each] < distance[name] for each in beside)
+        nearer = beside and all(distance[neighbour] < distance[name] for neighbour in beside)
         if nearer and kinds.get(name) != "propeller":
-            leaf[name] = min(beside, key=lambda each: distance[each])
+            leaf[name] = min(beside, key=distance.__getitem__)
     return leaf
 
 
@@ -306,7 +306,7 @@ def _span(shaft: str, seats: Sequence[Attachment], places: Mapping[str, Place]) 
 def _levels(axis: Mapping[str, int], spans: Mapping[str, tuple[float, float]]) -> dict[str, int]:
     """Return shaft -> level: the longest of an axis inside; those that do not meet share a level."""
     levels: dict[str, int] = {}
-    for shaft in sorted(axis, key=lambda each: spans[each][0] - spans[each][1]):
+    for shaft in sorted(axis, key=lambda name: spans[name][0] - spans[name][1]):
         taken = {
             levels[other] for other in levels
             if axis[other] == axis[shaft]

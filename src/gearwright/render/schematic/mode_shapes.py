@@ -99,7 +99,7 @@ def _spots(sizing: Sizing, layout: Layout) -> Iterator[tuple[str, float, float]]
         yield machine.name, layout.places[machine.name].x, layout.heights[machine.shaft]
     for stage, planetary in sizing.design.planetaries.items():
         x, radii = layout.places[stage].x, _radii(sizing, stage)
-        shaft = next(each for each in (planetary.sun, planetary.carrier, planetary.ring) if each != GROUND)
+        shaft = next(member for member in (planetary.sun, planetary.carrier, planetary.ring) if member != GROUND)
         y, centre = layout.heights[shaft], (radii["sun"] + radii["planet"]) * layout.scale
         yield f"{stage}.sun", x, y
         yield f"{stage}.planet-1", x, y + centre

@@ -64,7 +64,7 @@ def trace_power(train: Train, flow: PowerFlow, layout: Layout) -> tuple[list[Str
     on = [branch for branch in branches(train, flow) if branch.shaft != GROUND]
     pieces = [piece for shaft in layout.spans for piece in _pieces(shaft, on, layout)]
     edges: list[Edge] = [_directed((p[0], p[1]), (p[0], p[2]), p[4]) for p in pieces]
-    edges += [_directed((_part(each), 0.0), (each.shaft, _column(each, layout)), each.power) for each in on]
+    edges += [_directed((_part(branch), 0.0), (branch.shaft, _column(branch, layout)), branch.power) for branch in on]
     largest = max((edge[2] for edge in edges), default=0.0)
     shares = _shares([edge for edge in edges if edge[2] > NOTHING * largest], list(train.machines))
     stretches = [
@@ -72,7 +72,7 @@ def trace_power(train: Train, flow: PowerFlow, layout: Layout) -> tuple[list[Str
                 shares.get((shaft, start if power > 0.0 else end), {}))
         for shaft, start, end, torque, power in pieces
     ]  # fmt: skip
-    feeds = [Feed(each, _column(each, layout), shares.get(_upstream(each, layout), {})) for each in on]
+    feeds = [Feed(branch, _column(branch, layout), shares.get(_upstream(branch, layout), {})) for branch in on]
     return stretches, feeds
 
 
@@ -90,23 +90,23 @@ def _upstream(branch: Branch, layout: Layout) -> Node:
 
 def _pieces(shaft: str, on: Sequence[Branch], layout: Layout) -> list[tuple[str, float, float, float, float]]:
     """Return (shaft, start, end, torque, power to the right) of every piece: what the parts to its left give."""
-    columns = sorted({_column(each, layout) for each in on if each.shaft == shaft})
-    found = []
+    columns = sorted({_column(branch, layout) for branch in on if branch.shaft == shaft})
+    pieces = []
     for start, end in pairwise(columns):
-        left = [each for each in on if each.shaft == shaft and _column(each, layout) <= start]
-        found.append((shaft, start, end, sum(each.torque for each in left), sum(each.power for each in left)))
-    return found
+        left = [branch for branch in on if branch.shaft == shaft and _column(branch, layout) <= start]
+        pieces.append((shaft, start, end, sum(branch.torque for branch in left), sum(branch.power for branch in left)))
+    return pieces
 
 
-def _directed(one: Node, other: Node, power: float) -> Edge:
-    return (one, other, power) if power >= 0.0 else (other, one, -power)
+def _directed(origin: Node, to: Node, power: float) -> Edge:
+    return (origin, to, power) if power >= 0.0 else (to, origin, -power)
 
 
 def _shares(edges: Sequence[Edge], machines: Sequence[str]) -> dict[Node, dict[str, float]]:
     """Return place -> machine -> share of the power there: mixing, solved at once as power may circle."""
     nodes = list(dict.fromkeys(node for edge in edges for node in edge[:2]))
     number = {node: k for k, node in enumerate(nodes)}
-    matrix, given = np.eye(len(nodes)), np.zeros((len(nodes), len(machines)))
+    matrix, sources = np.eye(len(nodes)), np.zeros((len(nodes), len(machines)))
     inflow = np.zeros(len(nodes))
     for _, to, power in edges:
         inflow[number[to]] += power
@@ -114,7 +114,7 @@ def _shares(edges: Sequence[Edge], machines: Sequence[str]) -> dict[Node, dict[s
         matrix[number[to], number[origin]] -= power / inflow[number[to]]
     for k, name in enumerate(machines):
         if (name, 0.0) in number and inflow[number[name, 0.0]] == 0.0:
-            given[number[name, 0.0], k] = 1.0
-    solved = np.linalg.lstsq(matrix, given, rcond=None)[0] if nodes else given
+            sources[number[name, 0.0], k] = 1.0
+    solved = np.linalg.lstsq(matrix, sources, rcond=None)[0] if nodes else sources
     return {node: {name: float(solved[k, j]) for j, name in enumerate(machines) if solved[k, j] > NOTHING}
             for node, k in number.items()}  # fmt: skip

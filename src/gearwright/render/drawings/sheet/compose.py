@@ -46,10 +46,10 @@ def compose(content: Content) -> Sheet:
     Raises:
         DesignError: If it fits no sheet at any scale.
     """
-    found = next(_fits(content), None)
-    if found is None:
+    fit = next(_fits(content), None)
+    if fit is None:
         raise DesignError([Problem(content.name, "this is too large for A0 at 1:100; draw its parts instead")])
-    size, scale, rows, room = found
+    size, scale, rows, room = fit
     left, low, right, high = inside(size)
     entities: list[Entity] = [*frame(size), *title_block(content.title, size, scale)]
     entities += _placed(rows, room)
@@ -67,11 +67,11 @@ Room = tuple[float, float, float, float]
 
 def _fits(content: Content) -> Iterator[tuple[Size, float, Rows, Room]]:
     """Yield the sheets that hold the content, the best first."""
-    for least, tried in WISHES:
+    for smallest_scale, tried in WISHES:
         for size in SIZES[:tried]:
             room = _room(content, size)
             for scale in SCALES:
-                if room is not None and least <= scale <= content.largest_scale:
+                if room is not None and smallest_scale <= scale <= content.largest_scale:
                     rows = content.views(scale)
                     width, height = _rows_size(rows)
                     if width <= room[2] - room[0] and height <= room[3] - room[1]:

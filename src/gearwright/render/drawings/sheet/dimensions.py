@@ -51,12 +51,12 @@ def text_place(dimension: Distance) -> complex:
     """
     if dimension.text_at is not None:
         return dimension.text_at
-    one, other = ends(dimension)
+    first, second = ends(dimension)
     along = cmath.rect(1.0, dimension.angle)
     length = words_length(dimension.text, TEXT)
-    middle = (one + other) / 2.0
-    if length > abs(other - one):
-        upper = max(one, other, key=lambda end: ((end - dimension.line) * along.conjugate()).real)
+    middle = (first + second) / 2.0
+    if length > abs(second - first):
+        upper = max(first, second, key=lambda end: ((end - dimension.line) * along.conjugate()).real)
         middle = upper + along * (length / 2.0 + ARROW + 2.0)
     return middle + along * 1j * GAP
 
@@ -67,8 +67,8 @@ def arrows_outside(dimension: Distance) -> bool:
     Args:
         dimension: A linear dimension.
     """
-    one, other = ends(dimension)
-    return abs(other - one) < 2.0 * ARROW + GAP
+    first, second = ends(dimension)
+    return abs(second - first) < 2.0 * ARROW + GAP
 
 
 def arrow(tip: complex, direction: complex, layer: Layer = Layer.DIMENSION) -> Path:
@@ -93,27 +93,27 @@ def drawn(dimension: Distance | Corner) -> list[Entity]:
 
 
 def _linear(dimension: Distance) -> Iterator[Entity]:
-    one, other = ends(dimension)
-    along = (other - one) / abs(other - one)
-    for point, end in ((dimension.first, one), (dimension.second, other)):
+    first, second = ends(dimension)
+    along = (second - first) / abs(second - first)
+    for point, end in ((dimension.first, first), (dimension.second, second)):
         if abs(end - point) > GAP:
             away = (end - point) / abs(end - point)
             yield Path((point + GAP * away, end + BEYOND * away), dimension.layer)
     outside = arrows_outside(dimension)
-    yield from (arrow(one, along if outside else -along), arrow(other, -along if outside else along))
+    yield from (arrow(first, along if outside else -along), arrow(second, -along if outside else along))
     reach = OUTSIDE * along if outside else 0.0
-    yield Path((one - reach, other + reach), dimension.layer)
-    yield from _to_text(dimension, one, other)
+    yield Path((first - reach, second + reach), dimension.layer)
+    yield from _to_text(dimension, first, second)
     yield Words(text_place(dimension), dimension.text, TEXT, "middle", dimension.angle, dimension.layer)
 
 
-def _to_text(dimension: Distance, one: complex, other: complex) -> Iterator[Entity]:
+def _to_text(dimension: Distance, first: complex, second: complex) -> Iterator[Entity]:
     """Yield the dimension line on to text that stands beyond its ends."""
     along = cmath.rect(1.0, dimension.angle)
     place, half = text_place(dimension), words_length(dimension.text, TEXT) / 2.0
-    low, high = sorted(((end - place) * along.conjugate()).real for end in (one, other))
+    low, high = sorted(((end - place) * along.conjugate()).real for end in (first, second))
     foot = place - along * 1j * GAP
-    if abs(((one - foot) * (along * 1j).conjugate()).real) > 1e-6:
+    if abs(((first - foot) * (along * 1j).conjugate()).real) > 1e-6:
         return
     if high < half:
         yield Path((foot + along * high, foot + along * half), dimension.layer)

@@ -190,16 +190,16 @@ def _add_distance(space: Modelspace, dimension: Distance, enlarged: float) -> No
     added.set_location(_point(centre, enlarged))
     added.render()
     if not arrows_outside(dimension) or dimension.text_at is not None:
-        one, other = ends(dimension)
+        first, second = ends(dimension)
         for part in drawn(dimension):
-            if isinstance(part, Path) and not part.filled and _is_beyond(part, one, other):
+            if isinstance(part, Path) and not part.filled and _is_beyond(part, first, second):
                 _add(space, part, enlarged)
 
 
-def _is_beyond(part: Path, one: complex, other: complex) -> bool:
+def _is_beyond(part: Path, first: complex, second: complex) -> bool:
     """Return True for the line from a dimension line's end to text outside of it."""
-    along = (other - one) / abs(other - one)
-    return part.points[0] in (one, other) and abs(((part.points[1] - one) * (along * 1j).conjugate()).real) < 1e-6
+    along = (second - first) / abs(second - first)
+    return part.points[0] in (first, second) and abs(((part.points[1] - first) * (along * 1j).conjugate()).real) < 1e-6
 
 
 def _add_corner(space: Modelspace, corner: Corner, enlarged: float) -> None:

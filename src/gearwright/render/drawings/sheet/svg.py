@@ -43,9 +43,9 @@ def sheet_svg(sheet: Sheet) -> str:
         *(_pattern(angle, spacing) for angle, spacing in sorted(hatches)),
     ]
     for layer in Layer:
-        own = [line for entity in sheet.entities if entity.layer is layer for line in _element(entity, height)]
-        if own:
-            lines += [_group(layer), *own, "</g>"]
+        elements = [line for entity in sheet.entities if entity.layer is layer for line in _element(entity, height)]
+        if elements:
+            lines += [_group(layer), *elements, "</g>"]
     return "\n".join([*lines, "</svg>"]) + "\n"
 
 

@@ -77,8 +77,8 @@ def balloon(target: complex, middle: complex, number: str) -> list[Entity]:
     return [
         Arc(middle, radius, Layer.SYMBOL),
         Path((middle + radius * towards, target), Layer.SYMBOL),
-        *(Path((target, one, other), Layer.SYMBOL, closed=True, filled=True)
-          for one, other in zip(dot, (*dot[1:], dot[0]), strict=True)),
+        *(Path((target, corner, following), Layer.SYMBOL, closed=True, filled=True)
+          for corner, following in zip(dot, (*dot[1:], dot[0]), strict=True)),
         Words(middle - 1j * TEXT / 2.0, number, TEXT, "middle", layer=Layer.SYMBOL),
     ]  # fmt: skip
 

@@ -52,16 +52,16 @@ def axis_of(lying: Lying, scale: float) -> Axis:
     return Axis(scale * lying.origin, lying.along, scale)
 
 
-def shaft_parts(sizing: Sizing, found: Positions, name: str, scale: float) -> tuple[list[Entity], list[Item]]:
+def shaft_parts(sizing: Sizing, plane: Positions, name: str, scale: float) -> tuple[list[Entity], list[Item]]:
     """Return a shaft, its gears and its bearings.
 
     Args:
         sizing: What was sized.
-        found: Where everything lies.
+        plane: Where everything lies.
         name: Of the shaft.
         scale: mm of paper per mm [-].
     """
-    lying = found.shafts[name]
+    lying = plane.shafts[name]
     axis, body = axis_of(lying, scale), _drawn_body(sizing, name, lying)
     entities: list[Entity] = []
     items: list[Item] = []
@@ -72,7 +72,7 @@ def shaft_parts(sizing: Sizing, found: Positions, name: str, scale: float) -> tu
     lean = math.pi / 4.0 * (1.0 if sizing.design.shafts.index(name) % 2 == 0 else 3.0)
     for gear in sizing.gears:
         if name in gear.shafts and gear.name not in body.gears:
-            middle = found.places[name][gear.name]
+            middle = plane.places[name][gear.name]
             entities += gear_parts(sizing, gear, axis, (name, middle), lean=lean)
             items.append(gear_item(sizing, gear, axis, middle))
     for bearing in sizing.bearings:
@@ -162,35 +162,35 @@ def gear_item(sizing: Sizing, gear: GearSizing, axis: Axis, middle: float) -> It
 
 
 def planetary_parts(
-    sizing: Sizing, stage: str, found: Positions, scale: float, *, lean: float
+    sizing: Sizing, stage: str, plane: Positions, scale: float, *, lean: float
 ) -> tuple[list[Entity], list[Item]]:
     """Return planets, their carrier and what stands still of a planetary set.
 
     Args:
         sizing: What was sized.
         stage: The set.
-        found: Where everything lies.
+        plane: Where everything lies.
         scale: mm of paper per mm [-].
         lean: Of the hatching [rad].
     """
     planetary = sizing.design.planetaries[stage]
     shaft = next(name for name in (planetary.sun, planetary.ring, planetary.carrier) if name != GROUND)
-    axis, middle = axis_of(found.shafts[shaft], scale), found.places[shaft][f"{stage}.planet"]
+    axis, middle = axis_of(plane.shafts[shaft], scale), plane.places[shaft][f"{stage}.planet"]
     gears = {gear.role: gear for gear in sizing.gears if gear.stage == stage}
-    carrier = next(each for each in sizing.carriers if each.stage == stage)
+    carrier = next(carrier for carrier in sizing.carriers if carrier.stage == stage)
     planet, half = gears["planet"], MM * gears["planet"].face_width / 2.0
     hub = Hub(hub_of(sizing, planet, planet.shafts[0]).bore)
     entities: list[Entity] = []
     for side in (1.0, -1.0):
-        own = Axis(axis.at(0.0, side * MM * carrier.radius), axis.along, scale)
+        pin_axis = Axis(axis.at(0.0, side * MM * carrier.radius), axis.along, scale)
         entities += cylinder_section(
-            own, cylindrical_gear(sizing, planet), hub, (middle - half, middle + half), lean=lean
+            pin_axis, cylindrical_gear(sizing, planet), hub, (middle - half, middle + half), lean=lean
         )
-    entities += _carrier(axis, carrier, middle, half, _towards(found, planetary.carrier, middle))
+    entities += _carrier(axis, carrier, middle, half, _towards(plane, planetary.carrier, middle))
     anchor = axis.at(middle - 0.3 * half, MM * (carrier.radius + 0.35 * planet.pitch_diameter))
     remark = f"z = {planet.teeth}, m = {MM * planet.module:.4g}"
     items = [Item(f"Planet {planet.name}", remark, planet.bodies, planet.mass, anchor)]
-    plate = middle + _towards(found, planetary.carrier, middle) * (
+    plate = middle + _towards(plane, planetary.carrier, middle) * (
         half + PLATE_GAP + MM * carrier.plate_thickness / 2.0
     )
     items.append(Item(f"Carrier {stage}", "plate and pins", 1, carrier.mass, axis.at(plate, 0.6 * MM * carrier.radius)))
@@ -201,11 +201,11 @@ def planetary_parts(
     return entities, items
 
 
-def _towards(found: Positions, shaft: str, middle: float) -> float:
+def _towards(plane: Positions, shaft: str, middle: float) -> float:
     """Return the side on which a member's shaft goes on: +1 towards the second end."""
     if shaft == GROUND:
         return 1.0
-    lying = found.shafts[shaft]
+    lying = plane.shafts[shaft]
     return 1.0 if lying.end - middle >= middle - lying.start else -1.0
 
 
@@ -226,5 +226,5 @@ def _carrier(axis: Axis, carrier: CarrierSizing, middle: float, half: float, sid
         )
     corners = [(near, -outer), (far, -outer), (far, outer), (near, outer)]
     yield from (
-        Path((axis.at(*one), axis.at(*other)), Layer.OUTLINE) for one, other in pairwise([*corners, corners[0]])
+        Path((axis.at(*start), axis.at(*end)), Layer.OUTLINE) for start, end in pairwise([*corners, corners[0]])
     )

@@ -18,7 +18,7 @@ def end_view(sizing: Sizing, scale: float) -> list[Entity]:
     entities: list[Entity] = []
     axes: dict[complex, list[str]] = {}
     for shaft in sizing.shafts:
-        y, z = (round(scale * MM * each, 6) for each in shaft.axis)
+        y, z = (round(scale * MM * coordinate, 6) for coordinate in shaft.axis)
         axes.setdefault(complex(y, z), []).append(shaft.name)
     for middle, names in axes.items():
         gears = [gear for gear in sizing.gears if set(names) & set(gear.shafts)]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 
 from gearwright.catalogue import key_for_shaft
-from gearwright.parts.joints import KeySection, Spline, spline
-from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_profile, toothed_piece
+from gearwright.parts.joints import KeySection, Spline
+from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_profile, spline_of, toothed_piece
 from gearwright.render.drawings.views.teeth import cylindrical_gear, is_internal, kind_of
 from gearwright.sizing import GearSizing, JointSizing, Sizing
 
@@ -63,16 +62,16 @@ def hub_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hub:
         gear: One of its gears.
         shaft: That carries it.
     """
-    joint = next((each for each in sizing.joints if each.part == gear.name and each.shaft == shaft), None)
+    joint = next((joint for joint in sizing.joints if joint.part == gear.name and joint.shaft == shaft), None)
     if joint is not None:
         hub = _joined(joint)
         return replace(hub, boss=_boss(sizing, gear, joint, hub)) if kind_of(sizing, gear) == "bevel" else hub
     if is_internal(sizing, gear):
         return Hub(0.0, note="What holds the ring is not sized; it is not drawn.")
-    carrier = next((each for each in sizing.carriers if each.stage == gear.stage), None)
+    carrier = next((carrier for carrier in sizing.carriers if carrier.stage == gear.stage), None)
     if gear.role == "planet" and carrier is not None:
         return _fitting(sizing, gear, MM * carrier.pin_diameter, "Bore: diameter of the pin; its bearing is not sized.")
-    sized = next((each for each in sizing.shafts if each.name == shaft), None)
+    sized = next((body for body in sizing.shafts if body.name == shaft), None)
     diameter = MM * sized.diameter if sized is not None else 0.0
     return _fitting(sizing, gear, diameter, "Bore: diameter of the shaft; their joint is not sized.")
 
@@ -85,8 +84,7 @@ def _joined(joint: JointSizing) -> Hub:
         return Hub(diameter, "H7", key=key_for_shaft(joint.diameter).section, designation=joint.designation,
                    note="Bore H7, keyway P9 (assumed).")  # fmt: skip
     if joint.kind == "spline":
-        numbers = [float(each) for each in re.findall(r"[\d.]+", joint.designation.partition(" W ")[2])]
-        teeth = spline(numbers[0] / MM, numbers[1] / MM)
+        teeth = spline_of(joint)
         designation = joint.designation.replace(" W ", " N ")
         note = f"Hub {designation}; the bore shown is its tip circle."
         return Hub(MM * teeth.hub_tip, teeth=teeth, designation=designation, note=note)

@@ -104,9 +104,9 @@ def bevel_section(axis: Axis, profile: BevelProfile, hub: Hub, *, away: float, l
     entities: list[Entity] = []
     body = bevel_corners(profile, hub)
     for side in (1.0, -1.0):
-        below = [(away * each.real, side * each.imag) for each in body]
-        tooth = [(away * each.real, side * each.imag)
-                 for each in (profile.roots[0], profile.small[0], profile.large[0], profile.roots[1])]  # fmt: skip
+        below = [(away * corner.real, side * corner.imag) for corner in body]
+        tooth = [(away * corner.real, side * corner.imag)
+                 for corner in (profile.roots[0], profile.small[0], profile.large[0], profile.roots[1])]  # fmt: skip
         entities += [_hatched(axis, below, lean), _line(axis, tooth)]
         entities.append(_line(axis, below if hub.bore else [below[4], *below[:4]], closed=hub.bore > 0.0))
         more = profile.large[1] + (profile.large[1] - profile.small[1]) * 0.12

@@ -75,26 +75,26 @@ def plans(sizing: Sizing) -> dict[str, ShaftPlan]:
     Args:
         sizing: What was sized.
     """
-    given = context(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(sizing.design.overrides))
-    return {name: plan_of(given, name, sizing.gears) for name in sizing.design.shafts}
+    sized = context(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(sizing.design.overrides))
+    return {name: plan_of(sized, name, sizing.gears) for name in sizing.design.shafts}
 
 
 def _as_sized(sizing: Sizing) -> Positions:
-    found = plans(sizing)
-    places = {name: {part: MM * x for part, x in plan.places.items()} for name, plan in found.items()}
-    lengths = {name: MM * plan.length for name, plan in found.items()}
+    along = plans(sizing)
+    places = {name: {part: MM * x for part, x in plan.places.items()} for name, plan in along.items()}
+    lengths = {name: MM * plan.length for name, plan in along.items()}
     shafts: dict[str, Lying] = {}
     meshes = list(pair_meshes(sizing.train))
     for name in sizing.design.shafts:
         if name not in shafts:
             shafts[name] = Lying(_below(shafts), 1 + 0j, 0.0, lengths[name])
         while True:
-            ready = next((mesh for mesh in meshes if (mesh.nodes[0] in shafts) != (mesh.nodes[1] in shafts)), None)
-            if ready is None:
+            joining = next((mesh for mesh in meshes if (mesh.nodes[0] in shafts) != (mesh.nodes[1] in shafts)), None)
+            if joining is None:
                 break
-            side = 0 if ready.nodes[0] in shafts else 1
-            new = ready.nodes[1 - side]
-            shafts[new] = _beside(sizing, ready, side, shafts, places, lengths[new])
+            side = 0 if joining.nodes[0] in shafts else 1
+            new = joining.nodes[1 - side]
+            shafts[new] = _beside(sizing, joining, side, shafts, places, lengths[new])
     return Positions(shafts, places, tuple(_untrue(sizing, meshes, shafts, places)))
 
 
@@ -134,8 +134,8 @@ def centre_distance(sizing: Sizing, mesh: Mesh) -> float:
         sizing: What was sized.
         mesh: Of parallel axes.
     """
-    one, other = (MM * gear_of(sizing, name).pitch_diameter / 2.0 for name in mesh.gears)
-    return abs(other - one) if mesh.sign == INTERNAL else one + other
+    pinion, wheel = (MM * gear_of(sizing, name).pitch_diameter / 2.0 for name in mesh.gears)
+    return abs(wheel - pinion) if mesh.sign == INTERNAL else pinion + wheel
 
 
 def _reach(sizing: Sizing, shaft: str) -> float:
@@ -143,11 +143,11 @@ def _reach(sizing: Sizing, shaft: str) -> float:
     return max((MM * gear.pitch_diameter / 2.0 for gear in sizing.gears if shaft in gear.shafts), default=0.0)
 
 
-def _overlap(one: Lying, reach: float, other: Lying, far: float) -> float:
+def _overlap(shaft: Lying, reach: float, other: Lying, far: float) -> float:
     """Return how far two parallel shafts with their gears cover each other [mm]; 0 for shafts that cross."""
-    if abs((one.along * other.along.conjugate()).imag) > 1e-6:
+    if abs((shaft.along * other.along.conjugate()).imag) > 1e-6:
         return 0.0
-    apart = abs(((other.origin - one.origin) * one.along.conjugate()).imag)
+    apart = abs(((other.origin - shaft.origin) * shaft.along.conjugate()).imag)
     return max(0.0, reach + far - apart)
 
 
@@ -162,7 +162,7 @@ def _bevel(sizing: Sizing, mesh: Mesh, side: int, lying: Lying, at: float, own: 
     turns = [cmath.rect(1.0, sign * pair.shaft_angle) for sign in (1.0, -1.0)]
     # Both gears lie on the apex's same side: the angle between the ways from the apex to them is the shaft angle.
     ways = [-sense[side] * lying.along * turn for turn in turns]
-    along = max((-sense[other] * way for way in ways), key=lambda each: (round(each.imag, 6), each.real))
+    along = max((-sense[other] * way for way in ways), key=lambda way: (round(way.imag, 6), way.real))
     return Lying(apex - along * (own + sense[other] * reach[other]), along, 0.0, length)
 
 
@@ -187,8 +187,10 @@ def _untrue(
     for mesh in meshes:
         if getattr(sizing.design.stages[mesh.stage], "kind", "cylindrical") != "cylindrical":
             continue
-        one, other = (shafts[node].at(places[node][gear]) for node, gear in zip(mesh.nodes, mesh.gears, strict=False))
-        between = (other - one) * shafts[mesh.nodes[0]].along.conjugate()
+        first, second = (
+            shafts[node].at(places[node][gear]) for node, gear in zip(mesh.nodes, mesh.gears, strict=False)
+        )
+        between = (second - first) * shafts[mesh.nodes[0]].along.conjugate()
         if abs(abs(between.imag) - centre_distance(sizing, mesh)) > TRUE:
             yield f"Unfolded: {mesh.name} ({mesh.nodes[0]}, {mesh.nodes[1]}) is not at its true distance in this plane."
         if abs(between.real) > TRUE:
@@ -238,9 +240,9 @@ def _column_ends(sizing: Sizing, shaft: str, middle: Mapping[str, float]) -> Ite
 
 def _width(sizing: Sizing, name: str) -> float:
     """Return the width of a column [mm]."""
-    own = [gear for gear in sizing.gears if gear.stage == name]
-    if not own:
+    gears = [gear for gear in sizing.gears if gear.stage == name]
+    if not gears:
         return 10.0
-    halves = max(gear.bodies // len(gear.shafts) if gear.role in ("pinion", "wheel") else 1 for gear in own)
+    halves = max(gear.bodies // len(gear.shafts) if gear.role in ("pinion", "wheel") else 1 for gear in gears)
     plates = [MM * carrier.plate_thickness + PLATE_GAP for carrier in sizing.carriers if carrier.stage == name]
-    return max(MM * gear.face_width for gear in own) * max(halves, 1) + 2.0 * sum(plates)
+    return max(MM * gear.face_width for gear in gears) * max(halves, 1) + 2.0 * sum(plates)

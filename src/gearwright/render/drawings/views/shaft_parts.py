@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gearwright.catalogue import key_for_shaft, seat_tolerance
 from gearwright.parts.joints import KeySection, Spline, spline
@@ -112,9 +112,11 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
         piece = Piece(0.0, MM * plain.length, (MM * plain.diameter,) * 2)
         return ShaftBody(name, (piece,), MM * plain.bore)
     joints = [joint for joint in sizing.joints if joint.shaft == name]
-    own = [joint for joint in joints if joint.kind == "integral" and any(g.name == joint.part for g in sizing.gears)]
+    integral = [
+        joint for joint in joints if joint.kind == "integral" and any(g.name == joint.part for g in sizing.gears)
+    ]
     pieces = _merged([_turned(sizing, step) for step in built.steps])
-    for joint in own:
+    for joint in integral:
         pieces = _overlaid(pieces, toothed_piece(sizing, gear_of(sizing, joint.part), joint.position))
     return ShaftBody(
         name,
@@ -122,7 +124,7 @@ def shaft_body(sizing: Sizing, name: str) -> ShaftBody:
         MM * built.bore,
         slots=tuple(_slot(joint) for joint in joints if joint.kind == "key"),
         splines=tuple(_toothing(joint) for joint in joints if joint.kind == "spline"),
-        gears=tuple(joint.part for joint in own),
+        gears=tuple(joint.part for joint in integral),
         fillets=tuple((MM * section.position, MM * section.fillet) for section in built.sections if section.fillet),
     )
 
@@ -135,27 +137,27 @@ def mass_with_gears(sizing: Sizing, body: ShaftBody, name: str) -> float:
         body: The shaft as drawn.
         name: Of the shaft.
     """
-    own = [gear_of(sizing, gear) for gear in body.gears]
-    shaft = next(each for each in sizing.shafts if each.name == name)
-    return shaft.mass + sum(gear.mass * gear.bodies / len(gear.shafts) for gear in own)
+    gears = [gear_of(sizing, part) for part in body.gears]
+    shaft = next(shaft for shaft in sizing.shafts if shaft.name == name)
+    return shaft.mass + sum(part.mass * part.bodies / len(part.shafts) for part in gears)
 
 
 def _turned(sizing: Sizing, step: ShaftStep) -> Piece:
-    bearing = next((each.bearing for each in sizing.bearings if each.name == step.seat), None)
+    bearing = next((seated.bearing for seated in sizing.bearings if seated.name == step.seat), None)
     tolerance = seat_tolerance(bearing.kind, bearing.bore) if bearing else ""
     return Piece(MM * step.start, MM * step.end, (MM * step.diameter,) * 2, step.seat, tolerance)
 
 
 def _merged(pieces: list[Piece]) -> list[Piece]:
     """Return pieces with those together that no shoulder and no tolerance parts."""
-    found = pieces[:1]
+    merged = pieces[:1]
     for piece in pieces[1:]:
-        last = found[-1]
+        last = merged[-1]
         if last.diameters == piece.diameters and last.tolerance == piece.tolerance == "":
-            found[-1] = Piece(last.start, piece.end, last.diameters, last.seat or piece.seat)
+            merged[-1] = Piece(last.start, piece.end, last.diameters, last.seat or piece.seat)
         else:
-            found.append(piece)
-    return found
+            merged.append(piece)
+    return merged
 
 
 def toothed_piece(sizing: Sizing, gear: GearSizing, position: float) -> Piece:
@@ -178,13 +180,16 @@ def toothed_piece(sizing: Sizing, gear: GearSizing, position: float) -> Piece:
 
 def _cone(sizing: Sizing, gear: GearSizing, middle: float) -> Piece:
     """Return the tip cone of a bevel gear, from the tip of its small end to that of its large end."""
-    points = bevel_profile(sizing, gear)
+    profile = bevel_profile(sizing, gear)
     sign = away_of(sizing, gear)
-    ends = sorted(
-        ((middle + sign * tip.real, 2.0 * tip.imag, 2.0 * pitch.imag) for tip, pitch in (points.small, points.large)),
+    small, large = sorted((profile.small, profile.large), key=lambda end: sign * end[0].real)
+    return Piece(
+        middle + sign * small[0].real,
+        middle + sign * large[0].real,
+        (2.0 * small[0].imag, 2.0 * large[0].imag),
+        gear.name,
+        pitch=(2.0 * small[1].imag, 2.0 * large[1].imag),
     )
-    (start, one, p_one), (end, other, p_other) = ends
-    return Piece(start, end, (one, other), gear.name, pitch=(p_one, p_other))
 
 
 @dataclass(frozen=True)
@@ -237,19 +242,11 @@ def away_of(sizing: Sizing, gear: GearSizing) -> float:
     return -1.0 if (pair.pinion_apex if side == 0 else pair.wheel_apex) == "second" else 1.0
 
 
-def _overlaid(pieces: list[Piece], own: Piece) -> list[Piece]:
+def _overlaid(pieces: list[Piece], toothed: Piece) -> list[Piece]:
     """Return pieces with teeth in place of what they cover."""
-    left = [
-        Piece(piece.start, min(piece.end, own.start), piece.diameters, piece.seat, piece.tolerance, piece.pitch)
-        for piece in pieces
-        if piece.start < own.start - 1e-6
-    ]
-    right = [
-        Piece(max(piece.start, own.end), piece.end, piece.diameters, piece.seat, piece.tolerance, piece.pitch)
-        for piece in pieces
-        if piece.end > own.end + 1e-6
-    ]
-    return [*left, own, *right]
+    left = [replace(piece, end=min(piece.end, toothed.start)) for piece in pieces if piece.start < toothed.start - 1e-6]
+    right = [replace(piece, start=max(piece.start, toothed.end)) for piece in pieces if piece.end > toothed.end + 1e-6]
+    return [*left, toothed, *right]
 
 
 def _slot(joint: JointSizing) -> Slot:
@@ -261,5 +258,14 @@ def _slot(joint: JointSizing) -> Slot:
 
 def _toothing(joint: JointSizing) -> Toothing:
     middle, half = MM * joint.position, MM * joint.length / 2.0
-    numbers = [float(each) for each in re.findall(r"[\d.]+", joint.designation.partition(" W ")[2])]
-    return Toothing(middle - half, middle + half, spline(numbers[0] / MM, numbers[1] / MM), joint.designation)
+    return Toothing(middle - half, middle + half, spline_of(joint), joint.designation)
+
+
+def spline_of(joint: JointSizing) -> Spline:
+    """Return the splines that a joint's designation names.
+
+    Args:
+        joint: A splined one, such as ``DIN 5480 - W 25 x 1.25 x 18``.
+    """
+    reference_diameter, module, *_ = re.findall(r"[\d.]+", joint.designation.partition(" W ")[2])
+    return spline(float(reference_diameter) / MM, float(module) / MM)

@@ -83,11 +83,11 @@ def _profile(body: ShaftBody) -> list[tuple[float, float]]:
         if before is not None and not (before.toothed or piece.toothed):
             points += _fillet(before, piece, fillets.get(round(piece.start, 6), 0.0))
         points += [(piece.start, piece.diameters[0] / 2.0), (piece.end, piece.diameters[1] / 2.0)]
-    one, other = end_chamfer(first), end_chamfer(last)
-    if one:
-        points[:1] = [(first.start, points[0][1] - one), (first.start + one, points[0][1])]
-    if other:
-        points[-1:] = [(last.end - other, points[-1][1]), (last.end, points[-1][1] - other)]
+    first_chamfer, last_chamfer = end_chamfer(first), end_chamfer(last)
+    if first_chamfer:
+        points[:1] = [(first.start, points[0][1] - first_chamfer), (first.start + first_chamfer, points[0][1])]
+    if last_chamfer:
+        points[-1:] = [(last.end - last_chamfer, points[-1][1]), (last.end, points[-1][1] - last_chamfer)]
     return points
 
 
@@ -96,10 +96,10 @@ def _fillet(left: Piece, right: Piece, radius: float) -> list[tuple[float, float
     thin, thick = sorted((left.diameters[1] / 2.0, right.diameters[0] / 2.0))
     if not radius or thick <= thin:
         return []
-    most = math.acos(max(0.0, 1.0 - (thick - thin) / radius))
-    reach = radius * math.sin(most)
+    turn = math.acos(max(0.0, 1.0 - (thick - thin) / radius))
+    reach = radius * math.sin(turn)
     arc = [
-        (reach - radius * math.sin(most * k / 8.0), thin + radius * (1.0 - math.cos(most * k / 8.0))) for k in range(9)
+        (reach - radius * math.sin(turn * k / 8.0), thin + radius * (1.0 - math.cos(turn * k / 8.0))) for k in range(9)
     ]
     if left.diameters[1] < right.diameters[0]:
         return [(right.start - x, r) for x, r in arc]
@@ -108,11 +108,11 @@ def _fillet(left: Piece, right: Piece, radius: float) -> list[tuple[float, float
 
 def _edges(axis: Axis, body: ShaftBody) -> Iterator[Entity]:
     """Yield the round edges that are seen as lines across: of shoulders and chamfers."""
-    for one, other in pairwise(body.pieces):
-        radius = max(one.diameters[1], other.diameters[0]) / 2.0
+    for left, right in pairwise(body.pieces):
+        radius = max(left.diameters[1], right.diameters[0]) / 2.0
         # Where only a seat ends, its limit is a thin line (ISO 129-1).
-        layer = Layer.THIN if one.diameters[1] == other.diameters[0] else Layer.OUTLINE
-        yield Path((axis.at(one.end, radius), axis.at(one.end, -radius)), layer)
+        layer = Layer.THIN if left.diameters[1] == right.diameters[0] else Layer.OUTLINE
+        yield Path((axis.at(left.end, radius), axis.at(left.end, -radius)), layer)
     for piece, x, sense in ((body.pieces[0], body.pieces[0].start, 1.0), (body.pieces[-1], body.pieces[-1].end, -1.0)):
         chamfer, radius = end_chamfer(piece), piece.diameters[0 if sense > 0.0 else 1] / 2.0
         if chamfer:
@@ -122,14 +122,14 @@ def _edges(axis: Axis, body: ShaftBody) -> Iterator[Entity]:
 
 def _pitch_lines(axis: Axis, piece: Piece) -> Iterator[Entity]:
     if piece.pitch is not None:
-        one, other = (pitch / 2.0 for pitch in piece.pitch)
-        slope = (other - one) / (piece.end - piece.start)
+        start, end = (pitch / 2.0 for pitch in piece.pitch)
+        slope = (end - start) / (piece.end - piece.start)
         more = 2.0 / axis.scale
         for side in (-1.0, 1.0):
             yield Path(
                 (
-                    axis.at(piece.start - more, side * (one - slope * more)),
-                    axis.at(piece.end + more, side * (other + slope * more)),
+                    axis.at(piece.start - more, side * (start - slope * more)),
+                    axis.at(piece.end + more, side * (end + slope * more)),
                 ),
                 Layer.PITCH,
             )

@@ -21,6 +21,7 @@ from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.views.teeth import (
     bevel_pair,
     cylindrical_gear,
+    gear_of,
     hand_of,
     is_internal,
     kind_of,
@@ -119,8 +120,8 @@ def _allowances(sizing: Sizing, gear: GearSizing, teeth: CylindricalGear) -> tup
 
 def _centre_distance(sizing: Sizing, gear: GearSizing) -> float:
     mesh, _ = meshes_of(sizing, gear.name)[0]
-    one, other = (next(each for each in sizing.gears if each.name == name) for name in mesh.gears)
-    return abs(one.pitch_diameter - mesh.sign * other.pitch_diameter) / 2.0
+    first, second = (gear_of(sizing, name) for name in mesh.gears)
+    return abs(first.pitch_diameter - mesh.sign * second.pitch_diameter) / 2.0
 
 
 def cones(pair: BevelPair, side: int) -> tuple[float, float]:
@@ -178,7 +179,7 @@ def _quality(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
 def _mates(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     mates = {mesh.gears[1 - side]: mesh for mesh, side in meshes_of(sizing, gear.name)}
     for name, mesh in mates.items():
-        mate = next(each for each in sizing.gears if each.name == name)
+        mate = gear_of(sizing, name)
         yield "Mating gear", "", f"{name}, z = {mate.teeth}"
         if kind_of(sizing, gear) == "cylindrical":
             distance = abs(gear.pitch_diameter - mesh.sign * mate.pitch_diameter) / 2.0
