@@ -17,7 +17,7 @@ class Command:
     narrow: bool = False
     """Whether a narrow terminal shows fewer columns by intention."""
     machine: bool = False
-    """Whether it prints JSON, which no terminal folds."""
+    """Whether it prints JSON, or commands to copy, which nothing folds."""
 
     @property
     def words(self) -> list[str]:
@@ -50,7 +50,7 @@ COMMANDS = (
     Command("study small.toml --workers 0"),
     Command("status journal"),
     Command("resume journal --workers 0"),
-    Command("cluster"),
+    Command("cluster", machine=True),
     Command("mass --power-kw 2051 --engine-rpm 20204 --propeller-rpm 1212", narrow=True),
     Command("engines --series PW100", narrow=True),
     Command("validate Timoshenko"),

@@ -40,6 +40,13 @@ def show(*what: RenderableType) -> None:
             console.print(each, crop=False)
 
 
+def show_commands(lines: str) -> None:
+    """Print lines that are copied into a shell: not folded, so that the terminal keeps them whole."""
+    console = screen()
+    with _named():
+        console.print(lines, crop=False, no_wrap=True, overflow="ignore")
+
+
 def show_json(text: str) -> None:
     """Print a JSON text on standard output; it stays JSON in every encoding."""
     with _named():

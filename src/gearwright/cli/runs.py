@@ -16,7 +16,7 @@ import typer
 
 from gearwright.cli.designs import design_of
 from gearwright.cli.ends import INTERRUPTED
-from gearwright.cli.output import screen, show, show_json, tell
+from gearwright.cli.output import screen, show, show_commands, show_json, tell
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
@@ -141,7 +141,7 @@ def cluster(
     from gearwright.study.running import commands
 
     scheduler, workers, start = commands(host, processes, tls)
-    show(f"once:              {scheduler}\non every machine:  {workers}\nthen:              {start}")
+    show_commands(f"once:              {scheduler}\non every machine:  {workers}\nthen:              {start}")
 
 
 def show_table(table: Table, study: Study | None = None, *, csv: Path | None, json: bool) -> None:
