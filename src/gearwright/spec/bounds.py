@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 from types import MappingProxyType, UnionType
-from typing import Annotated, Any, Union, get_args, get_origin
+from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin
 
-from pydantic import AfterValidator
+from pydantic import AfterValidator, BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
@@ -131,19 +132,41 @@ def range_of(info: FieldInfo) -> Range:
     return Range(least, most, above="gt" in own, below="lt" in own, smallest=smallest)
 
 
-def checked(value: Any, info: FieldInfo, name: str) -> Any:
+class Allowed(NamedTuple):
+    """What a field takes, looked up once for every field of a record."""
+
+    numbers: Range
+    unit: str
+    """Suffix of its SI unit; empty for what has none."""
+
+
+@cache
+def allowed_in(model: type[BaseModel], name: str) -> Allowed:
+    """Return what a field of a record takes.
+
+    Args:
+        model: The record's type.
+        name: Of the field.
+    """
+    info = model.model_fields[name]
+    mark = quantity_of(info)
+    unit = "" if mark is None else next(each for each, factor in SUFFIXES[mark.dimension].items() if factor == 1.0)
+    return Allowed(range_of(info), unit)
+
+
+def checked(value: Any, allowed: Allowed, name: str) -> Any:
     """Return a value of a field as it is.
 
     Args:
         value: In SI.
-        info: The field.
+        allowed: What the field takes.
         name: Of the field.
 
     Raises:
         PydanticCustomError: If it is beyond what a file may hold.
     """
     if isinstance(value, int | float) and not isinstance(value, bool):
-        _refuse_beyond(value, range_of(info), info)
+        _refuse_beyond(value, allowed)
     elif isinstance(value, str):
         _refuse_text(value, _LONGEST.get(name, LONGEST_LINE), lines=name == "description")
     elif isinstance(value, list | dict):
@@ -192,12 +215,9 @@ Name = Annotated[str, AfterValidator(a_name)]
 """Type of what is called by a name."""
 
 
-def _refuse_beyond(value: float, allowed: Range, info: FieldInfo) -> None:
-    if allowed.holds(value):
-        return
-    mark = quantity_of(info)
-    suffix = "" if mark is None else next(each for each, factor in SUFFIXES[mark.dimension].items() if factor == 1.0)
-    raise PydanticCustomError("beyond", "give {words}", {"words": allowed.words(1.0, suffix)})
+def _refuse_beyond(value: float, allowed: Allowed) -> None:
+    if not allowed.numbers.holds(value):
+        raise PydanticCustomError("beyond", "give {words}", {"words": allowed.numbers.words(1.0, allowed.unit)})
 
 
 def _refuse_text(text: str, longest: int, *, lines: bool) -> None:
@@ -216,9 +236,6 @@ def _refuse_many(entries: list[Any] | dict[str, Any], name: str) -> None:
         raise PydanticCustomError("many", "{count} entries; give at most {most}", {"count": len(inner), "most": most})
     for each in inner:
         checked(each, _PLAIN, name)
-
-
-_PLAIN = FieldInfo()
 
 
 def _mark(info: FieldInfo) -> Quantity | None:
@@ -240,3 +257,6 @@ def parts(annotation: Any) -> Iterator[Any]:
 
 def _bounds(info: FieldInfo, name: str) -> Iterator[float]:
     return (bound for mark in info.metadata if (bound := getattr(mark, name, None)) is not None)
+
+
+_PLAIN = Allowed(range_of(FieldInfo()), "")

@@ -19,7 +19,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError, ValidationInfo, fie
 from pydantic.fields import FieldInfo
 
 from gearwright.errors import Problem, near
-from gearwright.spec.bounds import NAME_RULE, checked, is_path, parts, quantity_of, range_of
+from gearwright.spec.bounds import NAME_RULE, allowed_in, checked, is_path, parts, quantity_of, range_of
 from gearwright.units import SUFFIXES
 
 
@@ -33,7 +33,7 @@ class Record(BaseModel):
     def _sensible(cls, value: Any, info: ValidationInfo) -> Any:
         """Refuse what no file may hold: numbers that no machine has, texts and lists without end."""
         name = info.field_name or ""
-        return checked(value, cls.model_fields[name], name)
+        return checked(value, allowed_in(cls, name), name)
 
 
 Location = tuple[str, ...]
@@ -131,6 +131,7 @@ def _require(model: type[Record], keys: Mapping[str, tuple[str, float, str]], re
                 written.problems.append(Problem(path, f"is required; write {' or '.join(options)}"))
 
 
+@cache
 def _field(model: type[Record], key: str) -> FieldInfo:
     return next(info for name, info in model.model_fields.items() if key in (name, info.alias))
 
