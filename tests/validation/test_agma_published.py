@@ -8,6 +8,7 @@ from gearwright.parts.agma2001 import (
     PITTING,
     AgmaGear,
     AgmaLoad,
+    AgmaMesh,
     AgmaSteel,
     HobbedPair,
     LoadPlace,
@@ -81,9 +82,7 @@ def shigley(gear):
     return body, agma_rating(
         load,
         body,
-        sizes=(WIDTH, MODULE, DIAMETER),
-        pitting_factor=0.121,
-        elastic_coefficient=2300.0 * np.sqrt(PSI),
+        AgmaMesh(WIDTH, MODULE, DIAMETER, pitting_factor=0.121, elastic_coefficient=2300.0 * np.sqrt(PSI)),
         reliability=reliability_factor(0.9),
     )
 

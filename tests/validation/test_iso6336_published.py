@@ -14,6 +14,7 @@ from gearwright.parts.iso6336 import (
     LoadFactors,
     MeshDuty,
     MeshQuality,
+    Misalignment,
     face_load_factor,
     mesh_geometry,
     pitting_rating,
@@ -96,7 +97,7 @@ def test_face_load_factors_of_the_iso_example_with_the_tolerances_of_its_time():
     load = RATED.tangential_force / mesh.face_width * 1.003
     found = face_load_factor(
         mesh,
-        (RATED.face.deflection, 1e-6 * math.hypot(*slopes)),
+        Misalignment(RATED.face.deflection, 1e-6 * math.hypot(*slopes)),
         (STEEL, STEEL),
         stiffness=mesh_stiffness_iso6336(PAIR).face,
         specific_load=load,

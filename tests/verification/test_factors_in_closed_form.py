@@ -11,6 +11,7 @@ from gearwright.parts.iso6336 import (
     Edition,
     GearSteel,
     MeshDeviations,
+    MeshSprings,
     Treatment,
     dynamic_factor,
     helix_factor,
@@ -104,7 +105,12 @@ def test_the_dynamic_factor_has_the_printed_coefficients_in_every_range(overlap,
         deviations = MeshDeviations(pitch * scale, profile * scale, relief * scale)
         mesh = SimpleNamespace(teeth=(20, 60), total_contact_ratio=overlap)
         found = dynamic_factor(
-            mesh, (single, 4e8), deviations, specific_load=specific_load, pinion_speed=1e3 * ratio, mass=1.0
+            mesh,
+            MeshSprings(single, 4e8, 4e8),
+            deviations,
+            specific_load=specific_load,
+            pinion_speed=1e3 * ratio,
+            mass=1.0,
         )
         assert found.resonance_ratio == pytest.approx(ratio)
         return found.factor

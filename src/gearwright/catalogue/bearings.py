@@ -152,7 +152,7 @@ def _radial() -> Iterator[Bearing]:
                 width = float(row[series.width_column]) / _MM
                 angle = FOUR_POINT_ANGLE if series.kind is BearingKind.FOUR_POINT else 0.0
                 inside = _inside(series, bore, outer, angle=angle, length=width)
-                yield _rated(f"{series.name}{row['code']}", inside, (bore, outer, width), source)
+                yield _rated(f"{series.name}{row['code']}", inside, source, bore=bore, outer=outer, width=width)
 
 
 def _taper() -> Iterator[Bearing]:
@@ -164,7 +164,7 @@ def _taper() -> Iterator[Bearing]:
         angle = math.atan(float(row["axial_limit"]) / 1.5)
         cup = float(row["cup_width_mm"]) / _MM
         inside = _inside(by_name[row["designation"][:3]], bore, outer, angle=angle, length=cup)
-        yield _rated(row["designation"], inside, (bore, outer, float(row["width_mm"]) / _MM), source)
+        yield _rated(row["designation"], inside, source, bore=bore, outer=outer, width=float(row["width_mm"]) / _MM)
 
 
 def _inside(series: _Series, bore: float, outer: float, *, angle: float, length: float) -> BearingGeometry:
@@ -183,8 +183,7 @@ def _inside(series: _Series, bore: float, outer: float, *, angle: float, length:
     )
 
 
-def _rated(name: str, inside: BearingGeometry, size: tuple[float, float, float], source: str) -> Bearing:
-    bore, outer, width = size
+def _rated(name: str, inside: BearingGeometry, source: str, *, bore: float, outer: float, width: float) -> Bearing:
     static = static_rating(inside)
     steel = STEEL_DENSITY * STEEL_SHARE[inside.kind]
     return Bearing(

@@ -13,6 +13,7 @@ from gearwright.parts.agma2001 import (
     PITTING,
     AgmaGear,
     AgmaLoad,
+    AgmaMesh,
     AgmaSteel,
     AgmaStrength,
     HobbedPair,
@@ -123,11 +124,11 @@ def test_hardness_ratio_counts_from_a_fifth_harder():
 def test_stresses_scale_with_load_and_strength_with_reliability():
     """s_t ∝ W_t, s_c ∝ √W_t; limits ∝ 1/K_R; exact."""
     gear = AgmaGear(0.34, AgmaStrength(400e6, 1400e6))
-    common = {"sizes": (0.03, 0.003, 0.063), "pitting_factor": 0.1, "elastic_coefficient": 190e3}
-    one, four = (agma_rating(AgmaLoad(force), gear, **common) for force in (1e3, 4e3))
+    mesh = AgmaMesh(0.03, 0.003, 0.063, pitting_factor=0.1, elastic_coefficient=190e3)
+    one, four = (agma_rating(AgmaLoad(force), gear, mesh) for force in (1e3, 4e3))
     assert four.bending_stress == pytest.approx(4.0 * one.bending_stress, rel=1e-12)
     assert four.contact_stress == pytest.approx(2.0 * one.contact_stress, rel=1e-12)
-    reliable = agma_rating(AgmaLoad(1e3), gear, reliability=1.25, **common)
+    reliable = agma_rating(AgmaLoad(1e3), gear, mesh, reliability=1.25)
     assert reliable.bending_safety == pytest.approx(one.bending_safety / 1.25, rel=1e-12)
     assert elastic_coefficient((206e9, 206e9), (0.3, 0.3)) == pytest.approx(189811.7, rel=1e-6)
 

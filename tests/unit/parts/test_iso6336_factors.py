@@ -17,6 +17,8 @@ from gearwright.parts.iso6336 import (
     MeshDeviations,
     MeshDuty,
     MeshGeometry,
+    MeshSprings,
+    Misalignment,
     PinionShaft,
     StressBin,
     ToothProportions,
@@ -198,7 +200,7 @@ def kv(ratio, load=4e5, mesh=MESH):
     resonance = math.sqrt(20e9 / 5.0) / 27.0
     found = dynamic_factor(
         mesh,
-        (14e9, 20e9),
+        MeshSprings(14e9, 20e9, 17e9),
         MeshDeviations(4e-6, 5e-6),
         specific_load=load,
         pinion_speed=np.asarray(ratio) * resonance,
@@ -256,7 +258,7 @@ def test_an_overhung_or_offset_pinion_bends_more():
 
 def face(misalignment, **choices):
     return face_load_factor(
-        MESH, (misalignment, 0.0), (HARD, HARD), stiffness=17e9, specific_load=4e5, speed=10.0, **choices
+        MESH, Misalignment(misalignment, 0.0), (HARD, HARD), stiffness=17e9, specific_load=4e5, speed=10.0, **choices
     )
 
 

@@ -65,12 +65,15 @@ def test_friction_stays_finite_at_rest():
     assert mesh_friction(contact, 0.0, 20.0, viscosity=8e-3, roughness=0.4e-6) == 0.0
 
 
+FACTORS = {"oil_factor": 2.0, "load_factor": 3e-4}
+
+
 def test_palmgrens_torque_is_the_sum_of_its_two_parts_by_hand():
     """d_m 65 mm, 1500/min, 40 mm²/s, f_0 = 2, f_1 = 3e-4, 5 kN: 1e-7·2·60000^(2/3)·65³ + 3e-4·5000·65 N mm."""
     by_hand = 1e-7 * 2 * 60000 ** (2 / 3) * 65**3 + 3e-4 * 5000 * 65
-    found = bearing_torque_palmgren(5000.0, 0.065, 1500 * math.pi / 30, viscosity=40e-6, factors=(2.0, 3e-4))
+    found = bearing_torque_palmgren(5000.0, 0.065, 1500 * math.pi / 30, viscosity=40e-6, **FACTORS)
     assert found == pytest.approx(by_hand * 1e-3, rel=1e-12)
-    assert bearing_torque_palmgren(0.0, 0.065, 0.0, viscosity=40e-6, factors=(2.0, 3e-4)) == 0.0
+    assert bearing_torque_palmgren(0.0, 0.065, 0.0, viscosity=40e-6, **FACTORS) == 0.0
     assert bearing_torque_constant(2000.0, 0.05) == pytest.approx(0.5 * 0.0011 * 2000 * 0.05)
 
 

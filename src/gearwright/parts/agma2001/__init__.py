@@ -28,6 +28,7 @@ from gearwright.parts.agma2001.geometry import (
 from gearwright.parts.agma2001.rating import (
     AgmaGear,
     AgmaLoad,
+    AgmaMesh,
     AgmaSteel,
     AgmaStrength,
     agma_rating,
@@ -44,6 +45,7 @@ __all__ = [
     "PITTING",
     "AgmaGear",
     "AgmaLoad",
+    "AgmaMesh",
     "AgmaSteel",
     "AgmaStrength",
     "HobbedPair",

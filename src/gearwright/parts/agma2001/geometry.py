@@ -206,7 +206,7 @@ def bending_geometry(pair: HobbedPair, gear: int, place: LoadPlace = LoadPlace.S
     angle, vertex = _load_line(pair, gear, shift, place=place)
     height, half = _critical_point(pair, teeth, shift, vertex=vertex)
     thickness = 2.0 * half
-    form = _form_factor(pair, (height, thickness), angle)
+    form = _form_factor(pair, angle, height=height, thickness=thickness)
     depth = pair.hob_addendum - pair.hob_radius - shift
     fillet = pair.hob_radius + depth**2 / (0.5 * teeth + depth)
     correction = stress_correction(pair.pressure_angle, thickness / fillet, thickness / height)
@@ -272,9 +272,8 @@ def _critical_point(pair: HobbedPair, teeth: Value, shift: Value, *, vertex: Val
     return vertex - height, half
 
 
-def _form_factor(pair: HobbedPair, section: tuple[Value, Value], angle: Value) -> Value:
+def _form_factor(pair: HobbedPair, angle: Value, *, height: Value, thickness: Value) -> Value:
     """Y = K_ψ / (cos φ_nL/cos φ_nr (6 h_F/(s_F² C_h) − tan φ_nL/s_F))."""
-    height, thickness = section
     omega = np.degrees(np.arctan(np.tan(pair.helix_angle) * np.sin(pair.pressure_angle))) / 100.0
     helical = np.asarray(pair.axial_ratio) > 1.0
     line_factor = np.where(helical, 1.0 / (1.0 - np.sqrt(omega * (1.0 - omega))), 1.0)

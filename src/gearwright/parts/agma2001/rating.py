@@ -109,6 +109,22 @@ class AgmaGear:
     """C_H [-], 1 for the pinion."""
 
 
+@dataclass(frozen=True)
+class AgmaMesh:
+    """What the rating needs of the two gears together."""
+
+    face_width: Value
+    """Net face width F [m]."""
+    module: Value
+    """Transverse module m_t [m]."""
+    pinion_diameter: Value
+    """Operating pitch diameter of the pinion d [m]."""
+    pitting_factor: Value
+    """I [-]."""
+    elastic_coefficient: float
+    """C_p [√Pa]."""
+
+
 def agma_strength(steel: AgmaSteel, grade: int, hardness: float = 0.0) -> AgmaStrength:
     """Return the allowable stress numbers of a steel.
 
@@ -163,32 +179,23 @@ def elastic_coefficient(elastic_moduli: tuple[float, float], poisson_ratios: tup
 
 
 def agma_rating(
-    load: AgmaLoad,
-    gear: AgmaGear,
-    *,
-    sizes: tuple[Value, Value, Value],
-    pitting_factor: Value,
-    elastic_coefficient: float,
-    reliability: Value = 1.0,
-    temperature: Value = 1.0,
+    load: AgmaLoad, gear: AgmaGear, mesh: AgmaMesh, *, reliability: Value = 1.0, temperature: Value = 1.0
 ) -> AgmaRating:
     """Return the stresses and safeties of one gear.
 
     Args:
         load: W_t and its factors.
         gear: J, strengths and factors of the gear.
-        sizes: Net face width F, transverse module m_t and operating pitch diameter of the pinion d [m].
-        pitting_factor: I [-].
-        elastic_coefficient: C_p [√Pa].
+        mesh: Sizes, I and C_p of the pair.
         reliability: K_R [-].
         temperature: K_T [-].
 
     Source: ANSI/AGMA 2001-D04, clauses 5; with C_f = 1.
     """
-    width, module, diameter = sizes
     force = load.raised * gear.size
-    bending = force * gear.rim / (width * module * gear.bending_factor)
-    contact = elastic_coefficient * np.sqrt(force / (diameter * width * pitting_factor))
+    bending = force * gear.rim / (mesh.face_width * mesh.module * gear.bending_factor)
+    area = mesh.pinion_diameter * mesh.face_width * mesh.pitting_factor
+    contact = mesh.elastic_coefficient * np.sqrt(force / area)
     scale = reliability * temperature
     bending_limit = gear.strength.bending * gear.bending_cycles / scale
     contact_limit = gear.strength.contact * gear.contact_cycles * gear.hardness_ratio / scale

@@ -20,6 +20,7 @@ from gearwright.parts.iso6336.distribution import (
     CORRECTED_AND_CROWNED,
     CROWNED,
     UNMODIFIED,
+    Misalignment,
     PinionShaft,
     deflection_misalignment,
     face_load_factor,
@@ -52,7 +53,7 @@ from gearwright.parts.iso6336.root import (
     root_section,
     shaped_fillet_radius,
 )
-from gearwright.parts.iso6336.stiffness import mesh_springs
+from gearwright.parts.iso6336.stiffness import MeshSprings, mesh_springs
 from gearwright.parts.iso6336.strength import (
     STRESS_CORRECTION_TEST_GEAR,
     GearSteel,
@@ -76,6 +77,8 @@ __all__ = [
     "MeshDuty",
     "MeshGeometry",
     "MeshQuality",
+    "MeshSprings",
+    "Misalignment",
     "PairRating",
     "PinionShaft",
     "RootSection",

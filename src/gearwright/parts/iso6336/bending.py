@@ -36,6 +36,18 @@ class Edition(Enum):
 
 
 @dataclass(frozen=True)
+class RootBody:
+    """What the gear's body and the depth of its teeth do to the root, and by which edition it is rated."""
+
+    rim: Value = 1.0
+    """Rim thickness factor Y_B [-]."""
+    deep_tooth: Value = 1.0
+    """Deep tooth factor Y_DT [-]."""
+    edition: Edition = Edition.ISO2019
+    """Edition that gives f_ε and Y_β."""
+
+
+@dataclass(frozen=True)
 class RootStrengthFactors:
     """What turns σ_Flim of one gear into its permissible stress."""
 
@@ -242,7 +254,7 @@ def bending_rating(
     specific_load: Value,
     loads: LoadFactors,
     strength: RootStrengthFactors,
-    body: tuple[Value, Value, Edition] = (1.0, 1.0, Edition.ISO2019),
+    body: RootBody = RootBody(),
 ) -> BendingRating:
     """Return the root stress, its limit and the safety of one gear.
 
@@ -253,15 +265,15 @@ def bending_rating(
         specific_load: F_t/b with the gear's own face width [N/m].
         loads: K factors.
         strength: Y_NT, Y_δrelT, Y_RrelT, Y_X, Y_M of the gear.
-        body: Y_B, Y_DT and the edition of the standard.
+        body: Y_B, Y_DT and the edition.
 
     Source: ISO 6336-3:2019, clause 5.
     """
-    rim, deep, edition = body
     section = root_section(outer_single_contact(mesh, gear))
-    sharing = load_sharing_factor(mesh) if edition is Edition.ISO2019 else 1.0
-    helix = helix_factor(mesh, edition)
-    nominal = specific_load / mesh.module * section.form * sharing * section.stress_correction * helix * rim * deep
+    sharing = load_sharing_factor(mesh) if body.edition is Edition.ISO2019 else 1.0
+    helix = helix_factor(mesh, body.edition)
+    nominal = specific_load / mesh.module * section.form * sharing * section.stress_correction * helix
+    nominal = nominal * body.rim * body.deep_tooth
     stress = nominal * loads.bending
     limit = steel.bending_strength * STRESS_CORRECTION_TEST_GEAR * strength.product
-    return BendingRating(section, sharing, helix, rim, deep, nominal, stress, limit, limit / stress)
+    return BendingRating(section, sharing, helix, body.rim, body.deep_tooth, nominal, stress, limit, limit / stress)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
@@ -26,6 +26,15 @@ class HelixModification:
     """B_1, on f_sh [-]."""
     manufacture: float
     """B_2, on f_ma [-]."""
+
+
+class Misalignment(NamedTuple):
+    """By how much the flanks are out of line before running in."""
+
+    deflection: Value
+    """By elastic deflection f_sh [m]."""
+    manufacture: Value
+    """By helix deviations f_ma [m]."""
 
 
 UNMODIFIED = HelixModification(1.0, 1.0)
@@ -128,7 +137,7 @@ def lead_allowance(misalignment: Value, steel: GearSteel, speed: Value) -> Value
 
 def face_load_factor(
     mesh: MeshGeometry,
-    misalignments: tuple[Value, Value],
+    misalignment: Misalignment,
     steels: tuple[GearSteel, GearSteel],
     *,
     stiffness: Value,
@@ -140,7 +149,7 @@ def face_load_factor(
 
     Args:
         mesh: The pair.
-        misalignments: f_sh and f_ma [m].
+        misalignment: f_sh and f_ma.
         steels: Of the two gears.
         stiffness: c_γβ [N/m²].
         specific_load: F_m/b = F_t K_A K_γ K_V / b [N/m].
@@ -153,11 +162,12 @@ def face_load_factor(
     >>> pair = MeshGeometry((20, 60), 2e-3, 0.02, 0.08, (0.022, 0.062))
     >>> from gearwright.parts.iso6336 import Treatment
     >>> steel = GearSteel("x", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 500e6)
-    >>> result = face_load_factor(pair, (0.0, 10e-6), (steel, steel), stiffness=17e9, specific_load=2e5, speed=5.0)
+    >>> made = Misalignment(0.0, 1e-5)
+    >>> result = face_load_factor(pair, made, (steel, steel), stiffness=17e9, specific_load=2e5, speed=5.0)
     >>> round(float(result.contact), 4)
     1.3613
     """
-    deflection, manufacture = misalignments
+    deflection, manufacture = misalignment
     weighted = 1.33 * modification.deflection * deflection + modification.manufacture * manufacture
     initial = np.maximum(weighted, _LEAST_MISALIGNMENT * specific_load)
     allowance = 0.5 * (lead_allowance(initial, steels[0], speed) + lead_allowance(initial, steels[1], speed))

@@ -8,6 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
+from gearwright.parts.iso6336.stiffness import MeshSprings
 from gearwright.parts.iso6336.strength import GearSteel
 from gearwright.units import Origin, Quantity
 
@@ -95,7 +96,7 @@ def reduced_mass(
 
 def dynamic_factor(
     mesh: MeshGeometry,
-    stiffness: tuple[Value, Value],
+    springs: MeshSprings,
     deviations: MeshDeviations,
     *,
     specific_load: Value,
@@ -106,7 +107,7 @@ def dynamic_factor(
 
     Args:
         mesh: The pair.
-        stiffness: c′ and c_γα [N/m²].
+        springs: c′ and c_γα of the mesh.
         deviations: Effective deviations and relief.
         specific_load: F_t K_A K_γ / b [N/m].
         pinion_speed: ω_1 relative to the carrier [rad/s].
@@ -117,22 +118,23 @@ def dynamic_factor(
 
     >>> mesh = MeshGeometry((20, 60), 2e-3, 0.02, 0.08, (0.022, 0.062))
     >>> light = MeshDeviations(0.0, 0.0, 0.0)
-    >>> k = dynamic_factor(mesh, (14e9, 20e9), light, specific_load=2e5, pinion_speed=100.0, mass=0.2)
+    >>> springs = MeshSprings(14e9, 20e9, 17e9)
+    >>> k = dynamic_factor(mesh, springs, light, specific_load=2e5, pinion_speed=100.0, mass=0.2)
     >>> round(float(k.factor), 4)
     1.0015
     """
-    single, mesh_stiffness = stiffness
-    ratio = pinion_speed * mesh.teeth[0] / np.sqrt(mesh_stiffness / mass)
-    pitch = single * deviations.base_pitch / specific_load
-    profile = single * deviations.profile / specific_load
-    relief = np.abs(1.0 - single * deviations.tip_relief / specific_load)
-    factor = _by_region(ratio, (pitch, profile, relief), mesh.total_contact_ratio, specific_load=specific_load)
+    ratio = pinion_speed * mesh.teeth[0] / np.sqrt(springs.mesh / mass)
+    pitch = springs.single * deviations.base_pitch / specific_load
+    profile = springs.single * deviations.profile / specific_load
+    relief = np.abs(1.0 - springs.single * deviations.tip_relief / specific_load)
+    factor = _by_region(ratio, mesh.total_contact_ratio, specific_load, pitch=pitch, profile=profile, relief=relief)
     return DynamicFactor(mass, ratio, pitch, profile, relief, factor)
 
 
-def _by_region(ratio: Value, terms: tuple[Value, Value, Value], overlap: Value, *, specific_load: Value) -> Value:
+def _by_region(
+    ratio: Value, overlap: Value, specific_load: Value, *, pitch: Value, profile: Value, relief: Value
+) -> Value:
     """K_V below, in, above and between the main resonance."""
-    pitch, profile, relief = terms
     c_2, c_3, c_4, c_6, c_7 = _coefficients(np.asarray(overlap, dtype=float))
     lower = np.where(
         np.asarray(specific_load) < _UNIT_LOAD, 0.5 + 0.35 * np.sqrt(np.asarray(specific_load) / _UNIT_LOAD), 0.85

@@ -12,6 +12,7 @@ from gearwright.parts.iso6336.distribution import (
     UNMODIFIED,
     FaceLoadFactor,
     HelixModification,
+    Misalignment,
     PinionShaft,
     TransverseLoadFactor,
     deflection_misalignment,
@@ -138,7 +139,7 @@ def load_distribution(
     deviations = MeshDeviations(pitch_left, profile - mean_allowance(profile, steels, speed), quality.tip_relief)
     dynamic = dynamic_factor(
         mesh,
-        (springs.single, springs.mesh),
+        springs,
         deviations,
         specific_load=specific,
         pinion_speed=np.abs(duty.pinion_speed),
@@ -148,7 +149,7 @@ def load_distribution(
     deflection = deflection_misalignment(mesh, with_dynamic, quality.shaft, paths=duty.meshes_per_turn[0])
     face = face_load_factor(
         mesh,
-        (deflection, slope),
+        Misalignment(deflection, slope),
         steels,
         stiffness=springs.face,
         specific_load=with_dynamic,

@@ -11,6 +11,7 @@ from gearwright.parts.gears import GearPair
 from gearwright.parts.iso6336.bending import (
     BendingRating,
     Edition,
+    RootBody,
     RootStrengthFactors,
     bending_rating,
     bending_size_factor,
@@ -152,7 +153,7 @@ def rate_mesh(
             specific_load=force / width,
             loads=loads,
             strength=roots[gear],
-            body=(quality.rims[gear], deep_tooth_factor(mesh, quality.grade), edition),
+            body=RootBody(quality.rims[gear], deep_tooth_factor(mesh, quality.grade), edition),
         )
         for gear, width in enumerate(widths or (mesh.face_width, mesh.face_width))
     )

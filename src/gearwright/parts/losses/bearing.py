@@ -29,7 +29,7 @@ def bearing_torque_constant(load: float, bore: float, friction: float = CYLINDRI
 
 
 def bearing_torque_palmgren(
-    load: float, mean_diameter: float, speed: float, *, viscosity: float, factors: tuple[float, float]
+    load: float, mean_diameter: float, speed: float, *, viscosity: float, oil_factor: float, load_factor: float
 ) -> float:
     """Return the friction torque of a bearing as a part by the oil and a part by the load [N m].
 
@@ -38,15 +38,16 @@ def bearing_torque_palmgren(
         mean_diameter: d_m [m].
         speed: Of the inner against the outer ring [rad/s].
         viscosity: Kinematic viscosity at the oil's temperature ν [m²/s].
-        factors: f_0 and f_1 of the bearing's type and lubrication [-].
+        oil_factor: f_0 of the bearing's type and lubrication [-].
+        load_factor: f_1 of the bearing's type and load [-].
 
     Source: Palmgren (1957), as in ISO/TR 14179-2:2001: M_0 = 1e-7 f_0 (ν n)^(2/3) d_m³, with ν n at least 2000, and
         M_1 = f_1 P_1 d_m, in mm, N mm, mm²/s and 1/min.
 
-    >>> round(bearing_torque_palmgren(5000.0, 0.065, 157.08, viscosity=40e-6, factors=(2.0, 3e-4)), 3)
+    >>> round(bearing_torque_palmgren(5000.0, 0.065, 157.08, viscosity=40e-6, oil_factor=2.0, load_factor=3e-4), 3)
     0.182
     """
     product = max(viscosity * 1e6 * abs(speed) / RPM, 2000.0) if speed else 0.0
     diameter = mean_diameter * 1e3
-    idle = 1e-7 * factors[0] * math.pow(product, 2.0 / 3.0) * diameter**3
-    return 1e-3 * (idle + factors[1] * load * diameter)
+    idle = 1e-7 * oil_factor * math.pow(product, 2.0 / 3.0) * diameter**3
+    return 1e-3 * (idle + load_factor * load * diameter)
