@@ -60,6 +60,16 @@ class DesignError(GearwrightError):
         return f"{head}{count} problem{'s' if count != 1 else ''}\n" + "\n".join(lines)
 
 
+def refuse(problems: Iterable[Problem]) -> None:
+    """Raise a `DesignError` of all problems, where there are any.
+
+    Args:
+        problems: What is wrong.
+    """
+    if listed := tuple(problems):
+        raise DesignError(listed)
+
+
 class SolveError(GearwrightError):
     """A computation that did not succeed; the message names the part, the time and the value."""
 

@@ -101,5 +101,8 @@ def test_what_cannot_be_rated_is_refused():
         ScuffingMesh(MeshGeometry((20.0, -60.0), 2e-3, 0.02, 0.04, (0.022, 0.058)), 1e5, 1e5, 10.0, 0.5e-6)
     with pytest.raises(DesignError, match="roughness: 0 given"):
         ScuffingMesh(TYPE_A, 1e5, 1e5, 10.0, 0.0)
+    with pytest.raises(DesignError) as refused:
+        ScuffingMesh(TYPE_A, 0.0, 1e5, 10.0, 0.0)
+    assert [problem.path for problem in refused.value.problems] == ["specific_load", "roughness"]
     with pytest.raises(DesignError, match="holds below 3"):
         contact_ratio_factor_integral(2.0, 1.5)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.units import GRAVITY
 
 SEA_LEVEL_TEMPERATURE = 288.15
@@ -60,13 +60,14 @@ def air_at(altitude: float, offset: float = 0.0) -> Air:
     >>> round(air_at(5000.0).pressure, 1)
     54019.9
     """
+    problems = []
     if not 0.0 <= altitude <= CEILING:
         message = f"{altitude:g} m; the standard atmosphere is given from 0 to {CEILING:g} m"
-        raise DesignError([Problem("altitude", message)])
-    standard = standard_temperature(altitude)
+        problems.append(Problem("altitude", message))
     if not -100.0 <= offset <= 100.0:
-        raise DesignError([Problem("isa_offset", f"{offset:g} K from the standard atmosphere; give -100 to 100 K")])
-    temperature, pressure = standard + offset, standard_pressure(altitude)
+        problems.append(Problem("isa_offset", f"{offset:g} K from the standard atmosphere; give -100 to 100 K"))
+    refuse(problems)
+    temperature, pressure = standard_temperature(altitude) + offset, standard_pressure(altitude)
     density = pressure / (GAS_CONSTANT * temperature)
     return Air(temperature, pressure, density, math.sqrt(HEAT_RATIO * GAS_CONSTANT * temperature))
 

@@ -8,7 +8,7 @@ from functools import cache
 from typing import Annotated
 
 from gearwright.catalogue.bearings import Bearing, bearings
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.parts.bearings import (
     DEEP_GROOVE_STATIC,
     FOUR_POINT,
@@ -59,8 +59,7 @@ class BearingDuty:
                 problems.append(Problem(name, f"{value:g} given; allowed: above 0"))
         if not (self.radial or self.axial):
             problems.append(Problem("radial", "nothing loads the bearing; give a radial or an axial force"))
-        if problems:
-            raise DesignError(problems)
+        refuse(problems)
 
 
 @dataclass(frozen=True)

@@ -9,14 +9,13 @@ and by 22 % at most. Take the maker's number where the maker is known, with `wit
 
 from __future__ import annotations
 
-import csv
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
-from importlib.resources import files
 from types import MappingProxyType
 
+from gearwright.catalogue.tables import data_rows
 from gearwright.errors import DesignError, Problem, near
 from gearwright.parts.bearings import BearingGeometry, BearingKind, dynamic_rating, fatigue_load_limit, static_rating
 from gearwright.units import Force, Length, Mass
@@ -137,14 +136,14 @@ def _series() -> tuple[_Series, ...]:
             float(row["circle_share"]),
             float(row["length_ratio"] or 0.0),
         )
-        for row in _rows("bearing_series.csv")
+        for row in data_rows("bearing_series.csv")
     )
 
 
 def _radial() -> Iterator[Bearing]:
     """Yield bearings of ISO 15, series by series."""
     source = "dimensions ISO 15; ratings ISO 281 and ISO 76 for the assumed inside"
-    sizes = list(_rows("bearing_sizes.csv"))
+    sizes = data_rows("bearing_sizes.csv")
     for series in _series():
         for row in sizes if series.outer_column else ():
             if row[series.outer_column]:
@@ -159,7 +158,7 @@ def _taper() -> Iterator[Bearing]:
     """Yield taper roller bearings of ISO 355."""
     source = "dimensions ISO 355; contact angle from e as printed in catalogues; ratings ISO 281 and ISO 76"
     by_name = {series.name: series for series in _series()}
-    for row in _rows("taper_bearing_sizes.csv"):
+    for row in data_rows("taper_bearing_sizes.csv"):
         bore, outer = float(row["bore_mm"]) / _MM, float(row["outer_mm"]) / _MM
         angle = math.atan(float(row["axial_limit"]) / 1.5)
         cup = float(row["cup_width_mm"]) / _MM
@@ -198,8 +197,3 @@ def _rated(name: str, inside: BearingGeometry, source: str, *, bore: float, oute
         mass=steel * math.pi / 4.0 * (outer**2 - bore**2) * width,
         source=source,
     )
-
-
-def _rows(name: str) -> Iterator[dict[str, str]]:
-    text = files("gearwright.catalogue").joinpath(f"data/{name}").read_text(encoding="utf-8")
-    yield from csv.DictReader(text.splitlines())

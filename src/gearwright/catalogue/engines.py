@@ -6,13 +6,11 @@ recomputes them. The engine speed is not printed: each series has a rule that re
 
 from __future__ import annotations
 
-import csv
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 
+from gearwright.catalogue.tables import data_rows
 from gearwright.errors import DesignError, Problem
 from gearwright.units import RPM, Power, Speed
 
@@ -159,14 +157,14 @@ def all_series() -> tuple[Series, ...]:
             value=float(row["value"]),
             reason=row["reason"],
         )
-        for row in _rows("engine_series.csv")
+        for row in data_rows("engine_series.csv")
     )
 
 
 @cache
 def notes() -> tuple[Note, ...]:
     """Return everything that is known to be wrong or doubtful in the tables."""
-    return tuple(Note(**row) for row in _rows("engine_notes.csv"))
+    return tuple(Note(**row) for row in data_rows("engine_notes.csv"))
 
 
 @cache
@@ -175,7 +173,7 @@ def engines() -> tuple[Engine, ...]:
     of_name = {series.name: series for series in all_series()}
     place = dict.fromkeys(of_name, 0)
     table = []
-    for row in _rows("engines.csv"):
+    for row in data_rows("engines.csv"):
         name, model = row.pop("series"), row.pop("model")
         place[name] += 1
         printed = tuple((column, Printed(text)) for column, text in row.items() if text)
@@ -250,8 +248,3 @@ def nearest(power: float, engine_speed: float, propeller_speed: float, *, count:
         if engine.has_gearbox
     }
     return tuple(sorted(distinct.values(), key=distance)[:count])
-
-
-def _rows(name: str) -> Iterator[dict[str, str]]:
-    text = files("gearwright.catalogue").joinpath(f"data/{name}").read_text(encoding="utf-8")
-    yield from csv.DictReader(text.splitlines())

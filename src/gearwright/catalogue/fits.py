@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import csv
 from functools import cache
-from importlib.resources import files
 
+from gearwright.catalogue.tables import data_rows
 from gearwright.errors import DesignError, Problem, near
 from gearwright.parts.bearings import BearingKind
 from gearwright.units import Length
@@ -21,8 +20,7 @@ SEAT_SOURCE = "rotating load on the inner ring, normal load: DIN 5425-1"
 @cache
 def _ranges() -> tuple[dict[str, float], ...]:
     """Return the table of ISO 286-1: ranges in mm, grades and lower deviations in µm."""
-    text = files("gearwright.catalogue").joinpath("data/limits_and_fits.csv").read_text(encoding="utf-8")
-    return tuple({name: float(value) for name, value in row.items()} for row in csv.DictReader(text.splitlines()))
+    return tuple({name: float(value) for name, value in row.items()} for row in data_rows("limits_and_fits.csv"))
 
 
 def _range(diameter: float) -> dict[str, float]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Mapping
 from functools import cache
-from importlib.resources import files
 from typing import Any
 
+from gearwright.catalogue.tables import data_text
 from gearwright.errors import DesignError, Problem, near
 from gearwright.parts.iso6336 import GearSteel, StrengthLine, Treatment, allowable_stress
 
@@ -16,8 +16,7 @@ _MPA = 1e6
 
 @cache
 def _table() -> Mapping[str, Any]:
-    text = files("gearwright.catalogue").joinpath("data/gear_strength.toml").read_text(encoding="utf-8")
-    return tomllib.loads(text)
+    return tomllib.loads(data_text("gear_strength.toml"))
 
 
 def gear_steel_names() -> tuple[str, ...]:

@@ -7,11 +7,10 @@ named, and neither power nor speeds are given, only β.
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 
+from gearwright.catalogue.tables import data_rows
 from gearwright.units import HORSEPOWER, POUND, RPM, Mass, Number, Power, Speed
 
 SOURCE = "NASA/TM-2009-215680, figure of actual gearbox weights, as digitised in AeroSandbox studies/GearboxMassFits"
@@ -34,10 +33,9 @@ def weighed_gearboxes() -> tuple[WeighedGearbox, ...]:
     Source:
         NASA/TM-2009-215680; points digitised by P. Sharpe, AeroSandbox, studies/GearboxMassFits.
     """
-    text = files("gearwright.catalogue").joinpath("data/gearbox_weights.csv").read_text(encoding="utf-8")
     return tuple(
         WeighedGearbox(10.0 ** float(row["log10_beta"]), 10.0 ** float(row["log10_weight_lb"]) * POUND)
-        for row in csv.DictReader(text.splitlines())
+        for row in data_rows("gearbox_weights.csv")
     )
 
 
@@ -57,7 +55,6 @@ class GearboxClass:
 @cache
 def gearbox_classes() -> tuple[GearboxClass, ...]:
     """Return seven classes of gearbox that span turboprops and main rotors."""
-    text = files("gearwright.catalogue").joinpath("data/gearbox_classes.csv").read_text(encoding="utf-8")
     return tuple(
         GearboxClass(
             name=row["name"],
@@ -65,5 +62,5 @@ def gearbox_classes() -> tuple[GearboxClass, ...]:
             engine_speed=float(row["engine_rpm"]) * RPM,
             output_speed=float(row["output_rpm"]) * RPM,
         )
-        for row in csv.DictReader(text.splitlines())
+        for row in data_rows("gearbox_classes.csv")
     )

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 
+from gearwright.catalogue.tables import data_rows
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.joints import KeySection
 from gearwright.units import Length
@@ -40,10 +39,7 @@ class StandardKey:
 @cache
 def standard_keys() -> tuple[StandardKey, ...]:
     """Return the sections of DIN 6885-1 by shaft diameter."""
-    text = files("gearwright.catalogue").joinpath("data/keys.csv").read_text(encoding="utf-8")
-    return tuple(
-        _key({name: float(value) / 1e3 for name, value in row.items()}) for row in csv.DictReader(text.splitlines())
-    )
+    return tuple(_key({name: float(value) / 1e3 for name, value in row.items()}) for row in data_rows("keys.csv"))
 
 
 def _key(row: dict[str, float]) -> StandardKey:

@@ -6,12 +6,11 @@ memory; each row says how sure it is.
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 
+from gearwright.catalogue.tables import data_rows
 from gearwright.units import Number
 
 
@@ -45,7 +44,6 @@ def load_factors() -> tuple[LoadFactor, ...]:
     Source:
         IEC 61400-4:2012; ANSI/AGMA 6123-B06, table 7; Guo & Keller, AGMA Fall Technical Meeting 2020.
     """
-    text = files("gearwright.catalogue").joinpath("data/load_factors.csv").read_text(encoding="utf-8")
     return tuple(
         LoadFactor(
             source=row["source"],
@@ -55,7 +53,7 @@ def load_factors() -> tuple[LoadFactor, ...]:
             confidence=row["confidence"],
             measured=row["kind"] == "measured",
         )
-        for row in csv.DictReader(text.splitlines())
+        for row in data_rows("load_factors.csv")
     )
 
 

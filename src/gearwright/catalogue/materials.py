@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import tomllib
 from functools import cache
-from importlib.resources import files
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from gearwright.catalogue.tables import data_text
 from gearwright.parts import Material
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ _MPA = 1e6
 @cache
 def materials() -> Mapping[str, Material]:
     """Return every material of the catalogue by name."""
-    table = tomllib.loads(files("gearwright.catalogue").joinpath("data/materials.toml").read_text(encoding="utf-8"))
+    table = tomllib.loads(data_text("materials.toml"))
     return MappingProxyType({name: _material(name, row) for name, row in table.items()})
 
 

@@ -6,13 +6,14 @@ import json
 import math
 from collections.abc import Iterable, Mapping
 from functools import cache
-from importlib.resources import files
+from itertools import product
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
 
+from gearwright.catalogue.tables import data_text
 from gearwright.errors import DesignError, Problem, SolveError, near
 from gearwright.machines import SMALL_THRUST, Blades, Charts, PropellerMap, compressibility, performance
 from gearwright.reading import numbers_of, text_of
@@ -38,7 +39,7 @@ MOST_POINTS = 250_000
 @cache
 def hamilton_standard_charts() -> Charts:
     """Return the charts of NASA CR-114399, with two misprints read as their file says."""
-    raw = json.loads(_data("hamilton_standard.json"))
+    raw = json.loads(data_text("hamilton_standard.json"))
     for correction in raw["corrections"]:
         *path, last = correction["place"]
         table = raw
@@ -100,7 +101,7 @@ def propeller_map(name: str) -> PropellerMap:
     """
     if name not in MAPS:
         raise DesignError([Problem("propeller_map", f"there is no shipped map {name!r}; {near(name, MAPS)}")])
-    return map_of(_data(f"propeller_{name}.csv"), name)
+    return map_of(data_text(f"propeller_{name}.csv"), name)
 
 
 def compressed(name: str, advance_ratio: float, thrust_coefficient: float, *, mach: float, tip_mach: float) -> float:
@@ -240,15 +241,9 @@ def charted_map(blades: Blades, advance_ratios: Iterable[float], blade_angles: I
 
     Source: Worobel and Mayo, NASA CR-114399 (1971); points that the charts do not hold are left out.
     """
-    angles = list(blade_angles)
-    lines = [",".join(COLUMNS)]
-    for ratio in advance_ratios:
-        for angle in angles:
-            point = charted_point(blades, ratio, math.radians(angle))
-            if point is not None:
-                lines.append(f"{ratio:g},{angle:g},{point[0]:.6f},{point[1]:.6f}")
-    return "\n".join(lines) + "\n"
-
-
-def _data(name: str) -> str:
-    return files("gearwright.catalogue").joinpath(f"data/{name}").read_text(encoding="utf-8")
+    lines = [
+        f"{ratio:g},{angle:g},{point[0]:.6f},{point[1]:.6f}"
+        for ratio, angle in product(advance_ratios, blade_angles)
+        if (point := charted_point(blades, ratio, math.radians(angle))) is not None
+    ]
+    return "\n".join([",".join(COLUMNS), *lines]) + "\n"

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from gearwright.catalogue import Engine, nearest
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.units import Mass
 from gearwright.weights.method import Estimate, estimate
 from gearwright.weights.methods import methods
@@ -34,8 +34,7 @@ class StatedMass:
             problems.append(Problem("mass_kg", f"{self.mass!r} was given; a finite mass above zero is needed"))
         if not self.origin.strip():
             problems.append(Problem("origin", "a stated mass needs its origin, such as 'weighed, maintenance manual'"))
-        if problems:
-            raise DesignError(problems)
+        refuse(problems)
 
 
 @dataclass(frozen=True)

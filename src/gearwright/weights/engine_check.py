@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
 from types import MappingProxyType
+from typing import NamedTuple
 
 from gearwright.catalogue import Engine, Printed, engines
 from gearwright.weights.ndarc import mass_afdd00
@@ -115,8 +116,12 @@ def gearbox_mass(engine: Engine) -> float:
     return mass_afdd00(engine.power, engine.engine_speed, engine.propeller_speed)
 
 
-_Span = tuple[float, float, float]
-"""Least, nominal and greatest computed value, as the rounding of the printed inputs allows."""
+class _Span(NamedTuple):
+    """What a column may be by computation, as the rounding of the printed inputs allows."""
+
+    least: float
+    nominal: float
+    greatest: float
 
 
 def _spans(engine: Engine, engine_mass: tuple[float, float] | None) -> dict[str, _Span]:
@@ -128,18 +133,18 @@ def _spans(engine: Engine, engine_mass: tuple[float, float] | None) -> dict[str,
     p, m = power.value, box.value
     by_formula = [mass_afdd00(1e3 * kilowatts, engine.engine_speed, speed) for kilowatts in (p0, p, p1)]
     spans: dict[str, _Span] = {
-        "gearbox_mass_kg": (by_formula[0], by_formula[1], by_formula[2]),
-        "torque_nm": (p0 * torque, p * torque, p1 * torque),
-        "gearbox_kw_kg": (p0 / m1, p / m, p1 / m0),
+        "gearbox_mass_kg": _Span(*by_formula),
+        "torque_nm": _Span(p0 * torque, p * torque, p1 * torque),
+        "gearbox_kw_kg": _Span(p0 / m1, p / m, p1 / m0),
     }
     if engine_mass is not None:
         e0, e1 = engine_mass
         e = 0.5 * (e0 + e1)
         spans |= {
-            "engine_kw_kg": (p0 / e1, p / e, p1 / e0),
-            "turbine_kw_kg": (p0 / (e1 - m0), p / (e - m), p1 / (e0 - m1)),
-            "torque_nm_kg": (p0 * torque / e1, p * torque / e, p1 * torque / e0),
-            "gearbox_percent": (100.0 * m0 / e1, 100.0 * m / e, 100.0 * m1 / e0),
+            "engine_kw_kg": _Span(p0 / e1, p / e, p1 / e0),
+            "turbine_kw_kg": _Span(p0 / (e1 - m0), p / (e - m), p1 / (e0 - m1)),
+            "torque_nm_kg": _Span(p0 * torque / e1, p * torque / e, p1 * torque / e0),
+            "gearbox_percent": _Span(100.0 * m0 / e1, 100.0 * m / e, 100.0 * m1 / e0),
         }
     return spans
 
@@ -166,7 +171,7 @@ def _engine_mass(engine: Engine) -> tuple[float, float] | None:
 
 def _check(engine: Engine, column: str, span: _Span | None) -> Check:
     printed = engine.as_printed(column)
-    computed = None if span is None else span[1]
+    computed = None if span is None else span.nominal
     note = engine.note(column)
     if note is not None:
         return Check(column, printed, computed, Verdict(note.verdict), note.reason)
@@ -182,8 +187,8 @@ def _check(engine: Engine, column: str, span: _Span | None) -> Check:
 def _judge(printed: Printed, span: _Span) -> tuple[Verdict, str]:
     low, high = printed.bounds
     slack = 1e-9 * printed.value  # halves in binary
-    if low - slack <= span[1] <= high + slack:
+    if low - slack <= span.nominal <= high + slack:
         return Verdict.AGREES, ""
-    if span[0] <= high + slack and span[2] >= low - slack:
+    if span.least <= high + slack and span.greatest >= low - slack:
         return Verdict.ROUNDED, ""
-    return Verdict.DIFFERS, f"computed {span[1]:.5g} from the printed inputs"
+    return Verdict.DIFFERS, f"computed {span.nominal:.5g} from the printed inputs"

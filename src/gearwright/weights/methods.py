@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 
 from gearwright.units import HORSEPOWER
 from gearwright.weights import brown, ndarc, tm215680, wate2, willis
@@ -73,7 +73,7 @@ def _ndarc() -> tuple[Method, Method]:
             source="Johnson 2015, NASA/TP-2015-218751; Pulvirenti 2023, eq. 1.1",
             basis="52 rotorcraft, mean error 8.6 %",
             includes=_AFDD00,
-            mass=lambda need: ndarc.mass_afdd00(need.power, need.engine_speed, need.propeller_speed),
+            mass=_by_speeds(ndarc.mass_afdd00),
             assumes="N = 1 rotor",
         ),
         Method(
@@ -83,7 +83,7 @@ def _ndarc() -> tuple[Method, Method]:
             source="Johnson 2015, NASA/TP-2015-218751",
             basis="30 aircraft, mean error 7.7 %",
             includes=_AFDD83,
-            mass=lambda need: ndarc.mass_afdd83(need.power, need.engine_speed, need.propeller_speed),
+            mass=_by_speeds(ndarc.mass_afdd83),
             assumes="f_Q = 3 %, N_gb = 1",
         ),
     )
@@ -97,7 +97,7 @@ def _wate2() -> Method:
         source="Plencner, Senty and Wickenheiser 1983, NASA TM-83458; Pulvirenti 2023, eq. 1.3",
         basis="in-line propeller gearboxes, data not published",
         includes=_UNSTATED,
-        mass=lambda need: wate2.mass_wate2(need.power, need.engine_speed, need.propeller_speed),
+        mass=_by_speeds(wate2.mass_wate2),
         ranges=(
             Range(
                 "power", 1000.0 * HORSEPOWER, 2500.0 * HORSEPOWER, "1000 to 2500 hp, Pulvirenti 2023", shows_beyond=True
@@ -119,15 +119,16 @@ def _brown() -> tuple[Method, ...]:
             source="Brown, Kascak, Ebihara et al. 2005, NASA/TM-2005-213800",
             basis="aircraft gearboxes, data not published with the law",
             includes=_UNSTATED,
-            mass=_brown_mass(constant),
+            mass=_by_speeds(partial(brown.mass_brown, constant=constant)),
             assumes=f"K = {constant:g} lb, {kind}",
         )
         for key, constant, kind in cases
     )
 
 
-def _brown_mass(constant: float) -> Callable[[Requirement], float]:
-    return lambda need: brown.mass_brown(need.power, need.engine_speed, need.propeller_speed, constant=constant)
+def _by_speeds(law: Callable[[float, float, float], float]) -> Callable[[Requirement], float]:
+    """Return a law of power, engine and propeller speed as one of a requirement."""
+    return lambda need: law(need.power, need.engine_speed, need.propeller_speed)
 
 
 def _willis() -> tuple[Method, ...]:

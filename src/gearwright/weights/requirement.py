@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.units import HORSEPOWER, RPM, Number, Power, Ratio, Speed, Torque, text
 
 
@@ -33,8 +33,7 @@ class Requirement:
             problems.append(
                 Problem("engine_speed", f"{speeds}; the methods are for reduction gearboxes: swap the speeds")
             )
-        if problems:
-            raise DesignError(problems)
+        refuse(problems)
 
     @property
     def ratio(self) -> Ratio:

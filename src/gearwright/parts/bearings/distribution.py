@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.errors import Problem, SolveError, refuse
 from gearwright.parts.bearings.contact import ball_contacts, load_deflection_constant
 from gearwright.parts.bearings.rolling_bearing import BearingGeometry
 
@@ -174,8 +174,7 @@ def _check(geometry: BearingGeometry, load: RingLoad, clearance: float) -> None:
         problems.append(Problem("clearance", message))
     if not any(load):
         problems.append(Problem("load", "nothing loads the bearing; give a force or a couple"))
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
 
 
 def _groove_distance(geometry: BearingGeometry) -> float:

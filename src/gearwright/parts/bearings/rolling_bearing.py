@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from enum import StrEnum
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.units import Angle, Length, Number, Ratio
 
 
@@ -64,8 +64,7 @@ class BearingGeometry:
                 f"{min(self.inner_conformity, self.outer_conformity):g} given; a groove is wider than its ball: > 0.5"
             )
             problems.append(Problem("conformity", message))
-        if problems:
-            raise DesignError(problems)
+        refuse(problems)
 
     @property
     def curvature_ratio(self) -> float:

@@ -12,7 +12,7 @@ from enum import Enum
 from functools import cached_property
 from typing import Annotated
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.parts.gears import least_profile_shift
 from gearwright.parts.iso6336 import Value
 from gearwright.units import Origin, Quantity
@@ -77,9 +77,7 @@ class BevelPair:
     """Tooth proportions."""
 
     def __post_init__(self) -> None:
-        problems = _limits(self)
-        if problems:
-            raise DesignError(problems)
+        refuse(_limits(self))
 
     @cached_property
     def pitch_angles(self) -> tuple[float, float]:

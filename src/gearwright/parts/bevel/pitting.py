@@ -8,7 +8,7 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.parts.bevel.geometry import BevelPair
 from gearwright.parts.bevel.virtual import VirtualPair
 from gearwright.parts.iso6336 import (
@@ -52,7 +52,7 @@ class BevelDuty:
     """ρ of the gears [kg/m³]."""
 
     def __post_init__(self) -> None:
-        problems = [
+        refuse(
             Problem(name, f"{value:.6g} given; must be above 0")
             for name, value in (
                 ("pinion_torque", self.pinion_torque),
@@ -63,9 +63,7 @@ class BevelDuty:
                 ("cutter_radius", self.cutter_radius),
             )
             if not value > 0.0
-        ]
-        if problems:
-            raise DesignError(problems)
+        )
 
 
 @dataclass(frozen=True)

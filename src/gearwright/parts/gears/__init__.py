@@ -17,6 +17,7 @@ from gearwright.parts.gears.gear_pair import GearPair, contact_radii
 from gearwright.parts.gears.hertz import (
     HERTZ_COEFFICIENT,
     ContactAngles,
+    Numbers,
     contact_angles,
     contact_stress,
     hertz_coefficient,
@@ -36,6 +37,7 @@ from gearwright.parts.gears.involute import (
     least_teeth,
     shift_sum,
     transverse_pressure_angle,
+    virtual_teeth,
     working_pressure_angle,
 )
 from gearwright.parts.gears.lewis import FEWEST_TEETH, bending_stress_lewis, lewis_form_factor, module_lewis
@@ -52,6 +54,7 @@ __all__ = [
     "ContactAngles",
     "CylindricalGear",
     "GearPair",
+    "Numbers",
     "ToothForm",
     "ball_measurement",
     "base_helix_angle",
@@ -88,5 +91,6 @@ __all__ = [
     "tip_thickness",
     "tooth_form",
     "transverse_pressure_angle",
+    "virtual_teeth",
     "working_pressure_angle",
 ]

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.parts.gears.involute import base_helix_angle, involute, least_profile_shift, transverse_pressure_angle
 
 
@@ -63,19 +63,22 @@ class CylindricalGear:
     """Tip alteration coefficient k [-]; negative shortens the tooth."""
 
     def __post_init__(self) -> None:
-        problems = [
+        refuse(
             Problem(name, f"{value:.6g} given; must be {allowed}")
             for name, value, allowed, good in (
                 ("teeth", self.teeth, "at least 5, or at most −5 for an internal gear", abs(self.teeth) >= 5),
                 ("module", self.module, "above 0 m", 0.0 < self.module < math.inf),
                 ("face_width", self.face_width, "above 0 m", 0.0 < self.face_width < math.inf),
-                ("helix_angle", self.helix_angle, "from 0 to below π/3 rad", 0.0 <= self.helix_angle < math.pi / 3.0),
+                (
+                    "helix_angle",
+                    self.helix_angle,
+                    "from 0 to below π/3 rad",
+                    0.0 <= self.helix_angle < math.pi / 3.0,
+                ),
                 ("profile_shift", self.profile_shift, "between −2 and 2", abs(self.profile_shift) <= 2.0),
             )
             if not good
-        ]
-        if problems:
-            raise DesignError(problems)
+        )
 
     @property
     def side(self) -> int:

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.parts.gears.cylindrical_gear import CylindricalGear, half_angle_at
 from gearwright.parts.gears.involute import working_pressure_angle
 
@@ -32,8 +32,7 @@ class GearPair:
         if not problems and distance is not None and distance <= self.base_centre_distance:
             allowed = f"above {1e3 * self.base_centre_distance:.6g} mm, where the base circles would roll on each other"
             problems.append(Problem("given_centre_distance", f"{1e3 * distance:.6g} mm given; must be {allowed}"))
-        if problems:
-            raise DesignError(problems)
+        refuse(problems)
         _ = self.working_pressure_angle  # profile shifts that fit no centre distance are refused here
 
     @property

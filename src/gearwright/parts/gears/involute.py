@@ -7,8 +7,13 @@ centre distance, so that one formula serves external and internal pairs. Lengths
 from __future__ import annotations
 
 import math
+from typing import Any, TypeVar
+
+from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem
+
+_Teeth = TypeVar("_Teeth", float, NDArray[Any])
 
 
 def involute(angle: float) -> float:
@@ -84,15 +89,15 @@ def base_helix_angle(pressure_angle: float, helix_angle: float) -> float:
     return math.asin(math.sin(helix_angle) * math.cos(pressure_angle))
 
 
-def virtual_teeth(teeth: float, pressure_angle: float, helix_angle: float) -> float:
+def virtual_teeth(teeth: _Teeth, pressure_angle: float, helix_angle: float) -> _Teeth:
     """Return the number of teeth of the equivalent spur gear in the normal section, z_n.
 
     Args:
-        teeth: Number of teeth z [-], negative for an internal gear.
+        teeth: Number of teeth z [-], negative for an internal gear; one or many.
         pressure_angle: Normal pressure angle α_n [rad].
         helix_angle: Helix angle at the reference cylinder β [rad].
 
-    Source: ISO 6336-3:2006, z_n = z / (cos² β_b cos β).
+    Source: ISO 6336-3:2006, z_n = z / (cos² β_b cos β); Pulvirenti 2023, eq. (2.1).
 
     >>> round(virtual_teeth(17, math.radians(20.0), math.radians(15.8)), 3)
     18.905

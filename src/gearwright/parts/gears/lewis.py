@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
-Numbers = float | NDArray[Any]
-"""One number or many; plain numbers are computed as they are, which is quicker."""
+from gearwright.parts.gears.hertz import Array, Numbers
 
 # Lewis form factor Y of 20° full-depth teeth, Shigley's Mechanical Engineering Design, 9th ed., table 14-2.
 _TEETH = (12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 24, 26, 28, 30, 34, 38, 43, 50, 60, 75, 100, 150, 300, 400)
@@ -44,20 +41,6 @@ def lewis_form_factor(virtual_teeth: ArrayLike) -> Array:
     if np.any(teeth < FEWEST_TEETH):
         raise ValueError(f"the Lewis form factor is tabulated from {FEWEST_TEETH} teeth on; got {float(teeth.min()):g}")
     return np.asarray(np.interp(teeth, *_table()))
-
-
-def virtual_teeth(teeth: ArrayLike, helix_angle: float, pressure_angle: float) -> Array:
-    """Return the tooth number of the spur gear that has the helical gear's normal tooth form, z_v [-].
-
-    Args:
-        teeth: Tooth number z [-]; scalar or array.
-        helix_angle: β on the pitch cylinder [rad].
-        pressure_angle: Normal pressure angle α_n [rad].
-
-    Source: z_v = z / (cos² β_b cos β), sin β_b = sin β cos α_n; ISO 6336-3:2019 (z_n); Pulvirenti 2023, eq. (2.1).
-    """
-    base_helix = math.asin(math.sin(helix_angle) * math.cos(pressure_angle))
-    return np.asarray(teeth, dtype=float) / (math.cos(base_helix) ** 2 * math.cos(helix_angle))
 
 
 def module_lewis(

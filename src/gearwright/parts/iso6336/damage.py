@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Annotated
@@ -51,11 +52,10 @@ def damage_parts(bins: Sequence[StressBin], reference: float, curve: LifeCurve) 
     Source: ISO 6336-6:2019, clause 5. Stresses below the endurance corner damage along the last slope of the curve
         (Z_NT or Y_NT = 0.85 at 1e10), and not at all where it is flat.
     """
-    parts = []
-    for level in bins:
-        endured = endurable_cycles(curve, level.stress / reference) if level.stress > 0.0 else float("inf")
-        parts.append(level.cycles / endured if endured > 0.0 else float("inf"))
-    return tuple(parts)
+    endured = (endurable_cycles(curve, level.stress / reference) if level.stress > 0.0 else math.inf for level in bins)
+    return tuple(
+        level.cycles / cycles if cycles > 0.0 else math.inf for level, cycles in zip(bins, endured, strict=True)
+    )
 
 
 def spectrum_damage(bins: Sequence[StressBin], reference: float, curve: LifeCurve) -> Damage:

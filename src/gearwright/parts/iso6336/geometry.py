@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.parts.gears import GearPair
 
 Value: TypeAlias = float | NDArray[np.float64]
@@ -177,9 +177,7 @@ def mesh_geometry(pair: GearPair) -> MeshGeometry:
     Raises:
         DesignError: undercut teeth, tips that reach beyond the tangent points of the base circles, ε_α below 1.
     """
-    problems = _undercut(pair) + _interference(pair)
-    if problems:
-        raise DesignError(problems)
+    refuse(_undercut(pair) + _interference(pair))
     gears = (pair.driver, pair.driven)
     return MeshGeometry(
         teeth=(pair.driver.teeth, pair.driven.teeth),

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.parts.iso6336.distribution import (
     CENTRED,
     UNMODIFIED,
@@ -47,7 +47,7 @@ class MeshDuty:
     """Load cycles per turn of pinion and wheel [-]; for a sun the number of planets."""
 
     def __post_init__(self) -> None:
-        problems = [
+        refuse(
             Problem(name, f"{np.min(np.asarray(value)):.6g} given; must be above 0")
             for name, value in (
                 ("pinion_torque", self.pinion_torque),
@@ -57,9 +57,7 @@ class MeshDuty:
                 ("mesh_load_factor", self.mesh_load_factor),
             )
             if not np.all(np.asarray(value) > 0.0)
-        ]
-        if problems:
-            raise DesignError(problems)
+        )
 
 
 @dataclass(frozen=True)

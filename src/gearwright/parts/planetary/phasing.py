@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.parts.gears import GearPair, half_angle_at, involute
 
 _WHOLE = 1e-6  # of a cycle; positions come from whole teeth, so a real phase is far from this
@@ -55,15 +55,14 @@ def planet_phases(sun_mesh: GearPair, ring_mesh: GearPair, positions: Sequence[f
         DesignError: when the planets cannot be put in at these positions.
     """
     sun, ring = sun_mesh.driver.teeth, -ring_mesh.driven.teeth
-    problems = [
+    refuse(
         Problem(
-            f"positions.{n}", f"{math.degrees(psi):.4f}° given; the teeth fit at whole multiples of 360°/{sun + ring}"
+            f"positions.{n}",
+            f"{math.degrees(psi):.4f}° given; the teeth fit at whole multiples of 360°/{sun + ring}",
         )
         for n, psi in enumerate(positions)
         if abs(_centred((sun + ring) * (psi - positions[0]) / (2.0 * math.pi))) > _WHOLE
-    ]
-    if problems:
-        raise DesignError(problems)
+    )
     shift = sun_to_ring_phase(sun_mesh, ring_mesh)
     turns = [(psi - positions[0]) / (2.0 * math.pi) for psi in positions]
     return PlanetPhases(

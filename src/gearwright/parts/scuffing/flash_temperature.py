@@ -12,7 +12,7 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.parts.iso6336 import MeshGeometry, Value
 from gearwright.units import Origin, Quantity
 
@@ -75,13 +75,18 @@ class ScuffingMesh:
     """X_W [-]."""
 
     def __post_init__(self) -> None:
-        if np.any(np.asarray(self.geometry.side) < 0):
-            raise DesignError(
-                [Problem("geometry", "an internal pair given; scuffing is rated for external pairs only")]
+        problems = [
+            Problem(name, f"{value:.4g} given; must be above 0")
+            for name, value in (
+                ("specific_load", self.specific_load),
+                ("speed", self.speed),
+                ("roughness", self.roughness),
             )
-        for name in ("specific_load", "speed", "roughness"):
-            if not getattr(self, name) > 0.0:
-                raise DesignError([Problem(name, f"{getattr(self, name):.4g} given; must be above 0")])
+            if not value > 0.0
+        ]
+        if np.any(np.asarray(self.geometry.side) < 0):
+            problems.append(Problem("geometry", "an internal pair given; scuffing is rated for external pairs only"))
+        refuse(problems)
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.parts.shafts.notch import Concentration
 
 _MPA = 1e6
@@ -87,8 +87,7 @@ def endurance_limit(ultimate_strength: float, diameter: float, *, surface: str, 
     size = diameter * _MM
     if not 2.79 <= size <= 254.0:
         problems.append(Problem("diameter", f"{size:g} mm given; allowed: 2.79 to 254 mm"))
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
     factor, exponent = SURFACES[surface]
     finish = min(factor * math.pow(ultimate_strength / _MPA, exponent), 1.0)
     volume = 1.24 * math.pow(size, -0.107) if size <= 51.0 else 1.51 * math.pow(size, -0.157)

@@ -13,7 +13,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, refuse
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -95,9 +95,7 @@ def sampled_curve(phase: ArrayLike, stiffness: ArrayLike, *, harmonics: int, sou
         DesignError: for points that do not increase, are not positive or do not close.
     """
     x, y = np.asarray(phase, dtype=np.float64), np.asarray(stiffness, dtype=np.float64)
-    problems = _sample_problems(x, y)
-    if problems:
-        raise DesignError(problems)
+    refuse(_sample_problems(x, y))
     if not math.isclose(x[-1] - x[0], 2.0 * math.pi, rel_tol=1e-9):
         x, y = np.append(x, x[0] + 2.0 * math.pi), np.append(y, y[0])
     slope = np.diff(y) / np.diff(x)

@@ -16,8 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.gears import CylindricalGear, GearPair, contact_radii, tooth_form
-from gearwright.parts.gears.involute import virtual_teeth
+from gearwright.parts.gears import CylindricalGear, GearPair, contact_radii, tooth_form, virtual_teeth
 from gearwright.parts.material import Material
 from gearwright.parts.stiffness.curve import StiffnessCurve
 from gearwright.parts.stiffness.passing_pairs import pair_curve, summed_pairs

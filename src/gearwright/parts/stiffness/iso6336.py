@@ -12,9 +12,8 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.errors import DesignError, Problem
-from gearwright.parts.gears import BasicRack, GearPair
-from gearwright.parts.gears.involute import virtual_teeth
+from gearwright.errors import DesignError, Problem, refuse
+from gearwright.parts.gears import BasicRack, GearPair, virtual_teeth
 from gearwright.parts.stiffness.curve import StiffnessCurve
 from gearwright.parts.stiffness.passing_pairs import rectangular_curve
 
@@ -170,9 +169,7 @@ def mesh_stiffness_iso6336(
     Raises:
         DesignError: outside the ranges of β, x_1 + x_2 and below ε_α = 1.
     """
-    problems = _outside(pair)
-    if problems:
-        raise DesignError(problems)
+    refuse(_outside(pair))
     driver, driven = pair.driver, pair.driven
     z_1, z_2 = (virtual_teeth(gear.teeth, gear.rack.pressure_angle, gear.helix_angle) for gear in (driver, driven))
     x_1, x_2 = driver.profile_shift, driven.profile_shift

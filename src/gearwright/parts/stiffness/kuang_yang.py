@@ -11,7 +11,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.parts.gears import CylindricalGear, GearPair, contact_radii
 from gearwright.parts.stiffness.curve import StiffnessCurve
 from gearwright.parts.stiffness.passing_pairs import pair_curve
@@ -61,8 +61,7 @@ def tooth_stiffness_kuang_yang(teeth: int, radius_offset: ArrayLike, profile_shi
         problems.append(
             Problem("profile_shift", f"{profile_shift:.3g} given; Kuang & Yang's fit holds from −0.6 to 0.6")
         )
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
     a_0, a_1, a_2, a_3 = (sum(c * teeth**n for n, c in enumerate(cubic)) for cubic in _CUBICS)
     x = profile_shift
     return np.asarray(_UNIT * ((a_0 + a_1 * x) + (a_2 + a_3 * x) * np.asarray(radius_offset) / (1.0 + x)))

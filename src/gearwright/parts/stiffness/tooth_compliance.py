@@ -9,7 +9,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.parts.gears import ToothForm, load_point
 from gearwright.parts.material import Material
 
@@ -128,8 +128,7 @@ def held_body_foundation(form: ToothForm, radius: Array, *, material: Material, 
         problems = [
             Problem("bore_radius", "given for an internal gear; a ring's teeth stand on a half plane, leave it out")
         ]
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
     terms = np.array([half_angle**-2, ratio**2, ratio / half_angle, 1.0 / half_angle, ratio, 1.0])
     l_star, m_star, p_star, q_star = _BODY @ terms
     lever, angle = _lever(form, radius)

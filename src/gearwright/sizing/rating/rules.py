@@ -12,8 +12,15 @@ from numpy.typing import NDArray
 
 from gearwright.catalogue import materials
 from gearwright.parts import Material, contact_strength
-from gearwright.parts.gears import ContactAngles, contact_angles, lewis_form_factor, module_hertz, module_lewis
-from gearwright.parts.gears.lewis import Numbers, virtual_teeth
+from gearwright.parts.gears import (
+    ContactAngles,
+    Numbers,
+    contact_angles,
+    lewis_form_factor,
+    module_hertz,
+    module_lewis,
+    virtual_teeth,
+)
 from gearwright.spec import Design, GearRules, Pair
 from gearwright.spec.design import Service
 
@@ -123,13 +130,13 @@ def form_factor(teeth: Numbers, rating: Rating) -> Numbers:
     """
     if not isinstance(teeth, np.ndarray):
         return _form_factor(teeth, rating.helix_angle, rating.rules.pressure_angle)
-    return lewis_form_factor(virtual_teeth(teeth, rating.helix_angle, rating.rules.pressure_angle))
+    return lewis_form_factor(virtual_teeth(teeth, rating.rules.pressure_angle, rating.helix_angle))
 
 
 @lru_cache(maxsize=4096)
 def _form_factor(teeth: float, helix: float, pressure_angle: float) -> float:
     """Return the form factor of one gear; those of a study repeat."""
-    return float(lewis_form_factor(virtual_teeth(teeth, helix, pressure_angle)))
+    return float(lewis_form_factor(virtual_teeth(teeth, pressure_angle, helix)))
 
 
 def first_modules(ask: Ask, rating: Rating) -> tuple[Array, Array]:
