@@ -12,7 +12,7 @@ from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.arrangement import axes_of, plan_of
 from gearwright.sizing.loads import shaft_loads
-from gearwright.sizing.rating import context
+from gearwright.sizing.rating import context_of
 from gearwright.spec import edited, read
 from gearwright.spec.design import Overrides
 
@@ -22,7 +22,9 @@ SIZING = size(DESIGN)
 
 def loads_on(sizing, shaft):
     """Return the point loads of the bevel gear on a shaft (force y, z; couple; torque; all axial force), rated case."""
-    given = context(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(dict(sizing.design.overrides)))
+    given = context_of(
+        sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(dict(sizing.design.overrides))
+    )
     plan, axes = plan_of(given, shaft, sizing.gears), axes_of(given, sizing.gears)
     loads, axial = shaft_loads(given, shaft, plan, axes=axes, gears={gear.name: gear for gear in sizing.gears})
     name = next(each for each in plan.places if each.startswith("bevel."))

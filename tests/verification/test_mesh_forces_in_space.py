@@ -9,7 +9,7 @@ from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.sizing.arrangement import axes_of, plan_of
 from gearwright.sizing.loads import shaft_loads
-from gearwright.sizing.rating import context
+from gearwright.sizing.rating import context_of
 from gearwright.spec import read
 from gearwright.spec.design import Overrides
 from mounted_designs import PAIR, ROTOR, sized
@@ -39,7 +39,7 @@ def test_the_three_forces_of_a_mesh_make_the_normal_force_of_its_flank(name):
 
 def point_loads(sizing, shaft):
     """Return the point loads and the axial force on a shaft."""
-    given = context(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides({}))
+    given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides({}))
     axes, gears = axes_of(given, sizing.gears), {gear.name: gear for gear in sizing.gears}
     return shaft_loads(given, shaft, plan_of(given, shaft, sizing.gears), axes=axes, gears=gears)
 

@@ -12,7 +12,7 @@ from gearwright.parts.bearings import BearingKind, basic_life, life_time, system
 from gearwright.parts.shafts import PointLoads, Shoulder, diagram, supported
 from gearwright.sizing.arrangement import ShaftPlan, axes_of, plan_of
 from gearwright.sizing.loads import ShaftForces, shaft_forces
-from gearwright.sizing.rating import context
+from gearwright.sizing.rating import context_of
 from gearwright.sizing.shafts import Section, Strength, strengths
 from gearwright.spec import parse
 from gearwright.spec.design import Overrides
@@ -36,7 +36,7 @@ def shaft(sizing, name):
 def _forces(text, name):
     """Return what acts on a shaft."""
     sizing = sized(text)
-    given = context(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(sizing.design.overrides, {}))
+    given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(sizing.design.overrides, {}))
     axes, gears = axes_of(given, sizing.gears), {gear.name: gear for gear in sizing.gears}
     return shaft_forces(given, name, plan_of(given, name, sizing.gears), axes=axes, gears=gears)
 

@@ -67,8 +67,8 @@ def mass_parts(sizing: Sizing) -> tuple[MassPart, ...]:
     parts += [(shaft.name, "shafts", 1, shaft.mass) for shaft in sizing.shafts]
     parts += [(f"{carrier.stage}.carrier", "carriers", 1, carrier.mass) for carrier in sizing.carriers]
     rows = [
-        MassPart(part, group, count, each, count * each, count * each / sizing.parts_mass)
-        for part, group, count, each in parts
+        MassPart(part, group, count, mass, count * mass, count * mass / sizing.parts_mass)
+        for part, group, count, mass in parts
     ]
     return tuple(sorted(rows, key=lambda row: -row.total))
 
@@ -80,10 +80,10 @@ def asked_speeds(sizing: Sizing) -> tuple[AskedSpeed, ...]:
         sizing: As sized.
     """
     return tuple(
-        AskedSpeed(case, each.machine, each.asked, each.actual, each.deviation)
+        AskedSpeed(case, yielded.machine, yielded.asked, yielded.actual, yielded.deviation)
         for case, flow in sizing.flows.items()
-        for each in flow.yielded
-        if abs(each.deviation) > KEPT
+        for yielded in flow.yielded
+        if abs(yielded.deviation) > KEPT
     )
 
 

@@ -31,29 +31,29 @@ class _Load(NamedTuple):
 
 
 def size_carriers(
-    given: Context, gears: tuple[GearSizing, ...], shafts: tuple[ShaftSizing, ...]
+    context: Context, gears: tuple[GearSizing, ...], shafts: tuple[ShaftSizing, ...]
 ) -> tuple[CarrierSizing, ...]:
     """Return the carrier of every planetary set.
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         gears: From `size_gears`.
         shafts: From `size_shafts`.
     """
     by_name = {gear.name: gear for gear in gears}
     diameters = {shaft.name: shaft.diameter for shaft in shafts}
-    return tuple(_carrier(given, name, by_name, diameters) for name in given.design.planetaries)
+    return tuple(_carrier(context, name, by_name, diameters) for name in context.design.planetaries)
 
 
 def _carrier(
-    given: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float]
+    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float]
 ) -> CarrierSizing:
-    stage, rules, take = given.design.planetaries[name], given.design.carriers, given.overrides.take
-    material = shaft_material(given)
+    stage, rules, take = context.design.planetaries[name], context.design.carriers, context.overrides.take
+    material = shaft_material(context)
     allowable = (material.yield_strength or 0.0) / rules.safety
     sun, planet = gears[f"{name}.sun"], gears[f"{name}.planet"]
     radius = (sun.pitch_diameter + planet.pitch_diameter) / 2.0
-    loads = _loads(given, name, planet, radius)
+    loads = _loads(context, name, planet, radius)
     worst = max(loads, key=lambda load: load.pin)
     torque = max(load.torque for load in loads)
     pin = take(f"{name}.pin_diameter", "length", pin_diameter(worst.pin, planet.face_width, allowable))
@@ -83,22 +83,22 @@ def _carrier(
     )
 
 
-def _loads(given: Context, name: str, planet: GearSizing, radius: float) -> list[_Load]:
-    stage = given.design.planetaries[name]
-    factor = given.ratings[name].load_factor
+def _loads(context: Context, name: str, planet: GearSizing, radius: float) -> list[_Load]:
+    stage = context.design.planetaries[name]
+    factor = context.ratings[name].load_factor
     loads = []
-    for case, flow in given.flows.items():
-        torque = abs(sum(flow.meshes[mesh.name].torques[2] for mesh in given.train.meshes if mesh.stage == name))
+    for case, flow in context.flows.items():
+        torque = abs(sum(flow.meshes[mesh.name].torques[2] for mesh in context.train.meshes if mesh.stage == name))
         centrifugal = planet.mass * radius * flow.speeds[stage.carrier] ** 2
         loads.append(_Load(case, torque, torque * factor / (stage.planets * radius), centrifugal))
     return loads
 
 
-def _thickness(least: float, torque: float, hub: float, *, allowable: float) -> float:
+def _thickness(thinnest: float, torque: float, hub: float, *, allowable: float) -> float:
     """Return the plate's thickness: its share of the face width, or what its hub needs in shear (Tresca) [m]."""
     if not hub:
-        return least
-    return least * max(1.0, plate_shear_stress(torque, hub, least) / (allowable / 2.0))
+        return thinnest
+    return thinnest * max(1.0, plate_shear_stress(torque, hub, thinnest) / (allowable / 2.0))
 
 
 def _body(

@@ -40,11 +40,11 @@ def refuse_no_numbers(sizing: Sizing) -> Sizing:
     if not wrong:
         return sizing
     part, field, value = wrong[0]
-    key, given = _blamed(sizing.design)
+    key, size = _blamed(sizing.design)
     message = (
         f"{part}: the {field.replace('_', ' ')} comes out as {value:g}, which no part has; the number of this design"
     )
-    raise DesignError([Problem(key, f"{message} that is farthest from any real one is {key} = {given:g} (in SI)")])
+    raise DesignError([Problem(key, f"{message} that is farthest from any real one is {key} = {size:g} (in SI)")])
 
 
 def _parts(sizing: Sizing) -> Iterator[tuple[str, str, float]]:
@@ -67,8 +67,8 @@ def _wrong(value: Any, field: str) -> Iterator[tuple[str, float]]:
         if math.isnan(value) or (math.isinf(value) and not field.endswith(_ENDLESS)):
             yield field, value
     elif is_dataclass(value):
-        for each in fields(value):
-            yield from _wrong(getattr(value, each.name), each.name)
+        for entry in fields(value):
+            yield from _wrong(getattr(value, entry.name), entry.name)
     elif isinstance(value, Mapping):
         for key, item in value.items():
             yield from _wrong(item, f"{field} of {key}")
@@ -79,8 +79,8 @@ def _wrong(value: Any, field: str) -> Iterator[tuple[str, float]]:
 
 def _blamed(design: Design) -> tuple[str, float]:
     """Return path and value of the number of a design that is farthest from 1, in powers of ten."""
-    given = [(path, value) for path, value in _given(design, "") if value and math.isfinite(value)]
-    return max(given, key=lambda item: abs(math.log10(abs(item[1]))))
+    written = [(path, value) for path, value in _given(design, "") if value and math.isfinite(value)]
+    return max(written, key=lambda item: abs(math.log10(abs(item[1]))))
 
 
 def _given(value: Any, path: str) -> Iterator[tuple[str, float]]:

@@ -20,21 +20,21 @@ from gearwright.train import RATED
 _MASS_LAWS = {"ndarc": motor_mass_ndarc, "thesis": motor_mass_power_law}
 
 
-def size_machines(given: Context) -> tuple[MachineSizing, ...]:
+def size_machines(context: Context) -> tuple[MachineSizing, ...]:
     """Return every machine.
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
     """
-    return tuple(_machine(given, name, machine) for name, machine in given.design.machines.items())
+    return tuple(_machine(context, name, machine) for name, machine in context.design.machines.items())
 
 
-def _machine(given: Context, name: str, machine: Turbine | Motor | Propeller) -> MachineSizing:
+def _machine(context: Context, name: str, machine: Turbine | Motor | Propeller) -> MachineSizing:
     if isinstance(machine, Propeller):
-        torque = abs(given.flows[RATED].machine_torques[name])
+        torque = abs(context.flows[RATED].machine_torques[name])
     else:
         torque = machine.power / machine.speed
-    mass = _mass(given, name, machine, torque)
+    mass = _mass(context, name, machine, torque)
     inertia = machine.inertia if machine.inertia is not None else _inertia(machine, mass)
     return MachineSizing(
         name=name,
@@ -47,11 +47,11 @@ def _machine(given: Context, name: str, machine: Turbine | Motor | Propeller) ->
     )
 
 
-def _mass(given: Context, name: str, machine: Turbine | Motor | Propeller, torque: float) -> float | None:
+def _mass(context: Context, name: str, machine: Turbine | Motor | Propeller, torque: float) -> float | None:
     if not isinstance(machine, Motor):
         return None
     mass = machine.mass if machine.mass is not None else _MASS_LAWS[machine.mass_law](torque)
-    return given.overrides.take(f"{name}.mass", "mass", mass)
+    return context.overrides.take(f"{name}.mass", "mass", mass)
 
 
 def _inertia(machine: Turbine | Motor | Propeller, mass: float | None) -> float:

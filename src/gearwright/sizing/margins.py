@@ -47,15 +47,15 @@ def margins(sizing: Sizing) -> tuple[Margin, ...]:
     Args:
         sizing: As sized.
     """
-    found = [margin for mesh in sizing.meshes if mesh.rating is None for margin in _mesh_margins(mesh)]
-    found += [_shaft_margin(shaft) for shaft in sizing.shafts]
-    found += [margin for carrier in sizing.carriers for margin in _carrier_margins(carrier)]
-    found += [_checked(check, _group(sizing, check)) for check in sizing.checks]
-    return tuple(sorted(found, key=lambda each: (round(each.margin, 9), each.part)))
+    margins = [margin for mesh in sizing.meshes if mesh.rating is None for margin in _mesh_margins(mesh)]
+    margins += [_shaft_margin(shaft) for shaft in sizing.shafts]
+    margins += [margin for carrier in sizing.carriers for margin in _carrier_margins(carrier)]
+    margins += [_checked(check, _group(sizing, check)) for check in sizing.checks]
+    return tuple(sorted(margins, key=lambda margin: (round(margin.margin, 9), margin.part)))
 
 
 def _checked(check: Check, group: str) -> Margin:
-    value, limit = (shown(each, check.dimension) for each in (check.value, check.limit))
+    value, limit = (shown(amount, check.dimension) for amount in (check.value, check.limit))
     return Margin(
         check.part, check.check, check.case, value, limit, unit(check.dimension), check.margin, check.clause, group
     )

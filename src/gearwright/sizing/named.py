@@ -100,14 +100,14 @@ def _parts(sizing: Sizing) -> Iterator[tuple[str, Named]]:
 def _quantities(kind: type) -> tuple[tuple[str, str], ...]:
     """Return the fields of a record that are numbers with a dimension, and whole numbers."""
     hints = get_type_hints(kind, include_extras=True)
-    found = []
+    values = []
     for field in fields(kind):
         marks = [mark for mark in get_args(hints[field.name])[1:] if isinstance(mark, Quantity)]
         if marks:
-            found.append((field.name, marks[0].dimension))
+            values.append((field.name, marks[0].dimension))
         elif hints[field.name] is int:
-            found.append((field.name, "number"))
-    return tuple(found)
+            values.append((field.name, "number"))
+    return tuple(values)
 
 
 _QUANTITIES = {kind: _quantities(kind) for kind in (GearSizing, MeshSizing, ShaftSizing, CarrierSizing, MachineSizing)}

@@ -7,7 +7,7 @@ import numpy as np
 from gearwright.sizing.carriers import size_carriers
 from gearwright.sizing.gate import refuse_no_numbers
 from gearwright.sizing.machines import size_machines
-from gearwright.sizing.rating import context
+from gearwright.sizing.rating import context_of
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import checks_of, size_shafts
 from gearwright.sizing.shafts.idle import refuse_idle_shafts
@@ -36,16 +36,16 @@ def size(design: Design) -> Sizing:
     flows = power_flows(design, Turning(design, train, teeth), efficiency=efficiency)
     refuse_contradictions(design, flows)
     overrides = Overrides(design.overrides, design.origins)
-    given = context(design, train, teeth, flows, overrides)
-    sizes = stage_sizes(given)
-    gears = size_gears(given, sizes)
-    meshes = size_meshes(given, gears)
-    shafts, built = size_shafts(given, gears)
+    context = context_of(design, train, teeth, flows, overrides)
+    sizes = stage_sizes(context)
+    gears = size_gears(context, sizes)
+    meshes = size_meshes(context, gears)
+    shafts, built = size_shafts(context, gears)
     refuse_bores(shafts)
     refuse_idle_shafts(shafts)
     checks = [
-        *gear_checks(given, gears, meshes, sizes),
-        *(check for each in built for check in checks_of(each, design)),
+        *gear_checks(context, gears, meshes, sizes),
+        *(check for shaft in built for check in checks_of(shaft, design)),
     ]
     overrides.take("gearbox.mass", "mass", 0.0)
     sizing = Sizing(
@@ -56,11 +56,11 @@ def size(design: Design) -> Sizing:
         gears=gears,
         meshes=meshes,
         shafts=shafts,
-        carriers=size_carriers(given, gears, shafts),
-        machines=size_machines(given),
-        built_shafts=tuple(each.shaft for each in built),
-        bearings=tuple(bearing for each in built for bearing in each.bearings),
-        joints=tuple(joint for each in built for joint in each.joints),
+        carriers=size_carriers(context, gears, shafts),
+        machines=size_machines(context),
+        built_shafts=tuple(shaft.shaft for shaft in built),
+        bearings=tuple(bearing for shaft in built for bearing in shaft.bearings),
+        joints=tuple(joint for shaft in built for joint in shaft.joints),
         checks=tuple(sorted(checks, key=lambda check: (round(check.margin, 9), check.part))),
         overrides=overrides.used,
         origins=overrides.origins,

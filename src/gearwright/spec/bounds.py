@@ -96,7 +96,7 @@ class Range:
         >>> Range(0.0, 0.1, smallest=1e-6).words(1e-3, "mm")
         '0 or a value from 0.001 to 100 mm'
         """
-        least, most, smallest = (f"{each / factor:.6g}" for each in (self.least, self.most, self.smallest))
+        least, most, smallest = (f"{bound / factor:.6g}" for bound in (self.least, self.most, self.smallest))
         end = f" {unit}" if unit else ""
         if self.least <= 0.0 <= self.most and self.smallest and not self.above:
             sized = "a value" if self.least == 0.0 else "a size"
@@ -113,8 +113,8 @@ def quantity_of(info: FieldInfo) -> Quantity | None:
     Args:
         info: Field of a record.
     """
-    found = _mark(info)
-    return found if found is not None and found.dimension in SUFFIXES else None
+    mark = _mark(info)
+    return mark if mark is not None and mark.dimension in SUFFIXES else None
 
 
 def range_of(info: FieldInfo) -> Range:
@@ -125,11 +125,11 @@ def range_of(info: FieldInfo) -> Range:
     """
     mark = _mark(info)
     smallest, positive, largest = ANY_SIZE if mark is None else SIZES.get(mark.dimension, ANY_SIZE)
-    own = {name: float(bound) for name in ("ge", "gt", "le", "lt") for bound in _bounds(info, name)}
-    least, most = own.get("gt", own.get("ge", -largest)), own.get("lt", own.get("le", largest))
-    if own.get("gt") == 0.0:  # what is greater than 0 has a size
-        return Range(min(positive, most), most, below="lt" in own)
-    return Range(least, most, above="gt" in own, below="lt" in own, smallest=smallest)
+    bounds = {name: float(bound) for name in ("ge", "gt", "le", "lt") for bound in _bounds(info, name)}
+    least, most = bounds.get("gt", bounds.get("ge", -largest)), bounds.get("lt", bounds.get("le", largest))
+    if bounds.get("gt") == 0.0:  # what is greater than 0 has a size
+        return Range(min(positive, most), most, below="lt" in bounds)
+    return Range(least, most, above="gt" in bounds, below="lt" in bounds, smallest=smallest)
 
 
 class Allowed(NamedTuple):
@@ -150,7 +150,7 @@ def allowed_in(model: type[BaseModel], name: str) -> Allowed:
     """
     info = model.model_fields[name]
     mark = quantity_of(info)
-    unit = "" if mark is None else next(each for each, factor in SUFFIXES[mark.dimension].items() if factor == 1.0)
+    unit = "" if mark is None else next(suffix for suffix, factor in SUFFIXES[mark.dimension].items() if factor == 1.0)
     return Allowed(range_of(info), unit)
 
 
@@ -230,12 +230,12 @@ def _refuse_text(text: str, longest: int, *, lines: bool) -> None:
 def _refuse_many(entries: list[Any] | dict[str, Any], name: str) -> None:
     """Check the entries of a list or table, but for records, which check themselves."""
     inner = list(entries.values()) if isinstance(entries, dict) else entries
-    numbers = all(isinstance(each, int | float) for each in inner)
+    numbers = all(isinstance(entry, int | float) for entry in inner)
     most = MOST_NUMBERS if numbers else MOST_ENTRIES
     if len(inner) > most:
         raise PydanticCustomError("many", "{count} entries; give at most {most}", {"count": len(inner), "most": most})
-    for each in inner:
-        checked(each, _PLAIN, name)
+    for entry in inner:
+        checked(entry, _PLAIN, name)
 
 
 def _mark(info: FieldInfo) -> Quantity | None:

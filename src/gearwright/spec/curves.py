@@ -45,10 +45,10 @@ def _unknown(path: str, mesh: str, design: Design) -> Iterator[Problem]:
 
 
 def _filled(path: str, curve: MeshCurve, folder: Path) -> MeshCurve:
-    given = bool(curve.phase_cycles or curve.stiffness_n_m)
-    if curve.file is None and not given:
+    has_points = bool(curve.phase_cycles or curve.stiffness_n_m)
+    if curve.file is None and not has_points:
         raise DesignError([Problem(path, "has no points; give file, or phase_cycles and stiffness_n_m")])
-    if curve.file is not None and not given:
+    if curve.file is not None and not has_points:
         phase, stiffness = _columns(f"{path}.file", beside(curve.file, folder, f"{path}.file"))
         curve = curve.model_copy(update={"phase_cycles": phase, "stiffness_n_m": stiffness})
     try:

@@ -61,9 +61,9 @@ def _edited(record: R, changes: Mapping[str, Value], problems_of: Callable[[R], 
             )
             for error in error.errors(include_url=False)
         ) from None
-    found = problems_of(changed)
-    if found:
-        raise DesignError(found)
+    problems = problems_of(changed)
+    if problems:
+        raise DesignError(problems)
     return changed
 
 
@@ -84,10 +84,11 @@ def path_problem(record: Record, path: str) -> Problem | None:
 def _misnamed(data: dict[str, Any], path: str) -> Problem | None:
     """Return why the table of a path, which it may just have made, belongs to nothing in a design."""
     try:
-        found = reference_problems(Design.model_validate(data))
+        problems = reference_problems(Design.model_validate(data))
     except ValidationError:  # the value that stands for others is not allowed here: the real ones are checked later
         return None
-    return next((Problem(path, each.message) for each in found if each.path == path.rpartition(".")[0]), None)
+    table = path.rpartition(".")[0]
+    return next((Problem(path, problem.message) for problem in problems if problem.path == table), None)
 
 
 def _opened(content: Any) -> dict[str, Any]:

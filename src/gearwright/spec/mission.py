@@ -278,16 +278,16 @@ def _steel(rules: GearLifeRules) -> list[Problem]:
 
 
 def _speed(phase: Phase) -> Iterator[str]:
-    given = [name for name in ("cas", "tas", "mach") if getattr(phase, name) is not None]
-    if len(given) != 1:
-        yield f"{' and '.join(given) or 'no speed'} given; give one of cas, tas and mach"
+    stated = [name for name in ("cas", "tas", "mach") if getattr(phase, name) is not None]
+    if len(stated) != 1:
+        yield f"{' and '.join(stated) or 'no speed'} given; give one of cas, tas and mach"
 
 
 def _power(phase: Phase, mission: Mission) -> Iterator[str]:
-    given = [name for name in ("power", "pitch") if getattr(phase, name) is not None]
-    if len(given) > 1:
+    stated = [name for name in ("power", "pitch") if getattr(phase, name) is not None]
+    if len(stated) > 1:
         yield "power and pitch given; the propeller's speed allows only one of them"
-    if not given and mission.aircraft is None:
+    if not stated and mission.aircraft is None:
         yield "nothing sets its power; give power or pitch, or an [aircraft] that needs a thrust"
     if phase.power is None and mission.propeller_map == NO_MAP:
         yield "without a propeller map only a power can be flown; give power, or a propeller_map"

@@ -92,8 +92,8 @@ def placed(problems: Iterable[Problem], text: str) -> list[Problem]:
         text: The file's content.
     """
     lines = key_lines(text)
-    found = [Problem(problem.path, problem.message, line_of(problem.path, lines)) for problem in problems]
-    return sorted(found, key=lambda each: (each.line or 0, each.path))
+    at_lines = [Problem(problem.path, problem.message, line_of(problem.path, lines)) for problem in problems]
+    return sorted(at_lines, key=lambda problem: (problem.line or 0, problem.path))
 
 
 def _in_written_keys(problems: Iterable[Problem], keys: Mapping[Location, str]) -> list[Problem]:

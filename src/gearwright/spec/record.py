@@ -201,7 +201,7 @@ def _flat(value: Mapping[str, object], written: Written, location: Location) -> 
     while waiting:
         path, inner = waiting.pop(0)
         if isinstance(inner, Mapping):
-            waiting += [(f"{path}.{key}", each) for key, each in inner.items()]
+            waiting += [(f"{path}.{key}", content) for key, content in inner.items()]
             continue
         place = (*location, path)
         if not is_path(path):
@@ -303,15 +303,15 @@ _WANTED = {"bool_type": "true or false", "dict_type": "a table", "finite_number"
 
 def _message(details: Any, written: Written, location: Location) -> str:
     inside = len(location) < len(details["loc"])
-    given = brief(details["input"] if inside else written.values.get(location, details["input"]))
+    shown = brief(details["input"] if inside else written.values.get(location, details["input"]))
     if details["type"] == "name":
-        return f"{given} {details['msg']}"
+        return f"{shown} {details['msg']}"
     if details["type"] in _BOUNDS and location in written.fields and not inside:
         factor, suffix = written.factors.get(location, (1.0, ""))
         words = range_of(written.fields[location]).words(factor, suffix)
-        return f"{given}{f' {suffix}' if suffix else ''} is not allowed; give {words}"
+        return f"{shown}{f' {suffix}' if suffix else ''} is not allowed; give {words}"
     if details["type"] == "literal_error":
-        return f"{given} is not known; allowed: {details['ctx']['expected']}"
+        return f"{shown} is not known; allowed: {details['ctx']['expected']}"
     if details["type"] in _WANTED:
-        return f"{given} is not allowed; give {_WANTED[details['type']]}"
-    return f"{given} is not allowed: {details['msg']}"
+        return f"{shown} is not allowed; give {_WANTED[details['type']]}"
+    return f"{shown} is not allowed: {details['msg']}"

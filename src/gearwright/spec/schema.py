@@ -41,7 +41,7 @@ def records(model: type[Record], seen: dict[type[Record], None]) -> list[type[Re
 def _inside(annotation: Any) -> list[type[Record]]:
     if isinstance(annotation, type) and issubclass(annotation, Record):
         return [annotation]
-    return [found for part in getattr(annotation, "__args__", ()) for found in _inside(part)]
+    return [model for part in getattr(annotation, "__args__", ()) for model in _inside(part)]
 
 
 def _expand(table: dict[str, Any], model: type[Record]) -> None:

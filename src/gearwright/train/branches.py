@@ -92,19 +92,19 @@ def branches(train: Train, flow: PowerFlow) -> tuple[Branch, ...]:
     )
 
 
-def _torque(each: Attachment, train: Train, flow: PowerFlow) -> float:
-    if each.kind == "machine":
-        return flow.machine_torques[each.part]
-    if each.kind == "clutch":
-        joint = next(joint for joint in train.joints if joint.name == each.part)
-        given = flow.joints.get(each.part, 0.0)
-        return given if each.shaft == joint.driven else -given
-    return sum(_on_member(each, mesh, flow) for mesh in train.meshes if mesh.stage == each.stage)
+def _torque(attachment: Attachment, train: Train, flow: PowerFlow) -> float:
+    if attachment.kind == "machine":
+        return flow.machine_torques[attachment.part]
+    if attachment.kind == "clutch":
+        joint = next(joint for joint in train.joints if joint.name == attachment.part)
+        torque = flow.joints.get(attachment.part, 0.0)
+        return torque if attachment.shaft == joint.driven else -torque
+    return sum(_on_member(attachment, mesh, flow) for mesh in train.meshes if mesh.stage == attachment.stage)
 
 
-def _on_member(each: Attachment, mesh: Mesh, flow: PowerFlow) -> float:
+def _on_member(attachment: Attachment, mesh: Mesh, flow: PowerFlow) -> float:
     torques = flow.meshes[mesh.name].torques
-    if each.kind == "carrier":
+    if attachment.kind == "carrier":
         return torques[2]
     ends = zip(mesh.gears, mesh.nodes[:2], torques[:2], strict=True)
-    return sum(torque for gear, node, torque in ends if gear == each.part and node == each.shaft)
+    return sum(torque for gear, node, torque in ends if gear == attachment.part and node == attachment.shaft)

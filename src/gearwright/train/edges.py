@@ -87,10 +87,9 @@ def asked_tooth_ratio(stage: Pair | Planetary) -> float | None:
     Args:
         stage: As in the design.
     """
-    given = given_tooth_ratio(stage)
-    if given is None and stage.ratio is not None:
-        return stage.ratio if isinstance(stage, Pair) else stage.ratio - 1.0
-    return given
+    if (tooth_ratio := given_tooth_ratio(stage)) is not None or stage.ratio is None:
+        return tooth_ratio
+    return stage.ratio if isinstance(stage, Pair) else stage.ratio - 1.0
 
 
 def members_of(stage: Planetary) -> tuple[str, str, str]:
@@ -130,7 +129,7 @@ def willis_speed(stage: Planetary, member: str, ratio: Array, speeds: Mapping[st
     Source: Willis 1841, ω_s + (z_r/z_s) ω_r = (1 + z_r/z_s) ω_c.
     """
     zero = np.zeros(len(ratio))
-    sun, ring, carrier = (speeds.get(each, zero) for each in members_of(stage))
+    sun, ring, carrier = (speeds.get(shaft, zero) for shaft in members_of(stage))
     if member == stage.sun:
         return np.abs((1.0 + ratio) * carrier - ratio * ring)
     if member == stage.ring:

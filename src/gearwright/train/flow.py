@@ -125,8 +125,8 @@ def _flow(design: Design, turning: Turning, case: str, efficiency: Mapping[str, 
 
 def _asked(design: Design, turning: Turning, drives: Mapping[str, Drive], joints: list[Joint]) -> Mapping[str, float]:
     """Return the asked speeds; a machine that idles behind an open clutch stands still."""
-    own = any(drive.speed is not None for drive in drives.values())
-    asked, train = asked_speeds(design, drives) if own else turning.asked, turning.train
+    stated = any(drive.speed is not None for drive in drives.values())
+    asked, train = asked_speeds(design, drives) if stated else turning.asked, turning.train
     opened = [joint for joint in train.joints if joint not in joints]
     if not opened:
         return asked
@@ -163,8 +163,8 @@ def _balance(
         solved = solve_torques(known, applied, sharing=sharing)
         if solved is None:
             raise _unbalanced(train, balancing, case)
-        multipliers, found = solved[: len(matrix)], solved[len(matrix) :]
-        if all(each == 1.0 for each in efficiency.values()):
+        multipliers, balanced = solved[: len(matrix)], solved[len(matrix) :]
+        if all(value == 1.0 for value in efficiency.values()):
             break
         noise = 1e-9 * float(np.abs(applied * speeds).max(initial=0.0))
         previous, direction = direction, _direction(multipliers * _rolling(train, matrix, speeds), noise)
@@ -177,7 +177,7 @@ def _balance(
             f"cases.{case}: the power through the teeth changes its direction from round to round, so that its losses"
             " cannot be found; nearly all of it circulates. Use higher efficiencies, or other teeth"
         )
-    machine_torques.update(zip(balancing, found.tolist(), strict=True))
+    machine_torques.update(zip(balancing, balanced.tolist(), strict=True))
     return machine_torques, multipliers, effective
 
 
@@ -219,9 +219,9 @@ def _machine_torques(
 def _sharing(design: Design, train: Train) -> list[Sharing]:
     groups = []
     for stage, pair in design.pairs.items():
-        own = tuple(k for k, mesh in enumerate(train.meshes) if mesh.stage == stage)
-        if len(own) > 1:
-            groups.append(Sharing(own, _shares(pair, len(own)), stated=pair.share is not None))
+        rows = tuple(k for k, mesh in enumerate(train.meshes) if mesh.stage == stage)
+        if len(rows) > 1:
+            groups.append(Sharing(rows, _shares(pair, len(rows)), stated=pair.share is not None))
     return groups
 
 
@@ -234,16 +234,16 @@ def _rolling(train: Train, matrix: Array, speeds: Array) -> Array:
     value = {**dict(zip(train.nodes, speeds, strict=True)), GROUND: 0.0}
     rolling = np.zeros(len(matrix))
     for k, mesh in enumerate(train.meshes):
-        one, _, carrier = mesh.nodes
-        rolling[k] = _teeth_of(train, matrix, k) * (value[one] - value[carrier])
+        first, _, carrier = mesh.nodes
+        rolling[k] = _teeth_of(train, matrix, k) * (value[first] - value[carrier])
     return -rolling
 
 
 def _teeth_of(train: Train, matrix: Array, row: int) -> float:
     """Return z_a of a mesh row from the matrix, also where gear a is on the ground."""
-    one, other, carrier = train.meshes[row].nodes
-    entry = {node: matrix[row, train.column[node]] for node in (one, other, carrier) if node != GROUND}
-    return float(entry[one] if one in entry else -entry[other] - entry[carrier])
+    first, second, carrier = train.meshes[row].nodes
+    entry = {node: matrix[row, train.column[node]] for node in (first, second, carrier) if node != GROUND}
+    return float(entry[first] if first in entry else -entry[second] - entry[carrier])
 
 
 def _with_losses(train: Train, matrix: Array, direction: Array, efficiency: Mapping[str, float]) -> Array:
@@ -251,14 +251,14 @@ def _with_losses(train: Train, matrix: Array, direction: Array, efficiency: Mapp
     kept = np.ones(len(matrix))
     kept[: len(train.meshes)] = [efficiency.get(mesh.stage, 1.0) for mesh in train.meshes]
     # The ground gets a column here: a ring that stands still is driven too, and its losses load the carrier.
-    whole = np.hstack([matrix, -matrix.sum(axis=1, keepdims=True)])
+    grounded = np.hstack([matrix, -matrix.sum(axis=1, keepdims=True)])
     column = {node: k for k, node in enumerate((*train.nodes, GROUND))}
-    driving, driven = np.zeros_like(whole), np.zeros_like(whole)
+    driving, driven = np.zeros_like(grounded), np.zeros_like(grounded)
     for k, mesh in enumerate(train.meshes):
         ends = mesh.nodes[:2] if direction[k] > 0.0 else mesh.nodes[1::-1]
         for node, part in zip(ends, (driving, driven), strict=True):
-            part[k, column[node]] = whole[k, column[node]]
-    return lossy(whole, driving, driven, kept)[:, :-1]
+            part[k, column[node]] = grounded[k, column[node]]
+    return lossy(grounded, driving, driven, kept)[:, :-1]
 
 
 def _unbalanced(train: Train, balancing: list[str], case: str) -> DesignError:
@@ -282,9 +282,9 @@ def _collect(
     train: Train, case: str, solved: tuple[Turn, dict[str, float], Array, Array], joints: list[Joint]
 ) -> PowerFlow:
     turn, torques, multipliers, effective = solved
-    found, carried, by_node = turn.speeds.tolist(), multipliers.tolist(), effective.tolist()
-    noise = STANDSTILL * max(map(abs, found), default=0.0)
-    speed = {name: value if abs(value) > noise else 0.0 for name, value in zip(train.nodes, found, strict=True)}
+    solved_speeds, carried, by_node = turn.speeds.tolist(), multipliers.tolist(), effective.tolist()
+    noise = STANDSTILL * max(map(abs, solved_speeds), default=0.0)
+    speed = {name: value if abs(value) > noise else 0.0 for name, value in zip(train.nodes, solved_speeds, strict=True)}
     speed[GROUND] = 0.0
     meshes = {mesh.name: _mesh_flow(train, mesh, speed, carried[k], by_node[k]) for k, mesh in enumerate(train.meshes)}
     start = len(train.meshes)
@@ -307,7 +307,7 @@ def _mesh_flow(
     if len(torque) < len(mesh.nodes):
         torque[GROUND] = -sum(torque.values())
     first, second, third = mesh.nodes
-    one, other, carrier = torque[first], torque[second], torque[third]
-    inward = -one * (speed[first] - speed[third])
-    outward = other * (speed[second] - speed[third])
-    return MeshFlow(mesh.name, multiplier, (one, other, carrier), inward, inward - outward)
+    driving, driven, carrier = torque[first], torque[second], torque[third]
+    inward = -driving * (speed[first] - speed[third])
+    outward = driven * (speed[second] - speed[third])
+    return MeshFlow(mesh.name, multiplier, (driving, driven, carrier), inward, inward - outward)

@@ -165,13 +165,13 @@ def shafts_of(side: str, pair: Pair, design: Design) -> list[str]:
 
 
 def _pair_gears(name: str, pair: Pair) -> list[Gear]:
-    own: list[Gear] = []
+    gears: list[Gear] = []
     for side in ("pinion", "wheel"):
         shafts = as_list(getattr(pair, side))
         if "." not in shafts[0]:
             role: Literal["pinion", "wheel"] = "pinion" if side == "pinion" else "wheel"
-            own.append(Gear(f"{name}.{side}", name, role, tuple(shafts), len(shafts) * pair.halves))
-    return own
+            gears.append(Gear(f"{name}.{side}", name, role, tuple(shafts), len(shafts) * pair.halves))
+    return gears
 
 
 def _pair_meshes(name: str, pair: Pair, design: Design) -> list[Mesh]:
@@ -182,6 +182,6 @@ def _pair_meshes(name: str, pair: Pair, design: Design) -> list[Mesh]:
     sign = INTERNAL if pair.internal else EXTERNAL
     parallel = pinions if len(pinions) > 1 else wheels
     return [
-        Mesh(name if count == 1 else f"{name}.{parallel[k]}", name, gears, (one, other, GROUND), sign, pair.halves)
-        for k, (one, other) in enumerate(ends)
+        Mesh(name if count == 1 else f"{name}.{parallel[k]}", name, gears, (pinion, wheel, GROUND), sign, pair.halves)
+        for k, (pinion, wheel) in enumerate(ends)
     ]

@@ -85,7 +85,7 @@ def solve_speeds(train: Train, matrix: Array, asked: Mapping[str, float]) -> tup
             raise _locked(train, matrix, machine)
         if len(kept) == freedoms:
             continue  # every freedom is determined
-        extended = [*motions, [each / length for each in motion]]
+        extended = [*motions, [part / length for part in motion]]
         if not kept or np.linalg.matrix_rank(extended, tol=RANK_TOLERANCE) > len(motions):
             motions = extended
             speeds.append(speed / length)
@@ -129,13 +129,13 @@ def _locked(train: Train, matrix: Array, machine: str) -> DesignError:
     return DesignError([Problem(f"shafts.{shaft}", message)])
 
 
-def _free(train: Train, free: Array, motions: Array, given: int) -> DesignError:
+def _free(train: Train, free: Array, motions: Array, kept: int) -> DesignError:
     """Name the shafts whose speed nothing determines."""
     remaining = free @ null_space(motions) if len(motions) else free
     loose = [name for name, motion in zip(train.nodes, remaining, strict=True) if np.linalg.norm(motion) > 1e-6]
     shafts = [name for name in loose if "." not in name]
     message = (
         f"the speeds of {', '.join(shafts)} are not determined: the train has {free.shape[1]} free speeds and the"
-        f" machines give {given}; give a machine with a speed on one of them, ground a member, or join two shafts"
+        f" machines give {kept}; give a machine with a speed on one of them, ground a member, or join two shafts"
     )
     return DesignError([Problem("shafts", message)])

@@ -46,20 +46,20 @@ def recirculation(train: Train, flow: PowerFlow) -> tuple[Loop, ...]:
 
 def _edges(train: Train, flow: PowerFlow) -> dict[str, dict[str, float]]:
     """Return the power from every stage to the shafts that it drives, and to it from those that drive it [W]."""
-    given: dict[tuple[str, str], float] = {}
+    powers: dict[tuple[str, str], float] = {}
     for mesh in train.meshes:
         for node, torque in zip(mesh.nodes, flow.meshes[mesh.name].torques, strict=True):
             if node != GROUND and "." not in node:
                 key = (f"stage {mesh.stage}", node)
-                given[key] = given.get(key, 0.0) + torque * flow.speeds[node]
+                powers[key] = powers.get(key, 0.0) + torque * flow.speeds[node]
     for joint in train.joints:
         if joint.name in flow.joints:
             power = flow.joints[joint.name] * flow.speeds[joint.driven]
-            given[(f"clutch {joint.name}", joint.driven)] = power
-            given[(f"clutch {joint.name}", joint.driving)] = -power
+            powers[(f"clutch {joint.name}", joint.driven)] = power
+            powers[(f"clutch {joint.name}", joint.driving)] = -power
     supplied = sum(power for power in flow.machine_powers.values() if power > 0.0)
     edges: dict[str, dict[str, float]] = {}
-    for (stage, shaft), power in given.items():
+    for (stage, shaft), power in powers.items():
         if abs(power) > SMALLEST_SHARE * supplied:
             start, end = (stage, shaft) if power > 0.0 else (shaft, stage)
             edges.setdefault(start, {})[end] = abs(power)
@@ -71,9 +71,9 @@ def _circle(edges: Mapping[str, Mapping[str, float]]) -> list[str] | None:
     done: set[str] = set()
     for start in edges:
         path: list[str] = []
-        found = _walk(start, edges, path, done)
-        if found is not None:
-            return found
+        circle = _walk(start, edges, path, done)
+        if circle is not None:
+            return circle
     return None
 
 
@@ -85,9 +85,9 @@ def _walk(node: str, edges: Mapping[str, Mapping[str, float]], path: list[str], 
         return None
     path.append(node)
     for following in edges.get(node, {}):
-        found = _walk(following, edges, path, done)
-        if found is not None:
-            return found
+        circle = _walk(following, edges, path, done)
+        if circle is not None:
+            return circle
     path.pop()
     done.add(node)
     return None

@@ -181,9 +181,9 @@ def _undetermined(matrix: Array) -> Array:
 
 def _differential(name: str, stage: Planetary, speeds: Mapping[str, float]) -> float:
     """Return z_r/z_s of a planetary set whose three members turn."""
-    given = asked_tooth_ratio(stage)
-    if given is not None:
-        return given
+    asked = asked_tooth_ratio(stage)
+    if asked is not None:
+        return asked
     sun, ring, carrier = (speeds[member] for member in members_of(stage))
     ratio = float(willis_ratio(stage, {member: np.asarray(speeds[member]) for member in members_of(stage)}))
     if not 1.0 < ratio < math.inf:

@@ -79,9 +79,9 @@ def asked_speeds(design: Design, drives: Mapping[str, Drive]) -> dict[str, float
     """
     machines = design.machines
     order = [*(design.speeds.keep or []), *design.turbines, *design.motors, *design.propellers]
-    given = [name for name in order if name in drives and drives[name].speed is not None]
-    speeds = {name: drives[name].speed or 0.0 for name in given}
-    if not given:
+    stated = [name for name in order if name in drives and drives[name].speed is not None]
+    speeds = {name: drives[name].speed or 0.0 for name in stated}
+    if not stated:
         speeds = {name: machines[name].speed for name in dict.fromkeys(order)}
     reversed_ = {name for name, motor in design.motors.items() if motor.reverse}
     return {name: -speed if name in reversed_ else speed for name, speed in speeds.items()}

@@ -45,24 +45,24 @@ class Bond:
         return self.axes[1] if self.axes[0] == axis else self.axes[0]
 
 
-def axes_of(given: Context, gears: tuple[GearSizing, ...]) -> dict[str, complex]:
+def axes_of(context: Context, gears: tuple[GearSizing, ...]) -> dict[str, complex]:
     """Return where the axis of every shaft stands, y + i z [m].
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         gears: From `size_gears`.
 
     Raises:
         DesignError: If the centre distances do not close.
     """
-    axis = _coaxial(given.design)
-    faces = {name for name, pair in given.design.pairs.items() if pair.kind == "face"}
-    bonds = list(_bonds(given.train, axis, {gear.name: gear for gear in gears}, faces))
+    axis = _coaxial(context.design)
+    faces = {name for name, pair in context.design.pairs.items() if pair.kind == "face"}
+    bonds = list(_bonds(context.train, axis, {gear.name: gear for gear in gears}, faces))
     placed: dict[str, complex] = {}
     while len(placed) < len(set(axis.values())):
-        placed |= _next(given.design, bonds, placed, [each for each in axis.values() if each not in placed])
+        placed |= _next(context.design, bonds, placed, [shaft for shaft in axis.values() if shaft not in placed])
     _close(bonds, placed)
-    return {shaft: placed[axis[shaft]] for shaft in given.design.shafts}
+    return {shaft: placed[axis[shaft]] for shaft in context.design.shafts}
 
 
 def _coaxial(design: Design) -> dict[str, str]:
@@ -82,7 +82,7 @@ def _bonds(
     for mesh in train.meshes:
         if mesh.nodes[0] not in axis or mesh.nodes[1] not in axis:
             continue
-        one, other = (gears[name].pitch_diameter / 2.0 for name in mesh.gears)
+        first, second = (gears[name].pitch_diameter / 2.0 for name in mesh.gears)
         ends = (axis[mesh.nodes[0]], axis[mesh.nodes[1]])
         if ends[0] == ends[1]:
             message = (
@@ -90,7 +90,7 @@ def _bonds(
             )
             raise DesignError([Problem(f"pairs.{mesh.stage}", message)])
         # The pinion of a face gear lies across: the middle of its face, not its axis, is on the wheel's pitch circle.
-        apart = other if mesh.stage in faces else abs(other - one) if mesh.sign == INTERNAL else one + other
+        apart = second if mesh.stage in faces else abs(second - first) if mesh.sign == INTERNAL else first + second
         yield Bond(mesh.stage, ends, apart)
 
 
@@ -103,7 +103,7 @@ def _next(
         known: dict[complex, float] = {}
         for bond in ties[name]:
             place = placed[bond.other(name)]
-            if all(abs(place - each) > TOLERANCE * bond.distance for each in known):
+            if all(abs(place - centre) > TOLERANCE * bond.distance for centre in known):
                 known[place] = bond.distance
         if len(known) > 1:
             return {name: _crossing(known, placed, _angle(design, name))}
@@ -124,21 +124,21 @@ def _around(
     hub = tie.other(name)
     ring = {bond.other(hub): bond.distance for bond in bonds if bond.stage == tie.stage and hub in bond.axes}
     drop = math.acos(_half_distance(bonds, ring) / tie.distance) if len(ring) == 2 else 0.0
-    even = {each: 2.0 * math.pi * k / len(ring) + (drop if k else -drop) for k, each in enumerate(ring)}
-    turns = [cmath.phase(placed[each] - placed[hub]) - even[each] for each in ring if each in placed]
+    even = {shaft: 2.0 * math.pi * k / len(ring) + (drop if k else -drop) for k, shaft in enumerate(ring)}
+    turns = [cmath.phase(placed[shaft] - placed[hub]) - even[shaft] for shaft in ring if shaft in placed]
     places = {}
-    for each, distance in ring.items():
-        angle = _angle(design, each)
+    for shaft, distance in ring.items():
+        angle = _angle(design, shaft)
         if angle is None:
-            angle = even[each] + (turns[0] if turns else 0.0)
-        places[each] = placed[hub] + cmath.rect(distance, angle)
-    return {each: place for each, place in places.items() if each not in placed}
+            angle = even[shaft] + (turns[0] if turns else 0.0)
+        places[shaft] = placed[hub] + cmath.rect(distance, angle)
+    return {shaft: place for shaft, place in places.items() if shaft not in placed}
 
 
 def _half_distance(bonds: list[Bond], ring: Mapping[str, float]) -> float:
     """Return the shortest centre distance of all axes that mesh with both of two shafts: half of what parts them."""
-    one, other = (_reach(bonds, name) for name in ring)
-    return min(min(one[hub], other[hub]) for hub in one.keys() & other.keys())
+    first, second = (_reach(bonds, name) for name in ring)
+    return min(min(first[hub], second[hub]) for hub in first.keys() & second.keys())
 
 
 def _reach(bonds: list[Bond], name: str) -> dict[str, float]:
@@ -162,23 +162,27 @@ def _crossing(known: Mapping[complex, float], placed: Mapping[str, complex], ang
         return max(sides, key=lambda place: ((place - one) * cmath.rect(1.0, -angle)).real)
     fits = [place for place in sides if _fit(place, known)] or sides
     rest = [place for place in placed.values() if place not in (one, other)]
-    return max(fits, key=lambda place: (round(min((abs(place - each) for each in rest), default=0.0), 9), -place.imag))
+
+    def alone(place: complex) -> float:
+        return min((abs(place - neighbour) for neighbour in rest), default=0.0)
+
+    return max(fits, key=lambda place: (round(alone(place), 9), -place.imag))
 
 
 def _fit(place: complex, known: Mapping[complex, float]) -> bool:
-    return all(abs(abs(place - each) - distance) <= TOLERANCE * distance for each, distance in known.items())
+    return all(abs(abs(place - centre) - distance) <= TOLERANCE * distance for centre, distance in known.items())
 
 
 def _close(bonds: list[Bond], placed: Mapping[str, complex]) -> None:
     """Refuse centre distances that the axes do not keep."""
     problems = []
     for bond in bonds:
-        one, other = bond.axes
-        apart = abs(placed[one] - placed[other])
+        first, second = bond.axes
+        apart = abs(placed[first] - placed[second])
         if abs(apart - bond.distance) > TOLERANCE * bond.distance:
             message = (
-                f"the axes of {one!r} and {other!r} stand {1e3 * apart:.4g} mm apart where their other meshes put them,"
-                f" but the gears ask {1e3 * bond.distance:.4g} mm; change an angle in [layout], give a module in"
+                f"the axes of {first!r} and {second!r} stand {1e3 * apart:.4g} mm apart where their other meshes put"
+                f" them, but the gears ask {1e3 * bond.distance:.4g} mm; change an angle in [layout], give a module in"
                 " [overrides] that closes the triangle, or write coaxial_with where two pairs lie on the same axes"
             )
             problems.append(Problem(f"pairs.{bond.stage}", message))

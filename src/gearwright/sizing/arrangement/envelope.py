@@ -58,8 +58,8 @@ def _carriers_of(sizing: Sizing, gear: GearSizing) -> Iterator[str]:
     members = (stage.sun, stage.carrier, stage.ring) if isinstance(stage, Planetary) else gear.shafts
     names = {shaft.name for shaft in sizing.shafts}
     if gear.role != "planet":
-        found = [shaft for shaft in members if shaft in names]
-        yield from found[:1] if isinstance(stage, Planetary) else found
+        borne = [shaft for shaft in members if shaft in names]
+        yield from borne[:1] if isinstance(stage, Planetary) else borne
 
 
 def _lengths(sizing: Sizing) -> dict[tuple[float, float], float]:

@@ -31,32 +31,32 @@ class ShaftPlan:
     """Gear, carrier, machine or clutch -> middle of its width [m], in order."""
 
 
-def plan_of(given: Context, name: str, gears: tuple[GearSizing, ...]) -> ShaftPlan:
+def plan_of(context: Context, name: str, gears: tuple[GearSizing, ...]) -> ShaftPlan:
     """Return where everything on a shaft sits.
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         name: Of the shaft.
         gears: From `size_gears`.
 
     Raises:
         DesignError: If the given length, places or bearings do not fit.
     """
-    layout, rules = given.design.layout.get(name, NOTHING_GIVEN), given.design.shafting
-    names = list(_on_shaft(given.design, given.train, name))
+    layout, rules = context.design.layout.get(name, NOTHING_GIVEN), context.design.shafting
+    names = list(_on_shaft(context.design, context.train, name))
     widths = {
         gear.name: gear.face_width * gear.bodies / len(gear.shafts)
         for gear in gears
         if name in gear.shafts and gear.role in ("pinion", "wheel")
     }
-    length = given.overrides.take(f"{name}.length", "length", layout.length or _length(given.design, name, widths))
+    length = context.overrides.take(f"{name}.length", "length", layout.length or _length(context.design, name, widths))
     places = _between_bearings(names, widths, length) if widths else _spread(names, length)
-    places |= {each: place.position for each, place in layout.places.items()}
+    places |= {part: place.position for part, place in layout.places.items()}
     seat = min(rules.bearing_length, length / 2.0) / 2.0
     first = seat if layout.first_bearing is None else layout.first_bearing
     second = length - seat if layout.second_bearing is None else layout.second_bearing
-    plan = ShaftPlan(length, radial_places(given.design, name) or (first, second), places)
-    _check(name, layout, plan, seats_of(given.design, name), names=names, width=sum(widths.values()))
+    plan = ShaftPlan(length, radial_places(context.design, name) or (first, second), places)
+    _check(name, layout, plan, seats_of(context.design, name), names=names, width=sum(widths.values()))
     return plan
 
 
@@ -116,14 +116,14 @@ def _check(
             f"{1e3 * plan.length:.6g} mm is less than the face widths of its gears; give {1e3 * width:.6g} mm or more"
         )
         problems.append(Problem(f"{path}.length_mm", message))
-    for each in layout.places:
-        if each not in names:
-            problems.append(Problem(f"{path}.places.{each}", f"this is not on the shaft; {near(each, names)}"))
-        elif plan.places[each] > plan.length:
-            problems.append(Problem(f"{path}.places.{each}.position_mm", _outside(plan.places[each], end)))
+    for part in layout.places:
+        if part not in names:
+            problems.append(Problem(f"{path}.places.{part}", f"this is not on the shaft; {near(part, names)}"))
+        elif plan.places[part] > plan.length:
+            problems.append(Problem(f"{path}.places.{part}.position_mm", _outside(plan.places[part], end)))
     bearings = dict(zip((f"{path}.first_bearing_mm", f"{path}.second_bearing_mm"), plan.bearings, strict=True))
     if seats:
-        bearings = {f"bearings.{each}.position_mm": seat.position for each, seat in seats.items()}
+        bearings = {f"bearings.{seat_name}.position_mm": seat.position for seat_name, seat in seats.items()}
     for key, place in bearings.items():
         if not 0.0 <= place <= plan.length:
             problems.append(Problem(key, _outside(place, end)))

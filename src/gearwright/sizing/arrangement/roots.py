@@ -11,21 +11,21 @@ DEDENDUM = 1.25
 """Dedendum of the basic rack over the module [-] (ISO 53)."""
 
 
-def root_diameter(given: Context, gear: GearSizing) -> float:
+def root_diameter(context: Context, gear: GearSizing) -> float:
     """Return the diameter of a gear's root circle, of a bevel gear at its thin end [m].
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         gear: A pinion, wheel or sun.
 
     Source: ISO 21771:2007: d_f = d − 2 m_n (1.25 − x); ISO 23509:2016 at the mean cone, less b sin δ at the thin end.
     """
-    rating = given.ratings[gear.stage]
+    rating = context.ratings[gear.stage]
     shift = rating.rules.profile_shift if gear.role == "pinion" else 0.0
     depth = 2.0 * gear.module * (DEDENDUM - shift)
     if rating.kind != "bevel":
         return gear.pitch_diameter - depth
-    mesh = next(mesh for mesh in given.train.meshes if mesh.stage == gear.stage and gear.name in mesh.gears)
+    mesh = next(mesh for mesh in context.train.meshes if mesh.stage == gear.stage and gear.name in mesh.gears)
     mate = next(name for name in mesh.gears if name != gear.name)
-    cone = math.atan2(gear.teeth, given.teeth[mate])  # tan δ = z/z_mate on square axes, ISO 23509:2016
+    cone = math.atan2(gear.teeth, context.teeth[mate])  # tan δ = z/z_mate on square axes, ISO 23509:2016
     return gear.pitch_diameter - depth * math.cos(cone) - gear.face_width * math.sin(cone)

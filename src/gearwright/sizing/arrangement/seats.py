@@ -25,8 +25,8 @@ def seats_of(design: Design, shaft: str) -> dict[str, BearingSeat]:
         design: The design.
         shaft: Name of the shaft.
     """
-    own = {name: seat for name, seat in design.bearings.items() if seat.shaft == shaft}
-    return dict(sorted(own.items(), key=lambda item: item[1].position))
+    seats = {name: seat for name, seat in design.bearings.items() if seat.shaft == shaft}
+    return dict(sorted(seats.items(), key=lambda item: item[1].position))
 
 
 def radial_places(design: Design, shaft: str) -> tuple[float, float] | None:
@@ -65,20 +65,20 @@ def axial_forces(
     """
     axial, radial = loads
     tapers = {LOCATES[seat.locates][0]: name for name, seat in seats.items() if seat.kind == "taper"}
-    found = {name: np.zeros_like(axial) for name in seats}
+    taken = {name: np.zeros_like(axial) for name in seats}
     if len(tapers) == 2:
         second, first = tapers[1], tapers[-1]
         for k, force in enumerate(axial):
             pair = (float(radial[second][k]), float(radial[first][k]))
             thrusts = taper_pair_thrusts(pair, float(force), (factors[second], factors[first]))
-            found[second][k], found[first][k] = thrusts
-        return found
-    largest = max(float(np.max(each)) for each in radial.values())
+            taken[second][k], taken[first][k] = thrusts
+        return taken
+    largest = max(float(np.max(force)) for force in radial.values())
     for sign in (-1, 1):
         pushed = np.maximum(sign * axial, 0.0)
         if pushed.max() > _NOTHING * largest:
-            found[_taker(shaft, seats, sign, pushed, cases)] += pushed
-    return found
+            taken[_taker(shaft, seats, sign, pushed, cases)] += pushed
+    return taken
 
 
 def _taker(shaft: str, seats: Mapping[str, BearingSeat], sign: int, pushed: Array, cases: tuple[str, ...]) -> str:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from gearwright.parts.shafts import PointLoads, bearing_reactions
 from gearwright.sizing.arrangement import ShaftPlan, axes_of, plan_of, seats_of
 from gearwright.sizing.loads import rotor_side, shaft_loads
-from gearwright.sizing.rating import Context, context
+from gearwright.sizing.rating import Context, context_of
 from gearwright.sizing.result import GearSizing, ShaftSizing, Sizing
 from gearwright.spec import GROUND, Design
 from gearwright.spec.design import BearingSeat, Overrides
@@ -66,9 +66,9 @@ def bearing_seats(sizing: Sizing) -> tuple[Seat, ...]:
     Args:
         sizing: As sized.
     """
-    given = _unit_loads(sizing)
-    axes, gears = axes_of(given, sizing.gears), {gear.name: gear for gear in sizing.gears}
-    shafts = (seat for shaft in sizing.shafts for seat in _shaft_seats(given, sizing, shaft, axes=axes, gears=gears))
+    context = _unit_loads(sizing)
+    axes, gears = axes_of(context, sizing.gears), {gear.name: gear for gear in sizing.gears}
+    shafts = (seat for shaft in sizing.shafts for seat in _shaft_seats(context, sizing, shaft, axes=axes, gears=gears))
     return (*shafts, *_planet_seats(sizing, gears))
 
 
@@ -91,47 +91,52 @@ def _unit_loads(sizing: Sizing) -> Context:
     """Return what sizing reads, with a case for each sign of a unit torque on each mesh row, after the rated one."""
     design, train = sizing.design, sizing.train
     overrides = Overrides(design.overrides, design.origins)
-    given = context(design, train, sizing.teeth, sizing.flows, overrides)
+    context = context_of(design, train, sizing.teeth, sizing.flows, overrides)
     rated = sizing.flows[RATED]
     cases = {f"{sign}{mesh.name}": _unit(sizing, rated, mesh, sign) for mesh in train.meshes for sign in (1, -1)}
-    return replace(given, flows={RATED: rated, **cases})
+    return replace(context, flows={RATED: rated, **cases})
 
 
 def _unit(sizing: Sizing, rated: PowerFlow, loaded: Mesh, sign: int) -> PowerFlow:
     """Return a flow in which one row of meshes carries ±1 N m on gear a of each single mesh, without losses."""
     meshes = {mesh.name: MeshFlow(mesh.name, 0.0, (0.0, 0.0, 0.0), 0.0, 0.0) for mesh in sizing.train.meshes}
-    one = sign * loaded.count
+    torque = sign * loaded.count
     ratio = loaded.sign * sizing.teeth[loaded.gears[1]] / sizing.teeth[loaded.gears[0]]
-    meshes[loaded.name] = MeshFlow(loaded.name, 0.0, (one, -one * ratio, one * (ratio - 1.0)), 0.0, 0.0)
+    meshes[loaded.name] = MeshFlow(loaded.name, 0.0, (torque, -torque * ratio, torque * (ratio - 1.0)), 0.0, 0.0)
     return PowerFlow("", rated.speeds, {}, {}, meshes)
 
 
 def _shaft_seats(
-    given: Context, sizing: Sizing, shaft: ShaftSizing, *, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
+    context: Context,
+    sizing: Sizing,
+    shaft: ShaftSizing,
+    *,
+    axes: Mapping[str, complex],
+    gears: Mapping[str, GearSizing],
 ) -> Iterator[Seat]:
     seats: dict[str, BearingSeat | None] = {**seats_of(sizing.design, shaft.name)}
     if not seats and not shaft.bearings:
         return
-    plan = plan_of(given, shaft.name, sizing.gears)
-    loads, axial = shaft_loads(given, shaft.name, plan, axes=axes, gears=gears)
+    plan = plan_of(context, shaft.name, sizing.gears)
+    loads, axial = shaft_loads(context, shaft.name, plan, axes=axes, gears=gears)
     forces = bearing_reactions(loads, plan.bearings)[1:]
     across, side = _rotor(sizing.design, shaft.name, plan)
     k = 0
-    for name, own in (seats or {f"{shaft.name}.{end}": None for end in ENDS}).items():
-        bears = own is None or own.radial
+    for name, written in (seats or {f"{shaft.name}.{end}": None for end in ENDS}).items():
+        bears = written is None or written.radial
         radial = forces[:, :, k] if bears else np.zeros((len(forces), 2))
-        whole = np.hstack([radial, axial[1:, None]])
+        force = np.hstack([radial, axial[1:, None]])
         yield Seat(
             name=name,
             count=1,
             nodes=(shaft.name, GROUND),
             bore=shaft.diameter,
             room=np.inf,
-            forward=whole[0::2],
-            backward=whole[1::2],
+            forward=force[0::2],
+            backward=force[1::2],
             across=float(across[k]) if bears else 0.0,
             rotor_side=side,
-            given=own,
+            given=written,
         )
         k += bears
 

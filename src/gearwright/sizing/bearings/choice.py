@@ -64,13 +64,13 @@ class Seating:
             self.rated[key] = check_bearing(size, self.duties[name])
         return self.rated[key]
 
-    def choose(self, name: str, least: float, most: float) -> Bearing:
+    def choose(self, name: str, smallest: float, largest: float) -> Bearing:
         """Return the first size that bears its duty around a shaft, or the one that the user gives.
 
         Args:
             name: Of the bearing.
-            least: Smallest bore [m].
-            most: Largest bore [m].
+            smallest: Smallest bore [m].
+            largest: Largest bore [m].
 
         Raises:
             DesignError: If there is none, with the nearest.
@@ -79,20 +79,20 @@ class Seating:
         if seat.designation is not None:
             return sizes[0]
         if seat.bore is not None:
-            least = most = sizes[0].bore
-        room = [size for size in sizes if least - 1e-9 <= size.bore <= most + 1e-9]
-        for each in room:
-            if _bears(self.check(name, each)):
-                return each
-        checks = [self.check(name, each) for each in room or sizes]
-        raise DesignError([Problem(f"bearings.{name}", _none(self.duties[name], seat, (least, most), checks))])
+            smallest = largest = sizes[0].bore
+        room = [size for size in sizes if smallest - 1e-9 <= size.bore <= largest + 1e-9]
+        for size in room:
+            if _bears(self.check(name, size)):
+                return size
+        checks = [self.check(name, size) for size in room or sizes]
+        raise DesignError([Problem(f"bearings.{name}", _none(self.duties[name], seat, (smallest, largest), checks))])
 
 
-def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str, Bearing], *, slim: bool) -> Seating:
+def seating(context: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str, Bearing], *, slim: bool) -> Seating:
     """Return what the bearings of a shaft bear, and the sizes that may be taken.
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         shaft: Name of the shaft.
         forces: What acts on it.
         chosen: Bearing -> the size taken last; the thrust of taper bearings follows from it.
@@ -101,7 +101,7 @@ def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str
     Raises:
         DesignError: If nothing takes a force along the shaft, or the catalogue has no such bore.
     """
-    seats = seats_of(given.design, shaft)
+    seats = seats_of(context.design, shaft)
     reactions = forces.largest_radial()
     carried = iter(reactions.T)
     radial = {name: next(carried) if seat.radial else np.zeros(len(reactions)) for name, seat in seats.items()}
@@ -110,21 +110,21 @@ def seating(given: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str
         for name, seat in seats.items()
         if seat.kind == "taper"
     }
-    axial = axial_forces(shaft, seats, (forces.axial, radial), factors, cases=tuple(given.flows))
-    duties = {name: _duty(given, shaft, seat, radial[name], axial[name]) for name, seat in seats.items()}
+    axial = axial_forces(shaft, seats, (forces.axial, radial), factors, cases=tuple(context.flows))
+    duties = {name: _duty(context, shaft, seat, radial[name], axial[name]) for name, seat in seats.items()}
     sizes = {name: _sizes(name, seat, slim=slim) for name, seat in seats.items()}
     return Seating(seats, radial, axial, duties, sizes)
 
 
-def _duty(given: Context, shaft: str, seat: BearingSeat, radial: Array, axial: Array) -> BearingSpectrum:
+def _duty(context: Context, shaft: str, seat: BearingSeat, radial: Array, axial: Array) -> BearingSpectrum:
     """Return what a bearing bears in every case; without shares all of its life is spent in the rated one."""
-    service = given.design.service
+    service = context.design.service
     shares = service.shares or {RATED: 1.0}
     return BearingSpectrum(
         radial=tuple(radial.tolist()),
         axial=tuple(axial.tolist()),
-        speed=tuple(flow.speeds[shaft] for flow in given.flows.values()),
-        share=tuple(shares.get(case, 0.0) for case in given.flows),
+        speed=tuple(flow.speeds[shaft] for flow in context.flows.values()),
+        share=tuple(shares.get(case, 0.0) for case in context.flows),
         life=seat.life or service.bearing_life,
         static_safety=service.static_safety,
         mean_factor=1.0 if service.shares else service.mean_load,
@@ -137,16 +137,16 @@ def _sizes(name: str, seat: BearingSeat, *, slim: bool) -> tuple[Bearing, ...]:
         return (_as_made(seat, bearing(seat.designation)),)
     outer = math.inf if seat.largest_outer_diameter is None else seat.largest_outer_diameter
     fitting = [
-        each
-        for each in bearings().values()
-        if each.kind == KINDS[seat.kind]
-        and each.outer_diameter <= outer + 1e-9
-        and (seat.bore is None or abs(each.bore - seat.bore) < APART)
+        size
+        for size in bearings().values()
+        if size.kind == KINDS[seat.kind]
+        and size.outer_diameter <= outer + 1e-9
+        and (seat.bore is None or abs(size.bore - seat.bore) < APART)
     ]
     if not fitting:
         message = f"no {KINDS[seat.kind]} bearing has at most {1e3 * outer:.4g} mm outside; give it more room"
         raise DesignError([Problem(f"bearings.{name}.largest_outer_diameter", message)])
-    return tuple(sorted(fitting, key=lambda each: (each.bore, each.mass) if slim else (each.mass, each.bore)))
+    return tuple(sorted(fitting, key=lambda size: (size.bore, size.mass) if slim else (size.mass, size.bore)))
 
 
 def _as_made(seat: BearingSeat, standard: Bearing) -> Bearing:
@@ -163,12 +163,12 @@ def _bears(check: BearingCheck) -> bool:
 
 def _none(duty: BearingSpectrum, seat: BearingSeat, room: tuple[float, float], checks: list[BearingCheck]) -> str:
     """Say why no size will do, and which is nearest."""
-    least, most = room
-    around = f"bores from {1e3 * least:.4g} mm" + (
-        f" to {1e3 * most:.4g} mm, the root of the gear," if most < math.inf else ""
+    smallest, largest = room
+    around = f"bores from {1e3 * smallest:.4g} mm" + (
+        f" to {1e3 * largest:.4g} mm, the root of the gear," if largest < math.inf else ""
     )
-    if least == most:
-        around = f"a bore of {1e3 * least:.4g} mm"
+    if smallest == largest:
+        around = f"a bore of {1e3 * smallest:.4g} mm"
     best = max(checks, key=lambda check: min(check.life_margin, check.static_margin))
     outer = seat.largest_outer_diameter
     inside = f" and {1e3 * outer:.4g} mm outside" if outer else ""
@@ -196,7 +196,7 @@ def bearing_sizings(
 
 def _sizing(name: str, seated: Seating, taken: Bearing, shaft: str, cases: tuple[str, ...]) -> BearingSizing:
     duty, check = seated.duties[name], seated.check(name, taken)
-    statics = [equivalent_loads(taken, *each)[1] for each in zip(duty.radial, duty.axial, strict=True)]
+    statics = [equivalent_loads(taken, *loads)[1] for loads in zip(duty.radial, duty.axial, strict=True)]
     worst = int(np.argmax(statics))
     return BearingSizing(
         name=name,

@@ -56,7 +56,7 @@ class ShaftForces(NamedTuple):
 
     def largest_radial(self) -> Array:
         """Return what both radial bearings must bear [N], (cases, 2): rotors point where they load each one most."""
-        parts = [each.loads.force[..., -2:] for each in self.apart] or [self.radial()]
+        parts = [part.loads.force[..., -2:] for part in self.apart] or [self.radial()]
         return np.asarray(np.sum([np.hypot(part[:, 0], part[:, 1]) for part in parts], axis=0))
 
     def moments(self, positions: Array) -> tuple[Array, Array]:
@@ -65,7 +65,7 @@ class ShaftForces(NamedTuple):
         Args:
             positions: From the shaft's first end [m], (n,). Rotors point where they bend each one most.
         """
-        parts = [each.drawn for each in self.apart] or [self.drawn]
+        parts = [part.drawn for part in self.apart] or [self.drawn]
         left, right = (
             np.sum([_at(part, positions + beside) for part in parts], axis=0) for beside in (-_BESIDE, _BESIDE)
         )
@@ -112,12 +112,12 @@ def _at(drawn: Diagram, positions: Array) -> tuple[Array, Array]:
 
 
 def shaft_forces(
-    given: Context, name: str, plan: ShaftPlan, *, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
+    context: Context, name: str, plan: ShaftPlan, *, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
 ) -> ShaftForces:
     """Return what acts on a shaft in every load case.
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         name: Of the shaft.
         plan: Where things sit along it.
         axes: Where all axes stand, y + i z [m].
@@ -126,19 +126,19 @@ def shaft_forces(
     Raises:
         DesignError: If a load stands outside the shaft.
     """
-    meshes, axial = shaft_loads(given, name, plan, axes=axes, gears=gears)
+    meshes, axial = shaft_loads(context, name, plan, axes=axes, gears=gears)
     loads, apart = meshes, [meshes]
-    for each, rotor in given.design.propellers.items():
+    for rotor_name, rotor in context.design.propellers.items():
         if rotor.shaft == name:
-            side = rotor_side(plan, each)
+            side = rotor_side(plan, rotor_name)
             axial = axial + side * rotor.thrust
             if rotor.in_plane_force or rotor.hub_moment:
-                alone = _alone(loads, plan, rotor, position=plan.places[each])
+                alone = _alone(loads, plan, rotor, position=plan.places[rotor_name])
                 loads, apart = _joined(loads, alone, plan), [*apart, alone]
     bends = bool(loads.force.any() or loads.couple.any())
-    whole = supported(loads, plan.bearings, length=plan.length) if bends else loads
-    parts = tuple(_part(each, plan) for each in apart) if len(apart) > 1 else ()
-    return ShaftForces(plan, whole, diagram(whole), axial, bends, parts)
+    balanced = supported(loads, plan.bearings, length=plan.length) if bends else loads
+    parts = tuple(_part(part_loads, plan) for part_loads in apart) if len(apart) > 1 else ()
+    return ShaftForces(plan, balanced, diagram(balanced), axial, bends, parts)
 
 
 def _part(loads: PointLoads, plan: ShaftPlan) -> Part:
@@ -153,7 +153,7 @@ def rotor_side(plan: ShaftPlan, rotor: str) -> float:
         plan: Where things sit along the shaft.
         rotor: Name of the propeller.
     """
-    others = [*plan.bearings, *(place for each, place in plan.places.items() if each != rotor)]
+    others = [*plan.bearings, *(place for part, place in plan.places.items() if part != rotor)]
     return 1.0 if plan.places[rotor] >= sum(others) / len(others) else -1.0
 
 
@@ -161,23 +161,23 @@ def _alone(loads: PointLoads, plan: ShaftPlan, rotor: Propeller, *, position: fl
     """Return a rotor's force and moment along y, beside other loads of nothing."""
     side = 1.0 if position >= sum(plan.bearings) / 2.0 else -1.0
     wider = _padded(loads, position)
-    alone = PointLoads(wider.position, *(np.zeros_like(each) for each in wider[1:]))
+    alone = PointLoads(wider.position, *(np.zeros_like(load) for load in wider[1:]))
     alone.force[:, 0, -1], alone.couple[:, 0, -1] = rotor.in_plane_force, side * rotor.hub_moment
     return alone
 
 
 def _joined(loads: PointLoads, alone: PointLoads, plan: ShaftPlan) -> PointLoads:
     """Return loads with a rotor's among them, in the direction that bends the shaft most."""
-    whole = _padded(loads, alone.position[-1])
-    own, others = (_part(each, plan).drawn.bending.swapaxes(0, 1) for each in (alone, whole))
+    joined = _padded(loads, alone.position[-1])
+    rotor_bending, others = (_part(loads_apart, plan).drawn.bending.swapaxes(0, 1) for loads_apart in (alone, joined))
     meshes = others[0] + 1j * others[1]
-    worst = np.argmax(np.abs(meshes) + np.abs(own[0]), axis=-1)
+    worst = np.argmax(np.abs(meshes) + np.abs(rotor_bending[0]), axis=-1)
     cases = np.arange(len(worst))
-    turn = np.exp(1j * np.angle(meshes[cases, worst] * np.sign(own[0][cases, worst])))
+    turn = np.exp(1j * np.angle(meshes[cases, worst] * np.sign(rotor_bending[0][cases, worst])))
     direction = np.stack([turn.real, turn.imag], axis=-1)
-    whole.force[..., -1] = alone.force[:, :1, -1] * direction
-    whole.couple[..., -1] = alone.couple[:, :1, -1] * direction
-    return whole
+    joined.force[..., -1] = alone.force[:, :1, -1] * direction
+    joined.couple[..., -1] = alone.couple[:, :1, -1] * direction
+    return joined
 
 
 def _padded(loads: PointLoads, position: float) -> PointLoads:

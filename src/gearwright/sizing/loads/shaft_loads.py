@@ -43,12 +43,12 @@ class _Load(NamedTuple):
 
 
 def shaft_loads(
-    given: Context, name: str, plan: ShaftPlan, *, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
+    context: Context, name: str, plan: ShaftPlan, *, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
 ) -> tuple[PointLoads, Array]:
     """Return the point loads on a shaft, bearings left out, and the axial force of each case [N].
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         name: Of the shaft.
         plan: Where things sit along it.
         axes: Where all axes stand, y + i z [m].
@@ -59,9 +59,9 @@ def shaft_loads(
 
     Source: forces of a mesh: ISO 21771:2007; equilibrium of the shaft: Pulvirenti 2023, §2.4.
     """
-    pure, meshes = list(pure_torques(given, name, plan)), list(_meshes(given, name, plan, axes, gears))
+    pure, meshes = list(pure_torques(context, name, plan)), list(_meshes(context, name, plan, axes, gears))
     position = np.array([*(place for place, _ in pure), *(load.position for load in meshes)])
-    torque = np.array([*(each for _, each in pure), *(load.torque for load in meshes)]).T
+    torque = np.array([*(torques for _, torques in pure), *(load.torque for load in meshes)]).T
     force, couple = np.zeros((len(torque), 2, len(position))), np.zeros((len(torque), 2, len(position)))
     axial = np.zeros(len(torque))
     for k, load in enumerate(meshes, start=len(pure)):
@@ -71,18 +71,18 @@ def shaft_loads(
     return PointLoads(position, force, couple, torque), axial
 
 
-def pure_torques(given: Context, name: str, plan: ShaftPlan) -> Iterator[tuple[float, list[float]]]:
+def pure_torques(context: Context, name: str, plan: ShaftPlan) -> Iterator[tuple[float, list[float]]]:
     """Yield what loads a shaft by torque only: machines, clutches, members of planetary sets.
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         name: Of the shaft.
         plan: Where things sit along it.
 
     Returns:
         Place [m], and the torque of every load case [N m].
     """
-    train, flows = given.train, given.flows.values()
+    train, flows = context.train, context.flows.values()
     for machine, shaft in train.machines.items():
         if shaft == name:
             yield plan.places[machine], [flow.machine_torques.get(machine, 0.0) for flow in flows]
@@ -91,50 +91,50 @@ def pure_torques(given: Context, name: str, plan: ShaftPlan) -> Iterator[tuple[f
             sign = 1.0 if name == joint.driven else -1.0
             yield plan.places[joint.name], [sign * flow.joints.get(joint.name, 0.0) for flow in flows]
     for mesh in train.meshes:
-        if mesh.stage in given.design.planetaries and name in mesh.nodes:
+        if mesh.stage in context.design.planetaries and name in mesh.nodes:
             side = mesh.nodes.index(name)
             member = f"{mesh.stage}.carrier" if side == 2 else mesh.gears[side]
             yield plan.places[member], [flow.meshes[mesh.name].torques[side] for flow in flows]
 
 
 def _meshes(
-    given: Context, name: str, plan: ShaftPlan, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
+    context: Context, name: str, plan: ShaftPlan, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
 ) -> Iterator[_Load]:
     """Yield what every mesh of a pair puts on the shaft, once for each half of its gear."""
-    for mesh in given.train.meshes:
-        if mesh.stage in given.design.pairs and name in mesh.nodes[:2]:
+    for mesh in context.train.meshes:
+        if mesh.stage in context.design.pairs and name in mesh.nodes[:2]:
             side = mesh.nodes.index(name)
             gear = gears[mesh.gears[side]]
-            kind = given.design.pairs[mesh.stage].kind
+            kind = context.design.pairs[mesh.stage].kind
             if kind != "cylindrical":
                 crossing = _face_load if kind == "face" else _bevel_load
-                yield crossing(given, mesh, side, axes, gear).part(plan.places[gear.name], 1.0)
+                yield crossing(context, mesh, side, axes, gear).part(plan.places[gear.name], 1.0)
                 continue
-            whole = _mesh_load(given, mesh, side, axes, gear)
+            load = _mesh_load(context, mesh, side, axes, gear)
             for half in range(mesh.count):
                 offset = (half - (mesh.count - 1) / 2.0) * gear.face_width
-                yield whole.part(plan.places[gear.name] + offset, 1.0 / mesh.count)
+                yield load.part(plan.places[gear.name] + offset, 1.0 / mesh.count)
 
 
-def _mesh_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], gear: GearSizing) -> _Load:
+def _mesh_load(context: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], gear: GearSizing) -> _Load:
     """Return what all halves of a mesh together put on one of its two gears, at the origin."""
-    rating, radius = given.ratings[mesh.stage], gear.pitch_diameter / 2.0
-    torque = np.array([flow.meshes[mesh.name].torques[side] for flow in given.flows.values()])
+    rating, radius = context.ratings[mesh.stage], gear.pitch_diameter / 2.0
+    torque = np.array([flow.meshes[mesh.name].torques[side] for flow in context.flows.values()])
     tangential = torque / radius * rating.load_factor
     radial = np.abs(tangential) * math.tan(rating.rules.pressure_angle) / math.cos(rating.helix_angle)
     toward = _toward_mesh(mesh, side, axes)
     outward = 1.0 if mesh.sign == INTERNAL and side == 1 else -1.0
     force = toward * (1j * tangential + outward * radial)
-    hand = helix_hand(given.design, given.train, given.flows, mesh.nodes[side])
+    hand = helix_hand(context.design, context.train, context.flows, mesh.nodes[side])
     slope = hand * math.tan(rating.helix_angle) if mesh.count == 1 else 0.0
     axial = -slope * tangential
     return _Load(0.0, torque, force, -toward * radius * axial, axial)
 
 
-def _face_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], gear: GearSizing) -> _Load:
+def _face_load(context: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], gear: GearSizing) -> _Load:
     """Return what a face-gear mesh puts on its wheel (1: tangential and axial force) or on its pinion (0: torque)."""
-    rating, radius = given.ratings[mesh.stage], gear.pitch_diameter / 2.0
-    torque = np.array([flow.meshes[mesh.name].torques[side] for flow in given.flows.values()])
+    rating, radius = context.ratings[mesh.stage], gear.pitch_diameter / 2.0
+    torque = np.array([flow.meshes[mesh.name].torques[side] for flow in context.flows.values()])
     none = np.zeros_like(torque)
     if side == 0:
         return _Load(0.0, torque, none.astype(complex), none.astype(complex), none)
@@ -146,18 +146,18 @@ def _face_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, complex
     return _Load(0.0, torque, toward * 1j * tangential, -toward * radius * axial, axial)
 
 
-def _bevel_load(given: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], gear: GearSizing) -> _Load:
+def _bevel_load(context: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], gear: GearSizing) -> _Load:
     """Return what a bevel mesh puts on its pinion (0) or wheel (1), at the mean cone.
 
     The hand of spiral is the one that pushes the pinion away from the apex in the rated case, which keeps backlash.
     """
-    rating, pair, radius = given.ratings[mesh.stage], given.design.pairs[mesh.stage], gear.pitch_diameter / 2.0
-    torque = np.array([flow.meshes[mesh.name].torques[side] for flow in given.flows.values()])
+    rating, pair, radius = context.ratings[mesh.stage], context.design.pairs[mesh.stage], gear.pitch_diameter / 2.0
+    torque = np.array([flow.meshes[mesh.name].torques[side] for flow in context.flows.values()])
     tangential = torque / radius * rating.load_factor
-    rated = given.flows[RATED].meshes[mesh.name].torques[side]
+    rated = context.flows[RATED].meshes[mesh.name].torques[side]
     pushed = np.sign(torque * rated) * (1.0 if side == 0 else -1.0)
-    own, other = (given.teeth[mesh.gears[each]] for each in (side, 1 - side))
-    forces = bevel_push(rating, np.abs(tangential), own / other, pushed=pushed)
+    here, mate = (context.teeth[mesh.gears[k]] for k in (side, 1 - side))
+    forces = bevel_push(rating, np.abs(tangential), here / mate, pushed=pushed)
     away, radial = np.asarray(forces[0]), np.asarray(forces[1])
     apex = pair.pinion_apex if side == 0 else pair.wheel_apex
     axial = away if apex == "first" else -away

@@ -3,7 +3,7 @@
 The formulas are in `parts`.
 """
 
-from gearwright.sizing.rating.context import Context, context, row_ask, width_ratio_of
+from gearwright.sizing.rating.context import Context, context_of, row_ask, width_ratio_of
 from gearwright.sizing.rating.mesh_rating import MeshRating, Strain, rate_row, strains_under, stresses_of
 from gearwright.sizing.rating.modules import modules
 from gearwright.sizing.rating.rules import Ask, Rating, form_factor, rating_of, width_ratio
@@ -27,7 +27,7 @@ __all__ = [
     "bevel_pair",
     "bevel_push",
     "cone_ratio",
-    "context",
+    "context_of",
     "cylindrical_mesh",
     "fewest_virtual_teeth",
     "form_factor",

@@ -44,7 +44,7 @@ class Context:
     """Mesh row -> what it asks for."""
 
 
-def context(
+def context_of(
     design: Design, train: Train, teeth: Mapping[str, int], flows: Mapping[str, PowerFlow], overrides: Overrides
 ) -> Context:
     """Return what gear sizing reads, with the rules of every stage resolved.
@@ -57,41 +57,41 @@ def context(
         overrides: The user's values.
     """
     ratings = {name: rating_of(design, name) for name in design.stages}
-    given = Context(design, train, teeth, flows, overrides, ratings, {})
-    return replace(given, demands={mesh.name: _demand(given, mesh) for mesh in train.meshes})
+    context = Context(design, train, teeth, flows, overrides, ratings, {})
+    return replace(context, demands={mesh.name: _demand(context, mesh) for mesh in train.meshes})
 
 
-def worst_case(given: Context, mesh: Mesh) -> tuple[str, float]:
+def worst_case(context: Context, mesh: Mesh) -> tuple[str, float]:
     """Return the case that loads a mesh most, and its torque per tooth, load factor included [N m].
 
     Args:
-        given: What gear sizing reads.
+        context: What gear sizing reads.
         mesh: A row of the train.
     """
-    loads = {case: abs(flow.meshes[mesh.name].multiplier) for case, flow in given.flows.items()}
-    case = max(loads, key=lambda each: loads[each])
-    return case, loads[case] / mesh.count * given.ratings[mesh.stage].load_factor
+    loads = {case: abs(flow.meshes[mesh.name].multiplier) for case, flow in context.flows.items()}
+    case = max(loads, key=lambda case_name: loads[case_name])
+    return case, loads[case] / mesh.count * context.ratings[mesh.stage].load_factor
 
 
-def _demand(given: Context, mesh: Mesh) -> Demand:
-    case, per_tooth = worst_case(given, mesh)
-    bending, contact = modules(ask_of(given, mesh, case, per_tooth), given.ratings[mesh.stage])
+def _demand(context: Context, mesh: Mesh) -> Demand:
+    case, per_tooth = worst_case(context, mesh)
+    bending, contact = modules(ask_of(context, mesh, case, per_tooth), context.ratings[mesh.stage])
     return Demand(case, per_tooth, float(bending), float(contact))
 
 
-def ask_of(given: Context, mesh: Mesh, case: str, per_tooth: float) -> Ask:
+def ask_of(context: Context, mesh: Mesh, case: str, per_tooth: float) -> Ask:
     """Return what a load case asks of a mesh.
 
     Args:
-        given: What gear sizing reads.
+        context: What gear sizing reads.
         mesh: A row of the train.
         case: Of the design.
         per_tooth: Torque per tooth of one mesh, load factor included [N m].
     """
-    speeds = given.flows[case].speeds
-    return row_ask(given.train, given.teeth, mesh)._replace(
+    speeds = context.flows[case].speeds
+    return row_ask(context.train, context.teeth, mesh)._replace(
         per_tooth=per_tooth,
-        width_ratio=width_ratio_of(given, mesh.stage),
+        width_ratio=width_ratio_of(context, mesh.stage),
         speed=abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]),
     )
 
@@ -104,27 +104,27 @@ def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh) -> Ask:
         teeth: Tooth number of every gear [-].
         mesh: A row of the train.
     """
-    one, other = (train.gear(gear) for gear in mesh.gears)
+    first, second = (train.gear(gear) for gear in mesh.gears)
     return Ask(
         0.0,
-        (teeth[one.name], teeth[other.name]),
+        (teeth[first.name], teeth[second.name]),
         1.0,
         internal=mesh.sign == INTERNAL,
-        idlers=(one.role == "planet", other.role == "planet"),
-        passes=(max(mesh.count / one.bodies, 1.0), max(mesh.count / other.bodies, 1.0)),
+        idlers=(first.role == "planet", second.role == "planet"),
+        passes=(max(mesh.count / first.bodies, 1.0), max(mesh.count / second.bodies, 1.0)),
     )
 
 
-def width_ratio_of(given: Context, stage: str) -> float:
+def width_ratio_of(context: Context, stage: str) -> float:
     """Return λ = b/m_n of a stage before its face width is rounded or given [-].
 
     Args:
-        given: What gear sizing reads.
+        context: What gear sizing reads.
         stage: Pair or planetary set.
     """
-    rating = given.ratings[stage]
+    rating = context.ratings[stage]
     if rating.given_width_ratio is not None:
         return rating.given_width_ratio
-    mesh = next(mesh for mesh in given.train.meshes if mesh.stage == stage)
-    small, large = (given.teeth[gear] for gear in mesh.gears)
+    mesh = next(mesh for mesh in context.train.meshes if mesh.stage == stage)
+    small, large = (context.teeth[gear] for gear in mesh.gears)
     return float(stage_width_ratio(rating, small, large))

@@ -83,11 +83,11 @@ class _Load(NamedTuple):
     """How long it lasts [s]."""
 
 
-def rate_row(given: Context, mesh: Mesh, module: float, face_width: float) -> MeshRating | None:
+def rate_row(context: Context, mesh: Mesh, module: float, face_width: float) -> MeshRating | None:
     """Return the rating of one mesh of a row, or None where nothing loads it.
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         mesh: A row of the train.
         module: m_n, of bevel gears m_mn [m].
         face_width: b [m].
@@ -97,14 +97,14 @@ def rate_row(given: Context, mesh: Mesh, module: float, face_width: float) -> Me
     Raises:
         DesignError: Teeth that the standard does not cover, with the stage.
     """
-    rating, (case, per_tooth) = given.ratings[mesh.stage], worst_case(given, mesh)
-    if per_tooth * given.teeth[mesh.gears[0]] <= _LEAST_TORQUE:
+    rating, (case, per_tooth) = context.ratings[mesh.stage], worst_case(context, mesh)
+    if per_tooth * context.teeth[mesh.gears[0]] <= _LEAST_TORQUE:
         return None
     rate = _rate_bevel if rating.kind == "bevel" else _rate_cylindrical
-    heaviest = _load(given, mesh, case, rating.service.life)
+    heaviest = _load(context, mesh, case, rating.service.life)
     try:
         factors = rate(rating, heaviest, module, face_width)
-        loads = [load for load in _loads(given, mesh) if load.torque > _LEAST_TORQUE]
+        loads = [load for load in _loads(context, mesh) if load.torque > _LEAST_TORQUE]
         single = len(loads) == 1 and loads[0].case == case and loads[0].life == rating.service.life
         rated = [factors] if single else [rate(rating, load, module, face_width) for load in loads]
     except DesignError as error:
@@ -127,21 +127,21 @@ def stresses_of(factors: PairRating | BevelRating) -> tuple[tuple[float, float],
     return (contact[0], contact[1]), (bending[0], bending[1])
 
 
-def _loads(given: Context, mesh: Mesh) -> Iterator[_Load]:
+def _loads(context: Context, mesh: Mesh) -> Iterator[_Load]:
     """Yield the cases that make up the life; where none is said, the heaviest lasts all of it."""
-    service = given.design.service
+    service = context.design.service
     if not service.shares:
-        case, _ = worst_case(given, mesh)
-        yield _load(given, mesh, case, service.life)
+        case, _ = worst_case(context, mesh)
+        yield _load(context, mesh, case, service.life)
     for case, share in service.shares.items():
         if share > 0.0:
-            yield _load(given, mesh, case, share * service.life)
+            yield _load(context, mesh, case, share * service.life)
 
 
-def _load(given: Context, mesh: Mesh, case: str, life: float) -> _Load:
-    multiplier = abs(given.flows[case].meshes[mesh.name].multiplier)
-    per_tooth = multiplier / mesh.count * given.ratings[mesh.stage].load_factor
-    return _Load(case, per_tooth * given.teeth[mesh.gears[0]], ask_of(given, mesh, case, per_tooth), life)
+def _load(context: Context, mesh: Mesh, case: str, life: float) -> _Load:
+    multiplier = abs(context.flows[case].meshes[mesh.name].multiplier)
+    per_tooth = multiplier / mesh.count * context.ratings[mesh.stage].load_factor
+    return _Load(case, per_tooth * context.teeth[mesh.gears[0]], ask_of(context, mesh, case, per_tooth), life)
 
 
 def _rate_cylindrical(rating: Rating, load: _Load, module: float, face_width: float) -> PairRating:
@@ -152,8 +152,8 @@ def _rate_cylindrical(rating: Rating, load: _Load, module: float, face_width: fl
 
 
 def _rate_bevel(rating: Rating, load: _Load, module: float, face_width: float) -> BevelRating:
-    one, two = (round(float(np.asarray(tooth))) for tooth in load.ask.teeth)
-    pair, steel = bevel_pair((one, two), module, face_width, rating), steel_of(rating)
+    pinion_teeth, wheel_teeth = (round(float(np.asarray(tooth))) for tooth in load.ask.teeth)
+    pair, steel = bevel_pair((pinion_teeth, wheel_teeth), module, face_width, rating), steel_of(rating)
     duty = bevel_duty(rating, pair, float(load.torque), float(np.asarray(load.ask.speed)))
     return rate_bevel(pair, (steel, steel), duty, load.life, surfaces=bevel_surfaces(rating))
 
@@ -162,11 +162,11 @@ def _safeties(rated: Sequence[PairRating | BevelRating], rating: Rating) -> list
     """Return S_H and S_F of both gears, each by Miner's sum over the cases where there are several."""
     treatment = steel_of(rating).treatment
     curves = (contact_life_curve(treatment), bending_life_curve(treatment))
-    found = []
+    safeties = []
     for mode, curve in enumerate(curves):
-        gears = [_safety([strain(each, mode, gear) for each in rated], curve) for gear in (0, 1)]
-        found.append((gears[0], gears[1]))
-    return found
+        gears = [_safety([strain(row, mode, gear) for row in rated], curve) for gear in (0, 1)]
+        safeties.append((gears[0], gears[1]))
+    return safeties
 
 
 class Strain(NamedTuple):
@@ -236,14 +236,14 @@ def strains_under(
 
 
 def _stacked(rated: Sequence[BevelRating], mode: int, gear: int) -> Strain:
-    return Strain(*(np.array(column) for column in zip(*(strain(each, mode, gear) for each in rated), strict=True)))
+    return Strain(*(np.array(column) for column in zip(*(strain(row, mode, gear) for row in rated), strict=True)))
 
 
 def _safety(strains: list[Strain], curve: LifeCurve) -> float:
     if len(strains) == 1:
         return float(strains[0].permissible / strains[0].stress)
     # Every case has its own film and hence its own limit: stresses are counted in parts of it.
-    bins = [StressBin(float(each.stress / each.endurance), float(each.cycles)) for each in strains]
+    bins = [StressBin(float(load.stress / load.endurance), float(load.cycles)) for load in strains]
     return spectrum_damage(bins, 1.0, curve).safety
 
 

@@ -48,8 +48,8 @@ def modules(ask: Ask, rating: Rating) -> tuple[Array, Array]:
     wanted = np.array([rules.bending_safety, rules.pitting_safety**2]).reshape(2, *(1,) * torque.ndim)
     module = np.stack([np.cbrt(torque) * 1e-3 * _START] * 2)
     for _ in range(_STEPS):
-        found = _cylindrical_safeties(ask, rating, torque, module)
-        module = np.asarray(module * np.cbrt(wanted / np.stack([found[0], found[1] ** 2])))
+        safeties = _cylindrical_safeties(ask, rating, torque, module)
+        module = np.asarray(module * np.cbrt(wanted / np.stack([safeties[0], safeties[1] ** 2])))
     return module[0], module[1]
 
 
@@ -66,19 +66,19 @@ def _cylindrical_safeties(ask: Ask, rating: Rating, torque: Array, module: Array
 
 def _bevel_modules(ask: Ask, rating: Rating, torque: Array) -> tuple[Array, Array]:
     """Return the modules of bevel meshes: one search for each pair of tooth numbers, scaled by m³ ∝ T to its loads."""
-    one, two, load, speed, ratio = np.broadcast_arrays(*ask.teeth, torque, ask.speed, ask.width_ratio)
+    pinion, wheel, load, speed, ratio = np.broadcast_arrays(*ask.teeth, torque, ask.speed, ask.width_ratio)
     pairs, first, index = np.unique(
-        np.stack([one.ravel(), two.ravel()]).astype(np.int64), axis=1, return_index=True, return_inverse=True
+        np.stack([pinion.ravel(), wheel.ravel()]).astype(np.int64), axis=1, return_index=True, return_inverse=True
     )
     steel = steel_of(rating)
-    found = np.array(
+    factors = np.array(
         [
-            _one_bevel((int(z1), int(z2)), rating, steel, *(float(each.flat[at]) for each in (load, speed, ratio)))
+            _one_bevel((int(z1), int(z2)), rating, steel, *(float(column.flat[at]) for column in (load, speed, ratio)))
             for z1, z2, at in zip(*pairs, first, strict=True)
         ]
     )
     scale = np.cbrt(load.ravel() / load.flat[first][index.ravel()])
-    bending, contact = (found[index.ravel(), mode] * scale for mode in (0, 1))
+    bending, contact = (factors[index.ravel(), mode] * scale for mode in (0, 1))
     return bending.reshape(load.shape), contact.reshape(load.shape)
 
 
@@ -86,7 +86,7 @@ def _one_bevel(
     teeth: tuple[int, int], rating: Rating, steel: GearSteel, torque: float, speed: float, ratio: float
 ) -> tuple[float, float]:
     rules, surfaces = rating.rules.iso6336, bevel_surfaces(rating)
-    found = []
+    needed = []
     for mode in (0, 1):
         module = 1e-3 * _START * math.cbrt(torque)
         for _ in range(_STEPS):
@@ -94,8 +94,8 @@ def _one_bevel(
             duty = bevel_duty(rating, pair, torque, speed)
             rated = rate_bevel(pair, (steel, steel), duty, rating.service.life, surfaces=surfaces)
             if mode == 0:
-                module *= math.cbrt(rules.bending_safety / min(each.safety for each in rated.bending))
+                module *= math.cbrt(rules.bending_safety / min(root.safety for root in rated.bending))
             else:
                 module *= math.cbrt((rules.pitting_safety / min(rated.pitting.safeties)) ** 2)
-        found.append(module)
-    return found[0], found[1]
+        needed.append(module)
+    return needed[0], needed[1]

@@ -146,8 +146,8 @@ def first_modules(ask: Ask, rating: Rating) -> tuple[Array, Array]:
         ask: Load and teeth. An internal gear is not the weaker in bending, and its curvature is negative.
         rating: Resolved rules.
     """
-    one, other = ask.teeth
-    weaker = one if ask.internal else np.minimum(one, other)
+    pinion, wheel = ask.teeth
+    weaker = pinion if ask.internal else np.minimum(pinion, wheel)
     allowable = rating.bending_allowable * (rating.rules.idler_factor if any(ask.idlers) else 1.0)
     bending = module_lewis(
         ask.per_tooth,
@@ -158,7 +158,7 @@ def first_modules(ask: Ask, rating: Rating) -> tuple[Array, Array]:
     )
     contact = module_hertz(
         ask.per_tooth,
-        1.0 / one - 1.0 / other if ask.internal else 1.0 / one + 1.0 / other,
+        1.0 / pinion - 1.0 / wheel if ask.internal else 1.0 / pinion + 1.0 / wheel,
         ask.width_ratio,
         allowable=rating.contact_allowable,
         elastic_modulus=rating.material.elastic_modulus,

@@ -168,13 +168,13 @@ def cylindrical_mesh(
     Source: ISO 21771:2007.
     """
     side = -1.0 if internal else 1.0
-    one, two, size, width = np.broadcast_arrays(
-        *(np.asarray(each, dtype=float) for each in (*teeth, module, face_width))
+    pinion, wheel, size, width = np.broadcast_arrays(
+        *(np.asarray(numbers, dtype=float) for numbers in (*teeth, module, face_width))
     )
     shift = 0.0 if internal else rating.rules.profile_shift
-    first, second = (0.5 * each * size / math.cos(rating.helix_angle) for each in (one, two))
+    first, second = (0.5 * teeth_of_gear * size / math.cos(rating.helix_angle) for teeth_of_gear in (pinion, wheel))
     return MeshGeometry(
-        teeth=(one, side * two),
+        teeth=(pinion, side * wheel),
         module=size,
         face_width=width,
         centre_distance=second + side * first,

@@ -31,15 +31,15 @@ def cylinder(items: Sequence[Item], length: float, diameter: float, seats: Mappi
         seats: Hub -> its own diameter, where the user gives one [m].
     """
     shared = [(item.end + after.start) / 2.0 for item, after in pairwise(items)]
-    found, reached, before = list[Stretch](), 0.0, ""
+    stretches, reached, before = list[Stretch](), 0.0, ""
     for item, limit in zip(items, (*shared, length), strict=True):
         start = max(item.start, reached)
         end = max(min(item.end, limit), start)
-        found += [Stretch(f"after {before}".strip(), "between", reached, start, diameter)]
-        found += [Stretch(item.name, item.kind, start, end, _own(item, diameter, seats))]
+        stretches += [Stretch(f"after {before}".strip(), "between", reached, start, diameter)]
+        stretches += [Stretch(item.name, item.kind, start, end, _own(item, diameter, seats))]
         reached, before = end, item.name
-    found.append(Stretch(f"after {before}".strip(), "between", reached, length, diameter))
-    return tuple(each for each in found if each.length > _SAME)
+    stretches.append(Stretch(f"after {before}".strip(), "between", reached, length, diameter))
+    return tuple(stretch for stretch in stretches if stretch.length > _SAME)
 
 
 def _own(item: Item, diameter: float, seats: Mapping[str, float]) -> float:
@@ -58,9 +58,9 @@ def room_checks(shaft: str, items: Sequence[Item], length: float) -> Iterator[Ch
         length: Of the shaft [m].
     """
     ends = (Item("first end", "between", 0.0, 0.0), *items, Item("second end", "between", length, 0.0))
-    for one, other in pairwise(ends):
-        apart, needed = other.middle - one.middle, (one.width + other.width) / 2.0
-        yield Check(shaft, f"distance of {one.name} and {other.name}", "half of both widths", apart, needed, "length")
+    for left, right in pairwise(ends):
+        apart, needed = right.middle - left.middle, (left.width + right.width) / 2.0
+        yield Check(shaft, f"distance of {left.name} and {right.name}", "half of both widths", apart, needed, "length")
 
 
 def seat_checks(seat: float, bearings: Mapping[str, Bearing]) -> Iterator[Check]:

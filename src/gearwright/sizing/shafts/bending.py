@@ -97,8 +97,8 @@ def slope_excess(bent: Bent, seats: Mapping[str, BearingSeat], gears: Mapping[st
         seats: Its bearings.
         gears: Gear -> middle [m].
     """
-    found = [bent.slope(place) / GEAR_SLOPE for place in gears.values()]
-    found += [
+    ratios = [bent.slope(place) / GEAR_SLOPE for place in gears.values()]
+    ratios += [
         bent.slope(seat.position) / BEARING_SLOPES[seat.kind] for seat in seats.values() if seat.kind in BEARING_SLOPES
     ]
-    return max(found, default=0.0)
+    return max(ratios, default=0.0)

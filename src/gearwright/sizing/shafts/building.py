@@ -58,7 +58,7 @@ class Built(NamedTuple):
 class _Task:
     """What one shaft is built from."""
 
-    given: Context
+    context: Context
     name: str
     forces: ShaftForces
     material: Material
@@ -72,7 +72,7 @@ class _Task:
     @property
     def as_given(self) -> float | None:
         """Diameter of a shaft that is taken as it is [m]; None where it is to be built."""
-        return self.core if self.given.design.layout.get(self.name, NOTHING_GIVEN).as_given else None
+        return self.core if self.context.design.layout.get(self.name, NOTHING_GIVEN).as_given else None
 
 
 class _Attempt(NamedTuple):
@@ -87,7 +87,7 @@ class _Attempt(NamedTuple):
 
 
 def build_shaft(
-    given: Context,
+    context: Context,
     name: str,
     forces: ShaftForces,
     material: Material,
@@ -98,7 +98,7 @@ def build_shaft(
     """Return a shaft with bearings, built.
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         name: Of the shaft.
         forces: What acts on it.
         material: Its steel.
@@ -108,20 +108,20 @@ def build_shaft(
     Raises:
         DesignError: If a bearing, a joint or the shaft itself cannot be had; with the nearest that can.
     """
-    own = {place: gears[place] for place in forces.plan.places if place in gears}
-    joints = {each: given.design.joints.get(each, Joint(kind="integral")) for each in own}
-    joints |= {each: joint for each, joint in given.design.joints.items() if each in forces.plan.places}
-    task = _Task(given, name, forces, material, own, core, joints)
-    found: list[Built] = []
+    borne = {place: gears[place] for place in forces.plan.places if place in gears}
+    joints = {gear: context.design.joints.get(gear, Joint(kind="integral")) for gear in borne}
+    joints |= {part: joint for part, joint in context.design.joints.items() if part in forces.plan.places}
+    task = _Task(context, name, forces, material, borne, core, joints)
+    shafts: list[Built] = []
     refused: list[DesignError] = []
     for slim in (True, False):
         try:
-            found.append(_settled(task, slim=slim))
+            shafts.append(_settled(task, slim=slim))
         except DesignError as error:
             refused.append(error)
-    if not found:
+    if not shafts:
         raise refused[0]
-    return min(found, key=lambda built: _weight(built, material))
+    return min(shafts, key=lambda built: _weight(built, material))
 
 
 def _weight(built: Built, material: Material) -> float:
@@ -138,13 +138,13 @@ def _settled(task: _Task, *, slim: bool) -> Built:
     chosen: Mapping[str, Bearing] = {}
     tried: list[Mapping[str, str]] = []
     for _ in range(TAPER_ROUNDS):
-        seated = seating(task.given, task.name, task.forces, chosen, slim=slim)
+        seated = seating(task.context, task.name, task.forces, chosen, slim=slim)
         attempt = _stiff(task, seated) if task.as_given is None else _attempt(task, seated, {})
-        chosen, names = attempt.chosen, {each: one.designation for each, one in attempt.chosen.items()}
+        chosen, names = attempt.chosen, {seat: bearing.designation for seat, bearing in attempt.chosen.items()}
         if names in tried or not any(seat.kind == "taper" for seat in seated.seats.values()):
             break
         tried.append(names)
-    return _finished(task, seating(task.given, task.name, task.forces, chosen, slim=slim), attempt)
+    return _finished(task, seating(task.context, task.name, task.forces, chosen, slim=slim), attempt)
 
 
 def _stiff(task: _Task, seated: Seating) -> _Attempt:
@@ -157,7 +157,7 @@ def _stiff(task: _Task, seated: Seating) -> _Attempt:
             break
         growth = max(excess**0.25, LEAST_GROWTH)
         try:
-            thicker = _strong(task, seated, {each.name: growth * each.diameter for each in _free(attempt)})
+            thicker = _strong(task, seated, {stretch.name: growth * stretch.diameter for stretch in _free(attempt)})
         except DesignError:
             break
         if thicker.stretches == attempt.stretches:
@@ -185,22 +185,22 @@ def _strong(task: _Task, seated: Seating, needed: Mapping[str, float]) -> _Attem
 
 def _grown(task: _Task, attempt: _Attempt, wanted: Mapping[str, float]) -> dict[str, float]:
     """Return what must be thicker."""
-    service = task.given.design.service
+    service = task.context.design.service
     diameters = {stretch.name: stretch.diameter for stretch in attempt.stretches}
     walled = attempt.bore / MOST_HOLLOW
-    found = {each.name: walled for each in _free(attempt) if each.diameter < walled - 1e-9}
+    thicker = {stretch.name: walled for stretch in _free(attempt) if stretch.diameter < walled - 1e-9}
     for section, owner in zip(attempt.sections, attempt.owners, strict=True):
         ratio = min(
             section.fatigue_safety / service.shaft_fatigue_safety, section.yield_safety / service.shaft_yield_safety
         )
         if ratio < 1.0 - 1e-9:
             growth = min(max(ratio ** (-1.0 / 3.0), LEAST_GROWTH), MOST_GROWTH) if ratio > 0.0 else MOST_GROWTH
-            found[owner] = max(found.get(owner, 0.0), wanted.get(owner, 0.0), growth * diameters[owner])
+            thicker[owner] = max(thicker.get(owner, 0.0), wanted.get(owner, 0.0), growth * diameters[owner])
     for joint in attempt.joints:
         seat = _seat(task, joint.part, attempt.bore)
         if joint.part in diameters and not joint_fits(task.joints[joint.part], seat, joint):
-            found[joint.part] = max(found.get(joint.part, 0.0), joint.diameter + 1e-3)
-    return found
+            thicker[joint.part] = max(thicker.get(joint.part, 0.0), joint.diameter + 1e-3)
+    return thicker
 
 
 def _attempt(task: _Task, seated: Seating, needed: Mapping[str, float]) -> _Attempt:
@@ -219,8 +219,8 @@ def _attempt(task: _Task, seated: Seating, needed: Mapping[str, float]) -> _Atte
         for joint in joints
         if joint.kind in ("key", "spline", "press-fit")
     }
-    sections = sections_of(stretches, task.forces, hubs, roots, fillet_ratio=task.given.design.shafting.fillet_ratio)
-    judge = Strength(task.name, task.given.design, task.material, tuple(task.given.flows))
+    sections = sections_of(stretches, task.forces, hubs, roots, fillet_ratio=task.context.design.shafting.fillet_ratio)
+    judge = Strength(task.name, task.context.design, task.material, tuple(task.context.flows))
     sized = strengths(sections, task.forces, judge, bore=bore)
     return _Attempt(stretches, chosen, bore, sized, tuple(section.owner for section in sections), joints)
 
@@ -237,19 +237,19 @@ def _laid(task: _Task, seated: Seating, wanted: Wanted) -> tuple[tuple[Stretch, 
 def _items(task: _Task, chosen: Mapping[str, Bearing]) -> tuple[Item, ...]:
     """Return what sits on the shaft and has a width, in order."""
     places = task.forces.plan.places
-    found = [
+    items = [
         Item(name, "bearing", seat.position, chosen[name].width if name in chosen else 0.0)
-        for name, seat in seats_of(task.given.design, task.name).items()
+        for name, seat in seats_of(task.context.design, task.name).items()
     ]
     for name, joint in task.joints.items():
         gear = task.gears.get(name)
         width = _width(task, name)
         middle = min(max(places[name], width / 2.0), task.forces.plan.length - width / 2.0)
         if joint.kind == "integral" and gear is not None:
-            found.append(Item(name, "integral", middle, width, root_diameter(task.given, gear)))
+            items.append(Item(name, "integral", middle, width, root_diameter(task.context, gear)))
         elif joint.kind != "integral" and width:
-            found.append(Item(name, "hub", middle, width))
-    return tuple(sorted(found, key=lambda item: item.middle))
+            items.append(Item(name, "hub", middle, width))
+    return tuple(sorted(items, key=lambda item: item.middle))
 
 
 def _width(task: _Task, name: str) -> float:
@@ -267,7 +267,7 @@ def _wanted(task: _Task, items: tuple[Item, ...], needed: Mapping[str, float]) -
         if joint.diameter is not None and joint.kind != "integral"
     }
     plan = task.forces.plan
-    ends = {each: max(needed.get(each, 0.0), THINNEST) for each in _loaded(task, items)}
+    ends = {name: max(needed.get(name, 0.0), THINNEST) for name in _loaded(task, items)}
     return Wanted(items, plan.length, {**needed, **ends}, fixed, task.core, plan.bearings)
 
 
@@ -282,11 +282,11 @@ def _loaded(task: _Task, items: tuple[Item, ...]) -> tuple[str, ...]:
 
 def _bore(task: _Task, chosen: Mapping[str, Bearing]) -> float:
     """Return the bore: given, or its ratio to the thinnest bearing seat [m]."""
-    layout, rules = task.given.design.layout.get(task.name, NOTHING_GIVEN), task.given.design.shafting
+    layout, rules = task.context.design.layout.get(task.name, NOTHING_GIVEN), task.context.design.shafting
     if layout.bore is not None:
         return layout.bore
     ratio = rules.bore_ratio if layout.bore_ratio is None else layout.bore_ratio
-    return ratio * (task.as_given or min(each.bore for each in chosen.values()))
+    return ratio * (task.as_given or min(bearing.bore for bearing in chosen.values()))
 
 
 def _joint(task: _Task, part: str, stretches: tuple[Stretch, ...], bore: float) -> JointSizing:
@@ -305,25 +305,25 @@ def _seat(task: _Task, part: str, bore: float) -> Seat:
         shaft=task.name,
         position=plan.places[part],
         hub_length=joint.hub_length or width or math.inf,
-        root=root_diameter(task.given, gear) if gear is not None else math.inf,
-        torque=_torque(task.given, task.name, part) * task.given.design.service.application_factor,
+        root=root_diameter(task.context, gear) if gear is not None else math.inf,
+        torque=_torque(task.context, task.name, part) * task.context.design.service.application_factor,
         bore=bore,
         tooth=TOOTH_HEIGHT * gear.module if gear is not None else 0.0,
     )
 
 
-def _torque(given: Context, shaft: str, part: str) -> float:
+def _torque(context: Context, shaft: str, part: str) -> float:
     """Return the largest torque between a part and its shaft over all cases [N m]."""
-    found = []
-    for flow in given.flows.values():
+    torques = []
+    for flow in context.flows.values():
         meshes = [
             flow.meshes[mesh.name].torques[side]
-            for mesh in given.train.meshes
+            for mesh in context.train.meshes
             for side in (0, 1)
             if mesh.gears[side] == part and mesh.nodes[side] == shaft
         ]
-        found.append(abs(sum(meshes)) if meshes else abs(flow.machine_torques.get(part, 0.0)))
-    return max(found)
+        torques.append(abs(sum(meshes)) if meshes else abs(flow.machine_torques.get(part, 0.0)))
+    return max(torques)
 
 
 def _finished(task: _Task, seated: Seating, attempt: _Attempt) -> Built:
@@ -344,9 +344,9 @@ def _finished(task: _Task, seated: Seating, attempt: _Attempt) -> Built:
         slopes=tuple((name, bent.slope(place)) for name, place in {**places, **seats}.items()),
         deflections=tuple((name, bent.deflection(place)) for name, place in places.items()),
         critical_speed=bent.critical_speed(places, {name: _mass(gear) for name, gear in task.gears.items()}),
-        highest_speed=max(abs(flow.speeds[task.name]) for flow in task.given.flows.values()),
+        highest_speed=max(abs(flow.speeds[task.name]) for flow in task.context.flows.values()),
     )
-    sized = bearing_sizings(seated, attempt.chosen, task.name, tuple(task.given.flows))
+    sized = bearing_sizings(seated, attempt.chosen, task.name, tuple(task.context.flows))
     return Built(
         shaft, sized, attempt.joints, () if task.as_given is None else tuple(_fits(task, attempt, task.as_given))
     )

@@ -35,17 +35,17 @@ def _shaft(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
     service, rules, name = design.service, design.shafting, shaft.name
     tired, strained = shaft.weakest, min(shaft.sections, key=lambda section: section.yield_safety)
     law = "DE-ASME" if rules.fatigue == "asme" else "DE-Goodman"
-    fatigue, least = tired.fatigue_safety, service.shaft_fatigue_safety
-    yield Check(name, f"fatigue n_f, {tired.place}", f"{law}, Shigley ch. 7", fatigue, least, case=tired.case)
-    first, least = strained.yield_safety, service.shaft_yield_safety
-    yield Check(name, f"yield n_y, {strained.place}", "Shigley eq. 7-16", first, least, case=strained.case)
+    fatigue, asked = tired.fatigue_safety, service.shaft_fatigue_safety
+    yield Check(name, f"fatigue n_f, {tired.place}", f"{law}, Shigley ch. 7", fatigue, asked, case=tired.case)
+    first, asked = strained.yield_safety, service.shaft_yield_safety
+    yield Check(name, f"yield n_y, {strained.place}", "Shigley eq. 7-16", first, asked, case=strained.case)
     for place, slope in shaft.slopes:
         limit = _slope_limit(place, design)
         if limit is not None and slope > 0.0:
             yield Check(name, f"slope at {place}", "Shigley table 7-2", slope, limit, "slope", at_most=True)
     if shaft.critical_speed is not None:
-        least = LEAST_CRITICAL * shaft.highest_speed
-        yield Check(name, "first critical speed", "Shigley §7-6", shaft.critical_speed, least, "speed")
+        asked = LEAST_CRITICAL * shaft.highest_speed
+        yield Check(name, "first critical speed", "Shigley §7-6", shaft.critical_speed, asked, "speed")
 
 
 def _slope_limit(place: str, design: Design) -> float | None:

@@ -128,10 +128,10 @@ def refuse_long(joint: Joint, seat: Seat, sized: JointSizing) -> None:
         DesignError: With what would do.
     """
     if math.isinf(sized.pressure):
-        least = 1e3 * key_for_shaft(sized.diameter).section.width
+        shortest = 1e3 * key_for_shaft(sized.diameter).section.width
         message = (
-            f"{1e3 * sized.length:g} mm leaves no flat flank between round ends; give more than {least:g} mm, or write"
-            ' form = "B"'
+            f"{1e3 * sized.length:g} mm leaves no flat flank between round ends; give more than {shortest:g} mm, or"
+            ' write form = "B"'
         )
         raise DesignError([Problem(f"joints.{seat.part}.length", message)])
     room, why = seat.hub_length, f"its hub has {1e3 * seat.hub_length:.4g} mm"
@@ -175,8 +175,8 @@ def _key(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSiz
     key, allowed = key_for_shaft(diameter), joint.pressure or KEY_PRESSURE
     ends = key.section.width if joint.form == "A" else 0.0
     asked = key_length(seat.torque, diameter, key.section, allowable=allowed) + ends
-    least = max(asked, key.shortest)
-    length = joint.length or next((each for each in LENGTHS if each >= least - 1e-9), _whole(least))
+    shortest = max(asked, key.shortest)
+    length = joint.length or next((size for size in LENGTHS if size >= shortest - 1e-9), _whole(shortest))
     flank = length - ends
     pressure = key_pressure(seat.torque, diameter, key.section, bearing_length=flank) if flank > 0.0 else math.inf
     name = _key_name(key, joint.form, length)
@@ -208,7 +208,7 @@ def _teeth(joint: Joint, diameter: float) -> Spline:
     """Return the spline on a shaft, of the module that is given or that leaves about 25 teeth."""
     wanted = diameter / SPLINE_TEETH
     module = joint.module if joint.kind == "spline" and joint.module else None
-    return spline(diameter, module or max((each for each in MODULES if each <= wanted + 1e-9), default=MODULES[0]))
+    return spline(diameter, module or max((size for size in MODULES if size <= wanted + 1e-9), default=MODULES[0]))
 
 
 def _spline_length(teeth: Spline, seat: Seat, allowed: float) -> float:

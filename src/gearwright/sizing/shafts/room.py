@@ -22,7 +22,7 @@ def refuse_overlaps(items: Sequence[Item], length: float) -> None:
     Raises:
         DesignError: With the place that would do, for every such part.
     """
-    edges = [("the first end", 0.0), *((each.name, each.end) for each in items)]
+    edges = [("the first end", 0.0), *((item.name, item.end) for item in items)]
     problems = []
     for (before, reached), item in zip(edges, items, strict=False):
         over = reached - item.start
@@ -56,10 +56,10 @@ def refuse_thin(shaft: str, stretches: Sequence[Stretch], *, bore: float) -> Non
         raise DesignError([Problem(f"layout.{shaft}.bore", message)])
 
 
-def _close(item: Item, other: str, over: float, place: float) -> str:
+def _close(item: Item, neighbour: str, over: float, place: float) -> str:
     return (
-        f"{item.name} is {1e3 * item.width:.4g} mm wide and stands {1e3 * over:.3g} mm into {other}; put its middle at"
-        f" {1e3 * place:.4g} mm, or make room"
+        f"{item.name} is {1e3 * item.width:.4g} mm wide and stands {1e3 * over:.3g} mm into {neighbour}; put its middle"
+        f" at {1e3 * place:.4g} mm, or make room"
     )
 
 

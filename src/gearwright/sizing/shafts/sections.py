@@ -102,29 +102,28 @@ def sections_of(
         fillet_ratio: Fillet over the thinner diameter where no bearing asks for less [-].
     """
     blank = max(stretch.diameter for stretch in stretches)
-    found = list(_shoulders(stretches, fillet_ratio, blank))
-    for each in stretches:
-        if hubs.get(each.name):
-            root = roots.get(each.name, each.diameter)
-            inside = (at for at in forces.drawn.position.tolist() if each.start < at < each.end)
-            for at in _unlike((each.start, (each.start + each.end) / 2.0, each.end, *inside)):
-                found.append(
-                    Section(f"{hubs[each.name]} at {each.name}", each.name, at, root, blank, hub=hubs[each.name])
-                )
+    sections = list(_shoulders(stretches, fillet_ratio, blank))
+    for hub in (stretch for stretch in stretches if hubs.get(stretch.name)):
+        root, kind = roots.get(hub.name, hub.diameter), hubs[hub.name]
+        inside = (at for at in forces.drawn.position.tolist() if hub.start < at < hub.end)
+        sections += [
+            Section(f"{kind} at {hub.name}", hub.name, at, root, blank, hub=kind)
+            for at in _unlike((hub.start, (hub.start + hub.end) / 2.0, hub.end, *inside))
+        ]
     for at in np.unique(forces.drawn.position).tolist():
-        each = next((stretch for stretch in stretches if stretch.start <= at <= stretch.end), stretches[-1])
-        if each.kind != "integral" and not hubs.get(each.name):
-            found.append(Section(_words(each, at, forces), each.name, at, each.diameter, blank))
-    return tuple(sorted(found, key=lambda section: section.position))
+        on = next((stretch for stretch in stretches if stretch.start <= at <= stretch.end), stretches[-1])
+        if on.kind != "integral" and not hubs.get(on.name):
+            sections.append(Section(_words(on, at, forces), on.name, at, on.diameter, blank))
+    return tuple(sorted(sections, key=lambda section: section.position))
 
 
 def _unlike(places: Iterable[float]) -> list[float]:
     """Return places without those that are the same but for rounding."""
-    found: list[float] = []
+    apart: list[float] = []
     for place in places:
-        if all(abs(place - each) > _BESIDE for each in found):
-            found.append(place)
-    return found
+        if all(abs(place - known) > _BESIDE for known in apart):
+            apart.append(place)
+    return apart
 
 
 def _words(stretch: Stretch, position: float, forces: ShaftForces) -> str:
@@ -132,7 +131,7 @@ def _words(stretch: Stretch, position: float, forces: ShaftForces) -> str:
     if stretch.kind == "bearing":
         return f"seat of {stretch.name}"
     places = forces.plan.places
-    return f"at {min(places, key=lambda each: abs(places[each] - position))}"
+    return f"at {min(places, key=lambda part: abs(places[part] - position))}"
 
 
 def _shoulders(stretches: Sequence[Stretch], fillet_ratio: float, blank: float) -> Iterator[Section]:

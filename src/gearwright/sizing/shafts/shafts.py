@@ -29,57 +29,57 @@ from gearwright.spec.design import NOTHING_GIVEN
 from gearwright.train import RATED
 
 
-def shaft_material(given: Context) -> Material:
+def shaft_material(context: Context) -> Material:
     """Return the material of shafts and carriers.
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
     """
-    return materials()[given.design.shafting.material or given.design.gears.material]
+    return materials()[context.design.shafting.material or context.design.gears.material]
 
 
-def size_shafts(given: Context, gears: tuple[GearSizing, ...]) -> tuple[tuple[ShaftSizing, ...], tuple[Built, ...]]:
+def size_shafts(context: Context, gears: tuple[GearSizing, ...]) -> tuple[tuple[ShaftSizing, ...], tuple[Built, ...]]:
     """Return every shaft of the design, and those that the design gives bearings also as they are built.
 
     A shaft without bearings in the design has one diameter, sized where bending and torsion together are largest.
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         gears: From `size_gears`.
 
     Raises:
         DesignError: If axes do not close, gears, places or bearings do not fit on a shaft, or no shaft can be built.
     """
-    axes, by_name = axes_of(given, gears), {gear.name: gear for gear in gears}
-    bent = _bent(given)
+    axes, by_name = axes_of(context, gears), {gear.name: gear for gear in gears}
+    bent = _bent(context)
     shafts: list[ShaftSizing] = []
     built: list[Built] = []
     problems: list[Problem] = []
-    for name in given.design.shafts:
-        plan, seats = plan_of(given, name, gears), seats_of(given.design, name)
+    for name in context.design.shafts:
+        plan, seats = plan_of(context, name, gears), seats_of(context.design, name)
         if not seats and name not in bent:
-            shafts.append(_plain(given, plan, _twisted(given, plan, name=name), axes[name], name=name))
+            shafts.append(_plain(context, plan, _twisted(context, plan, name=name), axes[name], name=name))
             continue
-        forces = shaft_forces(given, name, plan, axes=axes, gears=by_name)
+        forces = shaft_forces(context, name, plan, axes=axes, gears=by_name)
         if not seats:
-            shafts.append(_plain(given, plan, _governing(given, forces), axes[name], name=name))
+            shafts.append(_plain(context, plan, _governing(context, forces), axes[name], name=name))
             continue
         try:
-            built.append(_built(given, forces, by_name, name=name))
+            built.append(_built(context, forces, by_name, name=name))
         except DesignError as error:
             problems += error.problems
             continue
-        shafts.append(_stepped(given, forces, built[-1], axes[name], name=name))
+        shafts.append(_stepped(context, forces, built[-1], axes[name], name=name))
     if problems:
         raise DesignError(problems)
     return tuple(shafts), tuple(built)
 
 
-def _bent(given: Context) -> set[str]:
+def _bent(context: Context) -> set[str]:
     """Return the shafts that something may bend: a mesh of a pair, or a rotor's force or moment."""
-    found = {node for mesh in given.train.meshes if mesh.stage in given.design.pairs for node in mesh.nodes}
-    rotors = given.design.propellers.values()
-    return found | {rotor.shaft for rotor in rotors if rotor.thrust or rotor.in_plane_force or rotor.hub_moment}
+    geared = {node for mesh in context.train.meshes if mesh.stage in context.design.pairs for node in mesh.nodes}
+    rotors = context.design.propellers.values()
+    return geared | {rotor.shaft for rotor in rotors if rotor.thrust or rotor.in_plane_force or rotor.hub_moment}
 
 
 class _Governing(NamedTuple):
@@ -93,31 +93,31 @@ class _Governing(NamedTuple):
     diagram: ShaftDiagram
 
 
-def _governing(given: Context, forces: ShaftForces) -> _Governing:
+def _governing(context: Context, forces: ShaftForces) -> _Governing:
     moment = np.hypot(forces.drawn.bending[:, 0], forces.drawn.bending[:, 1])
-    found = np.unravel_index(int(np.argmax(np.hypot(moment, forces.drawn.torsion))), moment.shape)
-    case = int(found[0])
+    worst = np.unravel_index(int(np.argmax(np.hypot(moment, forces.drawn.torsion))), moment.shape)
+    case = int(worst[0])
     return _Governing(
-        case=list(given.flows)[case],
-        bending_moment=float(moment[found]),
-        torque=abs(float(forces.drawn.torsion[found])),
+        case=list(context.flows)[case],
+        bending_moment=float(moment[worst]),
+        torque=abs(float(forces.drawn.torsion[worst])),
         axial_force=float(forces.axial[case]),
         bearings=forces.bearing_loads(case),
         diagram=forces.diagram(case),
     )
 
 
-def _twisted(given: Context, plan: ShaftPlan, *, name: str) -> _Governing:
+def _twisted(context: Context, plan: ShaftPlan, *, name: str) -> _Governing:
     """Return what governs a shaft that nothing bends: the case and the section where the torque is largest."""
-    loads = sorted(pure_torques(given, name, plan), key=lambda load: load[0])
+    loads = sorted(pure_torques(context, name, plan), key=lambda load: load[0])
     position = tuple(place for place, _ in loads for _ in range(2))
-    torsion = [_along(torques) for torques in zip(*(each for _, each in loads), strict=True)]
-    largest = [max(map(abs, each)) for each in torsion]
+    torsion = [_along(torques) for torques in zip(*(by_case for _, by_case in loads), strict=True)]
+    largest = [max(map(abs, torques)) for torques in torsion]
     torque = max(largest)
     case = largest.index(torque)
     straight = (0.0,) * len(position)
     drawn = ShaftDiagram(position, (straight, straight), (straight, straight), torsion[case])
-    return _Governing(list(given.flows)[case], 0.0, torque, 0.0, (), drawn)
+    return _Governing(list(context.flows)[case], 0.0, torque, 0.0, (), drawn)
 
 
 def _along(torques: Iterable[float]) -> tuple[float, ...]:
@@ -129,10 +129,14 @@ def _along(torques: Iterable[float]) -> tuple[float, ...]:
     return tuple(stations)
 
 
-def _plain(given: Context, plan: ShaftPlan, load: _Governing, axis: complex, *, name: str) -> ShaftSizing:
+def _plain(context: Context, plan: ShaftPlan, load: _Governing, axis: complex, *, name: str) -> ShaftSizing:
     """Return a shaft of one diameter, by Tresca where √(M² + T²) is largest."""
-    rules, layout, take = given.design.shafting, given.design.layout.get(name, NOTHING_GIVEN), given.overrides.take
-    material, length = shaft_material(given), plan.length
+    rules, layout, take = (
+        context.design.shafting,
+        context.design.layout.get(name, NOTHING_GIVEN),
+        context.overrides.take,
+    )
+    material, length = shaft_material(context), plan.length
     bending, torque = load.bending_moment, load.torque
     allowable = (material.yield_strength or 0.0) / rules.safety
     ratio = layout.bore_ratio if layout.bore_ratio is not None else rules.bore_ratio
@@ -148,7 +152,7 @@ def _plain(given: Context, plan: ShaftPlan, load: _Governing, axis: complex, *, 
     return ShaftSizing(
         name=name,
         case=load.case,
-        speed=given.flows[RATED].speeds[name],
+        speed=context.flows[RATED].speeds[name],
         torque=torque,
         bending_moment=bending,
         axial_force=load.axial_force,
@@ -166,20 +170,24 @@ def _plain(given: Context, plan: ShaftPlan, load: _Governing, axis: complex, *, 
     )
 
 
-def _built(given: Context, forces: ShaftForces, gears: Mapping[str, GearSizing], *, name: str) -> Built:
-    layout = given.design.layout.get(name, NOTHING_GIVEN)
-    core = given.overrides.take(f"{name}.diameter", "length", layout.diameter or 0.0) or None
-    return build_shaft(given, name, forces, shaft_material(given), gears=gears, core=core)
+def _built(context: Context, forces: ShaftForces, gears: Mapping[str, GearSizing], *, name: str) -> Built:
+    layout = context.design.layout.get(name, NOTHING_GIVEN)
+    core = context.overrides.take(f"{name}.diameter", "length", layout.diameter or 0.0) or None
+    return build_shaft(context, name, forces, shaft_material(context), gears=gears, core=core)
 
 
-def _stepped(given: Context, forces: ShaftForces, built: Built, axis: complex, *, name: str) -> ShaftSizing:
+def _stepped(context: Context, forces: ShaftForces, built: Built, axis: complex, *, name: str) -> ShaftSizing:
     """Return the row of a built shaft: its weakest section, and the mass, inertia and stiffness of its steps."""
-    rules, layout, take = given.design.shafting, given.design.layout.get(name, NOTHING_GIVEN), given.overrides.take
-    material, steps, bore = shaft_material(given), built.shaft.steps, built.shaft.bore
+    rules, layout, take = (
+        context.design.shafting,
+        context.design.layout.get(name, NOTHING_GIVEN),
+        context.overrides.take,
+    )
+    material, steps, bore = shaft_material(context), built.shaft.steps, built.shaft.bore
     weak = max(built.shaft.sections, key=lambda section: _tresca(section, bore))
-    case, stress = list(given.flows).index(weak.case), _tresca(weak, bore)
+    case, stress = list(context.flows).index(weak.case), _tresca(weak, bore)
     allowable = (material.yield_strength or 0.0) / rules.safety
-    inside = {step.seat for step in steps if step.seat.partition(".")[0] in given.design.stages}
+    inside = {step.seat for step in steps if step.seat.partition(".")[0] in context.design.stages}
     outside = [0.0 if step.seat in inside else step.diameter for step in steps]
     pieces = [
         shaft_mass(diameter, step.end - step.start, material.density, bore=bore)
@@ -195,7 +203,7 @@ def _stepped(given: Context, forces: ShaftForces, built: Built, axis: complex, *
     return ShaftSizing(
         name=name,
         case=weak.case,
-        speed=given.flows[RATED].speeds[name],
+        speed=context.flows[RATED].speeds[name],
         torque=weak.torque,
         bending_moment=weak.bending_moment,
         axial_force=float(forces.axial[case]),

@@ -120,63 +120,63 @@ def lay(shaft: str, wanted: Wanted, choose: Choose) -> tuple[tuple[Stretch, ...]
     limit = min((item.limit for item in wanted.items if item.kind == "integral"), default=math.inf)
     chosen: dict[str, Bearing] = {}
 
-    def bounded(name: str, least: float, most: float) -> Bearing:
-        chosen[name] = choose(name, least, most)
+    def bounded(name: str, smallest: float, largest: float) -> Bearing:
+        chosen[name] = choose(name, smallest, largest)
         return chosen[name]
 
     left = _climb(shaft, bare[:low], wanted, bounded, limit=limit)
     right = _climb(shaft, bare[high + 1 :][::-1], wanted, bounded, limit=limit)
     middle = _core(shaft, bare[low : high + 1], (left, right), wanted)
-    whole = [*_shouldered(left, middle[0]), *middle, *_shouldered(right, middle[-1])[::-1]]
-    return tuple(_ends(_collared(whole, low, high))), chosen
+    laid = [*_shouldered(left, middle[0]), *middle, *_shouldered(right, middle[-1])[::-1]]
+    return tuple(_ends(_collared(laid, low, high))), chosen
 
 
 def _bare(items: Sequence[Item], length: float) -> list[Stretch]:
     """Return the stretches without diameters: between, item, between, and so on; those between may have no length."""
-    found, reached, before = [], 0.0, ""
+    bare, reached, before = [], 0.0, ""
     for item in items:
-        found += [Stretch(f"after {before}".strip(), "between", reached, item.start)]
-        found += [Stretch(item.name, item.kind, item.start, item.end)]
+        bare += [Stretch(f"after {before}".strip(), "between", reached, item.start)]
+        bare += [Stretch(item.name, item.kind, item.start, item.end)]
         reached, before = item.end, item.name
-    return [*found, Stretch(f"after {before}".strip(), "between", reached, length)]
+    return [*bare, Stretch(f"after {before}".strip(), "between", reached, length)]
 
 
 def _thickest(bare: list[Stretch], wanted: Wanted) -> tuple[int, int]:
     """Return the first and the last stretch from which on diameters fall outwards."""
-    integral = [k for k, each in enumerate(bare) if each.kind == "integral"]
+    integral = [k for k, stretch in enumerate(bare) if stretch.kind == "integral"]
     if integral:
         return integral[0], integral[-1]
     low, high = wanted.bearings
-    inside = [k for k, each in enumerate(bare) if low < (each.start + each.end) / 2.0 < high]
+    inside = [k for k, stretch in enumerate(bare) if low < (stretch.start + stretch.end) / 2.0 < high]
     hubs = [k for k in inside if bare[k].kind == "hub"]
     if hubs:
-        most = max(hubs, key=lambda k: wanted.fixed.get(bare[k].name, wanted.needed.get(bare[k].name, 0.0)))
-        return most, most
+        thickest = max(hubs, key=lambda k: wanted.fixed.get(bare[k].name, wanted.needed.get(bare[k].name, 0.0)))
+        return thickest, thickest
     longest = max((k for k in inside if bare[k].kind == "between"), key=lambda k: bare[k].length)
     return longest, longest
 
 
 def _climb(shaft: str, bare: list[Stretch], wanted: Wanted, choose: Choose, *, limit: float) -> list[Stretch]:
     """Return stretches from an end inwards with diameters that do not fall."""
-    found: list[Stretch] = []
+    climbed: list[Stretch] = []
     reached = 0.0
     for stretch in bare:
-        least = max(reached, wanted.needed.get(stretch.name, 0.0))
+        needed = max(reached, wanted.needed.get(stretch.name, 0.0))
         if stretch.kind == "bearing":
-            laid = _seated(stretch, choose(stretch.name, least, limit))
+            laid = _seated(stretch, choose(stretch.name, needed, limit))
         elif stretch.kind == "hub":
-            laid = replace(stretch, diameter=wanted.fixed.get(stretch.name, _whole(least)))
+            laid = replace(stretch, diameter=wanted.fixed.get(stretch.name, _whole(needed)))
         else:
-            laid = replace(stretch, diameter=_whole(least) if least > reached else reached)
+            laid = replace(stretch, diameter=_whole(needed) if needed > reached else reached)
         if laid.diameter < reached - _SAME:
             message = (
                 f"{stretch.name} has a seat of {1e3 * laid.diameter:.4g} mm on {shaft!r} and must be slid over"
                 f" {1e3 * reached:.4g} mm further out; give it {1e3 * reached:.4g} mm or more, or move it"
             )
             raise DesignError([Problem(_path(stretch), message)])
-        found = [*_shouldered(found, laid), laid] if laid.kind != "between" else [*found, laid]
+        climbed = [*_shouldered(climbed, laid), laid] if laid.kind != "between" else [*climbed, laid]
         reached = laid.diameter
-    return found
+    return climbed
 
 
 def _path(stretch: Stretch) -> str:
@@ -199,14 +199,14 @@ def _whole(diameter: float) -> float:
     return math.ceil(1e3 * diameter - 1e-6) / 1e3
 
 
-def _shouldered(found: list[Stretch], inner: Stretch) -> list[Stretch]:
+def _shouldered(side: list[Stretch], inner: Stretch) -> list[Stretch]:
     """Return stretches whose last one, beside a bearing, is its shoulder where the next seat lets that be."""
-    if len(found) < 2 or found[-1].kind != "between" or not found[-1].length > _SAME:
-        return found
-    wanted = found[-2].shoulder
-    if found[-1].diameter < wanted <= inner.diameter + _SAME:
-        return [*found[:-1], replace(found[-1], diameter=wanted)]
-    return found
+    if len(side) < 2 or side[-1].kind != "between" or not side[-1].length > _SAME:
+        return side
+    wanted = side[-2].shoulder
+    if side[-1].diameter < wanted <= inner.diameter + _SAME:
+        return [*side[:-1], replace(side[-1], diameter=wanted)]
+    return side
 
 
 def _core(
@@ -214,57 +214,59 @@ def _core(
 ) -> list[Stretch]:
     """Return the thickest stretches with their diameters."""
     beside = max((side[-1].diameter for side in sides if side), default=0.0)
-    least = max(beside, *(wanted.needed.get(each.name, 0.0) for each in middle))
+    needed = max(beside, *(wanted.needed.get(stretch.name, 0.0) for stretch in middle))
     if middle[0].kind == "integral":
         return _integral(shaft, middle, beside, wanted)
     (only,) = middle
     if only.kind == "between":
-        least = max(least, *(side[-1].shoulder for side in sides if side), 0.0)
-    given = wanted.fixed.get(only.name, wanted.core)
-    if given is not None and given < beside - _SAME:
-        message = f"{1e3 * given:.4g} mm is thinner than the seats beside it, {1e3 * beside:.4g} mm; give that or more"
+        needed = max(needed, *(side[-1].shoulder for side in sides if side), 0.0)
+    diameter = wanted.fixed.get(only.name, wanted.core)
+    if diameter is not None and diameter < beside - _SAME:
+        message = (
+            f"{1e3 * diameter:.4g} mm is thinner than the seats beside it, {1e3 * beside:.4g} mm; give that or more"
+        )
         raise DesignError([Problem(f"layout.{shaft}.diameter", message)])
-    return [replace(only, diameter=_whole(least) if given is None else given)]
+    return [replace(only, diameter=_whole(needed) if diameter is None else diameter)]
 
 
 def _integral(shaft: str, middle: list[Stretch], beside: float, wanted: Wanted) -> list[Stretch]:
     """Return gears of one piece with the shaft, and what lies between them."""
     limits = {item.name: item.limit for item in wanted.items}
-    found = []
-    for each in middle:
-        if each.kind in ("bearing", "hub"):
+    laid = []
+    for stretch in middle:
+        if stretch.kind in ("bearing", "hub"):
             message = "it lies between gears of one piece with the shaft and cannot be slid on; move it, or join a gear"
-            raise DesignError([Problem(_path(each), message)])
-        needed = max(beside, wanted.needed.get(each.name, 0.0))
-        body = min(limits.get(each.name, math.inf), LARGEST_BODY * needed)
-        found.append(replace(each, diameter=_whole(needed) if each.kind == "between" else body))
-        if each.kind == "integral" and needed > limits[each.name] + _SAME:
+            raise DesignError([Problem(_path(stretch), message)])
+        needed = max(beside, wanted.needed.get(stretch.name, 0.0))
+        body = min(limits.get(stretch.name, math.inf), LARGEST_BODY * needed)
+        laid.append(replace(stretch, diameter=_whole(needed) if stretch.kind == "between" else body))
+        if stretch.kind == "integral" and needed > limits[stretch.name] + _SAME:
             message = (
                 f"the shaft {shaft!r} needs {1e3 * needed:.4g} mm beside this gear, which has a root circle of"
-                f" {1e3 * limits[each.name]:.4g} mm; give the gear more teeth or a larger module, or put the bearings"
-                " nearer to it"
+                f" {1e3 * limits[stretch.name]:.4g} mm; give the gear more teeth or a larger module, or put the"
+                " bearings nearer to it"
             )
-            raise DesignError([Problem(f"joints.{each.name}", message)])
-    return found
+            raise DesignError([Problem(f"joints.{stretch.name}", message)])
+    return laid
 
 
-def _collared(whole: list[Stretch], low: int, high: int) -> list[Stretch]:
+def _collared(stretches: list[Stretch], low: int, high: int) -> list[Stretch]:
     """Return stretches with a collar on the longer side of a hub at the thickest place."""
-    if whole[low].kind != "hub" or low != high:
-        return whole
-    sides = [k for k in (low - 1, low + 1) if whole[k].length > _SAME]
+    if stretches[low].kind != "hub" or low != high:
+        return stretches
+    sides = [k for k in (low - 1, low + 1) if stretches[k].length > _SAME]
     if not sides:
-        return whole
-    at = max(sides, key=lambda k: whole[k].length)
-    beyond = [whole[k].shoulder for k in (at - 1, at + 1) if 0 <= k < len(whole)]
-    collar = _whole(max(COLLAR * whole[low].diameter, *beyond))
-    return [replace(each, diameter=collar) if k == at else each for k, each in enumerate(whole)]
+        return stretches
+    at = max(sides, key=lambda k: stretches[k].length)
+    beyond = [stretches[k].shoulder for k in (at - 1, at + 1) if 0 <= k < len(stretches)]
+    collar = _whole(max(COLLAR * stretches[low].diameter, *beyond))
+    return [replace(stretch, diameter=collar) if k == at else stretch for k, stretch in enumerate(stretches)]
 
 
-def _ends(whole: list[Stretch]) -> list[Stretch]:
+def _ends(stretches: list[Stretch]) -> list[Stretch]:
     """Return the stretches that have a length; an end that carries nothing is as thick as what sits beside it."""
-    if whole[0].diameter == 0.0:
-        whole = [replace(whole[0], diameter=whole[1].diameter), *whole[1:]]
-    if whole[-1].diameter == 0.0:
-        whole = [*whole[:-1], replace(whole[-1], diameter=whole[-2].diameter)]
-    return [each for each in whole if each.length > _SAME]
+    if stretches[0].diameter == 0.0:
+        stretches = [replace(stretches[0], diameter=stretches[1].diameter), *stretches[1:]]
+    if stretches[-1].diameter == 0.0:
+        stretches = [*stretches[:-1], replace(stretches[-1], diameter=stretches[-2].diameter)]
+    return [stretch for stretch in stretches if stretch.length > _SAME]

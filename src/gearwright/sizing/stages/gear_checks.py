@@ -17,12 +17,12 @@ LEAST_CONTACT_RATIO = 1.0
 
 
 def gear_checks(
-    given: Context, gears: tuple[GearSizing, ...], meshes: tuple[MeshSizing, ...], sizes: Mapping[str, StageSize]
+    context: Context, gears: tuple[GearSizing, ...], meshes: tuple[MeshSizing, ...], sizes: Mapping[str, StageSize]
 ) -> Iterator[Check]:
     """Yield every check of the gears that a standard rates.
 
     Args:
-        given: What sizing reads.
+        context: What sizing reads.
         gears: From `size_gears`.
         meshes: From `size_meshes`.
         sizes: From `stage_sizes`.
@@ -30,13 +30,15 @@ def gear_checks(
     by_name = {gear.name: gear for gear in gears}
     for mesh in meshes:
         if mesh.rating is not None:
-            rating = given.ratings[mesh.name.partition(".")[0]]
+            rating = context.ratings[mesh.name.partition(".")[0]]
             yield from _strength(mesh, mesh.rating, rating)
     for stage, size in sizes.items():
-        if given.ratings[stage].by_standard:
-            row = next(mesh for mesh in given.train.meshes if mesh.stage == stage)
+        if context.ratings[stage].by_standard:
+            row = next(mesh for mesh in context.train.meshes if mesh.stage == stage)
             pair = (by_name[row.gears[0]], by_name[row.gears[1]])
-            yield from (_cone if given.ratings[stage].kind == "bevel" else _cylinder)(given.ratings[stage], pair, size)
+            yield from (_cone if context.ratings[stage].kind == "bevel" else _cylinder)(
+                context.ratings[stage], pair, size
+            )
 
 
 def _strength(mesh: MeshSizing, rated: MeshRating, rating: Rating) -> Iterator[Check]:
@@ -52,32 +54,32 @@ def _strength(mesh: MeshSizing, rated: MeshRating, rating: Rating) -> Iterator[C
 
 
 def _cylinder(rating: Rating, pair: tuple[GearSizing, GearSizing], size: StageSize) -> Iterator[Check]:
-    one, other = pair
-    rules, internal = rating.rules, other.role == "ring"
+    first, second = pair
+    rules, internal = rating.rules, second.role == "ring"
     width, pinion = size.face_width, min(pair, key=lambda gear: gear.teeth)
     limits = {
         f"b ≤ {rules.iso6336.widest_modules:g} m_n, usual": rules.iso6336.widest_modules * size.module,
-        f"b ≤ {rules.iso6336.widest_diameters:g} d_1, usual": rules.iso6336.widest_diameters * one.pitch_diameter,
+        f"b ≤ {rules.iso6336.widest_diameters:g} d_1, usual": rules.iso6336.widest_diameters * first.pitch_diameter,
     }
-    for clause, most in limits.items():
-        yield Check(one.name, "face width", clause, width, most, "length", at_most=True)
+    for clause, largest in limits.items():
+        yield Check(first.name, "face width", clause, width, largest, "length", at_most=True)
     height = ISO53_A.straight_dedendum - rules.profile_shift
-    least = least_teeth(height, pressure_angle=rules.pressure_angle, helix_angle=rating.helix_angle)
+    fewest = least_teeth(height, pressure_angle=rules.pressure_angle, helix_angle=rating.helix_angle)
     yield Check(
-        pinion.name, "teeth free of undercut", "ISO 21771, z_min", pinion.teeth, math.ceil(least - 1e-9), "number"
+        pinion.name, "teeth free of undercut", "ISO 21771, z_min", pinion.teeth, math.ceil(fewest - 1e-9), "number"
     )
-    mesh = cylindrical_mesh((one.teeth, other.teeth), size.module, width, rating, internal=internal)
+    mesh = cylindrical_mesh((first.teeth, second.teeth), size.module, width, rating, internal=internal)
     ratio = float(mesh.transverse_contact_ratio)
-    yield Check(one.stage, "contact ratio ε_α", "ISO 21771", ratio, LEAST_CONTACT_RATIO)
+    yield Check(first.stage, "contact ratio ε_α", "ISO 21771", ratio, LEAST_CONTACT_RATIO)
 
 
 def _cone(rating: Rating, pair: tuple[GearSizing, GearSizing], size: StageSize) -> Iterator[Check]:
-    one, other = pair
-    cone = float(cone_ratio(one.teeth, other.teeth))
+    first, second = pair
+    cone = float(cone_ratio(first.teeth, second.teeth))
     outer = size.module / math.cos(rating.helix_angle) + size.face_width / (2.0 * cone)
     limit = min(WIDEST * cone, WIDEST_MODULES) * outer
     clause = "ISO 23509, annex B: R_e/3 and 10 m_et"
-    yield Check(one.name, "face width", clause, size.asked_width, limit, "length", at_most=True)
-    least = fewest_virtual_teeth(rating)
-    virtual = one.teeth * math.hypot(one.teeth, other.teeth) / other.teeth
-    yield Check(one.name, "virtual teeth free of undercut", "ISO 23509, z_1/cos δ_1", virtual, least, "number")
+    yield Check(first.name, "face width", clause, size.asked_width, limit, "length", at_most=True)
+    fewest = fewest_virtual_teeth(rating)
+    virtual = first.teeth * math.hypot(first.teeth, second.teeth) / second.teeth
+    yield Check(first.name, "virtual teeth free of undercut", "ISO 23509, z_1/cos δ_1", virtual, fewest, "number")

@@ -20,18 +20,18 @@ from gearwright.sizing.stages.stage_sizes import StageSize
 from gearwright.train import INTERNAL, Gear, Mesh
 
 
-def size_gears(given: Context, sizes: Mapping[str, StageSize]) -> tuple[GearSizing, ...]:
+def size_gears(context: Context, sizes: Mapping[str, StageSize]) -> tuple[GearSizing, ...]:
     """Return every kind of gear body.
 
     Args:
-        given: What gear sizing reads.
+        context: What gear sizing reads.
         sizes: Stage -> its module and face width.
     """
-    return tuple(_gear(given, gear, sizes[gear.stage]) for gear in given.train.gears)
+    return tuple(_gear(context, gear, sizes[gear.stage]) for gear in context.train.gears)
 
 
-def _gear(given: Context, gear: Gear, size: StageSize) -> GearSizing:
-    rating, teeth, take = given.ratings[gear.stage], given.teeth[gear.name], given.overrides.take
+def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
+    rating, teeth, take = context.ratings[gear.stage], context.teeth[gear.name], context.overrides.take
     module, width = size.module, size.face_width
     diameter = module * teeth / math.cos(rating.helix_angle)
     density = rating.material.density
@@ -60,30 +60,32 @@ def _gear(given: Context, gear: Gear, size: StageSize) -> GearSizing:
     )
 
 
-def size_meshes(given: Context, gears: tuple[GearSizing, ...]) -> tuple[MeshSizing, ...]:
+def size_meshes(context: Context, gears: tuple[GearSizing, ...]) -> tuple[MeshSizing, ...]:
     """Return every mesh row at its worst case.
 
     Args:
-        given: What gear sizing reads.
+        context: What gear sizing reads.
         gears: From `size_gears`.
     """
     by_name = {gear.name: gear for gear in gears}
-    return tuple(_mesh(given, mesh, (by_name[mesh.gears[0]], by_name[mesh.gears[1]])) for mesh in given.train.meshes)
+    return tuple(
+        _mesh(context, mesh, (by_name[mesh.gears[0]], by_name[mesh.gears[1]])) for mesh in context.train.meshes
+    )
 
 
-def _mesh(given: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing]) -> MeshSizing:
-    rating, (one, _) = given.ratings[mesh.stage], pair
-    case, per_tooth, module_bending, module_contact = given.demands[mesh.name]
+def _mesh(context: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing]) -> MeshSizing:
+    rating, (first, _) = context.ratings[mesh.stage], pair
+    case, per_tooth, module_bending, module_contact = context.demands[mesh.name]
     width = min(gear.face_width for gear in pair)
-    force = 2.0 * per_tooth * one.teeth / one.pitch_diameter
-    flow = given.flows[case]
+    force = 2.0 * per_tooth * first.teeth / first.pitch_diameter
+    flow = context.flows[case]
     rolling = abs(flow.speeds[mesh.nodes[0]] - flow.speeds[mesh.nodes[2]])
     if rating.kind == "bevel":
-        axial, radial = (float(each) for each in bevel_push(rating, force, one.teeth / pair[1].teeth))
+        axial, radial = (float(push) for push in bevel_push(rating, force, first.teeth / pair[1].teeth))
     else:
         axial = force * math.tan(rating.helix_angle)
         radial = force * math.tan(rating.rules.pressure_angle) / math.cos(rating.helix_angle)
-    rated = rate_row(given, mesh, one.module, width) if rating.by_standard else None
+    rated = rate_row(context, mesh, first.module, width) if rating.by_standard else None
     strength = _first_strength(rating, mesh, pair, force) if rated is None else _rated_strength(rating, rated)
     return MeshSizing(
         name=mesh.name,
@@ -94,7 +96,7 @@ def _mesh(given: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing]) -> Me
         tangential_force=force,
         radial_force=radial,
         axial_force=axial,
-        pitch_line_velocity=rolling * one.pitch_diameter / 2.0,
+        pitch_line_velocity=rolling * first.pitch_diameter / 2.0,
         module_bending=module_bending,
         module_contact=module_contact,
         bending_stress=strength.bending,
@@ -116,14 +118,14 @@ class _Strength(NamedTuple):
 
 def _first_strength(rating: Rating, mesh: Mesh, pair: tuple[GearSizing, GearSizing], force: float) -> _Strength:
     """Return stresses and margins by Lewis and Hertz."""
-    one, other = pair
-    width, weaker = min(one.face_width, other.face_width), min(one.teeth, other.teeth)
-    bending = bending_stress_lewis(force, width, one.module, form_factor=float(form_factor(weaker, rating)))
-    curvature = 2.0 / one.pitch_diameter + (-2.0 if mesh.sign == INTERNAL else 2.0) / other.pitch_diameter
+    first, second = pair
+    width, weaker = min(first.face_width, second.face_width), min(first.teeth, second.teeth)
+    bending = bending_stress_lewis(force, width, first.module, form_factor=float(form_factor(weaker, rating)))
+    curvature = 2.0 / first.pitch_diameter + (-2.0 if mesh.sign == INTERNAL else 2.0) / second.pitch_diameter
     contact = contact_stress(
         force, width, curvature, angles=rating.angles, elastic_modulus=rating.material.elastic_modulus
     )
-    allowable = rating.bending_allowable * (rating.rules.idler_factor if "planet" in (one.role, other.role) else 1.0)
+    allowable = rating.bending_allowable * (rating.rules.idler_factor if "planet" in (first.role, second.role) else 1.0)
     return _Strength(
         bending,
         allowable / bending if bending else math.inf,

@@ -12,11 +12,11 @@ NOTHING = 1e-9
 """Torque over the largest of its kind below which it is rounding [-]."""
 
 
-def refuse_idle_stages(given: Context, needed: Mapping[str, float]) -> None:
+def refuse_idle_stages(context: Context, needed: Mapping[str, float]) -> None:
     """Raise where nothing loads the gears of a stage whose module is not given.
 
     Args:
-        given: What gear sizing reads.
+        context: What gear sizing reads.
         needed: Stage -> module that its meshes, or a stage on the same axes, ask for [m].
 
     Raises:
@@ -28,10 +28,10 @@ def refuse_idle_stages(given: Context, needed: Mapping[str, float]) -> None:
     problems = []
     for stage, module in needed.items():
         offered = (f"{stage}.module_", f"{stage}.outer_module_")
-        if module > math.cbrt(NOTHING) * largest or any(path.startswith(offered) for path in given.overrides.given):
+        if module > math.cbrt(NOTHING) * largest or any(path.startswith(offered) for path in context.overrides.given):
             continue
-        table = "pairs" if stage in given.design.pairs else "planetaries"
-        key = f"{stage}.{'outer_module' if given.ratings[stage].kind == 'bevel' else 'module'}_mm"
+        table = "pairs" if stage in context.design.pairs else "planetaries"
+        key = f"{stage}.{'outer_module' if context.ratings[stage].kind == 'bevel' else 'module'}_mm"
         message = (
             "no load case sends power through these gears, so that strength asks for no module; give one, such as"
             f' "{key}" = 2 in [overrides], or a case that loads them'

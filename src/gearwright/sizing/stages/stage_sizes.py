@@ -32,90 +32,92 @@ class StageSize(NamedTuple):
     """b as the user gives it, which may be more than a bevel gear can have [m]."""
 
 
-def stage_sizes(given: Context) -> dict[str, StageSize]:
+def stage_sizes(context: Context) -> dict[str, StageSize]:
     """Return module and face width of every stage: the largest that a mesh of its group asks for.
 
     Args:
-        given: What gear sizing reads.
+        context: What gear sizing reads.
 
     Raises:
         DesignError: If nothing loads a stage, or its standard does not cover it.
     """
-    group = groups_of(given.design)
+    group = groups_of(context.design)
     needed: dict[str, float] = {}
-    for mesh in given.train.meshes:
+    for mesh in context.train.meshes:
         owner = group[mesh.stage]
-        needed[owner] = max(needed.get(owner, 0.0), *given.demands[mesh.name][2:])
-    _align(given, needed, group)
-    refuse_idle_stages(given, needed)
-    sizes = {owner: _size(given, owner, value) for owner, value in needed.items()}
-    return {stage: _like(given, stage, owner, sizes[owner]) for stage, owner in group.items()}
+        needed[owner] = max(needed.get(owner, 0.0), *context.demands[mesh.name][2:])
+    _align(context, needed, group)
+    refuse_idle_stages(context, needed)
+    sizes = {owner: _size(context, owner, value) for owner, value in needed.items()}
+    return {stage: _like(context, stage, owner, sizes[owner]) for stage, owner in group.items()}
 
 
-def _like(given: Context, stage: str, owner: str, size: StageSize) -> StageSize:
+def _like(context: Context, stage: str, owner: str, size: StageSize) -> StageSize:
     """Return the size of a stage that has its owner's module, and its own face width."""
     if stage == owner:
         return size
-    width = given.overrides.take(f"{stage}.face_width", "length", width_ratio_of(given, stage) * size.module)
+    width = context.overrides.take(f"{stage}.face_width", "length", width_ratio_of(context, stage) * size.module)
     return StageSize(size.module, width, width)
 
 
-def _align(given: Context, needed: dict[str, float], group: Mapping[str, str]) -> None:
+def _align(context: Context, needed: dict[str, float], group: Mapping[str, str]) -> None:
     """Raise modules until pairs on the same axes have the larger one's centre distance."""
-    for name, pair in given.design.pairs.items():
+    for name, pair in context.design.pairs.items():
         if pair.coaxial_with is None:
             continue
-        spans = {each: _span(given, each) for each in (name, pair.coaxial_with)}
-        distance = max(needed[group[each]] * span for each, span in spans.items())
-        for each, span in spans.items():
-            needed[group[each]] = distance / span
+        spans = {tied: _span(context, tied) for tied in (name, pair.coaxial_with)}
+        distance = max(needed[group[tied]] * span for tied, span in spans.items())
+        for tied, span in spans.items():
+            needed[group[tied]] = distance / span
 
 
-def _span(given: Context, stage: str) -> float:
+def _span(context: Context, stage: str) -> float:
     """Return a pair's centre distance over its normal module, (z_1 ± z_2) / (2 cos β) [-]."""
-    one, other = _teeth(given, stage)
-    mesh = next(mesh for mesh in given.train.meshes if mesh.stage == stage)
-    return abs(one - mesh.sign * other) / (2.0 * math.cos(given.ratings[stage].helix_angle))
+    pinion, wheel = _teeth(context, stage)
+    mesh = next(mesh for mesh in context.train.meshes if mesh.stage == stage)
+    return abs(pinion - mesh.sign * wheel) / (2.0 * math.cos(context.ratings[stage].helix_angle))
 
 
-def _teeth(given: Context, stage: str) -> tuple[int, int]:
-    mesh = next(mesh for mesh in given.train.meshes if mesh.stage == stage)
-    return given.teeth[mesh.gears[0]], given.teeth[mesh.gears[1]]
+def _teeth(context: Context, stage: str) -> tuple[int, int]:
+    mesh = next(mesh for mesh in context.train.meshes if mesh.stage == stage)
+    return context.teeth[mesh.gears[0]], context.teeth[mesh.gears[1]]
 
 
-def _size(given: Context, stage: str, needed: float) -> StageSize:
-    rating, take, ratio = given.ratings[stage], given.overrides.take, width_ratio_of(given, stage)
+def _size(context: Context, stage: str, needed: float) -> StageSize:
+    rating, take, ratio = context.ratings[stage], context.overrides.take, width_ratio_of(context, stage)
     if not rating.by_standard:
         module = take(f"{stage}.module", "length", needed)
         width = take(f"{stage}.face_width", "length", ratio * module)
         return StageSize(module, width, width)
-    needed = _under_spectrum(given, stage, needed, ratio)
+    needed = _under_spectrum(context, stage, needed, ratio)
     return (
-        _bevel_size(given, stage, needed, ratio) if rating.kind == "bevel" else _cylinder(given, stage, needed, ratio)
+        _bevel_size(context, stage, needed, ratio)
+        if rating.kind == "bevel"
+        else _cylinder(context, stage, needed, ratio)
     )
 
 
-def _under_spectrum(given: Context, stage: str, module: float, ratio: float) -> float:
+def _under_spectrum(context: Context, stage: str, module: float, ratio: float) -> float:
     """Return the module with which every asked safety is just met under all cases of the life."""
     for _ in range(_CORRECTIONS):
-        module /= math.cbrt(_gap(given, stage, module, ratio * module))
+        module /= math.cbrt(_gap(context, stage, module, ratio * module))
     return module
 
 
-def _gap(given: Context, stage: str, module: float, width: float) -> float:
+def _gap(context: Context, stage: str, module: float, width: float) -> float:
     """Return by what factor the loads of a stage could grow [-]; 1 where nothing loads it."""
-    rows = [mesh for mesh in given.train.meshes if mesh.stage == stage]
-    rated = [rate_row(given, mesh, module, width) for mesh in rows]
-    return min((each.gap(given.ratings[stage]) for each in rated if each is not None), default=1.0)
+    rows = [mesh for mesh in context.train.meshes if mesh.stage == stage]
+    rated = [rate_row(context, mesh, module, width) for mesh in rows]
+    return min((row.gap(context.ratings[stage]) for row in rated if row is not None), default=1.0)
 
 
-def _cylinder(given: Context, stage: str, needed: float, ratio: float) -> StageSize:
+def _cylinder(context: Context, stage: str, needed: float, ratio: float) -> StageSize:
     """Return a standard module and the whole millimetres of face width that meet the safeties with it."""
-    rating, take = given.ratings[stage], given.overrides.take
-    module = take(f"{stage}.module", "length", _rounded(given, stage, needed))
+    rating, take = context.ratings[stage], context.overrides.take
+    module = take(f"{stage}.module", "length", _rounded(context, stage, needed))
     width = ratio * module
     if rating.given_width_ratio is None:
-        width = _narrowest(_overlap_width(rating, module), width, lambda each: _gap(given, stage, module, each))
+        width = _narrowest(_overlap_width(rating, module), width, lambda tried: _gap(context, stage, module, tried))
     width = take(f"{stage}.face_width", "length", width)
     return StageSize(module, width, width)
 
@@ -126,9 +128,9 @@ def _overlap_width(rating: Rating, module: float) -> float:
     return rating.rules.overlap_ratio * math.pi * module / lean if lean else module
 
 
-def _narrowest(least: float, most: float, gap: Callable[[float], float]) -> float:
+def _narrowest(narrowest: float, widest: float, gap: Callable[[float], float]) -> float:
     """Return the least face width in whole millimetres that meets the safeties, or the most that is allowed [m]."""
-    low, high = math.ceil(min(least, most) / _MM - 1e-9), max(math.floor(most / _MM + 1e-9), 1)
+    low, high = math.ceil(min(narrowest, widest) / _MM - 1e-9), max(math.floor(widest / _MM + 1e-9), 1)
     while low < high:
         middle = (low + high) // 2
         if gap(middle * _MM) >= 1.0:
@@ -138,26 +140,26 @@ def _narrowest(least: float, most: float, gap: Callable[[float], float]) -> floa
     return high * _MM
 
 
-def _rounded(given: Context, stage: str, needed: float) -> float:
+def _rounded(context: Context, stage: str, needed: float) -> float:
     """Return the next standard module where the rules ask for one; pairs on common axes keep theirs."""
-    tied = {name for name, pair in given.design.pairs.items() if pair.coaxial_with is not None}
-    tied |= {pair.coaxial_with for pair in given.design.pairs.values() if pair.coaxial_with is not None}
-    if stage in tied or not given.ratings[stage].rules.iso6336.standard_modules:
+    tied = {name for name, pair in context.design.pairs.items() if pair.coaxial_with is not None}
+    tied |= {pair.coaxial_with for pair in context.design.pairs.values() if pair.coaxial_with is not None}
+    if stage in tied or not context.ratings[stage].rules.iso6336.standard_modules:
         return needed
-    return next((each * _MM for each in STANDARD_MODULES if each * _MM >= needed * (1.0 - 1e-9)), needed)
+    return next((standard * _MM for standard in STANDARD_MODULES if standard * _MM >= needed * (1.0 - 1e-9)), needed)
 
 
-def _bevel_size(given: Context, stage: str, needed: float, ratio: float) -> StageSize:
+def _bevel_size(context: Context, stage: str, needed: float, ratio: float) -> StageSize:
     """Return mean normal module and face width of a bevel stage from its outer module and width, rounded or given."""
-    rating, take, teeth = given.ratings[stage], given.overrides.take, _teeth(given, stage)
+    rating, take, teeth = context.ratings[stage], context.overrides.take, _teeth(context, stage)
     outer = bevel_pair(teeth, needed, ratio * needed, rating).outer_module
-    outer = take(f"{stage}.outer_module", "length", _rounded(given, stage, outer))
+    outer = take(f"{stage}.outer_module", "length", _rounded(context, stage, outer))
     cone = float(cone_ratio(*teeth)) * outer
     limit = min(WIDEST * cone, WIDEST_MODULES * outer)
     width = ratio * outer / (1.0 / math.cos(rating.helix_angle) + 0.5 * ratio * outer / cone)
 
-    def gap(each: float) -> float:
-        return _gap(given, stage, mean_module(teeth, outer, each, rating), each)
+    def gap(tried: float) -> float:
+        return _gap(context, stage, mean_module(teeth, outer, tried, rating), tried)
 
     if rating.given_width_ratio is None:
         width = _narrowest(_overlap_width(rating, mean_module(teeth, outer, width, rating)), width, gap)

@@ -36,7 +36,7 @@ def is_given(stage: Pair | Planetary) -> bool:
     """
     if isinstance(stage, Pair):
         return bool(stage.pinion_teeth and stage.wheel_teeth)
-    return sum(each is not None for each in (stage.sun_teeth, stage.planet_teeth, stage.ring_teeth)) >= 2
+    return sum(teeth is not None for teeth in (stage.sun_teeth, stage.planet_teeth, stage.ring_teeth)) >= 2
 
 
 def given_teeth(design: Design) -> dict[str, int]:
@@ -127,15 +127,15 @@ def all_candidates(task: Task, design: Design) -> tuple[Integers, Integers, Inte
         first = np.arange(rules.sun_minimum, rules.sun_maximum + 1)
         second = np.arange(rules.planet_minimum, LARGEST_FREE_RATIO * rules.sun_maximum // 2 + 1)
     else:
-        least = rules.pinion_minimum or fewest_teeth(task.rating)
+        fewest = rules.pinion_minimum or fewest_teeth(task.rating)
         first = (
             np.array([task.stage.pinion_teeth])
             if task.stage.pinion_teeth
-            else np.arange(least, rules.pinion_maximum + 1)
+            else np.arange(fewest, rules.pinion_maximum + 1)
         )
-        second = np.arange(least, LARGEST_FREE_RATIO * int(first.max()) + 1)
+        second = np.arange(fewest, LARGEST_FREE_RATIO * int(first.max()) + 1)
     _refuse_many(task, len(first) * len(second))
-    small, large = (each.ravel() for each in np.meshgrid(first, second, indexing="ij"))
+    small, large = (grid.ravel() for grid in np.meshgrid(first, second, indexing="ij"))
     return np.zeros(len(small), dtype=np.int64), small, large
 
 
@@ -172,20 +172,30 @@ def _whole(wanted: Floats) -> Integers:
     return np.minimum(np.maximum(np.floor(wanted), 1.0), _MOST).astype(np.int64)
 
 
-def _neighbours(wanted: Floats, small: Integers, given: int | None, reach: int) -> tuple[Integers, Integers, Integers]:
+def _neighbours(
+    wanted: Floats, small: Integers, large_teeth: int | None, reach: int
+) -> tuple[Integers, Integers, Integers]:
     """Return every choice of the front with every small gear and the integers around the wanted large one."""
     low = _whole(wanted)[:, :, None]
     large = (
-        np.maximum(low + np.arange(1 - reach, 1 + reach), 1) if given is None else np.full((*low.shape[:2], 1), given)
+        np.maximum(low + np.arange(1 - reach, 1 + reach), 1)
+        if large_teeth is None
+        else np.full((*low.shape[:2], 1), large_teeth)
     )
     parent = np.arange(len(wanted)).repeat(large[0].size)
     return parent, np.broadcast_to(small[:, None], large.shape).ravel(), large.ravel()
 
 
-def _around(wanted: Floats, large: Integers, given: int | None, reach: int) -> tuple[Integers, Integers, Integers]:
+def _around(
+    wanted: Floats, large: Integers, small_teeth: int | None, reach: int
+) -> tuple[Integers, Integers, Integers]:
     """Return the integers around the wanted gear that meshes with one that is chosen already."""
     low = _whole(wanted)[:, None]
-    small = np.maximum(low + np.arange(1 - reach, 1 + reach), 1) if given is None else np.full((len(low), 1), given)
+    small = (
+        np.maximum(low + np.arange(1 - reach, 1 + reach), 1)
+        if small_teeth is None
+        else np.full((len(low), 1), small_teeth)
+    )
     parent, teeth, shared = np.broadcast_arrays(np.arange(len(low))[:, None], small, large[:, None])
     return parent.ravel(), teeth.ravel(), shared.ravel()
 

@@ -27,16 +27,16 @@ def refusal(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: flo
     """
     if isinstance(stage, Planetary):
         return DesignError([_planetary(name, stage, design, tooth_ratio)])
-    least = design.teeth.pinion_minimum or fewest
-    given = [teeth for teeth in (stage.pinion_teeth, stage.wheel_teeth) if teeth is not None and teeth < least]
-    if given:
+    smallest = design.teeth.pinion_minimum or fewest
+    undercut = [teeth for teeth in (stage.pinion_teeth, stage.wheel_teeth) if teeth is not None and teeth < smallest]
+    if undercut:
         more = "" if stage.kind == "bevel" else ", or more gears.profile_shift"
-        message = f"{given[0]} teeth are undercut; use at least {least}{more}"
+        message = f"{undercut[0]} teeth are undercut; use at least {smallest}{more}"
         return DesignError([Problem(f"pairs.{name}.pinion_teeth", message)])
     message = (
-        f"no tooth numbers from {least} to {design.teeth.pinion_maximum} on the pinion give the ratio {tooth_ratio:.4g}"
-        f" within {design.teeth.stage_tolerance:.1%}; allow more in teeth.stage_tolerance or teeth.pinion_maximum, or"
-        " change the speeds"
+        f"no tooth numbers from {smallest} to {design.teeth.pinion_maximum} on the pinion give the ratio"
+        f" {tooth_ratio:.4g} within {design.teeth.stage_tolerance:.1%}; allow more in teeth.stage_tolerance or"
+        " teeth.pinion_maximum, or change the speeds"
     )
     return DesignError([Problem(f"pairs.{name}", message)])
 
@@ -71,16 +71,16 @@ def refuse_contradictions(design: Design, flows: Mapping[str, PowerFlow]) -> Non
     """
     problems: dict[str, Problem] = {}
     for case, flow in flows.items():
-        for each in flow.yielded:
-            drive = design.cases.get(case, {}).get(each.machine)
-            own = drive is not None and drive.speed is not None
-            table = f"cases.{case}" if own else table_of(each.machine, design)
-            path = f"{table}.{each.machine}.speed"
-            if abs(each.deviation) > design.teeth.speed_tolerance:
+        for yielded in flow.yielded:
+            drive = design.cases.get(case, {}).get(yielded.machine)
+            stated = drive is not None and drive.speed is not None
+            table = f"cases.{case}" if stated else table_of(yielded.machine, design)
+            path = f"{table}.{yielded.machine}.speed"
+            if abs(yielded.deviation) > design.teeth.speed_tolerance:
                 message = (
-                    f"{text(each.asked, 'speed')} is asked, but the teeth and the other speeds give"
-                    f" {text(each.actual, 'speed')} ({each.deviation:+.1%}); change the speed or the teeth, or allow"
-                    " more in teeth.speed_tolerance"
+                    f"{text(yielded.asked, 'speed')} is asked, but the teeth and the other speeds give"
+                    f" {text(yielded.actual, 'speed')} ({yielded.deviation:+.1%}); change the speed or the teeth, or"
+                    " allow more in teeth.speed_tolerance"
                 )
                 problems.setdefault(path, Problem(path, message))
     if problems:
@@ -116,14 +116,14 @@ def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
 def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float) -> Problem:
     """Return the problem of a planetary set."""
     path, ratio = f"planetaries.{name}", 1.0 + tooth_ratio
-    given = ", ".join(
+    written = ", ".join(
         f"{part} = {teeth}"
         for part in ("sun_teeth", "planet_teeth", "ring_teeth")
         if (teeth := getattr(stage, part)) is not None
     )
-    if given:
+    if written:
         message = (
-            f"no tooth numbers with {given} give the ratio {ratio:.4g} within {design.teeth.stage_tolerance:.1%} and"
+            f"no tooth numbers with {written} give the ratio {ratio:.4g} within {design.teeth.stage_tolerance:.1%} and"
             f" let {stage.planets} planets be assembled; leave one out, or change the speeds"
         )
         return Problem(path, message)

@@ -61,10 +61,10 @@ def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, in
     tasks = [_task(name, design, train, nominal, flow) for name in design.stages]
     front = _joined(design, Front({}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {}))
     while tasks:
-        task = next((each for each in tasks if _ready(each, front)), None)
+        task = next((task for task in tasks if _ready(task, front)), None)
         if task is None:
             raise DesignError(
-                Problem(each.name, "no speed that is known leads to this stage; give its teeth") for each in tasks
+                Problem(waiting.name, "no speed that is known leads to this stage; give its teeth") for waiting in tasks
             )
         tasks.remove(task)
         front = _joined(design, _extend(front, task, design, nominal))
@@ -85,7 +85,7 @@ def _nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[
             size = real.get(pinion) or (real[wheel] / ratio if wheel in real else 1.0)
             real |= {pinion: size, wheel: size * ratio}
     turning = Turning(design, train, real)
-    free = {each.machine for each in turning.yielded}
+    free = {yielded.machine for yielded in turning.yielded}
     kept = {shaft for machine, shaft in train.machines.items() if machine not in free}
     return power_flows(design, turning), kept
 
@@ -99,9 +99,9 @@ def groups_of(design: Design) -> dict[str, str]:
     owner = {name: name for name in design.stages}
     for name, pair in design.pairs.items():
         for side in ("pinion", "wheel"):
-            other = gear_of(name, side, pair).partition(".")[0]
-            if other != name:
-                owner[name] = other
+            shared = gear_of(name, side, pair).partition(".")[0]
+            if shared != name:
+                owner[name] = shared
     return owner
 
 
@@ -115,9 +115,9 @@ def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapp
     torque, speed, rolling = 0.0, 1.0, 1.0
     for flow in flows.values():
         for mesh in own_rows:
-            each = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / mesh.count * rating.load_factor
-            if each > torque:
-                torque = each
+            load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / mesh.count * rating.load_factor
+            if load > torque:
+                torque = load
                 speed = abs(flow.speeds[mesh.nodes[1 if ring else 0]])
                 rolling = abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])
     return Task(name, stage, edge, groups_of(design)[name], rating, torque, speed, rolling)
@@ -191,8 +191,8 @@ def _near(task: Task, design: Design, actual: Floats, asked: Floats) -> NDArray[
     """Tell which tooth ratios are within the tolerance; given teeth are as they are."""
     if is_given(task.stage):
         return np.ones(len(actual), dtype=bool)
-    one = 1.0 if isinstance(task.stage, Planetary) else 0.0
-    return np.asarray(np.abs((one + actual) / (one + asked) - 1.0) <= design.teeth.stage_tolerance)
+    carrier_part = 1.0 if isinstance(task.stage, Planetary) else 0.0
+    return np.asarray(np.abs((carrier_part + actual) / (carrier_part + asked) - 1.0) <= design.teeth.stage_tolerance)
 
 
 def _target(front: Front, task: Task, nominal: Targets) -> Floats:

@@ -35,12 +35,12 @@ def bearing_problems(design: Design) -> Iterator[Problem]:
 
 def _planet_bearings(design: Design) -> Iterator[Problem]:
     for name, stage in design.planetaries.items():
-        given, path = stage.planet_bearing, f"planetaries.{name}.planet_bearing"
-        if given is None:
+        planet_bearing, path = stage.planet_bearing, f"planetaries.{name}.planet_bearing"
+        if planet_bearing is None:
             continue
-        if (given.dynamic_rating is None) != (given.static_rating is None):
+        if (planet_bearing.dynamic_rating is None) != (planet_bearing.static_rating is None):
             yield Problem(path, "one rating without the other; give dynamic_rating_kn and static_rating_kn, or neither")
         try:
-            bearing(given.designation)
+            bearing(planet_bearing.designation)
         except DesignError as error:
             yield from (Problem(f"{path}.designation", problem.message) for problem in error.problems)

@@ -31,9 +31,9 @@ def reference_problems(design: Design) -> list[Problem]:
         name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, _clutches, _teeth, _layout, _cases,
         _keep, _materials, _widths, _overrides,
     )  # fmt: skip
-    found = [problem for check in checks for problem in check(design)]
+    problems = [problem for check in checks for problem in check(design)]
     more = (gear_problems, effect_problems, motion_problems, mounting_problems)
-    return [*found, *(problem for check in more for problem in check(design))]
+    return [*problems, *(problem for check in more for problem in check(design))]
 
 
 def _shafts(design: Design) -> Iterator[Problem]:
@@ -86,12 +86,12 @@ def _speeds(design: Design) -> Iterator[Problem]:
     """Find machines on one shaft that ask for different speeds, or senses."""
     first: dict[str, str] = {}
     for name, machine in design.machines.items():
-        other = first.setdefault(machine.shaft, name)
-        asked, speed = _signed_speed(name, design), _signed_speed(other, design)
+        partner = first.setdefault(machine.shaft, name)
+        asked, speed = _signed_speed(name, design), _signed_speed(partner, design)
         if abs(asked / speed - 1.0) > design.teeth.speed_tolerance:
             yield Problem(
                 f"{table_of(name, design)}.{name}.speed",
-                f"{text(asked, 'speed')} on shaft {machine.shaft!r}, where {other} turns at {text(speed, 'speed')};"
+                f"{text(asked, 'speed')} on shaft {machine.shaft!r}, where {partner} turns at {text(speed, 'speed')};"
                 " give one speed to both, or put a gear stage between them",
             )
 
@@ -125,7 +125,7 @@ def _pairs(design: Design) -> Iterator[Problem]:
         for side, names in sides.items():
             for shaft in names:
                 yield from _gear_reference(f"{path}.{side}", shaft, name, design)
-            if len(set(names)) < len(names) or (len(names) > 1 and any("." in each for each in names)):
+            if len(set(names)) < len(names) or (len(names) > 1 and any("." in shaft for shaft in names)):
                 yield Problem(f"{path}.{side}", f"{names}: a list names different shafts, and no shared gear")
         if set(sides["pinion"]) & set(sides["wheel"]):
             yield Problem(path, f"{pair.pinion!r} carries both gears; pinion and wheel turn on two shafts")
@@ -144,15 +144,15 @@ def _is_share(share: list[float], meshes: int) -> bool:
     return len(share) == meshes and min(share) > 0.0 and abs(sum(share) - 1.0) <= 1e-9
 
 
-def _gear_reference(path: str, name: str, own: str, design: Design) -> Iterator[Problem]:
+def _gear_reference(path: str, name: str, pair_name: str, design: Design) -> Iterator[Problem]:
     stage, dot, gear = name.partition(".")
     if not dot:
         yield from _shaft(path, name, design)
         return
-    others = [f"{other}.{side}" for other in design.pairs if other != own for side in SIDES]
-    if stage == own or gear not in SIDES or stage not in design.pairs:
+    others = [f"{pair}.{side}" for pair in design.pairs if pair != pair_name for side in SIDES]
+    if stage == pair_name or gear not in SIDES or stage not in design.pairs:
         yield Problem(path, f"there is no gear {name!r} in another pair; {near(name, others)}")
-    elif any("." in each for each in as_list(getattr(design.pairs[stage], gear))):
+    elif any("." in shaft for shaft in as_list(getattr(design.pairs[stage], gear))):
         yield Problem(path, f"{name!r} is itself a shared gear; name the pair that owns it")
 
 
@@ -237,12 +237,12 @@ def _widths(design: Design) -> Iterator[Problem]:
         f"pairs.{name}.gears": design.rules(name) for name, pair in design.pairs.items() if pair.gears is not None
     }
     for path, rule in rules.items():
-        least = math.asin(rule.overlap_ratio * math.pi / WIDEST)
-        if rule.face_width_ratio is None and 0.0 < rule.helix_angle < least:
+        smallest = math.asin(rule.overlap_ratio * math.pi / WIDEST)
+        if rule.face_width_ratio is None and 0.0 < rule.helix_angle < smallest:
             yield Problem(
                 f"{path}.helix_angle",
                 f"{text(rule.helix_angle, 'angle')} needs gears wider than {WIDEST} modules for the overlap ratio"
-                f" {rule.overlap_ratio:g}; use 0, {text(least, 'angle')} or more, or give face_width_ratio",
+                f" {rule.overlap_ratio:g}; use 0, {text(smallest, 'angle')} or more, or give face_width_ratio",
             )
 
 
@@ -251,9 +251,9 @@ def _material(path: str, name: str, needed: Iterable[str], purpose: str) -> Iter
     if name not in known:
         yield Problem(path, f"there is no material {name!r}; {near(name, known)}")
         return
-    missing = [each for each in needed if getattr(known[name], each) is None]
+    missing = [key for key in needed if getattr(known[name], key) is None]
     if missing:
-        enough = [other for other, each in known.items() if all(getattr(each, need) is not None for need in needed)]
+        enough = [rich for rich, steel in known.items() if all(getattr(steel, key) is not None for key in needed)]
         yield Problem(
             path, f"{name!r} has no {' and no '.join(missing)}, which {purpose} needs; use one of {', '.join(enough)}"
         )

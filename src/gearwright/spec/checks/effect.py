@@ -79,22 +79,23 @@ def _pair(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
         return
     if pair.kind != "bevel" and not rules.helix_angle:
         yield from _idle(f"{path}.gears", pair.gears, _OF_HELICAL, "only helical gears read it, and these are spur")
-    own, foreign = pair.gears.iso6336, _OF_CYLINDERS if pair.kind == "bevel" else _OF_CONES
+    written, foreign = pair.gears.iso6336, _OF_CYLINDERS if pair.kind == "bevel" else _OF_CONES
     standard = "ISO 10300 does not read it" if pair.kind == "bevel" else "only bevel gears read it"
-    yield from _idle(f"{path}.gears.iso6336", own, foreign, standard)
+    yield from _idle(f"{path}.gears.iso6336", written, foreign, standard)
 
 
 def _stage_rules(
-    path: str, rules: GearRules, own: GearRules | None, foreign: tuple[str, ...], why: str
+    path: str, rules: GearRules, written: GearRules | None, foreign: tuple[str, ...], why: str
 ) -> Iterator[Problem]:
     """Find a stage's own rules that belong to the other kind of stage, or to the other method."""
-    if own is None:
+    if written is None:
         return
-    yield from _idle(f"{path}.gears", own, foreign, why)
+    yield from _idle(f"{path}.gears", written, foreign, why)
     if rules.rating == "iso6336":
         rest = tuple(key for key in _OF_LEWIS if key not in foreign)
-        yield from _idle(f"{path}.gears", own, rest, "ISO 6336 does not read it; its safeties stand in gears.iso6336")
-    elif "iso6336" in own.model_fields_set:
+        why = "ISO 6336 does not read it; its safeties stand in gears.iso6336"
+        yield from _idle(f"{path}.gears", written, rest, why)
+    elif "iso6336" in written.model_fields_set:
         yield Problem(f"{path}.gears.iso6336", _NO_STANDARD)
 
 

@@ -40,9 +40,9 @@ def gear_problems(design: Design) -> Iterator[Problem]:
 
 
 def _steel(path: str, rules: GearRules) -> Iterator[Problem]:
-    own = rules.iso6336
+    standard = rules.iso6336
     try:
-        gear_steel(own.steel, own.grade, own.hardness_hv)
+        gear_steel(standard.steel, standard.grade, standard.hardness_hv)
     except DesignError as error:
         for problem in error.problems:
             yield Problem(f"{path}.{STEEL_KEYS.get(problem.path, problem.path)}", problem.message)
@@ -55,27 +55,26 @@ def _shared(name: str, side: str, design: Design) -> Iterator[Problem]:
     owner = design.pairs.get(stage)
     if not dot or owner is None or role not in ("pinion", "wheel"):
         return
-    path, own, theirs = f"pairs.{name}", getattr(pair, f"{side}_teeth"), getattr(owner, f"{role}_teeth")
-    if own is not None and own != theirs:
+    path, ours, theirs = f"pairs.{name}", getattr(pair, f"{side}_teeth"), getattr(owner, f"{role}_teeth")
+    if ours is not None and ours != theirs:
         rest = "gearwright chooses them" if theirs is None else f"has {theirs} there"
         yield Problem(
-            f"{path}.{side}_teeth", f"{own}, but {gear} is the gear of pairs.{stage} and {rest}; give it there"
+            f"{path}.{side}_teeth", f"{ours}, but {gear} is the gear of pairs.{stage} and {rest}; give it there"
         )
     values = ((pair.kind, owner.kind), (pair.halves, owner.halves))
-    for key, (mine, other) in zip(("kind", "halves"), values, strict=True):
-        if mine != other and "face" not in (mine, other):
+    for key, (mine, its) in zip(("kind", "halves"), values, strict=True):
+        if mine != its and "face" not in (mine, its):
             yield Problem(
-                f"{path}.{key}", f"{mine!r}, but the gear that it shares with pairs.{stage} has {other!r} there"
+                f"{path}.{key}", f"{mine!r}, but the gear that it shares with pairs.{stage} has {its!r} there"
             )
     rules, others = design.rules(name), design.rules(stage)
     for key in ("pressure_angle", "helix_angle"):
         if getattr(rules, key) != getattr(others, key):
-            given, asked = (math.degrees(getattr(each, key)) for each in (rules, others))
-            message = f"{given:.6g} deg, but the gear that it shares with pairs.{stage} has {asked:.6g} deg; give one"
+            here, there = (math.degrees(getattr(stage_rules, key)) for stage_rules in (rules, others))
+            message = f"{here:.6g} deg, but the gear that it shares with pairs.{stage} has {there:.6g} deg; give one"
             yield Problem(f"{path}.gears.{key}", message)
-    shifts = [
-        -each.profile_shift if end == "wheel" else each.profile_shift for each, end in ((rules, side), (others, role))
-    ]
+    ends = ((rules.profile_shift, side), (others.profile_shift, role))
+    shifts = [-shift if end == "wheel" else shift for shift, end in ends]
     if shifts[0] != shifts[1]:
         message = f"{gear} would have the shift {shifts[0]:g} here and {shifts[1]:g} at pairs.{stage}; give 0 to both"
         yield Problem(f"{path}.gears.profile_shift", message)
@@ -83,9 +82,9 @@ def _shared(name: str, side: str, design: Design) -> Iterator[Problem]:
 
 def _inside(name: str, pair: Pair) -> Iterator[Problem]:
     """Find pinions that do not go into their ring."""
-    path, one, two = f"pairs.{name}", pair.pinion_teeth, pair.wheel_teeth
-    if pair.internal and one is not None and two is not None and two <= one:
-        yield Problem(f"{path}.wheel_teeth", f"{two} teeth leave no room inside for a pinion of {one}; give more")
+    path, pinion, wheel = f"pairs.{name}", pair.pinion_teeth, pair.wheel_teeth
+    if pair.internal and pinion is not None and wheel is not None and wheel <= pinion:
+        yield Problem(f"{path}.wheel_teeth", f"{wheel} teeth leave no room inside for a pinion of {pinion}; give more")
     if pair.internal and pair.ratio is not None and pair.ratio <= 1.0:
         message = f"{pair.ratio:g} leaves no room inside the wheel for the pinion; an internal pair needs more than 1"
         yield Problem(f"{path}.ratio", message)
@@ -101,8 +100,8 @@ def _crossing(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
     if pair.axis_angle is None:
         yield Problem(f"{path}.axis_angle_deg", f"a {pair.kind}-gear pair needs the angle between its axes; write 90")
     elif abs(pair.axis_angle - SQUARE) > ROUNDING:
-        given = math.degrees(pair.axis_angle)
-        yield Problem(f"{path}.axis_angle", f"{given:.6g} deg is not understood; only square axes are, 90")
+        angle = math.degrees(pair.axis_angle)
+        yield Problem(f"{path}.axis_angle", f"{angle:.6g} deg is not understood; only square axes are, 90")
     if pair.internal or pair.halves > 1:
         yield Problem(path, f"a {pair.kind}-gear pair is neither internal nor double-helical; leave that out")
     if pair.kind == "bevel" and design.rules(name).rating != "iso6336":

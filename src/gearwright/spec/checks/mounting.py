@@ -90,41 +90,40 @@ def _size(path: str, seat: BearingSeat) -> Iterator[Problem]:
         yield from _designated(path, seat, bearings().get(seat.designation))
     elif seat.dynamic_rating is not None or seat.static_rating is not None:
         yield Problem(path, "a maker's rating belongs to one bearing; give its designation too")
-    if seat.bore is not None and not any(abs(each.bore - seat.bore) < APART for each in of_kind.values()):
-        closest = min(of_kind.values(), key=lambda each: abs(each.bore - (seat.bore or 0.0)))
+    if seat.bore is not None and not any(abs(bearing.bore - seat.bore) < APART for bearing in of_kind.values()):
+        closest = min(of_kind.values(), key=lambda bearing: abs(bearing.bore - (seat.bore or 0.0)))
         message = f"no {seat.kind} bearing has {1e3 * seat.bore:g} mm; the nearest has {1e3 * closest.bore:g} mm"
         yield Problem(f"{path}.bore", message)
 
 
-def _designated(path: str, seat: BearingSeat, found: Bearing | None) -> Iterator[Problem]:
-    if found is None:
+def _designated(path: str, seat: BearingSeat, bearing: Bearing | None) -> Iterator[Problem]:
+    if bearing is None:
         name = seat.designation or ""
         nearest = near(name, bearings())
         if not nearest.startswith("did"):
             nearest = "such are " + ", ".join(list(bearings())[:: len(bearings()) // 6])
         yield Problem(f"{path}.designation", f"{name!r} is not in the catalogue; {nearest}")
         return
-    kind = next(word for word, each in KINDS.items() if each == found.kind)
+    kind = next(word for word, meant in KINDS.items() if meant == bearing.kind)
     if kind != seat.kind:
-        message = f"{found.designation} is a {found.kind} bearing, not {seat.kind}; write kind = {kind!r}"
+        message = f"{bearing.designation} is a {bearing.kind} bearing, not {seat.kind}; write kind = {kind!r}"
         yield Problem(f"{path}.kind", message)
-    if seat.bore is not None and abs(found.bore - seat.bore) > APART:
-        message = f"{1e3 * seat.bore:g} mm, but {found.designation} has {1e3 * found.bore:g} mm; leave one out"
+    if seat.bore is not None and abs(bearing.bore - seat.bore) > APART:
+        message = f"{1e3 * seat.bore:g} mm, but {bearing.designation} has {1e3 * bearing.bore:g} mm; leave one out"
         yield Problem(f"{path}.bore", message)
-    if seat.largest_outer_diameter is not None and found.outer_diameter > seat.largest_outer_diameter + APART:
-        message = (
-            f"{1e3 * seat.largest_outer_diameter:g} mm, but {found.designation} has {1e3 * found.outer_diameter:g} mm"
-        )
+    if seat.largest_outer_diameter is not None and bearing.outer_diameter > seat.largest_outer_diameter + APART:
+        outer = 1e3 * bearing.outer_diameter
+        message = f"{1e3 * seat.largest_outer_diameter:g} mm, but {bearing.designation} has {outer:g} mm"
         yield Problem(f"{path}.largest_outer_diameter", message)
 
 
 def _held(shaft: str, design: Design) -> Iterator[Problem]:
     """Find shafts that do not rest on two bearings, or are held along their axis twice."""
     seats = {name: seat for name, seat in design.bearings.items() if seat.shaft == shaft}
-    for (one, first), (other, second) in combinations(seats.items(), 2):
+    for (first_name, first), (second_name, second) in combinations(seats.items(), 2):
         if abs(first.position - second.position) < APART:
-            message = f"{1e3 * second.position:g} mm, where {one} stands already; move one of them by its width"
-            yield Problem(f"bearings.{other}.position", message)
+            message = f"{1e3 * second.position:g} mm, where {first_name} stands already; move one of them by its width"
+            yield Problem(f"bearings.{second_name}.position", message)
     yield from _radial(shaft, seats)
     yield from _located(seats)
     layout = design.layout.get(shaft)
@@ -180,13 +179,14 @@ def _located(seats: Mapping[str, BearingSeat]) -> Iterator[Problem]:
 
 def _strength(design: Design) -> Iterator[Problem]:
     """Find what the fatigue of shafts with bearings needs and does not have."""
-    if design.bearings and not any(abs(design.shafting.reliability - each) < WHOLE for each in RELIABILITY_DEVIATES):
-        allowed = ", ".join(f"{each:g}" for each in RELIABILITY_DEVIATES)
-        yield Problem("shafting.reliability", f"{design.shafting.reliability:g} given; allowed: {allowed}")
+    asked = design.shafting.reliability
+    if design.bearings and not any(abs(asked - reliability) < WHOLE for reliability in RELIABILITY_DEVIATES):
+        allowed = ", ".join(f"{reliability:g}" for reliability in RELIABILITY_DEVIATES)
+        yield Problem("shafting.reliability", f"{asked:g} given; allowed: {allowed}")
     name = design.shafting.material or design.gears.material
     steel = materials().get(name)
     if design.bearings and steel is not None and (steel.ultimate_strength is None or steel.group is None):
-        enough = [other for other, material in materials().items() if material.ultimate_strength and material.group]
+        enough = [name for name, material in materials().items() if material.ultimate_strength and material.group]
         message = f"{name!r} has no tensile strength, which shafts with bearings need; use one of {', '.join(enough)}"
         yield Problem("shafting.material", message)
 
@@ -198,19 +198,19 @@ def _joint(part: str, joint: Joint, design: Design) -> Iterator[Problem]:
         yield Problem(path, f"there is no gear or machine {part!r}; {near(part, parts)}{quoted}")
     if part in design.machines and joint.kind != "integral" and joint.hub_length is None:
         yield Problem(f"{path}.hub_length_mm", "is required for a machine: how long its hub is on the shaft")
-    given = joint.model_fields_set
+    written = joint.model_fields_set
     only = {"module": ("spline",), "friction": ("press-fit",), "safety": ("press-fit",),
             "length": ("key", "spline", "press-fit"), "hub_length": ("key", "spline", "press-fit"),
             "pressure": ("key", "spline"), "form": ("key",)}  # fmt: skip
     for field, kinds in only.items():
-        if field in given and joint.kind not in kinds:
+        if field in written and joint.kind not in kinds:
             message = f"it says nothing about a joint of kind {joint.kind!r}, only about {' and '.join(kinds)}"
             yield Problem(f"{path}.{field}", f"{message}; leave it out")
     if joint.length is not None and joint.hub_length is not None and joint.length > joint.hub_length:
         message = f"{1e3 * joint.length:g} mm is longer than its hub; allowed: up to {1e3 * joint.hub_length:g} mm"
         yield Problem(f"{path}.length", message)
-    if joint.module is not None and not any(abs(joint.module - each) < APART for each in MODULES):
-        closest = min(MODULES, key=lambda each: abs(each - (joint.module or 0.0)))
+    if joint.module is not None and not any(abs(joint.module - module) < APART for module in MODULES):
+        closest = min(MODULES, key=lambda module: abs(module - (joint.module or 0.0)))
         message = f"{1e3 * joint.module:g} mm is not a module of DIN 5480; the nearest is {1e3 * closest:g} mm"
         yield Problem(f"{path}.module", message)
 

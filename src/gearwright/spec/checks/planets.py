@@ -27,9 +27,9 @@ def planetary_problems(design: Design) -> Iterator[Problem]:
         for member, shaft in members.items():
             if shaft not in allowed:
                 yield Problem(f"{path}.{member}", f"there is no shaft {shaft!r}; {near(shaft, allowed)}")
-        for (one, shaft), (other, same) in combinations(members.items(), 2):
+        for (first, shaft), (other, same) in combinations(members.items(), 2):
             if shaft == same:
-                yield Problem(f"{path}.{other}", f"{same!r} is the {one} already; the three members are three shafts")
+                yield Problem(f"{path}.{other}", f"{same!r} is the {first} already; the three members are three shafts")
         unclosed = list(_unclosed(path, planetary))
         yield from unclosed or _together(path, planetary)
         yield from _few_teeth(path, planetary, design.teeth.planet_minimum)

@@ -385,12 +385,12 @@ class Design(Record):
         Args:
             stage: Name of a pair or planetary set.
         """
-        own = self.stages[stage].gears
-        return self.gears if own is None else _overlaid(self.gears, own)
+        stage_rules = self.stages[stage].gears
+        return self.gears if stage_rules is None else _overlaid(self.gears, stage_rules)
 
 
-def _overlaid(rules: GearRules, own: GearRules) -> GearRules:
+def _overlaid(rules: GearRules, stage_rules: GearRules) -> GearRules:
     """Return rules with what a stage says of its own, in the table of ISO 6336 too."""
-    update = {name: getattr(own, name) for name in own.model_fields_set - {"iso6336"}}
-    deeper = {name: getattr(own.iso6336, name) for name in own.iso6336.model_fields_set}
+    update = {name: getattr(stage_rules, name) for name in stage_rules.model_fields_set - {"iso6336"}}
+    deeper = {name: getattr(stage_rules.iso6336, name) for name in stage_rules.iso6336.model_fields_set}
     return rules.model_copy(update={**update, "iso6336": rules.iso6336.model_copy(update=deeper)})

@@ -12,7 +12,7 @@ from gearwright.render.drawings.views.teeth import bevel_pair, gear_of
 from gearwright.render.schematic.layout import element, lay_out, pair_meshes
 from gearwright.sizing import Sizing
 from gearwright.sizing.arrangement import ShaftPlan, plan_of
-from gearwright.sizing.rating import context
+from gearwright.sizing.rating import context_of
 from gearwright.spec.design import Overrides
 from gearwright.train import INTERNAL, Mesh, attachments
 
@@ -75,7 +75,7 @@ def plans(sizing: Sizing) -> dict[str, ShaftPlan]:
     Args:
         sizing: What was sized.
     """
-    sized = context(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(sizing.design.overrides))
+    sized = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(sizing.design.overrides))
     return {name: plan_of(sized, name, sizing.gears) for name in sizing.design.shafts}
 
 
