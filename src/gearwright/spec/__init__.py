@@ -2,7 +2,7 @@
 
 from gearwright.spec.axis import MOST_VALUES, Axis, axis_values, value_at
 from gearwright.spec.bounds import LONGEST_NAME, Range, is_name, quantity_of, range_of
-from gearwright.spec.design.design import (
+from gearwright.spec.design import (
     GROUND,
     Clutch,
     Design,

@@ -15,7 +15,8 @@ from gearwright.spec.mission import Mission, mission_problems
 from gearwright.spec.record import Record, brief, keys_of
 from gearwright.verbs import verb
 
-Value = float | int | str | bool | list[Any]
+Value = float | int | str | bool | list[Any] | dict[str, Any] | None
+"""What an entry may be changed to; None leaves it out, a table stands for the whole one."""
 R = TypeVar("R", bound=Record)
 
 

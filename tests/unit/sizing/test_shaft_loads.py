@@ -8,14 +8,14 @@ from shaft_designs import INTERNAL, OFF_SET, SINGLE_HELIX, sized
 
 from gearwright.sizing.arrangement import axes_of, plan_of
 from gearwright.sizing.loads import shaft_loads
-from gearwright.sizing.rating import context
+from gearwright.sizing.rating import context_of
 from gearwright.spec.design import Overrides
 
 
 def loads_on(text, shaft):
     """Return point loads, axial forces, plan, axes and the sizing."""
     sizing = sized(text)
-    given = context(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides({}))
+    given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides({}))
     plan, axes = plan_of(given, shaft, sizing.gears), axes_of(given, sizing.gears)
     loads, axial = shaft_loads(given, shaft, plan, axes=axes, gears={gear.name: gear for gear in sizing.gears})
     return loads, axial, plan, axes, sizing

@@ -3,25 +3,15 @@
 What can be wrong with it beyond its types is in `checks`.
 """
 
-from gearwright.spec.design.design import (
-    GROUND,
-    NOTHING_GIVEN,
-    Clutch,
-    Design,
-    Drive,
-    GearRules,
-    Motor,
-    Pair,
-    Planetary,
-    Propeller,
-    ShaftLayout,
-    Turbine,
-)
+from gearwright.spec.design.design import GROUND, Design
 from gearwright.spec.design.dynamics import DynamicsRules, MeshCurve
+from gearwright.spec.design.gears import GearRules
+from gearwright.spec.design.machines import Drive, Motor, Propeller, Turbine
 from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
 from gearwright.spec.design.overrides import NO_ORIGIN, Overrides
 from gearwright.spec.design.service import Iso6336Rules, Service
-from gearwright.spec.design.support import Support
+from gearwright.spec.design.shafts import NOTHING_GIVEN, ShaftLayout, Support
+from gearwright.spec.design.stages import Clutch, Pair, Planetary
 from gearwright.spec.design.tolerance import PartErrors
 
 __all__ = [

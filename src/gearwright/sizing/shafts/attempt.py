@@ -1,0 +1,203 @@
+"""One attempt at a shaft: its stretches laid for what they need so far, its bearings, joints and judged sections."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from gearwright.catalogue import Bearing
+from gearwright.parts import Material
+from gearwright.sizing.arrangement import root_diameter, seats_of
+from gearwright.sizing.bearings import Seating
+from gearwright.sizing.loads import ShaftForces
+from gearwright.sizing.mounted import JointSizing, SectionStrength
+from gearwright.sizing.rating import Context
+from gearwright.sizing.result import GearSizing
+from gearwright.sizing.shafts.as_given import cylinder
+from gearwright.sizing.shafts.joints import Seat, size_joint, spline_root
+from gearwright.sizing.shafts.sections import HubNotch, Strength, sections_of, strengths
+from gearwright.sizing.shafts.stretches import Item, Stretch, Wanted, lay
+from gearwright.spec.design import NOTHING_GIVEN, Joint
+
+THINNEST = 10e-3
+"""Diameter from which shafts are grown [m]."""
+TOOTH_HEIGHT = 2.25
+"""Height of teeth over their module [-] (ISO 53)."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """What one shaft is built from."""
+
+    context: Context
+    name: str
+    forces: ShaftForces
+    material: Material
+    gears: Mapping[str, GearSizing]
+    """Gears on this shaft by name."""
+    core: float | None
+    """Thickest diameter that the user gives [m]."""
+    joints: Mapping[str, Joint] = field(default_factory=dict)
+    """Hub or gear on this shaft -> its joint."""
+
+    @property
+    def as_given(self) -> float | None:
+        """Diameter of a shaft that is taken as it is [m]; None where it is to be built."""
+        return self.core if self.context.design.layout.get(self.name, NOTHING_GIVEN).as_given else None
+
+
+class Attempt(NamedTuple):
+    """A shaft as it was laid once."""
+
+    stretches: tuple[Stretch, ...]
+    chosen: Mapping[str, Bearing]
+    bore: float
+    sections: tuple[SectionStrength, ...]
+    owners: tuple[str, ...]
+    joints: tuple[JointSizing, ...]
+
+
+def attempt_with(task: Task, seated: Seating, needed: Mapping[str, float]) -> Attempt:
+    """Return a shaft laid for what its stretches need so far.
+
+    Args:
+        task: What it is built from.
+        seated: What its bearings bear, and their sizes.
+        needed: Stretch -> diameter that it needs so far [m].
+
+    Raises:
+        DesignError: If no bearing will do, or a part cannot be slid on.
+    """
+    chosen: Mapping[str, Bearing] = {}
+    for _ in range(2):  # seats are as wide as their bearings, which are known after the first time
+        items = items_on(task, chosen)
+        stretches, chosen = _laid(task, seated, _wanted(task, items, needed))
+    bore = _bore(task, chosen)
+    joints = tuple(_joint(task, joint, stretches, bore) for joint in task.joints)
+    roots = {
+        joint.part: spline_root(task.joints[joint.part], joint.diameter) for joint in joints if joint.kind == "spline"
+    }
+    hubs: dict[str, HubNotch] = {
+        joint.part: joint.kind  # type: ignore[misc]
+        for joint in joints
+        if joint.kind in ("key", "spline", "press-fit")
+    }
+    sections = sections_of(stretches, task.forces, hubs, roots, fillet_ratio=task.context.design.shafting.fillet_ratio)
+    judge = Strength(task.name, task.context.design, task.material, tuple(task.context.flows))
+    sized = strengths(sections, task.forces, judge, bore=bore)
+    return Attempt(stretches, chosen, bore, sized, tuple(section.owner for section in sections), joints)
+
+
+def _laid(task: Task, seated: Seating, wanted: Wanted) -> tuple[tuple[Stretch, ...], dict[str, Bearing]]:
+    """Return the stretches of the shaft and its bearings; of one that is taken as given, what is given."""
+    diameter = task.as_given
+    if diameter is None:
+        return lay(task.name, wanted, seated.choose)
+    chosen = {seat: seated.choose(seat, diameter, diameter) for seat in seated.seats}
+    return cylinder(wanted.items, wanted.length, diameter, wanted.fixed), chosen
+
+
+def items_on(task: Task, chosen: Mapping[str, Bearing]) -> tuple[Item, ...]:
+    """Return what sits on the shaft and has a width, in order.
+
+    Args:
+        task: What the shaft is built from.
+        chosen: Bearing -> the size taken; one that is not in it has no width yet.
+    """
+    places = task.forces.plan.places
+    items = [
+        Item(name, "bearing", seat.position, chosen[name].width if name in chosen else 0.0)
+        for name, seat in seats_of(task.context.design, task.name).items()
+    ]
+    for name, joint in task.joints.items():
+        gear = task.gears.get(name)
+        width = _width(task, name)
+        middle = min(max(places[name], width / 2.0), task.forces.plan.length - width / 2.0)
+        if joint.kind == "integral" and gear is not None:
+            items.append(Item(name, "integral", middle, width, root_diameter(task.context, gear)))
+        elif joint.kind != "integral" and width:
+            items.append(Item(name, "hub", middle, width))
+    return tuple(sorted(items, key=lambda item: item.middle))
+
+
+def _width(task: Task, name: str) -> float:
+    """Return the width of a gear, or of a machine's hub [m]."""
+    if name in task.gears:
+        gear = task.gears[name]
+        return gear.face_width * gear.bodies / len(gear.shafts)
+    return task.joints[name].hub_length or 0.0
+
+
+def _wanted(task: Task, items: tuple[Item, ...], needed: Mapping[str, float]) -> Wanted:
+    fixed = {
+        name: joint.diameter
+        for name, joint in task.joints.items()
+        if joint.diameter is not None and joint.kind != "integral"
+    }
+    plan = task.forces.plan
+    ends = {name: max(needed.get(name, 0.0), THINNEST) for name in _loaded(task, items)}
+    return Wanted(items, plan.length, {**needed, **ends}, fixed, task.core, plan.bearings)
+
+
+def _loaded(task: Task, items: tuple[Item, ...]) -> tuple[str, ...]:
+    """Return the stretches beyond the outermost items that carry a load, and every hub."""
+    stations = task.forces.drawn.position
+    hubs = tuple(item.name for item in items if item.kind == "hub")
+    first = ("after",) if stations[0] < items[0].start else ()
+    last = (f"after {items[-1].name}",) if stations[-1] > items[-1].end else ()
+    return (*hubs, *first, *last)
+
+
+def _bore(task: Task, chosen: Mapping[str, Bearing]) -> float:
+    """Return the bore: given, or its ratio to the thinnest bearing seat [m]."""
+    layout, rules = task.context.design.layout.get(task.name, NOTHING_GIVEN), task.context.design.shafting
+    if layout.bore is not None:
+        return layout.bore
+    ratio = rules.bore_ratio if layout.bore_ratio is None else layout.bore_ratio
+    return ratio * (task.as_given or min(bearing.bore for bearing in chosen.values()))
+
+
+def _joint(task: Task, part: str, stretches: tuple[Stretch, ...], bore: float) -> JointSizing:
+    place = task.forces.plan.places[part]
+    seat = seat_of(task, part, bore)
+    on = next((stretch for stretch in stretches if stretch.name == part), None)
+    on = on or next(stretch for stretch in stretches if stretch.start - 1e-9 <= place <= stretch.end + 1e-9)
+    return size_joint(task.joints[part], seat, on.diameter, task.material)
+
+
+def seat_of(task: Task, part: str, bore: float) -> Seat:
+    """Return where a joint sits and what it bears.
+
+    Args:
+        task: What the shaft is built from.
+        part: Gear or machine with the joint.
+        bore: Of the shaft [m].
+    """
+    gear, joint, plan = task.gears.get(part), task.joints[part], task.forces.plan
+    width = _width(task, part)
+    return Seat(
+        part=part,
+        shaft=task.name,
+        position=plan.places[part],
+        hub_length=joint.hub_length or width or math.inf,
+        root=root_diameter(task.context, gear) if gear is not None else math.inf,
+        torque=_torque(task.context, task.name, part) * task.context.design.service.application_factor,
+        bore=bore,
+        tooth=TOOTH_HEIGHT * gear.module if gear is not None else 0.0,
+    )
+
+
+def _torque(context: Context, shaft: str, part: str) -> float:
+    """Return the largest torque between a part and its shaft over all cases [N m]."""
+    torques = []
+    for flow in context.flows.values():
+        meshes = [
+            flow.meshes[mesh.name].torques[side]
+            for mesh in context.train.meshes
+            for side in (0, 1)
+            if mesh.gears[side] == part and mesh.nodes[side] == shaft
+        ]
+        torques.append(abs(sum(meshes)) if meshes else abs(flow.machine_torques.get(part, 0.0)))
+    return max(torques)

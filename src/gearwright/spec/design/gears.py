@@ -1,0 +1,80 @@
+"""How gears are rated and proportioned, and what tooth numbers are searched."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+from pydantic import Field
+
+from gearwright.spec.design.service import Iso6336Rules
+from gearwright.spec.record import Record
+from gearwright.units import Angle, Ratio
+
+_DEGREE = math.pi / 180.0
+
+
+class GearRules(Record):
+    """How gears are rated and proportioned; a stage may state its own under ``gears``."""
+
+    material: str = Field("nitriding-steel-785", description="Name in the catalogue of materials")
+    rating: Literal["lewis-hertz", "iso6336"] = Field(
+        "lewis-hertz",
+        description="First sizing by Lewis and Hertz, or ISO 6336 and ISO 10300 with the rules of iso6336",
+    )
+    iso6336: Iso6336Rules = Field(default_factory=Iso6336Rules, description='Rules with rating = "iso6336"')
+    pressure_angle: Angle = Field(
+        20 * _DEGREE, ge=14 * _DEGREE, le=30 * _DEGREE, description="Normal pressure angle α_n"
+    )
+    helix_angle: Angle = Field(0.0, ge=0, le=45 * _DEGREE, description="Helix angle β of pairs; 0 is spur")
+    face_width_ratio: Ratio | None = Field(
+        None, gt=1, le=60, description="λ = b/m_n; left out: 10 for spur, the overlap ratio's for helical"
+    )
+    overlap_ratio: Ratio = Field(1.15, ge=1, le=5, description="Overlap ratio ε_β that sets the width of helical gears")
+    bending_safety: Ratio = Field(2.5, ge=1, description="Factor on R_p0.2 in Lewis's bending")
+    contact_safety: Ratio = Field(1.5, ge=1, description="Factor on 2.5 HB in Hertz's contact")
+    mesh_load_factor: Ratio | None = Field(
+        None, ge=1, le=3, description="K_γ, largest over mean load of parallel meshes; left out: 1 (equal sharing)"
+    )
+    idler_factor: Ratio = Field(
+        1.0,
+        ge=0.1,
+        le=1,
+        description="Share of the bending allowable for gears loaded both ways (planets); ISO 6336-3 takes 0.7",
+    )
+    profile_shift: Ratio = Field(
+        0.0,
+        ge=-0.5,
+        le=1,
+        description="Profile shift x of pinions; it lowers the tooth number that is free of undercut",
+    )
+    contact_angles: Literal["normal", "transverse"] = Field(
+        "normal", description="Angles of the helical contact formula: α and β as the thesis prints, or α_t and β_b"
+    )
+    mesh_efficiency: Ratio = Field(
+        1.0, gt=0.5, le=1, description="Efficiency of one mesh; the driven gear receives that part of the tooth power"
+    )
+    web_ratio: Ratio = Field(
+        1.0, ge=0.01, le=1, description="Mass of a wheel body over that of the solid disc; 1 is solid"
+    )
+    rim_thickness_ratio: Ratio = Field(3.95, ge=1, description="Ring wall from its pitch circle over the module")
+
+
+class TeethRules(Record):
+    """What the search for tooth numbers may choose from; the table of Lewis form factors begins at 12 teeth."""
+
+    sun_minimum: int = Field(18, ge=12, le=400, description="Smallest tooth number of suns")
+    sun_maximum: int = Field(59, ge=12, le=400, description="Largest tooth number of suns")
+    pinion_minimum: int | None = Field(
+        None, ge=12, le=400, description="Smallest tooth number of pinions; left out: no undercut"
+    )
+    pinion_maximum: int = Field(40, ge=12, le=400, description="Largest tooth number of pinions that are searched")
+    planet_minimum: int = Field(12, ge=12, le=400, description="Smallest tooth number of planets")
+    stage_tolerance: Ratio = Field(
+        0.025, gt=0, le=0.2, description="Allowed deviation of a stage's ratio from its target"
+    )
+    speed_tolerance: Ratio = Field(0.05, gt=0, le=0.2, description="Allowed deviation of a speed that yields")
+    split: Literal["equal", "optimal"] = Field(
+        "equal", description="equal: stages share an open ratio equally (times ψ); optimal: as is lightest"
+    )
+    hunting: bool = Field(False, description="Ask for tooth numbers without a common factor")

@@ -1,0 +1,101 @@
+"""How shafts and carriers are sized, what is given of single shafts, and how they are held."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+from pydantic import Field
+
+from gearwright.spec.record import Record
+from gearwright.units import Angle, Inertia, Length, Mass, Ratio, Stiffness, TorsionalStiffness
+
+
+class ShaftRules(Record):
+    """How shafts are sized."""
+
+    material: str | None = Field(None, description="Name in the catalogue; left out: that of the gears")
+    safety: Ratio = Field(2.0, ge=1, description="Factor on R_p0.2 against Tresca's stress")
+    end_length: Length = Field(0.100, gt=0, description="Length of a shaft that joins a machine to a planetary set")
+    middle_length: Length = Field(0.060, gt=0, description="Length of a shaft between planetary sets")
+    bearing_length: Length = Field(
+        0.015, gt=0, description="Length per bearing and per gap between gears of a pair's shaft"
+    )
+    bore_ratio: Ratio = Field(
+        0.0,
+        ge=0,
+        lt=0.95,
+        description="Bore over outer diameter, on a shaft with bearings over its thinnest bearing seat; 0 is solid",
+    )
+    fatigue: Literal["asme", "goodman"] = Field(
+        "asme", description="Criterion of fatigue for shafts with bearings: the ASME ellipse or Goodman's line"
+    )
+    reliability: Ratio = Field(
+        0.999, ge=0.5, le=0.9999, description="Part of the shafts that reaches the endurance limit (Shigley, table 6-5)"
+    )
+    surface: Literal["ground", "machined"] = Field("machined", description="Surface of shafts with bearings")
+    fillet_ratio: Ratio = Field(
+        0.05, ge=0.01, le=0.3, description="Fillet radius over the thinner diameter where no bearing asks for less"
+    )
+
+
+class CarrierRules(Record):
+    """How carriers are sized."""
+
+    safety: Ratio = Field(2.0, ge=1, description="Factor on R_p0.2 against the stress of pins and plate")
+    plate_ratio: Ratio = Field(0.25, ge=0.01, le=2, description="Plate thickness over the planets' face width")
+    fill: Ratio = Field(0.6, ge=0.01, le=1, description="Share of the plate that is not cut out")
+
+
+class Place(Record):
+    """Where something sits along its shaft."""
+
+    position: Length = Field(ge=0, description="Middle of its width, from the shaft's first end")
+
+
+class ShaftLayout(Record):
+    """What is given of one shaft."""
+
+    length: Length | None = Field(None, gt=0, description="Length between its ends")
+    diameter: Length | None = Field(
+        None, gt=0, description="Outer diameter, on a shaft with bearings its thickest between gears; left out: sized"
+    )
+    as_given: bool = Field(
+        False,
+        description="True: the shaft is one cylinder of its diameter, its bearings and joints are as given; nothing"
+        " grows, and what does not fit is a failed check",
+    )
+    bore_ratio: Ratio | None = Field(None, ge=0, lt=0.95, description="Bore over outer diameter")
+    bore: Length | None = Field(None, gt=0, description="Bore diameter")
+    inertia: Inertia | None = Field(None, ge=0, description="Polar inertia without gears; left out: of the cylinder")
+    torsional_stiffness: TorsionalStiffness | None = Field(
+        None, gt=0, description="Over its whole length; left out: of the cylinder"
+    )
+    first_bearing: Length | None = Field(
+        None, ge=0, description="Middle of the first bearing, from the shaft's first end; left out: at that end"
+    )
+    second_bearing: Length | None = Field(
+        None, ge=0, description="Middle of the second bearing, from the shaft's first end; left out: at the other end"
+    )
+    places: dict[str, Place] = Field(
+        default_factory=dict, description="Where gears, carriers, machines and clutches sit; left out: in order"
+    )
+    angle: Angle | None = Field(
+        None,
+        ge=-2 * math.pi,
+        le=2 * math.pi,
+        description="Direction of this shaft's axis seen from the axis that it meshes with; left out: evenly spaced",
+    )
+
+
+NOTHING_GIVEN = ShaftLayout()
+"""The layout of a shaft of which nothing is given."""
+
+
+class Support(Record):
+    """Bearings of a shaft as springs to the housing; a shaft without this entry turns in rigid bearings."""
+
+    radial: Stiffness = Field(gt=0, description="Stiffness in every direction across the shaft, all bearings together")
+    axial: Stiffness | None = Field(None, gt=0, description="Stiffness along the shaft; left out: rigid")
+    mass: Mass | None = Field(None, gt=0, description="What moves; left out: the shaft and its gears")
+    damping: Ratio = Field(0.05, ge=0, lt=1, description="Damping ratio ζ of each direction")

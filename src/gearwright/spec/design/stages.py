@@ -1,0 +1,107 @@
+"""What joins shafts: gear pairs, planetary sets and clutches."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+from pydantic import Field
+
+from gearwright.spec.design.dynamics import PlanetaryBearings
+from gearwright.spec.design.gears import GearRules
+from gearwright.spec.record import Record
+from gearwright.units import Angle, Force, Length, Ratio, Stiffness
+
+_DEGREE = math.pi / 180.0
+
+
+class PlanetBearing(Record):
+    """The rolling bearing between a planet and its pin."""
+
+    designation: str = Field(description="Name in the catalogue, such as NU 2212")
+    side_by_side: int = Field(1, ge=1, le=4, description="Equal bearings that share a pin")
+    dynamic_rating: Force | None = Field(None, gt=0, description="Maker's C, instead of the catalogue's")
+    static_rating: Force | None = Field(None, gt=0, description="Maker's C_0, instead of the catalogue's")
+
+
+class Pair(Record):
+    """A gear pair, or several equal ones side by side.
+
+    ``pinion`` and ``wheel`` name shafts; one of them may be a list, and then the single gear meshes with all of them.
+    A name such as ``second.pinion`` means that gear of another pair, which is then shared.
+    """
+
+    pinion: str | list[str] = Field(description="Shaft (or shafts, or shared gear) of the pinion")
+    wheel: str | list[str] = Field(description="Shaft (or shafts, or shared gear) of the wheel")
+    pinion_teeth: int | None = Field(None, ge=6, le=2000, description="z_1; left out: gearwright chooses")
+    wheel_teeth: int | None = Field(None, ge=6, le=2000, description="z_2; left out: gearwright chooses")
+    ratio: Ratio | None = Field(
+        None, ge=0.001, description="Asked ratio z_2/z_1; left out: the shafts' speeds or the split give it"
+    )
+    ratio_split: Ratio = Field(1.0, gt=0.2, lt=5, description="ψ: this stage takes ψ times its equal part of the ratio")
+    halves: Literal[1, 2] = Field(
+        1, description="2 for a double-helical gear: two halves of opposite hand share the load"
+    )
+    internal: bool = Field(False, description="The wheel is an internal gear")
+    kind: Literal["cylindrical", "face", "bevel"] = Field(
+        "cylindrical",
+        description="face: the wheel's teeth stand on its face and the pinion lies across; bevel: the axes meet",
+    )
+    axis_angle: Angle | None = Field(None, description="Angle between the axes of a face-gear or bevel pair: 90°")
+    spiral_angle: Angle = Field(
+        0.0, ge=0, le=45 * _DEGREE, description="Mean spiral angle β_m of bevel gears; 0 is straight"
+    )
+    pinion_apex: Literal["first", "second"] = Field(
+        "second", description="End of the pinion's shaft towards which the apex of a bevel pair lies"
+    )
+    wheel_apex: Literal["first", "second"] = Field(
+        "second", description="End of the wheel's shaft towards which the apex of a bevel pair lies"
+    )
+    mesh_stiffness: Stiffness | None = Field(
+        None, gt=0, description="Known mean stiffness of one mesh along its line of action; left out: ISO 6336-1"
+    )
+    stiffness_swing: Ratio | None = Field(
+        None, ge=0, lt=1, description="Known first harmonic of the mesh stiffness over its mean"
+    )
+    backlash: Length = Field(
+        0.0, ge=0, le=0.01, description="Along the line of action; 0: teeth stay in contact both ways"
+    )
+    coaxial_with: str | None = Field(
+        None, description="Pair whose centre distance this one must have, as their shafts lie on the same axes"
+    )
+    share: list[Ratio] | None = Field(None, description="Share of the load of each parallel mesh; left out: equal")
+    gears: GearRules | None = Field(None, description="Rules of this pair where they differ from [gears]")
+
+
+class Planetary(Record):
+    """A planetary set: sun, ring, carrier and equal planets; any member may be ``ground``."""
+
+    sun: str = Field(description="Shaft of the sun")
+    ring: str = Field(description="Shaft of the ring")
+    carrier: str = Field(description="Shaft of the carrier")
+    planets: int = Field(3, ge=1, le=12, description="Number of planets")
+    sun_teeth: int | None = Field(None, ge=6, le=2000, description="z_s; left out: gearwright chooses")
+    planet_teeth: int | None = Field(None, ge=6, le=2000, description="z_p; left out: gearwright chooses")
+    ring_teeth: int | None = Field(None, ge=6, le=2000, description="z_r; left out: z_s + 2 z_p")
+    ratio: Ratio | None = Field(
+        None, gt=1, description="Asked ratio 1 + z_r/z_s; left out: the speeds or the split give it"
+    )
+    ratio_split: Ratio = Field(1.0, gt=0.2, lt=5, description="ψ: this stage takes ψ times its equal part of the ratio")
+    backlash: Length = Field(
+        0.0, ge=0, le=0.01, description="Of each mesh, along the line of action; 0: contact both ways"
+    )
+    bearings: PlanetaryBearings = Field(
+        default_factory=PlanetaryBearings, description="What holds its members, with dynamics.fidelity translational"
+    )
+    planet_bearing: PlanetBearing | None = Field(None, description="What each planet turns on; left out: not known")
+    gears: GearRules | None = Field(None, description="Rules of this set where they differ from [gears]")
+
+
+class Clutch(Record):
+    """A clutch that joins two shafts when it is engaged."""
+
+    driving: str = Field(description="Shaft that drives")
+    driven: str = Field(description="Shaft that is driven")
+    kind: Literal["overrunning", "engaged", "open"] = Field(
+        "overrunning", description="overrunning transmits only from driving to driven and opens otherwise"
+    )
