@@ -35,29 +35,29 @@ def gear_pairs(sizing: Sizing) -> dict[str, GearPair]:
     gears = {gear.name: gear for gear in sizing.gears}
     pairs = {}
     for mesh in sizing.train.meshes:
-        one, other = (_cylindrical(sizing.design, gears[gear], mesh.stage) for gear in mesh.gears)
-        if is_bevel(sizing, mesh.stage):
-            one, other = _virtual(one, other)
-        pairs[mesh.name] = GearPair(one, replace(other, teeth=-other.teeth) if mesh.sign > 0 else other)
+        stage = sizing.design.stages[mesh.stage]
+        first, second = (_cylindrical(sizing.design, gears[gear], mesh.stage) for gear in mesh.gears)
+        if isinstance(stage, Pair) and stage.kind == "bevel":
+            first, second = _virtual(first, second)
+        pairs[mesh.name] = GearPair(first, replace(second, teeth=-second.teeth) if mesh.sign > 0 else second)
     return pairs
 
 
-def is_bevel(sizing: Sizing, stage: str) -> bool:
-    """Tell whether a stage is a bevel pair.
+def gear_of(sizing: Sizing, name: str) -> GearSizing:
+    """Return a gear by its name.
 
     Args:
         sizing: What was sized.
-        stage: Of its design.
+        name: Such as ``first.wheel``.
     """
-    pair = sizing.design.stages[stage]
-    return isinstance(pair, Pair) and pair.kind == "bevel"
+    return next(gear for gear in sizing.gears if gear.name == name)
 
 
-def _virtual(one: CylindricalGear, other: CylindricalGear) -> tuple[CylindricalGear, CylindricalGear]:
+def _virtual(pinion: CylindricalGear, wheel: CylindricalGear) -> tuple[CylindricalGear, CylindricalGear]:
     """Return Tredgold's cylindrical gears at the mean cone, z/cos δ to whole teeth: for the stiffness of a tooth."""
-    slant = math.hypot(one.teeth, other.teeth)
-    first, second = round(one.teeth * slant / other.teeth), round(other.teeth * slant / one.teeth)
-    return replace(one, teeth=first), replace(other, teeth=second)
+    slant = math.hypot(pinion.teeth, wheel.teeth)
+    virtual_pinion = replace(pinion, teeth=round(pinion.teeth * slant / wheel.teeth))
+    return virtual_pinion, replace(wheel, teeth=round(wheel.teeth * slant / pinion.teeth))
 
 
 def _cylindrical(design: Design, gear: GearSizing, stage: str) -> CylindricalGear:
@@ -79,19 +79,19 @@ def mesh_curve(sizing: Sizing, mesh: MeshSizing, pair: GearPair, *, harmonics: i
     """
     rules, name = sizing.design.dynamics, mesh.name.partition(".")[0]
     orders = rules.harmonics if harmonics is None else harmonics
-    own = rules.curves.get(mesh.name) or rules.curves.get(name)
+    stated = rules.curves.get(mesh.name) or rules.curves.get(name)
     try:
-        curve = _own(own, orders) if own is not None else _by_model(sizing, mesh, pair, orders)
+        curve = _sampled(stated, orders) if stated is not None else _by_model(sizing, mesh, pair, orders)
     except DesignError as error:
-        at = f"dynamics.curves.{mesh.name}" if own is not None else "dynamics.mesh_stiffness"
+        at = f"dynamics.curves.{mesh.name}" if stated is not None else "dynamics.mesh_stiffness"
         raise DesignError([Problem(at, f"{mesh.name}: {problem.message}") for problem in error.problems]) from None
     stage = sizing.design.stages[name]
     return _known(curve, stage) if isinstance(stage, Pair) else curve
 
 
-def _own(own: MeshCurve, harmonics: int) -> StiffnessCurve:
-    phase = 2.0 * math.pi * np.array(own.phase_cycles)
-    return sampled_curve(phase, own.stiffness_n_m, harmonics=harmonics, source=own.file or "design")
+def _sampled(stated: MeshCurve, harmonics: int) -> StiffnessCurve:
+    phase = 2.0 * math.pi * np.array(stated.phase_cycles)
+    return sampled_curve(phase, stated.stiffness_n_m, harmonics=harmonics, source=stated.file or "design")
 
 
 def _by_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair, harmonics: int) -> StiffnessCurve:

@@ -3,97 +3,77 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from gearwright.catalogue import materials
-from gearwright.dynamics.model import Entries, Member, Model, PlanetarySet, System, add_planetary
-from gearwright.parts.gears import GearPair
+from gearwright.dynamics.assembly.bodies import Assembly
+from gearwright.dynamics.assembly.contacts import push_sense
+from gearwright.dynamics.assembly.meshes import gear_of
+from gearwright.dynamics.model import Entries, Member, PlanetarySet, System, add_planetary
 from gearwright.parts.planetary import even_positions, planet_phases
-from gearwright.parts.stiffness import StiffnessCurve
-from gearwright.sizing import Sizing
+from gearwright.sizing import CarrierSizing, Sizing
 from gearwright.spec import GROUND, Planetary
 from gearwright.spec.checks import MEMBERS
 from gearwright.train import PowerFlow
 
 
-def add_stage(
-    model: Model,
-    sizing: Sizing,
-    flow: PowerFlow,
-    *,
-    stage: str,
-    inertias: Mapping[str, float],
-    meshes: tuple[tuple[GearPair, StiffnessCurve], tuple[GearPair, StiffnessCurve]],
-) -> None:
+def add_moving_set(assembly: Assembly, stage: str) -> None:
     """Add a planetary set with translations, in the frame of its carrier.
 
     Args:
-        model: That gets it.
-        sizing: What was sized.
-        flow: The load case.
+        assembly: That gets it; its carrier is without planets.
         stage: Name of the set.
-        inertias: Body -> polar inertia with its share of the shafts [kg m²]; the carrier's without planets.
-        meshes: Geometry and stiffness of the meshes with the sun and with the ring.
 
     Source: Lin & Parker 1999, J. Vib. Acoust. 121, 316-321.
     """
-    planetary = sizing.design.planetaries[stage]
+    planetary, flow = assembly.sizing.design.planetaries[stage], assembly.flow
     shafts = {name: getattr(planetary, name) for name in MEMBERS}
     speeds = {name: flow.speeds[shaft] for name, shaft in shafts.items() if shaft != GROUND}
-    set_ = _planetary_set(sizing, flow, stage=stage, inertias=inertias, meshes=meshes)
-    add_planetary(model, set_, name=stage, speeds=speeds)
+    add_planetary(assembly.model, _planetary_set(assembly, stage), name=stage, speeds=speeds)
 
 
-def _planetary_set(
-    sizing: Sizing,
-    flow: PowerFlow,
-    *,
-    stage: str,
-    inertias: Mapping[str, float],
-    meshes: tuple[tuple[GearPair, StiffnessCurve], tuple[GearPair, StiffnessCurve]],
-) -> PlanetarySet:
-    planetary, (inner, outer) = sizing.design.planetaries[stage], meshes
+def _planetary_set(assembly: Assembly, stage: str) -> PlanetarySet:
+    planetary, rows = assembly.sizing.design.planetaries[stage], (f"{stage}.sun-planet", f"{stage}.planet-ring")
+    inner, outer = (assembly.pairs[row] for row in rows)
     places = even_positions(planetary.planets)
-    members = _members(sizing, stage, inertias, (inner[0], outer[0]))
     return PlanetarySet(
-        *members,
-        sun_mesh=inner[1],
-        ring_mesh=outer[1],
-        pressure_angles=(inner[0].working_pressure_angle, outer[0].working_pressure_angle),
+        *_members(assembly, stage),
+        sun_mesh=assembly.curve(rows[0]),
+        ring_mesh=assembly.curve(rows[1]),
+        pressure_angles=(inner.working_pressure_angle, outer.working_pressure_angle),
         positions=places,
-        sun_teeth=inner[0].driver.teeth,
-        phases=planet_phases(inner[0], outer[0], places),
-        damping=sizing.design.dynamics.mesh_damping,
+        sun_teeth=inner.driver.teeth,
+        phases=planet_phases(inner, outer, places),
+        damping=assembly.sizing.design.dynamics.mesh_damping,
         backlash=planetary.backlash,
-        flank=-1 if flow.meshes[f"{stage}.sun-planet"].torques[0] > 0.0 else 1,
+        flank=push_sense(assembly.flow, rows[0]),
     )
 
 
-def _members(
-    sizing: Sizing, stage: str, inertias: Mapping[str, float], pairs: tuple[GearPair, GearPair]
-) -> tuple[Member, Member, Member, Member]:
+def _members(assembly: Assembly, stage: str) -> tuple[Member, Member, Member, Member]:
     """Return sun, ring, carrier and one planet; what is part of the ground and rigid has no motion."""
-    planetary, (inner, outer) = sizing.design.planetaries[stage], pairs
-    mass = {gear.role: gear.mass for gear in sizing.gears if gear.stage == stage}
-    mass["carrier"] = next(carrier.mass for carrier in sizing.carriers if carrier.stage == stage)
-    gears = {gear.role: gear.inertia for gear in sizing.gears if gear.stage == stage}
+    sizing, planetary = assembly.sizing, assembly.sizing.design.planetaries[stage]
+    inner, outer = (assembly.pairs[f"{stage}.{end}"] for end in ("sun-planet", "planet-ring"))
+    gears = {gear.role: gear for gear in sizing.gears if gear.stage == stage}
+    mass = {role: gear.mass for role, gear in gears.items()} | {"carrier": _carrier(sizing, stage).mass}
     radius = {"sun": inner.driver.base_radius, "ring": outer.driven.base_radius, "carrier": inner.centre_distance}
-    sun, ring, carrier = (
-        Member(
-            mass[name],
-            # A member that stands still is no body of the train; a ring that does gives way as itself.
-            inertias.get(f"{stage}.{name}", gears.get(name, 1.0)),
-            radius[name],
-            support=_support(planetary, name),
-            torsion=_torsion(planetary, name, radius[name]),
-        )
-        for name in MEMBERS
-    )
+
+    def member(name: str) -> Member:
+        # A member that stands still is no body of the train; a ring that does gives way as itself.
+        standing = gears[name].inertia if name in gears else 1.0
+        rotor = assembly.rotors.get(f"{stage}.{name}")
+        support, torsion = _support(planetary, name), _torsion(planetary, name, radius[name])
+        return Member(mass[name], rotor.inertia if rotor else standing, radius[name], support=support, torsion=torsion)
+
     pin = math.inf if "pin" in planetary.bearings.rigid else pin_stiffness(sizing, stage)
-    return sun, ring, carrier, Member(mass["planet"], gears["planet"], inner.driven.base_radius, support=pin)
+    planet = Member(mass["planet"], gears["planet"].inertia, inner.driven.base_radius, support=pin)
+    return member("sun"), member("ring"), member("carrier"), planet
+
+
+def _carrier(sizing: Sizing, stage: str) -> CarrierSizing:
+    return next(carrier for carrier in sizing.carriers if carrier.stage == stage)
 
 
 def pin_stiffness(sizing: Sizing, stage: str) -> float:
@@ -105,18 +85,17 @@ def pin_stiffness(sizing: Sizing, stage: str) -> float:
 
     Source: cantilever of round section with its force at the middle of the planet, k = 3 E I/(b/2)³.
     """
-    given = sizing.design.planetaries[stage].bearings.pin
-    if given is not None:
-        return given
-    width = next(gear.face_width for gear in sizing.gears if gear.name == f"{stage}.planet")
-    diameter = next(carrier.pin_diameter for carrier in sizing.carriers if carrier.stage == stage)
+    stated = sizing.design.planetaries[stage].bearings.pin
+    if stated is not None:
+        return stated
+    width, diameter = gear_of(sizing, f"{stage}.planet").face_width, _carrier(sizing, stage).pin_diameter
     modulus = materials()[sizing.design.rules(stage).material].elastic_modulus
     return 3.0 * modulus * math.pi / 64.0 * diameter**4 / (0.5 * width) ** 3
 
 
 def _support(planetary: Planetary, name: str) -> float:
-    held = name in ("sun", "carrier") and getattr(planetary, name) == GROUND
-    return math.inf if held or name in planetary.bearings.rigid else float(getattr(planetary.bearings, name))
+    grounded = name in ("sun", "carrier") and getattr(planetary, name) == GROUND
+    return math.inf if grounded or name in planetary.bearings.rigid else float(getattr(planetary.bearings, name))
 
 
 def _torsion(planetary: Planetary, name: str, radius: float) -> float:
@@ -142,17 +121,19 @@ def with_preload(system: System, sizing: Sizing, flow: PowerFlow) -> System:
     Source: potential of isotropic springs between pins and planets under centrifugal load, to second order in the
         displacements and first order in m Ω² over the pin's stiffness.
     """
-    names, found = system.labels.coordinates, list[tuple[int, int, float]]()
+    names, old = system.labels.coordinates, system.arrays.centripetal
+    rows, columns, values = list[int](), list[int](), list[float]()
     for stage, planetary in sizing.design.planetaries.items():
         carrier, speed = f"{stage}.carrier", flow.speeds[planetary.carrier]
         if f"{stage}.planet-1.tangential" not in names or carrier not in names:
             continue
-        mass = next(gear.mass for gear in sizing.gears if gear.name == f"{stage}.planet")
-        radius, turn = next(each.radius for each in sizing.carriers if each.stage == stage), names.index(carrier)
+        radius, turn = _carrier(sizing, stage).radius, names.index(carrier)
+        pull = gear_of(sizing, f"{stage}.planet").mass * speed**2 * radius
         for number in range(1, planetary.planets + 1):
-            along, pull = names.index(f"{stage}.planet-{number}.tangential"), mass * speed**2 * radius
-            found += [(along, turn, -pull), (turn, along, -pull), (turn, turn, pull * radius)]
-    old, (row, column) = system.arrays.centripetal, np.array([each[:2] for each in found], np.int64).reshape(-1, 2).T
-    value = np.append(old.value, [each[2] for each in found])
-    entries = Entries(np.append(old.row, row), np.append(old.column, column), value)
+            along = names.index(f"{stage}.planet-{number}.tangential")
+            rows += [along, turn, turn]
+            columns += [turn, along, turn]
+            values += [-pull, -pull, pull * radius]
+    added = Entries(np.array(rows, np.int64), np.array(columns, np.int64), np.array(values))
+    entries = Entries(*(np.append(*parts) for parts in zip(old, added, strict=True)))
     return replace(system, arrays=system.arrays._replace(centripetal=entries))

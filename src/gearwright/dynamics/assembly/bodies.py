@@ -1,0 +1,141 @@
+"""Bodies: every gear, carrier and machine of a sizing on its shaft, with its share of the shaft's inertia."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import NamedTuple
+
+from gearwright.dynamics.assembly.contacts import body_of
+from gearwright.dynamics.assembly.meshes import gear_pairs, mesh_curve
+from gearwright.dynamics.model import Model
+from gearwright.parts.gears import GearPair
+from gearwright.parts.stiffness import StiffnessCurve
+from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
+from gearwright.spec import GROUND
+from gearwright.train import PowerFlow
+
+
+class Rotor(NamedTuple):
+    """What turns."""
+
+    inertia: float
+    """[kg m²]."""
+    speed: float
+    """In the load case [rad/s]."""
+
+
+@dataclass
+class Assembly:
+    """A model under construction and what it is made from."""
+
+    sizing: Sizing
+    """What was sized."""
+    flow: PowerFlow
+    """The load case."""
+    harmonics: int | None
+    """Of the mesh stiffness: 0 keeps the mean, None as many as the design says."""
+    model: Model = field(default_factory=Model)
+    """Gets bodies, lines and loads."""
+    members: dict[str, list[str]] = field(default_factory=dict)
+    """Shaft -> bodies on it, in order."""
+    rotors: dict[str, Rotor] = field(default_factory=dict)
+    """Body -> its inertia and speed."""
+
+    @cached_property
+    def pairs(self) -> dict[str, GearPair]:
+        """Mesh row -> geometry of one mesh of it."""
+        return gear_pairs(self.sizing)
+
+    @cached_property
+    def moving(self) -> tuple[str, ...]:
+        """Planetary sets whose members also move across."""
+        design = self.sizing.design
+        return tuple(design.planetaries) if design.dynamics.fidelity == "translational" else ()
+
+    @property
+    def machines_turn(self) -> bool:
+        """Whether machines are bodies on shafts of their own, or torques on the train."""
+        return self.sizing.design.dynamics.machines == "inertia"
+
+    def curve(self, row: str) -> StiffnessCurve:
+        """Return the stiffness of one mesh of a row along its line of action.
+
+        Args:
+            row: Its name.
+        """
+        sized = next(mesh for mesh in self.sizing.meshes if mesh.name == row)
+        return mesh_curve(self.sizing, sized, self.pairs[row], harmonics=self.harmonics)
+
+    def put(self, body: str, shaft: str, inertia: float) -> None:
+        """Put a body on a shaft; the ground takes none.
+
+        Args:
+            body: Its name.
+            shaft: That carries it.
+            inertia: [kg m²].
+        """
+        if shaft != GROUND:
+            self.rotors[body] = Rotor(inertia, self.flow.speeds[shaft])
+            self.members.setdefault(shaft, []).append(body)
+
+    def seat(self, machine: MachineSizing) -> str:
+        """Return the body that a machine's shaft joins, or that its torque acts on.
+
+        Args:
+            machine: Turbine, motor or propeller.
+        """
+        members = self.members[machine.shaft]
+        return members[-1] if machine.kind == "propeller" else members[0]
+
+    def loaded_body(self, machine: MachineSizing) -> str:
+        """Return the body that feels a machine's torque.
+
+        Args:
+            machine: Turbine, motor or propeller.
+        """
+        return machine.name if self.machines_turn else self.seat(machine)
+
+
+def add_bodies(assembly: Assembly) -> None:
+    """Put every gear and carrier on its shaft, in the order of the stages, then the machines.
+
+    Args:
+        assembly: That gets them.
+    """
+    sizing, speeds = assembly.sizing, assembly.flow.speeds
+    for name in sizing.design.planetaries:
+        _add_set(assembly, name)
+    for gear in sizing.gears:
+        if gear.role in ("pinion", "wheel"):
+            for shaft in gear.shafts:
+                assembly.put(body_of(sizing, gear.name, shaft), shaft, gear.inertia * gear.bodies / len(gear.shafts))
+    for sized in sizing.shafts:
+        _share_shaft(assembly, sized)
+    for machine in sizing.machines if assembly.machines_turn else ():
+        assembly.rotors[machine.name] = Rotor(machine.inertia, speeds[machine.shaft])
+
+
+def _add_set(assembly: Assembly, name: str) -> None:
+    """Put a planetary set on its shafts; planets turn on none."""
+    sizing, planetary = assembly.sizing, assembly.sizing.design.planetaries[name]
+    gears = {gear.role: gear for gear in sizing.gears if gear.stage == name}
+    planet, carrier = gears["planet"], next(carrier for carrier in sizing.carriers if carrier.stage == name)
+    # Planets that move on their pins are masses of their own.
+    carried = 0.0 if name in assembly.moving else planet.bodies * planet.mass * carrier.radius**2
+    assembly.put(f"{name}.sun", planetary.sun, gears["sun"].inertia)
+    assembly.put(f"{name}.carrier", planetary.carrier, carrier.inertia + carried)
+    assembly.put(f"{name}.ring", planetary.ring, gears["ring"].inertia)
+    for k in range(planetary.planets):
+        assembly.rotors[f"{name}.planet-{k + 1}"] = Rotor(planet.inertia, assembly.flow.speeds[f"{name}.planet"])
+
+
+def _share_shaft(assembly: Assembly, shaft: ShaftSizing) -> None:
+    """Give each end of a shaft half of its inertia; a shaft without gears is a body itself."""
+    members = assembly.members.setdefault(shaft.name, [])
+    if not members:
+        assembly.put(f"{shaft.name} hub", shaft.name, shaft.inertia)
+        return
+    for end in {members[0], members[-1]}:
+        inertia, speed = assembly.rotors[end]
+        assembly.rotors[end] = Rotor(inertia + shaft.inertia / (1.0 if len(members) == 1 else 2.0), speed)

@@ -1,0 +1,116 @@
+"""Lines of the meshes whose gears only turn: one per planet, or one for the halves of a double-helical gear."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+
+from gearwright.dynamics.assembly.bodies import Assembly
+from gearwright.dynamics.assembly.contacts import base_circles, body_of, direction_between, push_sense
+from gearwright.dynamics.model import DampingRatio, Periodic
+from gearwright.parts.planetary import even_positions, planet_phases
+from gearwright.parts.stiffness import StiffnessCurve
+from gearwright.spec import GROUND, Planetary
+from gearwright.train import Mesh
+
+
+@dataclass(frozen=True)
+class _Teeth:
+    """What one line of a mesh row has of its own."""
+
+    line: str
+    curve: StiffnessCurve
+    planet: int
+    """Counted from 1; 0 without planets."""
+    count: int
+    """Meshes side by side in it."""
+    phase: float
+    """In cycles."""
+
+
+def add_mesh_row(assembly: Assembly, mesh: Mesh) -> None:
+    """Add the lines of a mesh row, in their relative mesh phases.
+
+    Args:
+        assembly: With all bodies.
+        mesh: The row.
+    """
+    stage, curve = assembly.sizing.design.stages[mesh.stage], assembly.curve(mesh.name)
+    if isinstance(stage, Planetary):
+        inner, outer = (assembly.pairs[f"{mesh.stage}.{end}"] for end in ("sun-planet", "planet-ring"))
+        phases = planet_phases(inner, outer, even_positions(stage.planets))
+        for k, phase in enumerate(phases.sun if mesh.name.endswith("sun-planet") else phases.ring, start=1):
+            _add_line(assembly, mesh, _Teeth(f"{mesh.name}-{k}", curve, k, 1, phase))
+    else:
+        _add_line(assembly, mesh, _Teeth(mesh.name, curve, 0, mesh.count, _parallel_phase(assembly, mesh)))
+
+
+def _parallel_phase(assembly: Assembly, mesh: Mesh) -> float:
+    """Return the phase of a pair behind the first of its parallel ones, by their places around the gear they share.
+
+    A tooth of the shared gear passes the places one after the other, in the sense in which it turns [cycles].
+    """
+    row = [parallel for parallel in assembly.sizing.train.meshes if parallel.stage == mesh.stage]
+    shared = 0 if len({parallel.nodes[0] for parallel in row}) == 1 else 1
+    seen, first = (
+        direction_between(assembly.sizing, pair.nodes[shared], pair.nodes[1 - shared]) for pair in (mesh, row[0])
+    )
+    angle = cmath.phase(seen / first)
+    sense = 1.0 if assembly.flow.speeds[mesh.nodes[shared]] >= 0.0 else -1.0
+    return (-sense * assembly.sizing.teeth[mesh.gears[shared]] * angle / (2.0 * math.pi)) % 1.0
+
+
+def _add_line(assembly: Assembly, mesh: Mesh, teeth: _Teeth) -> None:
+    """Add δ = r_a (θ_a − θ_c) − s r_b (θ_b − θ_c), signed so that its force is positive in the case."""
+    design, curve = assembly.sizing.design, teeth.curve
+    sense, circles = push_sense(assembly.flow, mesh.name), base_circles(assembly.sizing, mesh)
+    first, second = sense * circles.first, -sense * mesh.sign * circles.second
+    bodies = _bodies(assembly, mesh, teeth.planet)
+    weights = {
+        body: weight
+        for body, node, weight in zip(bodies, mesh.nodes, (first, second, -first - second), strict=True)
+        if node != GROUND
+    }
+    variation = None
+    if curve.cosine:
+        variation = Periodic(
+            phase=_tone(assembly, mesh),
+            cosine=[value / curve.mean for value in curve.cosine],
+            sine=[value / curve.mean for value in curve.sine],
+            offset=2.0 * math.pi * teeth.phase,
+        )
+    assembly.model.mesh(
+        teeth.line,
+        weights,
+        stiffness=curve.mean * teeth.count,
+        damping=DampingRatio(design.dynamics.mesh_damping),
+        backlash=design.stages[mesh.stage].backlash,
+        variation=variation,
+    )
+
+
+def _bodies(assembly: Assembly, mesh: Mesh, planet: int) -> tuple[str, str, str]:
+    """Return the bodies of gear a, gear b and carrier."""
+    if planet:
+        first, second = (f"{gear}-{planet}" if gear.endswith(".planet") else gear for gear in mesh.gears)
+        return first, second, f"{mesh.stage}.carrier"
+    first, second = (body_of(assembly.sizing, *end) for end in zip(mesh.gears, mesh.nodes, strict=False))
+    return first, second, GROUND
+
+
+def _tone(assembly: Assembly, mesh: Mesh) -> dict[str, int]:
+    """Return the mesh phase as integers of rotations, growing with time: z (θ − θ_c) of the sun or of gear a."""
+    sizing, speeds = assembly.sizing, assembly.flow.speeds
+    stage = sizing.design.stages[mesh.stage]
+    if isinstance(stage, Planetary):
+        gear, node, carrier = f"{mesh.stage}.sun", stage.sun, stage.carrier
+        bodies = (gear, f"{mesh.stage}.carrier")
+    else:
+        gear, node, carrier = mesh.gears[0], mesh.nodes[0], GROUND
+        bodies = (_bodies(assembly, mesh, 0)[0], GROUND)
+    teeth = sizing.teeth[gear] if speeds[node] >= speeds[carrier] else -sizing.teeth[gear]
+    counts = {bodies[0]: teeth} if node != GROUND else {}
+    if carrier != GROUND:
+        counts[bodies[1]] = -teeth
+    return counts

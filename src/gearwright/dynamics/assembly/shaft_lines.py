@@ -1,0 +1,73 @@
+"""Lines along the shafts of a sizing, to its machines and across its clutches."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Set
+from itertools import pairwise
+from typing import NamedTuple
+
+from gearwright.catalogue import materials
+from gearwright.dynamics.assembly.bodies import Assembly
+from gearwright.parts.shafts import shaft_diameter, torsional_stiffness
+from gearwright.train import Joint
+
+
+class ShaftLine(NamedTuple):
+    """A line that twists."""
+
+    name: str
+    """Unique name."""
+    first: str
+    """Body at the end that drives."""
+    second: str
+    """Body at the other end."""
+    stiffness: float
+    """[N m/rad]."""
+
+
+def shaft_lines(assembly: Assembly, slipping: Set[str]) -> Iterator[ShaftLine]:
+    """Yield every line along a shaft, to a machine or across a clutch.
+
+    Args:
+        assembly: With all bodies.
+        slipping: Clutches that are drives instead of lines.
+    """
+    sizing = assembly.sizing
+    shafts = {shaft.name: shaft for shaft in sizing.shafts}
+    for name, members in assembly.members.items():
+        pieces = len(members) - 1
+        for k, (first, second) in enumerate(pairwise(members)):
+            line = f"{name} shaft" if pieces == 1 else f"{name} shaft {k + 1}"
+            yield ShaftLine(line, first, second, shafts[name].stiffness * pieces)
+    for machine in sizing.machines if assembly.machines_turn else ():
+        end, shaft = assembly.seat(machine), machine.shaft
+        driving = assembly.flow.machine_powers[machine.name] >= 0.0
+        ends = (machine.name, end) if driving else (end, machine.name)
+        alone = sum(neighbour.shaft == shaft for neighbour in sizing.machines) == 1
+        if len(assembly.members[shaft]) == 1 and alone:
+            yield ShaftLine(f"{shaft} shaft", *ends, shafts[shaft].stiffness)
+        else:
+            yield ShaftLine(f"{machine.name} shaft", *ends, _stub_stiffness(assembly, machine.torque))
+    for joint in sizing.train.joints:
+        if joint.name in assembly.flow.joints and joint.name not in slipping:
+            yield clutch_line(assembly, joint)
+
+
+def clutch_line(assembly: Assembly, joint: Joint) -> ShaftLine:
+    """Return the line across a clutch, as stiff as the softer of its shafts.
+
+    Args:
+        assembly: With all bodies.
+        joint: The clutch.
+    """
+    stiffness = min(shaft.stiffness for shaft in assembly.sizing.shafts if shaft.name in (joint.driving, joint.driven))
+    first, second = assembly.members[joint.driving][-1], assembly.members[joint.driven][0]
+    return ShaftLine(f"{joint.name} clutch", first, second, stiffness)
+
+
+def _stub_stiffness(assembly: Assembly, torque: float) -> float:
+    """Return the stiffness of a machine's own shaft, sized by its torque [N m/rad]."""
+    rules = assembly.sizing.design.shafting
+    material = materials()[rules.material or assembly.sizing.design.gears.material]
+    diameter = shaft_diameter(0.0, torque, (material.yield_strength or 0.0) / rules.safety, bore_ratio=rules.bore_ratio)
+    return torsional_stiffness(diameter, rules.end_length, material.shear_modulus, bore=rules.bore_ratio * diameter)
