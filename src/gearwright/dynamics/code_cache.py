@@ -118,22 +118,22 @@ class CodeCache:
 def folder() -> Path | None:
     """Return the folder of this version's code, made if it is not there; none where none is private to the user."""
     try:
-        own = _home() / f"code-{_stamp()}"
-        if not own.exists():
-            make_folder(own.parent)
-            make_folder(own, mode=stat.S_IRWXU)
-            _forget(own.parent)
-        found = own.lstat()
+        home = _home() / f"code-{_stamp()}"
+        if not home.exists():
+            make_folder(home.parent)
+            make_folder(home, mode=stat.S_IRWXU)
+            _forget(home.parent)
+        status = home.lstat()
     except (OSError, RuntimeError, GearwrightError):  # RuntimeError: no home
         return None
-    private = os.name == "nt" or not found.st_mode & (stat.S_IRWXG | stat.S_IRWXO)
-    return own if stat.S_ISDIR(found.st_mode) and private and _is_own(found) else None
+    private = os.name == "nt" or not status.st_mode & (stat.S_IRWXG | stat.S_IRWXO)
+    return home if stat.S_ISDIR(status.st_mode) and private and _is_own(status) else None
 
 
 def _home() -> Path:
     """Return the folder of the cache, as XDG and Windows have it."""
-    if given := os.environ.get(VARIABLE):
-        return Path(given).absolute()
+    if named := os.environ.get(VARIABLE):
+        return Path(named).absolute()
     base = Path(os.environ.get("LOCALAPPDATA" if os.name == "nt" else "XDG_CACHE_HOME", ""))
     return (base if base.is_absolute() else Path.home() / ".cache") / "gearwright"
 
@@ -147,9 +147,9 @@ def _stamp() -> str:
     return sha256("\n".join(parts).encode()).hexdigest()[:16]
 
 
-def _forget(home: Path) -> None:
+def _forget(folders: Path) -> None:
     """Remove the code of all but the latest versions."""
-    known = sorted(home.glob("code-*"), key=lambda path: path.lstat().st_mtime, reverse=True)
+    known = sorted(folders.glob("code-*"), key=lambda path: path.lstat().st_mtime, reverse=True)
     for old in known[KEPT:]:
         shutil.rmtree(old, ignore_errors=True)
 
@@ -159,14 +159,14 @@ def _verified(path: Path) -> bytes | None:
     try:
         descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
         with os.fdopen(descriptor, "rb") as file:
-            found = os.fstat(descriptor)
-            text = file.read() if stat.S_ISREG(found.st_mode) and _is_own(found) else b""
+            status = os.fstat(descriptor)
+            text = file.read() if stat.S_ISREG(status.st_mode) and _is_own(status) else b""
     except OSError:
         return None
     head, content = text[: len(_HEAD) + 32], text[len(_HEAD) + 32 :]
     return content if head == _HEAD + sha256(content).digest() else None
 
 
-def _is_own(found: os.stat_result) -> bool:
+def _is_own(status: os.stat_result) -> bool:
     """Tell whether a file belongs to the user; Windows keeps a user's folders to the user by itself."""
-    return not hasattr(os, "geteuid") or found.st_uid == os.geteuid()
+    return not hasattr(os, "geteuid") or status.st_uid == os.geteuid()

@@ -26,8 +26,8 @@ def turned(length: float, steps: int) -> tuple[float, float]:
     for step in range(steps):
         if step:
             state[:], slopes[0] = ahead, slopes[6]
-        tsit5.attempt(arrays, right, (step * length, length), state, slopes, ahead)
-    tsit5.read_row(arrays, right, ((steps - 1) * length, length, 0.5 * length), state, slopes, row)
+        tsit5.attempt(arrays, right, tsit5.Step(step * length, length), state, slopes, ahead)
+    tsit5.read_row(arrays, right, tsit5.Step((steps - 1) * length, length), 0.5 * length, state, slopes, row)
     end, middle = steps * length, (steps - 0.5) * length
     return _off(ahead, end), _off(row, middle)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -47,7 +48,12 @@ def clock(arrays: Arrays, h: float, steps: int) -> Clock:
     factor = float(arrays.profile.factor[0])
     if np.any(arrays.profile.factor != factor):
         harmonics, unturned = _harmonics(arrays.tone_rate), waves_of(np.zeros(waves), waves)
-        return lambda first, count: (_ramped(arrays, harmonics, _times(first, h, count), (table, waves)), unturned)
+
+        def ramped(first: int, count: int) -> tuple[Floats, Floats]:
+            _fill_ramp(arrays, harmonics, _times(first, h, count), table=table, width=waves)
+            return table, unturned
+
+        return ramped
     rate = arrays.tone_rate * factor
     table[:, : 2 * waves] = waves_of(np.outer(_times(0, h, steps), rate), waves)
     table[:, 2 * waves] = factor
@@ -77,10 +83,11 @@ def _times(first: int, h: float, steps: int) -> Floats:
     return np.asarray((first + 0.5 * np.arange(2 * steps + 1)) * h, dtype=np.float64)
 
 
-def _ramped(arrays: Arrays, harmonics: Sequence[Harmonic], time: Floats, room: tuple[Floats, int]) -> Floats:
-    (table, width), tones = room, len(harmonics)
+def _fill_ramp(arrays: Arrays, harmonics: Sequence[Harmonic], time: Floats, *, table: Floats, width: int) -> None:
+    """Fill the rows of a clock table at changing speed; its waves are filled up to a width."""
+    tones, rows = len(harmonics), slice(len(time))
     factor, slope, travel = speed_factors(arrays.profile, time)
-    waves, rows = np.empty((tones, len(time)), dtype=np.complex128), slice(len(time))
+    waves = np.empty((tones, len(time)), dtype=np.complex128)
     for tone, below, again in harmonics:
         if below < 0:
             angle = arrays.tone_rate[tone] * travel
@@ -91,29 +98,26 @@ def _ramped(arrays: Arrays, harmonics: Sequence[Harmonic], time: Floats, room: t
     table[rows, :tones], table[rows, width : width + tones] = waves.real.T, waves.imag.T
     table[rows, 2 * width], table[rows, 2 * width + 1] = factor, slope
     _fill_loads(arrays, time, table[:, 2 * width + 2 :])
-    return table
 
 
 def _harmonics(rates: Floats) -> list[Harmonic]:
     """Return how each tone is made: a harmonic is the product of two slower tones whose rates add up to its own."""
-    found, made = list[Harmonic](), list[int]()
-    for tone in (int(each) for each in np.argsort(np.abs(rates), kind="stable")):
-        sums = (
-            (one, two) for one in made for two in made if np.isclose(rates[one] + rates[two], rates[tone], 1e-14, 0)
-        )
-        found.append(Harmonic(tone, *next(sums, (-1, -1))))
-        made.append(tone)
-    return found
+    harmonics = list[Harmonic]()
+    for tone in np.argsort(np.abs(rates), kind="stable").tolist():
+        pairs = product((slower.tone for slower in harmonics), repeat=2)
+        sums = (pair for pair in pairs if np.isclose(rates[pair[0]] + rates[pair[1]], rates[tone], 1e-14, 0))
+        harmonics.append(Harmonic(tone, *next(sums, (-1, -1))))
+    return harmonics
 
 
 def _fill_loads(arrays: Arrays, time: Floats, columns: Floats) -> None:
     column = 0
     for schedules in (arrays.loads.schedules, arrays.drives.inputs):
         for number in range(len(schedules.dof)):
-            part = slice(schedules.start[number], schedules.start[number + 1])
-            points, values = schedules.time[part], schedules.value[part]
+            row = slice(schedules.start[number], schedules.start[number + 1])
+            points, values = schedules.time[row], schedules.value[row]
             constant = len(points) == 1 or time[0] >= points[-1] or time[-1] <= points[0]
-            # Held values need no look-up, and most loads are held most of the time.
-            held = values[-1] if time[0] >= points[-1] else values[0]
-            columns[: len(time), column] = held if constant else np.interp(time, points, values)
+            # Constant values need no look-up, and most loads are constant most of the time.
+            end = values[-1] if time[0] >= points[-1] else values[0]
+            columns[: len(time), column] = end if constant else np.interp(time, points, values)
             column += 1

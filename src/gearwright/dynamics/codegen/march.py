@@ -66,13 +66,13 @@ head:
   %place = getelementptr double, ptr %out, i64 %offset
   %seen = getelementptr double, ptr %place, i64 {2 * numbers if lanes == 1 else 0}
 {_lines(*keep)}
-  {_stage("look", "%row0", ("q", "v", "q", "v", "qa", "v2"), ("%half", "%sixth"))}
+  {_stage("look", "%row0", "q v q v qa v2", c="%half", share="%sixth")}
   {_instant("%row1")}
-  {_stage("slope", "%row1", ("q", "v", "qa", "v2", "qb", "v3"), ("%half", "%third"))}
-  {_stage("slope", "%row1", ("q", "v", "qb", "v3", "qa", "v4"), ("%h", "%third"))}
+  {_stage("slope", "%row1", "q v qa v2 qb v3", c="%half", share="%third")}
+  {_stage("slope", "%row1", "q v qb v3 qa v4", c="%h", share="%third")}
 {_last_base(_room(writer))}
   {_instant("%row2")}
-  {_stage("slope", "%row2", ("bq", "bv", "qa", "v4", "q", "v"), ("%sixth", "%sixth"))}
+  {_stage("slope", "%row2", "bq bv qa v4 q v", c="%sixth", share="%sixth")}
   %next = add i64 %i, 1
   %more = icmp slt i64 %next, %steps
   br i1 %more, label %head, label %done
@@ -87,7 +87,7 @@ def _alone(writer: Writer) -> str:
     wave, room = wave_width(writer.shape), _room(writer)
     turn = ", ".join([f"double {1.0 if i < wave else 0.0}" for i in range(2 * wave)])
     pointers = ", ".join(f"ptr noalias %{name}" for name in ("p", "row", "y", "dy", "seen"))
-    stage = _stage("look", "%row", ("bq", "bv", "q", "v", "qa", "v2"), (splat(1.0), splat(1.0)))
+    stage = _stage("look", "%row", "bq bv q v qa v2", c=splat(1.0), share=splat(1.0))
     body = "\n  ".join([_instant("%row"), stage]).replace("%own", "%p").replace("%turn", "@unturned")
     return f"""@unturned = private constant [{2 * wave} x double] [{turn}], align 64
 @nothing = private constant [{room} x double] zeroinitializer, align 64
@@ -144,9 +144,9 @@ def _instant(row: str) -> str:
     return f"call void @instant(ptr %p, ptr %own, ptr {row}, ptr %turn, ptr %wave, ptr %now)"
 
 
-def _stage(name: str, row: str, arrays: tuple[str, ...], factors: tuple[str, str]) -> str:
-    pointers = ", ".join(f"ptr {each}" for each in ("%p", "%own", row, "%now", *(f"%{array}" for array in arrays)))
-    c, share = factors
+def _stage(name: str, row: str, arrays: str, *, c: str, share: str) -> str:
+    """Return the call of a slope on arrays, with names as `generate.slope` orders them from ``bq`` on."""
+    pointers = ", ".join(f"ptr {at}" for at in ("%p", "%own", row, "%now", *(f"%{name}" for name in arrays.split())))
     return f"call void @{name}({pointers}, ptr %works, ptr %seen, {VECTOR} {c}, {VECTOR} {share})"
 
 

@@ -46,8 +46,8 @@ def compiled(shape: Topology, layout: Layout, lanes: int = 1, own: frozenset[str
     """
     text = assembly(Writer(shape, layout, lanes, own))
     engine = machine_code(text)
-    pointer, whole = ctypes.c_void_p, ctypes.c_int64
-    signature = ctypes.CFUNCTYPE(None, whole, *[pointer] * 6)
+    pointer, number = ctypes.c_void_p, ctypes.c_int64
+    signature = ctypes.CFUNCTYPE(None, number, *[pointer] * 6)
     function = signature(engine.get_function_address("advance"))
 
     def advance(steps: int, *arrays: Floats) -> None:

@@ -14,12 +14,11 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.dynamics.codegen.assembler import address, aligned, machine_code
-from gearwright.dynamics.codegen.emit import CHUNK
+from gearwright.dynamics.codegen.emit import CHUNK, VECTOR
 from gearwright.dynamics.model import Floats
 
 Run = Callable[[Floats, Floats], None]
 """(eight states, record): fills the record's rows, a whole number of times eight."""
-VECTOR = "<8 x double>"
 SIDE = 8
 """Steps that go side by side."""
 STRIP = 3
@@ -99,7 +98,7 @@ def _compiled(size: Size, strips: tuple[Strip, ...]) -> tuple[Callable[..., None
 
 def _assembly(size: Size, strips: tuple[Strip, ...]) -> str:
     body = "\n".join(_strip(number, strip, size) for number, strip in enumerate(strips))
-    pointers = ", ".join(f"ptr noalias %{name}" for name in ("columns", "one", "other", "record"))
+    pointers = ", ".join(f"ptr noalias %{name}" for name in ("columns", "first", "second", "record"))
     return f"""declare void @llvm.masked.store.v8f64.p0({VECTOR}, ptr, i32, <8 x i1>)
 
 define void @recur(i64 %groups, {pointers}) {{
@@ -107,8 +106,8 @@ entry:
   br label %group
 group:
   %k = phi i64 [0, %entry], [%next, %before{len(strips)}]
-  %here = phi ptr [%one, %entry], [%there, %before{len(strips)}]
-  %there = phi ptr [%other, %entry], [%here, %before{len(strips)}]
+  %here = phi ptr [%first, %entry], [%there, %before{len(strips)}]
+  %there = phi ptr [%second, %entry], [%here, %before{len(strips)}]
   %offset = mul i64 %k, {SIDE * size.width}
   %rows = getelementptr double, ptr %record, i64 %offset
 {_copies(size)}
@@ -148,16 +147,26 @@ def _strip(number: int, strip: Strip, size: Size) -> str:
             lines.append(f"  %b{s}.{c} = fadd contract {VECTOR} %a{s}.{c}, %f{s}.{c}")
     lines += [f"  %n{number} = add i64 %j{number}, 1", f"  %m{number} = icmp slt i64 %n{number}, {strip.columns.stop}"]
     lines += [f"  br i1 %m{number}, label {loop}, label %after{number}", f"after{number}:"]
-    lines += [_store(f"%b{s}.{c}", *_place(s, c, size), f"r{s}.{c}") for s, c in tags]
+    lines += [_store(f"%b{s}.{c}", _place(s, c, size), f"r{s}.{c}") for s, c in tags]
     return "\n".join([*lines, f"  br label %before{number + 1}"])
 
 
-def _place(step: int, chunk: int, size: Size) -> tuple[tuple[str, int], int]:
-    """Return where a vector of sums goes, and how many of it."""
+class _Place(NamedTuple):
+    """Where a vector goes."""
+
+    pointer: str
+    offset: int
+    """In numbers."""
+    numbers: int
+    """How many of it go there."""
+
+
+def _place(step: int, chunk: int, size: Size) -> _Place:
+    """Return where a vector of sums goes."""
     if chunk < size.state_chunks:
-        return ("%there", CHUNK * (step * size.state_chunks + chunk)), CHUNK
+        return _Place("%there", CHUNK * (step * size.state_chunks + chunk), CHUNK)
     first = CHUNK * (chunk - size.state_chunks)
-    return ("%rows", step * size.width + size.kept + first), min(CHUNK, size.outputs - first)
+    return _Place("%rows", step * size.width + size.kept + first, min(CHUNK, size.outputs - first))
 
 
 def _copies(size: Size) -> str:
@@ -168,17 +177,16 @@ def _copies(size: Size) -> str:
             tag = f"{s}.{i}"
             lines.append(f"  %op{tag} = getelementptr double, ptr %here, i64 {CHUNK * (s * size.state_chunks + i)}")
             lines.append(f"  %ol{tag} = load {VECTOR}, ptr %op{tag}, align 64")
-            place = ("%rows", s * size.width + CHUNK * i)
-            lines.append(_store(f"%ol{tag}", place, min(CHUNK, size.kept - CHUNK * i), f"o{tag}"))
+            place = _Place("%rows", s * size.width + CHUNK * i, min(CHUNK, size.kept - CHUNK * i))
+            lines.append(_store(f"%ol{tag}", place, f"o{tag}"))
     return "\n".join(lines)
 
 
-def _store(value: str, place: tuple[str, int], count: int, tag: str) -> str:
-    """Return a store of the first `count` numbers of a vector."""
-    pointer, index = place
-    address = f"  %t{tag} = getelementptr double, ptr {pointer}, i64 {index}"
-    if count == CHUNK:
-        return f"{address}\n  store {VECTOR} {value}, ptr %t{tag}, align 8"
-    mask = ", ".join(f"i1 {'true' if number < count else 'false'}" for number in range(CHUNK))
+def _store(value: str, place: _Place, tag: str) -> str:
+    """Return a store of the first numbers of a vector."""
+    pointer = f"  %t{tag} = getelementptr double, ptr {place.pointer}, i64 {place.offset}"
+    if place.numbers == CHUNK:
+        return f"{pointer}\n  store {VECTOR} {value}, ptr %t{tag}, align 8"
+    mask = ", ".join(f"i1 {'true' if number < place.numbers else 'false'}" for number in range(CHUNK))
     call = f"call void @llvm.masked.store.v8f64.p0({VECTOR} {value}, ptr %t{tag}, i32 8, <8 x i1> <{mask}>)"
-    return f"{address}\n  {call}"
+    return f"{pointer}\n  {call}"

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import lru_cache
 
 from gearwright.dynamics.codegen.assembler import address, machine_code
-from gearwright.dynamics.codegen.emit import CHUNK
+from gearwright.dynamics.codegen.emit import CHUNK, VECTOR
 from gearwright.dynamics.model import Floats
 
 STRIP = 4
@@ -46,27 +46,27 @@ before{len(strips)}:
 
 
 def _strip(number: int, chunks: range, width: int) -> str:
-    vector, words = "<8 x double>", ("lo", "hi", "su", "sq")
+    words = ("lo", "hi", "su", "sq")
     before, loop, after = [], [], []
     for c in chunks:
-        for part, word in enumerate(words):
-            before.append(f"%{word}p{c} = getelementptr double, ptr %summary, i64 {part * width + CHUNK * c}")
-            before.append(f"%{word}a{c} = load {vector}, ptr %{word}p{c}, align 8")
-            loop.append(f"%{word}{c} = phi {vector} [%{word}a{c}, %before{number}], [%{word}n{c}, %head{number}]")
-            after.append(f"store {vector} %{word}n{c}, ptr %{word}p{c}, align 8")
+        for row, word in enumerate(words):
+            before.append(f"%{word}p{c} = getelementptr double, ptr %summary, i64 {row * width + CHUNK * c}")
+            before.append(f"%{word}a{c} = load {VECTOR}, ptr %{word}p{c}, align 8")
+            loop.append(f"%{word}{c} = phi {VECTOR} [%{word}a{c}, %before{number}], [%{word}n{c}, %head{number}]")
+            after.append(f"store {VECTOR} %{word}n{c}, ptr %{word}p{c}, align 8")
     loop += [f"%offset{number} = mul i64 %i{number}, {width}"]
     for c in chunks:
         loop += [
             f"%at{c} = add i64 %offset{number}, {CHUNK * c}",
             f"%p{c} = getelementptr double, ptr %record, i64 %at{c}",
-            f"%x{c} = load {vector}, ptr %p{c}, align 8",
-            f"%lm{c} = fcmp olt {vector} %x{c}, %lo{c}",
-            f"%lon{c} = select <8 x i1> %lm{c}, {vector} %x{c}, {vector} %lo{c}",
-            f"%hm{c} = fcmp ogt {vector} %x{c}, %hi{c}",
-            f"%hin{c} = select <8 x i1> %hm{c}, {vector} %x{c}, {vector} %hi{c}",
-            f"%sun{c} = fadd {vector} %su{c}, %x{c}",
-            f"%sqm{c} = fmul contract {vector} %x{c}, %x{c}",
-            f"%sqn{c} = fadd contract {vector} %sq{c}, %sqm{c}",
+            f"%x{c} = load {VECTOR}, ptr %p{c}, align 8",
+            f"%lm{c} = fcmp olt {VECTOR} %x{c}, %lo{c}",
+            f"%lon{c} = select <8 x i1> %lm{c}, {VECTOR} %x{c}, {VECTOR} %lo{c}",
+            f"%hm{c} = fcmp ogt {VECTOR} %x{c}, %hi{c}",
+            f"%hin{c} = select <8 x i1> %hm{c}, {VECTOR} %x{c}, {VECTOR} %hi{c}",
+            f"%sun{c} = fadd {VECTOR} %su{c}, %x{c}",
+            f"%sqm{c} = fmul contract {VECTOR} %x{c}, %x{c}",
+            f"%sqn{c} = fadd contract {VECTOR} %sq{c}, %sqm{c}",
         ]
     count = f"%i{number} = phi i64 [0, %before{number}], [%next{number}, %head{number}]"
     ends = [f"%next{number} = add i64 %i{number}, 1", f"%more{number} = icmp slt i64 %next{number}, %rows"]

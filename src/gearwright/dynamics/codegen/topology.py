@@ -79,22 +79,22 @@ def topology(arrays: Arrays) -> Topology:
         arrays: The system's numbers.
     """
     loads = arrays.loads
-    scheduled = tuple(int(dof) for dof in loads.schedules.dof)
+    scheduled, drives = tuple(loads.schedules.dof.tolist()), _drives(arrays.drives)
     acting = (loads.constant != 0.0) | (loads.damping != 0.0) | (loads.quadratic != 0.0)
     acting[list(scheduled)] = True
-    acting[list(_drives(arrays.drives).dofs)] = True
+    acting[list(drives.dofs)] = True
     steady = bool(np.all(arrays.profile.factor == arrays.profile.factor[0]))
     number = weight_numbers(arrays.line_weight)[0]
     return Topology(
         size=len(arrays.mass),
         tones=len(arrays.tone_rate),
         lines=tuple(_line(arrays, j, number) for j in range(len(arrays.stiffness))),
-        loaded=tuple((int(i), bool(loads.damping[i]), bool(loads.quadratic[i])) for i in np.flatnonzero(acting)),
+        loaded=tuple((i, bool(loads.damping[i]), bool(loads.quadratic[i])) for i in np.flatnonzero(acting).tolist()),
         scheduled=scheduled,
-        turning=() if steady else tuple(int(i) for i in np.flatnonzero(arrays.speed)),
+        turning=() if steady else tuple(np.flatnonzero(arrays.speed).tolist()),
         gyroscopic=_places(arrays.gyroscopic),
         centripetal=_places(arrays.centripetal),
-        drives=_drives(arrays.drives),
+        drives=drives,
     )
 
 
@@ -108,12 +108,11 @@ def _drives(drives: Drives) -> DriveShape:
 
 
 def _line(arrays: Arrays, j: int, number: Ints) -> LineShape:
-    part = slice(arrays.line_start[j], arrays.line_start[j + 1])
-    weights = arrays.line_weight[part]
+    entries = slice(arrays.line_start[j], arrays.line_start[j + 1])
     return LineShape(
-        dofs=tuple(int(dof) for dof in arrays.line_dof[part]),
-        weights=tuple(int(each) for each in number[part]),
-        signs=tuple(int(weight) if abs(weight) == 1.0 else 0 for weight in weights),
+        dofs=tuple(arrays.line_dof[entries].tolist()),
+        weights=tuple(number[entries].tolist()),
+        signs=tuple(int(weight) if abs(weight) == 1.0 else 0 for weight in arrays.line_weight[entries]),
         variation=_tones(arrays.variation, j),
         error=_tones(arrays.error, j),
         gap=bool(arrays.backlash[j] > 0.0),
@@ -122,11 +121,11 @@ def _line(arrays: Arrays, j: int, number: Ints) -> LineShape:
 
 
 def _tones(series: Series, j: int) -> tuple[int, ...]:
-    return tuple(int(tone) for tone in series.tone[series.start[j] : series.start[j + 1]])
+    return tuple(series.tone[series.start[j] : series.start[j + 1]].tolist())
 
 
 def _places(entries: Entries) -> tuple[tuple[int, int], ...]:
-    return tuple((int(row), int(column)) for row, column in zip(entries.row, entries.column, strict=True))
+    return tuple(zip(entries.row.tolist(), entries.column.tolist(), strict=True))
 
 
 class Layout(NamedTuple):
@@ -193,22 +192,11 @@ def parameter_rows(family: Arrays, h: float) -> tuple[Layout, Floats]:
     variation = _coefficients(family, family.variation, family.stiffness)
     error = _coefficients(family, family.error, np.ones_like(family.stiffness))
     weights = np.array([weight_numbers(row)[1] for row in family.line_weight])
-    lines = [weights, family.stiffness, family.damping, family.backlash]
-    bodies = [1.0 / family.mass, family.mass * family.speed, family.speed]
-    loads = [family.loads.constant, family.loads.damping, family.loads.quadratic]
-    frames = [family.gyroscopic.value, family.centripetal.value]
-    groups = [
-        np.array([[h]]),
-        *lines,
-        *variation,
-        *error,
-        family.tone_rate,
-        *bodies,
-        *loads,
-        *frames,
-        family.drives.table,
-    ]
-    starts = [int(start) for start in np.cumsum([0, *(filled(group.shape[1]) for group in groups)])]
+    lines = (weights, family.stiffness, family.damping, family.backlash)
+    bodies = (1.0 / family.mass, family.mass * family.speed, family.speed)
+    frames = (family.gyroscopic.value, family.centripetal.value, family.drives.table)
+    groups = (np.array([[h]]), *lines, *variation, *error, family.tone_rate, *bodies, *family.loads[:3], *frames)
+    starts = np.cumsum([0, *(filled(group.shape[1]) for group in groups)]).tolist()
     rows = aligned(max(len(group) for group in groups), starts[-1])
     for start, group in zip(starts, groups, strict=False):
         rows[:, start : start + group.shape[1]] = group

@@ -68,9 +68,8 @@ def _machine(table: Floats, at: int, command: float, speed: float) -> tuple[floa
 
 
 @njit(error_model="numpy")
-def _clutch(table: Floats, at: int, way: tuple[float, float, float]) -> tuple[float, float, float]:
-    """Return torque, flag and rate of twist from capacity, slip and twist; replaces `drives._clutch`."""
-    capacity, slip, twist = way
+def _clutch(table: Floats, at: int, capacity: float, slip: float, twist: float) -> tuple[float, float, float]:
+    """Return torque, flag and rate of twist; replaces `drives._clutch`."""
     sticking = table[at] * twist + table[at + 1] * slip
     torque = min(max(sticking, table[at + 2] * capacity), capacity)
     if torque == sticking:
@@ -99,7 +98,7 @@ def apply_drives(
         output[i] = state[i]
     place, report = 2, len(state)
     for _ in range(int(table[0])):
-        kind, dof, other = int(table[place + 1]), int(table[place + 2]), int(table[place + 4])
+        kind, dof, second = int(table[place + 1]), int(table[place + 2]), int(table[place + 4])
         x, read, at = int(table[place + 6]), int(table[place + 7]), place + HEADER
         speed = table[place + 3] * factor + velocity[dof]
         if kind == PROPELLER:
@@ -113,9 +112,9 @@ def apply_drives(
             value, flag = _machine(table, at, inputs[read], speed)
             torque[dof] += value
         else:
-            speed -= table[place + 5] * factor + velocity[other]
-            value, flag, rate[x] = _clutch(table, at, (inputs[read], speed, state[x]))
+            speed -= table[place + 5] * factor + velocity[second]
+            value, flag, rate[x] = _clutch(table, at, inputs[read], speed, state[x])
             torque[dof] -= value
-            torque[other] += value
+            torque[second] += value
         output[report], output[report + 1], output[report + 2] = value, speed, flag
         place, report = place + int(table[place]), report + OUTPUTS

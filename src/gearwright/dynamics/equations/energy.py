@@ -44,7 +44,7 @@ class Work:
     def imbalance(self) -> float:
         """What does not add up, over all the work that was moved [-]; zero where it is only rounding."""
         gain = self.driven - self.braked - self.dissipated + self.stiffness + self.error + self.frame
-        moved = sum(abs(part) for part in (self.driven, self.braked, self.dissipated, self.stored))
+        moved = sum(abs(work) for work in (self.driven, self.braked, self.dissipated, self.stored))
         missing = abs(gain - self.stored)
         return missing / moved if missing > ROUNDING * self.held else 0.0
 

@@ -18,7 +18,7 @@ def speed_factors(profile: Profile, time: Floats) -> tuple[Floats, Floats, Float
     """
     t, s = profile.time, profile.factor
     factor, slope, travel = np.empty((3, len(time)))
-    first, last = (int(np.searchsorted(t, each, side="right")) - 1 for each in (time[0], time[-1]))
+    first, last = (int(np.searchsorted(t, end, side="right")) - 1 for end in (time[0], time[-1]))
     cuts = [0, *np.searchsorted(time, t[first + 1 : last + 1]).tolist(), len(time)]
     for piece, (low, high) in zip(range(first, last + 1), pairwise(cuts), strict=True):
         i = max(piece, 0)

@@ -168,9 +168,9 @@ def derivative(arrays: Arrays, now: Instant, state: Floats, slope: Floats, outpu
     driven, braked = 0.0, 0.0
     slope[size : 2 * size] = 0.0
     if len(arrays.drives.table):
-        seen, own = output[2 * len(arrays.stiffness) :], 2 * size + WORKS
+        seen, first = output[2 * len(arrays.stiffness) :], 2 * size + WORKS
         speeds, torque = state[size : 2 * size], slope[size : 2 * size]
-        apply_drives(arrays.drives.table, now.input, now.factor[0], speeds, state[own:], torque, slope[own:], seen)
+        apply_drives(arrays.drives.table, now.input, now.factor[0], speeds, state[first:], torque, slope[first:], seen)
     for i in range(size):
         velocity = state[size + i]
         rigid = arrays.speed[i] * now.factor[0]
@@ -191,13 +191,12 @@ def derivative(arrays: Arrays, now: Instant, state: Floats, slope: Floats, outpu
 
 @compiled
 def runge_kutta(
-    arrays: Arrays, instants: tuple[Instant, Instant], clock: tuple[int, float], record: Floats, state: Floats
+    arrays: Arrays, instants: tuple[Instant, Instant], first: int, h: float, record: Floats, state: Floats
 ) -> None:
     """Advance by one step for each row of `record`; a row holds q, q̇, line forces and deflections at its start.
 
     Times are step × h, so that a run that starts again at any step repeats itself bit for bit.
     """
-    first, h = clock
     now, later = instants
     size = len(arrays.mass)
     k1, k2, k3, k4 = np.empty_like(state), np.empty_like(state), np.empty_like(state), np.empty_like(state)

@@ -91,12 +91,12 @@ def modes(system: System) -> Modes:
         Symmetric eigenproblem K φ = ω² M φ, rigid motions taken out beforehand.
     """
     with finite_numbers(system):
-        found = _modes(system)
-    numbers = [f"mode {number}" for number in range(1, 1 + len(found.frequency))]
-    refuse_not_finite(found.frequency, numbers, "frequency")
-    refuse_not_finite(found.shapes.T, system.labels.coordinates, "mode shape")
-    refuse_not_finite(found.line_energy.T, system.labels.lines, "energy")
-    return found
+        solved = _modes(system)
+    numbers = [f"mode {number}" for number in range(1, 1 + len(solved.frequency))]
+    refuse_not_finite(solved.frequency, numbers, "frequency")
+    refuse_not_finite(solved.shapes.T, system.labels.coordinates, "mode shape")
+    refuse_not_finite(solved.line_energy.T, system.labels.lines, "energy")
+    return solved
 
 
 def _modes(system: System) -> Modes:

@@ -71,19 +71,19 @@ def steady_forces(system: System, *, sidebands: int = 3) -> SteadyForces:
 def _spectrum(arrays: Arrays, series: Series) -> dict[float, Complexes]:
     """Return circular frequency -> two-sided amplitude of each line's series; equal frequencies are one."""
     lines = len(arrays.stiffness)
-    found: dict[float, Complexes] = {}
+    spectrum: dict[float, Complexes] = {}
     line = np.repeat(np.arange(lines), np.diff(series.start))
     for j, tone, a, b in zip(line, series.tone, series.cosine, series.sine, strict=True):
         rate = float(arrays.tone_rate[tone] * arrays.profile.factor[0])
         for sign in (1.0, -1.0) if rate else (1.0,):
-            place = _same(sign * rate, found)
-            found.setdefault(place, np.zeros(lines, dtype=np.complex128))
-            found[place][j] += (a - 1j * sign * b) / (2.0 if rate else 1.0)
-    return found
+            place = _same(sign * rate, spectrum)
+            spectrum.setdefault(place, np.zeros(lines, dtype=np.complex128))
+            spectrum[place][j] += (a - 1j * sign * b) / (2.0 if rate else 1.0)
+    return spectrum
 
 
-def _same(rate: float, known: dict[float, Complexes]) -> float:
-    return next((each for each in known if abs(each - rate) <= SAME * max(abs(each), abs(rate))), rate)
+def _same(rate: float, spectrum: dict[float, Complexes]) -> float:
+    return next((known for known in spectrum if abs(known - rate) <= SAME * max(abs(known), abs(rate))), rate)
 
 
 def _bases(arrays: Arrays) -> Iterator[tuple[float, Complexes]]:
@@ -99,10 +99,10 @@ def _shifts(meshes: tuple[float, ...], sidebands: int) -> Floats:
     """Return Σ n_m Ω_m for all Σ |n_m| up to the order; multiples of a mesh frequency are its own harmonics."""
     ground = [
         rate for rate in meshes
-        if not any(other < rate and abs(rate / other - round(rate / other)) < SAME for other in meshes)
+        if not any(slower < rate and abs(rate / slower - round(rate / slower)) < SAME for slower in meshes)
     ]  # fmt: skip
     orders = range(-sidebands, sidebands + 1)
-    counts = [each for each in product(orders, repeat=len(ground)) if sum(map(abs, each)) <= sidebands]
+    counts = [count for count in product(orders, repeat=len(ground)) if sum(map(abs, count)) <= sidebands]
     return np.array(sorted({round(float(np.dot(count, ground)), 9) if count else 0.0 for count in counts}))
 
 
@@ -145,15 +145,15 @@ class _Balance:
 
     def _coupling(self, shifts: Floats) -> list[dict[int, Complexes]]:
         """Return for each frequency which others reach it, and through which stiffness."""
-        found: list[dict[int, Complexes]] = [{} for _ in shifts]
+        coupling: list[dict[int, Complexes]] = [{} for _ in shifts]
         for i, to in enumerate(shifts):
             for k, source in enumerate(shifts):
                 for rate, values in self.varying.items():
                     if abs(to - source - rate) < 1e-6:
-                        found[i][k] = values
-        return found
+                        coupling[i][k] = values
+        return coupling
 
     def _values(self, coupling: list[dict[int, Complexes]], i: int, centre: int) -> Complexes:
         """Return the stiffness through which an error at the centre reaches a frequency."""
-        own = self.mean.astype(np.complex128) if i == centre else np.zeros(len(self.mean), dtype=np.complex128)
-        return own + coupling[i].get(centre, 0.0)
+        mean = self.mean.astype(np.complex128) if i == centre else np.zeros(len(self.mean), dtype=np.complex128)
+        return mean + coupling[i].get(centre, 0.0)

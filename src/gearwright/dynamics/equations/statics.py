@@ -53,10 +53,10 @@ def statics(system: System, *, time: float = 0.0, balance: Balance = "required")
         SolveError: If loads do not balance on a motion that no line holds, or contact does not settle.
     """
     with finite_numbers(system):
-        found = _equilibrium(system, time, balance)
-    refuse_not_finite(found.position, system.labels.coordinates, "static position")
-    refuse_not_finite(found.force, system.labels.lines, "static force")
-    return found
+        equilibrium = _equilibrium(system, time, balance)
+    refuse_not_finite(equilibrium.position, system.labels.coordinates, "static position")
+    refuse_not_finite(equilibrium.force, system.labels.lines, "static force")
+    return equilibrium
 
 
 def _equilibrium(system: System, time: float, balance: Balance) -> Equilibrium:

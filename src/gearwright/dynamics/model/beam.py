@@ -93,7 +93,9 @@ def bending_shaft(
         DesignError: If a segment has no length or no section.
     """
     wrong = [
-        number for number, part in enumerate(segments) if not (part.length > 0.0 and 0.0 <= part.bore < part.diameter)
+        number
+        for number, segment in enumerate(segments)
+        if not (segment.length > 0.0 and 0.0 <= segment.bore < segment.diameter)
     ]
     if wrong or not segments:
         raise DesignError([Problem(f"{name}.{i}", "a segment needs a length and a section") for i in wrong or [0]])
@@ -108,12 +110,12 @@ def bending_shaft(
 
 def _ends(segments: Sequence[Segment]) -> list[_End]:
     sums = [[0.0, 0.0, 0.0] for _ in range(len(segments) + 1)]
-    for number, part in enumerate(segments):
-        half = 0.5 * part.density * part.length
+    for number, segment in enumerate(segments):
+        half = 0.5 * segment.density * segment.length
         for end in sums[number : number + 2]:
-            end[0] += half * part.area
-            end[1] += half * part.second_moment
-            end[2] += 2.0 * half * part.second_moment
+            end[0] += half * segment.area
+            end[1] += half * segment.second_moment
+            end[2] += 2.0 * half * segment.second_moment
     return [_End(*end) for end in sums]
 
 
@@ -128,17 +130,17 @@ def _station(model: Model, station: str, end: _End, speed: float | None) -> None
         model.gyroscopic(tilt_x, tilt_y, moment=end.polar * speed)
 
 
-def _lines(name: str, stations: Sequence[str], part: Segment, damping_ratio: float) -> list[Line]:
+def _lines(name: str, stations: Sequence[str], segment: Segment, damping_ratio: float) -> list[Line]:
     (x1, y1, z1, a1, b1, t1), (x2, y2, z2, a2, b2, t2) = (
         [f"{station} {direction}" for direction in DIRECTIONS] for station in stations
     )
-    length, bending = part.length, part.elasticity * part.second_moment
-    shear = 12.0 * bending / (part.shear_coefficient * part.area * part.shear_modulus * length**2)
+    length, bending = segment.length, segment.elasticity * segment.second_moment
+    shear = 12.0 * bending / (segment.shear_coefficient * segment.area * segment.shear_modulus * length**2)
     across = 12.0 * bending / ((1.0 + shear) * length**3)
     half = 0.5 * length
     pieces = {
-        "stretch": ({z2: 1.0, z1: -1.0}, part.elasticity * part.area / length),
-        "twist": ({t1: 1.0, t2: -1.0}, 2.0 * part.shear_modulus * part.second_moment / length),
+        "stretch": ({z2: 1.0, z1: -1.0}, segment.elasticity * segment.area / length),
+        "twist": ({t1: 1.0, t2: -1.0}, 2.0 * segment.shear_modulus * segment.second_moment / length),
         # A tilt about y carries x along the axis; a tilt about x carries −y.
         "bend x": ({b2: 1.0, b1: -1.0}, bending / length),
         "shear x": ({x2: 1.0, x1: -1.0, b1: -half, b2: -half}, across),

@@ -140,14 +140,14 @@ def contact_errors(contact: Contact, parts: Mapping[str, PartErrors]) -> list[Pe
     Source: equivalent mesh errors, e = −J ε; Wang, Zhao, Tao, Jia & Guo, eqs 1 to 4, with the projections that follow
         from the directions of the lines of action instead of the printed phases.
     """
-    found: list[Periodic] = []
+    errors: list[Periodic] = []
     for side, sign in zip(contact.sides, (1.0, -1.0), strict=True):
         direction = [sign * cosine for cosine in contact.direction]
         if side.gear in parts:
-            found += _errors(parts[side.gear], side, side.gear_turns, direction)
+            errors += _errors(parts[side.gear], side, side.gear_turns, direction)
         if side.shaft in parts and side.shaft != side.gear:
-            found += _errors(parts[side.shaft], side, side.shaft_turns, direction)
-    return [each for each in found if each.constant or any(each.cosine) or any(each.sine)]
+            errors += _errors(parts[side.shaft], side, side.shaft_turns, direction)
+    return [error for error in errors if error.constant or any(error.cosine) or any(error.sine)]
 
 
 def _errors(part: PartErrors, side: Carried, turns: Turns, direction: Sequence[float]) -> Iterator[Periodic]:

@@ -139,7 +139,7 @@ def _numbers_of(drive: Drive, sense: float) -> list[float]:
         case PropellerDrive():
             chart = drive.chart
             sizes = [float(len(chart.advance_ratio)), float(len(chart.blade_angle))]
-            grids = np.concatenate([np.ravel(part).astype(float) for part in chart])
+            grids = np.concatenate([np.ravel(grid).astype(float) for grid in chart])
             return [drive.diameter, *drive.governor, *sizes, *(float(value) for value in grids)]
         case MachineDrive():
             return [sense, drive.speed, drive.slope, drive.highest_torque, drive.highest_power]
@@ -158,10 +158,10 @@ def encoded(drives: Sequence[Drive], index: Mapping[str, int], speed: Floats) ->
     table, start, inputs = [float(len(drives)), float(len(speed))], list[float](), list[tuple[int, Curve]]()
     for number, drive in enumerate(drives):
         first, second = _bodies_of(drive)
-        dof, other = index[first], -1 if second is None else index[second]
+        dof, second_dof = index[first], -1 if second is None else index[second]
         numbers = _numbers_of(drive, -1.0 if speed[dof] < 0.0 else 1.0)
         kind = (PropellerDrive, MachineDrive, ClutchDrive).index(type(drive))
-        ends = [dof, speed[dof], other, 0.0 if other < 0 else speed[other]]
+        ends = [dof, speed[dof], second_dof, 0.0 if second_dof < 0 else speed[second_dof]]
         table += [HEADER + len(numbers), kind, *ends, len(start), len(inputs), *numbers]
         start += _states_of(drive)
         inputs += [(number, curve) for curve in inputs_of(drive)]
@@ -225,7 +225,7 @@ def drive_effects(drives: Drives, total: Floats, inputs: Floats, states: Floats)
     torque, rate, reports = np.zeros(len(total)), np.zeros(len(states)), list[float]()
     place = 2
     while place < len(drives.table):
-        length, kind, dof, _, other, _, state, first = (int(value) for value in drives.table[place : place + HEADER])
+        length, kind, dof, _, second, _, state, first = (int(value) for value in drives.table[place : place + HEADER])
         numbers, read = drives.table[place + HEADER : place + length], inputs[first:]
         if kind == PROPELLER:
             value, flag, moved = _propeller(numbers, read, float(total[dof]), GovernorState(*states[state : state + 3]))
@@ -233,13 +233,13 @@ def drive_effects(drives: Drives, total: Floats, inputs: Floats, states: Floats)
         elif kind == MACHINE:
             value, flag = _machine(numbers, float(read[0]), float(total[dof]))
         else:
-            slip = float(total[dof] - total[other])
+            slip = float(total[dof] - total[second])
             value, flag, rate[state] = _clutch(numbers, float(read[0]), slip, float(states[state]))
-            torque[other] += value
+            torque[second] += value
             value = -value
         torque[dof] += value
         report = -value if kind != MACHINE else value
-        reports += [report, float(total[dof] - (total[other] if kind == CLUTCH else 0.0)), flag]
+        reports += [report, float(total[dof] - (total[second] if kind == CLUTCH else 0.0)), flag]
         place += length
     return Acting(torque, rate, np.concatenate([states, reports]))
 
@@ -249,20 +249,20 @@ def _propeller(numbers: Floats, read: Floats, speed: float, state: GovernorState
     rows, columns = int(numbers[9]), int(numbers[10])
     sizes = (rows, columns, rows * columns, rows * columns, rows, rows)
     parts = np.split(numbers[11:], np.cumsum(sizes)[:-1])
-    power, thrust = (part.reshape(rows, columns) for part in parts[2:4])
+    power, thrust = (grid.reshape(rows, columns) for grid in parts[2:4])
     chart = PropellerMap(parts[0], parts[1], power, thrust, parts[4].astype(int), parts[5].astype(int))
     density, airspeed, wanted, command = (float(value) for value in read[:4])
     turns = abs(speed) / (2.0 * math.pi)
-    found = look_up(chart, airspeed / (turns * diameter), state.pitch)
-    torque = found.power * density * turns**2 * diameter**5 / (2.0 * math.pi)
+    blade = look_up(chart, airspeed / (turns * diameter), state.pitch)
+    torque = blade.power * density * turns**2 * diameter**5 / (2.0 * math.pi)
     governor = governor._replace(reference=governor.reference + command)
-    return -math.copysign(torque, speed), float(found.status), governor_rates(governor, state, wanted - abs(speed))
+    return -math.copysign(torque, speed), float(blade.status), governor_rates(governor, state, wanted - abs(speed))
 
 
 def _machine(numbers: Floats, command: float, speed: float) -> tuple[float, float]:
-    sense, reference, slope, most, power = (float(value) for value in numbers)
+    sense, reference, slope, highest, power = (float(value) for value in numbers)
     wanted = command * (1.0 + slope * (1.0 - sense * speed / reference))
-    limit = min(most, power / abs(speed) if speed else math.inf)
+    limit = min(highest, power / abs(speed) if speed else math.inf)
     return sense * min(max(wanted, -limit), limit), float(abs(wanted) > limit)
 
 

@@ -47,10 +47,10 @@ def check_structure(family: Arrays) -> None:
     Raises:
         DesignError: With the first system whose structure differs from the first one's.
     """
-    for part in _structure(family):
-        other = np.flatnonzero(np.any(part != part[0], axis=1))
-        if len(other):
-            raise DesignError([Problem(f"systems.{other[0]}", DIFFERS)])
+    for rows in _structure(family):
+        different = np.flatnonzero(np.any(rows != rows[0], axis=1))
+        if len(different):
+            raise DesignError([Problem(f"systems.{different[0]}", DIFFERS)])
 
 
 def _structure(family: Arrays) -> Iterator[np.ndarray]:
@@ -88,9 +88,9 @@ def own_groups(family: Arrays, layout: tuple[int, ...], names: Sequence[str], ro
     """
     differs = np.any(rows != rows[0], axis=0)
     ends = [*layout[1:], len(differs)]
-    own = {name for name, start, end in zip(names, layout, ends, strict=True) if np.any(differs[start:end])}
+    varying = {name for name, start, end in zip(names, layout, ends, strict=True) if np.any(differs[start:end])}
     clocks = (family.profile.factor[:, :1], family.tone_rate)
-    return frozenset(own | {"clock"} if any(np.any(clock != clock[0]) for clock in clocks) else own)
+    return frozenset(varying | {"clock"} if any(np.any(clock != clock[0]) for clock in clocks) else varying)
 
 
 def envelope(first: Arrays, family: Arrays) -> Arrays:

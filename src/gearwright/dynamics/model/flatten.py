@@ -38,9 +38,8 @@ def flatten(model: Written) -> System:
     Raises:
         DesignError: With every problem found.
     """
-    found = problems(model)
-    if found:
-        raise DesignError(found)
+    if wrong := problems(model):
+        raise DesignError(wrong)
     index = {body.name: number for number, body in enumerate(model.bodies)}
     mass = np.array([body.mass for body in model.bodies])
     start, dof, weight = _weights(model.lines, index)
@@ -90,15 +89,14 @@ def _speeds(model: Written, index: Mapping[str, int]) -> Floats:
     for row, line in enumerate(model.lines):
         for name, weight in line.weights.items():
             matrix[row, index[name]] = weight
-    given = np.array([body.speed is not None for body in model.bodies])
+    stated = np.array([body.speed is not None for body in model.bodies])
     speed = np.array([body.speed or 0.0 for body in model.bodies])
     scale = np.linalg.norm(matrix, axis=1, keepdims=True)
     unit = matrix / scale
-    if not given.all() and model.lines:
-        speed[~given] = np.linalg.lstsq(unit[:, ~given], -unit[:, given] @ speed[given], rcond=1e-10)[0]
-    found = list(_stretching(model.lines, unit, speed))
-    if found:
-        raise DesignError(found)
+    if not stated.all() and model.lines:
+        speed[~stated] = np.linalg.lstsq(unit[:, ~stated], -unit[:, stated] @ speed[stated], rcond=1e-10)[0]
+    if stretching := _stretching(model.lines, unit, speed):
+        raise DesignError(stretching)
     return speed
 
 
@@ -121,17 +119,17 @@ class _Tones:
 
     index: Mapping[str, int]
     speed: Floats
-    found: dict[Tone, int] = field(default_factory=dict)
+    numbers: dict[Tone, int] = field(default_factory=dict)
     rates: list[float] = field(default_factory=list)
 
     def number(self, phase: Mapping[str, int], order: int) -> int:
         """Return the number of a tone, new or met before."""
         counts = [(name, int(count) * order) for name, count in sorted(phase.items()) if count and order]
         tone = Tone(tuple(counts))
-        if tone not in self.found:
-            self.found[tone] = len(self.found)
+        if tone not in self.numbers:
+            self.numbers[tone] = len(self.numbers)
             self.rates.append(sum(count * float(self.speed[self.index[name]]) for name, count in counts))
-        return self.found[tone]
+        return self.numbers[tone]
 
 
 def _series(sums: Sequence[Sequence[Periodic]], tones: _Tones) -> Series:
@@ -210,7 +208,7 @@ def _labels(model: Written, tones: _Tones) -> Labels:
         lines=tuple(line.name for line in model.lines),
         line_units=tuple(unit(line) for line in model.lines),
         line_kinds=tuple(line.kind for line in model.lines),
-        tones=tuple(tones.found),
+        tones=tuple(tones.numbers),
         drives=drives,
         drive_units=drive_units,
     )

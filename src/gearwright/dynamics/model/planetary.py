@@ -40,9 +40,8 @@ def add_planetary(
     Raises:
         DesignError: With everything that is missing.
     """
-    found = list(set_problems(planetary, speeds or {}))
-    if found:
-        raise DesignError(found)
+    if problems := list(set_problems(planetary, speeds or {})):
+        raise DesignError(problems)
     writer = _Writer(model, planetary, f"{name}." if name else "", speeds or {})
     carried = len(planetary.positions) * planetary.planet.mass if math.isinf(planetary.planet.support) else 0.0
     _central(writer, "sun", planetary.sun)
@@ -114,8 +113,8 @@ def _planet(writer: _Writer, number: int, position: float) -> None:
     writer.model.translation(f"{full}.radial", mass=planet.mass)
     # The tangential path turns with the carrier, so its reference speed follows from the pin's line.
     writer.model.bodies.append(Body(f"{full}.tangential", planet.mass, "m", None))
-    own = _own_places(writer, number)
-    for direction, pin, place in zip(("radial", "tangential"), _pin(writer, number, position), own, strict=True):
+    motions = zip(("radial", "tangential"), _pin(writer, number, position), _places(writer, number), strict=True)
+    for direction, pin, place in motions:
         writer.line(f"{name}.pin.{direction}", _combined((1.0, pin), (-1.0, place)), planet.support)
     if writer.frame:
         writer.model.rotating_frame(f"{full}.radial", f"{full}.tangential", speed=writer.frame)
@@ -136,7 +135,7 @@ def _pin(writer: _Writer, number: int, position: float) -> tuple[_Motion, _Motio
     )
 
 
-def _own_places(writer: _Writer, number: int) -> tuple[_Motion, _Motion]:
+def _places(writer: _Writer, number: int) -> tuple[_Motion, _Motion]:
     support = writer.planetary.planet.support
     return (
         writer.coordinate(f"planet-{number}.radial", support),
@@ -147,7 +146,7 @@ def _own_places(writer: _Writer, number: int) -> tuple[_Motion, _Motion]:
 def _centre(writer: _Writer, number: int, position: float) -> tuple[_Motion, _Motion]:
     """Radial and tangential motion of a planet's centre."""
     rigid = math.isinf(writer.planetary.planet.support)
-    return _pin(writer, number, position) if rigid else _own_places(writer, number)
+    return _pin(writer, number, position) if rigid else _places(writer, number)
 
 
 def _sun_mesh(writer: _Writer, number: int, position: float) -> None:

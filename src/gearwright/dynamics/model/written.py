@@ -76,12 +76,14 @@ def problems(model: Written) -> list[Problem]:
     Args:
         model: What was written.
     """
-    found = [*_bodies(model), *_loads(model), *_pairs(model), *_points("speed profile", model.profile)]
     units = {body.name: body.unit for body in model.bodies}
-    for line in model.lines:
-        found += _line(line, units)
-    found += _duplicates("lines", [line.name for line in model.lines])
-    return [*found, *_drives(model, units), *_duplicates("drives", [drive.name for drive in model.drives])]
+    return [
+        *(*_bodies(model), *_loads(model), *_pairs(model), *_points("speed profile", model.profile)),
+        *(problem for line in model.lines for problem in _line(line, units)),
+        *_duplicates("lines", [line.name for line in model.lines]),
+        *_drives(model, units),
+        *_duplicates("drives", [drive.name for drive in model.drives]),
+    ]
 
 
 def _drives(model: Written, units: dict[str, str]) -> Iterator[Problem]:
@@ -159,37 +161,37 @@ def _points(path: str, points: Sequence[tuple[float, float]]) -> Iterator[Proble
         yield Problem(path, f"times must rise from point to point; given {times}")
 
 
-def _line(line: Line, units: dict[str, str]) -> list[Problem]:
+def _line(line: Line, units: dict[str, str]) -> Iterator[Problem]:
     path = f"lines.{line.name}"
-    found = [Problem(path, f"no such body: {name}; {near(name, units)}") for name in line.weights if name not in units]
+    for name in line.weights:
+        if name not in units:
+            yield Problem(path, f"no such body: {name}; {near(name, units)}")
     if not any(line.weights.values()) or not all(math.isfinite(weight) for weight in line.weights.values()):
-        found.append(Problem(path, f"weights are {dict(line.weights)}; give at least one, finite and not zero"))
+        yield Problem(path, f"weights are {dict(line.weights)}; give at least one, finite and not zero")
     if not 0.0 < line.stiffness < math.inf:
-        found.append(Problem(path, f"stiffness is {line.stiffness:g}; it must be positive and finite"))
+        yield Problem(path, f"stiffness is {line.stiffness:g}; it must be positive and finite")
     damping = line.damping.value if isinstance(line.damping, DampingRatio) else line.damping
     if not 0.0 <= damping < math.inf:
-        found.append(Problem(path, f"damping is {damping:g}; it must be zero or positive and finite"))
+        yield Problem(path, f"damping is {damping:g}; it must be zero or positive and finite")
     if not line.backlash >= 0.0:
-        found.append(Problem(path, f"backlash is {line.backlash:g}; it must be zero or positive"))
+        yield Problem(path, f"backlash is {line.backlash:g}; it must be zero or positive")
     for series in (*([line.variation] if line.variation else []), *line.errors):
-        found += _phase(path, series, units)
-    return found + list(_variation(path, line.variation))
+        yield from _phase(path, series, units)
+    if line.variation is not None:
+        yield from _variation(path, line.variation)
 
 
-def _variation(path: str, variation: Periodic | None) -> Iterator[Problem]:
-    if variation is None:
-        return
+def _variation(path: str, variation: Periodic) -> Iterator[Problem]:
     if variation.constant != 0.0:
         yield Problem(path, "a stiffness variation has no constant part; change the mean stiffness instead")
-    elif variation.least() < -1.0:
-        least = 1.0 + variation.least()
-        yield Problem(path, f"the stiffness curve goes negative, to {least:.3g} of its mean; it must stay positive")
+    elif (lowest := 1.0 + variation.least()) < 0.0:
+        yield Problem(path, f"the stiffness curve goes negative, to {lowest:.3g} of its mean; it must stay positive")
 
 
 def _phase(path: str, series: Periodic, units: dict[str, str]) -> Iterator[Problem]:
     for name, count in series.phase.items():
         if units.get(name) != "rad":
-            rotations = [other for other, unit in units.items() if unit == "rad"]
+            rotations = [body for body, unit in units.items() if unit == "rad"]
             yield Problem(path, f"the phase names {name}, which is no rotation; {near(name, rotations)}")
         if not float(count).is_integer():
             yield Problem(path, f"the phase takes {count:g} times {name}; it must be a whole number (of teeth)")

@@ -105,23 +105,22 @@ def simulate_many(
     states = _states(systems, start)
     groups = [slice(low, low + LANES) for low in range(0, len(systems), LANES)]
     shape, (layout, rows) = topology(members[0]), parameter_rows(family, step)
-    own, numbers = (
-        own_groups(family, layout, layout._fields, rows),
-        np.broadcast_to(rows, (len(systems), rows.shape[1])),
-    )
-    _check_step(members, family, step, own)
-    code, results = compiled(shape, layout, LANES, own), []
-    clock = _Timing(step, first, steps, None if "clock" in own else _Clock(members[:1], shape, step))
+    varying = own_groups(family, layout, layout._fields, rows)
+    numbers = np.broadcast_to(rows, (len(systems), rows.shape[1]))
+    _check_step(members, family, step, varying)
+    code, results = compiled(shape, layout, LANES, varying), []
+    clock = _Timing(step, first, steps, None if "clock" in varying else _Clock(members[:1], shape, step))
     with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
         runs = [
-            pool.submit(_run, code, shape, members[group], (numbers[group], states[group]), clock) for group in groups
+            pool.submit(_run, code, shape, members[group], clock, numbers=numbers[group], states=states[group])
+            for group in groups
         ]
         for number, run in enumerate(runs, start=1):
             results.append(run.result())
             if progress is not None:
                 progress(number / len(runs))
-    summary, ends = (np.concatenate([result[part] for result in results]) for part in range(2))
-    return _ensemble(systems[0].labels, summary, ends, (step, steps - first))
+    summary, ends = (np.concatenate(parts) for parts in zip(*results, strict=True))
+    return _ensemble(systems[0].labels, summary, ends, step=step, count=steps - first)
 
 
 def _states(systems: Sequence[System], start: Floats | None) -> Floats:
@@ -146,26 +145,29 @@ class _Timing(NamedTuple):
 
 
 def _run(
-    code: Compiled, shape: Topology, group: Sequence[Arrays], rows: tuple[Floats, Floats], clock: _Timing
+    code: Compiled, shape: Topology, group: Sequence[Arrays], timing: _Timing, *, numbers: Floats, states: Floats
 ) -> tuple[Floats, Floats]:
-    """March one vector of trajectories from their numbers and states; missing ones repeat the last."""
-    step, settled, steps, shared = clock
-    own, states = (np.vstack([row, np.repeat(row[-1:], LANES - len(group), axis=0)]) for row in rows)
-    lanes = [*group, *[group[-1]] * (LANES - len(group))]
-    numbers, state = aligned(*own.T.shape), aligned(*states.T.shape)
-    numbers[:], state[:] = own.T, states.T
-    alike = numbers[:, 0].copy()
-    turn = shared or _Clock(lanes, shape, step)
+    """March one vector of trajectories from their numbers and states; return their summaries and ends."""
+    lane_numbers, lane_states = _as_lanes(numbers), _as_lanes(states)
+    alike = lane_numbers[:, 0].copy()
+    clock = timing.shared or _Clock([*group, *[group[-1]] * (LANES - len(group))], shape, timing.step)
     first, summary = 0, np.zeros(0)
-    while first < steps:
-        if first == 0 or first == settled:
+    while first < timing.steps:
+        if first in (0, timing.settled):
             summary = aligned(4, len(shape.lines), LANES)
             summary[0], summary[1] = np.inf, -np.inf
-        stop = settled if first < settled else steps
+        stop = timing.settled if first < timing.settled else timing.steps
         count = min(STEPS, stop - first)
-        code.advance(count, alike, numbers, turn.table, turn(first), state, summary)
+        code.advance(count, alike, lane_numbers, clock.table, clock.turn(first), lane_states, summary)
         first += count
-    return summary.transpose(2, 0, 1)[: len(group)], state.T[: len(group)]
+    return summary.transpose(2, 0, 1)[: len(group)], lane_states.T[: len(group)]
+
+
+def _as_lanes(rows: Floats) -> Floats:
+    """Return rows side by side, a lane for each; missing ones repeat the last."""
+    lanes = aligned(rows.shape[1], LANES)
+    lanes[:] = np.vstack([rows, np.repeat(rows[-1:], LANES - len(rows), axis=0)]).T
+    return lanes
 
 
 class _Clock:
@@ -180,7 +182,8 @@ class _Clock:
         self.table[:, : 2 * self.waves] = waves_of(np.outer(half, self.rate), self.waves)
         self.table[:, 2 * self.waves : 2 * self.waves + len(lanes)] = factor
 
-    def __call__(self, first: int) -> Floats:
+    def turn(self, first: int) -> Floats:
+        """Return by how much the tones are to be turned for a block that begins at a step."""
         return waves_of(self.rate * (first * self.step), self.waves)
 
 
@@ -192,9 +195,9 @@ def _check_family(family: Arrays) -> None:
         raise DesignError([Problem("systems", message)])
 
 
-def _check_step(members: Sequence[Arrays], family: Arrays, step: float, own: frozenset[str]) -> None:
+def _check_step(members: Sequence[Arrays], family: Arrays, step: float, varying: frozenset[str]) -> None:
     """Refuse a step that is too large for any; one envelope over all spares most an eigenvalue problem for each."""
-    if not own & _SHAPING and 0.0 < step * fastest_rate(envelope(members[0], family)) <= STABLE:
+    if not varying & _SHAPING and 0.0 < step * fastest_rate(envelope(members[0], family)) <= STABLE:
         return
     for arrays in members:
         check_step(arrays, step)
@@ -204,9 +207,8 @@ _SHAPING = frozenset({"weight", "mobility", "speed", "loss", "quadratic", "gyros
 """Numbers for which no envelope is taken; the fastest rate rises with all others that it depends on."""
 
 
-def _ensemble(labels: Labels, summary: Floats, ends: Floats, clock: tuple[float, int]) -> Ensemble:
-    step, count = clock
-    least, most, total, square = (summary[:, part] for part in range(4))
+def _ensemble(labels: Labels, summary: Floats, ends: Floats, *, step: float, count: int) -> Ensemble:
+    least, most, total, square = summary.transpose(1, 0, 2)
     wrong = ~(np.isfinite(square) & (most < RUNAWAY) & (least > -RUNAWAY))
     if np.any(wrong):
         number, line = (int(place[0]) for place in np.nonzero(wrong))

@@ -6,6 +6,8 @@ Source: Chung, Hulbert 1993, J. Appl. Mech. 60, 371: second order, stable at any
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from gearwright.dynamics.code_cache import compiled
@@ -20,19 +22,29 @@ SETTLED = 1e-10
 """Change of acceleration over the largest at which Newton's method stops [-]."""
 
 
+class Shares(NamedTuple):
+    """By how much the unbalanced force changes with the acceleration at the end of a step."""
+
+    damping: float
+    """Through the velocity there [s]."""
+    stiffness: float
+    """Through the position there [s²]."""
+    mass: float
+    """Through the inertia force [-]."""
+
+
 @compiled
-def fill_tangent(arrays: Arrays, shares: tuple[Floats, float, float, float], closed: Floats, tangent: Floats) -> None:
-    """Fill the derivative of the unbalanced force by the acceleration from shares of damping, stiffness and mass."""
-    damping, of_damping, of_stiffness, of_mass = shares
+def fill_tangent(arrays: Arrays, shares: Shares, damping: Floats, closed: Floats, tangent: Floats) -> None:
+    """Fill the derivative of the unbalanced force by the acceleration."""
     for i in range(len(arrays.mass)):
         for j in range(len(arrays.mass)):
-            tangent[i, j] = of_damping * damping[i, j]
-        tangent[i, i] += of_mass * arrays.mass[i]
+            tangent[i, j] = shares.damping * damping[i, j]
+        tangent[i, i] += shares.mass * arrays.mass[i]
     for line in range(len(closed)):
         for a in range(arrays.line_start[line], arrays.line_start[line + 1]):
             for b in range(arrays.line_start[line], arrays.line_start[line + 1]):
-                part = arrays.line_weight[a] * arrays.line_weight[b] * closed[line]
-                tangent[arrays.line_dof[a], arrays.line_dof[b]] += of_stiffness * part
+                stiffness = arrays.line_weight[a] * arrays.line_weight[b] * closed[line]
+                tangent[arrays.line_dof[a], arrays.line_dof[b]] += shares.stiffness * stiffness
 
 
 @compiled
@@ -45,19 +57,14 @@ def touching_stiffness(arrays: Arrays, now: kernel.Instant, deflection: Floats, 
 
 @compiled
 def march(
-    arrays: Arrays,
-    now: kernel.Instant,
-    clock: tuple[int, float],
-    damping: Floats,
-    record: Floats,
-    state: Floats,
+    arrays: Arrays, now: kernel.Instant, first: int, h: float, damping: Floats, record: Floats, state: Floats
 ) -> None:
     """Advance by one step for each row of `record`, as `kernel.runge_kutta` does; `damping` of the whole system."""
-    first, h = clock
     size, lines = len(arrays.mass), len(arrays.stiffness)
     am, af = (2.0 * RADIUS - 1.0) / (RADIUS + 1.0), RADIUS / (RADIUS + 1.0)
     gamma = 0.5 - am + af
     beta = 0.25 * (gamma + 0.5) ** 2
+    shares = Shares(h * gamma, h * h * beta, (1.0 - am) / (1.0 - af))
     slope, ahead, trial = np.empty_like(state), np.empty_like(state), state.copy()
     output, closed, tangent = np.empty(2 * lines), np.empty(lines), np.empty((size, size))
     kernel.set_instant(arrays, first * h, now)
@@ -74,7 +81,7 @@ def march(
             wanted = ((1.0 - am) * guess + am * inner - af * slope[size : 2 * size]) / (1.0 - af)
             rest = arrays.mass * (ahead[size : 2 * size] - wanted)
             touching_stiffness(arrays, now, output[lines:], closed)
-            fill_tangent(arrays, (damping, h * gamma, h * h * beta, (1.0 - am) / (1.0 - af)), closed, tangent)
+            fill_tangent(arrays, shares, damping, closed, tangent)
             change = np.linalg.solve(tangent, rest)
             guess += change
             if np.max(np.abs(change)) <= SETTLED * (np.max(np.abs(guess)) + 1e-300):

@@ -50,7 +50,7 @@ class OrderSums:
         """
         tones, bins = len(self.turning), len(edges) - 1
         inverse = np.linalg.pinv(self.gram[:bins], rcond=ALIKE, hermitian=True)
-        found = np.swapaxes(inverse @ self.share[:bins], 1, 2)
-        amplitude = (found[:, :, 1 : 1 + tones] - 1j * found[:, :, 1 + tones :]).astype(np.complex128)
+        sums = np.swapaxes(inverse @ self.share[:bins], 1, 2)
+        amplitude = (sums[:, :, 1 : 1 + tones] - 1j * sums[:, :, 1 + tones :]).astype(np.complex128)
         labels = tuple(self.system.labels.tones[number] for number in self.turning)
         return Orders(self.names, labels, edges.astype(np.float64) * self.step, amplitude)

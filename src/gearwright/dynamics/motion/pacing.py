@@ -39,7 +39,7 @@ def pace_of(system: System, method: str, step: float | Accuracy | None, state: F
     if isinstance(step, Accuracy):
         tried = pace_of(system, method, None, state)
         for _ in range(ATTEMPTS):
-            error = estimated_error(arrays, method, tried, (STRETCH, state))
+            error = estimated_error(arrays, method, tried, steps=STRETCH, start=state)
             if error <= step.value:
                 break
             tried = accurate_pace(tried, error, step)
@@ -58,8 +58,8 @@ def _tolerance(system: System, state: Floats) -> float:
     arrays, size = system.arrays, len(system.arrays.mass)
     position, velocity = state[:size], state[size : 2 * size]
     at_rest = statics(system, balance="accelerate").position
-    held = (line_state(arrays, 0.0, where, 0.0 * where) for where in (position, at_rest))
-    energy = max(float(np.sum(lines.stiffness * lines.contact**2)) for lines in held)
+    states = (line_state(arrays, 0.0, where, 0.0 * where) for where in (position, at_rest))
+    energy = max(float(np.sum(lines.stiffness * lines.contact**2)) for lines in states)
     energy = 0.5 * (energy + float(np.sum(arrays.mass * velocity**2)))
     if not energy > 0.0:
         message = "tsit5 measures its error by the energy of loads, errors and start; there is none: use runge-kutta"
@@ -67,20 +67,20 @@ def _tolerance(system: System, state: Floats) -> float:
     return TOLERANCE * float(np.sqrt(energy))
 
 
-def estimated_error(arrays: Arrays, method: str, pace: Pace, stretch: tuple[int, Floats]) -> float:
+def estimated_error(arrays: Arrays, method: str, pace: Pace, *, steps: int, start: Floats) -> float:
     """Return the difference of line forces to those at a finer pace over the largest force [-].
 
     Args:
         arrays: The system's numbers.
         method: One of `METHODS`.
         pace: Of the run.
-        stretch: Rows to compare, and q, q̇ and works at the start.
+        steps: Rows to compare.
+        start: q, q̇ and works at the start.
     """
-    steps, start = stretch
     forces = []
-    for each in (pace, pace.finer()):
-        pieces = round(pace.step / each.step)
-        advance, state = stepper(arrays, method, each.step, tolerance=each.tolerance), start.copy()
+    for tried in (pace, pace.finer()):
+        pieces = round(pace.step / tried.step)
+        advance, state = stepper(arrays, method, tried.step, tolerance=tried.tolerance), start.copy()
         record = blank_record(arrays, pieces * steps)
         for first in range(0, len(record), BLOCK):
             advance(first, record[first : first + BLOCK], state)

@@ -93,11 +93,10 @@ class Recorder:
             low, high = max(int(self.edges[place]), first), min(int(self.edges[place + 1]), first + len(record))
             if low >= high:
                 break
-            whole = high - low == len(record)
-            part = record[low - first : high - first]
-            self._count(place, summary if whole else summary_of(part))
+            rows = record[low - first : high - first]
+            self._count(place, summary if len(rows) == len(record) else summary_of(rows))
             if self.orders is not None:
-                self.orders.add(place, low, part[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
+                self.orders.add(place, low, rows[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
         self._watch(first, record)
 
     def _check_maps(self, first: int, record: Floats, summary: Floats) -> None:
@@ -163,12 +162,12 @@ class Recorder:
             first: Column of the first.
             what: ``"line"``, ``"coordinate"`` or ``"drive"``.
         """
-        part = slice(first, first + len(names))
+        columns = slice(first, first + len(names))
         count = np.diff(self.edges)[:, None]
-        mean, square = self.sums[:, :, part] / count
+        mean, square = self.sums[:, :, columns] / count
         rms = np.sqrt(square)
         edges = self.edges.astype(np.float64) * self.step
-        return Statistics(names, what, edges, mean, self.least[:, part], self.most[:, part], rms)
+        return Statistics(names, what, edges, mean, self.least[:, columns], self.most[:, columns], rms)
 
     def checkpoints(self) -> Checkpoints:
         """Return the states that were kept for replay."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -58,42 +59,54 @@ def rigid_factor(arrays: Arrays, rigid: Floats, duration: float) -> tuple[Floats
     Source: classical fourth-order Runge–Kutta of Rᵀ M R ν̇ = Rᵀ Q with θ̇ = Ω s + R ν.
     """
     steps = max(1, round(duration / STEP))
-    width = 2 * len(arrays.stiffness) + drive_width(topology(arrays))
     motion = np.zeros(steps + 1)
-    _march(arrays, kernel.empty_instant(arrays), (rigid[:, 0].copy(), duration / steps, width), motion)
-    most = int(np.argmax(np.abs(arrays.speed)))
-    factor = arrays.profile.factor[0] + rigid[most, 0] * motion / arrays.speed[most]
+    work = _Work(*(np.zeros(length) for length in _lengths(arrays)))
+    _march(arrays, kernel.empty_instant(arrays), rigid[:, 0].copy(), duration / steps, work, motion)
+    fastest = int(np.argmax(np.abs(arrays.speed)))
+    factor = arrays.profile.factor[0] + rigid[fastest, 0] * motion / arrays.speed[fastest]
     stride = max(1, -(-steps // POINTS))
     time = np.linspace(0.0, duration, steps + 1)
     return time[::stride], factor[::stride]
 
 
+class _Work(NamedTuple):
+    """Arrays that every slope fills anew."""
+
+    state: Floats
+    """(q, q̇, works, x), shape (states,)."""
+    change: Floats
+    """Its rate, shape (states,)."""
+    output: Floats
+    """Line forces and deflections, and what the drives report."""
+    rate: Floats
+    """Rate of (ν, x)."""
+
+
+def _lengths(arrays: Arrays) -> tuple[int, int, int, int]:
+    drives = len(arrays.drives.start)
+    length = 2 * len(arrays.mass) + WORKS + drives
+    return length, length, 2 * len(arrays.stiffness) + drive_width(topology(arrays)), 1 + drives
+
+
 @compiled
-def _slope(
-    arrays: Arrays, now: kernel.Instant, rigid: Floats, state: Floats, work: tuple[Floats, Floats, Floats]
-) -> None:
-    """Fill the rate of (ν, x) in the last of the work arrays."""
-    whole, change, output = work
+def _slope(arrays: Arrays, now: kernel.Instant, rigid: Floats, state: Floats, work: _Work) -> None:
+    """Fill the rate of (ν, x)."""
     size = len(rigid)
     first = 2 * size + WORKS
     for i in range(size):
-        whole[size + i] = rigid[i] * state[0]
-    whole[first:] = state[1:]
-    kernel.derivative(arrays, now, whole, change[: len(whole)], output)
+        work.state[size + i] = rigid[i] * state[0]
+    work.state[first:] = state[1:]
+    kernel.derivative(arrays, now, work.state, work.change, work.output)
     rate = 0.0
     for i in range(size):
-        rate += rigid[i] * arrays.mass[i] * change[size + i]
-    change[len(whole)] = rate
-    change[len(whole) + 1 :] = change[first : len(whole)]
+        rate += rigid[i] * arrays.mass[i] * work.change[size + i]
+    work.rate[0], work.rate[1:] = rate, work.change[first:]
 
 
 @compiled
-def _march(arrays: Arrays, now: kernel.Instant, how: tuple[Floats, float, int], motion: Floats) -> None:
+def _march(arrays: Arrays, now: kernel.Instant, rigid: Floats, h: float, work: _Work, motion: Floats) -> None:
     """Fill ν after each step."""
-    rigid, h, width = how
-    size, states = len(rigid), len(arrays.drives.start)
-    length = 2 * size + WORKS + states
-    work = (np.zeros(length), np.zeros(length + 1 + states), np.zeros(width))
+    states = len(arrays.drives.start)
     state, total = np.zeros(1 + states), np.zeros(1 + states)
     state[1:] = arrays.drives.start
     for step in range(len(motion) - 1):
@@ -102,8 +115,7 @@ def _march(arrays: Arrays, now: kernel.Instant, how: tuple[Floats, float, int], 
         for stage in range(4):
             kernel.set_instant(arrays, (step + (0.0, 0.5, 0.5, 1.0)[stage]) * h, now)
             _slope(arrays, now, rigid, state, work)
-            rate = work[1][length:]
-            total += (1.0, 2.0, 2.0, 1.0)[stage] * rate
-            state[:] = begin + (0.5, 0.5, 1.0, 0.0)[stage] * h * rate
+            total += (1.0, 2.0, 2.0, 1.0)[stage] * work.rate
+            state[:] = begin + (0.5, 0.5, 1.0, 0.0)[stage] * h * work.rate
         state[:] = begin + h / 6.0 * total
     motion[-1] = state[0]

@@ -71,7 +71,7 @@ def simulate(
     pace = pace_of(system, method, step, state)
     steps = check_duration(duration, pace.step)
     recorder = Recorder(system, outputs or Outputs(), step=pace.step, steps=steps)
-    error = estimated_error(arrays, method, pace, (min(steps, STRETCH), state))
+    error = estimated_error(arrays, method, pace, steps=min(steps, STRETCH), start=state)
     first = state.copy()
     advance = stepper(arrays, method, pace.step, tolerance=pace.tolerance)
     done = _run(advance, recorder, state, progress)

@@ -73,7 +73,7 @@ def stepper(arrays: Arrays, method: str, h: float, *, tolerance: float = 0.0) ->
         tolerance: Root of the energy that the error of one adaptive step may hold [√J].
     """
     if method.startswith("tsit5"):
-        return _adaptive(arrays, method, (h, tolerance))
+        return _adaptive(arrays, h, tolerance, generic=method.endswith("generic"))
     builders = {"exact": _exact, "runge-kutta": _generated, "runge-kutta generic": _generic, "implicit": _implicit}
     return builders[method](arrays, h)
 
@@ -99,25 +99,25 @@ def _generic(arrays: Arrays, h: float) -> Stepper:
     instants, width = (kernel.empty_instant(arrays), kernel.empty_instant(arrays)), record_width(topology(arrays))
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
-        kernel.runge_kutta(arrays, instants, (first, h), record, state)
+        kernel.runge_kutta(arrays, instants, first, h, record, state)
         return _summary(record, width)
 
     return advance
 
 
-def _adaptive(arrays: Arrays, method: str, pace: tuple[float, float]) -> Stepper:
+def _adaptive(arrays: Arrays, h: float, tolerance: float, *, generic: bool) -> Stepper:
     from gearwright.dynamics.equations import kernel
     from gearwright.dynamics.motion import tsit5
 
-    (h, tolerance), shape = pace, topology(arrays)
+    shape = topology(arrays)
     layout, numbers = parameters(arrays, h)
-    code = None if method.endswith("generic") else compiled(shape, layout)
+    code = None if generic else compiled(shape, layout)
     row, now = np.zeros(table_width(shape)), kernel.empty_instant(arrays)
     limit, width = tsit5.limits(arrays, tolerance), record_width(shape)
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
         right = tsit5.Right(code.derivative if code else 0, numbers, row, now)
-        _, done, reached = tsit5.march(arrays, right, (first, h), limit, record, state)
+        _, done, reached = tsit5.march(arrays, right, first, h, limit, record, state)
         if not done:
             raise SolveError(f"the run diverged at {reached:.6g} s: no step is short enough; it needs more damping")
         return _summary(record, width)
@@ -133,7 +133,7 @@ def _implicit(arrays: Arrays, h: float) -> Stepper:
     width = record_width(topology(arrays))
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
-        implicit.march(arrays, now, (first, h), damping, record, state)
+        implicit.march(arrays, now, first, h, damping, record, state)
         return _summary(record, width)
 
     return advance
@@ -148,10 +148,10 @@ def _exact(arrays: Arrays, h: float) -> Stepper:
 
     def advance(first: int, record: Floats, state: Floats) -> Floats:
         start = exact.extended_state(arrays, first * h, state)
-        whole = record if len(record) % SIDE == 0 else block[: -(-len(record) // SIDE) * SIDE]
-        run((eight @ start).reshape(SIDE, -1), whole)
-        if whole is not record:
-            record[:] = whole[: len(record)]
+        room = record if len(record) % SIDE == 0 else block[: -(-len(record) // SIDE) * SIDE]
+        run((eight @ start).reshape(SIDE, -1), room)
+        if room is not record:
+            record[:] = room[: len(record)]
         works, end = exact.works_during(carry, start, len(record))
         state[:kept] = end[:kept]
         state[kept:] += works

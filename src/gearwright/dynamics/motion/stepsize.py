@@ -141,8 +141,8 @@ def check_step(arrays: Arrays, step: float) -> None:
     """
     fastest = fastest_rate(arrays)
     if not 0.0 < step * fastest <= STABLE:
-        most, good = STABLE / fastest, default_step(arrays)
-        message = f"{step:.3g} s is outside what is stable, 0 to {most:.3g} s; a step of {good:.3g} s would do"
+        largest, good = STABLE / fastest, default_step(arrays)
+        message = f"{step:.3g} s is outside what is stable, 0 to {largest:.3g} s; a step of {good:.3g} s would do"
         raise DesignError([Problem("step", message)])
 
 

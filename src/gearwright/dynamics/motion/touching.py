@@ -43,11 +43,11 @@ def check_shared_load(system: System, lines: Sequence[str]) -> None:
     Raises:
         DesignError: If the lines together carry nothing when everything is slow: no share is defined.
     """
-    own, errors = line_numbers(system, lines), errors_at(system, np.zeros(1))[0]
+    shared, errors = line_numbers(system, lines), errors_at(system, np.zeros(1))[0]
     train = redundancy(system)
-    force = line_forces(train, errors)[own]
-    stiffness = float(np.max(system.arrays.stiffness[own]))
-    scale = stiffness * max(FELT, float(np.max(np.abs(errors[own]))))
+    force = line_forces(train, errors)[shared]
+    stiffness = float(np.max(system.arrays.stiffness[shared]))
+    scale = stiffness * max(FELT, float(np.max(np.abs(errors[shared]))))
     if abs(float(np.sum(force))) <= NOTHING * scale:
         message = f"{', '.join(lines)} carry nothing at the start, so there is nothing to share; give the case a load"
         raise DesignError([Problem("loads", message)])

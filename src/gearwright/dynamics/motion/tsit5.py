@@ -77,6 +77,15 @@ class Right(NamedTuple):
     """The same for the generic code."""
 
 
+class Step(NamedTuple):
+    """One adaptive step."""
+
+    start: float
+    """[s]."""
+    length: float
+    """[s]."""
+
+
 class Limits(NamedTuple):
     """What a step may be off by."""
 
@@ -95,8 +104,8 @@ def limits(arrays: Arrays, tolerance: float) -> Limits:
         arrays: The system's numbers.
         tolerance: Root of the energy [√J].
     """
-    held = (line_matrix(arrays) ** 2).T @ arrays.stiffness
-    return Limits(0.5 * arrays.mass, 0.5 * held, tolerance**2)
+    stiffness = (line_matrix(arrays) ** 2).T @ arrays.stiffness
+    return Limits(0.5 * arrays.mass, 0.5 * stiffness, tolerance**2)
 
 
 @intrinsic
@@ -129,8 +138,8 @@ def _set_clock(arrays: Arrays, right: Right, time: float) -> None:
         right.row[i], right.row[waves + i] = np.cos(angle), np.sin(angle)
     right.row[2 * waves], right.row[2 * waves + 1] = factor, slope
     for i in range(len(schedules.dof)):
-        part = slice(schedules.start[i], schedules.start[i + 1])
-        right.row[2 * waves + 2 + i] = np.interp(time, schedules.time[part], schedules.value[part])
+        points = slice(schedules.start[i], schedules.start[i + 1])
+        right.row[2 * waves + 2 + i] = np.interp(time, schedules.time[points], schedules.value[points])
     if len(arrays.drives.table):
         kernel.fill_inputs(arrays.drives.inputs, time, right.row[2 * waves + 2 + len(schedules.dof) :])
 
@@ -169,29 +178,25 @@ def _error(limit: Limits, length: float, slopes: Floats, result: Floats) -> floa
 
 
 @compiled
-def attempt(
-    arrays: Arrays, right: Right, span: tuple[float, float], state: Floats, slopes: Floats, ahead: Floats
-) -> None:
+def attempt(arrays: Arrays, right: Right, step: Step, state: Floats, slopes: Floats, ahead: Floats) -> None:
     """Fill the slopes of a step and the state after it."""
-    start, length = span
     output = np.empty(2 * len(arrays.stiffness) + drive_columns(arrays.drives.table, arrays.drives.start))
     for stage in range(1, 7):
         if stage < 6:
-            _set_clock(arrays, right, start + NODES[stage] * length)
-        _combine(state, length, STAGES[stage, :stage], slopes, ahead)
+            _set_clock(arrays, right, step.start + NODES[stage] * step.length)
+        _combine(state, step.length, STAGES[stage, :stage], slopes, ahead)
         _slope(arrays, right, ahead, slopes[stage], output)
 
 
 @compiled
 def march(
-    arrays: Arrays, right: Right, clock: tuple[int, float], limit: Limits, record: Floats, state: Floats
+    arrays: Arrays, right: Right, first: int, h: float, limit: Limits, record: Floats, state: Floats
 ) -> tuple[int, bool, float]:
     """Advance over the rows of `record` with steps of any length.
 
     Return how many were tried, whether the block's end was reached, and the time reached: motions that cannot be
     followed end early.
     """
-    first, h = clock
     width, size = len(state), len(arrays.mass)
     slopes, ahead, spare = np.zeros((7, width)), np.empty(width), np.empty(width)
     start, end = first * h, len(record) * h
@@ -203,7 +208,8 @@ def march(
         last = length >= end - time
         if not length > SHORTEST * h and not last:
             break
-        attempt(arrays, right, (start + time, length), state, slopes, ahead)
+        step = Step(start + time, length)
+        attempt(arrays, right, step, state, slopes, ahead)
         error, tried = _error(limit, length, slopes, spare), tried + 1
         if not error <= 1.0:
             # An error that is no number shortens the step as far as any.
@@ -211,7 +217,7 @@ def march(
             late = True
             continue
         while row < len(record) and (last or row * h <= time + length):
-            read_row(arrays, right, (start + time, length, row * h - time), state, slopes, record[row])
+            read_row(arrays, right, step, row * h - time, state, slopes, record[row])
             row += 1
         growth = SAFETY * max(error, 1e-10) ** -PROPORTIONAL * before**MEMORY
         pace = min(length * min(1.0 if late else MOST, max(LEAST, growth)), LONGEST * h)
@@ -223,16 +229,15 @@ def march(
 
 @compiled
 def read_row(
-    arrays: Arrays, right: Right, place: tuple[float, float, float], state: Floats, slopes: Floats, row: Floats
+    arrays: Arrays, right: Right, step: Step, since: float, state: Floats, slopes: Floats, row: Floats
 ) -> None:
-    """Fill a row of the record (q, q̇, forces, deflections) from the interpolant of a step."""
-    start, length, since = place
-    size, theta = len(arrays.mass), since / length
+    """Fill a row of the record (q, q̇, forces, deflections) from a step's interpolant, some time after its start."""
+    size, theta = len(arrays.mass), since / step.length
     weights, inside, slope = np.empty(7), np.empty(len(state)), np.empty(len(state))
     for stage in range(7):
         b = INTERPOLANT[stage]
         weights[stage] = theta * (b[0] + theta * (b[1] + theta * (b[2] + theta * b[3])))
-    _combine(state, length, weights, slopes, inside)
-    _set_clock(arrays, right, start + since)
+    _combine(state, step.length, weights, slopes, inside)
+    _set_clock(arrays, right, step.start + since)
     _slope(arrays, right, inside, slope, row[2 * size :])
     row[: 2 * size] = inside[: 2 * size]

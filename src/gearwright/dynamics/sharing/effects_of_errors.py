@@ -44,11 +44,11 @@ def influences(train: Redundancy, sources: Sequence[ErrorSource], lines: Ints) -
         lines: Places of the n parallel lines.
     """
     gains = effect_gains(train, sources, lines)
-    found = [
+    effects = [
         Influence(source.name, abs(source.size), source.rate != 0.0, float(gain * abs(source.size)), float(gain))
         for source, gain in zip(sources, gains, strict=True)
     ]
-    return tuple(sorted(found, key=lambda each: -each.effect))
+    return tuple(sorted(effects, key=lambda influence: -influence.effect))
 
 
 def effect_gains(train: Redundancy, sources: Sequence[ErrorSource], lines: Ints) -> Floats:
@@ -162,7 +162,7 @@ def _clocked(system: System, contacts: Sequence[Contact], lines: Ints) -> list[s
     names = [system.labels.lines[line] for line in lines]
     rows = [contact for contact in contacts if contact.line in names]
     common = set.intersection(*({side.gear for side in contact.sides} for contact in rows)) if rows else set()
-    own = [next(side.gear for side in contact.sides if side.gear not in common) for contact in rows]
-    if len(own) < 2:
+    gears = [next(side.gear for side in contact.sides if side.gear not in common) for contact in rows]
+    if len(gears) < 2:
         raise DesignError([Problem("lines", f"{names} are no parallel paths; name the meshes of one stage")])
-    return own[1:]
+    return gears[1:]

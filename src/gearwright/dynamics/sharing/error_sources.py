@@ -73,13 +73,13 @@ def error_sources(
         contacts: Its meshes in space.
         parts: Gear body, shaft or planet -> errors; their sizes are kept as tolerances.
     """
-    found = []
+    sources = []
     for part, errors in parts.items():
         for kind in (*VECTORS, *SIGNED):
             if size := getattr(errors, kind):
                 angle = getattr(errors, VECTORS[kind]) if kind in VECTORS else 0.0
-                found.append(_source(system, contacts, (part, kind), size=size, angle=angle))
-    return tuple(found)
+                sources.append(replace(unit_source(system, contacts, part, kind), size=size, angle=angle))
+    return tuple(sources)
 
 
 def unit_source(system: System, contacts: Sequence[Contact], part: str, kind: str) -> ErrorSource:
@@ -91,13 +91,7 @@ def unit_source(system: System, contacts: Sequence[Contact], part: str, kind: st
         part: Gear body, shaft or planet.
         kind: Field of `PartErrors`.
     """
-    return _source(system, contacts, (part, kind), size=1.0, angle=0.0)
-
-
-def _source(
-    system: System, contacts: Sequence[Contact], what: tuple[str, str], *, size: float, angle: float
-) -> ErrorSource:
-    (part, kind), lines = what, len(system.labels.lines)
+    lines = len(system.labels.lines)
     still, turning, rate = np.zeros((2, lines)), np.zeros(lines, dtype=np.complex128), 0.0
     speed = dict(zip(system.labels.coordinates, system.arrays.speed, strict=True))
     for contact in contacts:
@@ -112,7 +106,7 @@ def _source(
                     amplitude = complex(error.cosine[0], -error.sine[0])
                     turning[line] += amplitude if signed > 0.0 else amplitude.conjugate()
                     rate = signed
-    return ErrorSource(part, kind, size, angle, still, turning, rate)
+    return ErrorSource(part, kind, 1.0, 0.0, still, turning, rate)
 
 
 def as_forces(train: Redundancy, sources: Sequence[ErrorSource], lines: Ints) -> tuple[ErrorSource, ...]:
@@ -168,20 +162,19 @@ def _combine(sources: Sequence[ErrorSource], weights: Floats) -> ErrorSets:
     phasor = weights[:, 0] + 1j * sense[:, None] * weights[:, 1]
     groups = _groups(sources)
     turning = np.zeros((len(groups), count, lines), dtype=np.complex128)
-    for number, own in enumerate(groups.values()):
-        turning[number] = phasor[own].T @ np.array([sources[k].turning for k in own])
+    for number, members in enumerate(groups.values()):
+        turning[number] = phasor[members].T @ np.array([sources[k].turning for k in members])
     return ErrorSets(still, np.array(list(groups), dtype=np.float64), turning)
 
 
 def _groups(sources: Sequence[ErrorSource]) -> dict[float, list[int]]:
     """Return the distinct rates of what turns, and the sources that turn with each."""
-    found: dict[float, list[int]] = {}
+    groups: dict[float, list[int]] = {}
     for number, source in enumerate(sources):
-        if source.rate:
-            own = abs(source.rate)
-            rate = next((each for each in found if abs(each / own - 1.0) < SAME), own)
-            found.setdefault(rate, []).append(number)
-    return found
+        if rate := abs(source.rate):
+            group = next((known for known in groups if abs(known / rate - 1.0) < SAME), rate)
+            groups.setdefault(group, []).append(number)
+    return groups
 
 
 def peak_shares(perfect: Floats, forces: ErrorSets) -> Floats:
@@ -226,9 +219,9 @@ def with_errors(system: System, sets: ErrorSets) -> list[System]:
     start[used + 1] = len(rates)
     start = np.cumsum(start)
     repeated = np.tile(tones, len(used))
-    found = []
+    systems = []
     for number, still in enumerate(sets.still):
         phasor = np.vstack([still[used], sets.turning[:, number, used]])
         series = Series(start, repeated, phasor.real.T.ravel(), (-sense * phasor.imag).T.ravel())
-        found.append(replace(system, arrays=arrays._replace(error=series)))
-    return found
+        systems.append(replace(system, arrays=arrays._replace(error=series)))
+    return systems

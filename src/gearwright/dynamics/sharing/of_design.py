@@ -81,14 +81,13 @@ def parallel_meshes(sizing: Sizing) -> dict[str, tuple[str, ...]]:
     Args:
         sizing: What was sized.
     """
-    found: dict[str, tuple[str, ...]] = {}
-    for name, stage in sizing.design.stages.items():
-        rows = [mesh for mesh in sizing.train.meshes if mesh.stage == name]
-        if isinstance(stage, Planetary):
-            found[name] = tuple(f"{name}.sun-planet-{k + 1}" for k in range(stage.planets))
-        else:
-            found[name] = tuple(mesh.name for mesh in rows)
-    return {name: lines for name, lines in found.items() if len(lines) > 1}
+    lines = {
+        name: tuple(f"{name}.sun-planet-{k + 1}" for k in range(stage.planets))
+        if isinstance(stage, Planetary)
+        else tuple(mesh.name for mesh in sizing.train.meshes if mesh.stage == name)
+        for name, stage in sizing.design.stages.items()
+    }
+    return {name: parallel for name, parallel in lines.items() if len(parallel) > 1}
 
 
 @verb
@@ -246,12 +245,12 @@ def shaft_displacement(problem: SharingProblem, shaft: str, force: Floats) -> Fl
         shaft: That moves.
         force: Line forces [N], shape (instants, lines).
     """
-    held: dict[str, list[int]] = {}
+    supports: dict[str, list[int]] = {}
     for place, name in enumerate(problem.system.labels.lines):
         if name.endswith(" support"):
-            held.setdefault(name.partition(".")[0], []).append(place)
-    own = by_name(shaft, held, "shaft with a support")
-    return np.asarray(force[:, own[:2]] / problem.system.arrays.stiffness[own[:2]])
+            supports.setdefault(name.partition(".")[0], []).append(place)
+    radial = by_name(shaft, supports, "shaft with a support")[:2]
+    return np.asarray(force[:, radial] / problem.system.arrays.stiffness[radial])
 
 
 def _turn(system: System) -> Floats:

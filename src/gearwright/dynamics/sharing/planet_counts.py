@@ -54,9 +54,9 @@ def planet_counts(
     set_ = _rigid_set(sizing, problem)
     cosine = float(np.mean(np.cos(set_.pressure_angles)))
     force = 2.0 * cosine * abs(float(np.sum(problem.train.perfect[problem.places])))
-    found = planet_sharing(set_, tolerances, force=force, planets=planets, seed=seed)
-    floating, fixed = (_one_pin(set_, tolerances.tangential, force, planets, floating=each) for each in (True, False))
-    return PlanetCounts(problem.stage, tolerances, found, floating, fixed)
+    random = planet_sharing(set_, tolerances, force=force, planets=planets, seed=seed)
+    floating, fixed = (_one_pin(set_, tolerances.tangential, force, planets, floating=way) for way in (True, False))
+    return PlanetCounts(problem.stage, tolerances, random, floating, fixed)
 
 
 def _tolerances(sizing: Sizing, stage: str) -> PlanetTolerances:
@@ -92,16 +92,16 @@ def _one_pin(
 ) -> dict[int, float]:
     """Return planets -> K_γ of the closed form, where every planet keeps its load; without the others."""
     stiffness, angle = (set_.sun_mesh.mean, set_.ring_mesh.mean), float(np.mean(set_.pressure_angles))
-    found = {}
+    factors = {}
     for count in planets:
         share = pin_error_share(count, error, force, stiffness=stiffness, pressure_angle=angle, floating=floating)
         free = 3 if floating else 1
         if count == free:
-            found[count] = count * share
+            factors[count] = count * share
         elif count > free:
             # A neighbour loses (1 + 2 cos 2π/N) K e/F of an equal share where a member floats, K e/F where none does.
             loss = (count * share - 1.0) / (count - free)
             loss *= 1.0 + 2.0 * math.cos(2.0 * math.pi / count) if floating else 1.0
             if loss <= 1.0:
-                found[count] = count * share
-    return found
+                factors[count] = count * share
+    return factors

@@ -71,7 +71,9 @@ def planet_sharing(
 
     Source: force method on the lines of Lin & Parker's set; K_γ as ISO 6336-1:2006, clause 4.
     """
-    factors = [_factors(_even(planetary, number), tolerances, force=force, draws=(count, seed)) for number in planets]
+    factors = [
+        _factors(_even(planetary, number), tolerances, force=force, count=count, seed=seed) for number in planets
+    ]
     return PlanetSharing(tuple(planets), np.array(factors), seed)
 
 
@@ -84,9 +86,9 @@ def _even(planetary: PlanetarySet, number: int) -> PlanetarySet:
     )
 
 
-def _factors(planetary: PlanetarySet, tolerances: PlanetTolerances, *, force: float, draws: tuple[int, int]) -> Floats:
+def _factors(planetary: PlanetarySet, tolerances: PlanetTolerances, *, force: float, count: int, seed: int) -> Floats:
     """Return K_γ of random sets with one number of planets; teeth may part."""
-    number, (count, seed) = len(planetary.positions), draws
+    number = len(planetary.positions)
     system = _system(planetary, force, {})
     # Backlash without end lets the closed form part teeth that the errors pull at.
     free = system.arrays._replace(backlash=np.where(_is_mesh(system), np.inf, 0.0))
@@ -112,10 +114,10 @@ def _units(number: int) -> list[Mapping[int, PlanetError]]:
 def _unit_errors(planetary: PlanetarySet, force: float, error: Mapping[int, PlanetError]) -> Floats:
     """Return what a unit error puts on every line [m]."""
     arrays = _system(planetary, force, error).arrays
-    found = np.zeros(len(arrays.stiffness))
-    lines = np.repeat(np.arange(len(found)), np.diff(arrays.error.start))
-    np.add.at(found, lines, arrays.error.cosine)
-    return found
+    sums = np.zeros(len(arrays.stiffness))
+    lines = np.repeat(np.arange(len(sums)), np.diff(arrays.error.start))
+    np.add.at(sums, lines, arrays.error.cosine)
+    return sums
 
 
 def _system(planetary: PlanetarySet, force: float, errors: Mapping[int, PlanetError]) -> System:

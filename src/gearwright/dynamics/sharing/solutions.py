@@ -128,9 +128,9 @@ def _span(system: System) -> tuple[float, float]:
 def _period(system: System, lines: Sequence[str]) -> float:
     """Return the mesh period of the lines: of the slowest harmonic of their stiffness [s]."""
     arrays = system.arrays
-    own = line_numbers(system, lines)
+    places = line_numbers(system, lines)
     tones = np.concatenate(
-        [arrays.variation.tone[arrays.variation.start[j] : arrays.variation.start[j + 1]] for j in own]
+        [arrays.variation.tone[arrays.variation.start[j] : arrays.variation.start[j + 1]] for j in places]
     )
     rates = np.abs(arrays.tone_rate[tones])
     slowest = float(np.min(rates[rates > 0.0], initial=np.inf))
@@ -161,8 +161,8 @@ def _dynamics(task: _Task) -> LoadSharing:
 
 
 def _result(task: _Task, method: str, time: Floats, force: Floats) -> LoadSharing:
-    own = force[:, line_numbers(task.system, task.lines)]
-    return LoadSharing(task.lines, method, "asked for", time, own, task.period)
+    shared = force[:, line_numbers(task.system, task.lines)]
+    return LoadSharing(task.lines, method, "asked for", time, shared, task.period)
 
 
 def _auto(task: _Task) -> LoadSharing:

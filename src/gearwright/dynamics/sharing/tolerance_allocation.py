@@ -59,7 +59,7 @@ def allocate(
 
     Source: reciprocal cost model and its Lagrange multiplier, Chase & Greenwood 1988, Manufacturing Review 1(1).
     """
-    given = np.array([abs(source.size) for source in sources])
+    drawn = np.array([abs(source.size) for source in sources])
     gain = effect_gains(train, sources, lines)
     perfect = float(np.max(train.perfect[lines]) / np.sum(train.perfect[lines]))
     if not perfect < target < 1.0:
@@ -73,19 +73,19 @@ def allocate(
         peaks = random_peaks(train, sources, lines, count=SETS, seed=seed, sizes=sizes)
         return float(np.percentile(peaks, percent))
 
-    sizes = given if share(given) <= target else _tightened(given, gain, share, target=target)
-    rows = tuple((s.name, float(before), float(after)) for s, before, after in zip(sources, given, sizes, strict=True))
-    return Allocation(target, percent, rows, share(sizes), float(np.sum(given / sizes) - len(given)))
+    sizes = drawn if share(drawn) <= target else _tightened(drawn, gain, share, target=target)
+    rows = tuple((s.name, float(before), float(after)) for s, before, after in zip(sources, drawn, sizes, strict=True))
+    return Allocation(target, percent, rows, share(sizes), float(np.sum(drawn / sizes) - len(drawn)))
 
 
-def _tightened(given: Floats, gain: Floats, share: Callable[[Floats], float], *, target: float) -> Floats:
+def _tightened(drawn: Floats, gain: Floats, share: Callable[[Floats], float], *, target: float) -> Floats:
     """Return the largest sizes of the family t(λ) that keep the target, by bisection in the logarithm of λ."""
 
     def sizes(multiplier: float) -> Floats:
         with np.errstate(divide="ignore"):
-            return np.asarray(np.minimum(given, np.sqrt(given / (multiplier * gain))))
+            return np.asarray(np.minimum(drawn, np.sqrt(drawn / (multiplier * gain))))
 
-    low = 1.0 / float(np.max(gain * given))
+    low = 1.0 / float(np.max(gain * drawn))
     high = low * WIDEST
     for _ in range(HALVINGS):
         middle = float(np.sqrt(low * high))

@@ -60,14 +60,14 @@ class Campbell:
         Args:
             factor: Speed over reference speed [-].
         """
-        found = []
+        margins = []
         for mode, column in enumerate(self.frequency.T):
             frequency = float(np.interp(factor, self.factor, column))
             distances = [order.frequency * factor / frequency - 1.0 for order in self.orders]
             if distances:
                 nearest = int(np.argmin(np.abs(distances)))
-                found.append((float(distances[nearest]), self.orders[nearest], mode))
-        return sorted(found, key=lambda margin: abs(margin[0]))
+                margins.append((float(distances[nearest]), self.orders[nearest], mode))
+        return sorted(margins, key=lambda margin: abs(margin[0]))
 
 
 @verb
@@ -133,7 +133,7 @@ def _orders(system: System) -> Iterator[Order]:
     shafts = [(Tone(((name, 1),)), speed) for name, speed in zip(labels.coordinates, arrays.speed, strict=True)]
     for tone, rate in [*((labels.tones[i], arrays.tone_rate[i]) for i in used), *shafts]:
         frequency = abs(float(rate)) / (2.0 * np.pi)
-        if frequency > 0.0 and not any(abs(frequency - other) < 1e-9 * frequency for other in seen):
+        if frequency > 0.0 and not any(abs(frequency - known) < 1e-9 * frequency for known in seen):
             seen.add(frequency)
             yield Order(tone, frequency)
 

@@ -109,7 +109,7 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
     shared: dict[float, tuple[Complexes, Complexes]] = {}
     shakers = [Shaker(system, shared) for system in systems]
     before = 1 + len(systems[0].labels.coordinates) - diagram.frequency.shape[1]
-    found = [
+    critical = [
         CriticalSpeed(
             ", ".join(cases),
             order_name(sizing, first.order.tone),
@@ -121,8 +121,8 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
         )
         for first, last in _together(diagram.crossings)
     ]
-    found.sort(key=lambda each: (not each.excited, abs(each.margin)))
-    return SpeedCase(", ".join(cases), systems[0], diagram, tuple(found))
+    critical.sort(key=lambda speed: (not speed.excited, abs(speed.margin)))
+    return SpeedCase(", ".join(cases), systems[0], diagram, tuple(critical))
 
 
 def _together(crossings: Sequence[Crossing]) -> Iterator[tuple[Crossing, Crossing]]:
@@ -130,10 +130,10 @@ def _together(crossings: Sequence[Crossing]) -> Iterator[tuple[Crossing, Crossin
     rows = sorted(crossings, key=lambda crossing: (crossing.order.frequency, crossing.mode))
     first = 0
     for place in range(1, len(rows) + 1):
-        one, before = rows[first], rows[place - 1]
-        joins = place < len(rows) and rows[place].order is one.order and rows[place].mode == before.mode + 1
-        if not (joins and abs(rows[place].frequency / one.frequency - 1.0) < SAME):
-            yield one, before
+        begin, before = rows[first], rows[place - 1]
+        joins = place < len(rows) and rows[place].order is begin.order and rows[place].mode == before.mode + 1
+        if not (joins and abs(rows[place].frequency / begin.frequency - 1.0) < SAME):
+            yield begin, before
             first = place
 
 
@@ -144,7 +144,7 @@ def order_name(sizing: Sizing, tone: Tone) -> str:
         sizing: What was sized.
         tone: Integers of rotations.
     """
-    name, count = max(tone.counts, key=lambda each: abs(each[1]))
+    name, count = max(tone.counts, key=lambda turns: abs(turns[1]))
     stage, gear = name.partition(".")[0], _gear(sizing, name)
     teeth = sizing.teeth.get(f"{stage}.sun", 0) if stage in sizing.design.planetaries else sizing.teeth.get(gear, 0)
     if teeth and abs(count) >= teeth and count % teeth == 0:
@@ -182,12 +182,12 @@ class Shaker:
         rate = 2.0 * math.pi * crossing.frequency
         apart = np.abs(values.imag / rate - 1.0)
         near = apart < max(SAME, 1.01 * float(np.min(apart)))
-        found = shapes[:, near]
-        push = found.conj().T @ (self.matrix.T @ exciting)
+        resonant = shapes[:, near]
+        push = resonant.conj().T @ (self.matrix.T @ exciting)
         # At its peak a mode moves by 1/(2 ζ ω²) = 1/(2 |Re λ| ω) of what pushes it. The shapes of a repeated frequency
         # are any basis of their space: its mass matrix makes the answer independent of which one the solver gave.
-        together = found.conj().T @ (self.system.arrays.mass[:, None] * found)
-        moved = found @ (np.linalg.pinv(together) @ push) / (2.0 * np.mean(np.abs(values[near].real)) * rate)
+        together = resonant.conj().T @ (self.system.arrays.mass[:, None] * resonant)
+        moved = resonant @ (np.linalg.pinv(together) @ push) / (2.0 * np.mean(np.abs(values[near].real)) * rate)
         alone = self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
         # The mode decides whether the order excites it at all; how large the force is, all modes say together.
         return self._answer(exciting, rate, crossing.factor) if alone > SILENT else alone

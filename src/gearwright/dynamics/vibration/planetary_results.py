@@ -44,7 +44,7 @@ def family_shares(system: System, modes: Modes, positions: Sequence[float], *, n
         names = [f"{prefix}planet-{n}{end}" for n in range(1, len(positions) + 1)]
         if names[0] not in place:
             continue
-        planets = motion[[place[each] for each in names]]
+        planets = motion[[place[planet] for planet in names]]
         parts = [np.sum((basis.T @ planets) ** 2, axis=0) for basis in (alike, waves)]
         shares += np.array([*parts, np.sum(planets**2, axis=0) - parts[0] - parts[1]])
     return shares

@@ -52,9 +52,9 @@ def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:
     gear = next(gear for gear in sizing.gears if gear.name == mesh.gears[0])
     normal = sizing.design.rules(gear.stage).pressure_angle
     transverse = transverse_pressure_angle(normal, gear.helix_angle)
-    found = [trace.force.of(name) for name in lines]
-    peak = max(max(abs(float(each["most"].max())), abs(float(each["least"].min()))) for each in found)
-    mean = max(abs(float(each["mean"].mean())) for each in found)
+    statistics = [trace.force.of(name) for name in lines]
+    peak = max(max(abs(float(line["most"].max())), abs(float(line["least"].min()))) for line in statistics)
+    mean = max(abs(float(line["mean"].mean())) for line in statistics)
     force, sized_for = peak * math.cos(transverse) / together, _sized_for(mesh)
     return DynamicLoad(
         mesh=mesh.name,

@@ -88,8 +88,8 @@ def _solved(arrays: Arrays, rates: Floats, error: Complexes, load: Complexes) ->
     return position.astype(np.complex128), force.astype(np.complex128)
 
 
-def _amplitudes(given: Mapping[str, complex], names: tuple[str, ...], what: str) -> Complexes:
+def _amplitudes(stated: Mapping[str, complex], names: tuple[str, ...], what: str) -> Complexes:
     values = np.zeros(len(names), dtype=np.complex128)
-    for name, amplitude in given.items():
+    for name, amplitude in stated.items():
         values[index_of(name, names, what)] = amplitude
     return values

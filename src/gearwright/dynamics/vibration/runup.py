@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -77,43 +78,41 @@ def run_up(
     outputs = Outputs(samples=2, windows=((settle, settle + window),))
     rows = []
     for number, factor in enumerate(speeds, start=1):
-        each = at_speed(system, factor)
-        samples = simulate(each, settle + window, step=step, method="runge-kutta", outputs=outputs).whole().windows[0]
-        rows.append([_heard(each, samples, samples.force(line)) for line in lines])
+        running = at_speed(system, factor)
+        trace = simulate(running, settle + window, step=step, method="runge-kutta", outputs=outputs).whole()
+        rows.append([_heard(running, trace.windows[0], line) for line in lines])
         if progress is not None:
             progress(number / len(speeds))
-    return _gathered(sizing, system, rows, (speeds, tuple(lines), step))
+    rate = np.abs(system.arrays.tone_rate) / (2.0 * np.pi)
+    turning = [place for place in np.argsort(rate).tolist() if rate[place] > 0.0]
+    shortest = min(len(heard.spectrum) for row in rows for heard in row)
+    return RunUp(
+        factor=np.array(speeds, dtype=float),
+        frequency=np.fft.rfftfreq(2 * shortest - 1, step)[:shortest].astype(np.float64),
+        amplitude=np.array([[heard.spectrum[:shortest] for heard in row] for row in rows]),
+        orders=tuple(order_name(sizing, system.labels.tones[place]) for place in turning),
+        order_frequency=rate[turning],
+        order_amplitude=np.array([[heard.tones[turning] for heard in row] for row in rows]),
+        mean=np.array([[heard.mean for heard in row] for row in rows]),
+        swing=np.array([[heard.swing for heard in row] for row in rows]),
+        lines=tuple(lines),
+    )
 
 
-def _heard(system: System, samples: Samples, force: Floats) -> tuple[Floats, Floats, float, float]:
-    """Return spectrum, amplitude of each turning tone, mean and swing of one force."""
+class _Heard(NamedTuple):
+    """What one line's force is made of at one speed."""
+
+    spectrum: Floats
+    tones: Floats
+    """Amplitude of every tone, also of those that stand."""
+    mean: float
+    swing: float
+
+
+def _heard(system: System, samples: Samples, line: str) -> _Heard:
+    force = samples.force(line)
     hann = np.hanning(len(force))
     spectrum = 2.0 * np.abs(np.fft.rfft((force - np.mean(force)) * hann)) / np.sum(hann)
     by_tone = {tone: abs(share) for tone, share in tone_amplitudes(system, samples, force)}
     tones = [by_tone.get(tone, 0.0) for tone in system.labels.tones]
-    return spectrum, np.array(tones), float(np.mean(force)), float(np.std(force))
-
-
-def _gathered(
-    sizing: Sizing,
-    system: System,
-    rows: Sequence[Sequence[tuple[Floats, Floats, float, float]]],
-    of: tuple[Sequence[float], tuple[str, ...], float],
-) -> RunUp:
-    factors, lines, step = of
-    rate = np.abs(system.arrays.tone_rate) / (2.0 * np.pi)
-    turning = [int(place) for place in np.argsort(rate) if rate[place] > 0.0]
-    shortest = min(len(each[0]) for row in rows for each in row)
-    spectra = np.array([[each[0][:shortest] for each in row] for row in rows])
-    tones = np.array([[each[1][turning] for each in row] for row in rows])
-    return RunUp(
-        factor=np.array(factors, dtype=float),
-        frequency=np.fft.rfftfreq(2 * shortest - 1, step)[:shortest].astype(np.float64),
-        amplitude=spectra,
-        orders=tuple(order_name(sizing, system.labels.tones[place]) for place in turning),
-        order_frequency=rate[turning],
-        order_amplitude=tones,
-        mean=np.array([[each[2] for each in row] for row in rows]),
-        swing=np.array([[each[3] for each in row] for row in rows]),
-        lines=lines,
-    )
+    return _Heard(spectrum, np.array(tones), float(np.mean(force)), float(np.std(force)))

@@ -46,8 +46,8 @@ def tone_amplitudes(system: System, samples: Samples, signal: Floats) -> list[tu
     travel = speed_factors(arrays.profile, samples.time)[2]
     angle = np.outer(travel, arrays.tone_rate[turning])
     basis = np.hstack([np.ones((len(angle), 1)), np.cos(angle), np.sin(angle)])
-    found = np.linalg.lstsq(basis, signal, rcond=None)[0]
-    cos, sin = found[1 : len(turning) + 1], found[len(turning) + 1 :]
+    amplitudes = np.linalg.lstsq(basis, signal, rcond=None)[0]
+    cos, sin = amplitudes[1 : len(turning) + 1], amplitudes[len(turning) + 1 :]
     shares: Complexes = (cos - 1j * sin).astype(np.complex128)
     order = np.argsort(-np.abs(shares))
     return [(system.labels.tones[turning[place]], complex(shares[place])) for place in order]

@@ -57,7 +57,7 @@ def speed_map(
     speeds = positive_numbers(factors, "factors")
     check_finite(system)
     systems = [at_speed(system, factor) for factor in speeds]
-    step = min(default_step(each.arrays) for each in systems)
+    step = min(default_step(running.arrays) for running in systems)
     forces = simulate_many(systems, duration, step=step, settle=settle, progress=progress)
     return SpeedMap(speeds, forces)
 

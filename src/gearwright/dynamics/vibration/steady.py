@@ -90,7 +90,7 @@ def periodic(system: System, *, period: float | None = None, step: float | None 
         end, matrix, scale = _period(system, start, period, steps)
         gap = (end - start) / scale
         if np.max(np.abs(gap)) < CLOSED:
-            return _orbit(system, start, matrix, (period, steps))
+            return _orbit(system, start, matrix, period=period, steps=steps)
         # Rigid motions may start anywhere: the shortest step leaves them where they are.
         change = np.linalg.lstsq(np.eye(len(start)) - matrix / scale[:, None] * scale, gap, rcond=1e-9)[0]
         start = start + change * scale
@@ -112,8 +112,7 @@ def _period(system: System, start: Floats, period: float, steps: int) -> tuple[F
     return ends[0], matrix, scale
 
 
-def _orbit(system: System, start: Floats, matrix: Floats, clock: tuple[float, int]) -> Orbit:
-    period, steps = clock
+def _orbit(system: System, start: Floats, matrix: Floats, *, period: float, steps: int) -> Orbit:
     size = len(start) // 2
     outputs = Outputs(windows=((0.0, period),))
     ends = (start[:size], start[size:])

@@ -43,8 +43,7 @@ def answer(sizing: Sizing, system: System, row: str, *, error: float, top: float
         both = planet_phases(pairs[f"{stage}.sun-planet"], pairs[f"{stage}.planet-ring"], even_positions(count))
         phases = both.sun if row.endswith("sun-planet") else both.ring
         errors = {f"{row}-{k}": cmath.rect(error, 2.0 * cmath.pi * phase) for k, phase in enumerate(phases, start=1)}
-    frequency = [float(each) for each in np.geomspace(top / RANGE, top, POINTS)]
-    return frequency_response(system, frequency, errors=errors)
+    return frequency_response(system, np.geomspace(top / RANGE, top, POINTS), errors=errors)
 
 
 def first_meshes(sizing: Sizing, system: System) -> list[str]:
