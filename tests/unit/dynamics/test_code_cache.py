@@ -132,9 +132,9 @@ def test_the_folder_follows_the_environment(monkeypatch, tmp_path):
 
 RUN = """
 from gearwright.dynamics import simulate
-from gearwright.dynamics.assemble import assemble
-from gearwright.dynamics.kernel import speed_factor
-from gearwright.dynamics.system import Profile
+from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.equations.kernel import speed_factor
+from gearwright.dynamics.model import Profile
 import numpy as np
 speed_factor(Profile(np.zeros(1), np.ones(1), np.zeros(1)), 0.1)
 print(sum(speed_factor._cache_hits.values()))
@@ -156,5 +156,5 @@ def test_another_process_finds_the_code_and_one_without_a_home_does_without(tmp_
 
 def test_no_code_is_kept_by_other_means():
     """numba's own cache reads whatever lies beside the sources, or in a folder that a variable names."""
-    for path in Path(code_cache.__file__).parent.glob("*.py"):
+    for path in Path(code_cache.__file__).parent.rglob("*.py"):
         assert "cache=True" not in path.read_text(encoding="utf-8"), path
