@@ -38,10 +38,12 @@ COMMANDS = (
     *(new, run, check, size, modes, simulate, report, draw, schema),
     *(compare, study, status, resume, cluster),
     *(campbell, response, runup, sharing, fly, window),
-    *(mass, engines, validate, thesis, colibri),
+    *(mass, engines, validate),
 )
 for _command in COMMANDS:
     app.command()(ended_well(_command))
+for _command in (thesis, colibri):  # older names of two replays
+    app.command(hidden=True)(ended_well(_command))
 app.add_typer(replay)
 
 

@@ -64,9 +64,9 @@ def test_a_curve_from_a_file_beside_the_design_sets_mean_and_swing(tmp_path):
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (None, "cannot be read"),
+        (None, "there is no such file"),
         ("phase,stiffness_n_m\n0,1\n", "lacks phase_cycles"),
-        ("phase_cycles,stiffness_n_m\n0,4e8\n0.3,many\n0.6,4e8\n", "line 3: 'many' is not a number"),
+        ("phase_cycles,stiffness_n_m\n0,4e8\n0.3,many\n0.6,4e8\n", "no 2 numbers in line 3"),
         ("phase_cycles,stiffness_n_m\n0,4e8\n0.3,-1\n0.6,4e8\n", "must be positive"),
         ("phase_cycles,stiffness_n_m\n0,4e8\n0.3,4e8\n0.2,4e8\n", "increase"),
         ("", "lacks phase_cycles and stiffness_n_m"),

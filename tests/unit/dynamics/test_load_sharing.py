@@ -165,7 +165,7 @@ def test_designs_planets_feel_pin_errors():
     planet = "first.planet-1" if "first" in read(shipped_design("single-planetary")).planetaries else None
     name = planet or f"{next(iter(read(shipped_design('single-planetary')).planetaries))}.planet-1"
     shares = []
-    for support in (None, 1.0):
+    for support in (None, 1000.0):
         sizing = single_planetary({name: PartErrors(pin_tangential=-20e-6)}, support=support)
         system = assemble(sizing, stiffness="constant")
         meshes = [line for line in system.labels.lines if ".sun-planet-" in line]
@@ -257,7 +257,7 @@ def test_tooth_cycle_takes_a_ripple_out():
 
 
 def test_unknown_method_and_line_are_refused():
-    with pytest.raises(DesignError, match="no such method: exact"):
+    with pytest.raises(DesignError, match="'exact' is none of auto"):
         load_sharing(paths(2), ["mesh-1", "mesh-2"], method="exact")
     with pytest.raises(DesignError, match="no such line; did you mean mesh-1"):
         load_sharing(paths(2), ["mesh-11"])

@@ -56,7 +56,7 @@ def test_a_design_without_planet_errors_has_no_counts():
 
 def test_tables_of_standards_stand_beside_the_computed_factors(misplaced):
     found = planet_counts(misplaced, sharing_problem(misplaced))
-    columns = [str(column.header) for column in planets_text(found).renderables[0].columns]
+    columns = [str(column.header) for column in planets_text(found).renderables[0].table.columns]
     assert columns[0] == "planets"
     assert {"one pin, floating", "IEC 61400-4:2012, wind turbine", "AGMA 6123-B06, level 4"} < set(columns)
     assert "IEC 61400-4:2012" in to_svg(planets_figure(found))

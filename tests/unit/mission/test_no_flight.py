@@ -33,7 +33,7 @@ def refused(text, sizing=HYBRID):
     return str(error.value)
 
 
-@pytest.mark.parametrize("speed", ["0", "1e-200", "8"])
+@pytest.mark.parametrize("speed", ["0", "1e-5", "8"])
 def test_a_wing_that_does_not_fly_bears_nothing(speed):
     assert "no wing bears 196.1 kN; fly faster" in refused(BASE.replace("cas_kt = 170", f"tas_m_s = {speed}"))
 

@@ -39,7 +39,7 @@ name = "Star"
 shafts = ["input", "output"]
 turbines.gas-turbine = { shaft = "input", power_kw = 1046, speed_rpm = 20000 }
 propellers.propeller = { shaft = "output", speed_rpm = 6000, diameter_m = 3.9 }
-planetaries.only = { sun = "input", ring = "output", carrier = "ground", sun_teeth = 30, planet_teeth = 35 }
+planetaries.only = { sun = "input", ring = "output", carrier = "ground", sun_teeth = 30, planet_teeth = 36 }
 """
 
 

@@ -350,9 +350,9 @@ def test_sheets_are_found_by_name_and_by_kind(built):
         sheets(built, ("shaft-must",))
 
 
-def test_without_ezdxf_the_message_names_the_extra(drawings, monkeypatch):
+def test_without_ezdxf_the_message_names_the_package(drawings, monkeypatch):
     monkeypatch.setitem(sys.modules, "ezdxf", None)
-    with pytest.raises(DesignError, match=r"gearwright\[drawing\]"):
+    with pytest.raises(DesignError, match="pip install ezdxf"):
         sheet_dxf(drawings["arrangement"])
 
 

@@ -120,7 +120,7 @@ def test_ctrl_c_stops_cleanly_and_status_tells_meanwhile(tmp_path: Path) -> None
         os.kill(process.pid, signal.SIGCONT)
         _, said = process.communicate(timeout=60.0)
         assert process.returncode == 130
-        assert "stopped: what is finished is kept; next: gearwright resume j" in said
+        assert "interrupted: what is finished is kept; next: gearwright resume j" in said
         assert "Traceback" not in said, said
         until(lambda: not members(process.pid), "its workers end")
     assert 0 < done(tmp_path / "j") < 10 * COUNT

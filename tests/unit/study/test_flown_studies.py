@@ -126,7 +126,7 @@ def test_a_journal_holds_the_mission_and_needs_no_file_of_it(tmp_path: Path) -> 
         (f"{HEAD}[axes]\n'mission.phases.cruse.duration_min' = {{values = [30]}}\n", "did you mean cruise?"),
         (f"{HEAD}[axes]\n'mission.phases.cruise.duration' = {{values = [30]}}\n", "did you mean duration_"),
         (f"{HEAD}[axes]\n'mission.bttery.energy_kwh' = {{values = [30]}}\n", "did you mean battery?"),
-        (f"{HEAD}[changes]\n'misson_.step_s' = 10\n", "there is no misson_"),
+        (f"{HEAD}[changes]\n'misson.step_s' = 10\n", "there is no misson"),
     ],
 )
 def test_what_a_study_cannot_fly_is_named_before_it_starts(text: str, said: str) -> None:

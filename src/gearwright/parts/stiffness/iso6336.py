@@ -72,13 +72,14 @@ def theoretical_stiffness(teeth: tuple[float, float], profile_shifts: tuple[floa
     Source: ISO 6336-1:2006, clause 9, 1/q′; index 1 is the pinion, 2 the wheel.
     Valid for: x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2.
 
-    >>> round(float(theoretical_stiffness((18.905, 114.543), (0.145, 0.0))) / 1e9, 4)
+    >>> round(theoretical_stiffness((18.905, 114.543), (0.145, 0.0)) / 1e9, 4)
     17.8558
     """
     (z_1, z_2), (x_1, x_2), c = *_pinion_first(teeth, profile_shifts), _C
     flexibility = c[0] + c[1] / z_1 + c[2] / z_2 + c[3] * x_1 + c[4] * x_1 / z_1
     flexibility += c[5] * x_2 + c[6] * x_2 / z_2 + c[7] * x_1**2 + c[8] * x_2**2
-    return cast(float, _UNIT / flexibility)  # arrays pass through
+    stiffness = _UNIT / flexibility
+    return cast(float, stiffness if np.ndim(stiffness) else float(stiffness))  # arrays pass through
 
 
 def _pinion_first(
