@@ -1,5 +1,6 @@
 """Bearings in flight: loads from the meshes, lives over the spectrum, and bearings that are chosen or named."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -94,6 +95,22 @@ def test_a_thrust_goes_to_the_bearing_with_the_smaller_radial_force():
     assert duties["left.first"].axial.min() > 0.0
     assert duties["left.second"].axial.max() == 0.0
     assert duties["left.first"].radial.max() < duties["left.second"].radial.min()
+
+
+@pytest.mark.parametrize("turning", [0.0, 1.0])
+def test_a_bearing_that_bears_load_only_while_it_stands_is_chosen_by_its_static_safety(turning):
+    """Nothing tires it, whether it never turns or turns without load."""
+    flight = fly(
+        size(read(shipped_design("off-set"))), parse_mission(STEADY.replace("= 3000", "= 3000\nstatic_safety = 4"))
+    )
+    turns = turning * (np.arange(len(flight.phase)) % 2)
+    speeds = {name: speed * turns for name, speed in flight.speeds.items()}
+    torques = {name: torque * (turns == 0.0) for name, torque in flight.mesh_torques.items()}
+    found = bearing_lives(dataclasses.replace(flight, speeds=speeds, mesh_torques=torques))
+    assert {"left.first", "left.second"} <= {row.seat for row in found.rows}
+    for row in found.rows:
+        assert row.damage == 0.0
+        assert row.static_safety >= 4.0
 
 
 def test_a_named_bearing_keeps_its_makers_rating():

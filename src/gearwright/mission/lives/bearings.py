@@ -268,21 +268,34 @@ def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: _Named | None) -> 
 def _chosen(seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
     """Take the lightest bearing whose life is met by the mean of the loads at the mean speed, or what comes nearest."""
     kind = BearingKind(KINDS[rules.thrust_kind if duty.axial.any() else rules.kind])
-    share, exponent = _pair_factor(kind, rules.side_by_side), life_exponent(kind)
-    turns = (duty.speed * duty.time).tolist()
-    radial, axial = (mean_load(each.tolist(), turns, exponent) / share for each in (duty.radial, duty.axial))
+    share = _pair_factor(kind, rules.side_by_side)
+    radial, axial, speed = _steady(duty, kind)
     asked = BearingDuty(
-        radial=radial,
-        axial=axial,
-        speed=float(duty.speed @ duty.time / duty.time.sum()),
+        radial=radial / share,
+        axial=axial / share,
+        speed=speed,
         life=rules.life / reliability_factor(rules.reliability),
         static_safety=rules.static_safety,
-        limit_factor=float(np.hypot(duty.radial, duty.axial).max()) / share / math.hypot(radial, axial),
+        limit_factor=float(np.hypot(duty.radial, duty.axial).max()) / math.hypot(radial, axial),
     )
     sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_outer=seat.room)
     able = (size for size in sizes if min(size.life_margin, size.static_margin) >= 1.0)
     found = next(able, max(sizes, key=lambda size: min(size.life_margin, size.static_margin))).bearing
     return _lived(seat, duty, found, (rules.side_by_side, rules.reliability), asked=rules.life)
+
+
+def _steady(duty: SeatDuty, kind: BearingKind) -> tuple[float, float, float]:
+    """Return radial and axial force and speed that tire a bearing as its duty does.
+
+    Nothing tires a bearing that bears load only while it stands: it has its largest load, at rest.
+    """
+    turns, load = duty.speed * duty.time, np.hypot(duty.radial, duty.axial)
+    if not turns[load >= _LEAST_LOAD].any():
+        worst = int(load.argmax())
+        return float(duty.radial[worst]), float(duty.axial[worst]), 0.0
+    exponent = life_exponent(kind)
+    radial, axial = (mean_load(force.tolist(), turns.tolist(), exponent) for force in (duty.radial, duty.axial))
+    return radial, axial, float(turns.sum() / duty.time.sum())
 
 
 def _lived(
