@@ -62,11 +62,7 @@ def measured(sheet):
 
 def words_of(sheet):
     """Return every text of a sheet, those of dimensions too."""
-    for entity in sheet.entities:
-        if isinstance(entity, Distance | Corner):
-            yield from (part for part in drawn(entity) if isinstance(part, Words))
-        elif isinstance(entity, Words):
-            yield entity
+    yield from (mark for mark in drawn(sheet.entities) if isinstance(mark, Words))
 
 
 def table(sheet):

@@ -10,7 +10,7 @@ from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.dimensions import extent
 from gearwright.render.drawings.sheet.entities import SMALL, Box, Distance, Entity, Layer, Path, Words
 from gearwright.render.drawings.sheet.frame import Title
-from gearwright.render.drawings.sheet.symbols import balloon, spread
+from gearwright.render.drawings.sheet.symbols import balloon
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.views.arrangement_parts import Item, axis_of, planetary_parts, shaft_parts
 from gearwright.render.drawings.views.end_view import end_view
@@ -20,6 +20,7 @@ from gearwright.render.drawings.views.positions import Positions, positions
 from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_profile, toothed_piece
 from gearwright.render.drawings.views.teeth import kind_of
 from gearwright.render.schematic.layout import pair_meshes
+from gearwright.render.style.labels import spread
 from gearwright.sizing import GearSizing, Sizing
 
 NAME = "arrangement"
@@ -68,7 +69,7 @@ def _notes(sizing: Sizing, plane: Positions) -> Iterator[str]:
 
 def _crowded(sizing: Sizing) -> Iterator[str]:
     """Yield where a bevel gear's body stands into a bearing; its seat is sized beside bearings, its body is not."""
-    bevels = [gear for gear in sizing.gears if kind_of(sizing, gear) == "bevel"]
+    bevels = [gear for gear in sizing.gears if kind_of(sizing, gear.stage) == "bevel"]
     for gear, bearing in product(bevels, sizing.bearings):
         if bearing.shaft in gear.shafts:
             hub = hub_of(sizing, gear, bearing.shaft)
@@ -159,7 +160,7 @@ def _distances(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entit
     seen: set[tuple[float, float]] = set()
     for mesh in pair_meshes(sizing.train):
         lines = [plane.shafts[node] for node in mesh.nodes[:2]]
-        if getattr(sizing.design.stages[mesh.stage], "kind", "cylindrical") != "cylindrical":
+        if kind_of(sizing, mesh.stage) != "cylindrical":
             continue
         if any(name.startswith(f"Unfolded: {mesh.name} ({mesh.nodes[0]}, {mesh.nodes[1]})") for name in plane.notes):
             continue

@@ -66,7 +66,7 @@ def gear_sheets(sizing: Sizing, gear: GearSizing) -> dict[str, str]:
     integral = {joint.shaft for joint in sizing.joints if joint.part == gear.name and joint.kind == "integral"}
     bodies: dict[tuple[object, object], str] = {}
     for shaft in gear.shafts:
-        if shaft not in integral or kind_of(sizing, gear) == "bevel":
+        if shaft not in integral or kind_of(sizing, gear.stage) == "bevel":
             bodies.setdefault((hub_of(sizing, gear, shaft), hand_of(sizing, gear, shaft)), shaft)
     several = len(bodies) > 1
     return {f"gear-{gear.name}-{shaft}" if several else f"gear-{gear.name}": shaft for shaft in bodies.values()}

@@ -24,7 +24,14 @@ from gearwright.render.drawings.views.gear_view import (
 )
 from gearwright.render.drawings.views.shaft_parts import MM, BevelProfile, bevel_profile
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis
-from gearwright.render.drawings.views.teeth import bevel_pair, cylindrical_gear, is_internal, kind_of, meshes_of
+from gearwright.render.drawings.views.teeth import (
+    bevel_pair,
+    cylindrical_gear,
+    halves_of,
+    is_internal,
+    kind_of,
+    meshes_of,
+)
 from gearwright.render.drawings.views.tooth_data import cones, tooth_grid
 from gearwright.sizing import GearSizing, Sizing
 
@@ -50,7 +57,7 @@ def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, name: str) -> Con
         sizing.design.name, f"Gear {name.removeprefix('gear-')}", name, "Component drawing",
         materials()[rules.material].name, f"{gear.mass:.2f}",
     )  # fmt: skip
-    bevel = kind_of(sizing, gear) == "bevel"
+    bevel = kind_of(sizing, gear.stage) == "bevel"
     notes = [hub.note, *_notes(sizing, gear, hub), "General surfaces Ra 3.2 (assumed). Dimensions in mm."]
 
     def views(scale: float) -> Rows:
@@ -68,7 +75,7 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
         yield f"Web not sized: the mass is {ratio:g} of the solid disc's, the solid disc is drawn."
     if gear.bodies > 1:
         yield f"{gear.bodies} equal bodies." if gear.role == "planet" else ""
-    if kind_of(sizing, gear) == "bevel":
+    if kind_of(sizing, gear.stage) == "bevel":
         yield "Assumed: teeth taper towards the apex (standard depth, ISO 23509)."
         if hub.bore:
             yield f"Assumed: rim {BACKUP:g} × tooth depth behind the root; the apex-to-back distance follows from it."
@@ -77,13 +84,12 @@ def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
                 f"Assumed: hub as long as its seat, Ø {BOSS:g} × the bore with what is cut into it, at most the root Ø"
                 " at the small end."
             )
-    if kind_of(sizing, gear) == "face":
+    if kind_of(sizing, gear.stage) == "face":
         yield "Face-gear pair: the wheel's tooth form is not sized; drawn by its pitch circle alone."
 
 
 def _span(gear: GearSizing) -> tuple[float, float]:
-    halves = gear.bodies // max(len(gear.shafts), 1) if gear.role in ("pinion", "wheel") else 1
-    return 0.0, MM * gear.face_width * max(halves, 1)
+    return 0.0, MM * gear.face_width * halves_of(gear)
 
 
 def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entity]:
@@ -101,11 +107,10 @@ def _cylindrical(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list
             suffix = f" {hub.tolerance}" if hub.tolerance else ""
             entities.append(_across(axis, hub.bore / 2.0, span[0], -ASIDE, suffix))
     if span[1] > 1.5 * MM * gear.face_width:
-        middle = span[1] / 2.0
-        for side in (-1.0, 1.0):
-            entities.append(
-                Path((axis.at(middle, side * outer), axis.at(middle, side * MM * teeth.root_radius)), Layer.OUTLINE)
-            )
+        middle, root = span[1] / 2.0, MM * teeth.root_radius
+        entities += [
+            Path((axis.at(middle, side * outer), axis.at(middle, side * root)), Layer.OUTLINE) for side in (-1.0, 1.0)
+        ]
     entities.append(_across(axis, outer, span[1], ASIDE + 8.0))
     entities.append(_width(axis, span, outer))
     entities += _flank(sizing, gear, axis.at(span[1], MM * teeth.pitch_radius))
@@ -163,11 +168,15 @@ def _bevel(sizing: Sizing, gear: GearSizing, hub: Hub, axis: Axis) -> list[Entit
     ]
     entities += bevel_section(axis, profile, hub, away=1.0, lean=LEAN)
     entities += bore_edges(axis, bored, hub)
-    angles = list(_bevel_angles(sizing, gear, axis, (profile, hub.boss)))
-    entities += _bevel_lengths(axis, profile, (hub, heel.real), angles)
+    angles = _bevel_angles(sizing, gear, axis, profile=profile, boss=hub.boss)
+    entities += _bevel_lengths(axis, profile, angles, hub=hub, back=heel.real)
     entities += angles
+    entities += [
+        Path((axis.at(profile.apex), axis.on(corner)), Layer.DIMENSION)
+        for corner in (profile.small[0], profile.roots[0])
+    ]
     tip = profile.large[0]
-    right = scale_to(axis, max(heel.real, tip.real, bored[1])) + 9.0
+    right = axis.at(max(heel.real, tip.real, bored[1])).real + 9.0
     entities.append(_at(axis, tip, right + (8.0 if hub.boss is None else 16.0)))
     if hub.bore:
         suffix = f" {hub.tolerance}" if hub.tolerance else ""
@@ -189,37 +198,24 @@ def _hub_length(axis: Axis, boss: Boss, bore: float) -> Distance:
     return Distance(axis.at(boss.start, -bore), axis.at(boss.end, -bore), line, 0.0, axis.scale)
 
 
-def scale_to(axis: Axis, x: float) -> float:
-    """Return where a place of a lying part stands on the sheet [mm of paper].
-
-    Args:
-        axis: Lying.
-        x: Along the axis [mm].
-    """
-    return axis.at(x).real
-
-
 def _at(axis: Axis, point: complex, x: float, suffix: str = "") -> Distance:
-    low, high = axis.at(point.real, -point.imag), axis.at(point.real, point.imag)
-    return Distance(low, high, complex(x, 0.0), math.pi / 2.0, axis.scale, "Ø", suffix)
+    return Distance(axis.on(point.conjugate()), axis.on(point), complex(x, 0.0), math.pi / 2.0, axis.scale, "Ø", suffix)
 
 
 def _bevel_lengths(
-    axis: Axis, profile: BevelProfile, body: tuple[Hub, float], angles: Sequence[Entity]
+    axis: Axis, profile: BevelProfile, angles: Sequence[Corner], *, hub: Hub, back: float
 ) -> Iterator[Entity]:
     """Yield face width and, beyond the texts of angles, cone distance; hub, crown and back of a body from the apex."""
-    hub, back = body
     apex = axis.at(profile.apex)
-    near, far = (axis.at(point.real, point.imag) for point in (profile.small[1], profile.large[1]))
+    near, far = axis.on(profile.small[1]), axis.on(profile.large[1])
     turn = cmath.phase(far - apex)
     above = cmath.rect(1.0, turn + math.pi / 2.0)
-    tip = axis.at(profile.large[0].real, profile.large[0].imag)
-    clear = ((tip - far) * above.conjugate()).real
+    clear = ((axis.on(profile.large[0]) - far) * above.conjugate()).real
     yield Distance(near, far, far + above * (clear + 9.0), turn, axis.scale)
-    texts = [point for angle in angles if isinstance(angle, Corner) for point in words_corners(corner_words(angle))]
+    texts = [point for angle in angles for point in words_corners(corner_words(angle))]
     over = max(((point - far) * above.conjugate()).real for point in texts)
     yield Distance(apex, far, far + above * max(clear + 17.0, over + 1.0), turn, axis.scale)
-    crown = axis.at(profile.large[0].real, -profile.large[0].imag)
+    crown = axis.on(profile.large[0].conjugate())
     points = [] if hub.boss is None else [axis.at(hub.boss.start, -hub.boss.diameter / 2.0)]
     points += [crown, *([axis.at(back, -profile.roots[0].imag)] if hub.bore else [])]
     for row, point in enumerate(sorted(points, key=lambda point: point.real)):
@@ -227,24 +223,17 @@ def _bevel_lengths(
 
 
 def _bevel_angles(
-    sizing: Sizing, gear: GearSizing, axis: Axis, body: tuple[BevelProfile, Boss | None]
-) -> Iterator[Entity]:
-    """Yield pitch, face and root cone angle about the apex."""
-    profile, boss = body
+    sizing: Sizing, gear: GearSizing, axis: Axis, *, profile: BevelProfile, boss: Boss | None
+) -> list[Corner]:
+    """Return pitch, face and root cone angle about the apex."""
     pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
     apex = axis.at(profile.apex)
     face, root = cones(pair, side)
     free = profile.roots[0].real - profile.apex
     if boss is not None and boss.start > profile.apex:
         free = min(free, BESIDE * (boss.start - profile.apex))
-    clear = min(axis.scale * free, abs(axis.at(*_pair(profile.small[0])) - apex))
+    clear = min(axis.scale * free, abs(axis.on(profile.small[0]) - apex))
     arcs = [Corner(apex, 0.0, angle, share * clear)
             for share, angle in ((0.94, pair.pitch_angles[side]), (0.7, face), (0.46, root))]  # fmt: skip
     # Where the apex is too near for all three, the table has the others.
-    yield from (arc for k, arc in enumerate(arcs) if k == 0 or not corner_leader(arc))
-    for corner in (profile.small[0], profile.roots[0]):
-        yield Path((apex, axis.at(*_pair(corner))), Layer.DIMENSION)
-
-
-def _pair(point: complex) -> tuple[float, float]:
-    return point.real, point.imag
+    return [arc for k, arc in enumerate(arcs) if k == 0 or not corner_leader(arc)]

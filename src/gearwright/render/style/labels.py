@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
@@ -79,6 +79,29 @@ class Board:
             min(box[0] for box in self.taken), min(box[1] for box in self.taken),
             max(box[2] for box in self.taken), max(box[3] for box in self.taken),
         )  # fmt: skip
+
+
+def spread(places: Sequence[float], gap: float) -> list[float]:
+    """Return places in their order that are moved as little as keeps them a gap apart.
+
+    Args:
+        places: Rising.
+        gap: Least distance.
+
+    >>> spread([0.0, 0.0, 10.0], 2.0)
+    [-1.0, 1.0, 10.0]
+    """
+    groups: list[list[float]] = []
+    for place in places:
+        groups.append([place])
+        while len(groups) > 1 and _middle(groups[-1]) - _middle(groups[-2]) < gap * len(groups[-2] + groups[-1]) / 2.0:
+            last = groups.pop()
+            groups[-1] += last
+    return [_middle(group) + gap * (k - (len(group) - 1) / 2.0) for group in groups for k in range(len(group))]
+
+
+def _middle(group: list[float]) -> float:
+    return sum(group) / len(group)
 
 
 @functools.lru_cache(maxsize=4096)

@@ -17,6 +17,7 @@ from gearwright.render.drawings.sheet.entities import (
     Entity,
     Hatch,
     Layer,
+    Mark,
     Path,
     Words,
     words_length,
@@ -83,16 +84,23 @@ def arrow(tip: complex, direction: complex, layer: Layer = Layer.DIMENSION) -> P
     return Path((tip, back + half * 1j * direction, back - half * 1j * direction), layer, closed=True, filled=True)
 
 
-def drawn(dimension: Distance | Corner) -> list[Entity]:
-    """Return what a dimension looks like.
+def drawn(entities: Iterable[Entity]) -> Iterator[Mark]:
+    """Yield entities as they look: dimensions as their lines, arrows and words.
 
     Args:
-        dimension: Linear or angular.
+        entities: Of any kind.
     """
-    return list(_linear(dimension) if isinstance(dimension, Distance) else _angular(dimension))
+    for entity in entities:
+        match entity:
+            case Distance():
+                yield from _linear(entity)
+            case Corner():
+                yield from _angular(entity)
+            case _:
+                yield entity
 
 
-def _linear(dimension: Distance) -> Iterator[Entity]:
+def _linear(dimension: Distance) -> Iterator[Mark]:
     first, second = ends(dimension)
     along = (second - first) / abs(second - first)
     for point, end in ((dimension.first, first), (dimension.second, second)):
@@ -107,7 +115,7 @@ def _linear(dimension: Distance) -> Iterator[Entity]:
     yield Words(text_place(dimension), dimension.text, TEXT, "middle", dimension.angle, dimension.layer)
 
 
-def _to_text(dimension: Distance, first: complex, second: complex) -> Iterator[Entity]:
+def _to_text(dimension: Distance, first: complex, second: complex) -> Iterator[Path]:
     """Yield the dimension line on to text that stands beyond its ends."""
     along = cmath.rect(1.0, dimension.angle)
     place, half = text_place(dimension), words_length(dimension.text, TEXT) / 2.0
@@ -121,7 +129,7 @@ def _to_text(dimension: Distance, first: complex, second: complex) -> Iterator[E
         yield Path((foot + along * low, foot - along * half), dimension.layer)
 
 
-def _angular(dimension: Corner) -> Iterator[Entity]:
+def _angular(dimension: Corner) -> Iterator[Mark]:
     start, end, radius = dimension.start, dimension.end, dimension.radius
     yield Arc(dimension.centre, radius, dimension.layer, start, end)
     turn = ARROW / 2.0 / radius
@@ -136,7 +144,7 @@ def _angular(dimension: Corner) -> Iterator[Entity]:
     yield corner_words(dimension)
 
 
-def corner_leader(dimension: Corner) -> list[Entity]:
+def corner_leader(dimension: Corner) -> list[Arc]:
     """Return the arc that goes on to the text of an angular dimension, where that stands beyond its end.
 
     Args:
@@ -176,24 +184,21 @@ def extent(entities: Iterable[Entity]) -> Box:
     Args:
         entities: At least one.
     """
-    points = [point for entity in entities for point in _corners(entity)]
+    points = [corner for mark in drawn(entities) for corner in _corners(mark)]
     xs, ys = [point.real for point in points], [point.imag for point in points]
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _corners(entity: Entity) -> Iterator[complex]:
-    match entity:
+def _corners(mark: Mark) -> Iterator[complex]:
+    match mark:
         case Path() | Hatch():
-            yield from entity.points
+            yield from mark.points
         case Arc():
-            steps = 1 if entity.radius == 0.0 else 24
+            steps = 1 if mark.radius == 0.0 else 24
             for k in range(steps + 1):
-                yield entity.centre + cmath.rect(entity.radius, entity.start + (entity.end - entity.start) * k / steps)
+                yield mark.centre + cmath.rect(mark.radius, mark.start + (mark.end - mark.start) * k / steps)
         case Words():
-            yield from words_corners(entity)
-        case Distance() | Corner():
-            for part in drawn(entity):
-                yield from _corners(part)
+            yield from words_corners(mark)
 
 
 def words_corners(words: Words) -> Iterator[complex]:

@@ -191,7 +191,7 @@ def _add_distance(space: Modelspace, dimension: Distance, enlarged: float) -> No
     added.render()
     if not arrows_outside(dimension) or dimension.text_at is not None:
         first, second = ends(dimension)
-        for part in drawn(dimension):
+        for part in drawn([dimension]):
             if isinstance(part, Path) and not part.filled and _is_beyond(part, first, second):
                 _add(space, part, enlarged)
 

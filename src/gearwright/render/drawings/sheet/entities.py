@@ -177,10 +177,12 @@ class Corner:
     @property
     def text(self) -> str:
         """What stands at the arc."""
-        return f"{self.measured:.2f}".rstrip("0").rstrip(".") + "°"
+        return trimmed(self.measured, 2) + "°"
 
 
-Entity = Path | Arc | Hatch | Words | Distance | Corner
+Mark = Path | Arc | Hatch | Words
+"""What is drawn as it is."""
+Entity = Mark | Distance | Corner
 Box = tuple[float, float, float, float]
 """Left, low, right, high [mm]."""
 
@@ -194,7 +196,20 @@ def millimetres(value: float) -> str:
     >>> millimetres(45.0), millimetres(46.587)
     ('45', '46.59')
     """
-    return f"{value:.2f}".rstrip("0").rstrip(".")
+    return trimmed(value, 2)
+
+
+def trimmed(value: float, digits: int) -> str:
+    """Return a number rounded to some digits after its point, without zeros at the end.
+
+    Args:
+        value: Any.
+        digits: At least 1.
+
+    >>> trimmed(0.25, 3), trimmed(-0.0001, 3)
+    ('0.25', '0')
+    """
+    return f"{value:z.{digits}f}".rstrip("0").rstrip(".")
 
 
 def words_length(text: str, height: float) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from html import escape
 
 from gearwright.render.drawings.sheet.dimensions import drawn
@@ -12,14 +12,13 @@ from gearwright.render.drawings.sheet.entities import (
     CAPITALS,
     INDEX,
     Arc,
-    Corner,
-    Distance,
-    Entity,
     Hatch,
     Layer,
+    Mark,
     Path,
     Words,
     runs,
+    trimmed,
 )
 from gearwright.render.drawings.sheet.sheets import Sheet
 
@@ -43,7 +42,7 @@ def sheet_svg(sheet: Sheet) -> str:
         *(_pattern(angle, spacing) for angle, spacing in sorted(hatches)),
     ]
     for layer in Layer:
-        elements = [line for entity in sheet.entities if entity.layer is layer for line in _element(entity, height)]
+        elements = [_element(mark, height) for mark in drawn(sheet.entities) if mark.layer is layer]
         if elements:
             lines += [_group(layer), *elements, "</g>"]
     return "\n".join([*lines, "</svg>"]) + "\n"
@@ -72,22 +71,19 @@ def _pattern_name(angle: float, spacing: float) -> str:
     return f"hatch{round(math.degrees(angle))}-{round(10 * spacing)}"
 
 
-def _element(entity: Entity, height: float) -> Iterator[str]:
-    match entity:
+def _element(mark: Mark, height: float) -> str:
+    match mark:
         case Path():
-            ending = "Z" if entity.closed else ""
-            fill = ' fill="#000" stroke="none"' if entity.filled else ""
-            yield f'<path d="{_track(entity.points, height)}{ending}"{fill}/>'
+            ending = "Z" if mark.closed else ""
+            fill = ' fill="#000" stroke="none"' if mark.filled else ""
+            return f'<path d="{_track(mark.points, height)}{ending}"{fill}/>'
         case Arc():
-            yield _arc(entity, height)
+            return _arc(mark, height)
         case Hatch():
-            fill = f"url(#{_pattern_name(entity.angle, entity.spacing)})"
-            yield f'<path d="{_track(entity.points, height)}Z" fill="{fill}" stroke="none"/>'
+            fill = f"url(#{_pattern_name(mark.angle, mark.spacing)})"
+            return f'<path d="{_track(mark.points, height)}Z" fill="{fill}" stroke="none"/>'
         case Words():
-            yield _words(entity, height)
-        case Distance() | Corner():
-            for part in drawn(entity):
-                yield from _element(part, height)
+            return _words(mark, height)
 
 
 def _track(points: Iterable[complex], height: float) -> str:
@@ -99,11 +95,7 @@ def _point(point: complex, height: float) -> str:
 
 
 def _short(value: float) -> str:
-    return (
-        f"{value:.3f}".rstrip("0").rstrip(".").replace("-0", "0")
-        if abs(value) < 5e-4
-        else (f"{value:.3f}".rstrip("0").rstrip("."))
-    )
+    return trimmed(value, 3)
 
 
 def _arc(arc: Arc, height: float) -> str:

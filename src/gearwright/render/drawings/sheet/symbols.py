@@ -81,26 +81,3 @@ def balloon(target: complex, middle: complex, number: str) -> list[Entity]:
           for corner, following in zip(dot, (*dot[1:], dot[0]), strict=True)),
         Words(middle - 1j * TEXT / 2.0, number, TEXT, "middle", layer=Layer.SYMBOL),
     ]  # fmt: skip
-
-
-def spread(places: list[float], least: float) -> list[float]:
-    """Return places in the same order that are at least so far apart, each near to where it was.
-
-    Args:
-        places: In rising order [mm].
-        least: Distance [mm].
-    """
-    groups: list[list[float]] = []
-    for place in places:
-        groups.append([place])
-        while (
-            len(groups) > 1
-            and _middle(groups[-1]) - _middle(groups[-2]) < least * (len(groups[-1]) + len(groups[-2])) / 2.0
-        ):
-            last = groups.pop()
-            groups[-1] += last
-    return [_middle(group) + least * (k - (len(group) - 1) / 2.0) for group in groups for k in range(len(group))]
-
-
-def _middle(group: list[float]) -> float:
-    return sum(group) / len(group)

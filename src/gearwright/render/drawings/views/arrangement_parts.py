@@ -22,7 +22,7 @@ from gearwright.render.drawings.views.shaft_parts import (
     shaft_body,
 )
 from gearwright.render.drawings.views.shaft_view import Axis, shaft_outline
-from gearwright.render.drawings.views.teeth import cylindrical_gear, is_internal, kind_of
+from gearwright.render.drawings.views.teeth import cylindrical_gear, halves_of, is_internal, kind_of
 from gearwright.sizing import CarrierSizing, GearSizing, Sizing
 from gearwright.spec import GROUND
 
@@ -73,7 +73,7 @@ def shaft_parts(sizing: Sizing, plane: Positions, name: str, scale: float) -> tu
     for gear in sizing.gears:
         if name in gear.shafts and gear.name not in body.gears:
             middle = plane.places[name][gear.name]
-            entities += gear_parts(sizing, gear, axis, (name, middle), lean=lean)
+            entities += gear_parts(sizing, gear, axis, shaft=name, middle=middle, lean=lean)
             items.append(gear_item(sizing, gear, axis, middle))
     for bearing in sizing.bearings:
         if bearing.shaft == name:
@@ -81,19 +81,10 @@ def shaft_parts(sizing: Sizing, plane: Positions, name: str, scale: float) -> tu
             opens = -1.0 if seat is not None and seat.locates == "second" else 1.0
             middle = MM * bearing.position
             entities += bearing_section(axis, bearing.bearing, middle, opens=opens)
-            radius = MM * (
-                bearing.bearing.outer_diameter / 2.0
-                - 0.15 * (bearing.bearing.outer_diameter - bearing.bearing.bore) / 2.0
-            )
-            items.append(
-                Item(
-                    f"Bearing {bearing.name}",
-                    bearing.bearing.designation,
-                    1,
-                    bearing.bearing.mass,
-                    axis.at(middle, radius),
-                )
-            )
+            rolling = bearing.bearing
+            radius = MM * (rolling.outer_diameter / 2.0 - 0.15 * (rolling.outer_diameter - rolling.bore) / 2.0)
+            anchor = axis.at(middle, radius)
+            items.append(Item(f"Bearing {bearing.name}", rolling.designation, 1, rolling.mass, anchor))
     return entities, items
 
 
@@ -113,30 +104,28 @@ def _free(axis: Axis, body: ShaftBody) -> complex:
     return axis.at(longest.start + 0.3 * (longest.end - longest.start), 0.3 * longest.diameter)
 
 
-def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, seat: tuple[str, float], *, lean: float) -> list[Entity]:
+def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, *, shaft: str, middle: float, lean: float) -> list[Entity]:
     """Return a gear in section on its shaft.
 
     Args:
         sizing: What was sized.
         gear: Not one piece with its shaft.
         axis: Of the shaft.
-        seat: Shaft, and middle of the face along it [mm].
+        shaft: That carries it.
+        middle: Of the face along the shaft [mm].
         lean: Of the hatching [rad].
     """
-    shaft, middle = seat
     full = hub_of(sizing, gear, shaft)
     hub = Hub(full.bore, boss=full.boss)
-    if kind_of(sizing, gear) == "bevel":
+    if kind_of(sizing, gear.stage) == "bevel":
         moved = Axis(axis.at(middle), axis.along, axis.scale)
         return bevel_section(moved, bevel_profile(sizing, gear), hub, away=away_of(sizing, gear), lean=lean)
-    halves = gear.bodies // len(gear.shafts) if gear.role in ("pinion", "wheel") else 1
-    half = MM * gear.face_width * max(halves, 1) / 2.0
+    half = MM * gear.face_width * halves_of(gear) / 2.0
     span = (middle - half, middle + half)
     teeth = cylindrical_gear(sizing, gear)
-    if kind_of(sizing, gear) == "face" and gear.role == "wheel":
+    if kind_of(sizing, gear.stage) == "face" and gear.role == "wheel":
         radius = MM * teeth.pitch_radius
-        ends = [(axis.at(middle, -radius), axis.at(middle, radius))]
-        return [Path(end, Layer.PITCH) for end in ends]
+        return [Path((axis.at(middle, -radius), axis.at(middle, radius)), Layer.PITCH)]
     if is_internal(sizing, gear):
         return ring_section(axis, teeth, MM * (teeth.pitch_radius + gear.rim), span, lean=lean)
     return cylinder_section(axis, teeth, hub, span, lean=lean)
@@ -151,14 +140,17 @@ def gear_item(sizing: Sizing, gear: GearSizing, axis: Axis, middle: float) -> It
         axis: Of its shaft.
         middle: Of its face along the shaft [mm].
     """
-    remark = f"z = {gear.teeth}, m = {MM * gear.module:.4g}"
     radius = MM * gear.pitch_diameter / 2.0 + (0.6 * MM * gear.rim if is_internal(sizing, gear) else 0.0)
     share = 1.0 if gear.rim else 0.8
     offset = 0.2 * MM * gear.face_width
-    if kind_of(sizing, gear) == "bevel":
+    if kind_of(sizing, gear.stage) == "bevel":
         profile = bevel_profile(sizing, gear)
         offset, radius = away_of(sizing, gear) * profile.roots[1].real, profile.roots[1].imag
-    return Item(f"Gear {gear.name}", remark, 1, gear.mass, axis.at(middle + offset, share * radius))
+    return Item(f"Gear {gear.name}", _toothing(gear), 1, gear.mass, axis.at(middle + offset, share * radius))
+
+
+def _toothing(gear: GearSizing) -> str:
+    return f"z = {gear.teeth}, m = {MM * gear.module:.4g}"
 
 
 def planetary_parts(
@@ -188,15 +180,14 @@ def planetary_parts(
         )
     entities += _carrier(axis, carrier, middle, half, _towards(plane, planetary.carrier, middle))
     anchor = axis.at(middle - 0.3 * half, MM * (carrier.radius + 0.35 * planet.pitch_diameter))
-    remark = f"z = {planet.teeth}, m = {MM * planet.module:.4g}"
-    items = [Item(f"Planet {planet.name}", remark, planet.bodies, planet.mass, anchor)]
+    items = [Item(f"Planet {planet.name}", _toothing(planet), planet.bodies, planet.mass, anchor)]
     plate = middle + _towards(plane, planetary.carrier, middle) * (
         half + PLATE_GAP + MM * carrier.plate_thickness / 2.0
     )
     items.append(Item(f"Carrier {stage}", "plate and pins", 1, carrier.mass, axis.at(plate, 0.6 * MM * carrier.radius)))
     if planetary.ring == GROUND:
         ring = gears["ring"]
-        entities += gear_parts(sizing, ring, axis, (GROUND, middle), lean=math.pi - lean)
+        entities += gear_parts(sizing, ring, axis, shaft=GROUND, middle=middle, lean=math.pi - lean)
         items.append(gear_item(sizing, ring, axis, middle))
     return entities, items
 

@@ -65,7 +65,7 @@ def hub_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hub:
     joint = next((joint for joint in sizing.joints if joint.part == gear.name and joint.shaft == shaft), None)
     if joint is not None:
         hub = _joined(joint)
-        return replace(hub, boss=_boss(sizing, gear, joint, hub)) if kind_of(sizing, gear) == "bevel" else hub
+        return replace(hub, boss=_boss(sizing, gear, joint, hub)) if kind_of(sizing, gear.stage) == "bevel" else hub
     if is_internal(sizing, gear):
         return Hub(0.0, note="What holds the ring is not sized; it is not drawn.")
     carrier = next((carrier for carrier in sizing.carriers if carrier.stage == gear.stage), None)
@@ -105,7 +105,7 @@ def _boss(sizing: Sizing, gear: GearSizing, joint: JointSizing, hub: Hub) -> Bos
 
 def _fitting(sizing: Sizing, gear: GearSizing, diameter: float, note: str) -> Hub:
     """Return a plain bore, or none where it would leave no wall under the teeth."""
-    if kind_of(sizing, gear) == "bevel":
+    if kind_of(sizing, gear.stage) == "bevel":
         root = toothed_piece(sizing, gear, 0.0).diameters
         inner = min(root) - 2.0 * MM * 2.25 * gear.module
     else:

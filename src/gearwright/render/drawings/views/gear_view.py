@@ -7,14 +7,13 @@ import math
 from collections.abc import Iterator, Sequence
 
 from gearwright.parts.gears import CylindricalGear
-from gearwright.render.drawings.sheet.entities import Arc, Entity, Hatch, Layer, Path
+from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.gear_parts import Hub
 from gearwright.render.drawings.views.shaft_parts import MM, BevelProfile
-from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis
+from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis, keyed_rim
 
 BACKUP = 1.2
 """Rim behind the root over the depth of the tooth, where a bevel gear's body is not sized [-] (AGMA 2001-D04)."""
-Point = tuple[float, float]
 
 
 def cylinder_section(
@@ -37,9 +36,9 @@ def cylinder_section(
         outline = _box(span, hub.bore / 2.0, tip, side)
         # Without a bore the two halves are one: no edge lies on the axis.
         entities += [_hatched(axis, body, lean), _line(axis, outline[1:] + outline[:1], closed=hub.bore > 0.0)]
-        entities.append(_line(axis, [(span[0], side * root), (span[1], side * root)]))
+        entities.append(_line(axis, _along(span, side * root)))
         if inner > hub.bore / 2.0:
-            entities.append(_line(axis, [(span[0], side * inner), (span[1], side * inner)]))
+            entities.append(_line(axis, _along(span, side * inner)))
         entities.append(_pitch(axis, span, side * MM * teeth.pitch_radius))
     return entities
 
@@ -62,7 +61,7 @@ def ring_section(
         entities += [
             _hatched(axis, _box(span, root, outer, side), lean),
             _line(axis, _box(span, tip, outer, side), closed=True),
-            _line(axis, [(span[0], side * root), (span[1], side * root)]),
+            _line(axis, _along(span, side * root)),
             _pitch(axis, span, side * MM * teeth.pitch_radius),
         ]
     return entities
@@ -104,13 +103,13 @@ def bevel_section(axis: Axis, profile: BevelProfile, hub: Hub, *, away: float, l
     entities: list[Entity] = []
     body = bevel_corners(profile, hub)
     for side in (1.0, -1.0):
-        below = [(away * corner.real, side * corner.imag) for corner in body]
-        tooth = [(away * corner.real, side * corner.imag)
+        below = [complex(away * corner.real, side * corner.imag) for corner in body]
+        tooth = [complex(away * corner.real, side * corner.imag)
                  for corner in (profile.roots[0], profile.small[0], profile.large[0], profile.roots[1])]  # fmt: skip
         entities += [_hatched(axis, below, lean), _line(axis, tooth)]
         entities.append(_line(axis, below if hub.bore else [below[4], *below[:4]], closed=hub.bore > 0.0))
         more = profile.large[1] + (profile.large[1] - profile.small[1]) * 0.12
-        ends = [(away * profile.apex, 0.0), (away * more.real, side * more.imag)]
+        ends = [complex(away * profile.apex, 0.0), complex(away * more.real, side * more.imag)]
         entities.append(_line(axis, ends, Layer.PITCH))
     return entities
 
@@ -124,32 +123,14 @@ def hub_view(axis: Axis, hub: Hub) -> list[Entity]:
     """
     assert hub.key is not None
     radius, half = hub.bore / 2.0, MM * hub.key.width / 2.0
-    start = math.asin(half / radius)
-    arc = [start + (2.0 * math.pi - 2.0 * start) * k / 96 for k in range(97)]
-    rim = [axis.at(radius * math.sin(angle), radius * math.cos(angle)) for angle in arc]
     top = hub.reach / 2.0
-    outline = (*rim, axis.at(-half, top), axis.at(half, top))
+    outline = (*keyed_rim(axis, radius, half), axis.at(-half, top), axis.at(half, top))
     reach = radius + OVERSHOOT / axis.scale
     return [
         Path(outline, Layer.OUTLINE, closed=True),
         Path((axis.at(-reach), axis.at(reach)), Layer.CENTRE),
         Path((axis.at(0.0, -reach), axis.at(0.0, top + OVERSHOOT / axis.scale)), Layer.CENTRE),
     ]
-
-
-def round_view(axis: Axis, circles: Sequence[tuple[float, Layer]]) -> list[Entity]:
-    """Return circles about one middle with their centre lines.
-
-    Args:
-        axis: Its origin is the middle.
-        circles: Radius [mm] and layer.
-    """
-    reach = max(radius for radius, _ in circles) + OVERSHOOT / axis.scale
-    cross = [
-        Path((axis.at(-reach), axis.at(reach)), Layer.CENTRE),
-        Path((axis.at(0.0, -reach), axis.at(0.0, reach)), Layer.CENTRE),
-    ]
-    return [*(Arc(axis.at(0.0), radius * axis.scale, layer) for radius, layer in circles), *cross]
 
 
 def _bottom(hub: Hub) -> float:
@@ -167,25 +148,29 @@ def bore_edges(axis: Axis, span: tuple[float, float], hub: Hub) -> Iterator[Enti
     """
     radius = hub.bore / 2.0
     for x in span if hub.bore else ():
-        yield _line(axis, [(x, -radius), (x, radius)])
+        yield _line(axis, [complex(x, -radius), complex(x, radius)])
     if hub.key is not None:
         flank = math.sqrt(radius**2 - (MM * hub.key.width / 2.0) ** 2)
-        yield _line(axis, [(span[0], flank), (span[1], flank)])
+        yield _line(axis, _along(span, flank))
 
 
-def _box(span: tuple[float, float], inner: float, outer: float, side: float) -> list[Point]:
-    return [(span[0], side * inner), (span[1], side * inner), (span[1], side * outer), (span[0], side * outer)]
+def _box(span: tuple[float, float], inner: float, outer: float, side: float) -> list[complex]:
+    return [*_along(span, side * inner), *_along(span, side * outer)[::-1]]
 
 
-def _hatched(axis: Axis, corners: Sequence[Point], lean: float) -> Hatch:
+def _along(span: tuple[float, float], radius: float) -> list[complex]:
+    return [complex(x, radius) for x in span]
+
+
+def _hatched(axis: Axis, corners: Sequence[complex], lean: float) -> Hatch:
     turned = (lean + cmath.phase(axis.along)) % math.pi
-    return Hatch(tuple(axis.at(*corner) for corner in corners), turned)
+    return Hatch(tuple(axis.on(corner) for corner in corners), turned)
 
 
-def _line(axis: Axis, corners: Sequence[Point], layer: Layer = Layer.OUTLINE, *, closed: bool = False) -> Path:
-    return Path(tuple(axis.at(*corner) for corner in corners), layer, closed=closed)
+def _line(axis: Axis, corners: Sequence[complex], layer: Layer = Layer.OUTLINE, *, closed: bool = False) -> Path:
+    return Path(tuple(axis.on(corner) for corner in corners), layer, closed=closed)
 
 
 def _pitch(axis: Axis, span: tuple[float, float], radius: float) -> Path:
     more = 2.0 / axis.scale
-    return _line(axis, [(span[0] - more, radius), (span[1] + more, radius)], Layer.PITCH)
+    return _line(axis, _along((span[0] - more, span[1] + more), radius), Layer.PITCH)

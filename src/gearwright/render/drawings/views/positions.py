@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from gearwright.render.drawings.views.shaft_parts import MM
-from gearwright.render.drawings.views.teeth import bevel_pair, gear_of
+from gearwright.render.drawings.views.teeth import bevel_pair, gear_of, halves_of, kind_of
 from gearwright.render.schematic.layout import element, lay_out, pair_meshes
 from gearwright.sizing import Sizing
 from gearwright.sizing.arrangement import ShaftPlan, plan_of
@@ -87,43 +87,53 @@ def _as_sized(sizing: Sizing) -> Positions:
     meshes = list(pair_meshes(sizing.train))
     for name in sizing.design.shafts:
         if name not in shafts:
-            shafts[name] = Lying(_below(shafts), 1 + 0j, 0.0, lengths[name])
-        while True:
-            joining = next((mesh for mesh in meshes if (mesh.nodes[0] in shafts) != (mesh.nodes[1] in shafts)), None)
-            if joining is None:
-                break
-            side = 0 if joining.nodes[0] in shafts else 1
-            new = joining.nodes[1 - side]
-            shafts[new] = _beside(sizing, joining, side, shafts, places, lengths[new])
+            # Nothing joins it to the others: it lies below them.
+            shafts[name] = Lying(-1j * 300.0 * len(shafts), 1 + 0j, 0.0, lengths[name])
+        while mesh := next((mesh for mesh in meshes if (mesh.nodes[0] in shafts) != (mesh.nodes[1] in shafts)), None):
+            side = 0 if mesh.nodes[0] in shafts else 1
+            known, new = mesh.nodes[side], mesh.nodes[1 - side]
+            at, new_at = places[known][mesh.gears[side]], places[new][mesh.gears[1 - side]]
+            shafts[new] = _beside(sizing, _Join(mesh, side, shafts[known], at, new_at, lengths[new]), shafts)
     return Positions(shafts, places, tuple(_untrue(sizing, meshes, shafts, places)))
 
 
-def _below(shafts: Mapping[str, Lying]) -> complex:
-    """Return where a shaft that nothing joins to the others begins."""
-    return -1j * 300.0 * len(shafts)
+@dataclass(frozen=True)
+class _Join:
+    """A mesh that joins a new shaft to one that lies already."""
+
+    mesh: Mesh
+    side: int
+    """Of the mesh whose shaft lies, 0 or 1."""
+    lying: Lying
+    """The shaft that lies."""
+    at: float
+    """Middle of its gear [mm from its first end]."""
+    new_at: float
+    """Middle of the gear on the new shaft [mm from its first end]."""
+    length: float
+    """Of the new shaft [mm]."""
+
+    def lay(self, origin: complex, along: complex) -> Lying:
+        """Return the new shaft.
+
+        Args:
+            origin: Of its first end [mm].
+            along: Direction to its second end [-].
+        """
+        return Lying(origin, along, 0.0, self.length)
 
 
-def _beside(
-    sizing: Sizing,
-    mesh: Mesh,
-    side: int,
-    shafts: Mapping[str, Lying],
-    places: Mapping[str, Mapping[str, float]],
-    length: float,
-) -> Lying:
+def _beside(sizing: Sizing, join: _Join, shafts: Mapping[str, Lying]) -> Lying:
     """Return a shaft that meshes with one that lies already."""
-    known, new = mesh.nodes[side], mesh.nodes[1 - side]
-    at, own = places[known][mesh.gears[side]], places[new][mesh.gears[1 - side]]
-    kind = getattr(sizing.design.stages[mesh.stage], "kind", "cylindrical")
+    kind = kind_of(sizing, join.mesh.stage)
     if kind == "bevel":
-        return _bevel(sizing, mesh, side, shafts[known], at, own, length)
+        return _bevel(sizing, join)
     if kind == "face":
-        return _face(sizing, mesh, side, shafts[known], at, own, length, first=len(shafts) == 1)
-    lying = shafts[known]
-    apart = centre_distance(sizing, mesh)
-    choices = [Lying(lying.at(at - own, sign * apart), lying.along, 0.0, length) for sign in (1.0, -1.0)]
-    others = [(shaft, _reach(sizing, name)) for name, shaft in shafts.items() if name != known]
-    reach = _reach(sizing, new)
+        return _face(sizing, join, first=len(shafts) == 1)
+    lying, apart = join.lying, centre_distance(sizing, join.mesh)
+    choices = [join.lay(lying.at(join.at - join.new_at, sign * apart), lying.along) for sign in (1.0, -1.0)]
+    others = [(shaft, _reach(sizing, name)) for name, shaft in shafts.items() if shaft is not lying]
+    reach = _reach(sizing, join.mesh.nodes[1 - join.side])
     return min(choices, key=lambda choice: sum(_overlap(choice, reach, other, far) for other, far in others))
 
 
@@ -151,33 +161,30 @@ def _overlap(shaft: Lying, reach: float, other: Lying, far: float) -> float:
     return max(0.0, reach + far - apart)
 
 
-def _bevel(sizing: Sizing, mesh: Mesh, side: int, lying: Lying, at: float, own: float, length: float) -> Lying:
+def _bevel(sizing: Sizing, join: _Join) -> Lying:
     """Return the other shaft of a bevel pair: through the common apex, with its second end upwards or to the right."""
-    pair, stage = bevel_pair(sizing, mesh.stage), sizing.design.pairs[mesh.stage]
-    apexes = (stage.pinion_apex, stage.wheel_apex)
+    pair, stage = bevel_pair(sizing, join.mesh.stage), sizing.design.pairs[join.mesh.stage]
     reach = [MM * pair.mean_cone_distance * math.cos(angle) for angle in pair.pitch_angles]
-    sense = [1.0 if apex == "second" else -1.0 for apex in apexes]
-    apex = lying.at(at + sense[side] * reach[side])
-    other = 1 - side
+    sense = [1.0 if apex == "second" else -1.0 for apex in (stage.pinion_apex, stage.wheel_apex)]
+    lying, side, other = join.lying, join.side, 1 - join.side
+    apex = lying.at(join.at + sense[side] * reach[side])
     turns = [cmath.rect(1.0, sign * pair.shaft_angle) for sign in (1.0, -1.0)]
     # Both gears lie on the apex's same side: the angle between the ways from the apex to them is the shaft angle.
     ways = [-sense[side] * lying.along * turn for turn in turns]
     along = max((-sense[other] * way for way in ways), key=lambda way: (round(way.imag, 6), way.real))
-    return Lying(apex - along * (own + sense[other] * reach[other]), along, 0.0, length)
+    return join.lay(apex - along * (join.new_at + sense[other] * reach[other]), along)
 
 
-def _face(
-    sizing: Sizing, mesh: Mesh, side: int, lying: Lying, at: float, own: float, length: float, *, first: bool
-) -> Lying:
+def _face(sizing: Sizing, join: _Join, *, first: bool) -> Lying:
     """Return the other shaft of a face-gear pair: across, the middle of the pinion on the wheel's pitch circle."""
-    pinion, wheel = (MM * gear_of(sizing, name).pitch_diameter / 2.0 for name in mesh.gears)
-    if side == 0:
+    pinion, wheel = (MM * gear_of(sizing, name).pitch_diameter / 2.0 for name in join.mesh.gears)
+    if join.side == 0:
         sign = 1.0 if first else -1.0
-        along = lying.along * -1j
-        touch = lying.at(at, sign * pinion)
-        return Lying(touch - along * own + along * 1j * sign * wheel, along, 0.0, length)
-    along = lying.along * 1j
-    return Lying(lying.at(at + pinion, wheel) - along * own, along, 0.0, length)
+        along = join.lying.along * -1j
+        touch = join.lying.at(join.at, sign * pinion)
+        return join.lay(touch - along * join.new_at + along * 1j * sign * wheel, along)
+    along = join.lying.along * 1j
+    return join.lay(join.lying.at(join.at + pinion, wheel) - along * join.new_at, along)
 
 
 def _untrue(
@@ -185,7 +192,7 @@ def _untrue(
 ) -> Iterator[str]:
     """Yield a note for every mesh that the plane does not show where it is."""
     for mesh in meshes:
-        if getattr(sizing.design.stages[mesh.stage], "kind", "cylindrical") != "cylindrical":
+        if kind_of(sizing, mesh.stage) != "cylindrical":
             continue
         first, second = (
             shafts[node].at(places[node][gear]) for node, gear in zip(mesh.nodes, mesh.gears, strict=False)
@@ -243,6 +250,5 @@ def _width(sizing: Sizing, name: str) -> float:
     gears = [gear for gear in sizing.gears if gear.stage == name]
     if not gears:
         return 10.0
-    halves = max(gear.bodies // len(gear.shafts) if gear.role in ("pinion", "wheel") else 1 for gear in gears)
     plates = [MM * carrier.plate_thickness + PLATE_GAP for carrier in sizing.carriers if carrier.stage == name]
-    return max(MM * gear.face_width for gear in gears) * max(halves, 1) + 2.0 * sum(plates)
+    return max(MM * gear.face_width for gear in gears) * max(halves_of(gear) for gear in gears) + 2.0 * sum(plates)

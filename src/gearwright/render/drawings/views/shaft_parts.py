@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from gearwright.catalogue import key_for_shaft, seat_tolerance
 from gearwright.parts.joints import KeySection, Spline, spline
-from gearwright.render.drawings.views.teeth import bevel_pair, cylindrical_gear, gear_of, kind_of, meshes_of
+from gearwright.render.drawings.views.teeth import bevel_pair, cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
 from gearwright.render.drawings.views.tooth_data import cones
 from gearwright.sizing import GearSizing, JointSizing, ShaftStep, Sizing
 
@@ -168,11 +168,9 @@ def toothed_piece(sizing: Sizing, gear: GearSizing, position: float) -> Piece:
         gear: External or bevel.
         position: Middle of the face along the shaft [m].
     """
-    if kind_of(sizing, gear) == "bevel":
+    if kind_of(sizing, gear.stage) == "bevel":
         return _cone(sizing, gear, MM * position)
-    middle, half = MM * position, MM * gear.face_width / 2.0
-    if gear.bodies > len(gear.shafts):
-        half *= gear.bodies / len(gear.shafts)
+    middle, half = MM * position, MM * gear.face_width * halves_of(gear) / 2.0
     teeth = cylindrical_gear(sizing, gear)
     pitch = 2.0 * MM * teeth.pitch_radius
     return Piece(middle - half, middle + half, (2.0 * MM * teeth.tip_radius,) * 2, gear.name, pitch=(pitch, pitch))

@@ -32,7 +32,15 @@ class Axis(NamedTuple):
             x: Along the axis [mm].
             radius: To the left of the axis [mm].
         """
-        return self.origin + self.scale * self.along * complex(x, radius)
+        return self.on(complex(x, radius))
+
+    def on(self, point: complex) -> complex:
+        """Return a point of the part on the sheet [mm of paper].
+
+        Args:
+            point: Along the axis, and to the left of it [mm].
+        """
+        return self.origin + self.scale * self.along * point
 
 
 def shaft_outline(axis: Axis, body: ShaftBody) -> list[Entity]:
@@ -162,6 +170,19 @@ def _spline(axis: Axis, toothing: Toothing) -> Iterator[Entity]:
         yield Path((axis.at(x, radius), axis.at(x, -radius)), Layer.OUTLINE)
 
 
+def keyed_rim(axis: Axis, radius: float, half: float) -> list[complex]:
+    """Return the rim of a shaft or bore about the origin of an axis, open where a keyway on top cuts it [mm of paper].
+
+    Args:
+        axis: Its origin is the middle.
+        radius: Of the rim [mm].
+        half: Half the width of the keyway [mm].
+    """
+    start = math.asin(half / radius)
+    around = [start + (2.0 * math.pi - 2.0 * start) * k / 96 for k in range(97)]
+    return [axis.at(radius * math.sin(angle), radius * math.cos(angle)) for angle in around]
+
+
 def key_section(axis: Axis, slot: Slot, bore: float = 0.0) -> list[Entity]:
     """Return the section of a shaft through a keyway, looking along its axis; the keyway is on top.
 
@@ -172,9 +193,7 @@ def key_section(axis: Axis, slot: Slot, bore: float = 0.0) -> list[Entity]:
     """
     radius, half = slot.diameter / 2.0, MM * slot.section.width / 2.0
     floor = radius - MM * slot.section.shaft_depth
-    start = math.asin(half / radius)
-    around = [start + (2.0 * math.pi - 2.0 * start) * k / 96 for k in range(97)]
-    rim = [axis.at(radius * math.sin(angle), radius * math.cos(angle)) for angle in around]
+    rim = keyed_rim(axis, radius, half)
     outline = (*rim, axis.at(-half, floor), axis.at(half, floor))
     reach = radius + OVERSHOOT / axis.scale
     inner = [axis.at(bore / 2.0 * math.sin(-angle), bore / 2.0 * math.cos(angle)) for angle in _TURN] if bore else []

@@ -24,15 +24,24 @@ def gear_of(sizing: Sizing, name: str) -> GearSizing:
     return by_name(name, {gear.name: gear for gear in sizing.gears}, "gear")
 
 
-def kind_of(sizing: Sizing, gear: GearSizing) -> str:
+def kind_of(sizing: Sizing, stage: str) -> str:
     """Return cylindrical, face or bevel.
 
     Args:
         sizing: What was sized.
-        gear: One of its gears.
+        stage: A pair or a planetary set.
     """
-    stage = sizing.design.stages[gear.stage]
-    return stage.kind if isinstance(stage, Pair) else "cylindrical"
+    rules = sizing.design.stages[stage]
+    return rules.kind if isinstance(rules, Pair) else "cylindrical"
+
+
+def halves_of(gear: GearSizing) -> int:
+    """Return how often a gear of a pair stands on its shaft: 2 for a double-helical one, 1 for all others.
+
+    Args:
+        gear: As sized.
+    """
+    return max(gear.bodies // max(len(gear.shafts), 1), 1) if gear.role in ("pinion", "wheel") else 1
 
 
 def is_internal(sizing: Sizing, gear: GearSizing) -> bool:
@@ -99,7 +108,7 @@ def hand_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hand | None:
     """
     if gear.helix_angle == 0.0:
         return None
-    if kind_of(sizing, gear) != "bevel":
+    if kind_of(sizing, gear.stage) != "bevel":
         return Hand.LEFT if helix_hand(sizing.design, sizing.train, sizing.flows, shaft) < 0.0 else Hand.RIGHT
     (mesh, side), *_ = meshes_of(sizing, gear.name)
     stage = sizing.design.pairs[mesh.stage]

@@ -17,6 +17,7 @@ from gearwright.parts.gears import (
     span_measurement,
     spanned_teeth,
 )
+from gearwright.render.drawings.sheet.entities import trimmed
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.views.teeth import (
     bevel_pair,
@@ -43,7 +44,7 @@ def tooth_grid(sizing: Sizing, gear: GearSizing, shaft: str) -> Grid:
         gear: One of its gears.
         shaft: That carries it.
     """
-    rows = _bevel_rows(sizing, gear) if kind_of(sizing, gear) == "bevel" else _cylindrical_rows(sizing, gear)
+    rows = _bevel_rows(sizing, gear) if kind_of(sizing, gear.stage) == "bevel" else _cylindrical_rows(sizing, gear)
     named = {"hand": _hand(sizing, gear, shaft)}
     filled = tuple((name, symbol, named.get(value, value)) for name, symbol, value in rows)
     return Grid(f"Tooth data: {gear.name}", (*filled, *_quality(sizing, gear), *_mates(sizing, gear)))
@@ -74,7 +75,7 @@ def _cylindrical_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     yield "Tip diameter", "d_{a}", _mm(2.0 * teeth.tip_radius)
     yield "Root diameter", "d_{f}", _mm(2.0 * teeth.root_radius)
     yield "Face width", "b", _mm(teeth.face_width)
-    if kind_of(sizing, gear) == "cylindrical":
+    if kind_of(sizing, gear.stage) == "cylindrical":
         yield from _measurement(sizing, gear, teeth)
 
 
@@ -166,7 +167,7 @@ def _quality(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     if rules.rating != "iso6336":
         yield "Flank tolerance class", "", "not chosen (Lewis and Hertz)"
         return
-    standard = "ISO 17485" if kind_of(sizing, gear) == "bevel" else "ISO 1328-1"
+    standard = "ISO 17485" if kind_of(sizing, gear.stage) == "bevel" else "ISO 1328-1"
     yield "Flank tolerance class", "", f"{rules.iso6336.tolerance_class} {standard}"
     yield (
         "Roughness of flank / root",
@@ -181,14 +182,14 @@ def _mates(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     for name, mesh in mates.items():
         mate = gear_of(sizing, name)
         yield "Mating gear", "", f"{name}, z = {mate.teeth}"
-        if kind_of(sizing, gear) == "cylindrical":
+        if kind_of(sizing, gear.stage) == "cylindrical":
             distance = abs(gear.pitch_diameter - mesh.sign * mate.pitch_diameter) / 2.0
             yield "Centre distance", "a", _mm(distance)
 
 
 def _mm(value: float) -> str:
-    return f"{1e3 * value:.3f}".rstrip("0").rstrip(".")
+    return trimmed(1e3 * value, 3)
 
 
 def _degrees(value: float) -> str:
-    return f"{math.degrees(value):.4f}".rstrip("0").rstrip(".") + "°"
+    return trimmed(math.degrees(value), 4) + "°"
