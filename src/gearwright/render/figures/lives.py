@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from gearwright.mission import Durability, Flight, LifeSizing, PartLife
+from gearwright.mission import Durability, Flight, LifeSizing
 from gearwright.mission.lives import seat_duties
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
@@ -89,9 +89,9 @@ def life_figure(parts: Durability) -> Figure:
     figure = theme.sheet(WIDTH, 24.0 + 5.4 * len(rows))
     axes = figure.add_subplot()
     for place, row in enumerate(rows):
-        length = row.flights
-        axes.barh(place, length, left=0.5, height=0.72, color=MODE_COLOURS[row.mode])
-        axes.annotate(_told(row), (length, place), (4, 0), textcoords="offset points", va="center", fontsize=7.5)
+        axes.barh(place, row.flights, left=0.5, height=0.72, color=MODE_COLOURS[row.mode])
+        axes.annotate(f"{row.flights:,.0f} flights, {row.life:,.0f} h", (row.flights, place), (4, 0), fontsize=7.5,
+                      textcoords="offset points", va="center")  # fmt: skip
     for mode in dict.fromkeys(row.mode for row in rows):
         axes.barh([0], [0.0], color=MODE_COLOURS[mode], label=mode)
     axes.set_yticks(range(len(rows)), [row.name for row in rows])
@@ -102,10 +102,6 @@ def life_figure(parts: Durability) -> Figure:
     axes.legend(loc="upper right")
     theme.only_grid(axes, "x")
     return figure
-
-
-def _told(row: PartLife) -> str:
-    return f"{row.flights:,.0f} flights, {row.life:,.0f} h"
 
 
 @theme.styled

@@ -40,8 +40,8 @@ def waterfall_figure(run_up: RunUp, line: str, *, speed: float, shaft: str) -> F
     figure = theme.sheet(WIDTH, 150.0)
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1.6, 1.0))
     rpm = run_up.factor * speed / RPM
-    _draw_map(figure, above, run_up, (line, rpm))
-    _draw_tracks(below, run_up, (line, rpm))
+    _draw_map(figure, above, run_up, line=line, rpm=rpm)
+    _draw_tracks(below, run_up, line, rpm)
     for axes in (above, below):
         axes.axvline(speed / RPM, color=theme.ORANGE, lw=0.9)
     above.annotate("operating", (speed / RPM, 1.0), (2, -2), xycoords=("data", "axes fraction"), fontsize=6.5,
@@ -50,8 +50,7 @@ def waterfall_figure(run_up: RunUp, line: str, *, speed: float, shaft: str) -> F
     return figure
 
 
-def _draw_map(figure: Figure, axes: Axes, run_up: RunUp, of: tuple[str, Floats]) -> None:
-    line, rpm = of
+def _draw_map(figure: Figure, axes: Axes, run_up: RunUp, *, line: str, rpm: Floats) -> None:
     frequency, amplitude = _cells(run_up, line)
     largest = float(np.max(amplitude))
     level = np.log10(np.maximum(amplitude / largest, 10.0**-DECADES))
@@ -80,8 +79,7 @@ def _cells(run_up: RunUp, line: str) -> tuple[Floats, Floats]:
     return 0.5 * (run_up.frequency[edges[:-1]] + run_up.frequency[np.minimum(edges[1:], end) - 1]), largest
 
 
-def _draw_tracks(axes: Axes, run_up: RunUp, of: tuple[str, Floats]) -> None:
-    line, rpm = of
+def _draw_tracks(axes: Axes, run_up: RunUp, line: str, rpm: Floats) -> None:
     number = run_up.lines.index(line)
     tracks = run_up.order_amplitude[:, number]
     peaks = np.max(tracks, axis=0)

@@ -84,10 +84,6 @@ def families(labels: Labels, unit: str) -> dict[str, list[str]]:
     return by_family
 
 
-def _several(family: str, names: list[str]) -> str:
-    return family if len(names) == 1 else f"{family} ({len(names)})"
-
-
 def _draw_lines(axes: Axes, samples: Samples, unit: str, last: int) -> None:
     for place, (family, names) in enumerate(families(samples.labels, unit).items()):
         colour = theme.CYCLE[place % len(theme.CYCLE)]
@@ -95,7 +91,7 @@ def _draw_lines(axes: Axes, samples: Samples, unit: str, last: int) -> None:
         curves = axes.plot(
             samples.time[-last:] * 1e3, forces, color=colour, lw=0.8, alpha=1.0 if len(names) == 1 else 0.6
         )
-        curves[0].set_label(_several(family, names))
+        curves[0].set_label(family if len(names) == 1 else f"{family} ({len(names)})")
     axes.margins(x=0.0)
     axes.xaxis.set_major_locator(MaxNLocator(5))
 
@@ -193,15 +189,10 @@ def mode_figure(modes: Modes) -> Figure:
         modes: As found.
     """
     elastic = list(_first_of_each(modes))[:MOST_MODES]
-    columns = min(3, max(1, len(elastic)))
-    rows = -(-len(elastic) // columns) or 1
-    names = modes.labels.coordinates
-    figure = theme.sheet(WIDTH, 8.0 + rows * (12.0 + 3.0 * len(names)))
-    grid = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
+    columns, names = min(3, max(1, len(elastic))), modes.labels.coordinates
+    figure, grid = theme.tiles(len(elastic), columns, frame=8.0, row=12.0 + 3.0 * len(names), sharex=True, sharey=True)
     for axes, mode in zip(grid.flat, elastic, strict=False):
         _draw_shape(axes, modes, mode)
-    for axes in grid.flat[len(elastic) :]:
-        axes.set_axis_off()
     grid[0, 0].set_yticks(range(len(names)), names)
     grid[0, 0].set_ylim(len(names) - 0.5, -0.5)
     return figure
@@ -221,7 +212,8 @@ def _draw_shape(axes: Axes, modes: Modes, mode: int) -> None:
     for unit, colour in (("rad", theme.BLUE), ("m", theme.GREEN)):
         places = np.flatnonzero(units == unit)
         if len(places) and np.any(shape[places]):
-            axes.barh(places, _normalised(shape[places]), color=colour, height=0.62)
+            largest = shape[places[np.argmax(np.abs(shape[places]))]]
+            axes.barh(places, shape[places] / largest, color=colour, height=0.62)
     held = int(np.argmax(modes.line_energy[:, mode]))
     axes.set_title(f"{mode + 1}:  {modes.frequency[mode]:.4g} Hz", fontsize=8.5, pad=11.0)
     share = f"{modes.line_energy[held, mode]:.0%} of the strain in {modes.labels.lines[held]}"
@@ -231,9 +223,3 @@ def _draw_shape(axes: Axes, modes: Modes, mode: int) -> None:
     axes.set_xlim(-1.1, 1.1)
     axes.tick_params(axis="y", labelsize=6.0)
     theme.only_grid(axes, "x")
-
-
-def _normalised(part: Floats) -> Floats:
-    """Return a shape with its largest entry at +1."""
-    result: Floats = part / part[int(np.argmax(np.abs(part)))]
-    return result

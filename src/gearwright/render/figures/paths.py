@@ -52,10 +52,7 @@ def orbit_figure(samples: Samples, centres: Sequence[tuple[str, str]] | None = N
     if not pairs:
         message = "no centre moves across; take dynamics.fidelity translational, or supports"
         raise DesignError([Problem("dynamics.fidelity", message)])
-    columns = min(COLUMNS, len(pairs))
-    rows = -(-len(pairs) // columns)
-    figure = theme.sheet(WIDTH, 10.0 + 58.0 * rows)
-    grid = figure.subplots(rows, columns, squeeze=False)
+    figure, grid = theme.tiles(len(pairs), min(COLUMNS, len(pairs)), frame=10.0, row=58.0)
     paths = [[1e6 * (samples.motion(name) - np.mean(samples.motion(name))) for name in pair] for pair in pairs]
     largest = float(np.max(np.abs(paths)))
     for axes, pair, (x, y) in zip(grid.flat, pairs, paths, strict=False):
@@ -69,8 +66,6 @@ def orbit_figure(samples: Samples, centres: Sequence[tuple[str, str]] | None = N
         axes.plot(x, y, lw=0.5)
         axes.set(xlabel=f"{pair[0].rpartition('.')[2]} [µm]", ylabel=f"{pair[1].rpartition('.')[2]} [µm]")
         axes.set_aspect("equal", adjustable="datalim")
-    for axes in grid.flat[len(pairs) :]:
-        axes.set_axis_off()
     return figure
 
 
@@ -82,10 +77,7 @@ def phase_figure(samples: Samples, lines: Sequence[str]) -> Figure:
         samples: Every step of a stretch of time.
         lines: Meshes.
     """
-    columns = min(COLUMNS, len(lines))
-    rows = -(-len(lines) // columns)
-    figure = theme.sheet(WIDTH, 10.0 + 52.0 * rows)
-    grid = figure.subplots(rows, columns, squeeze=False)
+    figure, grid = theme.tiles(len(lines), min(COLUMNS, len(lines)), frame=10.0, row=52.0)
     for axes, line in zip(grid.flat, lines, strict=False):
         deflection = samples.deflection(line)
         axes.plot(1e6 * deflection, 1e3 * np.gradient(deflection, samples.time), lw=0.5)
@@ -95,8 +87,6 @@ def phase_figure(samples: Samples, lines: Sequence[str]) -> Figure:
             axes.axvline(0.0, color=theme.ORANGE, lw=0.9)
     for axes in grid[:, 0]:
         axes.set_ylabel("its rate [mm/s]")
-    for axes in grid.flat[len(lines) :]:
-        axes.set_axis_off()
     return figure
 
 
@@ -116,8 +106,7 @@ def transmission_error_figure(
         index_of(line, samples.labels.lines, "line")
     figure = theme.sheet(WIDTH, 78.0)
     time_axes, spectrum_axes = figure.subplots(1, 2)
-    start = samples.time[-1] - cycles / mesh_frequency
-    shown = samples.time >= start
+    shown = samples.time >= samples.time[-1] - cycles / mesh_frequency
     for line in lines:
         error = 1e6 * samples.deflection(line)
         time_axes.plot(1e3 * samples.time[shown], error[shown], label=line)

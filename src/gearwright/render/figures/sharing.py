@@ -147,22 +147,27 @@ def tornado_figure(study: SharingStudy) -> Figure:
         study: From `sharing_study`.
     """
     rows = study.influences
-    figure = theme.sheet(WIDTH, 22.0 + ROW * len(rows))
-    axes = figure.subplots()
+    figure, axes = _rows([row.source for row in rows])
     colours = [theme.BLUE if row.turns else theme.AMBER for row in rows]
     effect = 100.0 * np.array([row.effect for row in rows])
-    place = np.arange(len(rows))
-    axes.barh(place, 2.0 * effect, left=-effect, color=colours, height=0.62)
-    axes.set_yticks(place, [row.source for row in rows], fontsize=7.0)
-    axes.set_ylim(len(rows) - 0.4, -0.6)
+    axes.barh(range(len(rows)), 2.0 * effect, left=-effect, color=colours, height=0.62)
     axes.set(
         xlabel="change of the sharing coefficient [%]", title="One error at a time: blue comes and goes, amber stays"
     )
     axes.axvline(0.0, color=theme.MUTED, lw=0.6)
-    theme.only_grid(axes, "x")
     # Long names move the axes only in the second round of the layout.
     figure.draw_without_rendering()
     return figure
+
+
+def _rows(names: Sequence[str]) -> tuple[Figure, Axes]:
+    """Return a figure with a named row for each bar, the first on top."""
+    figure = theme.sheet(WIDTH, 22.0 + ROW * len(names))
+    axes = figure.subplots()
+    axes.set_yticks(range(len(names)), names, fontsize=7.0)
+    axes.set_ylim(len(names) - 0.4, -0.6)
+    theme.only_grid(axes, "x")
+    return figure, axes
 
 
 @theme.styled
@@ -200,17 +205,12 @@ def allocation_figure(allocation: Allocation) -> Figure:
         allocation: From `allocate`.
     """
     rows = sorted(allocation.sizes, key=lambda row: row[2] / row[1])
-    figure = theme.sheet(WIDTH, 22.0 + ROW * len(rows))
-    axes = figure.subplots()
-    place = np.arange(len(rows))
-    axes.barh(place, [100.0] * len(rows), color=theme.STEEL, height=0.7)
-    axes.barh(place, [100.0 * after / before for _, before, after in rows], color=theme.GREEN, height=0.45)
-    axes.set_yticks(place, [name for name, _, _ in rows], fontsize=7.0)
-    axes.set_ylim(len(rows) - 0.4, -0.6)
+    figure, axes = _rows([name for name, _, _ in rows])
+    axes.barh(range(len(rows)), [100.0] * len(rows), color=theme.STEEL, height=0.7)
+    axes.barh(range(len(rows)), [100.0 * after / before for _, before, after in rows], color=theme.GREEN, height=0.45)
     share = f"{100.0 * allocation.target:g}/{100.0 * (1.0 - allocation.target):g}"
     title = f"How tight for {share} in {allocation.percent:g} % of gearboxes, at least cost"
     axes.set(xlabel="allowed size over the size given [%]", title=title)
-    theme.only_grid(axes, "x")
     # Long names move the axes only in the second round of the layout.
     figure.draw_without_rendering()
     return figure
@@ -232,10 +232,7 @@ def single_error_figure(
         source.name: single_error_sharing(problem, source, method="frequency response", span=span)
         for source in problem.sources
     }
-    columns = 3
-    rows = -(-len(sharings) // columns)
-    figure = theme.sheet(WIDTH, 14.0 + 30.0 * rows)
-    grid = figure.subplots(rows, columns, squeeze=False, sharey=True)
+    figure, grid = theme.tiles(len(sharings), 3, frame=14.0, row=30.0, sharey=True)
     for axes, (name, sharing) in zip(grid.flat, sharings.items(), strict=False):
         cycle = sharing.tooth_cycle
         stride = max(1, len(cycle) // POINTS)
@@ -243,8 +240,6 @@ def single_error_figure(
         axes.set_title(": ".join(filter(None, ((names or {}).get(name), name))), fontsize=6.0)
         axes.axhline(1.0, color=theme.MUTED, lw=0.5)
         axes.margins(x=0.0)
-    for axes in grid.flat[len(sharings) :]:
-        axes.set_axis_off()
     for axes in grid[:, 0]:
         axes.set_ylabel("b [-]")
     for axes in grid[-1]:

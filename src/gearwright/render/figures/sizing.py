@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.tables.sizing import NOT_IN_THE_MASS
-from gearwright.sizing import Margin, ShaftDiagram, ShaftSizing, Sizing, margins, mass_parts
+from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, margins, mass_parts
 from gearwright.sizing.margins import ROUNDING
 
 Floats = NDArray[np.float64]
@@ -44,7 +44,8 @@ def mass_figure(sizing: Sizing) -> Figure:
     parts = mass_parts(sizing)
     figure = theme.sheet(WIDTH, _FRAME + 6.0 + _ROW * len(parts))
     axes = figure.add_subplot()
-    axes.barh([_several(part.part, part.count) for part in parts], [part.total for part in parts],
+    names = [f"{part.count} × {part.part}" if part.count > 1 else part.part for part in parts]
+    axes.barh(names, [part.total for part in parts],
               color=[_GROUP_COLOURS[part.group] for part in parts], height=0.72)  # fmt: skip
     for place, part in enumerate(parts):
         axes.annotate(f"{part.total:.2f} kg  {part.share:.0%}", (part.total, place), (3, 0),
@@ -63,10 +64,6 @@ def mass_figure(sizing: Sizing) -> Figure:
     return figure
 
 
-def _several(part: str, count: int) -> str:
-    return f"{count} × {part}" if count > 1 else part
-
-
 @theme.styled
 def margin_figure(sizing: Sizing) -> Figure:
     """Return the margin of every check, worst first.
@@ -79,7 +76,8 @@ def margin_figure(sizing: Sizing) -> Figure:
     figure = theme.sheet(WIDTH, _FRAME + _ROW * len(checks))
     axes = figure.add_subplot()
     shown = [min(check.margin, LARGEST_MARGIN) for check in checks]
-    axes.barh(range(len(checks)), shown, color=[_colour(check) for check in checks], height=0.72)
+    colours = [_CHECK_COLOURS.get(check.check) or _PART_COLOURS[check.group] for check in checks]
+    axes.barh(range(len(checks)), shown, color=colours, height=0.72)
     for place, (check, length) in enumerate(zip(checks, shown, strict=True)):
         colour = theme.INK if check.holds else theme.ORANGE
         number = f"{check.margin:.3f}" if math.isfinite(check.margin) else "no load"
@@ -93,10 +91,6 @@ def margin_figure(sizing: Sizing) -> Figure:
     axes.set_title("Margins, worst first" + (f": {len(checks)} of {len(every)}" if len(checks) < len(every) else ""))
     theme.only_grid(axes, "x")
     return figure
-
-
-def _colour(check: Margin) -> str:
-    return _CHECK_COLOURS.get(check.check) or _PART_COLOURS[check.group]
 
 
 def bent_shafts(sizing: Sizing) -> list[ShaftSizing]:

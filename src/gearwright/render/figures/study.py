@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from matplotlib import colormaps
@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from gearwright.render.style import theme
-from gearwright.render.tables.study import FLAT, heading, numeric_axis, percent, result_unit
+from gearwright.render.tables.study import FLAT, heading, numeric_axis, percent
 from gearwright.study import Row, Table
 
 FEW_CURVES = 3
@@ -44,25 +44,26 @@ def sweep_figure(table: Table, objectives: Mapping[str, str] | None = None) -> F
     axis = numeric_axis(table) or ""
     figure = theme.sheet(180.0, 16.0 + 44.0 * len(table.numbers))
     panels = figure.subplots(len(table.numbers), 1, sharex=True, squeeze=False)[:, 0]
-    curves = dict(_curves(table, axis))
-    colours = _colours(len(curves))
+    curves = _curves(table, axis)
+    few = len(curves) <= FEW_CURVES
     for panel, result in zip(panels, table.numbers, strict=True):
-        for colour, (label, rows) in zip(colours, curves.items(), strict=True):
-            _draw_curve(panel, axis, result, (label, rows, colour))
+        for colour, (label, rows) in zip(_colours(len(curves)), curves.items(), strict=True):
+            place: list[Any] = [row.inputs[axis] for row in rows]
+            values = [row.shown(result) for row in rows]
+            panel.plot(place, values, "-", color=colour, marker=".", ms=3.5, label=label)
             if result in senses:
-                few = len(curves) <= FEW_CURVES
-                _mark_optimum(panel, axis, result, (rows, colour), most=senses[result] == "most", flat=few)
-        panel.set_ylabel(f"{heading(result)} [{result_unit(table, result) or '-'}]")
+                _mark_optimum(panel, place, values, colour=colour, sense=senses[result], flat=few)
+        panel.set_ylabel(axis_label(table, result))
         panel.margins(x=0.02, y=0.18)
     tied = len(table.rows[0].inputs) - len(table.free)
     panels[-1].set_xlabel(f"{axis}, and {tied} more with it" if tied else axis)
-    if 1 < len(curves) <= FEW_CURVES:
+    if few and len(curves) > 1:
         panels[0].legend(loc="best")
-    elif len(curves) > 1:
+    elif not few:
         others = ", ".join(path for path in table.free if path != axis)
         lines, names = panels[0].get_legend_handles_labels()
         figure.legend(lines, names, loc="outside right upper", title=textwrap.fill(others, 32), title_fontsize=7.5)
-    band = f", band within {percent(FLAT)} of it" if len(curves) <= FEW_CURVES else ""
+    band = f", band within {percent(FLAT)} of it" if few else ""
     panels[0].set_title(f"{table.name}: ring at the optimum{band}")
     return figure
 
@@ -74,31 +75,30 @@ def _colours(count: int) -> list[Any]:
     return [colormaps["cividis"](k / (count - 1)) for k in range(count)]
 
 
-def _curves(table: Table, axis: str) -> Iterator[tuple[str, list[Row]]]:
-    """Yield the rows that differ in the axis alone, with what sets them apart."""
+def _curves(table: Table, axis: str) -> dict[str, list[Row]]:
+    """Return the rows that differ in the axis alone, by what sets them apart."""
     groups: dict[str, list[Row]] = {}
-    one = len({row.design for row in table.rows}) == 1
-    for row in table.rows:
-        if not row.problem:
-            others = [str(row.inputs[path]) for path in table.free if path != axis]
-            names = others if others and one else [row.design, *others]
-            groups.setdefault(", ".join(names), []).append(row)
-    yield from groups.items()
+    designs = {row.design for row in table.rows}
+    for row in table.good:
+        inputs = [str(row.inputs[path]) for path in table.free if path != axis]
+        names = inputs if inputs and len(designs) == 1 else [row.design, *inputs]
+        groups.setdefault(", ".join(names), []).append(row)
+    return groups
 
 
-def _draw_curve(panel: Axes, axis: str, result: str, curve: tuple[str, list[Row], Any]) -> None:
-    label, rows, colour = curve
-    place: list[Any] = [row.inputs[axis] for row in rows]
-    values = [row.shown(result) for row in rows]
-    panel.plot(place, values, "-", color=colour, marker=".", ms=3.5, label=label)
+def axis_label(table: Table, name: str) -> str:
+    """Return what stands at the axis of an input or a result: what it is and its unit.
+
+    Args:
+        table: Of the study.
+        name: Path of the input, or name of the result.
+    """
+    return f"{heading(name)} [{table.unit(name) or '-'}]" if name in table.results else name
 
 
-def _mark_optimum(panel: Axes, axis: str, result: str, curve: tuple[list[Row], Any], *, most: bool, flat: bool) -> None:
+def _mark_optimum(panel: Axes, place: list[Any], values: list[float], *, colour: Any, sense: str, flat: bool) -> None:
     """Ring the optimum of a curve; with its value and the range near it where there is room."""
-    rows, colour = curve
-    place: list[Any] = [row.inputs[axis] for row in rows]
-    values = [row.shown(result) for row in rows]
-    best = max(values) if most else min(values)
+    best = max(values) if sense == "most" else min(values)
     if not math.isfinite(best):
         return
     near = [x for x, value in zip(place, values, strict=True) if abs(value / best - 1.0) <= FLAT] if best else place
@@ -107,7 +107,7 @@ def _mark_optimum(panel: Axes, axis: str, result: str, curve: tuple[list[Row], A
     if not flat:
         return
     panel.axvspan(min(near), max(near), color=colour, alpha=0.07, lw=0)
-    offset = -12 if most else 8
+    offset = -12 if sense == "most" else 8
     side = {min(place): "left", max(place): "right"}.get(at, "center")
     panel.annotate(f"{best:.4g} at {at:g}", (at, best), (0, offset), textcoords="offset points", ha=side,
                    fontsize=7.5, color=colour)  # fmt: skip
@@ -120,8 +120,8 @@ def comparison_figure(table: Table) -> Figure:
     Args:
         table: With the results ``gear_mass``, ``shaft_mass``, ``carrier_mass`` and ``motor_mass``, or some of them.
     """
-    rows = sorted((row for row in table.rows if not row.problem), key=lambda row: _stacked(table, row))
     parts = [part for part in _STACK if part in table.results] or list(table.results[:1])
+    rows = sorted(table.good, key=lambda row: sum(row.number(part) for part in parts))
     figure = theme.sheet(180.0, 26.0 + 7.0 * len(rows))
     axes = figure.add_subplot()
     labels = [", ".join([row.design, *(str(value) for value in row.inputs.values())]) for row in rows]
@@ -141,11 +141,6 @@ def comparison_figure(table: Table) -> Figure:
     axes.set_title(table.name)
     theme.only_grid(axes, "x")
     return figure
-
-
-def _stacked(table: Table, row: Row) -> float:
-    parts = [part for part in _STACK if part in table.results] or list(table.results[:1])
-    return sum(row.number(part) for part in parts)
 
 
 def _bar_text(row: Row, total: float) -> str:

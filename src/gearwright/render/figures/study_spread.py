@@ -10,10 +10,10 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from gearwright.render.figures.study import study_figure
+from gearwright.render.figures.study import axis_label, study_figure
 from gearwright.render.figures.study_trade import draw_ranges, trade_figure
 from gearwright.render.style import theme
-from gearwright.render.tables.study import heading, percent, result_unit
+from gearwright.render.tables.study import heading, percent
 from gearwright.render.tables.study_lists import letter
 from gearwright.spec import Study
 from gearwright.study import Row, Table
@@ -61,18 +61,16 @@ def distribution_figure(table: Table) -> Figure:
     figure = theme.sheet(180.0, 14.0 + (12.0 + 6.5 * len(designs) if many else 38.0) * len(drawn))
     panels = figure.subplots(max(1, len(drawn)), 1, squeeze=False)[:, 0]
     for panel, result in zip(panels, drawn, strict=False):
-        panel.set_xlabel(_label(table, result))
+        panel.set_xlabel(axis_label(table, result))
         if many:
-            spreads = [
-                np.array([_shown(row, result) for row in _good(table) if row.design == name]) for name in designs
-            ]
+            spreads = [np.array([row.shown(result) for row in table.good if row.design == name]) for name in designs]
             draw_ranges(panel, spreads)
             panel.set_yticks(range(len(designs)), designs)
             continue
-        everything = np.array([_shown(row, result) for row in _good(table)])
+        everything = np.array([row.shown(result) for row in table.good])
         bins = np.histogram_bin_edges(everything, bins=min(MOST_BINS, int(2.0 * math.sqrt(len(everything))) + 1))
         for design, colour in zip(designs, theme.CYCLE * 4, strict=False):
-            values = np.array([_shown(row, result) for row in _good(table) if row.design == design])
+            values = np.array([row.shown(result) for row in table.good if row.design == design])
             if len(values):
                 low, median, high = np.quantile(values, (0.05, 0.5, 0.95))
                 label = f"{design}: {median:.4g} ({low:.4g} to {high:.4g})"
@@ -92,7 +90,7 @@ def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
         chosen: Such as its Pareto front.
     """
     names = [*(path for path in table.free if _numeric(table, path)), *table.numbers]
-    rows = _good(table)
+    rows = table.good
     rows = rows[:: max(1, len(rows) // MOST_LINES)]
     names = [name for name in names if varies(np.array([_value(row, name) for row in rows]))]
     values = np.array([[_value(row, name) for name in names] for row in [*rows, *chosen]])
@@ -107,7 +105,7 @@ def parallel_figure(table: Table, chosen: Sequence[Row] = ()) -> Figure:
         axes.axvline(k, color=theme.INK, lw=0.6)
         axes.annotate(f"{high[k]:.4g}", (k, 1.0), (0, 3), textcoords="offset points", ha="center", fontsize=7)
         axes.annotate(f"{low[k]:.4g}", (k, 0.0), (0, -9), textcoords="offset points", ha="center", fontsize=7)
-    axes.set_xticks(range(len(names)), [_wrapped(_label(table, name)) for name in names], fontsize=7)
+    axes.set_xticks(range(len(names)), [_wrapped(axis_label(table, name)) for name in names], fontsize=7)
     axes.tick_params(axis="x", length=0, pad=10)
     axes.set_yticks([])
     axes.set_ylim(-0.02, 1.02)
@@ -125,14 +123,14 @@ def contour_figure(table: Table, result: str) -> Figure:
         result: Its name.
     """
     across, up = [path for path in table.free if _numeric(table, path)][:2]
-    rows = _good(table)
+    rows = table.good
     x, y = (np.array([_value(row, path) for row in rows]) for path in (across, up))
-    z = np.array([_shown(row, result) for row in rows])
+    z = np.array([row.shown(result) for row in rows])
     figure = theme.sheet(150.0, 100.0)
     axes = figure.add_subplot()
     filled = axes.tricontourf(x, y, z, levels=12, cmap="cividis")
     axes.plot(x, y, ".", color=theme.PAPER, ms=1.5, alpha=0.6)
-    figure.colorbar(filled, ax=axes, label=_label(table, result))
+    figure.colorbar(filled, ax=axes, label=axis_label(table, result))
     axes.set_xlabel(across)
     axes.set_ylabel(up)
     return figure
@@ -153,7 +151,7 @@ def pareto_figure(study: Study, table: Table, front: Sequence[Row], chosen: Sequ
     axes = figure.add_subplot()
     designs = tuple(dict.fromkeys(row.design for row in table.rows))
     for design, (mark, colour) in zip(designs, product(_MARKS, theme.CYCLE), strict=False):
-        rows = [row for row in _good(table) if row.design == design]
+        rows = [row for row in table.good if row.design == design]
         axes.plot(*_points(rows, across, up), mark, color=colour, ms=2.5, alpha=0.35, mew=0)
         best = [row for row in front if row.design == design]
         axes.plot(*_points(best, across, up), mark, color=colour, ms=5, mec=theme.INK, mew=0.5)
@@ -163,8 +161,8 @@ def pareto_figure(study: Study, table: Table, front: Sequence[Row], chosen: Sequ
         axes.annotate(letter(k), at, (5, 4), textcoords="offset points", fontsize=8, weight="bold")
     if len(study.objectives) == 2:
         axes.plot(*_points(front, across, up), "-", color=theme.INK, lw=0.8, label="front", zorder=1)
-    axes.set_xlabel(f"{_label(table, across)}: {study.objectives[across]}")
-    axes.set_ylabel(f"{_label(table, up)}: {study.objectives[up]}")
+    axes.set_xlabel(f"{axis_label(table, across)}: {study.objectives[across]}")
+    axes.set_ylabel(f"{axis_label(table, up)}: {study.objectives[up]}")
     axes.legend(loc="best")
     return figure
 
@@ -194,31 +192,17 @@ def tornado_figure(result: str, influences: Sequence[Influence]) -> Figure:
     return figure
 
 
-def _good(table: Table) -> list[Row]:
-    return [row for row in table.rows if not row.problem]
-
-
-def _shown(row: Row, result: str) -> float:
-    return row.shown(result)
-
-
 def _value(row: Row, name: str) -> float:
-    return float(row.inputs[name]) if name in row.inputs else _shown(row, name)
+    return float(row.inputs[name]) if name in row.inputs else row.shown(name)
 
 
 def _points(rows: Sequence[Row], across: str, up: str) -> tuple[list[float], list[float]]:
-    return [_shown(row, across) for row in rows], [_shown(row, up) for row in rows]
+    return [row.shown(across) for row in rows], [row.shown(up) for row in rows]
 
 
 def _numeric(table: Table, path: str) -> bool:
     values = [row.inputs[path] for row in table.rows]
     return all(isinstance(value, int | float) and not isinstance(value, bool) for value in values)
-
-
-def _label(table: Table, name: str) -> str:
-    if name not in table.results:
-        return name
-    return f"{heading(name)} [{result_unit(table, name) or '-'}]"
 
 
 def _wrapped(label: str) -> str:

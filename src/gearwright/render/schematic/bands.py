@@ -10,7 +10,7 @@ from matplotlib.patches import Polygon, Rectangle
 
 from gearwright.render.schematic.glyphs import tinted
 from gearwright.render.schematic.layout import Layout, pair_meshes
-from gearwright.render.schematic.power import NOTHING, Feed, Stretch
+from gearwright.render.schematic.power import NOTHING, Feed, Stretch, Traced
 from gearwright.render.style import theme
 from gearwright.train import PowerFlow, Train
 
@@ -51,21 +51,18 @@ def source_colours(train: Train, flow: PowerFlow, kinds: Mapping[str, str]) -> d
     return colours
 
 
-def band_scale(stretches: Sequence[Stretch], feeds: Sequence[Feed]) -> float:
+def band_scale(traced: Traced) -> float:
     """Return width over power [mm/W].
 
     Args:
-        stretches: Of all shafts.
-        feeds: Of all parts.
+        traced: From `trace_power`.
     """
-    largest = max(
-        [abs(stretch.power) for stretch in stretches] + [abs(feed.branch.power) for feed in feeds], default=0.0
-    )
+    powers = [stretch.power for stretch in traced.stretches] + [feed.branch.power for feed in traced.feeds]
+    largest = max(map(abs, powers), default=0.0)
     return WIDEST / largest if largest else 0.0
 
 
-def draw_bands(pen: Pen, train: Train, flow: PowerFlow, layout: Layout,
-               traced: tuple[Sequence[Stretch], Sequence[Feed]]) -> None:  # fmt: skip
+def draw_bands(pen: Pen, train: Train, flow: PowerFlow, *, layout: Layout, traced: Traced) -> None:
     """Draw the power of every shaft, of every mesh between axes, and of machines around their shafts.
 
     Args:
@@ -73,19 +70,19 @@ def draw_bands(pen: Pen, train: Train, flow: PowerFlow, layout: Layout,
         train: The graph.
         flow: The case.
         layout: Where everything stands.
-        traced: Stretches and feeds of `trace_power`.
+        traced: From `trace_power`.
     """
-    stretches, feeds = traced
-    for stretch in stretches:
+    for stretch in traced.stretches:
         if abs(stretch.power) * pen.scale > WIDEST * NOTHING:
-            _along(pen, stretch, layout, stretches)
+            _along(pen, stretch, layout, traced.stretches)
     for mesh in pair_meshes(train):
         power = flow.meshes[mesh.name].tooth_power
-        start, end = (layout.heights[node] for node in (mesh.nodes[:2] if power > 0.0 else mesh.nodes[1::-1]))
-        driver = mesh.nodes[0] if power > 0.0 else mesh.nodes[1]
-        shares = next(f.sources for f in feeds if f.branch.shaft == driver and f.branch.stage == mesh.stage)
-        _across(pen, layout.places[mesh.stage].x, (start, end), (abs(power), shares))
-    for feed in feeds:
+        if abs(power) * pen.scale > WIDEST * NOTHING:
+            driver, driven = mesh.nodes[:2] if power > 0.0 else mesh.nodes[1::-1]
+            feed = next(f for f in traced.feeds if f.branch.shaft == driver and f.branch.stage == mesh.stage)
+            start, end = layout.heights[driver], layout.heights[driven]
+            _across(pen, layout.places[mesh.stage].x, abs(power), start=start, end=end, shares=feed.sources)
+    for feed in traced.feeds:
         start, end = layout.spans[feed.branch.shaft]
         if feed.branch.kind == "machine" and start < feed.x < end:
             y = layout.heights[feed.branch.shaft]
@@ -151,12 +148,9 @@ def spots(stretch: Stretch, layout: Layout) -> list[float]:
     return sorted(free, key=lambda gap: (abs(gap - middle), gap)) or [middle]
 
 
-def _across(pen: Pen, x: float, ends: tuple[float, float], carried: tuple[float, Mapping[str, float]]) -> None:
+def _across(pen: Pen, x: float, power: float, *, start: float, end: float, shares: Mapping[str, float]) -> None:
     """Draw power from one height to another."""
-    power, shares = carried
-    width, (start, end) = power * pen.scale, ends
-    if width <= WIDEST * NOTHING:
-        return
+    width = power * pen.scale
     left = x - width / 2.0
     for name, share in shares.items():
         _patch(pen, (left, min(start, end), share * width, abs(end - start)), name, ABOVE_GEARS)

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping
 from matplotlib.axes import Axes
 
 from gearwright.render.schematic import glyphs
-from gearwright.render.schematic.layout import Layout, element, pair_meshes
+from gearwright.render.schematic.layout import Layout, centre_distance, element, pair_meshes
 from gearwright.spec import GROUND
 from gearwright.train import INTERNAL, Attachment, Gear, Mesh, Train, attachments
 
@@ -124,8 +124,7 @@ def drawn_radii(mesh: Mesh, layout: Layout) -> tuple[float, float]:
         layout: Where everything stands.
     """
     first, second = (layout.outlines[gear].radius for gear in mesh.gears)
-    apart = abs(layout.heights[mesh.nodes[0]] - layout.heights[mesh.nodes[1]])
-    scale = apart / abs(second - mesh.sign * first)
+    scale = abs(layout.heights[mesh.nodes[0]] - layout.heights[mesh.nodes[1]]) / centre_distance(mesh, layout.outlines)
     return first * scale, second * scale
 
 

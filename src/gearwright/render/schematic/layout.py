@@ -107,7 +107,7 @@ def lay_out(train: Train, gears: Sequence[GearSizing], kinds: Mapping[str, str])
     axis = _axes(train, seats)
     heights = _heights(train, axis, outlines)
     scale = _scale(heights, outlines)
-    places = _places(train, seats, axis, (outlines, scale, kinds))
+    places = _places(train, seats, axis, outlines=outlines, scale=scale, kinds=kinds)
     spans = {shaft: _span(shaft, seats, places) for shaft in axis}
     return Layout(
         places=places,
@@ -178,8 +178,8 @@ def _heights(train: Train, axis: Mapping[str, int], outlines: Mapping[str, Outli
             for known, new in (ends, ends[::-1]):
                 if mesh.stage == stage and known in heights and new not in heights:
                     joined.setdefault(new, []).append((known, centre_distance(mesh, outlines)))
-        for rank, (new, origins) in enumerate(joined.items()):
-            heights[new], direction[new] = _height(origins, heights, direction, (rank, len(joined)))
+        for place, (new, origins) in enumerate(joined.items()):
+            heights[new], direction[new] = _height(origins, heights, direction, place=place, among=len(joined))
     for shaft in axis:
         if axis[shaft] not in heights:
             heights[axis[shaft]] = min(heights.values()) - max(outline.radius for outline in outlines.values())
@@ -192,14 +192,13 @@ def _is_open(mesh: Mesh, axis: Mapping[str, int], heights: Mapping[int, float]) 
 
 def _height(
     origins: list[tuple[int, float]], heights: Mapping[int, float], direction: Mapping[int, float],
-    rank: tuple[int, int],
+    *, place: int, among: int,
 ) -> tuple[float, float]:  # fmt: skip
-    """Return height and direction of a new axis."""
+    """Return height and direction of a new axis: the place-th among those that one stage joins."""
     if len(origins) > 1:
         folded = [heights[known] - (distance if heights[known] > 0.0 else -distance) for known, distance in origins]
         return sum(folded) / len(folded), 0.0
     known, distance = origins[0]
-    place, among = rank
     side = direction[known] or -1.0 if among == 1 else (1.0, -1.0)[place % 2]
     return heights[known] + side * distance * (1 + place // 2), side
 
@@ -219,13 +218,11 @@ def _scale(heights: Mapping[int, float], outlines: Mapping[str, Outline]) -> flo
 
 def _places(
     train: Train, seats: Sequence[Attachment], axis: Mapping[str, int],
-    look: tuple[Mapping[str, Outline], float, Mapping[str, str]],
+    *, outlines: Mapping[str, Outline], scale: float, kinds: Mapping[str, str],
 ) -> dict[str, Place]:  # fmt: skip
     """Return the columns: from the turbines on, machines before their stages, propellers last."""
-    outlines, scale, kinds = look
     distance = _distances(train, seats, kinds)
     machines = set(train.machines)
-
     leaf = _leaves(seats, distance, kinds, machines)
 
     def rank(name: str) -> tuple[int, int]:

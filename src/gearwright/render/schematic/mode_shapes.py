@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -52,7 +53,7 @@ def drawn_modes_figure(sizing: Sizing, system: System, modes: Modes, *, numbers:
         _draw_skeleton(row[0], sizing, layout, motion)
         row[0].set_title(f"{number}:  {modes.frequency[number - 1]:.4g} Hz")
         for axes, name in zip(row[1:], sets, strict=True):
-            _draw_front(axes, sizing, name, (motion, scale))
+            _draw_front(axes, sizing, name, motion=motion, scale=scale)
             axes.set_title(name, fontsize=7.5, weight="normal")
     figure.supxlabel(
         "dots: kinetic energy of rotation; blue and orange: the two senses; sets: common scale", fontsize=6.5
@@ -127,51 +128,61 @@ def _radii(sizing: Sizing, stage: str) -> Mapping[str, float]:
 def _scale(sizing: Sizing, motion: _Motion) -> float:
     """Return paper over motion for all planetary sets of a mode; zero if they stand still."""
     sets = [(_radii(sizing, stage), stage) for stage in sizing.design.planetaries]
-    largest = max((_reach(disc) for radii, stage in sets for disc in _discs(sizing, stage, radii, motion)), default=0.0)
+    largest = max((disc.reach for radii, stage in sets for disc in _discs(sizing, stage, radii, motion)), default=0.0)
     names = motion.system.labels.coordinates
     energy = sum(motion.share(name) for name in names if name.partition(".")[0] in sizing.design.planetaries)
     return SHOWN * min(radii["planet"] for radii, _ in sets) / largest if energy > QUIET else 0.0
 
 
-def _reach(disc: _Disc) -> float:
-    _, shift, radius, turn = disc
-    return max(math.hypot(*shift), radius * abs(turn))
+class _Disc(NamedTuple):
+    """A gear of a planetary set from the front, and how a mode moves it."""
+
+    centre: tuple[float, float]
+    """(x, y) at rest [m]."""
+    shift: tuple[float, float]
+    """Displacement of the centre in the mode's own scale."""
+    radius: float
+    """[m]"""
+    turn: float
+    """Rotation in the mode's own scale."""
+
+    @property
+    def reach(self) -> float:
+        """Largest displacement, of the centre or the rim."""
+        return max(math.hypot(*self.shift), self.radius * abs(self.turn))
 
 
-def _draw_front(axes: Axes, sizing: Sizing, stage: str, shown: tuple[_Motion, float]) -> None:
+def _draw_front(axes: Axes, sizing: Sizing, stage: str, *, motion: _Motion, scale: float) -> None:
     """Draw a planetary set from the front, at rest in grey and displaced in colour."""
     axes.set_axis_off()
     axes.grid(visible=False)
     axes.set_aspect("equal")
-    motion, scale = shown
     radii = _radii(sizing, stage)
     for disc in _discs(sizing, stage, radii, motion):
-        centre, shift, radius, turn = disc
-        moved = (centre[0] + scale * shift[0], centre[1] + scale * shift[1])
-        still = scale * _reach(disc) < STILL * radii["planet"]
-        colour = theme.MUTED if still else theme.BLUE if turn >= 0.0 else theme.ORANGE
-        _draw_disc(axes, centre, (radius, 0.0), theme.HAIR)
-        _draw_disc(axes, moved, (radius, scale * turn), colour)
+        moved = _Disc(
+            (disc.centre[0] + scale * disc.shift[0], disc.centre[1] + scale * disc.shift[1]),
+            (0.0, 0.0), disc.radius, scale * disc.turn,
+        )  # fmt: skip
+        still = scale * disc.reach < STILL * radii["planet"]
+        colour = theme.MUTED if still else theme.BLUE if disc.turn >= 0.0 else theme.ORANGE
+        _draw_disc(axes, disc._replace(turn=0.0), theme.HAIR)
+        _draw_disc(axes, moved, colour)
     reach = 1.25 * radii["ring"]
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
 
 
-def _draw_disc(axes: Axes, centre: tuple[float, float], of: tuple[float, float], colour: str) -> None:
+def _draw_disc(axes: Axes, disc: _Disc, colour: str) -> None:
     """Draw a circle with a spoke that points up when it is not turned."""
-    radius, turn = of
-    axes.add_patch(Circle(centre, radius, fc="none", ec=colour, lw=1.0))
-    tip = (centre[0] - radius * math.sin(turn), centre[1] + radius * math.cos(turn))
-    axes.plot([centre[0], tip[0]], [centre[1], tip[1]], color=colour, lw=1.0)
-
-
-_Disc = tuple[tuple[float, float], tuple[float, float], float, float]
-"""Centre, displacement, radius [m] and rotation."""
+    (x, y), radius = disc.centre, disc.radius
+    axes.add_patch(Circle(disc.centre, radius, fc="none", ec=colour, lw=1.0))
+    tip = (x - radius * math.sin(disc.turn), y + radius * math.cos(disc.turn))
+    axes.plot([x, tip[0]], [y, tip[1]], color=colour, lw=1.0)
 
 
 def _discs(sizing: Sizing, stage: str, radii: Mapping[str, float], motion: _Motion) -> Iterator[_Disc]:
     for name in ("ring", "sun"):
         shift = (motion.of(f"{stage}.{name}.x"), motion.of(f"{stage}.{name}.y"))
-        yield (0.0, 0.0), shift, radii[name], motion.of(f"{stage}.{name}")
+        yield _Disc((0.0, 0.0), shift, radii[name], motion.of(f"{stage}.{name}"))
     arm, carrier = radii["sun"] + radii["planet"], motion.of(f"{stage}.carrier")
     for k, angle in enumerate(even_positions(sizing.design.planetaries[stage].planets), start=1):
         planet, cosine, sine = f"{stage}.planet-{k}", math.cos(angle), math.sin(angle)
@@ -179,4 +190,4 @@ def _discs(sizing: Sizing, stage: str, radii: Mapping[str, float], motion: _Moti
         along = motion.of(f"{planet}.tangential") or arm * carrier
         out = motion.of(f"{planet}.radial")
         shift = (out * cosine - along * sine, out * sine + along * cosine)
-        yield (arm * cosine, arm * sine), shift, radii["planet"], motion.of(planet)
+        yield _Disc((arm * cosine, arm * sine), shift, radii["planet"], motion.of(planet))

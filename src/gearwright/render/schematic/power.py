@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -46,12 +47,21 @@ class Feed:
     """Machine -> share of the power [-]."""
 
 
+class Traced(NamedTuple):
+    """The power of a load case on its way."""
+
+    stretches: list[Stretch]
+    """Of all shafts."""
+    feeds: list[Feed]
+    """Of all parts."""
+
+
 Node = tuple[str, float]
 """Shaft and column, or the name of a part with no column."""
 Edge = tuple[Node, Node, float]
 
 
-def trace_power(train: Train, flow: PowerFlow, layout: Layout) -> tuple[list[Stretch], list[Feed]]:
+def trace_power(train: Train, flow: PowerFlow, layout: Layout) -> Traced:
     """Return what every stretch of every shaft carries, and what every part gives to its shaft, with the sources.
 
     Power that meets at a place mixes: what goes on has the shares of what came in.
@@ -62,18 +72,17 @@ def trace_power(train: Train, flow: PowerFlow, layout: Layout) -> tuple[list[Str
         layout: Where everything stands.
     """
     on = [branch for branch in branches(train, flow) if branch.shaft != GROUND]
-    pieces = [piece for shaft in layout.spans for piece in _pieces(shaft, on, layout)]
-    edges: list[Edge] = [_directed((p[0], p[1]), (p[0], p[2]), p[4]) for p in pieces]
+    pieces = [piece for shaft in layout.spans for piece in _pieces(shaft, on, flow, layout)]
+    edges = [_directed((piece.shaft, piece.start), (piece.shaft, piece.end), piece.power) for piece in pieces]
     edges += [_directed((_part(branch), 0.0), (branch.shaft, _column(branch, layout)), branch.power) for branch in on]
     largest = max((edge[2] for edge in edges), default=0.0)
     shares = _shares([edge for edge in edges if edge[2] > NOTHING * largest], list(train.machines))
     stretches = [
-        Stretch(shaft, start, end, flow.speeds[shaft], torque, power,
-                shares.get((shaft, start if power > 0.0 else end), {}))
-        for shaft, start, end, torque, power in pieces
-    ]  # fmt: skip
+        replace(piece, sources=shares.get((piece.shaft, piece.start if piece.power > 0.0 else piece.end), {}))
+        for piece in pieces
+    ]
     feeds = [Feed(branch, _column(branch, layout), shares.get(_upstream(branch, layout), {})) for branch in on]
-    return stretches, feeds
+    return Traced(stretches, feeds)
 
 
 def _part(branch: Branch) -> str:
@@ -88,14 +97,13 @@ def _upstream(branch: Branch, layout: Layout) -> Node:
     return (_part(branch), 0.0) if branch.power > 0.0 else (branch.shaft, _column(branch, layout))
 
 
-def _pieces(shaft: str, on: Sequence[Branch], layout: Layout) -> list[tuple[str, float, float, float, float]]:
-    """Return (shaft, start, end, torque, power to the right) of every piece: what the parts to its left give."""
+def _pieces(shaft: str, on: Sequence[Branch], flow: PowerFlow, layout: Layout) -> Iterator[Stretch]:
+    """Yield every piece of a shaft with what the parts to its left give, its sources still open."""
     columns = sorted({_column(branch, layout) for branch in on if branch.shaft == shaft})
-    pieces = []
     for start, end in pairwise(columns):
         left = [branch for branch in on if branch.shaft == shaft and _column(branch, layout) <= start]
-        pieces.append((shaft, start, end, sum(branch.torque for branch in left), sum(branch.power for branch in left)))
-    return pieces
+        torque, power = sum(branch.torque for branch in left), sum(branch.power for branch in left)
+        yield Stretch(shaft, start, end, flow.speeds[shaft], torque, power, {})
 
 
 def _directed(origin: Node, to: Node, power: float) -> Edge:

@@ -57,14 +57,14 @@ def power_flow_figure(sizing: Sizing, case: str) -> Figure:
     """
     flow = by_name(case, sizing.flows, "case")
     board, train, layout, kinds = _start(sizing)
-    stretches, feeds = trace_power(train, flow, layout)
-    pen = Pen(board.axes, band_scale(stretches, feeds), source_colours(train, flow, kinds))
+    traced = trace_power(train, flow, layout)
+    pen = Pen(board.axes, band_scale(traced), source_colours(train, flow, kinds))
     opened = [joint.name for joint in train.joints if joint.name not in flow.joints]
     draw_train(board.axes, train, layout, kinds=kinds, open_clutches=opened)
-    draw_bands(pen, train, flow, layout, (stretches, feeds))
+    draw_bands(pen, train, flow, layout=layout, traced=traced)
     board.take_parts()
-    _name_machines(board, train, layout, _machine_texts(feeds, layout))
-    _label_stretches(board, pen, layout, stretches)
+    _name_machines(board, train, layout, _machine_texts(traced.feeds, layout))
+    _label_stretches(board, pen, layout, traced.stretches)
     _number_teeth(board, train, layout, sizing)
     _caption_stages(board, layout, sizing)
     legend = {f"{name} {text(flow.machine_powers[name], 'power')}": colour for name, colour in pen.colours.items()}

@@ -17,6 +17,7 @@ import matplotlib as mpl
 from cycler import cycler
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from gearwright.verbs import verb
 
@@ -121,6 +122,27 @@ def sheet(width: float, height: float) -> Figure:
         height: Of the paper [mm].
     """
     return Figure(figsize=(width / INCH, height / INCH), layout="constrained")
+
+
+def tiles(
+    count: int, columns: int, *, frame: float, row: float, sharex: bool = False, sharey: bool = False
+) -> tuple[Figure, NDArray[Any]]:
+    """Return a figure as wide as a page and its panels in rows; those that are left over stay empty.
+
+    Args:
+        count: Of panels that are drawn.
+        columns: Panels side by side.
+        frame: Height of all that stands outside the rows [mm].
+        row: Height of a row [mm].
+        sharex: One scale along x for all.
+        sharey: One scale along y for all.
+    """
+    rows = max(1, -(-count // columns))
+    figure = sheet(WIDTH, frame + row * rows)
+    grid = figure.subplots(rows, columns, squeeze=False, sharex=sharex, sharey=sharey)
+    for axes in grid.flat[count:]:
+        axes.set_axis_off()
+    return figure, grid
 
 
 def only_grid(axes: Axes, axis: str) -> None:
