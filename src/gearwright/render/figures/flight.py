@@ -71,8 +71,7 @@ def _panels(flight: Flight, heights: Sequence[float]) -> tuple[Figure, list[Axes
         for part in parts[1:]:
             panel.axvline(part.start, color=theme.HAIR, lw=0.8, zorder=0)
         panel.grid(visible=False, axis="x")
-    axes[-1].set_xlim(0.0, end)
-    axes[-1].set_xlabel("time [min]")
+    axes[-1].set(xlim=(0.0, end), xlabel="time [min]")
     return figure, axes[1:]
 
 
@@ -201,8 +200,7 @@ def _charge(flight: Flight, time: Array, panels: Sequence[Axes]) -> None:
     charge.plot(time, 100.0 * history["state_of_charge"], color=theme.ORANGE)
     charge.axhline(100.0 * rules.least_charge, color=theme.MUTED, lw=0.7, ls="--")
     charge.annotate("must remain", (0.0, 100.0 * rules.least_charge), (3, 2), textcoords="offset points", fontsize=7.0)
-    charge.set_ylim(0.0, 105.0)
-    charge.set_ylabel("state of\ncharge [%]")
+    charge.set(ylim=(0.0, 105.0), ylabel="state of\ncharge [%]")
     capacity = 2.0 * rules.energy / (rules.full_voltage_v + rules.empty_voltage_v)
     volts.plot(time, history["battery_voltage"], color=theme.PURPLE)
     volts.set_ylabel("terminal\nvoltage [V]")
@@ -223,8 +221,7 @@ def heat_figure(flight: Flight) -> Figure:
     kinds = {name: look for name, look in LOSSES.items() if history[name].any()}
     words, colours = zip(*kinds.values(), strict=True)
     losses.stackplot(time, [history[name] / _KILO for name in kinds], lw=0.0, colors=colours, labels=words)
-    losses.set_ylabel("heat of the\ngearbox [kW]")
-    losses.set_ylim(0.0, 1.25 * float(history["gearbox_heat"].max()) / _KILO)
+    losses.set(ylabel="heat of the\ngearbox [kW]", ylim=(0.0, 1.25 * float(history["gearbox_heat"].max()) / _KILO))
     losses.legend(loc="upper right", ncols=4)
     taken, delivered = flight.passed()
     share.plot(time, 100.0 * delivered / taken, color=theme.INK)

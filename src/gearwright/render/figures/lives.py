@@ -39,9 +39,7 @@ def spectrum_figure(flight: Flight) -> Figure:
     panels = figure.subplots(1, len(drawn), squeeze=False)[0]
     for panel, (title, label, duties) in zip(panels, drawn, strict=True):
         _spectrum(panel, duties)
-        panel.set_title(title)
-        panel.set_ylabel(label)
-        panel.set_xlabel("turns at this load or more [-]")
+        panel.set(title=title, ylabel=label, xlabel="turns at this load or more [-]")
     return figure
 
 
@@ -95,8 +93,7 @@ def life_figure(parts: Durability) -> Figure:
     for mode in dict.fromkeys(row.mode for row in rows):
         axes.barh([0], [0.0], color=MODE_COLOURS[mode], label=mode)
     axes.set_yticks(range(len(rows)), [row.name for row in rows])
-    axes.set_xscale("log")
-    axes.set_xlim(1.0, 1e4 * max(row.flights for row in rows))
+    axes.set(xscale="log", xlim=(1.0, 1e4 * max(row.flights for row in rows)))
     axes.invert_yaxis()
     axes.set_xlabel("flights until Miner's sum is 1 [-]")
     axes.legend(loc="upper right")

@@ -87,6 +87,5 @@ def _draw_tracks(axes: Axes, run_up: RunUp, line: str, rpm: Floats) -> None:
     for place in sorted(strongest):
         axes.plot(rpm, tracks[:, place], label=run_up.orders[place])
     axes.plot(rpm, run_up.swing[:, number], color=theme.INK, lw=1.4, label="all, rms")
-    axes.set(ylabel="amplitude [N]", ylim=(0.0, None))
-    axes.set_title("Orders")
+    axes.set(ylabel="amplitude [N]", ylim=(0.0, None), title="Orders")
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))

@@ -60,8 +60,7 @@ def time_figure(trace: Trace) -> Figure:
     for row, unit in zip(grid, units, strict=True):
         for axes, samples in zip(row, stretches, strict=True):
             _draw_lines(axes, samples, unit, len(samples.time) if samples is trace.samples else CLOSE_STEPS)
-        row[0].set_ylabel(_KINDS[unit][1])
-        row[0].set_title(_KINDS[unit][0])
+        row[0].set(ylabel=_KINDS[unit][1], title=_KINDS[unit][0])
         row[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     if trace.windows:
         grid[0, 1].set_title("Its end, every step")

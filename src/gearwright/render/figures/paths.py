@@ -81,8 +81,7 @@ def phase_figure(samples: Samples, lines: Sequence[str]) -> Figure:
     for axes, line in zip(grid.flat, lines, strict=False):
         deflection = samples.deflection(line)
         axes.plot(1e6 * deflection, 1e3 * np.gradient(deflection, samples.time), lw=0.5)
-        axes.set_title(line)
-        axes.set_xlabel("deflection [µm]")
+        axes.set(title=line, xlabel="deflection [µm]")
         if np.min(deflection) < 0.0:
             axes.axvline(0.0, color=theme.ORANGE, lw=0.9)
     for axes in grid[:, 0]:

@@ -139,8 +139,7 @@ def _flows(axes: Axes, flows: Energies, unit: float) -> None:
         _band(axes, (third, gearbox_top - used), (second + _NODE, motors_top - battery), generated, theme.PURPLE)
         sinks.draw(flows.lost, second + _NODE, motors_top - electric, motors_top - electric)
     sinks.label()
-    axes.set_xlim(0.0, 1.2)
-    axes.set_ylim(min(motors_top - max(battery, lost), sinks.lowest) - 0.03, 0.08)
+    axes.set(xlim=(0.0, 1.2), ylim=(min(motors_top - max(battery, lost), sinks.lowest) - 0.03, 0.08))
     axes.axis("off")
 
 

@@ -44,8 +44,7 @@ def sharing_figure(sharings: Mapping[str, LoadSharing]) -> Figure:
     panels = figure.subplots(len(sharings), 1, sharex=True, squeeze=False)[:, 0]
     for axes, (title, sharing) in zip(panels, sharings.items(), strict=True):
         _draw_sharing(axes, sharing)
-        axes.set_title(title)
-        axes.set_ylabel("sharing coefficient b [-]")
+        axes.set(title=title, ylabel="sharing coefficient b [-]")
     panels[0].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     panels[-1].set_xlabel("time [s]")
     return figure
@@ -106,8 +105,7 @@ def orbit_figure(problem: SharingProblem, shafts: Sequence[str], time: Floats) -
         moved = _displacement(problem, shaft, time) / MICROMETRE
         axes.plot(moved[:, 0], moved[:, 1], lw=0.7)
         axes.plot(*np.mean(moved, axis=0), "o", color=theme.ORANGE, ms=3.0)
-        axes.set_title(shaft)
-        axes.set_xlabel("first axis across [µm]")
+        axes.set(title=shaft, xlabel="first axis across [µm]")
         axes.set_aspect("equal", adjustable="datalim")
     panels[0].set_ylabel("second axis across [µm]")
     return figure

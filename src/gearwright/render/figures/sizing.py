@@ -56,8 +56,7 @@ def mass_figure(sizing: Sizing) -> Figure:
             axes.barh([0], [0.0], color=_GROUP_COLOURS[group], label=f"{group}  {total:.2f} kg")
     axes.legend(loc="lower right")
     axes.invert_yaxis()
-    axes.set_xlim(0.0, max(part.total for part in parts) * 1.18)
-    axes.set_xlabel(f"mass [kg]. {NOT_IN_THE_MASS}")
+    axes.set(xlim=(0.0, max(part.total for part in parts) * 1.18), xlabel=f"mass [kg]. {NOT_IN_THE_MASS}")
     parts_mass = f", parts {sizing.parts_mass:.2f} kg" if sizing.mass != sizing.parts_mass else ""
     axes.set_title(f"Mass {sizing.mass:.2f} kg{parts_mass}, {sizing.power_density / 1e3:.1f} kW/kg")
     theme.only_grid(axes, "x")

@@ -131,8 +131,7 @@ def contour_figure(table: Table, result: str) -> Figure:
     filled = axes.tricontourf(x, y, z, levels=12, cmap="cividis")
     axes.plot(x, y, ".", color=theme.PAPER, ms=1.5, alpha=0.6)
     figure.colorbar(filled, ax=axes, label=axis_label(table, result))
-    axes.set_xlabel(across)
-    axes.set_ylabel(up)
+    axes.set(xlabel=across, ylabel=up)
     return figure
 
 

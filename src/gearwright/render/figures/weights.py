@@ -214,8 +214,7 @@ def _log_axes(axes: Axes, x: str, y: str) -> None:
         axes.yaxis.set_minor_locator(FixedLocator([]))
     axes.xaxis.set_major_formatter(ScalarFormatter())
     axes.xaxis.set_minor_locator(FixedLocator([]))
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
+    axes.set(xlabel=x, ylabel=y)
     axes.grid(color="0.9")
     _bare(axes)
 

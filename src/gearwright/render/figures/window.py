@@ -47,8 +47,7 @@ def _speeds(axes: Axes, trace: Trace) -> None:
     for name, speed in _drive_histories(trace.samples, "speed").items():
         label = f"{name}, {shown(float(speed[0]), 'speed'):.0f} rpm"
         axes.plot(trace.samples.time, 100.0 * (speed / speed[0] - 1.0), label=label, lw=0.9)
-    axes.set_title("Speeds over those at the start")
-    axes.set_ylabel("[%]")
+    axes.set(title="Speeds over those at the start", ylabel="[%]")
     axes.legend(loc="best", fontsize=6.5)
 
 
@@ -56,8 +55,7 @@ def _pitches(axes: Axes, window: DynamicWindow) -> None:
     samples = window.trace.samples
     for name, pitch in _drive_histories(samples, "pitch").items():
         axes.plot(samples.time, np.degrees(pitch), color=theme.GREEN, label=f"{name} pitch")
-    axes.set_title("Pitch and torque of the propeller")
-    axes.set_ylabel("pitch [°]")
+    axes.set(title="Pitch and torque of the propeller", ylabel="pitch [°]")
     other = axes.twinx()
     other.grid(visible=False)
     other.spines["right"].set_visible(True)
@@ -79,8 +77,7 @@ def _bands(axes: Axes, trace: Trace, unit: str) -> None:
         lowest, highest = np.min([bin["least"] for bin in bins], 0), np.max([bin["most"] for bin in bins], 0)
         axes.fill_between(middle, lowest / 1e3, highest / 1e3, color=colour, alpha=0.25, lw=0.0)
         axes.plot(middle, bins[0]["mean"] / 1e3, color=colour, lw=0.9, label=family)
-    axes.set_title("Shaft torques" if unit == "rad" else "Mesh forces")
-    axes.set_ylabel("[kN m]" if unit == "rad" else "[kN]")
+    axes.set(title="Shaft torques" if unit == "rad" else "Mesh forces", ylabel="[kN m]" if unit == "rad" else "[kN]")
     axes.legend(loc="best", fontsize=6.0, ncols=2)
 
 
