@@ -14,12 +14,14 @@ from gearwright.machines.governor import (
 from gearwright.machines.hamilton_standard import SMALL_THRUST, Blades, Charts, compressibility, performance
 from gearwright.machines.motor import (
     LENGTH_RATIO,
+    MotorLosses,
     motor_diameter,
+    motor_loss,
     motor_mass_ndarc,
     motor_mass_power_law,
+    rated_losses,
     rotor_inertia,
 )
-from gearwright.machines.motor_efficiency import MotorLosses, motor_loss, rated_losses
 from gearwright.machines.propeller_map import (
     INSIDE,
     PropellerMap,

@@ -3,7 +3,6 @@
 The mass that follows from a design's own parts is `sizing`'s.
 """
 
-from gearwright.weights.brown import EXISTING_GEARBOXES, mass_brown
 from gearwright.weights.comparison import Comparison, StatedMass, compare
 from gearwright.weights.engine_check import (
     COLUMNS,
@@ -14,14 +13,19 @@ from gearwright.weights.engine_check import (
     checked_engines,
     gearbox_mass,
 )
+from gearwright.weights.laws import (
+    EXISTING_GEARBOXES,
+    mass_afdd00,
+    mass_afdd83,
+    mass_brown,
+    mass_tm215680,
+    mass_wate2,
+)
 from gearwright.weights.method import Coverage, Estimate, Range, estimate
 from gearwright.weights.methods import methods
-from gearwright.weights.ndarc import mass_afdd00, mass_afdd83
 from gearwright.weights.refit import LogLine, bands, log_line, mass_refit, refit
 from gearwright.weights.requirement import Requirement, beta, from_beta
 from gearwright.weights.scoreboard import Score, corners, left_out_scatter, middle, scores
-from gearwright.weights.tm215680 import mass_tm215680
-from gearwright.weights.wate2 import mass_wate2
 from gearwright.weights.willis import bracket_epicyclic, bracket_planetary, lightest_planet
 
 __all__ = [

@@ -16,7 +16,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from gearwright.catalogue import Engine, Printed, engines
-from gearwright.weights.ndarc import mass_afdd00
+from gearwright.weights.laws import mass_afdd00
 
 _COLUMNS: dict[str, tuple[str, str, str]] = {
     "gearbox_mass_kg": ("m_GB", "kg", "NASA'15 at the engine speed of the series"),

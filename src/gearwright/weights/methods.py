@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import cache, partial
 
 from gearwright.units import HORSEPOWER
-from gearwright.weights import brown, ndarc, tm215680, wate2, willis
+from gearwright.weights import laws, willis
 from gearwright.weights.method import Coverage, Method, Range
 from gearwright.weights.refit import mass_refit, refit, refit_range
 from gearwright.weights.requirement import Requirement
@@ -59,8 +59,8 @@ def _tm215680() -> Method:
         source="NASA/TM-2009-215680, figure of gearbox weights",
         basis="the same weights of more than fifty gearboxes, fitted by a line in β",
         includes=_WITH_LUBRICATION,
-        mass=lambda need: tm215680.mass_tm215680(need.beta),
-        ranges=(Range("beta", tm215680.LEAST_BETA, tm215680.GREATEST_BETA, "weights of the figure"),),
+        mass=lambda need: laws.mass_tm215680(need.beta),
+        ranges=(Range("beta", laws.LEAST_BETA, laws.GREATEST_BETA, "weights of the figure"),),
     )
 
 
@@ -73,7 +73,7 @@ def _ndarc() -> tuple[Method, Method]:
             source="Johnson 2015, NASA/TP-2015-218751; Pulvirenti 2023, eq. 1.1",
             basis="52 rotorcraft, mean error 8.6 %",
             includes=_AFDD00,
-            mass=_by_speeds(ndarc.mass_afdd00),
+            mass=_by_speeds(laws.mass_afdd00),
             assumes="N = 1 rotor",
         ),
         Method(
@@ -83,7 +83,7 @@ def _ndarc() -> tuple[Method, Method]:
             source="Johnson 2015, NASA/TP-2015-218751",
             basis="30 aircraft, mean error 7.7 %",
             includes=_AFDD83,
-            mass=_by_speeds(ndarc.mass_afdd83),
+            mass=_by_speeds(laws.mass_afdd83),
             assumes="f_Q = 3 %, N_gb = 1",
         ),
     )
@@ -97,7 +97,7 @@ def _wate2() -> Method:
         source="Plencner, Senty and Wickenheiser 1983, NASA TM-83458; Pulvirenti 2023, eq. 1.3",
         basis="in-line propeller gearboxes, data not published",
         includes=_UNSTATED,
-        mass=_by_speeds(wate2.mass_wate2),
+        mass=_by_speeds(laws.mass_wate2),
         ranges=(
             Range(
                 "power", 1000.0 * HORSEPOWER, 2500.0 * HORSEPOWER, "1000 to 2500 hp, Pulvirenti 2023", shows_beyond=True
@@ -108,8 +108,8 @@ def _wate2() -> Method:
 
 def _brown() -> tuple[Method, ...]:
     cases = (
-        ("brown94", brown.EXISTING_GEARBOXES, "existing gearboxes"),
-        ("brown72", brown.PUBLISHED_CONSTANT, "gearboxes of the study"),
+        ("brown94", laws.EXISTING_GEARBOXES, "existing gearboxes"),
+        ("brown72", laws.STUDY_CONSTANT, "gearboxes of the study"),
     )
     return tuple(
         Method(
@@ -119,7 +119,7 @@ def _brown() -> tuple[Method, ...]:
             source="Brown, Kascak, Ebihara et al. 2005, NASA/TM-2005-213800",
             basis="aircraft gearboxes, data not published with the law",
             includes=_UNSTATED,
-            mass=_by_speeds(partial(brown.mass_brown, constant=constant)),
+            mass=_by_speeds(partial(laws.mass_brown, constant=constant)),
             assumes=f"K = {constant:g} lb, {kind}",
         )
         for key, constant, kind in cases

@@ -13,6 +13,7 @@ from gearwright.parts.bearings.contact import (
 from gearwright.parts.bearings.distribution import RingLoad, load_distribution
 from gearwright.parts.bearings.life import (
     basic_life,
+    basic_reference_life,
     life_exponent,
     life_time,
     reliability_factor,
@@ -51,7 +52,6 @@ from gearwright.parts.bearings.rating import (
     roller_dynamic_factor,
     static_rating,
 )
-from gearwright.parts.bearings.reference_life import basic_reference_life
 from gearwright.parts.bearings.rolling_bearing import BearingGeometry, BearingKind
 
 __all__ = [

@@ -1,4 +1,4 @@
-"""Life of rolling bearings by ISO 281: basic, for a reliability, and of several together."""
+"""Life of rolling bearings by ISO 281: basic, for a reliability, of several together, and by the load of every ball."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.bearings.rolling_bearing import BearingKind
+from gearwright.parts.bearings.rolling_bearing import BearingGeometry, BearingKind
 
 MILLION = 1e6
 """Turns of one unit of rating life [-]."""
@@ -116,3 +117,23 @@ def system_life(lives: Sequence[float], slope: float | Sequence[float] = 10.0 / 
         if abs(step) < 1e-14:
             break
     return life
+
+
+def basic_reference_life(geometry: BearingGeometry, rating: float, force: NDArray[np.float64]) -> float:
+    """Return the basic reference rating life L_10r under a given share of the balls [10⁶ turns of the inner ring].
+
+    Args:
+        geometry: Rolling elements and grooves [m].
+        rating: C_r [N].
+        force: Loads of the balls [N], (Z,).
+
+    Source: ISO/TS 16281:2008, eqs (19)-(20) and (25)-(29), inner ring turning.
+    """
+    gamma, count = geometry.curvature_ratio, geometry.elements
+    rings = 1.044 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * geometry.conformity_ratio**0.41
+    ball = rating / (count * math.cos(geometry.contact_angle) ** 0.7 * geometry.rows**0.7)
+    inner = ball / 0.407 * (1.0 + rings ** (10.0 / 3.0)) ** 0.3
+    outer = ball / 0.389 * (1.0 + rings ** (-10.0 / 3.0)) ** 0.3
+    on_inner = np.mean(force**3) ** (1.0 / 3.0)
+    on_outer = np.mean(force ** (10.0 / 3.0)) ** 0.3
+    return float(((on_inner / inner) ** (10.0 / 3.0) + (on_outer / outer) ** (10.0 / 3.0)) ** -0.9)
