@@ -32,29 +32,30 @@ POUND_FORCE = POUND * GRAVITY
 HORSEPOWER = 550.0 * FOOT * POUND_FORCE
 """One mechanical horsepower in W."""
 
-_SUFFIXES: Mapping[str, Mapping[str, float]] = {
-    "angle": {"deg": math.pi / 180.0, "rad": 1.0},
-    "area": {"mm2": 1e-6, "m2": 1.0},
-    "density": {"kg_m3": 1.0},
-    "energy": {"j": 1.0, "kj": 1e3, "mj": 1e6, "kwh": KWH},
-    "force": {"n": 1.0, "kn": 1e3, "lbf": POUND_FORCE},
-    "frequency": {"hz": 1.0, "khz": 1e3},
-    "inertia": {"kg_m2": 1.0},
-    "length": {"mm": 1e-3, "m": 1.0, "um": 1e-6, "in": INCH, "ft": FOOT},
-    "life": {"h": 3600.0},
-    "mass": {"kg": 1.0, "g": 1e-3, "lb": POUND},
-    "power": {"kw": 1e3, "w": 1.0, "mw": 1e6, "hp": HORSEPOWER},
-    "slope": {"mrad": 1e-3},
-    "speed": {"rpm": RPM, "rad_s": 1.0},
-    "stiffness": {"n_m": 1.0, "n_um": 1e6, "n_mm": 1e3},
-    "stress": {"mpa": 1e6, "pa": 1.0, "gpa": 1e9, "psi": POUND_FORCE / INCH**2},
-    "time": {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
-    "torque": {"nm": 1.0, "knm": 1e3, "lbf_ft": POUND_FORCE * FOOT},
-    "torsional_stiffness": {"nm_rad": 1.0, "knm_rad": 1e3},
-    "velocity": {"m_s": 1.0, "km_h": 1.0 / 3.6, "kt": KNOT, "ft_min": FOOT / 60.0},
-    "volume": {"m3": 1.0, "l": 1e-3, "mm3": 1e-9},
-}
-SUFFIXES: Mapping[str, Mapping[str, float]] = MappingProxyType(_SUFFIXES)
+SUFFIXES: Mapping[str, Mapping[str, float]] = MappingProxyType(
+    {
+        "angle": {"deg": math.pi / 180.0, "rad": 1.0},
+        "area": {"mm2": 1e-6, "m2": 1.0},
+        "density": {"kg_m3": 1.0},
+        "energy": {"j": 1.0, "kj": 1e3, "mj": 1e6, "kwh": KWH},
+        "force": {"n": 1.0, "kn": 1e3, "lbf": POUND_FORCE},
+        "frequency": {"hz": 1.0, "khz": 1e3},
+        "inertia": {"kg_m2": 1.0},
+        "length": {"mm": 1e-3, "m": 1.0, "um": 1e-6, "in": INCH, "ft": FOOT},
+        "life": {"h": 3600.0},
+        "mass": {"kg": 1.0, "g": 1e-3, "lb": POUND},
+        "power": {"kw": 1e3, "w": 1.0, "mw": 1e6, "hp": HORSEPOWER},
+        "slope": {"mrad": 1e-3},
+        "speed": {"rpm": RPM, "rad_s": 1.0},
+        "stiffness": {"n_m": 1.0, "n_um": 1e6, "n_mm": 1e3},
+        "stress": {"mpa": 1e6, "pa": 1.0, "gpa": 1e9, "psi": POUND_FORCE / INCH**2},
+        "time": {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
+        "torque": {"nm": 1.0, "knm": 1e3, "lbf_ft": POUND_FORCE * FOOT},
+        "torsional_stiffness": {"nm_rad": 1.0, "knm_rad": 1e3},
+        "velocity": {"m_s": 1.0, "km_h": 1.0 / 3.6, "kt": KNOT, "ft_min": FOOT / 60.0},
+        "volume": {"m3": 1.0, "l": 1e-3, "mm3": 1e-9},
+    }
+)
 """Dimension -> suffix of the key -> SI value of one such unit."""
 
 _SHOWN: Mapping[str, tuple[str, float]] = {

@@ -18,16 +18,17 @@ from typing import NamedTuple
 from gearwright.catalogue import Engine, Printed, engines
 from gearwright.weights.laws import mass_afdd00
 
-_COLUMNS: dict[str, tuple[str, str, str]] = {
-    "gearbox_mass_kg": ("m_GB", "kg", "NASA'15 at the engine speed of the series"),
-    "torque_nm": ("Q", "N m", "P / ω_prop"),
-    "engine_kw_kg": ("Pd_engine", "kW/kg", "P / m_engine"),
-    "turbine_kw_kg": ("Pd_GT", "kW/kg", "P / (m_engine − m_GB)"),
-    "gearbox_kw_kg": ("Pd_GB", "kW/kg", "P / m_GB"),
-    "torque_nm_kg": ("Qd", "N m/kg", "Q / m_engine"),
-    "gearbox_percent": ("%GB", "%", "100 m_GB / m_engine"),
-}
-COLUMNS: Mapping[str, tuple[str, str, str]] = MappingProxyType(_COLUMNS)
+COLUMNS: Mapping[str, tuple[str, str, str]] = MappingProxyType(
+    {
+        "gearbox_mass_kg": ("m_GB", "kg", "NASA'15 at the engine speed of the series"),
+        "torque_nm": ("Q", "N m", "P / ω_prop"),
+        "engine_kw_kg": ("Pd_engine", "kW/kg", "P / m_engine"),
+        "turbine_kw_kg": ("Pd_GT", "kW/kg", "P / (m_engine − m_GB)"),
+        "gearbox_kw_kg": ("Pd_GB", "kW/kg", "P / m_GB"),
+        "torque_nm_kg": ("Qd", "N m/kg", "Q / m_engine"),
+        "gearbox_percent": ("%GB", "%", "100 m_GB / m_engine"),
+    }
+)
 """Column of the tables -> symbol, unit, formula."""
 
 

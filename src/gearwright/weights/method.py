@@ -100,9 +100,8 @@ def estimate(method: Method, requirement: Requirement) -> Estimate:
         requirement: Power and speeds.
     """
     broken = [range_ for range_ in method.ranges if range_.complaint(requirement)]
-    reason = "; ".join(range_.complaint(requirement) for range_ in broken)
     if not broken:
         return Estimate(method, method.mass(requirement))
-    if all(range_.shows_beyond for range_ in broken):
-        return Estimate(method, None, reason, method.mass(requirement))
-    return Estimate(method, None, reason)
+    reason = "; ".join(range_.complaint(requirement) for range_ in broken)
+    beyond = method.mass(requirement) if all(range_.shows_beyond for range_ in broken) else None
+    return Estimate(method, None, reason, beyond)

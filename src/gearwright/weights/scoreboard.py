@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
@@ -53,16 +53,21 @@ class Score:
 
 def middle() -> Assumption:
     """Return the geometric middle of the ratios and output speeds of the classes."""
-    classes = gearbox_classes()
-    ratio = math.prod(gearbox.engine_speed / gearbox.output_speed for gearbox in classes) ** (1.0 / len(classes))
-    return Assumption(ratio, math.prod(gearbox.output_speed for gearbox in classes) ** (1.0 / len(classes)))
+    ratios, speeds = _class_values()
+    return Assumption(math.prod(ratios) ** (1.0 / len(ratios)), math.prod(speeds) ** (1.0 / len(speeds)))
 
 
 def corners() -> tuple[Assumption, ...]:
     """Return the four corners of the ratios and output speeds of the classes."""
-    ratios = [gearbox.engine_speed / gearbox.output_speed for gearbox in gearbox_classes()]
-    speeds = [gearbox.output_speed for gearbox in gearbox_classes()]
+    ratios, speeds = _class_values()
     return tuple(Assumption(r, w) for r in (min(ratios), max(ratios)) for w in (min(speeds), max(speeds)))
+
+
+def _class_values() -> tuple[list[float], list[float]]:
+    """Return ratio and output speed of every class."""
+    classes = gearbox_classes()
+    ratios = [gearbox.engine_speed / gearbox.output_speed for gearbox in classes]
+    return ratios, [gearbox.output_speed for gearbox in classes]
 
 
 def ratios_to_weights(method: Method, assumption: Assumption) -> list[tuple[float, float]]:
@@ -72,13 +77,12 @@ def ratios_to_weights(method: Method, assumption: Assumption) -> list[tuple[floa
         method: Of `methods`.
         assumption: Ratio and output speed of all gearboxes.
     """
-    quotients = []
-    for weighed in weighed_gearboxes():
-        need = from_beta(weighed.beta, ratio=assumption.ratio, propeller_speed=assumption.propeller_speed)
-        mass = estimate(method, need).mass
-        if mass is not None:
-            quotients.append((weighed.beta, mass / weighed.mass))
-    return quotients
+    requirement = partial(from_beta, ratio=assumption.ratio, propeller_speed=assumption.propeller_speed)
+    return [
+        (weighed.beta, mass / weighed.mass)
+        for weighed in weighed_gearboxes()
+        if (mass := estimate(method, requirement(weighed.beta)).mass) is not None
+    ]
 
 
 @cache

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -17,7 +18,15 @@ from gearwright.parts.bevel.pitting import (
     virtual_force,
 )
 from gearwright.parts.bevel.virtual import HIGH_CROWNING, VirtualPair
-from gearwright.parts.iso6336 import LoadFactors, Steels, bending_life_curve, contact_life_curve, life_factor
+from gearwright.parts.iso6336 import (
+    LifeCurve,
+    LoadFactors,
+    Steels,
+    Treatment,
+    bending_life_curve,
+    contact_life_curve,
+    life_factor,
+)
 from gearwright.units import Origin, Quantity
 
 _MM, _MICRON = 1e-3, 1e-6
@@ -89,16 +98,13 @@ def rate_bevel(
     loads, dynamic = bevel_load_factors(virtual, duty)
     turns = abs(duty.pinion_speed) * life / (2.0 * math.pi)
     cycles = (turns, turns * pair.teeth[0] / pair.teeth[1])
-    contact, root = (
-        [float(life_factor(curve(steel.treatment), count)) for steel, count in zip(steels, cycles, strict=True)]
-        for curve in (contact_life_curve, bending_life_curve)
-    )
+    contact, root = _lives(contact_life_curve, steels, cycles), _lives(bending_life_curve, steels, cycles)
     pitting = bevel_pitting(
         virtual,
         steels,
         duty,
         loads=loads,
-        lives=(contact[0], contact[1]),
+        lives=contact,
         viscosity=surfaces.viscosity,
         roughness=surfaces.flank_roughness,
     )
@@ -109,8 +115,14 @@ def rate_bevel(
         for gear in (0, 1)
     )
     speed = 0.5 * abs(duty.pinion_speed) * pair.mean_diameters[0]
-    force, lives = virtual_force(pair, duty), ((contact[0], contact[1]), (root[0], root[1]))
-    return BevelRating(virtual, force, speed, cycles, dynamic, loads, *lives, pitting, (first, second))
+    force = virtual_force(pair, duty)
+    return BevelRating(virtual, force, speed, cycles, dynamic, loads, contact, root, pitting, (first, second))
+
+
+def _lives(curve: Callable[[Treatment], LifeCurve], steels: Steels, cycles: tuple[float, float]) -> tuple[float, float]:
+    """Life factors of pinion and wheel."""
+    first, second = (float(life_factor(curve(steel.treatment), n)) for steel, n in zip(steels, cycles, strict=True))
+    return first, second
 
 
 def bevel_pitch_tolerance(diameter: float, module: float, grade: int) -> float:

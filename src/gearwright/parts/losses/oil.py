@@ -54,7 +54,7 @@ def churning_power(
     return 1e3 * dip * viscosity * 1e6 * turns**3 * math.pow(wide, 4.7) * surfaces / (_ARRANGEMENT * 1e26)
 
 
-def oil_flow(heat: float, rise: float, *, density: float = 950.0, heat_capacity: float = 2000.0) -> float:
+def oil_flow(heat: float, rise: float, *, density: float = OIL_DENSITY, heat_capacity: float = 2000.0) -> float:
     """Return the oil flow that carries heat away [m³/s].
 
     Args:
