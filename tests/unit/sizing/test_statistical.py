@@ -18,11 +18,11 @@ from gearwright.weights import (
     from_beta,
     left_out_scatter,
     log_line,
+    mass_tm215680,
     methods,
     middle,
     refit,
     scores,
-    tm215680,
     willis,
 )
 
@@ -67,7 +67,7 @@ def test_the_line_of_the_report_says_its_range_where_it_would_be_negative():
     assert of("tm215680", small).mass is None
     assert "beta 0.2 is outside 0.627 to 65.9" in of("tm215680", small).reason
     with pytest.raises(DesignError, match="negative"):
-        tm215680.mass_tm215680(0.2)
+        mass_tm215680(0.2)
 
 
 def test_wate2_beyond_its_published_power_shows_the_bare_formula_apart_from_the_masses():
