@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gearwright.air import air_at, stagnation_ratios
+from gearwright.errors import DesignError
 from gearwright.machines import (
     Battery,
     Engine,
@@ -77,3 +78,9 @@ def test_a_compiled_kernel_runs_the_same_machines():
     assert numba.njit(motor_loss)(motor, 100.0, 300.0) == pytest.approx(motor_loss(motor, 100.0, 300.0), rel=1e-14)
     assert numba.njit(power_limits)(ENGINE, 0.9, 0.5, 2000.0) == power_limits(ENGINE, 0.9, 0.5, 2000.0)
     assert numba.njit(fuel_flow)(ENGINE, 0.9, 0.5, 1e5) == pytest.approx(fuel_flow(ENGINE, 0.9, 0.5, 1e5), rel=1e-14)
+
+
+def test_an_altitude_and_an_offset_outside_the_model_are_refused_together():
+    with pytest.raises(DesignError) as refused:
+        air_at(-1.0, 200.0)
+    assert [problem.path for problem in refused.value.problems] == ["altitude", "isa_offset"]

@@ -56,12 +56,6 @@ def test_an_offset_warms_the_air_and_leaves_the_pressure():
     assert warm.density * warm.temperature == pytest.approx(cold.density * cold.temperature, rel=1e-14)
 
 
-def test_an_altitude_and_an_offset_outside_the_model_are_refused_together():
-    with pytest.raises(DesignError) as refused:
-        air_at(-1.0, 200.0)
-    assert [problem.path for problem in refused.value.problems] == ["altitude", "isa_offset"]
-
-
 @pytest.mark.parametrize("altitude", [-1.0, 20001.0, float("nan")])
 def test_an_altitude_outside_the_model_is_refused(altitude):
     with pytest.raises(DesignError, match="0 to 20000 m"):
