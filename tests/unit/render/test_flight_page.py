@@ -5,9 +5,9 @@ import re
 import pytest
 
 from gearwright.mission import Balance, durability, fly, size_for_life
+from gearwright.render.figures.flight import apart
 from gearwright.render.figures.sankey import energies
 from gearwright.render.pages.flight import flight_page
-from gearwright.render.style.labels import spread
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import parse_mission, read, read_mission
@@ -81,5 +81,5 @@ def test_a_flight_that_only_charges_has_a_page(tmp_path):
 
 
 def test_labels_keep_apart_and_stay_where_they_may():
-    assert spread([0.0, 5.0, 10.0], 2.0) == [0.0, 5.0, 10.0]
-    assert spread([0.0, 0.0, 0.0], 2.0) == [-2.0, 0.0, 2.0]
+    assert apart([0.0, 5.0, 10.0], 2.0) == [0.0, 5.0, 10.0]
+    assert apart([0.0, 0.0, 0.0], 2.0) == [-2.0, 0.0, 2.0]

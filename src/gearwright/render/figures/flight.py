@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from gearwright.mission import Flight
 from gearwright.render.style import theme
-from gearwright.render.style.labels import spread
 from gearwright.render.style.theme import WIDTH
 from gearwright.units import CELSIUS, FOOT, KNOT, RPM
 
@@ -59,6 +58,28 @@ def stretches(flight: Flight) -> tuple[Stretch, ...]:
     return tuple(phases)
 
 
+def apart(places: Sequence[float], gap: float) -> list[float]:
+    """Return places in their order that are moved as little as keeps them a gap apart.
+
+    It asks what `spread` asks of labels on sheets, and differs in last bits, which the ids in a figure show.
+
+    Args:
+        places: Rising.
+        gap: Least distance.
+
+    >>> apart([0.0, 0.0, 10.0], 2.0)
+    [-1.0, 1.0, 10.0]
+    """
+    blocks: list[tuple[float, int]] = []
+    for k, place in enumerate(places):
+        blocks.append((place - gap * k, 1))
+        while len(blocks) > 1 and blocks[-2][0] > blocks[-1][0]:
+            (level, count), (low, more) = blocks[-2], blocks[-1]
+            blocks[-2:] = [((level * count + low * more) / (count + more), count + more)]
+    levels = [level for level, count in blocks for _ in range(count)]
+    return [level + gap * k for k, level in enumerate(levels)]
+
+
 def _panels(flight: Flight, heights: Sequence[float]) -> tuple[Figure, list[Axes]]:
     """Return a figure with panels over the time, below a strip that names phases and modes [mm]."""
     figure = theme.sheet(WIDTH, 24.0 + sum(heights))
@@ -76,7 +97,7 @@ def _panels(flight: Flight, heights: Sequence[float]) -> tuple[Figure, list[Axes
 
 
 def _strip(axes: Axes, parts: Sequence[Stretch], end: float) -> None:
-    places = spread([(part.start + part.end) / 2.0 for part in parts], _LABEL_GAP * end)
+    places = apart([(part.start + part.end) / 2.0 for part in parts], _LABEL_GAP * end)
     for part, place in zip(parts, places, strict=True):
         axes.barh(0.0, part.end - part.start, left=part.start, height=1.0, color=MODE_COLOURS[part.mode],
                   edgecolor=theme.PAPER, linewidth=0.6)  # fmt: skip
