@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from matplotlib.figure import Figure as Drawing
 
@@ -50,25 +50,25 @@ def report(
         campbell: Critical speeds, if they are to be in it.
     """
     case = case or default_case(sizing)
+    tables = tables_of(sizing)
     sections = [
-        _summary(sizing, case),
-        _power(sizing, case),
-        *_parts(sizing),
+        Section("Summary", tables=(tables["margins"],), figures=(_flow(sizing, case),)),
+        _power(sizing, tables["speeds"], case),
+        *_parts(sizing, tables),
         *([_modes(modes, drawn=system is not None)] if modes else []),
         *([_dynamics(sizing, trace, case)] if trace else []),
     ]
     if system is not None:
         sections += dynamics_sections(sizing, system, case=case, modes=modes, trace=trace, campbell=campbell)
-    tables = [table for section in sections for table in section.tables]
     return environment().get_template("report.html.j2").render(
         design=sizing.design,
         numbers=key_numbers(sizing, trace, campbell),
         sections=sections,
         entries=entries(sizing.design),
-        overrides=tables_of(sizing)["overrides"],
+        overrides=tables["overrides"],
         warnings=warnings(sizing, trace, campbell),
         assumptions=assumptions(sizing),
-        formulas=formulas(tables),
+        formulas=formulas(table for section in sections for table in section.tables),
         marks=MARKS,
         version=__version__,
     )  # fmt: skip
@@ -78,56 +78,39 @@ def _figure(drawing: Drawing, name: str, caption: str) -> Figure:
     return Figure(theme.to_svg(drawing, name), caption)
 
 
-def _summary(sizing: Sizing, case: str) -> Section:
-    return Section("Summary", tables=(tables_of(sizing)["margins"],), figures=(_flow(sizing, case),))
-
-
 def _flow(sizing: Sizing, case: str) -> Figure:
     caption = f"Power flow in case {case}: bands as wide as the power, in the colour of its source."
     return _figure(power_flow_figure(sizing, case), f"flow-{_safe(case)}", caption)
 
 
-def _power(sizing: Sizing, shown: str) -> Section:
+def _power(sizing: Sizing, speeds: Table, shown: str) -> Section:
     """Return the architecture, and the power flow of every case that the summary does not show."""
     skeleton = _figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")
     others = [_flow(sizing, case) for case in sizing.flows if case != shown]
-    tables = _filled(tables_of(sizing)["speeds"], *flow_tables(sizing), path_table(sizing))
+    tables = _filled(speeds, *flow_tables(sizing), path_table(sizing))
     return Section("Architecture and power flow", tables=tables, figures=(skeleton, *others))
 
 
-def _parts(sizing: Sizing) -> tuple[Section, ...]:
-    tables = tables_of(sizing)
+def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
     margins = _figure(margin_figure(sizing), "margins", "Margins of all kinds of checks, worst first.")
     mass = _figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
-    return (
-        Section("Gears", tables=_filled(tables["gears"])),
-        Section(
-            "Meshes: forces, stresses and margins",
-            tables=_filled(tables["meshes"], tables["rating"]),
-            figures=(margins,),
-        ),
-        *([Section("Rating of the gears", tables=factor_tables(sizing))] if factor_tables(sizing) else []),
-        _shafts(sizing),
-        *_mounted(sizing),
-        Section("Mass and envelope", tables=(tables["mass"], tables["envelope"]), figures=(mass,)),
-    )
-
-
-def _shafts(sizing: Sizing) -> Section:
-    tables = tables_of(sizing)
-    names = ("shafts", "shaft_sizes", "bearings", "carriers", "machines")
+    yield _chapter("Gears", tables, "gears")
+    yield _chapter("Meshes: forces, stresses and margins", tables, "meshes", "rating", figures=(margins,))
+    factors = factor_tables(sizing)
+    if factors:
+        yield Section("Rating of the gears", tables=factors)
     caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
-    figures = (_figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
-    return Section("Shafts, carriers and machines", tables=_filled(*(tables[name] for name in names)), figures=figures)
+    bent = (_figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
+    loaded = ("shafts", "shaft_sizes", "bearings", "carriers", "machines")
+    yield _chapter("Shafts, carriers and machines", tables, *loaded, figures=bent)
+    if sizing.built_shafts:
+        built = ("bearing_sizes", "joints", "steps", "strength", "stiffness")
+        yield _chapter("Shafts as built, bearings and joints", tables, *built)
+    yield _chapter("Mass and envelope", tables, "mass", "envelope", figures=(mass,))
 
 
-def _mounted(sizing: Sizing) -> tuple[Section, ...]:
-    """Return shafts as they are built, with bearings and joints, where the design gives bearings."""
-    if not sizing.built_shafts:
-        return ()
-    tables = tables_of(sizing)
-    names = ("bearing_sizes", "joints", "steps", "strength", "stiffness")
-    return (Section("Shafts as built, bearings and joints", tables=_filled(*(tables[name] for name in names))),)
+def _chapter(title: str, tables: Mapping[str, Table], *names: str, figures: tuple[Figure, ...] = ()) -> Section:
+    return Section(title, _filled(*(tables[name] for name in names)), figures)
 
 
 def _filled(*tables: Table) -> tuple[Table, ...]:
@@ -136,12 +119,9 @@ def _filled(*tables: Table) -> tuple[Table, ...]:
 
 def _modes(modes: Modes, *, drawn: bool) -> Section:
     """Return the table of modes, with bars per coordinate where their shapes are not drawn on the train."""
-    if drawn:
-        return Section("Natural modes", tables=(mode_table(modes),))
     caption = "Lowest elastic modes; each coordinate over the largest of its kind."
-    return Section(
-        "Natural modes", tables=(mode_table(modes),), figures=(_figure(mode_figure(modes), "modes", caption),)
-    )
+    figures = () if drawn else (_figure(mode_figure(modes), "modes", caption),)
+    return Section("Natural modes", tables=(mode_table(modes),), figures=figures)
 
 
 def _dynamics(sizing: Sizing, trace: Trace, case: str) -> Section:
