@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from gearwright.machines import HEATING_VALUE, PropellerMap
 from gearwright.sizing import Sizing
 from gearwright.spec import Mission
-from gearwright.units import Energy, Mass, Ratio, Time
+from gearwright.units import Energy, Length, Mass, Ratio, Time
 from gearwright.verbs import verb
 
 Array = NDArray[np.float64]
@@ -104,6 +104,16 @@ class Flight:
     def fuel(self) -> Mass:
         """Burnt by one gearbox's turbines [kg]."""
         return float((self.history["fuel_flow"] * self.history["duration"]).sum())
+
+    @property
+    def distance(self) -> Length:
+        """Flown through the air [m]."""
+        return float((self.history["true_airspeed"] * self.history["duration"]).sum())
+
+    @property
+    def hottest_oil(self) -> float:
+        """Temperature of the oil behind the gearbox where it is hottest [K]."""
+        return float(self.history["oil_outlet"].max())
 
     @property
     def has_battery(self) -> bool:

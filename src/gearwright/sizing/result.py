@@ -12,7 +12,7 @@ from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSiz
 from gearwright.sizing.rating import MeshRating
 from gearwright.spec import Design
 from gearwright.train import PowerFlow, Train
-from gearwright.units import Force, Inertia, Length, Mass, Number, Origin, Quantity, Ratio, Speed, Torque
+from gearwright.units import Force, Inertia, Length, Mass, Number, Origin, Power, Quantity, Ratio, Speed, Torque
 
 _THESIS = "Pulvirenti 2023"
 
@@ -302,15 +302,16 @@ class Sizing:
     @property
     def power_density(self) -> Annotated[float, Quantity("specific_power")]:
         """Rated power over the mass of gears, shafts and carriers [W/kg]."""
-        return self._rated_power / self.mass
+        return self.rated_power / self.mass
 
     @property
     def total_power_density(self) -> Annotated[float, Quantity("specific_power")]:
         """Rated power over gearbox and motors, as Pulvirenti 2023, appendix, has it [W/kg]."""
-        return self._rated_power / (self.mass + self.motor_mass)
+        return self.rated_power / (self.mass + self.motor_mass)
 
     @property
-    def _rated_power(self) -> float:
+    def rated_power(self) -> Power:
+        """What the machines put into the train at rated power [W]."""
         return sum(power for power in self.flows["rated"].machine_powers.values() if power > 0.0)
 
     @property

@@ -9,11 +9,10 @@ from gearwright.dynamics.motion import simulate
 from gearwright.dynamics.vibration import dynamic_loads
 from gearwright.parts.bevel import BevelRating
 from gearwright.render.tables.factors import factor_tables
-from gearwright.render.tables.pair_data import pair_data
 from gearwright.render.tables.sizing import margin_sentence
 from gearwright.render.words.inputs import entries
 from gearwright.shipped import shipped_design
-from gearwright.sizing import margins, size
+from gearwright.sizing import margins, pair_data, size
 from gearwright.spec import read
 
 DESIGN = read(shipped_design("ec120b"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -91,6 +92,16 @@ class Samples:
         return self.position[:, index_of(coordinate, self.labels.coordinates, "coordinate")]
 
 
+class Extent(NamedTuple):
+    """Statistics of one quantity over all time bins, in the unit of the quantity."""
+
+    mean: float
+    least: float
+    most: float
+    rms: float
+    """Root mean square of the value itself."""
+
+
 @dataclass(frozen=True, eq=False)
 class Statistics:
     """Mean, least, greatest and root mean square of one quantity in each time bin, from every step of the run."""
@@ -123,6 +134,16 @@ class Statistics:
         """
         column = index_of(name, self.names, self.what)
         return {key: getattr(self, key)[:, column] for key in ("mean", "least", "most", "rms")}
+
+    def whole(self, name: str) -> Extent:
+        """Return one line or coordinate over all bins together.
+
+        Args:
+            name: Its name.
+        """
+        of, weights = self.of(name), np.diff(self.edges) / np.sum(np.diff(self.edges))
+        return Extent(float(weights @ of["mean"]), float(np.min(of["least"])), float(np.max(of["most"])),
+                      float(np.sqrt(weights @ of["rms"] ** 2)))  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,7 +10,7 @@ from gearwright.dynamics.sharing.coefficients import (
     tooth_cycle_shares,
 )
 from gearwright.dynamics.sharing.effects_of_errors import clocking_optimum, influences, monte_carlo
-from gearwright.dynamics.sharing.elastic import elastic_shares
+from gearwright.dynamics.sharing.elastic import PathShare, elastic_shares, path_shares
 from gearwright.dynamics.sharing.error_sources import (
     as_forces,
     drawn_set,
@@ -40,6 +40,7 @@ __all__ = [
     "TRANSIENT",
     "Allocation",
     "LoadSharing",
+    "PathShare",
     "PlanetCounts",
     "PlanetSharing",
     "PlanetTolerances",
@@ -57,6 +58,7 @@ __all__ = [
     "mesh_load_factor",
     "monte_carlo",
     "parallel_meshes",
+    "path_shares",
     "peak_shares",
     "planet_counts",
     "planet_sharing",

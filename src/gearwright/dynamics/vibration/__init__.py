@@ -13,8 +13,8 @@ from gearwright.dynamics.vibration.critical_speeds import (
 )
 from gearwright.dynamics.vibration.planetary_results import load_shares, mode_families
 from gearwright.dynamics.vibration.rated_peaks import DynamicLoad, dynamic_loads
-from gearwright.dynamics.vibration.response import Response, frequency_response
-from gearwright.dynamics.vibration.runup import RunUp, run_up
+from gearwright.dynamics.vibration.response import Peak, Response, frequency_response, peaks
+from gearwright.dynamics.vibration.runup import Loudest, RunUp, loudest_speeds, run_up
 from gearwright.dynamics.vibration.spectra import Waterfall, tone_amplitudes, waterfall
 from gearwright.dynamics.vibration.speed_map import SpeedMap, speed_map
 from gearwright.dynamics.vibration.steady import Orbit, common_period, periodic
@@ -25,8 +25,10 @@ __all__ = [
     "Campbell",
     "CriticalSpeed",
     "DynamicLoad",
+    "Loudest",
     "Orbit",
     "Order",
+    "Peak",
     "Response",
     "RunUp",
     "SpeedCase",
@@ -40,8 +42,10 @@ __all__ = [
     "first_meshes",
     "frequency_response",
     "load_shares",
+    "loudest_speeds",
     "mode_families",
     "order_name",
+    "peaks",
     "periodic",
     "run_up",
     "speed_map",

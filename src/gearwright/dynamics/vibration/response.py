@@ -12,6 +12,7 @@ from gearwright.dynamics.finite import finite_numbers, refuse_not_finite
 from gearwright.dynamics.given import positive_numbers
 from gearwright.dynamics.model import Arrays, Floats, Labels, System, line_matrix
 from gearwright.dynamics.motion import index_of
+from gearwright.units import Force, Frequency
 from gearwright.verbs import verb
 
 
@@ -43,6 +44,17 @@ class Response:
             coordinate: Its name.
         """
         return self.position[:, index_of(coordinate, self.labels.coordinates, "coordinate")]
+
+
+@dataclass(frozen=True)
+class Peak:
+    """A maximum of a frequency response."""
+
+    line: str
+    frequency: Frequency
+    """[Hz]"""
+    force: Force
+    """Amplitude [N]."""
 
 
 @verb
@@ -93,3 +105,18 @@ def _amplitudes(stated: Mapping[str, complex], names: tuple[str, ...], what: str
     for name, amplitude in stated.items():
         values[index_of(name, names, what)] = amplitude
     return values
+
+
+def peaks(response: Response, lines: Sequence[str]) -> list[Peak]:
+    """Return the maxima of the forces of some lines against frequency, the highest first.
+
+    Args:
+        response: Of the train.
+        lines: Whose forces count.
+    """
+    maxima = []
+    for line in lines:
+        amplitude = np.abs(response.force(line))
+        inner = np.flatnonzero((amplitude[1:-1] > amplitude[:-2]) & (amplitude[1:-1] >= amplitude[2:])) + 1
+        maxima += [Peak(line, float(response.frequency[i]), float(amplitude[i])) for i in inner]
+    return sorted(maxima, key=lambda peak: -peak.force)

@@ -17,6 +17,7 @@ from gearwright.dynamics.vibration.spectra import tone_amplitudes
 from gearwright.dynamics.vibration.speed_map import at_speed
 from gearwright.errors import DesignError, Problem
 from gearwright.sizing import Sizing
+from gearwright.units import Force, Speed
 from gearwright.verbs import verb
 
 
@@ -42,6 +43,21 @@ class RunUp:
     """Root mean square about the mean [N or N m], shape (speeds, lines)."""
     lines: tuple[str, ...]
     """Names."""
+
+
+@dataclass(frozen=True)
+class Loudest:
+    """The speed at which a line's force swings most."""
+
+    line: str
+    speed: Speed
+    """[rad/s]"""
+    swing: Force
+    """Root mean square about the mean [N]."""
+    mean: Force
+    """[N]"""
+    order: str
+    """What swings most there."""
 
 
 @verb
@@ -116,3 +132,21 @@ def _heard(system: System, samples: Samples, line: str) -> _Heard:
     by_tone = {tone: abs(share) for tone, share in tone_amplitudes(system, samples, force)}
     tones = [by_tone.get(tone, 0.0) for tone in system.labels.tones]
     return _Heard(spectrum, np.array(tones), float(np.mean(force)), float(np.std(force)))
+
+
+def loudest_speeds(steady: RunUp, speed: float) -> list[Loudest]:
+    """Return for each line the speed at which its force swings most and the order that does it, the loudest first.
+
+    Args:
+        steady: Speeds and spectra.
+        speed: Operating speed of the first machine's shaft [rad/s].
+    """
+    rows = []
+    for number, line in enumerate(steady.lines):
+        place = int(np.argmax(steady.swing[:, number]))
+        order = steady.orders[int(np.argmax(steady.order_amplitude[place, number]))]
+        rows.append(
+            Loudest(line, float(steady.factor[place]) * speed, float(steady.swing[place, number]),
+                    float(steady.mean[place, number]), order)
+        )  # fmt: skip
+    return sorted(rows, key=lambda row: -row.swing)

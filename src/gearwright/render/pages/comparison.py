@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Annotated
 
@@ -12,9 +12,8 @@ from gearwright.render.schematic.schematic import power_flow_figure
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
 from gearwright.render.tables.tables import MARKS, table
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, StageSummary, stage_summaries
 from gearwright.sizing.arrangement import envelope
-from gearwright.spec import Planetary
 from gearwright.study import Table
 from gearwright.train import RATED
 from gearwright.units import Origin, Quantity
@@ -27,28 +26,6 @@ _WHY = (
     " a solid wheel that carries the whole output torque is what makes the off-set gearboxes heavy. A motor on a fast"
     " shaft is light itself; a motor on the middle shaft takes its power past the first stage."
 )
-
-
-@dataclass(frozen=True)
-class StageView:
-    """One stage of one design."""
-
-    design: str
-    stage: str
-    kind: str
-    """planetary, star, differential, pair or parallel pairs."""
-    ratio: Annotated[float, Quantity("ratio"), Origin("z_2/z_1 or 1 + z_r/z_s", "teeth")]
-    """[-]"""
-    meshes: int
-    """Meshes that share the torque of its first gear."""
-    torque: Annotated[float, Quantity("torque"), Origin("T K_γ / N at its worst case", "power flow")]
-    """On pinion or sun, of one mesh [N m]."""
-    module: Annotated[float, Quantity("length"), Origin("m_n = max(bending, contact)", "Pulvirenti 2023, eqs 2.1, 2.2")]
-    """[m]"""
-    face_width: Annotated[float, Quantity("length"), Origin("b = λ m_n", "Pulvirenti 2023, eq. 2.3")]
-    """[m]"""
-    mass: Annotated[float, Quantity("mass"), Origin("its gears", "geometry")]
-    """[kg]"""
 
 
 @dataclass(frozen=True)
@@ -83,8 +60,8 @@ def comparison(variants: Table, sizings: Mapping[str, Sizing]) -> str:
     masses = Figure(theme.to_svg(comparison_figure(variants), "masses"), "Masses, lightest first.")
     designs = [_whole(name, sizing) for name, sizing in ranked.items()]
     wholes = table("Designs, lightest first", designs, tuple(field.name for field in fields(DesignView)))
-    rows = [stage for name, sizing in ranked.items() for stage in _stages(name, sizing)]
-    stages = table("Stages", rows, tuple(field.name for field in fields(StageView)))
+    rows = [stage for name, sizing in ranked.items() for stage in stage_summaries(sizing, name)]
+    stages = table("Stages", rows, tuple(field.name for field in fields(StageSummary)))
     failed = tuple(f"{row.design} cannot be had: {row.problem}" for row in variants.failed)
     sections = [
         Section("Masses", tables=(wholes,), figures=(masses,), notes=failed),
@@ -113,40 +90,3 @@ def _whole(name: str, sizing: Sizing) -> DesignView:
         box.length,
         sizing.worst_margin,
     )
-
-
-def _stages(name: str, sizing: Sizing) -> Iterator[StageView]:
-    gears = {gear.name: gear for gear in sizing.gears}
-    for stage in sizing.design.stages:
-        rows = [mesh for mesh in sizing.meshes if mesh.name.partition(".")[0] == stage]
-        first = gears[rows[0].gears[0]]
-        planetary = isinstance(sizing.design.stages[stage], Planetary)
-        yield StageView(
-            design=name,
-            stage=stage,
-            kind=_kind(sizing, stage, len(rows)),
-            ratio=_ratio(sizing, stage),
-            meshes=rows[0].count * (1 if planetary else len(rows)),
-            torque=max(row.tangential_force for row in rows) * first.pitch_diameter / 2.0,
-            module=first.module,
-            face_width=first.face_width,
-            mass=sum(gear.mass * gear.bodies for gear in sizing.gears if gear.stage == stage),
-        )
-
-
-def _kind(sizing: Sizing, stage: str, rows: int) -> str:
-    record = sizing.design.stages[stage]
-    if isinstance(record, Planetary):
-        if "ground" not in (record.sun, record.ring, record.carrier):
-            return "differential"
-        return "star" if record.carrier == "ground" else "planetary"
-    return "parallel pairs" if rows > 1 else "pair"
-
-
-def _ratio(sizing: Sizing, stage: str) -> float:
-    record, teeth = sizing.design.stages[stage], sizing.teeth
-    if isinstance(record, Planetary):
-        ratio = teeth[f"{stage}.ring"] / teeth[f"{stage}.sun"]
-        return ratio if record.carrier == "ground" else 1.0 + ratio
-    mesh = next(mesh for mesh in sizing.train.meshes if mesh.stage == stage)
-    return teeth[mesh.gears[1]] / teeth[mesh.gears[0]]

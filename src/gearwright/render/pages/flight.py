@@ -77,7 +77,7 @@ def _numbers(flight: Flight, parts: Durability) -> Iterator[tuple[str, str]]:
     yield "fuel", f"{flight.fuel:.0f} kg"
     if flight.has_battery:
         yield "charge", f"{balance.battery / KWH:.0f} kWh"
-    yield "hottest oil", f"{float(flight.history['oil_outlet'].max()) - CELSIUS:.0f} °C"
+    yield "hottest oil", f"{flight.hottest_oil - CELSIUS:.0f} °C"
     yield "gearbox efficiency", f"{flight.efficiency():.2%}"
     if first is not None and first.damage:
         scope = " of what is rated" if parts.is_partial else ""
@@ -108,8 +108,7 @@ def _verdict(flight: Flight, parts: Durability, life: LifeSizing | None) -> Sect
 def _took(flight: Flight) -> Iterator[str]:
     """Yield what the flight took and how it was cooled, of one gearbox."""
     balance, history = flight.balance, flight.history
-    miles = float((history["true_airspeed"] * history["duration"]).sum()) / _MILE
-    words = f"One gearbox burns {flight.fuel:.1f} kg of fuel over {miles:.0f} NM"
+    words = f"One gearbox burns {flight.fuel:.1f} kg of fuel over {flight.distance / _MILE:.0f} NM"
     if flight.has_battery:
         words += (
             f" and takes {balance.battery / KWH:.1f} kWh from its battery, which ends at a state of charge of"
@@ -119,7 +118,7 @@ def _took(flight: Flight) -> Iterator[str]:
     yield f"{words}; fastest {fastest:.0f} kt TAS, Mach {float(history['mach'].max()):.3f}."
     yield (
         f"{flight.oil_flow / _LITRE_PER_MINUTE:.1f} l/min of oil carry the heat away; it leaves the gearbox with"
-        f" {float(history['oil_outlet'].max()) - CELSIUS:.0f} °C at most, and the cooler needs"
+        f" {flight.hottest_oil - CELSIUS:.0f} °C at most, and the cooler needs"
         f" {flight.cooler_conductance:.0f} W/K."
     )
     yield f"Energies close {energy_text(balance.residual)}: fuel + battery = propeller + losses + stored."

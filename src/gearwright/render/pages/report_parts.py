@@ -57,11 +57,10 @@ def key_numbers(
         campbell: Critical speeds, if they are shown.
     """
     rated = sizing.flows["rated"]
-    given = sum(power for power in rated.machine_powers.values() if power > 0.0)
     taken = [name for name, power in rated.machine_powers.items() if power < 0.0]
     torque = max((abs(rated.machine_torques[name]) for name in taken), default=0.0)
     numbers = [
-        ("rated power", text(given, "power")),
+        ("rated power", text(sizing.rated_power, "power")),
         ("output torque", text(torque, "torque")),
         ("mass of the train", text(sizing.mass, "mass")),
         ("power density", text(sizing.power_density, "specific_power")),

@@ -6,12 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
-import numpy as np
-
 from gearwright.dynamics.assembly import Assumption
-from gearwright.dynamics.vibration import CriticalSpeed, Response, RunUp, SpeedCase
+from gearwright.dynamics.vibration import CriticalSpeed, Response, RunUp, SpeedCase, loudest_speeds, peaks
 from gearwright.render.tables.tables import Table, table
-from gearwright.units import Force, Frequency, Origin, Quantity, Speed
+from gearwright.units import Frequency, Origin, Quantity, Speed
 
 
 @dataclass(frozen=True)
@@ -29,32 +27,6 @@ class Critical:
     dynamic_force: Annotated[float, Quantity("percent"), Origin("q = φᵀf/(2 ζ ω²)", "first order, at resonance")]
     """Amplitude over mean [-]."""
     verdict: str
-
-
-@dataclass(frozen=True)
-class Peak:
-    """A maximum of a frequency response."""
-
-    line: str
-    frequency: Frequency
-    """[Hz]"""
-    force: Force
-    """Amplitude [N]."""
-
-
-@dataclass(frozen=True)
-class Loudest:
-    """The speed at which a line's force swings most."""
-
-    line: str
-    speed: Speed
-    """[rad/s]"""
-    swing: Force
-    """Root mean square about the mean [N]."""
-    mean: Force
-    """[N]"""
-    order: str
-    """What swings most there."""
 
 
 def critical_table(speeds: SpeedCase, *, most: int = 25) -> Table:
@@ -109,13 +81,7 @@ def peak_table(response: Response, lines: Sequence[str], *, most: int = 12) -> T
         lines: Whose forces count.
         most: Rows at most.
     """
-    peaks = []
-    for line in lines:
-        amplitude = np.abs(response.force(line))
-        inner = np.flatnonzero((amplitude[1:-1] > amplitude[:-2]) & (amplitude[1:-1] >= amplitude[2:])) + 1
-        peaks += [Peak(line, float(response.frequency[i]), float(amplitude[i])) for i in inner]
-    peaks.sort(key=lambda peak: -peak.force)
-    return table("Peaks", peaks[:most], ("line", "frequency", "force"))
+    return table("Peaks", peaks(response, lines)[:most], ("line", "frequency", "force"))
 
 
 def loudest_table(run_up: RunUp, speed: float) -> Table:
@@ -125,14 +91,7 @@ def loudest_table(run_up: RunUp, speed: float) -> Table:
         run_up: Speeds and spectra.
         speed: Operating speed of the first machine's shaft [rad/s].
     """
-    rows = []
-    for number, line in enumerate(run_up.lines):
-        place = int(np.argmax(run_up.swing[:, number]))
-        order = run_up.orders[int(np.argmax(run_up.order_amplitude[place, number]))]
-        rows.append(
-            Loudest(line, float(run_up.factor[place]) * speed, float(run_up.swing[place, number]),
-                    float(run_up.mean[place, number]), order)
-        )  # fmt: skip
-    rows.sort(key=lambda row: -row.swing)
     note = "Steady running at each speed with the torques of the case."
-    return table("Loudest speeds", rows, ("line", "speed", "swing", "mean", "order"), note=note)
+    return table(
+        "Loudest speeds", loudest_speeds(run_up, speed), ("line", "speed", "swing", "mean", "order"), note=note
+    )

@@ -9,9 +9,8 @@ from typing import Any, get_args, get_type_hints
 import numpy as np
 
 from gearwright.parts.bevel import BevelRating
-from gearwright.render.tables.pair_data import pair_data
 from gearwright.render.tables.tables import Table, table, written
-from gearwright.sizing import MeshSizing, Sizing
+from gearwright.sizing import MeshSizing, Sizing, pair_data
 from gearwright.sizing.rating import MeshRating, rating_of, steel_of
 from gearwright.units import Origin, Quantity, shown, unit
 

@@ -118,11 +118,8 @@ def motion_tables(trace: Trace) -> tuple[Table, ...]:
     if not trace.force.bins:
         return ()
     forces, torques = [], []
-    weights = np.diff(trace.force.edges) / np.sum(np.diff(trace.force.edges))
     for name, unit in zip(trace.labels.lines, trace.labels.line_units, strict=True):
-        statistics = trace.force.of(name)
-        mean, rms = float(weights @ statistics["mean"]), float(np.sqrt(weights @ statistics["rms"] ** 2))
-        least, most = float(np.min(statistics["least"])), float(np.max(statistics["most"]))
+        mean, least, most, rms = trace.force.whole(name)
         if unit == "m":
             forces.append(LineForce(name, mean, least, most, rms, most - least))
         else:

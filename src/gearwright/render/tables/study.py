@@ -5,16 +5,13 @@ from __future__ import annotations
 import json
 import re
 from collections import Counter
-from collections.abc import Sequence
-from typing import Literal, NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import NamedTuple
 
 from gearwright.render.tables.csv_text import csv_text
 from gearwright.render.tables.grid import Grid
 from gearwright.render.tables.tables import written
 from gearwright.study import Row, Table
+from gearwright.study.answers import quantiles
 
 _WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
           "motor_mass": "motors", "total_mass": "gearbox + motors", "total_power_density": "power density with motors",
@@ -141,20 +138,6 @@ def spread(table: Table) -> list[Spread]:
         levels = quantiles([row.shown(result) for row in table.good], (0.0, 0.05, 0.5, 0.95, 1.0))
         lines.append(Spread(result, table.unit(result), tuple(written(value) for value in levels)))
     return lines
-
-
-def quantiles(values: Sequence[float] | NDArray[np.float64], parts: Sequence[float]) -> list[float]:
-    """Return the values below which parts of all lie; between an endless one and another nothing is interpolated.
-
-    Args:
-        values: Of one result.
-        parts: Of all cases [-].
-
-    >>> quantiles([1.0, 2.0], [0.5]), quantiles([1.0, 2.0, float("inf")], [0.5, 0.95])
-    ([1.5], [2.0, inf])
-    """
-    method: Literal["linear", "nearest"] = "linear" if np.isfinite(values).all() else "nearest"
-    return [float(quantile) for quantile in np.quantile(values, parts, method=method)]
 
 
 def reasons(table: Table) -> list[str]:

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gearwright.render.tables.study import heading, percent, quantiles, spread
+from gearwright.render.tables.study import heading, percent, spread
 from gearwright.render.tables.tables import Cell, Column, Table, written
 from gearwright.sizing import Named
 from gearwright.spec import Axis, Study
 from gearwright.study import Row
 from gearwright.study import Table as Rows
-from gearwright.study.answers import Verdict, bound
+from gearwright.study.answers import Verdict, bound, quantiles
 
 MILLION = 1e6
 """From here a number is written with a power of ten in narrow columns."""

@@ -83,15 +83,14 @@ def _phase(row: PhaseSummary) -> str:
 
 def _totals(flight: Flight) -> list[str]:
     balance, history = flight.balance, flight.history
-    hottest = float(history["oil_outlet"].max())
     lines = [
         f"Fuel {flight.fuel:.1f} kg and {balance.battery / KWH:.1f} kWh of charge in {flight.duration / 3600.0:.2f} h,"
         " of one gearbox",
         f"Lost in meshes {balance.mesh_loss / KWH:.2f} kWh, bearings {balance.bearing_loss / KWH:.2f} kWh,"
         f" windage {balance.windage_loss / KWH:.2f} kWh, churning {balance.churning_loss / KWH:.2f} kWh,"
         f" motors {balance.motor_loss / KWH:.2f} kWh, battery {balance.battery_loss / KWH:.2f} kWh",
-        f"Oil: {flight.oil_flow / _LITRE_PER_MINUTE:.1f} l/min, at most {hottest - CELSIUS:.0f} °C behind the gearbox;"
-        f" a cooler of {flight.cooler_conductance:.0f} W/K",
+        f"Oil: {flight.oil_flow / _LITRE_PER_MINUTE:.1f} l/min, at most {flight.hottest_oil - CELSIUS:.0f} °C behind"
+        f" the gearbox; a cooler of {flight.cooler_conductance:.0f} W/K",
         f"Energies close {energy_text(balance.residual)}",
     ]
     if flight.has_battery:

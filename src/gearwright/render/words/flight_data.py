@@ -51,7 +51,7 @@ def flight_json(flight: Flight, parts: Durability, life: LifeSizing | None = Non
         "fuel": flight.fuel,
         "balance": {**vars(flight.balance), "residual": flight.balance.residual},
         "oil_flow": flight.oil_flow,
-        "oil_hottest": float(flight.history["oil_outlet"].max()),
+        "oil_hottest": flight.hottest_oil,
         "phases": [vars(row) for row in phase_summaries(flight)],
         "damage": [
             {"part": row.name, "mode": row.mode, "damage": _finite(row.damage), "flights": _finite(row.flights)}

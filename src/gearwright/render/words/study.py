@@ -7,11 +7,21 @@ from collections.abc import Iterator
 import numpy as np
 
 from gearwright.errors import SolveError
-from gearwright.render.tables.study import FLAT, heading, numeric_axis, percent, quantiles, reasons
+from gearwright.render.tables.study import FLAT, heading, numeric_axis, percent, reasons
 from gearwright.render.tables.tables import written
 from gearwright.spec import Study
 from gearwright.study import Row, Table
-from gearwright.study.answers import Verdict, bound, confidence, kept, scenarios, sensitivity, verdict, violations
+from gearwright.study.answers import (
+    Verdict,
+    bound,
+    confidence,
+    kept,
+    quantiles,
+    scenarios,
+    sensitivity,
+    verdict,
+    violations,
+)
 
 SAMPLED = ("random", "sobol", "latin-hypercube")
 """Methods whose cases are samples of what is not known, not choices."""

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem, near
 from gearwright.sizing import TEXT, Named
@@ -105,3 +109,17 @@ class Table:
     def failed(self) -> tuple[Row, ...]:
         """Rows that failed."""
         return tuple(row for row in self.rows if row.problem)
+
+
+def quantiles(values: Sequence[float] | NDArray[np.float64], parts: Sequence[float]) -> list[float]:
+    """Return the values below which parts of all lie; between an endless one and another nothing is interpolated.
+
+    Args:
+        values: Of one result.
+        parts: Of all cases [-].
+
+    >>> quantiles([1.0, 2.0], [0.5]), quantiles([1.0, 2.0, float("inf")], [0.5, 0.95])
+    ([1.5], [2.0, inf])
+    """
+    method: Literal["linear", "nearest"] = "linear" if np.isfinite(values).all() else "nearest"
+    return [float(quantile) for quantile in np.quantile(values, parts, method=method)]
