@@ -65,14 +65,14 @@ def _list() -> None:
     from gearwright.spec import read, read_mission, read_study
 
     show("designs")
-    for each in shipped_designs():
-        show(f"{each:24} {read(shipped_design(each)).name}")
+    for name in shipped_designs():
+        show(f"{name:24} {read(shipped_design(name)).name}")
     show("\nmissions")
-    for each in shipped_missions():
-        show(f"{each:24} {read_mission(shipped_mission(each)).name}")
+    for name in shipped_missions():
+        show(f"{name:24} {read_mission(shipped_mission(name)).name}")
     show("\nstudies")
-    for each in shipped_studies():
-        show(f"{each:24} {read_study(shipped_study(each)).name}")
+    for name in shipped_studies():
+        show(f"{name:24} {read_study(shipped_study(name)).name}")
 
 
 def check(design: DesignArgument) -> None:
@@ -85,8 +85,8 @@ def check(design: DesignArgument) -> None:
     for case in sizing.flows:  # what the dynamic model would refuse is said here
         assemble(sizing, case)
     weak = [margin for margin in margins(sizing) if not margin.holds]
-    for each in weak:
-        tell(f"{margin_sentence(each)}; the margin should be 1 or more")
+    for margin in weak:
+        tell(f"{margin_sentence(margin)}; the margin should be 1 or more")
     if weak:
         raise typer.Exit(1)
     show(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")
@@ -114,11 +114,11 @@ def modes(design: DesignArgument, case: CaseOption = None, json: JsonOption = Fa
     from gearwright.dynamics import modes as find_modes
     from gearwright.render.words.text import modes_json, modes_text
 
-    found = find_modes(_assemble(sized(design), case))
+    solved = find_modes(_assemble(sized(design), case))
     if json:
-        show_json(modes_json(found))
+        show_json(modes_json(solved))
     else:
-        show(modes_text(found))
+        show(modes_text(solved))
 
 
 def simulate(
@@ -163,15 +163,15 @@ def run(
     sizing = sized(design)
     case = case or default_case(sizing)
     system = _assemble(sizing, case, stiffness)
-    found = find_modes(system)
+    solved = find_modes(system)
     trace = _simulate(system, duration)
     campbell = () if trace.interrupted else critical_speeds(sizing)
-    show(sizing_text(sizing, trace=trace, campbell=campbell), modes_text(found), trace_text(trace, sizing))
+    show(sizing_text(sizing, trace=trace, campbell=campbell), modes_text(solved), trace_text(trace, sizing))
     folder = folder or named_after(design, "results")
     make_folder(folder)
     write_text(folder / "sizing.json", sizing_json(sizing) + "\n")
     end_interrupted(trace, save_run(folder / "run.nc", trace, sizing, case))
-    page = make_report(sizing, modes=found, trace=trace, case=case, system=system, campbell=campbell)
+    page = make_report(sizing, modes=solved, trace=trace, case=case, system=system, campbell=campbell)
     write_text(folder / "report.html", page)
     show(f"wrote {folder / 'report.html'}, {folder / 'run.nc'} and {folder / 'sizing.json'}")
 

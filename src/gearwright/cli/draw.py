@@ -56,20 +56,20 @@ def _sized(name: str) -> Sizing:
 
 
 def _names(what: str | None) -> tuple[str, ...]:
-    return tuple(each.strip() for each in what.split(",")) if what else ()
+    return tuple(name.strip() for name in what.split(",")) if what else ()
 
 
-def _formats(given: str) -> tuple[str, ...]:
+def _formats(written: str) -> tuple[str, ...]:
     from gearwright.errors import DesignError, Problem, near
 
-    asked = tuple(dict.fromkeys(each.strip() for each in given.split(",")))
-    wrong = [each for each in asked if each not in FORMATS]
+    formats = tuple(dict.fromkeys(name.strip() for name in written.split(",")))
+    wrong = [name for name in formats if name not in FORMATS]
     if wrong:
-        raise DesignError([Problem("--format", f"{each!r} is not drawn; {near(each, FORMATS)}") for each in wrong])
-    if "dxf" in asked and find_spec("ezdxf") is None and len(asked) > 1:
+        raise DesignError([Problem("--format", f"{name!r} is not drawn; {near(name, FORMATS)}") for name in wrong])
+    if "dxf" in formats and find_spec("ezdxf") is None and len(formats) > 1:
         tell("DXF is not written: it needs the package ezdxf, which is not here; pip install ezdxf")
-        return tuple(each for each in asked if each != "dxf")
-    return asked
+        return tuple(name for name in formats if name != "dxf")
+    return formats
 
 
 def _text(sheet: Sheet, suffix: str) -> str:

@@ -34,13 +34,13 @@ def campbell(
     from gearwright.render.tables.dynamics import assumption_table, critical_table
 
     sizing = sized(design)
-    found = critical_speeds(sizing, cases=None if case is None else [case])
-    tables = [critical_table(each) for each in found]
-    _show([*tables, assumption_table(assumptions(sizing, found[0].system))], json=json)
+    campbells = critical_speeds(sizing, cases=None if case is None else [case])
+    tables = [critical_table(case_speeds) for case_speeds in campbells]
+    _show([*tables, assumption_table(assumptions(sizing, campbells[0].system))], json=json)
     path = figure or named_after(design, "campbell.svg")
-    for number, each in enumerate(found, start=1):
+    for number, case_speeds in enumerate(campbells, start=1):
         target = path if number == 1 else path.with_stem(f"{path.stem}-{number}")
-        _draw(campbell_figure(sizing, each), target, quiet=json)
+        _draw(campbell_figure(sizing, case_speeds), target, quiet=json)
 
 
 def response(
@@ -61,12 +61,12 @@ def response(
     sizing = sized(design)
     system = assemble(sizing, case)
     row = mesh or sizing.train.meshes[0].name
-    found = answer(sizing, system, row, error=error_um * 1e-6, top=top_khz * 1e3)
+    answered = answer(sizing, system, row, error=error_um * 1e-6, top=top_khz * 1e3)
     lines = first_meshes(sizing, system)
-    _show([peak_table(found, lines)], json=json)
+    _show([peak_table(answered, lines)], json=json)
     if figure is not None:
         title = f"Answer to a transmission error of {error_um:g} µm in {row}"
-        _draw(response_figure(found, lines, title=title), figure, quiet=json)
+        _draw(response_figure(answered, lines, title=title), figure, quiet=json)
 
 
 def runup(
@@ -91,15 +91,15 @@ def runup(
     system = assemble(sizing, case)
     lines = [*first_meshes(sizing, system), *([line] if line is not None else [])]
     with progress("running") as update:
-        factors = [float(each) for each in np.linspace(lowest, highest, speeds)]
-        found = run_up(sizing, system, factors, lines=list(dict.fromkeys(lines)), progress=update)
+        factors = [float(factor) for factor in np.linspace(lowest, highest, speeds)]
+        swept = run_up(sizing, system, factors, lines=list(dict.fromkeys(lines)), progress=update)
     machine = sizing.machines[0]
     speed = abs(sizing.flows[case or default_case(sizing)].speeds[machine.shaft])
-    table = loudest_table(found, speed)
+    table = loudest_table(swept, speed)
     _show([table], json=json)
     if figure is not None:
         drawn = line or str(table.rows[0][0].value)
-        _draw(waterfall_figure(found, drawn, speed=speed, shaft=machine.shaft), figure, quiet=json)
+        _draw(waterfall_figure(swept, drawn, speed=speed, shaft=machine.shaft), figure, quiet=json)
 
 
 def validate(
@@ -111,16 +111,16 @@ def validate(
     from gearwright.render.tables.validation import by_source, source_table, validation_table, verdict
     from gearwright.validate import Checked, published
 
-    found: list[Checked] = []
+    checked: list[Checked] = []
     for numbers in by_source(published(pattern or "")):
-        found += numbers
+        checked += numbers
         if not json:
             _show([source_table(numbers)], json=False)
     if json:
-        _show([validation_table(found)], json=True)
+        _show([validation_table(checked)], json=True)
     else:
-        show(verdict(found))
-    missed = sum(not one.holds for one in found)
+        show(verdict(checked))
+    missed = sum(not number.holds for number in checked)
     if missed:
         raise SolveError(f"{missed} published numbers are missed; the tables say which")
 

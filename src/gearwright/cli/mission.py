@@ -58,8 +58,8 @@ def fly(
         from gearwright.render.pages.flight import flight_page
 
         flown = [fly_window(flight, name) for name in _windows(flight, window or [])]
-        for each in flown:
-            each.trace.whole()
+        for dynamic in flown:
+            dynamic.trace.whole()
         write_text(report, flight_page(flight, parts, life, windows=flown))
         tell(f"wrote {report}")
     if csv is not None:

@@ -36,8 +36,8 @@ def show(*what: RenderableType) -> None:
     """
     console = screen()
     with _named():
-        for each in what:
-            console.print(each, crop=False)
+        for thing in what:
+            console.print(thing, crop=False)
 
 
 def show_commands(lines: str) -> None:
@@ -108,8 +108,8 @@ def write_figure(drawn: Figure, path: Path) -> None:
             write_text(path, to_svg(drawn))
         case ".png":
             write_bytes(path, to_png(drawn))
-        case other:
-            raise DesignError([Problem("--figure", f"{other!r} is not drawn; end the name with .svg or .png")])
+        case suffix:
+            raise DesignError([Problem("--figure", f"{suffix!r} is not drawn; end the name with .svg or .png")])
 
 
 @contextmanager

@@ -94,13 +94,13 @@ def colibri(
     from gearwright.replays.colibri.replay import replay
     from gearwright.replays.colibri.words import chosen, counts_text, findings_table, replay_record, replay_tables
 
-    found = replay()
-    numbers = chosen(found, part=part or "", wrong=wrong)
+    replayed = replay()
+    numbers = chosen(replayed, part=part or "", wrong=wrong)
     if json:
-        show_json(notation.dumps(replay_record(numbers, found), indent=2, ensure_ascii=False, allow_nan=False))
+        show_json(notation.dumps(replay_record(numbers, replayed), indent=2, ensure_ascii=False, allow_nan=False))
     else:
-        findings = [findings_table(found.findings)] if part is None else []
-        show(replay_tables(numbers, found), *findings, counts_text(found))
+        findings = [findings_table(replayed.findings)] if part is None else []
+        show(replay_tables(numbers, replayed), *findings, counts_text(replayed))
     if out is not None:
         write_text(out, colibri_markdown() if out.suffix == ".md" else colibri_page())
         (tell if json else show)(f"wrote {out}")

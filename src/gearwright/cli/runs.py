@@ -70,13 +70,13 @@ def status(
     if verify:
         _verify(journal)
         return
-    found = look(journal)
-    known = found.recorded
-    show(f"{known.study.name}: {found.done:,} of {known.total:,} cases, {found.failed:,} cannot be had")
-    if found.done == known.total:
+    state = look(journal)
+    known = state.recorded
+    show(f"{known.study.name}: {state.done:,} of {known.total:,} cases, {state.failed:,} cannot be had")
+    if state.done == known.total:
         show("complete")
-    elif found.running:
-        show(f"running, {found.rate:.1f} cases/s, {_duration(found.remaining)} to go")
+    elif state.running:
+        show(f"running, {state.rate:.1f} cases/s, {_duration(state.remaining)} to go")
     else:
         show(f"stopped; next: gearwright resume {journal}")
 
@@ -85,12 +85,12 @@ def _verify(journal: Path) -> None:
     """Say what a journal has lost; exit code 1 if it has lost anything."""
     from gearwright.study.running import verify
 
-    found = verify(journal)
-    if not found.damaged and not found.lost:
-        show(f"whole: {found.kept:,} cases as they were written")
+    verified = verify(journal)
+    if not verified.damaged and not verified.lost:
+        show(f"whole: {verified.kept:,} cases as they were written")
         return
-    lost = f"cases {_spans(found.lost)} are lost" if found.lost else "no case is lost, but the file is damaged"
-    show(f"{lost}; {found.kept:,} are as they were written\nnext: gearwright resume {journal}")
+    lost = f"cases {_spans(verified.lost)} are lost" if verified.lost else "no case is lost, but the file is damaged"
+    show(f"{lost}; {verified.kept:,} are as they were written\nnext: gearwright resume {journal}")
     raise typer.Exit(1)
 
 

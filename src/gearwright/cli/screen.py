@@ -36,17 +36,17 @@ def folded(text: Text, width: int) -> Text:
     lines = [part for line in text.split("\n", allow_blank=True) for part in line.divide(_breaks(line.plain, width))]
     for line in lines:
         line.rstrip()
-    found = Text("\n").join(lines)
-    found.no_wrap, found.justify, found.end = True, text.justify, text.end
-    return found
+    wrapped = Text("\n").join(lines)
+    wrapped.no_wrap, wrapped.justify, wrapped.end = True, text.justify, text.end
+    return wrapped
 
 
 def _breaks(line: str, width: int) -> list[int]:
     """Return where the words begin that stand on a new line."""
     breaks, used = [], 0
-    for found in _WORD.finditer(line):
-        if used and used + cell_len(found[0].rstrip()) > width:
-            breaks.append(found.start())
+    for word in _WORD.finditer(line):
+        if used and used + cell_len(word[0].rstrip()) > width:
+            breaks.append(word.start())
             used = 0
-        used += cell_len(found[0])
+        used += cell_len(word[0])
     return breaks

@@ -31,12 +31,12 @@ def clean(words: str) -> str:
     >>> clean("shaft \\x1b[31m")
     'shaft \\\\x1b[31m'
     """
-    return CONTROL.sub(lambda found: ascii(found[0])[1:-1], words)
+    return CONTROL.sub(lambda match: ascii(match[0])[1:-1], words)
 
 
 def clean_json(text: str, encoding: str) -> str:
     """Return a JSON text with everything escaped that a stream of this encoding cannot hold or a terminal obeys."""
-    return _NOT_PLAIN.sub(lambda found: found[0] if _holds(found[0], encoding) else _escaped(found[0]), text)
+    return _NOT_PLAIN.sub(lambda match: match[0] if _holds(match[0], encoding) else _escaped(match[0]), text)
 
 
 def _holds(letter: str, encoding: str) -> bool:

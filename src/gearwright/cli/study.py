@@ -60,8 +60,8 @@ def study(
     from gearwright.spec import read_study
 
     if name is None:
-        for each in shipped_studies():
-            show(f"{each:20} {read_study(shipped_study(each)).name}")
+        for shipped in shipped_studies():
+            show(f"{shipped:20} {read_study(shipped_study(shipped)).name}")
         return
     path = find_study(name)
     read = read_study(path)
@@ -138,10 +138,10 @@ def _changes(written: list[str] | None) -> dict[str, Value]:
     from gearwright.errors import DesignError, Problem
 
     changes: dict[str, Value] = {}
-    for each in written or []:
-        path, equals, value = each.partition("=")
+    for change in written or []:
+        path, equals, value = change.partition("=")
         if not equals:
-            raise DesignError([Problem("--set", f"{each!r} has no value; write PATH=VALUE")])
+            raise DesignError([Problem("--set", f"{change!r} has no value; write PATH=VALUE")])
         try:
             changes[path.strip()] = tomllib.loads(f"value = {value}")["value"]
         except tomllib.TOMLDecodeError:

@@ -59,7 +59,7 @@ def engines(
 
     span = (min_power_kw * _KW, max_power_kw * _KW)
     chosen = select(series=series, manufacturer=manufacturer, kind=kind or "", model=model, power=span)
-    rows = [check_engine(one) for one in chosen]
+    rows = [check_engine(engine) for engine in chosen]
     if sort is not Order.TABLE:
         rows.sort(key=_sort_keys()[sort])
     show(weights.engine_table(rows, width=screen().width))
@@ -130,15 +130,15 @@ def show_mass(
     from gearwright.weights import Requirement, compare, scores
 
     need = Requirement(power_kw * _KW, engine_rpm * RPM, propeller_rpm * RPM)
-    found = compare(need, bottom_up=bottom_up, stated=stated)
-    show(weights.comparison_table(found, width=screen().width), weights.score_table(scores()))
+    comparison = compare(need, bottom_up=bottom_up, stated=stated)
+    show(weights.comparison_table(comparison, width=screen().width), weights.score_table(scores()))
     if json is not None:
-        _write(json, weights_data.to_json(weights_data.comparison_record(found)))
+        _write(json, weights_data.to_json(weights_data.comparison_record(comparison)))
     if report is not None:
         from gearwright.render.pages.weights import weights_page
 
-        _write(report, weights_page(found))
-    return found
+        _write(report, weights_page(comparison))
+    return comparison
 
 
 def _sort_keys() -> dict[Order, Callable[[CheckedEngine], float | str]]:

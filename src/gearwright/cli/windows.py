@@ -47,19 +47,19 @@ def window(
     rules = window_rules(flight, name)
     if stiffness is not None:
         rules = rules.model_copy(update={"stiffness": stiffness})
-    found = fly_window(flight, name, rules)
-    kept = save_run(output, found.trace, sizing, RATED) if output is not None else None
+    dynamic = fly_window(flight, name, rules)
+    kept = save_run(output, dynamic.trace, sizing, RATED) if output is not None else None
     if json:
-        show_json(window_json(found))
+        show_json(window_json(dynamic))
     else:
-        show(window_text(found))
-    end_interrupted(found.trace, kept)
+        show(window_text(dynamic))
+    end_interrupted(dynamic.trace, kept)
     if kept is not None:
         tell(f"wrote {kept}")
     if figure is not None:
         from gearwright.render.figures.window import window_figure
 
-        write_figure(window_figure(found), figure)
+        write_figure(window_figure(dynamic), figure)
         tell(f"wrote {figure}")
 
 

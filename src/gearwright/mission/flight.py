@@ -120,14 +120,14 @@ class Flight:
         """True where a battery flies: the mission has one, and the design a motor."""
         return self.mission.battery is not None and bool(self.sizing.design.motors)
 
-    def efficiency(self, own: NDArray[np.bool_] | None = None) -> Ratio:
+    def efficiency(self, counted: NDArray[np.bool_] | None = None) -> Ratio:
         """Return the efficiency of the gearbox over some intervals [-]; left out: over all of them.
 
         Args:
             own: True for the intervals that count.
         """
         taken, given = self.passed()
-        weights = self.history["duration"] if own is None else np.where(own, self.history["duration"], 0.0)
+        weights = self.history["duration"] if counted is None else np.where(counted, self.history["duration"], 0.0)
         return float((given * weights).sum() / (taken * weights).sum())
 
     def passed(self) -> tuple[Array, Array]:
@@ -166,18 +166,18 @@ def phase_summaries(flight: Flight) -> tuple[PhaseSummary, ...]:
     return tuple(_summary(flight, name, names == name) for name in flight.mission.phases)
 
 
-def _summary(flight: Flight, name: str, own: NDArray[np.bool_]) -> PhaseSummary:
+def _summary(flight: Flight, name: str, within: NDArray[np.bool_]) -> PhaseSummary:
     def total(key: str) -> float:
-        return float((flight.history[key] * flight.history["duration"])[own].sum())
+        return float((flight.history[key] * flight.history["duration"])[within].sum())
 
     return PhaseSummary(
         name=name,
-        duration=float(flight.history["duration"][own].sum()),
+        duration=float(flight.history["duration"][within].sum()),
         fuel=total("fuel_flow"),
         battery=total("battery_power"),
         propeller=total("propeller_power"),
         loss=total("gearbox_heat"),
-        efficiency=flight.efficiency(own),
+        efficiency=flight.efficiency(within),
     )
 
 

@@ -74,7 +74,7 @@ class Point(NamedTuple):
         Args:
             factor: [-].
         """
-        return Point(self.speeds, *(factor * each for each in self[1:]))
+        return Point(self.speeds, *(factor * value for value in self[1:]))
 
 
 @dataclass(frozen=True)
@@ -123,8 +123,8 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
         contacts=tuple(
             _contact(sizing.design, pair, mesh.sign) for pair, mesh in zip(pairs, sizing.train.meshes, strict=True)
         ),
-        radii=np.array([one.pitch_diameter / 2.0 for one, _ in pairs]),
-        widths=np.array([min(one.face_width, other.face_width) for one, other in pairs]),
+        radii=np.array([gear.pitch_diameter / 2.0 for gear, _ in pairs]),
+        widths=np.array([min(gear.face_width, mate.face_width) for gear, mate in pairs]),
         inertia=_inertia(sizing, propeller),
         turning=Turning(sizing.design, sizing.train, sizing.teeth),
         seats=bearing_seats(sizing),
@@ -132,13 +132,13 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
 
 
 def _contact(design: Design, pair: tuple[GearSizing, GearSizing], sign: int) -> ToothContact:
-    one, other = pair
+    gear, mate = pair
     return tooth_contact(
-        (one.teeth, -other.teeth if sign == INTERNAL else other.teeth),
-        one.module,
-        pressure_angle=design.rules(one.stage).pressure_angle,
-        helix_angle=one.helix_angle,
-        profile_shift=profile_shift(design, one),
+        (gear.teeth, -mate.teeth if sign == INTERNAL else mate.teeth),
+        gear.module,
+        pressure_angle=design.rules(gear.stage).pressure_angle,
+        helix_angle=gear.helix_angle,
+        profile_shift=profile_shift(design, gear),
     )
 
 
@@ -189,8 +189,10 @@ def _point(gearbox: Gearbox, flow: PowerFlow) -> Point:
         speeds=np.array([flow.speeds[node] for node in train.nodes]),
         shaft_torques=transmitted(gearbox.sizing, flow),
         machine_powers=np.array([flow.machine_powers[name] for name in gearbox.machines]),
-        mesh_torques=np.array([own.torques[0] / mesh.count for own, mesh in zip(meshes, train.meshes, strict=True)]),
-        mesh_losses=np.array([own.loss for own in meshes]),
+        mesh_torques=np.array(
+            [mesh_flow.torques[0] / mesh.count for mesh_flow, mesh in zip(meshes, train.meshes, strict=True)]
+        ),
+        mesh_losses=np.array([mesh_flow.loss for mesh_flow in meshes]),
     )
 
 
@@ -224,7 +226,7 @@ def efficiencies(gearbox: Gearbox, point: Point) -> dict[str, float]:
     """
     train, viscosity = gearbox.sizing.train, oil_viscosity(gearbox.oil.temperature) * OIL_DENSITY
     speed = {**dict(zip(train.nodes, point.speeds, strict=True)), "ground": 0.0}
-    found: dict[str, list[float]] = {}
+    by_stage: dict[str, list[float]] = {}
     for k, mesh in enumerate(train.meshes):
         contact = gearbox.contacts[k]
         normal = abs(point.mesh_torques[k]) / (gearbox.radii[k] * np.cos(contact.pressure_angle))
@@ -235,8 +237,8 @@ def efficiencies(gearbox: Gearbox, point: Point) -> dict[str, float]:
             viscosity=viscosity,
             roughness=gearbox.oil.roughness,
         )
-        found.setdefault(mesh.stage, []).append(mesh_efficiency(contact, friction))
-    return {stage: float(np.mean(values)) for stage, values in found.items()}
+        by_stage.setdefault(mesh.stage, []).append(mesh_efficiency(contact, friction))
+    return {stage: float(np.mean(values)) for stage, values in by_stage.items()}
 
 
 def drag(gearbox: Gearbox, point: Point) -> Drag:

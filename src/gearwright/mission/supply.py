@@ -142,12 +142,12 @@ class Supply:
 
     def _too_weak(self, moment: Moment, power: float, limits: PowerLimits) -> str:
         """Return what is wrong with a power that a turbine cannot give, and what helps."""
-        bound, most = limits._fields[limits.index(min(limits))], min(limits)
+        bound, available = limits._fields[limits.index(min(limits))], min(limits)
         fix = "climb slower, fly slower" if moment.power is None else "ask for less power"
         if self.motors:
             fix += ", or give the motors a larger electric_share"
-        given = f"gives {most / 1e3:.4g} kW (by its {bound})"
-        return f"needs {power / 1e3:.4g} kW at {moment.altitude:.0f} m, and {given}; {fix}"
+        offer = f"gives {available / 1e3:.4g} kW (by its {bound})"
+        return f"needs {power / 1e3:.4g} kW at {moment.altitude:.0f} m, and {offer}; {fix}"
 
     def _heat(self, name: str, point: tuple[float, float], mode: str) -> float:
         motor, (power, speed) = self.motors[name], point
@@ -188,11 +188,11 @@ def _faulty(battery: Battery, asked: tuple[float, float], step: BatteryStep, mod
         return f"{said} (most 1); start with a lower start_charge, charge less or shorter, or give more energy_kwh"
     if step.fault == EMPTY:
         return f"{said} (least {battery.least:g}); {less}, fly shorter, or give more energy_kwh"
-    most = highest_current(battery)
-    if abs(step.current) <= most:  # no current gives this power behind the resistance
+    highest = highest_current(battery)
+    if abs(step.current) <= highest:  # no current gives this power behind the resistance
         limit = f"more than its resistance of {battery.resistance:g} Ω lets through"
         return f"{said}, {limit}; {less}, or lower resistance_ohm"
-    limit = f"{abs(step.current):.0f} A, of {most:.0f} A (highest_c_rate {battery.highest_rate:g})"
+    limit = f"{abs(step.current):.0f} A, of {highest:.0f} A (highest_c_rate {battery.highest_rate:g})"
     return f"{said}: {limit}; {less}, or give more energy_kwh or highest_c_rate"
 
 
@@ -211,8 +211,8 @@ def _machine_speeds(gearbox: Gearbox, point: Point) -> dict[str, float]:
 
 def _divided(share: float, weights: Mapping[str, float]) -> dict[str, float]:
     """Divide a share in proportion to weights; without a share nothing is in it."""
-    whole = sum(weights.values())
-    return {name: share * weight / whole for name, weight in weights.items()} if share else {}
+    total = sum(weights.values())
+    return {name: share * weight / total for name, weight in weights.items()} if share else {}
 
 
 def supply_of(sizing: Sizing, mission: Mission) -> Supply:
@@ -235,11 +235,11 @@ def supply_of(sizing: Sizing, mission: Mission) -> Supply:
         for name, turbine in sizing.design.turbines.items()
     }
     motors = {
-        name: rated_losses(own.power, own.speed, efficiency=motor.efficiency, overload=motor.overload)
-        for name, own in sizing.design.motors.items()
+        name: rated_losses(machine.power, machine.speed, efficiency=motor.efficiency, overload=motor.overload)
+        for name, machine in sizing.design.motors.items()
     }
-    ratings = {name: own.power for name, own in sizing.design.turbines.items()}
-    ratings |= {name: own.power for name, own in sizing.design.motors.items()}
+    ratings = {name: turbine.power for name, turbine in sizing.design.turbines.items()}
+    ratings |= {name: machine.power for name, machine in sizing.design.motors.items()}
     return Supply(engines, motors, _pack(mission.battery) if mission.battery and motors else None, ratings)
 
 

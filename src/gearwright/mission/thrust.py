@@ -83,10 +83,10 @@ def _refuse_no_flight(moment: Moment, burnt: float, held: tuple[float, float, fl
 
 def _incompressible(name: str, moment: Moment, advance: tuple[float, float, float], thrust: float) -> float:
     """Return the C_T of the map that compressibility brings down to a thrust coefficient."""
-    found = thrust
+    estimate = thrust
     for _ in range(_ROUNDS):
-        found = thrust / _factor(name, moment, advance, found)
-    return found
+        estimate = thrust / _factor(name, moment, advance, estimate)
+    return estimate
 
 
 def _factor(name: str, moment: Moment, advance: tuple[float, float, float], thrust: float) -> float:

@@ -106,8 +106,8 @@ def _write_trace(file: Any, trace: Trace) -> None:
 
 def _statistics_of(trace: Trace) -> dict[str, Statistics]:
     """Return the statistics that a run has, by name; only runs with drives have those of drives."""
-    found = {name: getattr(trace, name) for name in (*_STATISTICS, "drive")}
-    return {name: value for name, value in found.items() if value is not None}
+    statistics = {name: getattr(trace, name) for name in (*_STATISTICS, "drive")}
+    return {name: value for name, value in statistics.items() if value is not None}
 
 
 @verb

@@ -103,8 +103,8 @@ def tip_deflection(part: Segment, length: float, force: float) -> float:
 
 
 def _bending() -> Sequence[float]:
-    found = modes(simply_supported(COUNT, _PART))
-    return [frequency for frequency, many in found.groups() if many == 2][:3]
+    beam = modes(simply_supported(COUNT, _PART))
+    return [frequency for frequency, many in beam.groups() if many == 2][:3]
 
 
 def _cantilever() -> Sequence[float]:

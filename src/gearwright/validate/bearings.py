@@ -78,8 +78,8 @@ def _static() -> Sequence[float]:
 
 
 def _reference_life(clearance: float, load: RingLoad) -> Sequence[float]:
-    found = load_distribution(REFERENCE, load, clearance=clearance)
-    return [basic_reference_life(REFERENCE, REFERENCE_RATING, found.force)]
+    distribution = load_distribution(REFERENCE, load, clearance=clearance)
+    return [basic_reference_life(REFERENCE, REFERENCE_RATING, distribution.force)]
 
 
 def _catalogue_life() -> Sequence[float]:

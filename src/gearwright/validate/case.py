@@ -55,13 +55,13 @@ def check(case: Case) -> tuple[Checked, ...]:
     Raises:
         SolveError: If gearwright finds another count of numbers than are printed.
     """
-    found = [float(value) for value in case.compute()]
-    if len(found) != len(case.expected):
-        raise SolveError(f"{case.name}: {len(case.expected)} numbers are printed, {len(found)} found")
-    several = len(found) > 1
+    numbers = [float(value) for value in case.compute()]
+    if len(numbers) != len(case.expected):
+        raise SolveError(f"{case.name}: {len(case.expected)} numbers are printed, {len(numbers)} found")
+    several = len(numbers) > 1
     return tuple(
         _checked(case, f"{case.name}, {place}" if several else case.name, expected, got)
-        for place, (expected, got) in enumerate(zip(case.expected, found, strict=True), start=1)
+        for place, (expected, got) in enumerate(zip(case.expected, numbers, strict=True), start=1)
     )
 
 

@@ -38,8 +38,8 @@ def published(pattern: str = "") -> tuple[Case, ...]:
         DesignError: If no case does.
     """
     words = pattern.casefold()
-    found = tuple(case for case in ALL if words in f"{case.name} {case.source}".casefold())
-    if not found:
+    cases = tuple(case for case in ALL if words in f"{case.name} {case.source}".casefold())
+    if not cases:
         names = ", ".join(dict.fromkeys(case.source.partition(",")[0] for case in ALL))
         raise DesignError([Problem("pattern", f"no case or source contains {pattern!r}; sources: {names}")])
-    return found
+    return cases

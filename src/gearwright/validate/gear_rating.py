@@ -39,22 +39,22 @@ def iso_rating() -> PairRating:
 
 def _geometry() -> Sequence[float]:
     rated = iso_rating().pitting.geometry
-    return [float(each) for each in (rated.zone, rated.elasticity / 1e3, rated.helix)]
+    return [float(value) for value in (rated.zone, rated.elasticity / 1e3, rated.helix)]
 
 
 def _film() -> Sequence[float]:
     strength = iso_rating().contact_strength[0]
-    return [float(each) for each in (strength.lubricant, strength.speed, strength.roughness)]
+    return [float(value) for value in (strength.lubricant, strength.speed, strength.roughness)]
 
 
 def _stresses() -> Sequence[float]:
     rated = iso_rating().pitting
-    return [float(each) / 1e6 for each in (rated.nominal_stress, *rated.permissible)]
+    return [float(value) / 1e6 for value in (rated.nominal_stress, *rated.permissible)]
 
 
 def _loads() -> Sequence[float]:
     rated = iso_rating()
-    return [float(each) for each in (rated.tangential_force, rated.speed, rated.dynamic.factor)]
+    return [float(value) for value in (rated.tangential_force, rated.speed, rated.dynamic.factor)]
 
 
 def _bending() -> Sequence[float]:

@@ -28,7 +28,7 @@ def _refit() -> Sequence[float]:
 
 
 def _line() -> Sequence[float]:
-    score = next(one for one in scores() if one.method.key == "tm215680")
+    score = next(score for score in scores() if score.method.key == "tm215680")
     return [value for value in (score.bias, score.scatter) if value is not None]
 
 

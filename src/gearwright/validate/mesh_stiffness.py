@@ -22,13 +22,13 @@ def iso_example() -> MeshStiffness:
 
 
 def _single() -> Sequence[float]:
-    found = iso_example()
-    return [found.theoretical / 1e9, found.single / 1e9]
+    stiffness = iso_example()
+    return [stiffness.theoretical / 1e9, stiffness.single / 1e9]
 
 
 def _mesh() -> Sequence[float]:
-    found = iso_example()
-    return [found.mesh / 1e9, found.face / 1e9]
+    stiffness = iso_example()
+    return [stiffness.mesh / 1e9, stiffness.face / 1e9]
 
 
 CASES = (

@@ -93,17 +93,17 @@ def by_family(planetary: PlanetarySet) -> dict[str, list[float]]:
         planetary: The set.
     """
     system = build(planetary)
-    found = modes(system)
+    solved = modes(system)
     groups: dict[str, list[float]] = {}
-    for family, frequency in zip(mode_families(system, found, planetary.positions), found.frequency, strict=True):
+    for family, frequency in zip(mode_families(system, solved, planetary.positions), solved.frequency, strict=True):
         groups.setdefault(family, []).append(float(frequency))
     return groups
 
 
 def _family(planetary: PlanetarySet, family: str, scale: float = 1.0) -> Sequence[float]:
     """Return the distinct frequencies of a family: of translational ones one of each pair."""
-    found = by_family(planetary)[family]
-    return [value / scale for value in (found[::2] if family == "translational" else found)]
+    frequencies = by_family(planetary)[family]
+    return [value / scale for value in (frequencies[::2] if family == "translational" else frequencies)]
 
 
 KAHRAMAN = {"m_s": 2.0, "m_p": 3.0, "m_c": 4.0, "k_s": 7.0, "k_r": 11.0, "n": 3}
@@ -240,11 +240,11 @@ def _largest(planets: int, support: float) -> Sequence[float]:
 
 
 def _four_shares() -> Sequence[float]:
-    return [float(each) for each in sharing(4, sun_support=0.0)]
+    return [float(value) for value in sharing(4, sun_support=0.0)]
 
 
 def _kahraman() -> Sequence[float]:
-    return [float(each) for each in modes(build(kahraman())).frequency]
+    return [float(value) for value in modes(build(kahraman())).frequency]
 
 
 CASES = (

@@ -25,8 +25,8 @@ def countershaft() -> PointLoads:
 
 def reactions() -> Sequence[float]:
     """Return both bearings' forces along y, then along z [lbf]."""
-    found = supported(countershaft(), BEARINGS, length=LENGTH).force[:, 2:] / POUND_FORCE
-    return [float(value) for value in found.ravel()]
+    forces = supported(countershaft(), BEARINGS, length=LENGTH).force[:, 2:] / POUND_FORCE
+    return [float(value) for value in forces.ravel()]
 
 
 def moments() -> Sequence[float]:

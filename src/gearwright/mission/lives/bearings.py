@@ -184,13 +184,13 @@ def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:
     forces = {name: seat_forces(seat, torques, speeds[seat.carrier]) for name, seat in seats.items()}
     axial: dict[str, Array] = {}
     for shaft in dict.fromkeys(seat.nodes[0] for seat in seats.values()):
-        own = {name: seat for name, seat in seats.items() if seat.nodes[0] == shaft}
-        axial |= _located(flight, shaft, own, forces)
-    found = []
+        on_shaft = {name: seat for name, seat in seats.items() if seat.nodes[0] == shaft}
+        axial |= _located(flight, shaft, on_shaft, forces)
+    duties = []
     for name, seat in seats.items():
         speed = np.abs(speeds[seat.nodes[0]] - speeds[seat.nodes[1]])
-        found.append((seat, SeatDuty(forces[name][0], axial[name], speed, flight.history["duration"])))
-    return tuple(found)
+        duties.append((seat, SeatDuty(forces[name][0], axial[name], speed, flight.history["duration"])))
+    return tuple(duties)
 
 
 def _located(
@@ -200,12 +200,14 @@ def _located(
     radial = {name: forces[name][0] for name in seats}
     first = next(iter(seats))
     along = forces[first][1] + seats[first].rotor_side * _thrust(flight)
-    along = np.where(np.abs(along) > _ROUNDING * max(float(each.max()) for each in radial.values()), along, 0.0)
-    given = {name: seat.given for name, seat in seats.items() if seat.given is not None}
-    if given:
-        return axial_forces(shaft, given, (along, radial), _taper_factors(flight, given), cases=flight.phase)
-    least = min(radial, key=lambda name: float(radial[name].mean()))
-    return {name: np.abs(along) if name == least else np.zeros_like(along) for name in seats}
+    along = np.where(np.abs(along) > _ROUNDING * max(float(force.max()) for force in radial.values()), along, 0.0)
+    located_by_design = {name: seat.given for name, seat in seats.items() if seat.given is not None}
+    if located_by_design:
+        return axial_forces(
+            shaft, located_by_design, (along, radial), _taper_factors(flight, located_by_design), cases=flight.phase
+        )
+    lightest_loaded = min(radial, key=lambda name: float(radial[name].mean()))
+    return {name: np.abs(along) if name == lightest_loaded else np.zeros_like(along) for name in seats}
 
 
 def _thrust(flight: Flight) -> Array:
@@ -215,9 +217,12 @@ def _thrust(flight: Flight) -> Array:
 
 
 def _taper_factors(flight: Flight, names: Iterable[str]) -> dict[str, LoadFactors]:
-    sized = {each.name: each.bearing.geometry for each in flight.sizing.bearings if each.name in names}
+    sized = (seat for seat in flight.sizing.bearings if seat.name in names)
+    geometries = {seat.name: seat.bearing.geometry for seat in sized}
     return {
-        name: taper_factors(inside.contact_angle) for name, inside in sized.items() if inside.kind is BearingKind.TAPER
+        name: taper_factors(inside.contact_angle)
+        for name, inside in geometries.items()
+        if inside.kind is BearingKind.TAPER
     }
 
 
@@ -236,33 +241,33 @@ class _Named(NamedTuple):
 def _named(flight: Flight, seat: Seat) -> _Named | None:
     """Return the bearing that sizing took for a seat of the design, or that a planet names; None if it is open."""
     if seat.given is not None:
-        return _Named(next(each.bearing for each in flight.sizing.bearings if each.name == seat.name), 1)
+        return _Named(next(sized.bearing for sized in flight.sizing.bearings if sized.name == seat.name), 1)
     stage, _, last = seat.name.rpartition(".")
     planetary = flight.sizing.design.planetaries.get(stage)
-    own = planetary.planet_bearing if planetary is not None and last == "planet" else None
-    if own is None:
+    asked = planetary.planet_bearing if planetary is not None and last == "planet" else None
+    if asked is None:
         return None
-    found = bearing(own.designation)
-    if own.dynamic_rating is not None and own.static_rating is not None:
+    named = bearing(asked.designation)
+    if asked.dynamic_rating is not None and asked.static_rating is not None:
         made = "maker's ratings, given by the user"
-        found = with_ratings(found, own.dynamic_rating, own.static_rating, source=made)
-    return _Named(found, own.side_by_side)
+        named = with_ratings(named, asked.dynamic_rating, asked.static_rating, source=made)
+    return _Named(named, asked.side_by_side)
 
 
 def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: _Named | None) -> BearingDamage:
     rules = flight.mission.bearings
     if named is None:
         return _chosen(seat, duty, cast(BearingLifeRules, rules))
-    found, fits = named.bearing, seat.given is not None
-    if not fits and not (found.bore >= seat.bore - 1e-9 and found.outer_diameter <= seat.room + 1e-9):
+    chosen, fits = named.bearing, seat.given is not None
+    if not fits and not (chosen.bore >= seat.bore - 1e-9 and chosen.outer_diameter <= seat.room + 1e-9):
         message = (
-            f"{found.designation} has a bore of {1e3 * found.bore:g} mm and an outside of"
-            f" {1e3 * found.outer_diameter:g} mm; allowed: {1e3 * seat.bore:.4g} mm or more, and"
+            f"{chosen.designation} has a bore of {1e3 * chosen.bore:g} mm and an outside of"
+            f" {1e3 * chosen.outer_diameter:g} mm; allowed: {1e3 * seat.bore:.4g} mm or more, and"
             f" {1e3 * seat.room:.4g} mm or less; take another size"
         )
         raise DesignError([Problem("designation", message)])
     reliability = rules.reliability if rules else USUAL_RELIABILITY
-    return _lived(seat, duty, found, (named.side_by_side, reliability), asked=None)
+    return _lived(seat, duty, chosen, side_by_side=named.side_by_side, reliability=reliability)
 
 
 def _chosen(seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
@@ -280,8 +285,8 @@ def _chosen(seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamag
     )
     sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_outer=seat.room)
     able = (size for size in sizes if min(size.life_margin, size.static_margin) >= 1.0)
-    found = next(able, max(sizes, key=lambda size: min(size.life_margin, size.static_margin))).bearing
-    return _lived(seat, duty, found, (rules.side_by_side, rules.reliability), asked=rules.life)
+    best = next(able, max(sizes, key=lambda size: min(size.life_margin, size.static_margin))).bearing
+    return _lived(seat, duty, best, side_by_side=rules.side_by_side, reliability=rules.reliability, asked=rules.life)
 
 
 def _steady(duty: SeatDuty, kind: BearingKind) -> tuple[float, float, float]:
@@ -299,30 +304,30 @@ def _steady(duty: SeatDuty, kind: BearingKind) -> tuple[float, float, float]:
 
 
 def _lived(
-    seat: Seat, duty: SeatDuty, found: Bearing, rules: tuple[int, float], *, asked: float | None
+    seat: Seat, duty: SeatDuty, fitted: Bearing, *, side_by_side: int, reliability: float, asked: float | None = None
 ) -> BearingDamage:
     """Return the damage of a bearing, for bearings side by side and a reliability."""
-    (several, reliability), whole = rules, float(duty.time.sum())
-    share = _pair_factor(found.kind, several)
+    flown = float(duty.time.sum())
+    share = _pair_factor(fitted.kind, side_by_side)
     spectrum = BearingSpectrum(
         radial=tuple(duty.radial.tolist()),
         axial=tuple(duty.axial.tolist()),
         speed=tuple(duty.speed.tolist()),
-        share=tuple((duty.time / whole).tolist()),
-        life=whole,
+        share=tuple((duty.time / flown).tolist()),
+        life=flown,
         mean_factor=1.0 / share,
-        limit_factor=1.0 / several,
+        limit_factor=1.0 / side_by_side,
     )
-    check = check_bearing(found, spectrum)
+    check = check_bearing(fitted, spectrum)
     return BearingDamage(
         seat=seat.name,
-        bearing=found,
-        count=seat.count * several,
+        bearing=fitted,
+        count=seat.count * side_by_side,
         mean_load=share * check.equivalent_load,
         mean_speed=spectrum.mean_speed,
         static_safety=check.static_safety,
-        damage=whole / (check.life * reliability_factor(reliability)),
-        hours=whole / 3600.0,
+        damage=flown / (check.life * reliability_factor(reliability)),
+        hours=flown / 3600.0,
         asked=None if asked is None else asked / 3600.0,
     )
 

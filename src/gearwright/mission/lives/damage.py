@@ -70,10 +70,10 @@ def gear_damage(flight: Flight) -> tuple[GearDamage, ...]:
         if mesh.stage in unrated_stages(flight.sizing.design):
             continue
         try:
-            found = _mesh_damage(flight, mesh)
+            damages = _mesh_damage(flight, mesh)
         except DesignError as error:
             raise DesignError([Problem(mesh.name, problem.message) for problem in error.problems]) from None
-        for gear, modes in zip(mesh.gears, found, strict=True):
+        for gear, modes in zip(mesh.gears, damages, strict=True):
             for mode, damage in zip((PITTING, BENDING), modes, strict=True):
                 sums.setdefault((gear, mode), []).append(damage)
     hours = flight.duration / 3600.0
@@ -97,20 +97,20 @@ def _joined(flight: Flight, gear: str, parts: Sequence[float]) -> float:
 
 def _mesh_damage(flight: Flight, mesh: Mesh) -> list[tuple[float, float]]:
     """Return (pitting, bending) of gear a and gear b of a mesh."""
-    bins = [each for each in mesh_spectrum(flight, mesh.name) if each.load > _LEAST_TORQUE and each.turns > 0.0]
+    bins = [duty for duty in mesh_spectrum(flight, mesh.name) if duty.load > _LEAST_TORQUE and duty.turns > 0.0]
     if not bins:
         return [(0.0, 0.0), (0.0, 0.0)]
     rating, ask = _rating(flight, mesh.stage), row_ask(flight.sizing.train, flight.sizing.teeth, mesh)
     gear = next(gear for gear in flight.sizing.gears if gear.name == mesh.gears[0])
     mate = next(gear for gear in flight.sizing.gears if gear.name == mesh.gears[1])
     size = (gear.module, min(gear.face_width, mate.face_width))
-    loads = [each.load * rating.load_factor for each in bins]
-    strains = strains_under(rating, ask, loads, [each.speed for each in bins], size)
+    loads = [duty.load * rating.load_factor for duty in bins]
+    strains = strains_under(rating, ask, loads, [duty.speed for duty in bins], size)
     treatment = steel_of(rating).treatment
     curves = (contact_life_curve(treatment), bending_life_curve(treatment))
     damages = []
     for side, relative in enumerate((1.0, gear.teeth / mate.teeth)):
-        cycles = [each.turns * relative * ask.passes[side] for each in bins]
+        cycles = [duty.turns * relative * ask.passes[side] for duty in bins]
         flank, root = (_sum(cycles, pair[side], curve) for pair, curve in zip(strains, curves, strict=True))
         damages.append((flank, root))
     return damages
@@ -129,7 +129,7 @@ def _rating(flight: Flight, stage: str) -> Rating:
     service = rating.service.model_copy(update={"application_factor": 1.0})
     if rating.by_standard:
         return replace(rating, service=service)
-    own = Iso6336Rules(
+    standard = Iso6336Rules(
         steel=rules.steel,
         grade=rules.grade,
         hardness_hv=rules.hardness_hv,
@@ -137,4 +137,4 @@ def _rating(flight: Flight, stage: str) -> Rating:
         helix_modification="none",
         oil_viscosity=_OIL_VISCOSITY,
     )
-    return replace(rating, rules=rating.rules.model_copy(update={"iso6336": own}), service=service)
+    return replace(rating, rules=rating.rules.model_copy(update={"iso6336": standard}), service=service)

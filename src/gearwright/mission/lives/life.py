@@ -86,10 +86,10 @@ def size_for_life(design: Design, mission: Mission, hours: float, *, folder: Pat
         path.append((worst.life, sizing.mass))
         if worst.life >= hours:
             flight = fly(sizing, lasting, folder=folder)
-            found = gear_damage(flight)
-            if found[0].life >= hours:
-                return LifeSizing(sizing, flight, found, hours, tuple(path), before, bearing_lives(flight))
-            worst = found[0]
+            damages = gear_damage(flight)
+            if damages[0].life >= hours:
+                return LifeSizing(sizing, flight, damages, hours, tuple(path), before, bearing_lives(flight))
+            worst = damages[0]
         design = strengthened(design, worst)
         teeth, sizing = sizing.teeth, size(design)
         flight = replace(flight, sizing=sizing) if sizing.teeth == teeth else fly(sizing, mission, folder=folder)

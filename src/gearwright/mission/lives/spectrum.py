@@ -41,7 +41,7 @@ def mesh_spectrum(flight: Flight, mesh: str, *, classes: int = CLASSES) -> tuple
         mesh: Name of its row, such as ``first.sun-planet``.
         classes: Number of load classes [-].
     """
-    row = by_name(mesh, {each.name: each for each in flight.sizing.train.meshes}, "mesh")
+    row = by_name(mesh, {candidate.name: candidate for candidate in flight.sizing.train.meshes}, "mesh")
     speeds = {**flight.speeds, GROUND: np.zeros(len(flight.phase))}
     rolling = speeds[row.nodes[0]] - speeds[row.nodes[2]]
     return _binned(flight, flight.mesh_torques[mesh], rolling, classes)
@@ -78,9 +78,13 @@ def _binned(flight: Flight, load_of: Array, speed: Array, classes: int) -> tuple
     place = np.minimum((load / top * classes).astype(int), classes - 1)
     bins = []
     for k in np.unique(place):
-        own = place == k
-        whole = float(turns[own].sum())
-        weights = turns[own] if whole else time[own]
-        mean = float(np.average(load[own], weights=weights))
-        bins.append(DutyBin(mean, float(np.average(turning[own], weights=time[own])), float(time[own].sum()), whole))
+        in_class = place == k
+        total = float(turns[in_class].sum())
+        weights = turns[in_class] if total else time[in_class]
+        mean = float(np.average(load[in_class], weights=weights))
+        bins.append(
+            DutyBin(
+                mean, float(np.average(turning[in_class], weights=time[in_class])), float(time[in_class].sum()), total
+            )
+        )
     return tuple(bins)

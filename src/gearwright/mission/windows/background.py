@@ -66,19 +66,19 @@ def background(flight: Flight, rules: WindowRules) -> Background:
         rules: Where the window lies.
     """
     phase, at, duration, over = rules.phase, rules.at, rules.duration, rules.over
-    given = flight.mission.oil
-    oil = Oil(given.inlet_temperature_k, given.roughness, given.dip)
+    oil_rules = flight.mission.oil
+    oil = Oil(oil_rules.inlet_temperature_k, oil_rules.roughness, oil_rules.dip)
     gearbox = gearbox_of(flight.sizing, next(iter(flight.sizing.design.propellers)), oil)
     supply = supply_of(flight.sizing, flight.mission)
-    history, own = flight.history, np.flatnonzero(np.array(flight.phase) == phase)
+    history, in_phase = flight.history, np.flatnonzero(np.array(flight.phase) == phase)
     first = history["time"] - 0.5 * history["duration"]
-    start = float(first[own[0]]) + at
+    start = float(first[in_phase[0]]) + at
     seen = np.flatnonzero((first + history["duration"] > start) & (first < start + duration))
     seen = np.union1d(seen, np.clip(seen + 1, 0, len(first) - 1))
     seen = np.union1d(seen, np.clip(seen - 1, 0, len(first) - 1))
     stages = {int(k): _stage(flight, gearbox, supply, int(k)) for k in seen}
     times = _knots(flight, stages, start, over)
-    air = [(float(history["time"][k]) - start, int(k)) for k in own]
+    air = [(float(history["time"][k]) - start, int(k)) for k in in_phase]
     names, shafts = gearbox.machines, set(_shafts(gearbox).values()) if rules.losses else set()
     return Background(
         flight=flight,
@@ -154,17 +154,17 @@ def staged(
 def _resistances(gearbox: Gearbox, point: Point, speeds: Mapping[str, float]) -> dict[str, float]:
     """Return the losses of each stage's meshes as a torque on its first shaft that turns."""
     train = gearbox.sizing.train
-    found = dict.fromkeys(_shafts(gearbox).values(), 0.0)
+    resistances = dict.fromkeys(_shafts(gearbox).values(), 0.0)
     for mesh, loss in zip(train.meshes, point.mesh_losses, strict=True):
         shaft = _shafts(gearbox)[mesh.stage]
-        found[shaft] += float(loss) / speeds[shaft]
-    return found
+        resistances[shaft] += float(loss) / speeds[shaft]
+    return resistances
 
 
 def _shafts(gearbox: Gearbox) -> dict[str, str]:
     """Return the first shaft of each stage: of gear a, else the carrier, else of gear b."""
-    train, found = gearbox.sizing.train, dict[str, str]()
+    train, first_shafts = gearbox.sizing.train, dict[str, str]()
     for mesh in train.meshes:
         shafts = [node for node in (mesh.nodes[0], mesh.nodes[2], mesh.nodes[1]) if node in train.nodes]
-        found.setdefault(mesh.stage, next(node for node in shafts if not node.endswith(".planet")))
-    return found
+        first_shafts.setdefault(mesh.stage, next(node for node in shafts if not node.endswith(".planet")))
+    return first_shafts

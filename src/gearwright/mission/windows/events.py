@@ -118,7 +118,7 @@ def _gust(airspeed: Curve, rules: WindowRules) -> Curve:
 
 def _joining(back: Background, rules: WindowRules) -> Background:
     """Return a background in which the machine before a clutch gives nothing until the event."""
-    joint = next((each for each in back.flight.sizing.train.joints if each.name == rules.clutch), None)
+    joint = next((clutch for clutch in back.flight.sizing.train.joints if clutch.name == rules.clutch), None)
     train = back.flight.sizing.train
     torques = {
         name: _blended([(0.0, 0.0)], curve, rules) if joint and train.machines[name] == joint.driving else curve

@@ -58,13 +58,13 @@ class Trim(NamedTuple):
             DesignError: The point lies outside the map.
         """
         turns = speed / (2.0 * np.pi)
-        found = look_up(self.chart, self.true_airspeed / (turns * self.diameter), pitch)
-        if found.status != INSIDE:
+        coefficients = look_up(self.chart, self.true_airspeed / (turns * self.diameter), pitch)
+        if coefficients.status != INSIDE:
             message = f"{turns * 60:.0f} rpm and {np.degrees(pitch):.1f}° lie outside the map in this window"
             raise DesignError(
                 [Problem("propeller.map", f"{message}; start from another moment, or with a smaller step")]
             )
-        return float(found.power * self.density * turns**2 * self.diameter**5 / (2.0 * np.pi))
+        return float(coefficients.power * self.density * turns**2 * self.diameter**5 / (2.0 * np.pi))
 
 
 @dataclass(frozen=True)
@@ -156,7 +156,7 @@ def governed_window(
     target = trim.speed + speed_step
 
     def rates(state: Array) -> Array:
-        speed, pitch, pitch_rate, error_sum = (float(each) for each in state)
+        speed, pitch, pitch_rate, error_sum = (float(value) for value in state)
         moved = governor_rates(governor, GovernorState(pitch, pitch_rate, error_sum), target - speed)
         return np.array([(drive - trim.torque(speed, pitch)) / trim.inertia, *moved])
 

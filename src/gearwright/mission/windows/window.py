@@ -98,9 +98,11 @@ def _check(flight: Flight, name: str, rules: WindowRules) -> None:
     at = f"windows.{name}"
     if flight.propeller_map is None:
         raise DesignError([Problem(at, "the mission flies by schedules; a window needs a propeller_map")])
-    own = float(flight.history["duration"][np.array(flight.phase) == rules.phase].sum())
-    if rules.at >= own:
-        message = f"{rules.at:g} s, but {rules.phase} ends after {own:g} s; start earlier, or in the next phase"
+    phase_duration = float(flight.history["duration"][np.array(flight.phase) == rules.phase].sum())
+    if rules.at >= phase_duration:
+        message = (
+            f"{rules.at:g} s, but {rules.phase} ends after {phase_duration:g} s; start earlier, or in the next phase"
+        )
         raise DesignError([Problem(f"{at}.at", message)])
     joints = {joint.name for joint in flight.sizing.train.joints}
     if rules.clutch is not None and rules.clutch not in joints:
@@ -151,8 +153,8 @@ def _machine(back: Background, rules: WindowRules, name: str) -> MachineDrive:
     """Return a machine whose torque at the set speed is the mission's."""
     train, supply = back.flight.sizing.train, back.supply
     turning = abs(float(back.flight.speeds[train.machines[name]][back.interval]))
-    own = back.flight.history["propeller_speed"][back.interval]
-    reference = turning * value_at(back.speed, 0.0) / float(own)
+    mean_speed = back.flight.history["propeller_speed"][back.interval]
+    reference = turning * value_at(back.speed, 0.0) / float(mean_speed)
     if name in supply.motors:
         motor = supply.motors[name]
         return MachineDrive(name, name, back.torques[name], reference, 0.0, motor.peak_torque, motor.peak_power)
@@ -189,11 +191,11 @@ def _taken(back: Background, rules: WindowRules) -> float:
     speed = value_at(back.speed, 0.0)
     scale = speed / float(back.flight.history["propeller_speed"][k])
     turning = {node: abs(float(values[k])) * scale for node, values in back.flight.speeds.items()}
-    given = sum(value_at(back.torques[name], 0.0) * turning[train.machines[name]] for name in back.gearbox.machines)
+    driven = sum(value_at(back.torques[name], 0.0) * turning[train.machines[name]] for name in back.gearbox.machines)
     lost = sum(value_at(curve, 0.0) * turning[shaft] for shaft, curve in back.resistances.items())
     small = 1e-3
     gain = (value_at(back.speed, small) - speed) / small
-    return given - lost - back.gearbox.inertia * speed * gain
+    return driven - lost - back.gearbox.inertia * speed * gain
 
 
 def _governor(rules: GovernorRules, pitch: float, back: Background, ends: tuple[float, float]) -> Governor:
@@ -213,7 +215,7 @@ def _governor(rules: GovernorRules, pitch: float, back: Background, ends: tuple[
 
 def _capacity(back: Background, rules: WindowRules) -> float | Curve:
     """Return an overrunning clutch's, which never slips forwards, or a friction clutch's, which grows at the event."""
-    joint = next(each for each in back.flight.sizing.train.joints if each.name == rules.clutch)
+    joint = next(clutch for clutch in back.flight.sizing.train.joints if clutch.name == rules.clutch)
     if joint.overrunning:
         return NEVER_SLIPS
     carried = float(back.flight.shaft_torques[joint.driving][back.interval])
@@ -226,24 +228,24 @@ def _start(system: System, back: Background, rules: WindowRules) -> tuple[Floats
     arrays, labels = system.arrays, system.labels
     velocity = np.zeros(len(arrays.mass))
     if rules.clutch is not None and rules.slip is not None:
-        joint = next(each for each in back.flight.sizing.train.joints if each.name == rules.clutch)
+        joint = next(clutch for clutch in back.flight.sizing.train.joints if clutch.name == rules.clutch)
         machine = [name for name, shaft in back.flight.sizing.train.machines.items() if shaft == joint.driving]
-        own = _joined(system, labels.coordinates.index(_body(system, machine[0])))
-        leading = abs(float(arrays.speed[own][np.argmax(np.abs(arrays.speed[own]))]))
-        velocity[own] = -rules.slip / leading * arrays.speed[own]
+        before_clutch = _joined(system, labels.coordinates.index(_body(system, machine[0])))
+        leading = abs(float(arrays.speed[before_clutch][np.argmax(np.abs(arrays.speed[before_clutch]))]))
+        velocity[before_clutch] = -rules.slip / leading * arrays.speed[before_clutch]
     return statics(system, balance="accelerate").position, velocity
 
 
 def _joined(system: System, first: int) -> Floats:
     """Return the coordinates that lines join with one, as a mask."""
     matrix = line_matrix(system.arrays) != 0.0
-    own = np.zeros(matrix.shape[1], bool)
-    own[first] = True
+    joined = np.zeros(matrix.shape[1], bool)
+    joined[first] = True
     while True:
-        more = own | np.any(matrix[np.any(matrix & own, axis=1)], axis=0)
-        if np.array_equal(more, own):
-            return own
-        own = more
+        grown = joined | np.any(matrix[np.any(matrix & joined, axis=1)], axis=0)
+        if np.array_equal(grown, joined):
+            return joined
+        joined = grown
 
 
 def _cycle(back: Background, trace: Trace) -> LimitCycle | None:
@@ -251,5 +253,5 @@ def _cycle(back: Background, trace: Trace) -> LimitCycle | None:
     assert trace.drive is not None  # every window has drives
     edges = trace.drive.edges
     speed = trace.drive.of(f"{back.gearbox.propeller} speed")["mean"]
-    found = limit_cycle(0.5 * (edges[1:] + edges[:-1]), speed - value_at(back.speed, 0.0))
-    return found if found is not None and found.amplitude > NOTICED * float(np.mean(speed)) else None
+    cycle = limit_cycle(0.5 * (edges[1:] + edges[:-1]), speed - value_at(back.speed, 0.0))
+    return cycle if cycle is not None and cycle.amplitude > NOTICED * float(np.mean(speed)) else None

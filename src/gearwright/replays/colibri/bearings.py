@@ -34,28 +34,28 @@ def keys(steps: Steps) -> dict[str, Step]:
     Args:
         steps: Known so far.
     """
-    found: dict[str, Step] = {}
+    lengths: dict[str, Step] = {}
     for part in _SHAFTS:
-        own = Known(steps, part)
-        length = report_key_length(own["torque"], own["key-shaft-diameter"], key_section(own))
+        shaft = Known(steps, part)
+        length = report_key_length(shaft["torque"], shaft["key-shaft-diameter"], key_section(shaft))
         chosen = math.ceil(1e3 * length) / 1e3
-        found |= of_part(
+        lengths |= of_part(
             part,
             {
                 "key-length": Step(length, "T/(d_mil (t_1 + t_2) 450 N/mm²)", ("H7",)),
                 "key-length-chosen": Step(chosen, "rounded up"),
             },
         )
-    return found
+    return lengths
 
 
-def key_section(own: Known) -> KeySection:
+def key_section(shaft: Known) -> KeySection:
     """Return a key of the report.
 
     Args:
-        own: Numbers of its shaft.
+        shaft: Numbers of its shaft.
     """
-    return KeySection(own["key-width"], own["key-height"], own["key-shaft-depth"], own["key-hub-depth"])
+    return KeySection(shaft["key-width"], shaft["key-height"], shaft["key-shaft-depth"], shaft["key-hub-depth"])
 
 
 def thrust(steps: Steps, part: str) -> float:
@@ -75,8 +75,8 @@ def radial_force(steps: Steps, part: str) -> float:
         steps: Known so far.
         part: Shaft.
     """
-    own, end = Known(steps, part), "b" if part == "rotor-shaft" else "a"
-    return math.hypot(own[f"reaction-{end}y"], own[f"reaction-{end}z"])
+    shaft, end = Known(steps, part), "b" if part == "rotor-shaft" else "a"
+    return math.hypot(shaft[f"reaction-{end}y"], shaft[f"reaction-{end}z"])
 
 
 def relative_axial(steps: Steps, part: str) -> float:
@@ -101,37 +101,37 @@ def axial_share(steps: Steps, part: str) -> float:
 
 def _pushed(steps: Steps, part: str, at: float, where: str) -> dict[str, Step]:
     """Return the bearing of shaft 1 or 2, with Y read at some argument."""
-    own, radial = Known(steps, part), radial_force(steps, part)
+    shaft, radial = Known(steps, part), radial_force(steps, part)
     read = deep_groove_factors(at, ISO_R281_1962)
-    load = report_bearing_load(radial, thrust(steps, part), own["static-rating"], read)
-    found = {
+    load = report_bearing_load(radial, thrust(steps, part), shaft["static-rating"], read)
+    checked = {
         "bearing-radial": Step(radial, "√(A_y² + A_z²)"),
         "axial-share": Step(axial_share(steps, part), "A_x/F_total"),
         "radial-factor": Step(read.radial, "0.56, as F_a/F_total > e"),
         "axial-factor": Step(read.axial, where, ("H5", "H6")),
         "equivalent-load": Step(load, "X F_total + Y F_a/C_0"),
     }
-    return of_part(part, _limit(steps, part) | found)
+    return of_part(part, _limit(steps, part) | checked)
 
 
 def _hanging(steps: Steps) -> dict[str, Step]:
     """Return bearing B of the rotor shaft, whose radial force is made of B_x and B_z."""
-    own, part = Known(steps, "rotor-shaft"), "rotor-shaft"
-    mixed = math.hypot(own["reaction-bx"], own["reaction-bz"])
-    share = own["reaction-bx"] / mixed
+    shaft, part = Known(steps, "rotor-shaft"), "rotor-shaft"
+    mixed = math.hypot(shaft["reaction-bx"], shaft["reaction-bz"])
+    share = shaft["reaction-bx"] / mixed
     limit = deep_groove_factors(relative_axial(steps, part), ISO_R281_1962)
     low = share <= limit.limit
     read = LoadFactors(limit.limit, 1.0, 0.0) if low else limit
     where = "F_a/F_r < e" if low else "F_a/F_r > e"
-    load = report_bearing_load(mixed, own["reaction-bx"], own["static-rating"], read)
-    found = {
+    load = report_bearing_load(mixed, shaft["reaction-bx"], shaft["static-rating"], read)
+    checked = {
         "bearing-radial": Step(mixed, "√(B_z² + B_x²)"),
         "axial-share": Step(share, "B_x/F_r"),
         "radial-factor": Step(read.radial, where),
         "axial-factor": Step(read.axial, where),
         "equivalent-load": Step(load, "X F_r + Y F_a/C_0"),
     }
-    return of_part(part, _limit(steps, part) | found)
+    return of_part(part, _limit(steps, part) | checked)
 
 
 def _limit(steps: Steps, part: str) -> dict[str, Step]:

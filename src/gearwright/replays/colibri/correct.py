@@ -31,10 +31,10 @@ _CLEARANCE_DEDENDUM = 1.2
 @cache
 def correct_values() -> Mapping[str, Step]:
     """Return the right value of every wrong number that has one, in SI."""
-    found: dict[str, Step] = {}
+    values: dict[str, Step] = {}
     for part in (_gears, _cones, _forces, _rotor_moments, _shaft_diameters, _bearing_loads, _keys):
-        found |= part()
-    return MappingProxyType(found)
+        values |= part()
+    return MappingProxyType(values)
 
 
 def twisted_diameter(part: str) -> float:
@@ -43,10 +43,10 @@ def twisted_diameter(part: str) -> float:
     Args:
         part: Shaft.
     """
-    own = Known(executed(), part)
-    bending = math.hypot(own["moment-z-from-a"], own["moment-y-from-a"])
-    load = SectionLoad(bending_amplitude=bending, torque_mean=own["torque"])
-    return math.cbrt(section_stress(load, 1.0).greatest / own["bending-strength"])
+    shaft = Known(executed(), part)
+    bending = math.hypot(shaft["moment-z-from-a"], shaft["moment-y-from-a"])
+    load = SectionLoad(bending_amplitude=bending, torque_mean=shaft["torque"])
+    return math.cbrt(section_stress(load, 1.0).greatest / shaft["bending-strength"])
 
 
 def true_load(part: str) -> float:
@@ -90,7 +90,9 @@ def _gears() -> dict[str, Step]:
     wheel, pair = Known(executed(), "helical-wheel"), bevel_pair()
     helical = form_factor(wheel["teeth"] / math.cos(wheel["helix-angle"]) ** 3)
     virtual = pair.teeth[1] / math.cos(pair.pitch_angles[1])
-    flank, root = (Step(module_for(each), f"ISO 10300, {name}") for each, name in enumerate(("S_H = 1.2", "S_F = 1.6")))
+    flank, root = (
+        Step(module_for(safety), f"ISO 10300, {name}") for safety, name in enumerate(("S_H = 1.2", "S_F = 1.6"))
+    )
     return {
         "helical-wheel.form-factor": Step(helical, "π cos α Y_Fa at 66.6 teeth"),
         "bevel-wheel.form-factor": Step(form_factor(virtual), "π cos α Y_Fa at 117 teeth"),
@@ -102,10 +104,10 @@ def _gears() -> dict[str, Step]:
 def _cones() -> dict[str, Step]:
     pair = bevel_pair()
     width = Step(pair.face_width, "min(R_e/3, 10 m_et)")
-    found = {"bevel-pinion.centre-distance": Step(pair.outer_cone_distance, "cone distance R_e")}
+    steps = {"bevel-pinion.centre-distance": Step(pair.outer_cone_distance, "cone distance R_e")}
     for gear, part in enumerate(("bevel-pinion", "bevel-wheel")):
         pitch, radial = pair.outer_diameters[gear], 2.0 * pair.outer_module * math.cos(pair.pitch_angles[gear])
-        found |= of_part(
+        steps |= of_part(
             part,
             {
                 "tip-diameter": Step(pitch + radial, "d_e + 2 m cos δ"),
@@ -113,7 +115,7 @@ def _cones() -> dict[str, Step]:
                 "face-width": width,
             },
         )
-    return found
+    return steps
 
 
 def _forces() -> dict[str, Step]:
@@ -151,8 +153,8 @@ def _shaft_diameters() -> dict[str, Step]:
 
 def _bearing_loads() -> dict[str, Step]:
     steps = executed()
-    own, radial = Known(steps, "shaft-2"), radial_force(steps, "rotor-shaft")
-    fitting = min(bearings_of_size(own["bearing-outer"], own["bearing-width"]), key=lambda each: each.bore)
+    shaft, radial = Known(steps, "shaft-2"), radial_force(steps, "rotor-shaft")
+    fitting = min(bearings_of_size(shaft["bearing-outer"], shaft["bearing-width"]), key=lambda bearing: bearing.bore)
     return {
         "shaft-1.axial-factor": Step(true_factors("shaft-1").axial, "ISO/R 281 at F_a/C_0"),
         "shaft-1.equivalent-load": Step(true_load("shaft-1"), "X F_r + Y F_a"),
@@ -165,10 +167,10 @@ def _bearing_loads() -> dict[str, Step]:
 
 
 def _keys() -> dict[str, Step]:
-    found = {}
+    steps = {}
     for part in SHAFTS:
-        own = Known(executed(), part)
-        diameter = own["key-shaft-diameter"]
-        flank = key_length(own["torque"], diameter, key_for_shaft(diameter).section, allowable=KEY_PRESSURE)
-        found[f"{part}.key-length"] = Step(flank, "DIN 6892 at 150 MPa")
-    return found
+        shaft = Known(executed(), part)
+        diameter = shaft["key-shaft-diameter"]
+        flank = key_length(shaft["torque"], diameter, key_for_shaft(diameter).section, allowable=KEY_PRESSURE)
+        steps[f"{part}.key-length"] = Step(flank, "DIN 6892 at 150 MPa")
+    return steps

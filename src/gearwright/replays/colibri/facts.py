@@ -50,15 +50,20 @@ def _gear_facts() -> dict[str, float | str]:
 
 def _as_printed(part: str) -> float:
     """Return the module of eq. 1.2 as it is printed [m]."""
-    own = Known(executed(), part)
+    stated = Known(executed(), part)
     gear = ReportGear(
-        own["torque"], round(own["teeth"]), own["ratio"], own["form-factor"], own["contact-ratio"], own["helix-angle"]
+        stated["torque"],
+        round(stated["teeth"]),
+        stated["ratio"],
+        stated["form-factor"],
+        stated["contact-ratio"],
+        stated["helix-angle"],
     )
     return pitting_module(
         gear,
         Reading.PRINTED,
-        dynamic_factor=round(own["dynamic-factor"], 4),
-        allowable=own["contact-strength"],
+        dynamic_factor=round(stated["dynamic-factor"], 4),
+        allowable=stated["contact-strength"],
         elastic_modulus=executed()["material.elastic-modulus"].value,
     )
 
@@ -81,16 +86,16 @@ def _force_facts() -> dict[str, float | str]:
 
 def _bearing_facts() -> dict[str, float | str]:
     steps = executed()
-    own = Known(steps, "shaft-2")
-    fitting = bearings_of_size(own["bearing-outer"], own["bearing-width"])
+    shaft = Known(steps, "shaft-2")
+    fitting = bearings_of_size(shaft["bearing-outer"], shaft["bearing-width"])
     balls = (bearing for bearing in bearings().values() if bearing.kind is BearingKind.DEEP_GROOVE)
-    bored = [ball for ball in balls if math.isclose(ball.bore, own["bearing-bore"])]
+    bored = [ball for ball in balls if math.isclose(ball.bore, shaft["bearing-bore"])]
     facts: dict[str, float | str] = {
         "relative_1": relative_axial(steps, "shaft-1"),
         "share_1": axial_share(steps, "shaft-1"),
-        "fitting": " and the ".join(f"{each.designation} (bore {_mm(each.bore):g} mm)" for each in fitting),
+        "fitting": " and the ".join(f"{bearing.designation} (bore {_mm(bearing.bore):g} mm)" for bearing in fitting),
         "of_bore": ", ".join(
-            f"{_mm(each.outer_diameter):g} × {_mm(each.width):g} ({each.designation})" for each in bored
+            f"{_mm(bearing.outer_diameter):g} × {_mm(bearing.width):g} ({bearing.designation})" for bearing in bored
         ),
     }
     for number, part in enumerate(SHAFTS, 1):

@@ -82,35 +82,35 @@ def flank_pressure(part: str) -> float:
     Args:
         part: Shaft.
     """
-    own = Known(executed(), part)
-    length = own["key-length-chosen"]
-    return key_pressure(own["torque"], own["key-shaft-diameter"], key_section(own), bearing_length=length)
+    shaft = Known(executed(), part)
+    length = shaft["key-length-chosen"]
+    return key_pressure(shaft["torque"], shaft["key-shaft-diameter"], key_section(shaft), bearing_length=length)
 
 
 def _bevel_geometry() -> tuple[Finding, ...]:
     pair, width = bevel_pair(), executed()["bevel-pinion.face-width"].value
-    cone, most, where = pair.outer_cone_distance, pair.face_width, "ISO 23509, annex B: R_e/3, 10 m_et"
+    cone, widest, where = pair.outer_cone_distance, pair.face_width, "ISO 23509, annex B: R_e/3, 10 m_et"
     return (
         Finding(
             "bevel gears: face against the whole cone", width, Sense.MOST, cone, "length", "the apex ends the teeth"
         ),
-        Finding("bevel gears: face that still bears", width, Sense.MOST, most, "length", where),
+        Finding("bevel gears: face that still bears", width, Sense.MOST, widest, "length", where),
     )
 
 
 def _helical_geometry() -> tuple[Finding, ...]:
-    own, shaft = Known(executed(), "helical-pinion"), Known(executed(), "shaft-1")
-    pinion = CylindricalGear(round(own["teeth"]), own["module"], own["face-width"], own["helix-angle"])
+    gear, shaft = Known(executed(), "helical-pinion"), Known(executed(), "shaft-1")
+    pinion = CylindricalGear(round(gear["teeth"]), gear["module"], gear["face-width"], gear["helix-angle"])
     room = shaft["length"] - shaft["bearing-width"]
-    metal = 0.5 * (own["root-diameter"] - shaft["shaft-diameter"]) - shaft["key-hub-depth"]
-    height = 0.5 * (own["tip-diameter"] - own["root-diameter"])
-    slender = own["face-width"] / own["pitch-diameter"]
+    metal = 0.5 * (gear["root-diameter"] - shaft["shaft-diameter"]) - shaft["key-hub-depth"]
+    height = 0.5 * (gear["tip-diameter"] - gear["root-diameter"])
+    slender = gear["face-width"] / gear["pitch-diameter"]
     rim = "ISO 6336-3, clause 9: half the tooth height"
     return (
         Finding(
             "helical pinion: face over diameter", slender, Sense.MOST, _SLENDER, "ratio", "usual for hardened gears"
         ),
-        Finding("helical pinion: face between its bearings", own["face-width"], Sense.MOST, room, "length", "L − B"),
+        Finding("helical pinion: face between its bearings", gear["face-width"], Sense.MOST, room, "length", "L − B"),
         Finding(
             "helical pinion: profile shift", 0.0, Sense.LEAST, pinion.undercut_shift, "ratio", "undercut, ISO 21771"
         ),
@@ -140,32 +140,34 @@ def _shafts() -> tuple[Finding, ...]:
 
 
 def _bearings() -> tuple[Finding, ...]:
-    own = Known(executed(), "shaft-2")
-    made = bearings_of_size(own["bearing-outer"], own["bearing-width"])
-    bore = max(each.bore for each in made)
-    names = ", ".join(f"{each.designation} with {1e3 * each.bore:g} mm" for each in made)
+    shaft = Known(executed(), "shaft-2")
+    made = bearings_of_size(shaft["bearing-outer"], shaft["bearing-width"])
+    bore = max(bearing.bore for bearing in made)
+    names = ", ".join(f"{bearing.designation} with {1e3 * bearing.bore:g} mm" for bearing in made)
     lives = tuple(
         Finding(f"{_NAMES[part]}: life of its bearing", bearing_life(part), Sense.LEAST, _LEAST_LIFE, "time", "ISO 281")
         for part in SHAFTS
     )
     together = system_life([life.value for life in lives])
     return (
-        Finding("shaft 2: bore of a bearing of 120 × 29 mm", own["bearing-bore"], Sense.MOST, bore, "length", names),
+        Finding("shaft 2: bore of a bearing of 120 × 29 mm", shaft["bearing-bore"], Sense.MOST, bore, "length", names),
         *lives,
         Finding("the three together", together, Sense.LEAST, _LEAST_LIFE, "time", "ISO 281, Weibull"),
     )
 
 
 def _keys() -> tuple[Finding, ...]:
-    found = []
+    findings = []
     for part in SHAFTS:
-        own = Known(executed(), part)
-        length, shortest = own["key-length-chosen"], key_for_shaft(own["key-shaft-diameter"]).shortest
+        shaft = Known(executed(), part)
+        length, shortest = shaft["key-length-chosen"], key_for_shaft(shaft["key-shaft-diameter"]).shortest
         name = f"{_NAMES[part]}: its key"
         pressure = flank_pressure(part)
-        found.append(Finding(f"{name}, length", length, Sense.LEAST, shortest, "length", "DIN 6885-1, shortest"))
-        found.append(Finding(f"{name}, pressure", pressure, Sense.MOST, KEY_PRESSURE, "stress", "DIN 6892, method C"))
-    return tuple(found)
+        findings.append(Finding(f"{name}, length", length, Sense.LEAST, shortest, "length", "DIN 6885-1, shortest"))
+        findings.append(
+            Finding(f"{name}, pressure", pressure, Sense.MOST, KEY_PRESSURE, "stress", "DIN 6892, method C")
+        )
+    return tuple(findings)
 
 
 def _strength() -> tuple[Finding, ...]:

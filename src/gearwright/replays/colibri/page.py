@@ -42,24 +42,24 @@ def indexed(written: str) -> Markup:
 
 
 def _rendered(template: str) -> str:
-    found = replay()
+    replayed = replay()
     grouped = [
         (
             words.PARTS[part],
             part,
-            [(place, list(rows)) for place, rows in groupby(list(of), lambda one: one.printed.place)],
+            [(place, list(rows)) for place, rows in groupby(list(of), lambda number: number.printed.place)],
         )
-        for part, of in groupby(found.numbers, lambda one: one.printed.part)
+        for part, of in groupby(replayed.numbers, lambda number: number.printed.part)
     ]
     return (
         _environment()
         .get_template(template)
         .render(
-            found=found,
+            found=replayed,
             parts=grouped,
             outcomes=Outcome,
             counts={
-                part: [sum(row.outcome is each for _, rows in places for row in rows) for each in Outcome]
+                part: [sum(row.outcome is outcome for _, rows in places for row in rows) for outcome in Outcome]
                 for _, part, places in grouped
             },
             source=SOURCE,

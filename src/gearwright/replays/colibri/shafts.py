@@ -87,8 +87,8 @@ def straight_shafts(steps: Steps) -> dict[str, Step]:
         "torque": bevel.step("torque").again("for the bevel pinion"),
         "diameter": Step(bevel["pitch-diameter"], "outer d_p of the bevel pinion alone"),
     }
-    found = (first | _helical(steps, "shaft-1", first), second | _helical(steps, "shaft-2", second))
-    return {key: step for part, of in zip(STRAIGHT, found, strict=True) for key, step in of_part(part, of).items()}
+    parts = (first | _helical(steps, "shaft-1", first), second | _helical(steps, "shaft-2", second))
+    return {key: step for part, of in zip(STRAIGHT, parts, strict=True) for key, step in of_part(part, of).items()}
 
 
 def rotor_shaft(steps: Steps) -> dict[str, Step]:
@@ -97,12 +97,12 @@ def rotor_shaft(steps: Steps) -> dict[str, Step]:
     Args:
         steps: Known so far.
     """
-    own, alpha = Known(steps, "rotor-shaft"), Known(steps, "shaft-1")["pressure-angle"]
+    shaft, alpha = Known(steps, "rotor-shaft"), Known(steps, "shaft-1")["pressure-angle"]
     torque = typed(Known(steps, "bevel-wheel")["torque"], 4, _MILLI) + _SLIP
-    wheel = math.atan(own["ratio"])
+    wheel = math.atan(shaft["ratio"])
     pinion = 0.5 * math.pi - wheel
-    forces = bevel_forces_colibri(torque, own["wheel-diameter"], pressure_angle=alpha, pitch_angle=wheel)
-    found = {
+    forces = bevel_forces_colibri(torque, shaft["wheel-diameter"], pressure_angle=alpha, pitch_angle=wheel)
+    computed = {
         "torque": Step(torque, "T_3 with …7454 typed as …7464", ("H5",)),
         "tan-pressure": Step(math.tan(alpha), "tan 20°"),
         "wheel-angle": Step(wheel, "arctan i"),
@@ -115,7 +115,7 @@ def rotor_shaft(steps: Steps) -> dict[str, Step]:
         "radial": Step(forces.radial, "W_t tan Φ cos Γ"),
         "axial": Step(forces.axial, "W_t tan Φ sin Γ"),
     }
-    return of_part("rotor-shaft", found)
+    return of_part("rotor-shaft", computed)
 
 
 def reactions(steps: Steps) -> dict[str, Step]:
@@ -124,14 +124,14 @@ def reactions(steps: Steps) -> dict[str, Step]:
     Args:
         steps: Known so far.
     """
-    found: dict[str, Step] = {}
+    computed: dict[str, Step] = {}
     for part in STRAIGHT:
         held = straight_shaft(steps, part)
         held_up = _held(held, (held.forces.axial, 0.0), _BETWEEN)
-        found |= of_part(part, held_up | _moments(held, held.gear, _MIDDLE))
+        computed |= of_part(part, held_up | _moments(held, held.gear, _MIDDLE))
     held = hanging_shaft(steps)
     held_up = _held(held, (0.0, held.forces.axial), _HANGING, "H8")
-    return found | of_part("rotor-shaft", held_up | _moments(held, held.span, _AT_BEARING))
+    return computed | of_part("rotor-shaft", held_up | _moments(held, held.span, _AT_BEARING))
 
 
 def diameters(steps: Steps) -> dict[str, Step]:
@@ -140,16 +140,16 @@ def diameters(steps: Steps) -> dict[str, Step]:
     Args:
         steps: Known so far.
     """
-    found: dict[str, Step] = {}
+    computed: dict[str, Step] = {}
     for part in (*STRAIGHT, "rotor-shaft"):
-        own = Known(steps, part)
-        bending = math.hypot(own["moment-z-from-a"], own["moment-y-from-a"])
-        least = shaft_diameter(bending, 0.0, own["bending-strength"])
+        shaft = Known(steps, part)
+        bending = math.hypot(shaft["moment-z-from-a"], shaft["moment-y-from-a"])
+        least = shaft_diameter(bending, 0.0, shaft["bending-strength"])
         how = "∛(32 √(M_z² + M_y²)/(π σ_eg)), without torque"
-        found |= of_part(
-            part, {"stress": Step(own["bending-strength"], "set to σ_em"), "least-diameter": Step(least, how)}
+        computed |= of_part(
+            part, {"stress": Step(shaft["bending-strength"], "set to σ_em"), "least-diameter": Step(least, how)}
         )
-    return found
+    return computed
 
 
 def straight_shaft(steps: Steps, part: str) -> GearShaft:
@@ -159,9 +159,9 @@ def straight_shaft(steps: Steps, part: str) -> GearShaft:
         steps: Known so far.
         part: ``shaft-1`` or ``shaft-2``.
     """
-    own = Known(steps, part)
-    forces = ReportForces(own["tangential"], own["radial"], own["axial"], own["normal"])
-    return GearShaft(forces, 0.5 * own["diameter"], 0.5 * own["length"], own["length"])
+    shaft = Known(steps, part)
+    forces = ReportForces(shaft["tangential"], shaft["radial"], shaft["axial"], shaft["normal"])
+    return GearShaft(forces, 0.5 * shaft["diameter"], 0.5 * shaft["length"], shaft["length"])
 
 
 def hanging_shaft(steps: Steps) -> GearShaft:
@@ -170,16 +170,16 @@ def hanging_shaft(steps: Steps) -> GearShaft:
     Args:
         steps: Known so far.
     """
-    own = Known(steps, "rotor-shaft")
-    forces = ReportForces(own["tangential"], own["radial"], own["axial"], math.nan)
-    return GearShaft(forces, 0.5 * own["wheel-diameter"], own["length"], own["span"])
+    shaft = Known(steps, "rotor-shaft")
+    forces = ReportForces(shaft["tangential"], shaft["radial"], shaft["axial"], math.nan)
+    return GearShaft(forces, 0.5 * shaft["wheel-diameter"], shaft["length"], shaft["span"])
 
 
-def _helical(steps: Steps, part: str, found: Steps) -> dict[str, Step]:
+def _helical(steps: Steps, part: str, settled: Steps) -> dict[str, Step]:
     """Return sines, cosines and tooth forces by the formulas of helical gears."""
-    own = Known(steps, part)
-    alpha, beta = own["pressure-angle"], own["helix-angle"]
-    torque, diameter = found["torque"].value, found["diameter"].value
+    shaft = Known(steps, part)
+    alpha, beta = shaft["pressure-angle"], shaft["helix-angle"]
+    torque, diameter = settled["torque"].value, settled["diameter"].value
     forces = helical_forces_colibri(torque, diameter, pressure_angle=alpha, helix_angle=beta)
     return {
         "cos-helix": Step(math.cos(beta), "cos β"),

@@ -54,14 +54,14 @@ def stated_steps() -> dict[str, Step]:
     return {number.key: Step(number.value, "stated") for number in printed_numbers() if number.is_stated}
 
 
-def of_part(part: str, found: Steps) -> dict[str, Step]:
+def of_part(part: str, steps: Steps) -> dict[str, Step]:
     """Return the numbers of a part under their whole keys.
 
     Args:
         part: First half of the keys.
-        found: By the second half.
+        steps: By the second half.
     """
-    return {f"{part}.{name}": step for name, step in found.items()}
+    return {f"{part}.{name}": step for name, step in steps.items()}
 
 
 def typed(value: float, decimals: int, unit: float = 1.0) -> float:

@@ -29,148 +29,153 @@ _EXACT = 5e-13
 _HOUR = 3600.0
 
 
-def chosen(found: Replay, *, part: str = "", wrong: bool = False) -> tuple[Replayed, ...]:
+def chosen(replayed: Replay, *, part: str = "", wrong: bool = False) -> tuple[Replayed, ...]:
     """Return the numbers of one part, or of all, and all or only the wrong ones.
 
     Args:
-        found: Of `replay`.
+        replayed: Of `replay`.
         part: A key of `PARTS`; empty for all.
         wrong: Whether to leave out the others.
     """
     return tuple(
         number
-        for number in found.numbers
+        for number in replayed.numbers
         if (not part or number.printed.part == part) and (not wrong or number.outcome is Outcome.WRONG)
     )
 
 
-def replay_tables(numbers: Sequence[Replayed], found: Replay) -> Group:
+def replay_tables(numbers: Sequence[Replayed], replayed: Replay) -> Group:
     """Return numbers for the terminal, a table for each part, then the reasons that they name.
 
     Args:
         numbers: Which to show.
-        found: Of `replay`.
+        replayed: Of `replay`.
     """
-    tables = [_table(part, list(rows)) for part, rows in groupby(numbers, lambda one: one.printed.part)]
-    return Group(*tables, _reasons(numbers, found))
+    tables = [_table(part, list(rows)) for part, rows in groupby(numbers, lambda number: number.printed.part)]
+    return Group(*tables, _reasons(numbers, replayed))
 
 
-def findings_table(found: Sequence[Finding]) -> Grid:
+def findings_table(findings: Sequence[Finding]) -> Grid:
     """Return for the terminal what of the design cannot be made or would not last.
 
     Args:
-        found: Of `replay`.
+        findings: Of `replay`.
     """
     table = Grid("Can it be made, and would it last?", spaced=True)
     for header in ("", "designed", "must be", "limit from"):
         table.add_column(header)
-    for one in found:
-        table.add_row(*map(Text, finding_cells(one)), style="" if one.holds else "red")
+    for finding in findings:
+        table.add_row(*map(Text, finding_cells(finding)), style="" if finding.holds else "red")
     return table
 
 
-def finding_cells(one: Finding) -> tuple[str, str, str, str]:
+def finding_cells(finding: Finding) -> tuple[str, str, str, str]:
     """Return a finding as it is read: what, value, limit, source.
 
     Args:
-        one: With its numbers.
+        finding: With its numbers.
     """
-    return one.what, _quantity(one.value, one), f"{one.sense.value} {_quantity(one.limit, one)}", one.source
+    return (
+        finding.what,
+        _quantity(finding.value, finding),
+        f"{finding.sense.value} {_quantity(finding.limit, finding)}",
+        finding.source,
+    )
 
 
-def counts_text(found: Replay) -> str:
+def counts_text(replayed: Replay) -> str:
     """Return how many numbers are what, in one sentence.
 
     Args:
-        found: Of `replay`.
+        replayed: Of `replay`.
     """
-    parts = ", ".join(f"{found.count(outcome)} {outcome.value}" for outcome in Outcome)
-    return f"{len(found.numbers)} printed numbers: {parts}."
+    parts = ", ".join(f"{replayed.count(outcome)} {outcome.value}" for outcome in Outcome)
+    return f"{len(replayed.numbers)} printed numbers: {parts}."
 
 
-def computed_text(one: Replayed) -> str:
+def computed_text(number: Replayed) -> str:
     """Return what was computed, with the unit's digits.
 
     Args:
-        one: Number.
+        number: Number.
     """
-    return _signed(f"{one.computed.value / one.printed.scale:.{_DIGITS}g}")
+    return _signed(f"{number.computed.value / number.printed.scale:.{_DIGITS}g}")
 
 
-def difference_text(one: Replayed) -> str:
+def difference_text(number: Replayed) -> str:
     """Return the relative difference between computed and printed.
 
     Args:
-        one: Number.
+        number: Number.
     """
-    return "0" if abs(one.relative) < _EXACT else _signed(f"{one.relative:.1e}")
+    return "0" if abs(number.relative) < _EXACT else _signed(f"{number.relative:.1e}")
 
 
-def correct_text(one: Replayed) -> str:
+def correct_text(number: Replayed) -> str:
     """Return what is right in place of a wrong number; empty where nothing is wrong, a dash where it stays open.
 
     Args:
-        one: Number.
+        number: Number.
     """
-    if one.correct is None:
-        return "–" if one.outcome is Outcome.WRONG else ""
-    value = one.correct.value / one.printed.scale
+    if number.correct is None:
+        return "–" if number.outcome is Outcome.WRONG else ""
+    value = number.correct.value / number.printed.scale
     return _signed(f"{value:.0f}" if abs(value) >= 10.0 ** (_CORRECT_DIGITS - 1) else f"{value:.{_CORRECT_DIGITS}g}")
 
 
-def reason_keys(one: Replayed) -> tuple[str, ...]:
+def reason_keys(number: Replayed) -> tuple[str, ...]:
     """Return the keys of the mistake and of the assumptions behind a number.
 
     Args:
-        one: Number.
+        number: Number.
     """
-    return (*([one.erratum.key] if one.erratum else []), *one.computed.assumptions)
+    return (*([number.erratum.key] if number.erratum else []), *number.computed.assumptions)
 
 
-def replay_record(numbers: Sequence[Replayed], found: Replay) -> dict[str, Any]:
+def replay_record(numbers: Sequence[Replayed], replayed: Replay) -> dict[str, Any]:
     """Return numbers, findings and reasons for machines, numbers in the units of the report.
 
     Args:
         numbers: Which to write.
-        found: Of `replay`.
+        replayed: Of `replay`.
     """
     return {
-        "counts": {outcome.value: found.count(outcome) for outcome in Outcome},
+        "counts": {outcome.value: replayed.count(outcome) for outcome in Outcome},
         "numbers": [_record(number) for number in numbers],
-        "findings": [_finding_record(finding) for finding in found.findings],
-        "errata": [{"key": one.key, "title": one.title, "why": one.why} for one in found.errata],
+        "findings": [_finding_record(finding) for finding in replayed.findings],
+        "errata": [{"key": erratum.key, "title": erratum.title, "why": erratum.why} for erratum in replayed.errata],
         "assumptions": [
             {"key": assumption.key, "text": assumption.text, "evidence": assumption.evidence}
-            for assumption in found.assumptions.values()
+            for assumption in replayed.assumptions.values()
         ],
     }
 
 
-def _record(one: Replayed) -> dict[str, Any]:
+def _record(number: Replayed) -> dict[str, Any]:
     def value(step: Step | None) -> float | None:
-        return None if step is None else step.value / one.printed.scale
+        return None if step is None else step.value / number.printed.scale
 
     return {
-        "key": one.printed.key,
-        "place": one.printed.place,
-        "symbol": one.printed.symbol,
-        "unit": one.printed.unit,
-        "printed": one.printed.printed,
-        "computed": value(one.computed),
-        "how": one.computed.how,
-        "relative_difference": one.relative,
-        "verdict": one.outcome.value,
-        "correct": value(one.correct),
-        "correct_how": one.correct.how if one.correct else None,
-        "reasons": list(reason_keys(one)),
+        "key": number.printed.key,
+        "place": number.printed.place,
+        "symbol": number.printed.symbol,
+        "unit": number.printed.unit,
+        "printed": number.printed.printed,
+        "computed": value(number.computed),
+        "how": number.computed.how,
+        "relative_difference": number.relative,
+        "verdict": number.outcome.value,
+        "correct": value(number.correct),
+        "correct_how": number.correct.how if number.correct else None,
+        "reasons": list(reason_keys(number)),
     }
 
 
-def _finding_record(one: Finding) -> dict[str, Any]:
-    value, name = _in_unit(one.value, one)
-    limit, _ = _in_unit(one.limit, one)
-    sides = {"what": one.what, "value": value, "sense": one.sense.value, "limit": limit, "unit": name}
-    return {**sides, "source": one.source, "holds": one.holds}
+def _finding_record(finding: Finding) -> dict[str, Any]:
+    value, name = _in_unit(finding.value, finding)
+    limit, _ = _in_unit(finding.limit, finding)
+    sides = {"what": finding.what, "value": value, "sense": finding.sense.value, "limit": limit, "unit": name}
+    return {**sides, "source": finding.source, "holds": finding.holds}
 
 
 def _table(part: str, rows: Sequence[Replayed]) -> Grid:
@@ -181,7 +186,7 @@ def _table(part: str, rows: Sequence[Replayed]) -> Grid:
         table.add_column(header, justify="right")
     table.add_column("verdict")
     table.add_column("correct", justify="right")
-    for place, numbers in groupby(rows, lambda one: one.printed.place):
+    for place, numbers in groupby(rows, lambda number: number.printed.place):
         table.add_section()
         table.add_row(Text(place.rpartition(", ")[2], style="bold"))
         for number in numbers:
@@ -189,38 +194,38 @@ def _table(part: str, rows: Sequence[Replayed]) -> Grid:
     return table
 
 
-def _cells(one: Replayed) -> Iterator[str]:
-    verdict = _SHORT.get(one.outcome, one.outcome.value)
-    yield from (one.printed.symbol, one.printed.unit, _signed(one.printed.printed), computed_text(one))
-    yield from (difference_text(one), " ".join((verdict, *reason_keys(one))), correct_text(one))
+def _cells(number: Replayed) -> Iterator[str]:
+    verdict = _SHORT.get(number.outcome, number.outcome.value)
+    yield from (number.printed.symbol, number.printed.unit, _signed(number.printed.printed), computed_text(number))
+    yield from (difference_text(number), " ".join((verdict, *reason_keys(number))), correct_text(number))
 
 
-def _reasons(numbers: Sequence[Replayed], found: Replay) -> Grid:
+def _reasons(numbers: Sequence[Replayed], replayed: Replay) -> Grid:
     named = {key for number in numbers for key in reason_keys(number)}
     table = Grid("Reasons", show_header=False, spaced=True)
     table.add_column("")
     table.add_column("")
-    for mistake in found.errata:
+    for mistake in replayed.errata:
         if mistake.key in named:
             table.add_row(Text(mistake.key, style="red"), Text(f"{mistake.title}. {mistake.why}"))
-    for assumption in found.assumptions.values():
+    for assumption in replayed.assumptions.values():
         if assumption.key in named:
             table.add_row(Text(assumption.key, style="yellow"), Text(f"{assumption.text} {assumption.evidence}"))
     return table
 
 
-def _quantity(value: float, one: Finding) -> str:
-    if one.dimension == "time":
-        number, name = _in_unit(value, one)
+def _quantity(value: float, finding: Finding) -> str:
+    if finding.dimension == "time":
+        number, name = _in_unit(value, finding)
         return f"{number:.0f} {name}"
-    return text(value, one.dimension)
+    return text(value, finding.dimension)
 
 
-def _in_unit(value: float, one: Finding) -> tuple[float, str]:
+def _in_unit(value: float, finding: Finding) -> tuple[float, str]:
     """Return a value and its unit; lives are in hours."""
-    if one.dimension == "time":
+    if finding.dimension == "time":
         return value / _HOUR, "h"
-    return shown(value, one.dimension), unit(one.dimension)
+    return shown(value, finding.dimension), unit(finding.dimension)
 
 
 def _signed(number: str) -> str:

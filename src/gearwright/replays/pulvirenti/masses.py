@@ -54,16 +54,16 @@ def _in_line_h2_best() -> Computed:
         of = hybrids(law)
         return min(kg.total for name, kg in of.items() if name != "in-line-h2") / of["in-line-h2"].total
 
-    mine, other = hybrids(THESIS), hybrids(NDARC)
+    by_thesis, by_ndarc = hybrids(THESIS), hybrids(NDARC)
     return by_laws(
         ratio,
         {
-            "h1": mine["in-line-h1"].total,
-            "h2": mine["in-line-h2"].total,
-            "h1_ndarc": other["in-line-h1"].total,
-            "h2_ndarc": other["in-line-h2"].total,
-            "quick": other["in-line-h1"].motor,
-            "slow": other["in-line-h2"].motor,
+            "h1": by_thesis["in-line-h1"].total,
+            "h2": by_thesis["in-line-h2"].total,
+            "h1_ndarc": by_ndarc["in-line-h1"].total,
+            "h2_ndarc": by_ndarc["in-line-h2"].total,
+            "quick": by_ndarc["in-line-h1"].motor,
+            "slow": by_ndarc["in-line-h2"].motor,
         },
     )
 
@@ -73,9 +73,9 @@ def _optimum_speed() -> Computed:
         of = in_line_h2(law)
         return min(of, key=lambda speed: of[speed].total)
 
-    mine, other = in_line_h2(THESIS), in_line_h2(NDARC)
-    flat = [speed for speed, kg in mine.items() if kg.total <= 1.03 * mine[best(THESIS)].total]
-    gain = other[SLOW].motor - other[FAST].motor
+    by_thesis, by_ndarc = in_line_h2(THESIS), in_line_h2(NDARC)
+    flat = [speed for speed, kg in by_thesis.items() if kg.total <= 1.03 * by_thesis[best(THESIS)].total]
+    gain = by_ndarc[SLOW].motor - by_ndarc[FAST].motor
     return by_laws(best, {"flat_from": min(flat), "flat_to": max(flat), "motor_gain": gain})
 
 
@@ -119,10 +119,10 @@ def _h2_slow_heavier() -> Computed:
 
 def _off_set_slow_heavier() -> Computed:
     of = off_set(THESIS)
-    gearbox = _percent(sum(of[each].gearbox for each in _SLOW_PAIR), sum(of[each].gearbox for each in _FAST_PAIR))
+    gearbox = _percent(sum(of[point].gearbox for point in _SLOW_PAIR), sum(of[point].gearbox for point in _FAST_PAIR))
 
     def heavier(law: str) -> float:
-        slow, fast = (sum(off_set(law)[each].total for each in pair) for pair in (_SLOW_PAIR, _FAST_PAIR))
+        slow, fast = (sum(off_set(law)[point].total for point in pair) for pair in (_SLOW_PAIR, _FAST_PAIR))
         return _percent(slow, fast)
 
     return by_laws(heavier, {"gearbox": gearbox})
@@ -141,7 +141,7 @@ def _off_set_faster() -> Computed:
 
 def _h1_best() -> Computed:
     def ratio(law: str) -> float:
-        best, *others = (off_set(law)[each].total for each in (*_FAST_PAIR, *_SLOW_PAIR))
+        best, *others = (off_set(law)[point].total for point in (*_FAST_PAIR, *_SLOW_PAIR))
         return min(others) / best
 
     of = off_set(THESIS)
@@ -150,15 +150,15 @@ def _h1_best() -> Computed:
 
 def _pt6t_densest() -> Computed:
     def printed(column: str) -> dict[tuple[str, str], float]:
-        found = {
+        digits_by_engine = {
             (engine.series.name, engine.model): engine.as_meant(column) for engine in engines() if engine.has_gearbox
         }
-        return {key: digits.value for key, digits in found.items() if digits is not None}
+        return {key: digits.value for key, digits in digits_by_engine.items() if digits is not None}
 
     density, torque = printed("gearbox_kw_kg"), printed("torque_nm_kg")
-    own = {key for key in density if key[0].startswith("PT6T")}
-    best, mine = (max(value for key, value in density.items() if (key in own) is mine) for mine in (False, True))
-    lowest = {"torque": min(torque[key] for key in own), "lowest": min(torque.values())}
+    pt6t = {key for key in density if key[0].startswith("PT6T")}
+    best, mine = (max(value for key, value in density.items() if (key in pt6t) is mine) for mine in (False, True))
+    lowest = {"torque": min(torque[key] for key in pt6t), "lowest": min(torque.values())}
     return Computed(mine / best, numbers={"density": best, "own": mine, **lowest})
 
 

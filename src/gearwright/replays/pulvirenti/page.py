@@ -32,31 +32,33 @@ def thesis_markdown() -> str:
     return _rendered("page.md.j2")
 
 
-def claims_table(found: Sequence[Claim]) -> Grid:
+def claims_table(judged: Sequence[Claim]) -> Grid:
     """Return the claims for the terminal.
 
     Args:
-        found: Of `claims`.
+        judged: Of `claims`.
     """
     table = Grid("Claims of Pulvirenti 2023, and what its equations give once they are right", names=0, spaced=True)
     for header in ("printed", "computed", "verdict"):
         table.add_column(header)
-    for one in found:
-        table.add_row(one.printed.printed, computed_text(one), Text(one.verdict.value, style=_STYLES[one.verdict]))
+    for claim in judged:
+        table.add_row(
+            claim.printed.printed, computed_text(claim), Text(claim.verdict.value, style=_STYLES[claim.verdict])
+        )
     return table
 
 
-def errata_table(found: Sequence[Erratum]) -> Grid:
+def errata_table(listed: Sequence[Erratum]) -> Grid:
     """Return the errata for the terminal.
 
     Args:
-        found: Of `errata`.
+        listed: Of `errata`.
     """
     table = Grid("Errata of Pulvirenti 2023", spaced=True)
     for header in ("equation", "standing", "printed", "correct"):
         table.add_column(header)
-    for one in found:
-        table.add_row(one.equation, one.standing, Text(one.printed), Text(one.correct))
+    for erratum in listed:
+        table.add_row(erratum.equation, erratum.standing, Text(erratum.printed), Text(erratum.correct))
     return table
 
 
@@ -93,14 +95,14 @@ def _number(value: float, dimension: str) -> str:
 
 
 def _rendered(template: str) -> str:
-    found = claims()
+    judged = claims()
     return (
         _environment()
         .get_template(template)
         .render(
-            claims=found,
+            claims=judged,
             errata=errata(),
-            counts={verdict: sum(one.verdict is verdict for one in found) for verdict in Verdict},
+            counts={verdict: sum(claim.verdict is verdict for claim in judged) for verdict in Verdict},
             version=__version__,
         )
     )

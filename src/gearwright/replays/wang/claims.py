@@ -66,8 +66,8 @@ def split_torque_claims(sizing: Sizing, parts: SplitTorque) -> tuple[SplitClaim,
         system", case study and conclusion.
     """
     effects = _effects(sharing_problem(sizing, parts.joining))
-    problems = {each: _supported(sizing, parts, each) for each in (RIGID, HALF, FLOATING)}
-    sharings = {each: _sharing(problem) for each, problem in problems.items()}
+    problems = {stiffness: _supported(sizing, parts, stiffness) for stiffness in (RIGID, HALF, FLOATING)}
+    sharings = {stiffness: _sharing(problem) for stiffness, problem in problems.items()}
     return (
         _unequal(sharings[RIGID]),
         _improves(sharings),
@@ -133,8 +133,8 @@ def _unequal(rigid: LoadSharing) -> SplitClaim:
 
 
 def _improves(sharings: Mapping[float, LoadSharing]) -> SplitClaim:
-    slow = [_worst(sharings[each]) for each in (RIGID, HALF, FLOATING)]
-    fast = [float(np.ptp(sharings[each].instantaneous)) for each in (HALF, FLOATING)]
+    slow = [_worst(sharings[stiffness]) for stiffness in (RIGID, HALF, FLOATING)]
+    fast = [float(np.ptp(sharings[stiffness].instantaneous)) for stiffness in (HALF, FLOATING)]
     falls = slow[0] > slow[1] > slow[2]
     why = (
         f"over a tooth cycle b leaves 1 by {slow[0]:.1%}, {slow[1]:.1%}, {slow[2]:.1%} at 2e9, 5e7, 1e7 N/m; at every "
@@ -161,8 +161,8 @@ def _calmer(sizing: Sizing, parts: SplitTorque) -> SplitClaim:
         stage: [_ripple(_sharing(_supported(quiet, parts, stiffness, stage))) for stiffness in stiffnesses]
         for stage in (parts.face, parts.joining)
     }
-    falling = [one[0] > one[2] > one[3] for one in ripple.values()]
-    first, second = (", ".join(f"{each:.1%}" for each in one) for one in ripple.values())
+    falling = [forces[0] > forces[2] > forces[3] for forces in ripple.values()]
+    first, second = (", ".join(f"{force:.1%}" for force in forces) for forces in ripple.values())
     why = (
         f"without errors the tooth ripple of the forces at 2e9, 3e8, 5e7, 1e7 N/m is {first} (rms) of the mean in the "
         f"first stage and {second} in the second: on its way the support passes a resonance with the second mesh"
@@ -184,10 +184,10 @@ def _ripple(sharing: LoadSharing) -> float:
 
 
 def _gears(effects: dict[str, float], parts: SplitTorque) -> SplitClaim:
-    one, two, _, four, _, six = parts.gears
-    gear = {name: effects[f"{name} eccentricity"] for name in (one, two, four, six)}
-    largest = max(gear, key=lambda name: gear[name]) == four
-    others = [value for name, value in gear.items() if name != four]
+    first, second, _, fourth, _, sixth = parts.gears
+    gear = {name: effects[f"{name} eccentricity"] for name in (first, second, fourth, sixth)}
+    largest = max(gear, key=lambda name: gear[name]) == fourth
+    others = [value for name, value in gear.items() if name != fourth]
     same = max(others) / min(others) <= 1.0 + ALIKE
     why = "; ".join(f"{name} {value:.2%}" for name, value in gear.items())
     words = "Eccentric gears 4 and 5 matter most, the others about the same"
@@ -200,10 +200,10 @@ def _shafts(sizing: Sizing, effects: dict[str, float], parts: SplitTorque) -> Sp
     layout = sizing.design.layout
     output = layout.get(parts.output, ShaftLayout())
     turned = output.model_copy(update={"angle": (output.angle or 0.0) - math.pi})
-    other = size(sizing.design.model_copy(update={"layout": {**layout, parts.output: turned}}))
+    mirror = size(sizing.design.model_copy(update={"layout": {**layout, parts.output: turned}}))
     left, right = (f"{shaft} eccentricity" for shaft in parts.paths)
-    mirrored = _effects(sharing_problem(other, parts.joining))
-    here, there = (_largest_shaft(each, parts) == parts.paths[0] for each in (effects, mirrored))
+    mirrored = _effects(sharing_problem(mirror, parts.joining))
+    here, there = (_largest_shaft(errors, parts) == parts.paths[0] for errors in (effects, mirrored))
     why = (
         f"shaft 2 {effects[left]:.2%}, shaft 3 {effects[right]:.2%}; with shaft 4 on the other side "
         f"{mirrored[left]:.2%} and {mirrored[right]:.2%}: the paper does not say on which"

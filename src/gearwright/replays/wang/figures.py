@@ -52,7 +52,7 @@ def paper_figures(sizing: Sizing, parts: SplitTorque) -> Iterator[Drawn]:
         softer = with_support(sizing, parts.pinion, stiffness)
         problems = {stage: sharing_problem(softer, stage) for stage in parallel_meshes(softer)}
         yield f"{number}: load sharing, support of shaft 1 {stiffness:.0e} N/m", sharing_figure(_solved(problems))
-    soft = {each: with_support(sizing, parts.pinion, each) for each in (HALF, FLOATING)}
+    soft = {stiffness: with_support(sizing, parts.pinion, stiffness) for stiffness in (HALF, FLOATING)}
     problems = {f"{stiffness:.0e} N/m": sharing_problem(softer) for stiffness, softer in soft.items()}
     words = "Figures 5 and 7: displacement of shaft 1 by slow errors, without tooth ripple"
     yield words, displacement_figure(problems, parts.pinion, one_turn(problems))

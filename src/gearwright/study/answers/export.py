@@ -21,20 +21,20 @@ def columns(table: Table) -> dict[str, Column]:
     Args:
         table: Of a study; inputs are in the unit of their path, results in the unit in which they are shown.
     """
-    found: dict[str, Column] = {"design": ([row.design for row in table.rows], "")}
+    columns_by_name: dict[str, Column] = {"design": ([row.design for row in table.rows], "")}
     for path in table.rows[0].inputs:
-        given = [row.inputs[path] for row in table.rows]
-        if all(isinstance(value, int | float) and not isinstance(value, bool) for value in given):
-            found[path] = ([float(value) for value in given], "")
+        inputs = [row.inputs[path] for row in table.rows]
+        if all(isinstance(value, int | float) and not isinstance(value, bool) for value in inputs):
+            columns_by_name[path] = ([float(value) for value in inputs], "")
         else:
-            found[path] = ([str(value) for value in given], "")
+            columns_by_name[path] = ([str(value) for value in inputs], "")
     for name in table.results:
         if name in table.numbers:
             values = [np.nan if row.problem else row.shown(name) for row in table.rows]
-            found[name] = (values, table.unit(name))
+            columns_by_name[name] = (values, table.unit(name))
         else:
-            found[name] = (["" if row.problem else str(row.results[name].value) for row in table.rows], "")
-    return {**found, "problem": ([row.problem for row in table.rows], "")}
+            columns_by_name[name] = (["" if row.problem else str(row.results[name].value) for row in table.rows], "")
+    return {**columns_by_name, "problem": ([row.problem for row in table.rows], "")}
 
 
 def write_table(path: Path, table: Table) -> None:
@@ -94,14 +94,14 @@ def _write_parquet(path: Path, table: Table) -> None:
     import pyarrow
     from pyarrow import parquet
 
-    found = columns(table)
+    exported = columns(table)
     fields = [
         pyarrow.field(
             name, pyarrow.float64() if isinstance(values[0], float) else pyarrow.string(), metadata={"unit": u}
         )
-        for name, (values, u) in found.items()
+        for name, (values, u) in exported.items()
     ]
     schema = pyarrow.schema(fields, metadata={"title": table.name, "comment": table.description})
     image = BytesIO()
-    parquet.write_table(pyarrow.table([values for values, _ in found.values()], schema=schema), image)
+    parquet.write_table(pyarrow.table([values for values, _ in exported.values()], schema=schema), image)
     write_bytes(path, image.getbuffer())

@@ -75,29 +75,29 @@ def varies(values: np.ndarray) -> bool:
 def _influences(study: Study, values: np.ndarray) -> tuple[Influence, ...]:
     axes, count = list(study.axes), study.sampling.count or 0
     blocks = values.reshape(len(axes) + 2, count)
-    found = _indices(blocks)
+    indices = _indices(blocks)
     generator = np.random.default_rng(study.sampling.seed)
     drawn = np.array([_indices(blocks[:, generator.integers(count, size=count)]) for _ in range(RESAMPLES)])
     low, high = np.nanquantile(drawn, [0.5 - 0.5 * CONFIDENCE, 0.5 + 0.5 * CONFIDENCE], axis=0)
-    every = [
+    influences = [
         Influence(
             axis,
-            float(found[0, k]),
+            float(indices[0, k]),
             (float(low[0, k]), float(high[0, k])),
-            float(found[1, k]),
+            float(indices[1, k]),
             (float(low[1, k]), float(high[1, k])),
         )
         for k, axis in enumerate(axes)
     ]
-    return tuple(sorted(every, key=lambda each: -each.total))
+    return tuple(sorted(influences, key=lambda influence: -influence.total))
 
 
 def _indices(blocks: np.ndarray) -> np.ndarray:
     """Return first and total index of every axis, shape (2, axes), from the rows f(A), f(B) and f(A with B's axis)."""
-    one, other, *mixed = blocks - np.mean(blocks[:2])
-    spread = np.var([one, other])
+    base, resampled, *mixed = blocks - np.mean(blocks[:2])
+    spread = np.var([base, resampled])
     if not spread:
         return np.full((2, len(mixed)), np.nan)
-    first = np.mean(other * (mixed - one), axis=-1)
-    total = 0.5 * np.mean((one - mixed) ** 2, axis=-1)
+    first = np.mean(resampled * (mixed - base), axis=-1)
+    total = 0.5 * np.mean((base - mixed) ** 2, axis=-1)
     return np.array([first / spread, total / spread])

@@ -99,7 +99,7 @@ def scenarios(table: Table) -> list[list[Row]]:
     designs = list(dict.fromkeys(row.design for row in table.rows))
     complete = [group for group in groups.values() if len(group) == len(designs)]
     rows = [[group[name] for name in designs] for group in complete]
-    return [each for each in rows if not all(row.problem for row in each)]
+    return [scenario for scenario in rows if not all(row.problem for row in scenario)]
 
 
 def _allowed(study: Study, rows: Sequence[Row]) -> Floats:
@@ -137,13 +137,13 @@ def _acceptability(study: Study, places: Floats) -> Floats:
 def _without(study: Study, places: Floats, designs: Sequence[str], winner: str) -> dict[str, str]:
     if len(study.objectives) < 2:
         return {}
-    found = {}
+    winners = {}
     for k, name in enumerate(study.objectives):
         rest = np.delete(places, k, axis=2).mean(axis=(0, 2))
         best = designs[int(np.argmin(rest))]
         if best != winner:
-            found[name] = best
-    return found
+            winners[name] = best
+    return winners
 
 
 def confidence(hits: int, count: int) -> tuple[float, float]:

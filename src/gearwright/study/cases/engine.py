@@ -39,18 +39,20 @@ def for_engine(
     turbine, propeller = next(iter(design.turbines.values())), next(iter(design.propellers.values()))
     fast = (engine_speed or turbine.speed) / turbine.speed
     slow = (propeller_speed or propeller.speed) / propeller.speed
-    total = sum(each.power for each in design.turbines.values()) + sum(each.power for each in design.motors.values())
+    total = sum(machine.power for machine in design.turbines.values()) + sum(
+        machine.power for machine in design.motors.values()
+    )
     share = (power or total) / total
     changes: dict[str, Value] = {}
-    for name, each in design.turbines.items():
-        changes[f"turbines.{name}.power_kw"] = each.power * share / 1e3
-        changes[f"turbines.{name}.speed_rpm"] = each.speed * fast / RPM
+    for name, engine in design.turbines.items():
+        changes[f"turbines.{name}.power_kw"] = engine.power * share / 1e3
+        changes[f"turbines.{name}.speed_rpm"] = engine.speed * fast / RPM
     for name, motor in design.motors.items():
         along = fast if math.isclose(motor.speed, turbine.speed) else math.sqrt(fast * slow)
         changes[f"motors.{name}.power_kw"] = motor.power * share / 1e3
         changes[f"motors.{name}.speed_rpm"] = motor.speed * along / RPM
-    for name, each_propeller in design.propellers.items():
-        changes[f"propellers.{name}.speed_rpm"] = each_propeller.speed * slow / RPM
+    for name, turned in design.propellers.items():
+        changes[f"propellers.{name}.speed_rpm"] = turned.speed * slow / RPM
     for case, drives in design.cases.items():
         for machine, drive in drives.items():
             if drive.power is not None:

@@ -64,10 +64,10 @@ def _flown(study: Study, design: Design, inputs: Mapping[str, Value]) -> tuple[S
     """Return the sizing of a case, and the results of its flight."""
     from gearwright.study.cases.flight import flight_results, flown  # what flies is loaded for those who ask for it
 
-    own, changes = split({**study.changes, **inputs})
+    design_changes, mission_changes = split({**study.changes, **inputs})
     if study.mission is None:
         raise DesignError([Problem("fly.mission", "this study has no mission; it names one under [fly]")])
-    sizing, flight = flown(edited(design, own), edited_mission(study.mission, changes), study.fly)
+    sizing, flight = flown(edited(design, design_changes), edited_mission(study.mission, mission_changes), study.fly)
     return sizing, flight_results(flight, study.asked)
 
 
@@ -98,10 +98,10 @@ def refuse_unknown_paths(study: Study, designs: Mapping[str, Design]) -> None:
     Raises:
         DesignError: With the nearest path.
     """
-    own, flight = split({**dict.fromkeys(study.axes, 0.0), **study.changes})
-    found = [[path_problem(design, path) for design in designs.values()] for path in own]
-    problems = [each[0] for each in found if all(each) and each[0] is not None]
-    problems += [problem for path in flight if (problem := _mission_problem(study.mission, path)) is not None]
+    design_paths, mission_paths = split({**dict.fromkeys(study.axes, 0.0), **study.changes})
+    problems_by_path = [[path_problem(design, path) for design in designs.values()] for path in design_paths]
+    problems = [unknown[0] for unknown in problems_by_path if all(unknown) and unknown[0] is not None]
+    problems += [problem for path in mission_paths if (problem := _mission_problem(study.mission, path)) is not None]
     problems = problems or _result_problems(study, designs)
     if problems:
         raise DesignError(problems, study.name)
@@ -121,17 +121,17 @@ def _result_problems(study: Study, designs: Mapping[str, Design]) -> list[Proble
 
 def _result_problem(study: Study, results: dict[str, Named], name: str) -> Iterator[Problem]:
     try:
-        found = pick(results, name)
+        picked = pick(results, name)
     except DesignError as error:
         yield from error.problems
         return
-    if found.dimension == TEXT and (name in study.objectives or name in study.constraints):
-        yield Problem(name, f"{found.value!r} is a name and no number; ask for it under results")
+    if picked.dimension == TEXT and (name in study.objectives or name in study.constraints):
+        yield Problem(name, f"{picked.value!r} is a name and no number; ask for it under results")
 
 
 def _mission_problem(mission: Mission | None, path: str) -> Problem | None:
     """Return why a path has no place in the mission of a study, or None if it has."""
     if mission is None:
         return Problem(f"{MISSION_PATH}{path}", "this study has no mission; it names one under [fly]")
-    found = path_problem(mission, path)
-    return found and Problem(f"{MISSION_PATH}{found.path}", found.message)
+    problem = path_problem(mission, path)
+    return problem and Problem(f"{MISSION_PATH}{problem.path}", problem.message)

@@ -26,8 +26,8 @@ def flown(design: Design, mission: Mission, asked: Flown) -> tuple[Sizing, Fligh
         SolveError: If the life is out of reach.
     """
     if asked.life is not None:
-        found = size_for_life(design, mission, asked.life / HOUR)
-        return found.sizing, found.flight
+        lasting = size_for_life(design, mission, asked.life / HOUR)
+        return lasting.sizing, lasting.flight
     sizing = size(design)
     return sizing, fly(sizing, mission)
 
@@ -82,10 +82,10 @@ def _phases(flight: Flight) -> Iterator[tuple[str, Named]]:
 
 def _lives(damages: tuple[GearDamage, ...]) -> dict[str, Named]:
     worst = damages[0]
-    each = {f"fly.{row.gear}.life": Named(row.life * HOUR, "life") for row in reversed(damages)}
+    lives = {f"fly.{row.gear}.life": Named(row.life * HOUR, "life") for row in reversed(damages)}
     return {
         "fly.life": Named(worst.life * HOUR, "life"),
         "fly.flights": Named(worst.flights, "number"),
         "fly.governing": Named(f"{worst.gear}, {worst.mode}", TEXT),
-        **each,
+        **lives,
     }

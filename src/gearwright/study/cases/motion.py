@@ -36,9 +36,9 @@ def modal_results(sizing: Sizing) -> dict[str, Named]:
         f"modes.frequency_{k}": Named(float(frequency), "frequency")
         for k, frequency in enumerate(elastic[:LISTED], start=1)
     }
-    excited = [each for case in critical_speeds(sizing) for each in case.critical if each.excited]
-    lowest = min((each.speed for each in excited), default=math.inf)
-    nearest = min((abs(each.margin) for each in excited), default=math.inf)
+    excited = [crossing for case in critical_speeds(sizing) for crossing in case.critical if crossing.excited]
+    lowest = min((crossing.speed for crossing in excited), default=math.inf)
+    nearest = min((abs(crossing.margin) for crossing in excited), default=math.inf)
     return {
         **results,
         "modes.lowest_critical_speed": Named(lowest, "speed"),

@@ -54,23 +54,23 @@ def commands(host: str, processes: int, tls: Tls | None = None) -> tuple[str, st
     Raises:
         DesignError: If others could reach the scheduler, and no files are given.
     """
-    own = _is_loopback(host)
-    if tls is None and not own:
+    this_machine = _is_loopback(host)
+    if tls is None and not this_machine:
         message = (
             f"whoever reaches a scheduler at {host} runs code on all machines of the cluster; give --tls CA CERT KEY,"
             " or leave --host out and keep to this machine"
         )
         raise DesignError([Problem("--host", message)])
     address = f"{'tcp' if tls is None else 'tls'}://{shlex.quote(host)}:8786"
-    given = [shlex.quote(str(path)) for path in tls or ()]
-    options = zip(("--tls-ca-file", "--tls-cert", "--tls-key"), given, strict=False)
+    quoted = [shlex.quote(str(path)) for path in tls or ()]
+    options = zip(("--tls-ca-file", "--tls-cert", "--tls-key"), quoted, strict=False)
     files = "".join(f" {option} {path}" for option, path in options)
-    bound = f" --host {host}" if own else ""
+    bound = f" --host {host}" if this_machine else ""
     return (
         f"dask scheduler --host {shlex.quote(host)} {_NO_PAGES}{files}",
         f"dask worker {address} --nworkers {processes} --nthreads 1{bound} {_NO_PAGES}{files}",
         f"gearwright study STUDY.toml --journal STUDY.journal --cluster {address}"
-        + (f" --tls {' '.join(given)}" if given else ""),
+        + (f" --tls {' '.join(quoted)}" if quoted else ""),
     )
 
 
@@ -214,9 +214,9 @@ def _text(record: Study | Design) -> str:
 
 def _rows(made: Mapping[str, str], study: str, designs: str, chunk: list[Case]) -> Finished:
     """Return the rows of a chunk: the task of a worker, which needs no file."""
-    other = [f"{name} {here} where the study has {asked}" for name, asked, here in changes_of(made, made_with())]
-    if other:
-        message = f"a worker has {', '.join(other)}; install the same on all machines"
+    differences = [f"{name} {here} where the study has {asked}" for name, asked, here in changes_of(made, made_with())]
+    if differences:
+        message = f"a worker has {', '.join(differences)}; install the same on all machines"
         raise DesignError([Problem("--cluster", message)])
     read, known = _read(study, designs)
     return [(case.number, evaluate(read, known[case.design], case)) for case in chunk]

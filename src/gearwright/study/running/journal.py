@@ -100,10 +100,10 @@ class Journal:
         """
         entry = (json.dumps(dict(made_with())), workers, time.time(), 0, time.time())
         with written(self.database):
-            found = self.database.execute(
+            inserted = self.database.execute(
                 "INSERT INTO runs (version, workers, started, done, seen) VALUES (?, ?, ?, ?, ?)", entry
             )
-        self.run = found.lastrowid or 0
+        self.run = inserted.lastrowid or 0
 
     def append(self, rows: Iterable[tuple[int, Row]]) -> None:
         """Put finished cases on disk, all or none of them.

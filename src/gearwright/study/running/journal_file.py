@@ -85,8 +85,8 @@ def _row(entry: tuple[object, ...], total: int) -> Row | None:
     number, design, inputs, results, problem, _ = entry
     if entry != summed(*entry[:-1]) or number not in range(total):
         return None
-    found = {name: Named(*value) for name, value in json.loads(str(results)).items()}
-    return Row(str(design), json.loads(str(inputs)), found, str(problem))
+    named = {name: Named(*value) for name, value in json.loads(str(results)).items()}
+    return Row(str(design), json.loads(str(inputs)), named, str(problem))
 
 
 def connect(path: Path) -> sqlite3.Connection:

@@ -21,8 +21,8 @@ def made_with() -> Mapping[str, str]:
     The digest notices an edited file under an unchanged version.
     """
     libraries = {name: version(name) for name in LIBRARIES}
-    own = f"{__version__}, files {digest(Path(__file__).parents[2])}"
-    return {"gearwright": own, "python": f"{sys.version_info.major}.{sys.version_info.minor}", **libraries}
+    program = f"{__version__}, files {digest(Path(__file__).parents[2])}"
+    return {"gearwright": program, "python": f"{sys.version_info.major}.{sys.version_info.minor}", **libraries}
 
 
 def changes_of(begun: Mapping[str, str], now: Mapping[str, str]) -> list[tuple[str, str, str]]:

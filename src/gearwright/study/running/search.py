@@ -82,19 +82,19 @@ def _children(parents: Floats, rank: Integers, crowd: Floats, generator: np.rand
         (rank[pairs[:, 0]] == rank[pairs[:, 1]]) & (crowd[pairs[:, 0]] >= crowd[pairs[:, 1]])
     )
     chosen = parents[np.where(first_wins, pairs[:, 0], pairs[:, 1])]
-    for one in range(0, len(chosen), 2):
+    for first in range(0, len(chosen), 2):
         if generator.random() < CROSSOVER:
-            chosen[one : one + 2] = _crossed(chosen[one], chosen[one + 1], generator)
+            chosen[first : first + 2] = _crossed(chosen[first], chosen[first + 1], generator)
     return _mutated(chosen[:size], generator)
 
 
-def _crossed(one: Floats, other: Floats, generator: np.random.Generator) -> Floats:
+def _crossed(first: Floats, second: Floats, generator: np.random.Generator) -> Floats:
     """Return two children by simulated binary crossover, each gene mixed with probability one half."""
-    draw = generator.random(len(one))
+    draw = generator.random(len(first))
     power = 1.0 / (SPREAD_OF_CHILDREN + 1.0)
     beta = np.where(draw <= 0.5, (2.0 * draw) ** power, (0.5 / (1.0 - draw)) ** power)
-    beta = np.where(generator.random(len(one)) < 0.5, beta, 1.0)
-    middle, half = (one + other) / 2.0, (other - one) / 2.0
+    beta = np.where(generator.random(len(first)) < 0.5, beta, 1.0)
+    middle, half = (first + second) / 2.0, (second - first) / 2.0
     return np.clip(np.stack([middle - beta * half, middle + beta * half]), 0.0, 1.0)
 
 

@@ -174,8 +174,8 @@ class _Crew:
             return []
         rows, seconds = message
         worker.chunks.popleft()
-        each = max(seconds / len(rows), 1e-6)
-        self.chunk = max(1, min(int(CHUNK_TIME / each), LARGEST_CHUNK, 2 * self.chunk))
+        seconds_per_case = max(seconds / len(rows), 1e-6)
+        self.chunk = max(1, min(int(CHUNK_TIME / seconds_per_case), LARGEST_CHUNK, 2 * self.chunk))
         return list(rows)
 
     def _bury(self, worker: _Worker) -> Finished:

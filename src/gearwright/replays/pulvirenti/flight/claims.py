@@ -92,7 +92,7 @@ def flight_claims(runs: Runs) -> tuple[JudgedClaim, ...]:
     Args:
         runs: Of `chapter_runs`.
     """
-    return tuple(JudgedClaim(each, each.measure(runs, CONSTANT), each.measure(runs, VARYING)) for each in CLAIMS)
+    return tuple(JudgedClaim(claim, claim.measure(runs, CONSTANT), claim.measure(runs, VARYING)) for claim in CLAIMS)
 
 
 def _in(window: str, measure: Callable[[DynamicWindow], float], scale: float = 1.0) -> Measure:
@@ -112,19 +112,23 @@ def _ratio(window: DynamicWindow) -> float:
     return second / first
 
 
-def _torque_ratio(one: str, other: str) -> Callable[[DynamicWindow], float]:
+def _torque_ratio(upper: str, lower: str) -> Callable[[DynamicWindow], float]:
     def ratio(window: DynamicWindow) -> float:
-        own = measured.steady(window)
-        return float(np.mean(getattr(own, one)) / np.mean(getattr(own, other)))
+        steady = measured.steady(window)
+        return float(np.mean(getattr(steady, upper)) / np.mean(getattr(steady, lower)))
 
     return ratio
 
 
 def _swings(name: str) -> Callable[[DynamicWindow], float]:
     def swings(window: DynamicWindow) -> float:
-        own = measured.steady(window)
-        least = float(np.ptp(own.turbine))
-        return float(np.ptp(getattr(own, name))) / least if least > ROUNDING * float(np.mean(own.turbine)) else 0.0
+        steady = measured.steady(window)
+        turbine = float(np.ptp(steady.turbine))
+        return (
+            float(np.ptp(getattr(steady, name))) / turbine
+            if turbine > ROUNDING * float(np.mean(steady.turbine))
+            else 0.0
+        )
 
     return swings
 
@@ -134,13 +138,13 @@ def _pitch_range(window: DynamicWindow) -> float:
 
 
 def _late_pitch(runs: Runs, stiffness: str) -> float:
-    one, other = (measured.pitch(runs[name, stiffness])[-1] for name in ("take-off", "cruise"))
-    return float(np.degrees(abs(one - other)))
+    climb, cruise = (measured.pitch(runs[name, stiffness])[-1] for name in ("take-off", "cruise"))
+    return float(np.degrees(abs(climb - cruise)))
 
 
 def _beside_constant(stage: str, window: str) -> Measure:
     def beside(runs: Runs, stiffness: str) -> float:
-        means = [float(np.mean(measured.mesh_means(runs[window, each], stage))) for each in (stiffness, CONSTANT)]
+        means = [float(np.mean(measured.mesh_means(runs[window, kind], stage))) for kind in (stiffness, CONSTANT)]
         return 100.0 * abs(means[0] / means[1] - 1.0)
 
     return beside
@@ -152,8 +156,8 @@ def _stage_one_in_taxi(window: DynamicWindow) -> float:
 
 
 def _idle_turbine(window: DynamicWindow) -> float:
-    own = measured.steady(window)
-    return float(abs(np.mean(own.turbine)) / np.mean(own.motor))
+    steady = measured.steady(window)
+    return float(abs(np.mean(steady.turbine)) / np.mean(steady.motor))
 
 
 def _between(start: float, end: float) -> Callable[[DynamicWindow], float]:

@@ -46,11 +46,11 @@ def torques(window: DynamicWindow, samples: Samples) -> Torques:
     """
     speeds = dict(zip(window.system.labels.coordinates, np.abs(window.system.arrays.speed), strict=True))
     machines = ("gas-turbine", "electric")
-    given = [samples.drive(f"{name} torque") * speeds[name] / speeds["propeller"] for name in machines]
+    ideals = [samples.drive(f"{name} torque") * speeds[name] / speeds["propeller"] for name in machines]
     turbine, motor, carrier, output = (
         samples.force(f"{name} shaft") for name in ("input", "electric", "intermediate", "output")
     )
-    return Torques(turbine, motor, carrier, output, np.abs(samples.drive("propeller torque")), given[0] + given[1])
+    return Torques(turbine, motor, carrier, output, np.abs(samples.drive("propeller torque")), ideals[0] + ideals[1])
 
 
 def steady(window: DynamicWindow) -> Torques:
@@ -93,8 +93,8 @@ def off_ideal(window: DynamicWindow) -> float:
     Args:
         window: Of In-Line H2.
     """
-    own = steady(window)
-    return float(np.max(np.abs(own.output / own.ideal - 1.0)))
+    end = steady(window)
+    return float(np.max(np.abs(end.output / end.ideal - 1.0)))
 
 
 def mean_off_ideal(window: DynamicWindow) -> float:
@@ -103,8 +103,8 @@ def mean_off_ideal(window: DynamicWindow) -> float:
     Args:
         window: Of In-Line H2.
     """
-    own = steady(window)
-    return float(np.mean(np.abs(own.output / own.ideal - 1.0)))
+    end = steady(window)
+    return float(np.mean(np.abs(end.output / end.ideal - 1.0)))
 
 
 def propeller_off_ideal(window: DynamicWindow, start: float, end: float) -> Floats:
@@ -115,9 +115,9 @@ def propeller_off_ideal(window: DynamicWindow, start: float, end: float) -> Floa
         start: [s].
         end: [s].
     """
-    own, time = torques(window, window.trace.samples), window.trace.samples.time
+    flown, time = torques(window, window.trace.samples), window.trace.samples.time
     part = (time >= start) & (time <= end)
-    return np.asarray(np.abs(own.propeller[part] / own.ideal[part] - 1.0))
+    return np.asarray(np.abs(flown.propeller[part] / flown.ideal[part] - 1.0))
 
 
 def output_swing(window: DynamicWindow) -> float:
@@ -126,8 +126,8 @@ def output_swing(window: DynamicWindow) -> float:
     Args:
         window: Of In-Line H2.
     """
-    own = steady(window)
-    return float(np.ptp(own.output) / np.mean(own.ideal))
+    end = steady(window)
+    return float(np.ptp(end.output) / np.mean(end.ideal))
 
 
 def pitch(window: DynamicWindow) -> Floats:
@@ -145,8 +145,8 @@ def overshoot(window: DynamicWindow) -> float:
     Args:
         window: With a propeller of that name.
     """
-    own = pitch(window)
-    return float(np.degrees(np.max(own) - own[-1]))
+    angle = pitch(window)
+    return float(np.degrees(np.max(angle) - angle[-1]))
 
 
 def departure_from_line(window: DynamicWindow) -> float:
@@ -155,8 +155,8 @@ def departure_from_line(window: DynamicWindow) -> float:
     Args:
         window: Of the climb.
     """
-    force, own = window.trace.force, window.trace.force.of("first.sun-planet-1")["mean"]
+    force, mean = window.trace.force, window.trace.force.of("first.sun-planet-1")["mean"]
     middle = 0.5 * (force.edges[1:] + force.edges[:-1])
     part = (middle > REST) & (middle < CLIMB_ENDS - REST)
-    line = np.polyval(np.polyfit(middle[part], own[part], 1), middle[part])
-    return float(np.max(np.abs(own[part] - line)) / np.ptp(own[part]))
+    line = np.polyval(np.polyfit(middle[part], mean[part], 1), middle[part])
+    return float(np.max(np.abs(mean[part] - line)) / np.ptp(mean[part]))

@@ -65,10 +65,10 @@ def chapter_figure(runs: Runs, window: str, panels: Sequence[str]) -> Figure:
     figure = theme.sheet(WIDTH, ROW * len(panels) + 8.0)
     grid = figure.subplots(len(panels), 2, squeeze=False, sharey="row")
     for column, stiffness in enumerate((CONSTANT, VARYING)):
-        own = runs[window, stiffness]
+        run = runs[window, stiffness]
         for row, panel in enumerate(panels):
             axes = grid[row, column]
-            _DRAWN[panel](axes, own)
+            _DRAWN[panel](axes, run)
             axes.set_title(f"{TITLES[panel]}, {stiffness} stiffness", fontsize=8.0)
             axes.margins(x=0.0)
         grid[-1, column].set_xlabel("time [ms]" if window in QUIET else "time [s]")
@@ -77,10 +77,10 @@ def chapter_figure(runs: Runs, window: str, panels: Sequence[str]) -> Figure:
     return figure
 
 
-def _widen(axes: Axes, least: float) -> None:
+def _widen(axes: Axes, span: float) -> None:
     """Give an axis at least a range, so that rounding is not shown as if it were something."""
     low, high = axes.get_ylim()
-    room = max(0.0, 0.5 * (least - (high - low)))
+    room = max(0.0, 0.5 * (span - (high - low)))
     axes.set_ylim(low - room, high + room)
 
 
@@ -119,16 +119,21 @@ def _bands(axes: Axes, window: DynamicWindow, stages: Sequence[str]) -> None:
     force = window.trace.force
     middle = 0.5 * (force.edges[1:] + force.edges[:-1])
     for place, stage in enumerate(stages):
-        own, colour = force.of(f"{stage}.sun-planet-1"), theme.CYCLE[place]
-        axes.fill_between(middle, own["least"] / 1e3, own["most"] / 1e3, color=colour, alpha=0.3, lw=0.0)
-        axes.plot(middle, own["mean"] / 1e3, color=colour, lw=0.9)
+        band, colour = force.of(f"{stage}.sun-planet-1"), theme.CYCLE[place]
+        axes.fill_between(middle, band["least"] / 1e3, band["most"] / 1e3, color=colour, alpha=0.3, lw=0.0)
+        axes.plot(middle, band["mean"] / 1e3, color=colour, lw=0.9)
     axes.set_ylabel("[kN]")
 
 
 def _torques(axes: Axes, window: DynamicWindow) -> None:
     samples, part, _ = _seen(window)
-    own = torques(window, samples)
-    for name, torque in (("T_GT", own.turbine), ("T_EM", own.motor), ("T_c1", own.carrier), ("T_c2", own.output)):
+    shafts = torques(window, samples)
+    for name, torque in (
+        ("T_GT", shafts.turbine),
+        ("T_EM", shafts.motor),
+        ("T_c1", shafts.carrier),
+        ("T_c2", shafts.output),
+    ):
         axes.plot(_time(window), torque[part] / 1e3, lw=0.9, label=name)
     axes.set_ylabel("[kN m]")
     axes.legend(loc="best", fontsize=6.0, ncols=4)
@@ -136,9 +141,9 @@ def _torques(axes: Axes, window: DynamicWindow) -> None:
 
 def _output(axes: Axes, window: DynamicWindow) -> None:
     samples, part, _ = _seen(window)
-    own = torques(window, samples)
-    for name, torque in (("T_c2", own.output), ("T_prop", own.propeller)):
-        axes.plot(_time(window), 100.0 * (torque[part] / own.ideal[part] - 1.0), lw=0.9, label=name)
+    shafts = torques(window, samples)
+    for name, torque in (("T_c2", shafts.output), ("T_prop", shafts.propeller)):
+        axes.plot(_time(window), 100.0 * (torque[part] / shafts.ideal[part] - 1.0), lw=0.9, label=name)
     axes.set_ylabel("off T_ideal [%]")
     axes.legend(loc="best", fontsize=6.0, ncols=2)
 
@@ -188,7 +193,7 @@ def chapter_markdown(judged: Sequence[JudgedClaim], phases: Sequence[Phased], im
         phases: Of `phased`.
         images: Window -> file of its figure, beside the page.
     """
-    holds = sum(each.holds for each in judged)
+    holds = sum(claim.holds for claim in judged)
     parts = [
         _HEAD.format(claims=len(judged), holds=holds, fails=len(judged) - holds),
         "\n".join([_TABLE, *map(_row, judged)]),
@@ -208,8 +213,8 @@ def _phase_row(row: Phased) -> str:
 def _row(judged: JudgedClaim) -> str:
     claim = judged.claim
     numbers = [number_text(value, claim.unit) for value in (judged.constant, judged.varying)]
-    own = 0 if claim.stiffness == CONSTANT else 1
-    numbers[own] = f"**{numbers[own]}**"
+    counted = 0 if claim.stiffness == CONSTANT else 1
+    numbers[counted] = f"**{numbers[counted]}**"
     verdict = "holds" if judged.holds else "does not hold"
     return (
         f"| {claim.figure} | {claim.says} | {covered_text(judged)} | {numbers[0]} | {numbers[1]} | {verdict} | "

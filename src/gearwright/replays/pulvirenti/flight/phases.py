@@ -73,11 +73,11 @@ def _rephased(window: DynamicWindow, spacing: Callable[[int], float]) -> Dynamic
 def _spaced(system: System, family: str, angle: float) -> System:
     """Return a system in which each line of a family follows the one before by a mesh phase [rad]."""
     series = system.arrays.variation
-    own = [line for line, name in enumerate(system.labels.lines) if name.startswith(family)]
+    lines = [line for line, name in enumerate(system.labels.lines) if name.startswith(family)]
     cosine, sine = series.cosine.copy(), series.sine.copy()
-    first = slice(series.start[own[0]], series.start[own[0] + 1])
+    first = slice(series.start[lines[0]], series.start[lines[0] + 1])
     wave = series.cosine[first] - 1j * series.sine[first]
-    for number, line in enumerate(own):
+    for number, line in enumerate(lines):
         turned = wave * np.exp(1j * number * angle * np.arange(1, len(wave) + 1))
         part = slice(series.start[line], series.start[line + 1])
         cosine[part], sine[part] = turned.real, -turned.imag
