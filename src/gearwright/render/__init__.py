@@ -1,14 +1,14 @@
-"""What people read: tables, words, figures, the report. Nothing else in gearwright draws.
+"""What people read: tables, words, figures, pages, drawings. Nothing below draws, and nothing here computes.
 
-========================  ==========================================================================
-module                    makes
-========================  ==========================================================================
-``tables``, ``views``     tables of records with unit, equation and source; those of a Sizing
-``text``                  words for the terminal, JSON for machines
-``schematic``             the skeleton of a train and the power flow on it
-``figures_sizing``        masses, margins, shaft diagrams
-``figures_motion``        forces against time, spectra, mode shapes
-``report``                one self-contained HTML page
-``theme``                 the look that all figures share
-========================  ==========================================================================
+=============  ==================================================================================
+room           makes
+=============  ==================================================================================
+``style``      the look that everything drawn shares
+``tables``     tables of records with unit, equation and source
+``words``      sentences and tables for the terminal, JSON and CSV for machines
+``figures``    drawings of numbers
+``schematic``  the skeleton of a train, the power flow and the mode shapes on it
+``pages``      self-contained HTML pages, from ``templates``
+``drawings``   sheets of gears, shafts and the arrangement to ISO conventions
+=============  ==================================================================================
 """
