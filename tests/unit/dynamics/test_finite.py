@@ -9,7 +9,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.dynamics import campbell, frequency_response, modes, simulate, speed_map, statics
-from gearwright.dynamics.finite import refuse_not_finite
+from gearwright.dynamics.model import refuse_not_finite
 from gearwright.errors import SolveError
 
 VERBS = {

@@ -53,19 +53,24 @@ def state_matrix(system: Linear) -> Floats:
     return matrix
 
 
-def damped_modes(system: Linear) -> tuple[Complexes, Complexes]:
-    """Return the eigenvalues with positive imaginary part [rad/s], by rising |λ|, and their shapes in q.
+class DampedModes(NamedTuple):
+    """Motions that oscillate, by rising |λ|; rigid and overdamped ones have no frequency and are left out."""
+
+    rate: Complexes
+    """Eigenvalues λ with positive imaginary part [rad/s], shape (modes,)."""
+    shape: Complexes
+    """Their shapes in q, of unit length in the mass matrix, shape (coordinates, modes)."""
+
+
+def damped_modes(system: Linear) -> DampedModes:
+    """Return the damped modes of the linear system.
 
     Args:
         system: Mass, damping, stiffness.
-
-    Returns:
-        Shapes (modes,) and (coordinates, modes), the latter of unit length in the mass matrix. Rigid and overdamped
-        motions have no frequency and are left out.
     """
     values, vectors = np.linalg.eig(state_matrix(system))
     chosen = np.flatnonzero(values.imag > 1e-6 * np.max(np.abs(values)))
     chosen = chosen[np.argsort(np.abs(values[chosen]))]
     shapes = vectors[: len(system.mass), chosen]
     length = np.sqrt(np.sum(system.mass[:, None] * np.abs(shapes) ** 2, axis=0))
-    return values[chosen], shapes / length
+    return DampedModes(values[chosen], shapes / length)

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import linalg
 
-from gearwright.dynamics.finite import finite_numbers, refuse_not_finite
-from gearwright.dynamics.model import Arrays, Floats, Labels, System, line_matrix
+from gearwright.dynamics.model import Arrays, Floats, Labels, System, finite_numbers, line_matrix, refuse_not_finite
 from gearwright.train.null_space import row_and_null_space
 from gearwright.verbs import verb
 

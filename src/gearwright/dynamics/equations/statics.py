@@ -10,8 +10,16 @@ from numpy.typing import NDArray
 
 from gearwright.dynamics.equations.modes import split_rigid
 from gearwright.dynamics.equations.reference import dead_zone, external_load, line_state, speed_factor
-from gearwright.dynamics.finite import finite_numbers, refuse_not_finite
-from gearwright.dynamics.model import Arrays, Floats, Labels, System, entry_matrix, line_matrix
+from gearwright.dynamics.model import (
+    Arrays,
+    Floats,
+    Labels,
+    System,
+    entry_matrix,
+    finite_numbers,
+    line_matrix,
+    refuse_not_finite,
+)
 from gearwright.errors import SolveError
 from gearwright.verbs import verb
 

@@ -31,6 +31,7 @@ from gearwright.dynamics.model.drives import (
     points_of,
 )
 from gearwright.dynamics.model.family import check_structure, envelope, own_groups, stacked, weight_numbers
+from gearwright.dynamics.model.finite import check_finite, finite_numbers, refuse_not_finite
 from gearwright.dynamics.model.flatten import profile_of
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Model
@@ -90,6 +91,7 @@ __all__ = [
     "Turns",
     "add_planetary",
     "bending_shaft",
+    "check_finite",
     "check_structure",
     "contact_errors",
     "crossing_axis",
@@ -97,11 +99,13 @@ __all__ = [
     "entry_matrix",
     "envelope",
     "face_push_direction",
+    "finite_numbers",
     "line_matrix",
     "own_groups",
     "points_of",
     "profile_of",
     "push_direction",
+    "refuse_not_finite",
     "rotational",
     "shift_weights",
     "stacked",

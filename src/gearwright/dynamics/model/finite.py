@@ -8,7 +8,7 @@ from contextlib import contextmanager
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.dynamics.model import System
+from gearwright.dynamics.model.system import System
 from gearwright.errors import SolveError
 
 

@@ -22,8 +22,18 @@ from gearwright.dynamics.codegen import (
     waves_of,
 )
 from gearwright.dynamics.equations import WORKS, statics
-from gearwright.dynamics.finite import check_finite, refuse_not_finite
-from gearwright.dynamics.model import Arrays, Floats, Labels, System, check_structure, envelope, own_groups, stacked
+from gearwright.dynamics.model import (
+    Arrays,
+    Floats,
+    Labels,
+    System,
+    check_finite,
+    check_structure,
+    envelope,
+    own_groups,
+    refuse_not_finite,
+    stacked,
+)
 from gearwright.dynamics.motion.recorder import RUNAWAY
 from gearwright.dynamics.motion.stepsize import STABLE, check_duration, check_step, default_step, fastest_rate
 from gearwright.dynamics.motion.trace import index_of

@@ -8,8 +8,7 @@ from typing import Literal
 import numpy as np
 
 from gearwright.dynamics.equations import WORKS, Work, statics, stored_energy, unbalanced
-from gearwright.dynamics.finite import check_finite, refuse_not_finite
-from gearwright.dynamics.model import Arrays, Floats, System
+from gearwright.dynamics.model import Arrays, Floats, System, check_finite, refuse_not_finite
 from gearwright.dynamics.motion.exact import is_exact
 from gearwright.dynamics.motion.pacing import STRETCH, estimated_error, pace_of
 from gearwright.dynamics.motion.recorder import BLOCK, Outputs, Recorder

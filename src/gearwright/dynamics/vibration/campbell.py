@@ -7,10 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.dynamics.equations import Complexes, damped_modes, linear
-from gearwright.dynamics.finite import finite_numbers, refuse_not_finite
-from gearwright.dynamics.given import numbers
-from gearwright.dynamics.model import Floats, System, Tone
+from gearwright.dynamics.equations import Complexes, DampedModes, damped_modes, linear
+from gearwright.dynamics.model import Floats, System, Tone, finite_numbers, refuse_not_finite
+from gearwright.dynamics.vibration.sequences import numbers
 from gearwright.errors import DesignError, Problem
 from gearwright.verbs import verb
 
@@ -101,27 +100,29 @@ def campbell(system: System, factors: Sequence[float] | Floats) -> Campbell:
 
 def _tracked(system: System, speeds: Floats) -> list[Complexes]:
     """Return eigenvalues at each speed, each mode in its own column."""
-    values, shapes = damped_modes(linear(system.arrays, float(speeds[0])))
-    rows = [values]
+    modes = damped_modes(linear(system.arrays, float(speeds[0])))
+    rows = [modes.rate]
     for factor in speeds[1:].tolist():
-        values, later = damped_modes(linear(system.arrays, factor))
-        order = _pairing(system.arrays.mass, shapes, later, (rows[-1], values))
-        shapes, values = later[:, order], values[order]
-        rows.append(values)
+        later = damped_modes(linear(system.arrays, factor))
+        order = _pairing(system.arrays.mass, modes, later)
+        modes = DampedModes(later.rate[order], later.shape[:, order])
+        rows.append(modes.rate)
     return rows
 
 
-def _pairing(mass: Floats, before: Complexes, after: Complexes, values: tuple[Complexes, Complexes]) -> list[int]:
+def _pairing(mass: Floats, before: DampedModes, after: DampedModes) -> list[int]:
+    """Return which mode after belongs to each one before."""
     # Loaded here: it takes longer to load than the rest of this layer together.
     from scipy.optimize import linear_sum_assignment
 
-    if before.shape != after.shape:
+    if len(before.rate) != len(after.rate):
         raise DesignError(
             [Problem("factors", "a mode stops oscillating in this range of speeds; choose a smaller one")]
         )
-    assurance = np.abs(before.conj().T @ (mass[:, None] * after)) ** 2
+    assurance = np.abs(before.shape.conj().T @ (mass[:, None] * after.shape)) ** 2
     # Of repeated modes any pairing of shapes is as good: the nearest frequency decides.
-    apart = np.abs(values[0][:, None] - values[1]) / np.maximum(np.abs(values[0][:, None]), np.abs(values[1]))
+    first = before.rate[:, None]
+    apart = np.abs(first - after.rate) / np.maximum(np.abs(first), np.abs(after.rate))
     return [int(place) for place in linear_sum_assignment(assurance - apart, maximize=True)[1]]
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.equations import Complexes, damped_modes, linear, statics
+from gearwright.dynamics.equations import Complexes, DampedModes, damped_modes, linear, statics
 from gearwright.dynamics.model import Floats, Ints, System, Tone, line_matrix
 from gearwright.dynamics.vibration.campbell import Campbell, Crossing, campbell
 from gearwright.errors import by_name
@@ -106,7 +106,7 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
     diagram = campbell(systems[0], factors)
     speed = abs(sizing.flows[cases[0]].speeds[sizing.machines[0].shaft])
     # Cases of equal speeds differ in their loads alone, so they share their modes.
-    shared: dict[float, tuple[Complexes, Complexes]] = {}
+    shared: dict[float, DampedModes] = {}
     shakers = [Shaker(system, shared) for system in systems]
     before = 1 + len(systems[0].labels.coordinates) - diagram.frequency.shape[1]
     critical = [
@@ -161,7 +161,7 @@ def _gear(sizing: Sizing, body: str) -> str:
 class Shaker:
     """What each order does at its resonances in one load case."""
 
-    def __init__(self, system: System, modes: dict[float, tuple[Complexes, Complexes]]) -> None:
+    def __init__(self, system: System, modes: dict[float, DampedModes]) -> None:
         self.system, self.matrix, self.modes = system, line_matrix(system.arrays), modes
         self.mean = statics(system, balance="accelerate").force
         arrays = system.arrays
@@ -178,16 +178,16 @@ class Shaker:
         exciting = _exciting(self.system, crossing.order.tone, self.mean)
         if not np.any(exciting):
             return 0.0
-        values, shapes = self._modes(crossing.factor)
+        modes = self._modes(crossing.factor)
         rate = 2.0 * math.pi * crossing.frequency
-        apart = np.abs(values.imag / rate - 1.0)
+        apart = np.abs(modes.rate.imag / rate - 1.0)
         near = apart < max(SAME, 1.01 * float(np.min(apart)))
-        resonant = shapes[:, near]
+        resonant = modes.shape[:, near]
         push = resonant.conj().T @ (self.matrix.T @ exciting)
         # At its peak a mode moves by 1/(2 ζ ω²) = 1/(2 |Re λ| ω) of what pushes it. The shapes of a repeated frequency
         # are any basis of their space: its mass matrix makes the answer independent of which one the solver gave.
         together = resonant.conj().T @ (self.system.arrays.mass[:, None] * resonant)
-        moved = resonant @ (np.linalg.pinv(together) @ push) / (2.0 * np.mean(np.abs(values[near].real)) * rate)
+        moved = resonant @ (np.linalg.pinv(together) @ push) / (2.0 * np.mean(np.abs(modes.rate[near].real)) * rate)
         alone = self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
         # The mode decides whether the order excites it at all; how large the force is, all modes say together.
         return self._answer(exciting, rate, crossing.factor) if alone > SILENT else alone
@@ -199,7 +199,7 @@ class Shaker:
         moved = np.linalg.solve(dynamic, self.matrix.T @ exciting)
         return self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
 
-    def _modes(self, factor: float) -> tuple[Complexes, Complexes]:
+    def _modes(self, factor: float) -> DampedModes:
         key = factor if self.changes else 1.0
         if key not in self.modes:
             self.modes[key] = damped_modes(linear(self.system.arrays, key))

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.dynamics.equations import Complexes, linear
-from gearwright.dynamics.finite import finite_numbers, refuse_not_finite
-from gearwright.dynamics.given import positive_numbers
-from gearwright.dynamics.model import Arrays, Floats, Labels, System, line_matrix
+from gearwright.dynamics.model import Arrays, Floats, Labels, System, finite_numbers, line_matrix, refuse_not_finite
 from gearwright.dynamics.motion import index_of
+from gearwright.dynamics.vibration.sequences import positive_numbers
 from gearwright.units import Force, Frequency
 from gearwright.verbs import verb
 

@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.dynamics.given import positive_numbers
 from gearwright.dynamics.model import Floats, System
 from gearwright.dynamics.motion import Outputs, Samples, default_step, index_of, simulate
 from gearwright.dynamics.vibration.critical_speeds import order_name
+from gearwright.dynamics.vibration.sequences import positive_numbers
 from gearwright.dynamics.vibration.spectra import tone_amplitudes
 from gearwright.dynamics.vibration.speed_map import at_speed
 from gearwright.errors import DesignError, Problem

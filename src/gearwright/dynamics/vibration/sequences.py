@@ -1,4 +1,4 @@
-"""What callers give as numbers: any sequence of them, as one array."""
+"""Sequences of numbers that callers give, speeds and frequencies, as one array."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ def numbers(values: Sequence[float] | Floats, path: str) -> Floats:
         DesignError: If they are anything else.
     """
     try:
-        found = np.asarray(values, dtype=np.float64)
+        array = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):
-        found = np.zeros((0, 0))
-    if found.ndim != 1 or not len(found) or not np.all(np.isfinite(found)):
+        array = np.zeros((0, 0))
+    if array.ndim != 1 or not len(array) or not np.all(np.isfinite(array)):
         raise _refused(values, path, "finite")
-    return found
+    return array
 
 
 def positive_numbers(values: Sequence[float] | Floats, path: str) -> Floats:
@@ -42,10 +42,10 @@ def positive_numbers(values: Sequence[float] | Floats, path: str) -> Floats:
     Raises:
         DesignError: If they are anything else.
     """
-    found = numbers(values, path)
-    if not np.all(found > 0.0):
+    array = numbers(values, path)
+    if not np.all(array > 0.0):
         raise _refused(values, path, "positive")
-    return found
+    return array
 
 
 def _refused(values: object, path: str, what: str) -> DesignError:

@@ -7,10 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gearwright.dynamics.finite import check_finite
-from gearwright.dynamics.given import positive_numbers
-from gearwright.dynamics.model import Floats, System
+from gearwright.dynamics.model import Floats, System, check_finite
 from gearwright.dynamics.motion import Ensemble, default_step, simulate_many
+from gearwright.dynamics.vibration.sequences import positive_numbers
 from gearwright.verbs import verb
 
 
