@@ -1,12 +1,22 @@
 """From a design to a sized transmission."""
 
-from gearwright.sizing.breakdown import AskedSpeed, MassPart, asked_speeds, bearing_forces, mass_parts
-from gearwright.sizing.gate import refuse_no_numbers
-from gearwright.sizing.margins import Margin, margins
+from gearwright.sizing.answers import (
+    TEXT,
+    AskedSpeed,
+    Margin,
+    MassPart,
+    Named,
+    asked_speeds,
+    bearing_forces,
+    margins,
+    mass_parts,
+    named_results,
+    pick,
+    refuse_no_numbers,
+    total_results,
+)
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing, ShaftStep
-from gearwright.sizing.named import TEXT, Named, named_results, pick, total_results
 from gearwright.sizing.pair_data import BevelPairData, CylindricalPairData, pair_data
-from gearwright.sizing.profile_shifts import profile_shift
 from gearwright.sizing.result import (
     CarrierSizing,
     GearSizing,
@@ -18,6 +28,7 @@ from gearwright.sizing.result import (
 )
 from gearwright.sizing.size import size
 from gearwright.sizing.stage_summary import StageSummary, stage_summaries
+from gearwright.sizing.stages import profile_shift
 
 __all__ = [
     "TEXT",

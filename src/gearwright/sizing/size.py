@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearwright.sizing.carriers import size_carriers
-from gearwright.sizing.gate import refuse_no_numbers
+from gearwright.sizing.answers import refuse_no_numbers
 from gearwright.sizing.machines import size_machines
 from gearwright.sizing.rating import context_of
 from gearwright.sizing.result import Sizing
-from gearwright.sizing.shafts import checks_of, size_shafts
-from gearwright.sizing.shafts.idle import refuse_idle_shafts
+from gearwright.sizing.shafts import checks_of, refuse_bores, refuse_idle_shafts, size_carriers, size_shafts
 from gearwright.sizing.stages import gear_checks, size_gears, size_meshes, stage_sizes
-from gearwright.sizing.teeth import choose_teeth, refuse_bores, refuse_contradictions
+from gearwright.sizing.teeth import choose_teeth, refuse_contradictions
 from gearwright.spec import Design
 from gearwright.spec.design import Overrides
 from gearwright.train import Turning, build_train, power_flows, targets

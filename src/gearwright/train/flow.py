@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -111,16 +112,16 @@ def _flow(design: Design, turning: Turning, case: str, efficiency: Mapping[str, 
         asked = _asked(design, turning, drives, joints)
         signed = {name: abs(speed) * turning.senses[train.machines[name]] for name, speed in asked.items()}
         turn = turning.turn(signed, joints)
-        torques, multipliers, effective = _balance(design, train, turn, efficiency, drives, case=case)
+        balanced = _balance(design, train, turn, efficiency, drives, case=case)
         slipping = [
             joint
             for k, joint in enumerate(joints)
-            if _overruns(joint, multipliers[len(train.meshes) + k], train, turn.speeds)
+            if _overruns(joint, balanced.multipliers[len(train.meshes) + k], train, turn.speeds)
         ]
         if not slipping:
             break
         joints.remove(slipping[0])
-    return _collect(train, case, (turn, torques, multipliers, effective), joints)
+    return _collect(train, case, turn, balanced, joints)
 
 
 def _asked(design: Design, turning: Turning, drives: Mapping[str, Drive], joints: list[Joint]) -> Mapping[str, float]:
@@ -147,10 +148,21 @@ def _overruns(joint: Joint, multiplier: float, train: Train, speeds: Array) -> b
     return bool(-multiplier * np.sign(turning or 1.0) <= 1e-9)
 
 
+class _Balanced(NamedTuple):
+    """The torques of a case in balance."""
+
+    machine_torques: dict[str, float]
+    """Machine -> torque on its shaft [N m]."""
+    multipliers: Array
+    """Torque per tooth of every mesh row, then torque of every engaged clutch [N m]."""
+    effective: Array
+    """(rows, nodes): torque on a node per multiplier [-], losses included."""
+
+
 def _balance(
     design: Design, train: Train, turn: Turn, efficiency: Mapping[str, float], drives: Mapping[str, Drive], *, case: str
-) -> tuple[dict[str, float], Array, Array]:
-    """Return machine torques, multipliers and the torque matrix, with losses in the direction of the power."""
+) -> _Balanced:
+    """Return the torques that balance a case, with losses in the direction of the power."""
     matrix, speeds = turn.matrix, turn.speeds
     machine_torques, balancing = _machine_torques(design, train, speeds, drives, case)
     applied = np.zeros(len(train.nodes))
@@ -163,7 +175,7 @@ def _balance(
         solved = solve_torques(known, applied, sharing=sharing)
         if solved is None:
             raise _unbalanced(train, balancing, case)
-        multipliers, balanced = solved[: len(matrix)], solved[len(matrix) :]
+        multipliers, rest = solved[: len(matrix)], solved[len(matrix) :]
         if all(value == 1.0 for value in efficiency.values()):
             break
         noise = 1e-9 * float(np.abs(applied * speeds).max(initial=0.0))
@@ -177,8 +189,8 @@ def _balance(
             f"cases.{case}: the power through the teeth changes its direction from round to round, so that its losses"
             " cannot be found; nearly all of it circulates. Use higher efficiencies, or other teeth"
         )
-    machine_torques.update(zip(balancing, balanced.tolist(), strict=True))
-    return machine_torques, multipliers, effective
+    machine_torques.update(zip(balancing, rest.tolist(), strict=True))
+    return _Balanced(machine_torques, multipliers, effective)
 
 
 def _direction(power: Array, noise: float) -> Array:
@@ -278,11 +290,9 @@ def _unbalanced(train: Train, balancing: list[str], case: str) -> DesignError:
     ])  # fmt: skip
 
 
-def _collect(
-    train: Train, case: str, solved: tuple[Turn, dict[str, float], Array, Array], joints: list[Joint]
-) -> PowerFlow:
-    turn, torques, multipliers, effective = solved
-    solved_speeds, carried, by_node = turn.speeds.tolist(), multipliers.tolist(), effective.tolist()
+def _collect(train: Train, case: str, turn: Turn, balanced: _Balanced, joints: list[Joint]) -> PowerFlow:
+    torques, carried, by_node = balanced.machine_torques, balanced.multipliers.tolist(), balanced.effective.tolist()
+    solved_speeds = turn.speeds.tolist()
     noise = STANDSTILL * max(map(abs, solved_speeds), default=0.0)
     speed = {name: value if abs(value) > noise else 0.0 for name, value in zip(train.nodes, solved_speeds, strict=True)}
     speed[GROUND] = 0.0
@@ -307,7 +317,7 @@ def _mesh_flow(
     if len(torque) < len(mesh.nodes):
         torque[GROUND] = -sum(torque.values())
     first, second, third = mesh.nodes
-    driving, driven, carrier = torque[first], torque[second], torque[third]
-    inward = -driving * (speed[first] - speed[third])
-    outward = driven * (speed[second] - speed[third])
-    return MeshFlow(mesh.name, multiplier, (driving, driven, carrier), inward, inward - outward)
+    on_first, on_second = torque[first], torque[second]
+    inward = -on_first * (speed[first] - speed[third])
+    outward = on_second * (speed[second] - speed[third])
+    return MeshFlow(mesh.name, multiplier, (on_first, on_second, torque[third]), inward, inward - outward)

@@ -6,7 +6,7 @@ import pytest
 
 import gearwright as gw
 from gearwright.shipped import shipped_study
-from gearwright.sizing.named import named_results
+from gearwright.sizing.answers import named_results
 from gearwright.spec.study import read_study
 
 

@@ -204,7 +204,12 @@ def _located(
     located_by_design = {name: seat.given for name, seat in seats.items() if seat.given is not None}
     if located_by_design:
         return axial_forces(
-            shaft, located_by_design, (along, radial), _taper_factors(flight, located_by_design), cases=flight.phase
+            shaft,
+            located_by_design,
+            along,
+            radial=radial,
+            factors=_taper_factors(flight, located_by_design),
+            cases=flight.phase,
         )
     lightest_loaded = min(radial, key=lambda name: float(radial[name].mean()))
     return {name: np.abs(along) if name == lightest_loaded else np.zeros_like(along) for name in seats}

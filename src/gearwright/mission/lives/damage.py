@@ -103,9 +103,11 @@ def _mesh_damage(flight: Flight, mesh: Mesh) -> list[tuple[float, float]]:
     rating, ask = _rating(flight, mesh.stage), row_ask(flight.sizing.train, flight.sizing.teeth, mesh)
     gear = next(gear for gear in flight.sizing.gears if gear.name == mesh.gears[0])
     mate = next(gear for gear in flight.sizing.gears if gear.name == mesh.gears[1])
-    size = (gear.module, min(gear.face_width, mate.face_width))
+    width = min(gear.face_width, mate.face_width)
     loads = [duty.load * rating.load_factor for duty in bins]
-    strains = strains_under(rating, ask, loads, [duty.speed for duty in bins], size)
+    strains = strains_under(
+        rating, ask, loads, speeds=[duty.speed for duty in bins], module=gear.module, face_width=width
+    )
     treatment = steel_of(rating).treatment
     curves = (contact_life_curve(treatment), bending_life_curve(treatment))
     damages = []

@@ -13,7 +13,7 @@ from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.tables.sizing import NOT_IN_THE_MASS
 from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, margins, mass_parts
-from gearwright.sizing.margins import ROUNDING
+from gearwright.sizing.answers import ROUNDING
 
 Floats = NDArray[np.float64]
 _GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN}

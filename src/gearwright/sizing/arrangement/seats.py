@@ -43,9 +43,10 @@ def radial_places(design: Design, shaft: str) -> tuple[float, float] | None:
 def axial_forces(
     shaft: str,
     seats: Mapping[str, BearingSeat],
-    loads: tuple[Array, Mapping[str, Array]],
-    factors: Mapping[str, LoadFactors],
+    axial: Array,
     *,
+    radial: Mapping[str, Array],
+    factors: Mapping[str, LoadFactors],
     cases: tuple[str, ...],
 ) -> dict[str, Array]:
     """Return the axial force in every bearing of a shaft [N], (cases,) each.
@@ -56,14 +57,14 @@ def axial_forces(
     Args:
         shaft: Name of the shaft.
         seats: From `seats_of`.
-        loads: Force along the shaft, positive towards its second end, and radial force of every bearing [N].
+        axial: Force along the shaft in every case, positive towards its second end [N].
+        radial: Bearing -> its radial force in every case [N].
         factors: Taper bearing -> its e, X, Y.
         cases: Names of the load cases.
 
     Raises:
         DesignError: If nothing takes a force along the shaft.
     """
-    axial, radial = loads
     tapers = {LOCATES[seat.locates][0]: name for name, seat in seats.items() if seat.kind == "taper"}
     taken = {name: np.zeros_like(axial) for name in seats}
     if len(tapers) == 2:

@@ -110,7 +110,7 @@ def seating(context: Context, shaft: str, forces: ShaftForces, chosen: Mapping[s
         for name, seat in seats.items()
         if seat.kind == "taper"
     }
-    axial = axial_forces(shaft, seats, (forces.axial, radial), factors, cases=tuple(context.flows))
+    axial = axial_forces(shaft, seats, forces.axial, radial=radial, factors=factors, cases=tuple(context.flows))
     duties = {name: _duty(context, shaft, seat, radial[name], axial[name]) for name, seat in seats.items()}
     sizes = {name: _sizes(name, seat, slim=slim) for name, seat in seats.items()}
     return Seating(seats, radial, axial, duties, sizes)

@@ -113,7 +113,7 @@ def rate_row(context: Context, mesh: Mesh, module: float, face_width: float) -> 
         ) from None
     pitting, bending = _safeties(rated, rating)
     return MeshRating(
-        mesh.name, case, factors, pitting, bending, _scuffing(factors, rating, heaviest, (module, face_width))
+        mesh.name, case, factors, pitting, bending, _scuffing(factors, rating, heaviest, module, face_width)
     )
 
 
@@ -207,7 +207,7 @@ def strain(rated: PairRating | BevelRating, mode: int, gear: int) -> Strain:
 
 
 def strains_under(
-    rating: Rating, ask: Ask, torques: Sequence[float], speeds: Sequence[float], size: tuple[float, float]
+    rating: Rating, ask: Ask, torques: Sequence[float], *, speeds: Sequence[float], module: float, face_width: float
 ) -> list[tuple[Strain, Strain]]:
     """Return flank and root strain of both gears of a mesh under several loads of one second each.
 
@@ -216,7 +216,8 @@ def strains_under(
         ask: Teeth, and what kind of mesh it is.
         torques: On the first gear, of one mesh, load factor included [N m], shape (n,).
         speeds: Of the first gear against the carrier [rad/s], shape (n,).
-        size: Module, of bevel gears m_mn, and face width [m].
+        module: m_n, of bevel gears m_mn [m].
+        face_width: b [m].
 
     Returns:
         For flank and root, the strains of both gears, each field with shape (n,).
@@ -226,12 +227,12 @@ def strains_under(
     """
     if rating.kind == "bevel":
         singles = [
-            _rate_bevel(rating, _Load("", torque, ask._replace(speed=speed), 1.0), *size)
+            _rate_bevel(rating, _Load("", torque, ask._replace(speed=speed), 1.0), module, face_width)
             for torque, speed in zip(torques, speeds, strict=True)
         ]
         return [(_stacked(singles, mode, 0), _stacked(singles, mode, 1)) for mode in (0, 1)]
     many = _Load("", np.asarray(torques), ask._replace(speed=np.asarray(speeds)), 1.0)
-    rated = _rate_cylindrical(rating, many, *size)
+    rated = _rate_cylindrical(rating, many, module, face_width)
     return [(strain(rated, mode, 0), strain(rated, mode, 1)) for mode in (0, 1)]
 
 
@@ -248,14 +249,14 @@ def _safety(strains: list[Strain], curve: LifeCurve) -> float:
 
 
 def _scuffing(
-    factors: PairRating | BevelRating, rating: Rating, load: _Load, size: tuple[float, float]
+    factors: PairRating | BevelRating, rating: Rating, load: _Load, module: float, face_width: float
 ) -> IntegralTemperature | None:
     if isinstance(factors, BevelRating) or load.ask.internal:
         return None
-    rules, width = rating.rules.iso6336, size[1]
-    force = float(factors.tangential_force) / width
+    rules = rating.rules.iso6336
+    force = float(factors.tangential_force) / face_width
     mesh = ScuffingMesh(
-        cylindrical_mesh(load.ask.teeth, size[0], width, rating),
+        cylindrical_mesh(load.ask.teeth, module, face_width, rating),
         specific_load=force * float(factors.loads.contact),
         nominal_load=force * float(factors.loads.application) * float(factors.loads.mesh_load),
         speed=float(factors.speed),

@@ -1,10 +1,19 @@
-"""Shafts of one diameter and built ones: stretches, sections, joints, bending, room, checks.
+"""Shafts of one diameter and built ones: stretches, sections, joints, bending, room, checks; carriers of planets."""
 
-Carriers are beside them in `sizing`.
-"""
-
+from gearwright.sizing.shafts.carriers import size_carriers
 from gearwright.sizing.shafts.checks import checks_of
+from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
 from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
 
-__all__ = ["Section", "Strength", "checks_of", "shaft_material", "size_shafts", "strengths"]
+__all__ = [
+    "Section",
+    "Strength",
+    "checks_of",
+    "refuse_bores",
+    "refuse_idle_shafts",
+    "shaft_material",
+    "size_carriers",
+    "size_shafts",
+    "strengths",
+]

@@ -17,7 +17,11 @@ from gearwright.parts.gears import (
 from gearwright.sizing.rating import Context, MeshRating, Rating, bevel_push, form_factor, rate_row, stresses_of
 from gearwright.sizing.result import GearSizing, MeshSizing
 from gearwright.sizing.stages.stage_sizes import StageSize
+from gearwright.spec import Design
 from gearwright.train import INTERNAL, Gear, Mesh
+
+_SIGNS = {"pinion": 1.0, "sun": 1.0, "ring": 1.0, "wheel": -1.0, "planet": -1.0}
+"""Role -> sense of the stage's profile shift [-]."""
 
 
 def size_gears(context: Context, sizes: Mapping[str, StageSize]) -> tuple[GearSizing, ...]:
@@ -141,3 +145,18 @@ def _rated_strength(rating: Rating, rated: MeshRating) -> _Strength:
     return _Strength(
         max(bending), min(rated.bending) / rules.bending_safety, max(contact), min(rated.pitting) / rules.pitting_safety
     )
+
+
+def profile_shift(design: Design, gear: GearSizing) -> float:
+    """Return the profile shift coefficient x of a gear [-].
+
+    Pinions and suns have the +x of their stage, what meshes with them −x, and a ring, whose planets have −x, +x again:
+    the sum of every mesh is 0, so that no centre distance changes.
+
+    Args:
+        design: With the rules of the stage.
+        gear: One of its gears.
+
+    Source: ISO 21771:2007; internal gears count with negative numbers of teeth, so that x_1 + x_2 = 0 holds for them.
+    """
+    return _SIGNS[gear.role] * design.rules(gear.stage).profile_shift

@@ -3,7 +3,7 @@
 How large the teeth become is for `stages`.
 """
 
-from gearwright.sizing.teeth.refusal import refuse_bores, refuse_contradictions
+from gearwright.sizing.teeth.refusal import refuse_contradictions
 from gearwright.sizing.teeth.search import choose_teeth, groups_of
 
-__all__ = ["choose_teeth", "groups_of", "refuse_bores", "refuse_contradictions"]
+__all__ = ["choose_teeth", "groups_of", "refuse_contradictions"]

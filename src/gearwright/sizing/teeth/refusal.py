@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.planetary import assembles, neighbours_clear
-from gearwright.sizing.result import ShaftSizing
 from gearwright.spec import Design, Pair, Planetary
 from gearwright.spec.checks import table_of
 from gearwright.train import PowerFlow
@@ -85,32 +84,6 @@ def refuse_contradictions(design: Design, flows: Mapping[str, PowerFlow]) -> Non
                 problems.setdefault(path, Problem(path, message))
     if problems:
         raise DesignError(problems.values())
-
-
-MOST_HOLLOW = 0.95
-"""Largest bore over diameter, as for bore_ratio [-]."""
-
-
-def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
-    """Raise where a given bore leaves too thin a wall in a shaft.
-
-    Args:
-        shafts: As sized.
-
-    Raises:
-        DesignError: With the bore and the diameter of every such shaft.
-    """
-    problems = [
-        Problem(
-            f"layout.{shaft.name}.bore",
-            f"the bore {text(shaft.bore, 'length')} leaves too thin a wall in a shaft of"
-            f" {text(shaft.diameter, 'length')}; it may be {MOST_HOLLOW:.0%} of the diameter: give a smaller bore",
-        )
-        for shaft in shafts
-        if shaft.diameter and shaft.bore > MOST_HOLLOW * shaft.diameter
-    ]
-    if problems:
-        raise DesignError(problems)
 
 
 def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float) -> Problem:

@@ -1,4 +1,4 @@
-"""Shafts that no load case loads: strength asks nothing of them, so that they have no size but a given one."""
+"""Shafts that come out without a diameter, as no load case loads them, or with too thin a wall: refused."""
 
 from __future__ import annotations
 
@@ -7,9 +7,12 @@ from collections.abc import Iterable
 
 from gearwright.errors import DesignError, Problem
 from gearwright.sizing.result import ShaftSizing
+from gearwright.units import text
 
 NOTHING = 1e-9
 """Load over the largest one below which it is rounding [-]."""
+MOST_HOLLOW = 0.95
+"""Largest bore over diameter, as for bore_ratio [-]."""
 
 
 def refuse_idle_shafts(shafts: Iterable[ShaftSizing]) -> None:
@@ -32,6 +35,28 @@ def refuse_idle_shafts(shafts: Iterable[ShaftSizing]) -> None:
         )
         for shaft in sized
         if load[shaft.name] <= NOTHING * largest and shaft.diameter <= math.cbrt(NOTHING) * thickest
+    ]
+    if problems:
+        raise DesignError(problems)
+
+
+def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
+    """Raise where a given bore leaves too thin a wall in a shaft.
+
+    Args:
+        shafts: As sized.
+
+    Raises:
+        DesignError: With the bore and the diameter of every such shaft.
+    """
+    problems = [
+        Problem(
+            f"layout.{shaft.name}.bore",
+            f"the bore {text(shaft.bore, 'length')} leaves too thin a wall in a shaft of"
+            f" {text(shaft.diameter, 'length')}; it may be {MOST_HOLLOW:.0%} of the diameter: give a smaller bore",
+        )
+        for shaft in shafts
+        if shaft.diameter and shaft.bore > MOST_HOLLOW * shaft.diameter
     ]
     if problems:
         raise DesignError(problems)

@@ -6,12 +6,11 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from gearwright.parts import Material
 from gearwright.parts.planetary import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import CarrierSizing, GearSizing, ShaftSizing
-from gearwright.sizing.shafts import shaft_material
-from gearwright.spec import GROUND, Planetary
+from gearwright.sizing.shafts.shafts import shaft_material
+from gearwright.spec import GROUND
 
 
 class _Load(NamedTuple):
@@ -62,7 +61,9 @@ def _carrier(
     thickness = take(f"{name}.plate_thickness", "length", thickness)
     bending = pin_stress(worst.pin, planet.face_width, pin)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
-    mass, inertia = _body(stage, (radius, pin, thickness), planet, material, fill=rules.fill)
+    pins = stage.planets * pin_mass(pin, planet.face_width, material.density)
+    reach = radius + pin / 2.0
+    plate = plate_mass(reach, thickness, material.density, fill=rules.fill)
     return CarrierSizing(
         stage=name,
         shaft=stage.carrier,
@@ -78,8 +79,8 @@ def _carrier(
         plate_thickness=thickness,
         plate_stress=shear,
         plate_margin=allowable / 2.0 / shear if shear else None,
-        mass=take(f"{name}.carrier.mass", "mass", mass),
-        inertia=take(f"{name}.carrier.inertia", "inertia", inertia),
+        mass=take(f"{name}.carrier.mass", "mass", pins + plate),
+        inertia=take(f"{name}.carrier.inertia", "inertia", pins * radius**2 + plate * reach**2 / 2.0),
     )
 
 
@@ -99,13 +100,3 @@ def _thickness(thinnest: float, torque: float, hub: float, *, allowable: float) 
     if not hub:
         return thinnest
     return thinnest * max(1.0, plate_shear_stress(torque, hub, thinnest) / (allowable / 2.0))
-
-
-def _body(
-    stage: Planetary, sizes: tuple[float, float, float], planet: GearSizing, material: Material, *, fill: float
-) -> tuple[float, float]:
-    """Return mass [kg] and polar inertia [kg m²] of pins and plate."""
-    radius, pin, thickness = sizes
-    pins = stage.planets * pin_mass(pin, planet.face_width, material.density)
-    plate = plate_mass(radius + pin / 2.0, thickness, material.density, fill=fill)
-    return pins + plate, pins * radius**2 + plate * (radius + pin / 2.0) ** 2 / 2.0
