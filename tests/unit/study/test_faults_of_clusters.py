@@ -42,17 +42,24 @@ def dask(folder: Path, *arguments: str) -> subprocess.Popen[str]:
         )  # fmt: skip
 
 
+def told_address(folder: Path) -> str:
+    """Return where a scheduler listens, as soon as it has written its file whole."""
+    told = folder / "scheduler.json"
+    until(lambda: told.exists() and told.read_text(encoding="utf-8").rstrip().endswith("}"), "the scheduler")
+    return str(json.loads(told.read_text(encoding="utf-8"))["address"])
+
+
 @contextmanager
 def cluster(folder: Path) -> Iterator[tuple[str, list[subprocess.Popen[str]]]]:
     """Hold a scheduler and two workers; yield its address, and all three processes."""
     with ExitStack() as stack:
         parts = [dask(folder, "scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")]
         stack.enter_context(ended(parts[0]))
-        until((folder / "scheduler.json").exists, "the scheduler")
+        address = told_address(folder)
         for _ in range(2):
             parts.append(dask(folder, "worker", "--nthreads", "1", "--no-dashboard"))
             stack.callback(kill_all, parts[-1])
-        yield json.loads((folder / "scheduler.json").read_text(encoding="utf-8"))["address"], parts
+        yield address, parts
 
 
 def by_command(folder: Path, text: str, *options: str) -> subprocess.Popen[str]:
@@ -72,8 +79,7 @@ def printed(folder: Path, tls: Tls | None = None) -> Iterator[tuple[str, list[su
     with ExitStack() as stack:
         parts = [by_command(folder, scheduler, "--port", "0", "--scheduler-file", "scheduler.json")]
         stack.enter_context(ended(parts[0]))
-        until((folder / "scheduler.json").exists, "the scheduler")
-        address = json.loads((folder / "scheduler.json").read_text(encoding="utf-8"))["address"]
+        address = told_address(folder)
         parts.append(by_command(folder, re.sub(r"t\w\w://\S+", address, worker)))
         stack.callback(kill_all, parts[1])
         yield address, parts
