@@ -55,7 +55,7 @@ def test_every_public_function_describes_every_argument(path):
         assert set(arguments(function)) <= set(described(docstring)), function.name
 
 
-@pytest.mark.parametrize("path", sorted((ROOT / "parts").glob("*.py")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sorted((ROOT / "parts").rglob("*.py")), ids=lambda path: path.stem)
 def test_every_formula_has_units_and_a_source(path):
     for function in public_functions(path):
         docstring = ast.get_docstring(function) or ""
