@@ -8,8 +8,9 @@ import importlib
 import pytest
 from hypothesis import settings
 
-settings.register_profile("no time is asserted", deadline=None)
-settings.load_profile("no time is asserted")
+settings.register_profile("repeatable", deadline=None, derandomize=True)
+settings.register_profile("search", deadline=None)
+settings.load_profile("repeatable")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
