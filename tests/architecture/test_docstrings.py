@@ -30,7 +30,7 @@ def public_functions(path):
 def arguments(function):
     """Return name -> annotation of a function's arguments."""
     every = [*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs]
-    return {each.arg: ast.unparse(each.annotation) for each in every if each.arg not in ("self", "cls")}
+    return {each.arg: ast.unparse(each.annotation) for each in every if each.annotation}
 
 
 def described(docstring):
@@ -42,6 +42,14 @@ def described(docstring):
         for name in re.split(r",\s*", names):
             texts[name.strip("* ")] = text
     return texts
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_what_is_described_is_an_argument(path):
+    """Of methods and private functions, too: a renamed argument takes its description along."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.FunctionDef) and not (node.args.vararg or node.args.kwarg):
+            assert set(described(ast.get_docstring(node) or "")) <= {"", *arguments(node)}, node.name
 
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(ROOT)))

@@ -124,7 +124,7 @@ class Flight:
         """Return the efficiency of the gearbox over some intervals [-]; left out: over all of them.
 
         Args:
-            own: True for the intervals that count.
+            counted: True for the intervals that count.
         """
         taken, given = self.passed()
         weights = self.history["duration"] if counted is None else np.where(counted, self.history["duration"], 0.0)
