@@ -17,8 +17,8 @@ from gearwright.units import Quantity
 LONGEST_LINE = 2000
 """Most characters of one problem: what a terminal shows and a person reads."""
 MOST_LINES = 2000
-ENDLESS = (".damage",)
-"""Fields that say in their documentation when they are infinite: above the static limit a tooth lives for no cycle."""
+ENDLESS = (".damage", ".bearings[].life", ".bearings[].static_safety", ".checks[].value")
+"""Fields that may be infinite: beyond the static limit a tooth lives for no cycle, a bearing without load for ever."""
 
 
 def mute(error: GearwrightError) -> str | None:

@@ -142,11 +142,11 @@ class BearingSizing:
     ]
     """P [N]."""
     life: Annotated[float, Quantity("life"), Origin("L_10h = (C/P)^p 10⁶/(60 n)", "ISO 281:2007")]
-    """Basic rating life [s]."""
+    """Basic rating life [s]; ∞ where no case loads the bearing."""
     wanted_life: Life
     """[s]"""
     static_safety: Annotated[float, Quantity("ratio"), Origin("s_0 = C_0/P_0", "ISO 76:2006")]
-    """At the largest load [-]."""
+    """At the largest load [-]; ∞ where no case loads the bearing."""
     wanted_static_safety: Ratio
     """[-]"""
 
