@@ -43,7 +43,8 @@ def scaled(value: object, rng: random.Random) -> object:
     if isinstance(value, int) and rng.random() < 0.6:
         return value + rng.choice([-10, -3, -2, -1, 1, 2, 3, 10, 100])
     if isinstance(value, int | float):
-        return value * rng.choice(FACTORS)
+        factor = rng.choice(FACTORS)
+        return value * factor if abs(value) < 1e300 else -value  # an integer may be larger than any float
     if isinstance(value, list) and value:
         return rng.choice([value[:-1], value + value, value[::-1], [value[0]]])
     return value
