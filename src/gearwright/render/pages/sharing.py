@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -63,8 +63,8 @@ class ClaimRow(NamedTuple):
 class Paper(NamedTuple):
     """What a publication shows of such a design."""
 
-    figures: tuple[Drawn, ...]
-    """Counterparts of its figures."""
+    figures: Iterable[Drawn]
+    """Counterparts of its figures, drawn as they are asked for."""
     claims: tuple[ClaimRow, ...]
 
 
@@ -87,7 +87,7 @@ def sharing_page(
     """
     chapters = _chapters(sizing, studies, counts, target)
     if paper is not None:
-        chapters.append(_Chapter("Figures of the paper", (), paper.figures))
+        chapters.append(_Chapter("Figures of the paper", (), tuple(paper.figures)))
     return _page(sizing, chapters, () if paper is None else paper.claims)
 
 

@@ -35,7 +35,7 @@ def paper(sizing: Sizing) -> Paper | None:
     rows = (
         ClaimRow(claim.place, claim.printed, claim.verdict.value, _SIGNS[claim.verdict], claim.why) for claim in claims
     )
-    return Paper(tuple(paper_figures(sizing, parts)), tuple(rows))
+    return Paper(paper_figures(sizing, parts), tuple(rows))
 
 
 def paper_figures(sizing: Sizing, parts: SplitTorque) -> Iterator[Drawn]:
