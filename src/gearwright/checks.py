@@ -1,0 +1,140 @@
+"""A check: one property of one part held against its limit. Every judgement on a gearbox is a list of them.
+
+Whoever checks (a rating method, a shaft, a flight) yields this record, so that all pages show the same list, the same
+worst entry and the same verdict.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+
+from gearwright.identity import PartId
+
+ROUNDING = 1e-9
+"""Of a value over its limit that counts as rounding [-]."""
+
+
+class Status(StrEnum):
+    """What came of a check."""
+
+    PASSES = "passes"
+    FAILS = "fails"
+    NOT_ASSESSED = "not assessed"
+
+
+@dataclass(frozen=True)
+class Check:
+    """One property of one part against its limit."""
+
+    part: PartId
+    mode: str
+    """What could go wrong, in words that are the same in every design: ``pitting``, ``static safety``."""
+    clause: str
+    """Standard and clause, or source."""
+    value: float | None
+    """As computed, in SI; None where it is not assessed."""
+    limit: float | None
+    """What is allowed, in SI; None where nothing is asked."""
+    dimension: str = "ratio"
+    """Of value and limit."""
+    at_most: bool = False
+    """True where the limit is the largest allowed value, False where it is the least."""
+    exponent: float | None = 1.0
+    """Power p of the load with which `ratio` falls [-]: 1 for safeties, 3 or 10/3 for lives of bearings; None where no
+    load moves it, as for room and resonance."""
+    symbol: str = ""
+    """Such as ``S_H``."""
+    place: str = ""
+    """Where on the part, such as ``shoulder at bearing 1a``."""
+    case: str = ""
+    """Load case or phase of a flight that governs; empty where no single one does."""
+    why: str = ""
+    """Why it is not assessed, or what else to know."""
+    waiver: str = ""
+    """Reason for which the design accepts what fails; empty where it does not."""
+
+    @property
+    def name(self) -> str:
+        """What a waiver calls it: ``first.sun pitting``."""
+        return f"{self.part} {self.mode}"
+
+    @property
+    def what(self) -> str:
+        """Mode, symbol and place, as tables show them: ``fatigue n_f, shoulder at bearing 1a``."""
+        return ", ".join(text for text in (f"{self.mode} {self.symbol}".strip(), self.place) if text)
+
+    @property
+    def ratio(self) -> float | None:
+        """Value over limit, or limit over value where less is better [-]: 1 is just enough; None if not assessed."""
+        if self.value is None or self.limit is None:
+            return None
+        over, under = (self.limit, self.value) if self.at_most else (self.value, self.limit)
+        return over / under if under else math.inf
+
+    @property
+    def reserve(self) -> float | None:
+        """Factor by which the loads could grow [-], 1 is just enough; None where that says nothing.
+
+        A safety against a stress counts as it is; a life L of which L_asked is asked as (L/L_asked)^(1/p).
+        """
+        ratio = self.ratio
+        return None if ratio is None or self.exponent is None else ratio ** (1.0 / self.exponent)
+
+    @property
+    def status(self) -> Status:
+        """Whether it passes."""
+        ratio = self.ratio
+        if ratio is None:
+            return Status.NOT_ASSESSED
+        return Status.PASSES if ratio >= 1.0 - ROUNDING else Status.FAILS
+
+    @property
+    def fails(self) -> bool:
+        """Whether it fails and no waiver accepts that."""
+        return self.status is Status.FAILS and not self.waiver
+
+
+def not_assessed(part: PartId, mode: str, clause: str, why: str) -> Check:
+    """Return what is left open, and why.
+
+    Args:
+        part: Whose property it would be.
+        mode: What could go wrong.
+        clause: Standard and clause, or source.
+        why: Why nothing can be said, and what would help.
+    """
+    return Check(part, mode, clause, None, None, why=why)
+
+
+def worst_first(checks: Iterable[Check]) -> tuple[Check, ...]:
+    """Return checks in the order in which an engineer wants to read them.
+
+    What fails comes first, then what passes by its reserve, then what passes and has none, what is not assessed last;
+    waived failures stand before what passes.
+
+    Args:
+        checks: In any order.
+    """
+    return tuple(sorted(checks, key=_rank))
+
+
+def worst(checks: Iterable[Check]) -> Check | None:
+    """Return the entry that every page shows as the worst; None where nothing is assessed.
+
+    Args:
+        checks: In any order.
+    """
+    assessed = [check for check in checks if check.ratio is not None and not check.waiver]
+    return min(assessed, key=_rank, default=None)
+
+
+def _rank(check: Check) -> tuple[int, float, str, str]:
+    """Return the place of a check in the list: a group, and what orders it there."""
+    if check.ratio is None:
+        return 4, 0.0, str(check.part), check.mode
+    severity = check.ratio if check.reserve is None else check.reserve
+    group = 0 if check.fails else 1 if check.waiver else 2 if check.reserve is not None else 3
+    return group, round(severity, 9), str(check.part), check.what

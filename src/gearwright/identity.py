@@ -1,0 +1,69 @@
+"""Who a part is: kind, stage, role and number as fields, and the one label that people read.
+
+A label is made from the fields and is never taken apart again: who needs the stage of ``first.sun-planet-1`` has it.
+Only the reader of files turns what a user wrote (``off.wheel``) into fields.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import NamedTuple
+
+
+class Kind(StrEnum):
+    """What a part is; the groups in which parts are listed."""
+
+    GEARBOX = "gearbox"
+    STAGE = "stage"
+    MESH = "mesh"
+    GEAR = "gear"
+    CARRIER = "carrier"
+    SHAFT = "shaft"
+    BEARING = "bearing"
+    JOINT = "joint"
+    CLUTCH = "clutch"
+    MACHINE = "machine"
+    BATTERY = "battery"
+
+
+class Role(StrEnum):
+    """What a gear is in its stage."""
+
+    SUN = "sun"
+    PLANET = "planet"
+    RING = "ring"
+    PINION = "pinion"
+    WHEEL = "wheel"
+
+
+class Row(StrEnum):
+    """Which meshes of a stage a row holds."""
+
+    SUN_PLANET = "sun-planet"
+    PLANET_RING = "planet-ring"
+    PAIR = "pair"
+    """Pinion and wheel."""
+
+
+class PartId(NamedTuple):
+    """A part of a transmission."""
+
+    kind: Kind
+    name: str = ""
+    """Stage of a gear, a mesh and a carrier, in the design's words; of anything else its own name."""
+    role: Role | Row | None = None
+    """Of a gear or a mesh row."""
+    branch: str = ""
+    """Shaft of one of several parallel gears or meshes; of a joint the shaft that it sits on."""
+    number: int | None = None
+    """One of several planets, from 1."""
+
+    def __str__(self) -> str:
+        """Return the label: ``first.sun``, ``first.sun-planet-1``, ``off.left``, ``first.carrier``, ``mast``."""
+        if self.kind is Kind.CARRIER:
+            return f"{self.name}.carrier"
+        if self.kind is Kind.JOINT and self.branch:
+            return f"{self.name} on {self.branch}"
+        role = "" if self.role in (None, Row.PAIR) else str(self.role)
+        label = ".".join(part for part in (self.name, role, self.branch) if part)
+        return label if self.number is None else f"{label}-{self.number}"
