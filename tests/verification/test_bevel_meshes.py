@@ -10,7 +10,6 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.parts.bevel import Hand, Rotation, bevel_forces
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.arrangement import axes_of, plan_of
 from gearwright.sizing.loads import shaft_loads
 from gearwright.sizing.rating import context_of
 from gearwright.spec import edited, read
@@ -25,7 +24,7 @@ def loads_on(sizing, shaft):
     given = context_of(
         sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(dict(sizing.design.overrides))
     )
-    plan, axes = plan_of(given, shaft, sizing.gears), axes_of(given, sizing.gears)
+    plan, axes = sizing.arrangement.plans[shaft], sizing.arrangement.axes
     loads, axial = shaft_loads(given, shaft, plan, axes=axes, gears={gear.name: gear for gear in sizing.gears})
     name = next(each for each in plan.places if each.startswith("bevel."))
     k = int(np.argmin(np.abs(loads.position - plan.places[name])))

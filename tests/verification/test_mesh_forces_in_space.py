@@ -7,7 +7,6 @@ import pytest
 
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
-from gearwright.sizing.arrangement import axes_of, plan_of
 from gearwright.sizing.loads import shaft_loads
 from gearwright.sizing.rating import context_of
 from gearwright.spec import read
@@ -40,8 +39,8 @@ def test_the_three_forces_of_a_mesh_make_the_normal_force_of_its_flank(name):
 def point_loads(sizing, shaft):
     """Return the point loads and the axial force on a shaft."""
     given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides({}))
-    axes, gears = axes_of(given, sizing.gears), {gear.name: gear for gear in sizing.gears}
-    return shaft_loads(given, shaft, plan_of(given, shaft, sizing.gears), axes=axes, gears=gears)
+    gears = {gear.name: gear for gear in sizing.gears}
+    return shaft_loads(given, shaft, sizing.arrangement.plans[shaft], axes=sizing.arrangement.axes, gears=gears)
 
 
 def test_what_a_pinion_does_to_its_wheel_the_wheel_does_to_its_pinion():

@@ -10,7 +10,7 @@ from gearwright.catalogue import with_ratings
 from gearwright.parts import Material
 from gearwright.parts.bearings import BearingKind, basic_life, life_time, system_life
 from gearwright.parts.shafts import PointLoads, Shoulder, diagram, supported
-from gearwright.sizing.arrangement import ShaftPlan, axes_of, plan_of
+from gearwright.sizing import ShaftPlan
 from gearwright.sizing.loads import ShaftForces, shaft_forces
 from gearwright.sizing.rating import context_of
 from gearwright.sizing.shafts import Section, Strength, strengths
@@ -37,8 +37,8 @@ def _forces(text, name):
     """Return what acts on a shaft."""
     sizing = sized(text)
     given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(sizing.design.overrides, {}))
-    axes, gears = axes_of(given, sizing.gears), {gear.name: gear for gear in sizing.gears}
-    return shaft_forces(given, name, plan_of(given, name, sizing.gears), axes=axes, gears=gears)
+    gears = {gear.name: gear for gear in sizing.gears}
+    return shaft_forces(given, name, sizing.arrangement.plans[name], axes=sizing.arrangement.axes, gears=gears)
 
 
 @pytest.mark.parametrize("text", [PAIR, ROTOR, HELICOPTER])

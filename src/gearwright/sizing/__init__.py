@@ -15,6 +15,7 @@ from gearwright.sizing.answers import (
     refuse_no_numbers,
     total_results,
 )
+from gearwright.sizing.arranged import Arrangement, ShaftPlan
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing, ShaftStep
 from gearwright.sizing.pair_data import BevelPairData, CylindricalPairData, pair_data
 from gearwright.sizing.result import (
@@ -32,6 +33,7 @@ from gearwright.sizing.stages import profile_shift
 
 __all__ = [
     "TEXT",
+    "Arrangement",
     "AskedSpeed",
     "BearingSizing",
     "BevelPairData",
@@ -47,6 +49,7 @@ __all__ = [
     "MeshSizing",
     "Named",
     "ShaftDiagram",
+    "ShaftPlan",
     "ShaftSizing",
     "ShaftStep",
     "Sizing",

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Annotated
 
 from gearwright.parts.bearings import system_life, weibull_slope
+from gearwright.sizing.arranged import Arrangement
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing
 from gearwright.sizing.rating import MeshRating
 from gearwright.spec import Design
@@ -242,6 +243,8 @@ class Sizing:
     """Case -> speeds, torques and powers; ``rated`` is always there."""
     gears: tuple[GearSizing, ...]
     meshes: tuple[MeshSizing, ...]
+    arrangement: Arrangement
+    """Where the axes of all shafts stand, and what sits where along them."""
     shafts: tuple[ShaftSizing, ...]
     carriers: tuple[CarrierSizing, ...]
     machines: tuple[MachineSizing, ...]

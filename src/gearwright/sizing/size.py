@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from gearwright.sizing.answers import refuse_no_numbers
+from gearwright.sizing.arrangement import arrange
 from gearwright.sizing.machines import size_machines
-from gearwright.sizing.rating import context_of
+from gearwright.sizing.rating import context_of, demands_of
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import checks_of, refuse_bores, refuse_idle_shafts, size_carriers, size_shafts
 from gearwright.sizing.stages import gear_checks, size_gears, size_meshes, stage_sizes
@@ -35,10 +36,12 @@ def size(design: Design) -> Sizing:
     refuse_contradictions(design, flows)
     overrides = Overrides(design.overrides, design.origins)
     context = context_of(design, train, teeth, flows, overrides)
-    sizes = stage_sizes(context)
+    demands = demands_of(context)
+    sizes = stage_sizes(context, demands)
     gears = size_gears(context, sizes)
-    meshes = size_meshes(context, gears)
-    shafts, built = size_shafts(context, gears)
+    meshes = size_meshes(context, gears, demands)
+    arrangement = arrange(context, gears)
+    shafts, built = size_shafts(context, gears, arrangement)
     refuse_bores(shafts)
     refuse_idle_shafts(shafts)
     checks = [
@@ -53,6 +56,7 @@ def size(design: Design) -> Sizing:
         flows=flows,
         gears=gears,
         meshes=meshes,
+        arrangement=arrangement,
         shafts=shafts,
         carriers=size_carriers(context, gears, shafts),
         machines=size_machines(context),

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from shaft_designs import INTERNAL, OFF_SET, SINGLE_HELIX, sized
 
-from gearwright.sizing.arrangement import axes_of, plan_of
 from gearwright.sizing.loads import shaft_loads
 from gearwright.sizing.rating import context_of
 from gearwright.spec.design import Overrides
@@ -16,7 +15,7 @@ def loads_on(text, shaft):
     """Return point loads, axial forces, plan, axes and the sizing."""
     sizing = sized(text)
     given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides({}))
-    plan, axes = plan_of(given, shaft, sizing.gears), axes_of(given, sizing.gears)
+    plan, axes = sizing.arrangement.plans[shaft], sizing.arrangement.axes
     loads, axial = shaft_loads(given, shaft, plan, axes=axes, gears={gear.name: gear for gear in sizing.gears})
     return loads, axial, plan, axes, sizing
 

@@ -130,8 +130,7 @@ def direction_between(sizing: Sizing, shaft: str, to: str) -> complex:
         shaft: From whose axis.
         to: To whose axis.
     """
-    axes = {sized.name: complex(*sized.axis) for sized in sizing.shafts}
-    return axes[to] - axes[shaft]
+    return sizing.arrangement.axes[to] - sizing.arrangement.axes[shaft]
 
 
 def _carried(sizing: Sizing, mesh: Mesh, end: int, *, lever: float, axis: str) -> Carried:

@@ -3,11 +3,10 @@
 What loads them there is for `loads`.
 """
 
-from gearwright.sizing.arrangement.axes import axes_of
+from gearwright.sizing.arrangement.arrange import arrange
 from gearwright.sizing.arrangement.envelope import envelope
 from gearwright.sizing.arrangement.hands import helix_hand
-from gearwright.sizing.arrangement.layout import ShaftPlan, plan_of
 from gearwright.sizing.arrangement.roots import root_diameter
-from gearwright.sizing.arrangement.seats import axial_forces, seats_of
+from gearwright.sizing.arrangement.seats import axial_forces
 
-__all__ = ["ShaftPlan", "axes_of", "axial_forces", "envelope", "helix_hand", "plan_of", "root_diameter", "seats_of"]
+__all__ = ["arrange", "axial_forces", "envelope", "helix_hand", "root_diameter"]

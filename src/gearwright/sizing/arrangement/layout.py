@@ -9,26 +9,14 @@ pairs, at equal distances. The design's ``layout`` says otherwise where it must.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from gearwright.errors import DesignError, Problem, near
+from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.arrangement.seats import radial_places, seats_of
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
-from gearwright.spec.design import NOTHING_GIVEN, BearingSeat, Design, ShaftLayout
+from gearwright.spec.design import NOTHING_GIVEN, Design, ShaftLayout
 from gearwright.train import Train
-
-
-@dataclass(frozen=True)
-class ShaftPlan:
-    """A shaft from its first end on."""
-
-    length: float
-    """[m]"""
-    bearings: tuple[float, float]
-    """Middles of the two bearings [m]."""
-    places: Mapping[str, float]
-    """Gear, carrier, machine or clutch -> middle of its width [m], in order."""
 
 
 def plan_of(context: Context, name: str, gears: tuple[GearSizing, ...]) -> ShaftPlan:
@@ -55,8 +43,9 @@ def plan_of(context: Context, name: str, gears: tuple[GearSizing, ...]) -> Shaft
     seat = min(rules.bearing_length, length / 2.0) / 2.0
     first = seat if layout.first_bearing is None else layout.first_bearing
     second = length - seat if layout.second_bearing is None else layout.second_bearing
-    plan = ShaftPlan(length, radial_places(context.design, name) or (first, second), places)
-    _check(name, layout, plan, seats_of(context.design, name), names=names, width=sum(widths.values()))
+    seats = seats_of(context.design, name)
+    plan = ShaftPlan(length, radial_places(seats) or (first, second), places, seats)
+    _check(name, layout, plan, names=names, width=sum(widths.values()))
     return plan
 
 
@@ -100,15 +89,7 @@ def _spread(names: list[str], length: float) -> dict[str, float]:
     return {name: length * k / pieces for k, name in enumerate(names)}
 
 
-def _check(
-    name: str,
-    layout: ShaftLayout,
-    plan: ShaftPlan,
-    seats: Mapping[str, BearingSeat],
-    *,
-    names: list[str],
-    width: float,
-) -> None:
+def _check(name: str, layout: ShaftLayout, plan: ShaftPlan, *, names: list[str], width: float) -> None:
     """Refuse what does not fit on a shaft."""
     path, problems, end = f"layout.{name}", [], f"0 to {1e3 * plan.length:.6g} mm"
     if plan.length < width:
@@ -122,8 +103,8 @@ def _check(
         elif plan.places[part] > plan.length:
             problems.append(Problem(f"{path}.places.{part}.position_mm", _outside(plan.places[part], end)))
     bearings = dict(zip((f"{path}.first_bearing_mm", f"{path}.second_bearing_mm"), plan.bearings, strict=True))
-    if seats:
-        bearings = {f"bearings.{seat_name}.position_mm": seat.position for seat_name, seat in seats.items()}
+    if plan.seats:
+        bearings = {f"bearings.{seat_name}.position_mm": seat.position for seat_name, seat in plan.seats.items()}
     for key, place in bearings.items():
         if not 0.0 <= place <= plan.length:
             problems.append(Problem(key, _outside(place, end)))

@@ -29,14 +29,13 @@ def seats_of(design: Design, shaft: str) -> dict[str, BearingSeat]:
     return dict(sorted(seats.items(), key=lambda item: item[1].position))
 
 
-def radial_places(design: Design, shaft: str) -> tuple[float, float] | None:
+def radial_places(seats: Mapping[str, BearingSeat]) -> tuple[float, float] | None:
     """Return where the two radial bearings of a shaft stand [m]; None where the design gives it no bearings.
 
     Args:
-        design: The design.
-        shaft: Name of the shaft.
+        seats: From `seats_of`.
     """
-    places = [seat.position for seat in seats_of(design, shaft).values() if seat.radial]
+    places = [seat.position for seat in seats.values() if seat.radial]
     return (places[0], places[1]) if len(places) == 2 else None
 
 
@@ -56,7 +55,7 @@ def axial_forces(
 
     Args:
         shaft: Name of the shaft.
-        seats: From `seats_of`.
+        seats: Its bearings, from its plan.
         axial: Force along the shaft in every case, positive towards its second end [N].
         radial: Bearing -> its radial force in every case [N].
         factors: Taper bearing -> its e, X, Y.

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.parts.shafts import PointLoads, bearing_reactions
-from gearwright.sizing.arrangement import ShaftPlan, axes_of, plan_of, seats_of
+from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.loads import rotor_side, shaft_loads
 from gearwright.sizing.rating import Context, context_of
 from gearwright.sizing.result import GearSizing, ShaftSizing, Sizing
@@ -66,9 +66,8 @@ def bearing_seats(sizing: Sizing) -> tuple[Seat, ...]:
     Args:
         sizing: As sized.
     """
-    context = _unit_loads(sizing)
-    axes, gears = axes_of(context, sizing.gears), {gear.name: gear for gear in sizing.gears}
-    shafts = (seat for shaft in sizing.shafts for seat in _shaft_seats(context, sizing, shaft, axes=axes, gears=gears))
+    context, gears = _unit_loads(sizing), {gear.name: gear for gear in sizing.gears}
+    shafts = (seat for shaft in sizing.shafts for seat in _shaft_seats(context, sizing, shaft, gears))
     return (*shafts, *_planet_seats(sizing, gears))
 
 
@@ -107,18 +106,13 @@ def _unit(sizing: Sizing, rated: PowerFlow, loaded: Mesh, sign: int) -> PowerFlo
 
 
 def _shaft_seats(
-    context: Context,
-    sizing: Sizing,
-    shaft: ShaftSizing,
-    *,
-    axes: Mapping[str, complex],
-    gears: Mapping[str, GearSizing],
+    context: Context, sizing: Sizing, shaft: ShaftSizing, gears: Mapping[str, GearSizing]
 ) -> Iterator[Seat]:
-    seats: dict[str, BearingSeat | None] = {**seats_of(sizing.design, shaft.name)}
+    plan = sizing.arrangement.plans[shaft.name]
+    seats: dict[str, BearingSeat | None] = {**plan.seats}
     if not seats and not shaft.bearings:
         return
-    plan = plan_of(context, shaft.name, sizing.gears)
-    loads, axial = shaft_loads(context, shaft.name, plan, axes=axes, gears=gears)
+    loads, axial = shaft_loads(context, shaft.name, plan, axes=sizing.arrangement.axes, gears=gears)
     forces = bearing_reactions(loads, plan.bearings)[1:]
     across, side = _rotor(sizing.design, shaft.name, plan)
     k = 0

@@ -21,7 +21,7 @@ from gearwright.catalogue import (
 )
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.bearings import LoadFactors, taper_factors
-from gearwright.sizing.arrangement import axial_forces, seats_of
+from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.rating import Context
@@ -101,7 +101,7 @@ def seating(context: Context, shaft: str, forces: ShaftForces, chosen: Mapping[s
     Raises:
         DesignError: If nothing takes a force along the shaft, or the catalogue has no such bore.
     """
-    seats = seats_of(context.design, shaft)
+    seats = forces.plan.seats
     reactions = forces.largest_radial()
     carried = iter(reactions.T)
     radial = {name: next(carried) if seat.radial else np.zeros(len(reactions)) for name, seat in seats.items()}

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.parts.shafts import Diagram, PointLoads, diagram, supported
-from gearwright.sizing.arrangement import ShaftPlan
+from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.loads.shaft_loads import shaft_loads
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram

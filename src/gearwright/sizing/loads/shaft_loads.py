@@ -19,7 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.parts.shafts import PointLoads
-from gearwright.sizing.arrangement import ShaftPlan, helix_hand
+from gearwright.sizing.arranged import ShaftPlan
+from gearwright.sizing.arrangement import helix_hand
 from gearwright.sizing.rating import Context, bevel_push
 from gearwright.sizing.result import GearSizing
 from gearwright.train import INTERNAL, RATED, Mesh

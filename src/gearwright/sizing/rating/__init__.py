@@ -3,7 +3,7 @@
 The formulas are in `parts`.
 """
 
-from gearwright.sizing.rating.context import Context, context_of, row_ask, width_ratio_of
+from gearwright.sizing.rating.context import Context, Demand, context_of, demands_of, row_ask, width_ratio_of
 from gearwright.sizing.rating.mesh_rating import MeshRating, Strain, rate_row, strains_under, stresses_of
 from gearwright.sizing.rating.modules import modules
 from gearwright.sizing.rating.rules import Ask, Rating, form_factor, rating_of, width_ratio
@@ -21,6 +21,7 @@ from gearwright.sizing.rating.standard_teeth import (
 __all__ = [
     "Ask",
     "Context",
+    "Demand",
     "MeshRating",
     "Rating",
     "Strain",
@@ -29,6 +30,7 @@ __all__ = [
     "cone_ratio",
     "context_of",
     "cylindrical_mesh",
+    "demands_of",
     "fewest_virtual_teeth",
     "form_factor",
     "mean_module",

@@ -1,9 +1,9 @@
-"""What every step of sizing reads: the design, its train, teeth and flows, resolved rules, and what each mesh asks."""
+"""What every step of sizing reads (the design, its train, teeth and flows, resolved rules), and what each mesh asks."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from gearwright.sizing.rating.modules import modules
@@ -40,8 +40,6 @@ class Context:
     overrides: Overrides
     ratings: Mapping[str, Rating]
     """Stage -> resolved rules."""
-    demands: Mapping[str, Demand]
-    """Mesh row -> what it asks for."""
 
 
 def context_of(
@@ -57,8 +55,16 @@ def context_of(
         overrides: The user's values.
     """
     ratings = {name: rating_of(design, name) for name in design.stages}
-    context = Context(design, train, teeth, flows, overrides, ratings, {})
-    return replace(context, demands={mesh.name: _demand(context, mesh) for mesh in train.meshes})
+    return Context(design, train, teeth, flows, overrides, ratings)
+
+
+def demands_of(context: Context) -> dict[str, Demand]:
+    """Return mesh row -> what it asks for at its worst case.
+
+    Args:
+        context: What gear sizing reads.
+    """
+    return {mesh.name: _demand(context, mesh) for mesh in context.train.meshes}
 
 
 def worst_case(context: Context, mesh: Mesh) -> tuple[str, float]:

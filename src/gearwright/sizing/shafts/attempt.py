@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from gearwright.catalogue import Bearing
 from gearwright.parts import Material
-from gearwright.sizing.arrangement import root_diameter, seats_of
+from gearwright.sizing.arrangement import root_diameter
 from gearwright.sizing.bearings import Seating
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.mounted import JointSizing, SectionStrength
@@ -106,15 +106,15 @@ def items_on(task: Task, chosen: Mapping[str, Bearing]) -> tuple[Item, ...]:
         task: What the shaft is built from.
         chosen: Bearing -> the size taken; one that is not in it has no width yet.
     """
-    places = task.forces.plan.places
+    plan = task.forces.plan
     items = [
         Item(name, "bearing", seat.position, chosen[name].width if name in chosen else 0.0)
-        for name, seat in seats_of(task.context.design, task.name).items()
+        for name, seat in plan.seats.items()
     ]
     for name, joint in task.joints.items():
         gear = task.gears.get(name)
         width = _width(task, name)
-        middle = min(max(places[name], width / 2.0), task.forces.plan.length - width / 2.0)
+        middle = min(max(plan.places[name], width / 2.0), plan.length - width / 2.0)
         if joint.kind == "integral" and gear is not None:
             items.append(Item(name, "integral", middle, width, root_diameter(task.context, gear)))
         elif joint.kind != "integral" and width:

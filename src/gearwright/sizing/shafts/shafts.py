@@ -19,7 +19,7 @@ from gearwright.parts.shafts import (
     shaft_stress,
     torsional_stiffness,
 )
-from gearwright.sizing.arrangement import ShaftPlan, axes_of, plan_of, seats_of
+from gearwright.sizing.arranged import Arrangement, ShaftPlan
 from gearwright.sizing.loads import ShaftForces, pure_torques, shaft_forces
 from gearwright.sizing.mounted import SectionStrength
 from gearwright.sizing.rating import Context
@@ -38,7 +38,9 @@ def shaft_material(context: Context) -> Material:
     return materials()[context.design.shafting.material or context.design.gears.material]
 
 
-def size_shafts(context: Context, gears: tuple[GearSizing, ...]) -> tuple[tuple[ShaftSizing, ...], tuple[Built, ...]]:
+def size_shafts(
+    context: Context, gears: tuple[GearSizing, ...], arrangement: Arrangement
+) -> tuple[tuple[ShaftSizing, ...], tuple[Built, ...]]:
     """Return every shaft of the design, and those that the design gives bearings also as they are built.
 
     A shaft without bearings in the design has one diameter, sized where bending and torsion together are largest.
@@ -46,22 +48,22 @@ def size_shafts(context: Context, gears: tuple[GearSizing, ...]) -> tuple[tuple[
     Args:
         context: What sizing reads.
         gears: From `size_gears`.
+        arrangement: From `arrange`.
 
     Raises:
-        DesignError: If axes do not close, gears, places or bearings do not fit on a shaft, or no shaft can be built.
+        DesignError: If no shaft can be built that bears its loads.
     """
-    axes, by_name = axes_of(context, gears), {gear.name: gear for gear in gears}
+    axes, by_name = arrangement.axes, {gear.name: gear for gear in gears}
     bent = _bent(context)
     shafts: list[ShaftSizing] = []
     built: list[Built] = []
     problems: list[Problem] = []
-    for name in context.design.shafts:
-        plan, seats = plan_of(context, name, gears), seats_of(context.design, name)
-        if not seats and name not in bent:
+    for name, plan in arrangement.plans.items():
+        if not plan.seats and name not in bent:
             shafts.append(_plain(context, plan, _twisted(context, plan, name=name), axes[name], name=name))
             continue
         forces = shaft_forces(context, name, plan, axes=axes, gears=by_name)
-        if not seats:
+        if not plan.seats:
             shafts.append(_plain(context, plan, _governing(context, forces), axes[name], name=name))
             continue
         try:

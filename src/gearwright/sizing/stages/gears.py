@@ -14,7 +14,7 @@ from gearwright.parts.gears import (
     ring_inertia,
     ring_mass,
 )
-from gearwright.sizing.rating import Context, MeshRating, Rating, bevel_push, form_factor, rate_row, stresses_of
+from gearwright.sizing.rating import Context, Demand, MeshRating, Rating, bevel_push, form_factor, rate_row, stresses_of
 from gearwright.sizing.result import GearSizing, MeshSizing
 from gearwright.sizing.stages.stage_sizes import StageSize
 from gearwright.spec import Design
@@ -64,22 +64,26 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
     )
 
 
-def size_meshes(context: Context, gears: tuple[GearSizing, ...]) -> tuple[MeshSizing, ...]:
+def size_meshes(
+    context: Context, gears: tuple[GearSizing, ...], demands: Mapping[str, Demand]
+) -> tuple[MeshSizing, ...]:
     """Return every mesh row at its worst case.
 
     Args:
         context: What gear sizing reads.
         gears: From `size_gears`.
+        demands: Mesh row -> what it asks for.
     """
     by_name = {gear.name: gear for gear in gears}
     return tuple(
-        _mesh(context, mesh, (by_name[mesh.gears[0]], by_name[mesh.gears[1]])) for mesh in context.train.meshes
+        _mesh(context, mesh, (by_name[mesh.gears[0]], by_name[mesh.gears[1]]), demands[mesh.name])
+        for mesh in context.train.meshes
     )
 
 
-def _mesh(context: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing]) -> MeshSizing:
+def _mesh(context: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing], demand: Demand) -> MeshSizing:
     rating, (first, _) = context.ratings[mesh.stage], pair
-    case, per_tooth, module_bending, module_contact = context.demands[mesh.name]
+    case, per_tooth, module_bending, module_contact = demand
     width = min(gear.face_width for gear in pair)
     force = 2.0 * per_tooth * first.teeth / first.pitch_diameter
     flow = context.flows[case]

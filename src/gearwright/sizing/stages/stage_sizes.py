@@ -7,7 +7,16 @@ from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from gearwright.parts.bevel import WIDEST, WIDEST_MODULES
-from gearwright.sizing.rating import Context, Rating, bevel_pair, cone_ratio, mean_module, rate_row, width_ratio_of
+from gearwright.sizing.rating import (
+    Context,
+    Demand,
+    Rating,
+    bevel_pair,
+    cone_ratio,
+    mean_module,
+    rate_row,
+    width_ratio_of,
+)
 from gearwright.sizing.stages.idle import refuse_idle_stages
 from gearwright.sizing.teeth import groups_of
 
@@ -32,11 +41,12 @@ class StageSize(NamedTuple):
     """b as the user gives it, which may be more than a bevel gear can have [m]."""
 
 
-def stage_sizes(context: Context) -> dict[str, StageSize]:
+def stage_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
     """Return module and face width of every stage: the largest that a mesh of its group asks for.
 
     Args:
         context: What gear sizing reads.
+        demands: Mesh row -> what it asks for.
 
     Raises:
         DesignError: If nothing loads a stage, or its standard does not cover it.
@@ -45,7 +55,7 @@ def stage_sizes(context: Context) -> dict[str, StageSize]:
     needed: dict[str, float] = {}
     for mesh in context.train.meshes:
         owner = group[mesh.stage]
-        needed[owner] = max(needed.get(owner, 0.0), *context.demands[mesh.name][2:])
+        needed[owner] = max(needed.get(owner, 0.0), *demands[mesh.name][2:])
     _align(context, needed, group)
     refuse_idle_stages(context, needed)
     sizes = {owner: _size(context, owner, value) for owner, value in needed.items()}

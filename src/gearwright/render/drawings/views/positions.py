@@ -11,9 +11,6 @@ from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.teeth import bevel_pair, gear_of, halves_of, kind_of
 from gearwright.render.schematic.layout import element, lay_out, pair_meshes
 from gearwright.sizing import Sizing
-from gearwright.sizing.arrangement import ShaftPlan, plan_of
-from gearwright.sizing.rating import context_of
-from gearwright.spec.design import Overrides
 from gearwright.train import INTERNAL, Mesh, attachments
 
 TRUE = 0.05
@@ -69,18 +66,8 @@ def positions(sizing: Sizing) -> Positions:
     return _in_columns(sizing) if sizing.design.planetaries or sizing.design.clutches else _as_sized(sizing)
 
 
-def plans(sizing: Sizing) -> dict[str, ShaftPlan]:
-    """Return where things sit along every shaft, as the sizing has them.
-
-    Args:
-        sizing: What was sized.
-    """
-    sized = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(sizing.design.overrides))
-    return {name: plan_of(sized, name, sizing.gears) for name in sizing.design.shafts}
-
-
 def _as_sized(sizing: Sizing) -> Positions:
-    along = plans(sizing)
+    along = sizing.arrangement.plans
     places = {name: {part: MM * x for part, x in plan.places.items()} for name, plan in along.items()}
     lengths = {name: MM * plan.length for name, plan in along.items()}
     shafts: dict[str, Lying] = {}
