@@ -260,6 +260,11 @@ class Sizing:
     """Path of an override -> where the user has it from."""
 
     @property
+    def level(self) -> str:
+        """How far the design is worked out: ``concept``, or ``built`` where it has bearings."""
+        return self.design.level or ("built" if self.design.bearings else "concept")
+
+    @property
     def gear_mass(self) -> Mass:
         """Mass of all gears [kg]."""
         return sum(gear.mass * gear.bodies for gear in self.gears)

@@ -60,6 +60,7 @@ def key_numbers(
     taken = [name for name, power in rated.machine_powers.items() if power < 0.0]
     torque = max((abs(rated.machine_torques[name]) for name in taken), default=0.0)
     numbers = [
+        ("level", sizing.level),
         ("rated power", text(sizing.rated_power, "power")),
         ("output torque", text(torque, "torque")),
         ("mass of the train", text(sizing.mass, "mass")),

@@ -79,6 +79,7 @@ def sizing_json(sizing: Sizing) -> str:
     factors = {mesh.name: as_json(table) for mesh, table in zip(rated(sizing), factor_tables(sizing), strict=True)}
     head = {
         "design": sizing.design.name,
+        "level": sizing.level,
         "mass_kg": sizing.mass,
         "power_density_w_kg": sizing.power_density,
         "worst_margin": sizing.worst_margin,

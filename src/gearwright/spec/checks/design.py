@@ -29,7 +29,7 @@ def reference_problems(design: Design) -> list[Problem]:
     """
     checks = (
         name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, _clutches, _teeth, _layout, _cases,
-        _keep, _materials, _widths, _overrides,
+        _keep, _materials, _widths, _overrides, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]
     more = (gear_problems, effect_problems, motion_problems, mounting_problems)
@@ -224,6 +224,15 @@ def _overrides(design: Design) -> Iterator[Problem]:
     for path, value in design.overrides.items():
         if value <= 0.0:
             yield Problem(f"overrides.{path}", f"{value:g} is not allowed; give a value greater than 0")
+
+
+def _level(design: Design) -> Iterator[Problem]:
+    """Find a level that the bearings contradict."""
+    if design.level == "concept" and design.bearings:
+        message = "'concept', but [bearings] stand, which build the shafts; write level = \"built\", or leave them out"
+        yield Problem("level", message)
+    if design.level == "built" and not design.bearings:
+        yield Problem("level", "'built' needs [bearings]; give each shaft two, or write level = \"concept\"")
 
 
 def _gear_material(path: str, rules: GearRules) -> Iterator[Problem]:

@@ -30,6 +30,11 @@ class Design(Record):
     schema_version: Literal[1] = Field(1, alias="schema", description="Version of this file format")
     name: str = Field(description="Name of the design")
     description: str = Field("", description="What it is for")
+    level: Literal["concept", "built"] | None = Field(
+        None,
+        description="How far it is worked out: a first sizing with shafts of one diameter (concept), or with bearings,"
+        " steps and joints (built); left out: built where [bearings] stand, else concept",
+    )
     shafts: list[Name] = Field(min_length=1, description="Names of all shafts")
     turbines: dict[str, Turbine] = Field(default_factory=dict, description="Gas turbines by name")
     motors: dict[str, Motor] = Field(default_factory=dict, description="Electric motors by name")
