@@ -52,7 +52,8 @@ def test_validate_prints_case_source_and_verdict_and_chooses_by_words():
     assert all(row["error"] * row["expected"] == pytest.approx(row["got"] - row["expected"]) for row in rows)
 
 
-def test_validate_fits_a_terminal_of_80_columns_and_breaks_no_number():
+def test_validate_fits_a_terminal_of_80_columns_and_breaks_no_number(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
     shown = run("validate", "planetary set")
     assert "Lin & Parker 1999, J. Vib. Acoust. 121, table 2" in shown
     assert max(len(line) for line in shown.splitlines()) <= 80
