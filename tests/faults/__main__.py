@@ -42,7 +42,7 @@ def draw(modules: Sequence[str], count: int, seed: int) -> list[Fault]:
 def command_line() -> argparse.Namespace:
     """Return what was asked for."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--calls", type=Path, required=True, help="what the recorder wrote")
+    parser.add_argument("--calls", type=Path, nargs="+", required=True, help="what the recorder wrote")
     parser.add_argument("--count", type=int, default=330, help="faults to draw")
     parser.add_argument("--seed", type=int, default=14, help="of the draw")
     parser.add_argument("--jobs", type=int, default=2, help="children at once")

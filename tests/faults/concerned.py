@@ -7,7 +7,7 @@ import importlib
 import importlib.util
 import json
 import pkgutil
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 from pathlib import Path
@@ -58,14 +58,15 @@ class Calls:
     """Name -> functions of the package whose text has it."""
 
     @classmethod
-    def read(cls, path: Path, slowest: float) -> Calls:
-        """Read the recorder's file.
+    def read(cls, paths: Iterable[Path], slowest: float) -> Calls:
+        """Read the recorder's files.
 
         Args:
-            path: Of the file.
+            paths: Of the files; what a later one says of a test counts.
             slowest: Tests that took longer are left out [s].
         """
-        record = {test: own for test, own in json.loads(path.read_text()).items() if own["seconds"] <= slowest}
+        whole = {test: own for path in paths for test, own in json.loads(path.read_text()).items()}
+        record = {test: own for test, own in whole.items() if own["seconds"] <= slowest}
         tests: dict[str, list[str]] = {}
         for test in sorted(record, key=lambda test: (record[test]["seconds"] + 0.05) * len(record[test]["calls"])):
             for function in record[test]["calls"]:
