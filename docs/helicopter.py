@@ -18,9 +18,9 @@ from gearwright.parts.bevel import (
     gleason_profile_shift,
     rate_bevel,
 )
-from gearwright.render.tables.sizing import margin_sentence
+from gearwright.render.tables.checks import check_sentence
 from gearwright.shipped import shipped_design
-from gearwright.sizing import GearSizing, MeshSizing, Sizing, margins, size
+from gearwright.sizing import GearSizing, MeshSizing, Sizing, size
 from gearwright.spec import read
 
 _HEAD = """# A helicopter's gearbox
@@ -111,7 +111,7 @@ def helicopter_markdown() -> str:
 
 def _weak(sizing: Sizing) -> str:
     """Return the worst checks as the command prints them."""
-    return "\n".join(f"{margin_sentence(margin)}; the margin should be 1 or more" for margin in margins(sizing)[:SHOWN])
+    return "\n".join(f"{check_sentence(check)}; the margin should be 1 or more" for check in sizing.checks[:SHOWN])
 
 
 def _steps() -> str:
@@ -245,5 +245,4 @@ def _pressures(sizing: Sizing) -> str:
 
 
 def _failing(sizing: Sizing) -> str:
-    every = margins(sizing)
-    return f"{sum(each.margin < 1.0 for each in every)} of {len(every)}"
+    return f"{sum(check.fails for check in sizing.checks)} of {len(sizing.checks)}"

@@ -10,8 +10,10 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Annotated
 
 from gearwright.identity import PartId
+from gearwright.units import Quantity
 
 ROUNDING = 1e-9
 """Of a value over its limit that counts as rounding [-]."""
@@ -84,6 +86,11 @@ class Check:
         return None if ratio is None or self.exponent is None else ratio ** (1.0 / self.exponent)
 
     @property
+    def margin(self) -> Annotated[float | None, Quantity("ratio")]:
+        """Reserve, or the ratio to its limit where no load moves it [-]: 1 is just enough; None if not assessed."""
+        return self.ratio if self.reserve is None else self.reserve
+
+    @property
     def status(self) -> Status:
         """Whether it passes."""
         ratio = self.ratio
@@ -95,6 +102,21 @@ class Check:
     def fails(self) -> bool:
         """Whether it fails and no waiver accepts that."""
         return self.status is Status.FAILS and not self.waiver
+
+
+def stressed(part: PartId, mode: str, clause: str, stress: float, margin: float, *, case: str) -> Check:
+    """Return the check of a stress of which the margin to its allowable is known.
+
+    Args:
+        part: That bears it.
+        mode: What could go wrong.
+        clause: Standard and clause, or source.
+        stress: As computed [Pa].
+        margin: Allowable over actual, the asked factor included [-]; infinite where nothing loads the part.
+        case: Load case that governs.
+    """
+    limit = stress * margin if math.isfinite(margin) else math.inf
+    return Check(part, mode, clause, stress, limit, "stress", at_most=True, case=case)
 
 
 def not_assessed(part: PartId, mode: str, clause: str, why: str) -> Check:
@@ -135,6 +157,5 @@ def _rank(check: Check) -> tuple[int, float, str, str]:
     """Return the place of a check in the list: a group, and what orders it there."""
     if check.ratio is None:
         return 4, 0.0, str(check.part), check.mode
-    severity = check.ratio if check.reserve is None else check.reserve
     group = 0 if check.fails else 1 if check.waiver else 2 if check.reserve is not None else 3
-    return group, round(severity, 9), str(check.part), check.what
+    return group, round(check.margin or 0.0, 9), str(check.part), check.what

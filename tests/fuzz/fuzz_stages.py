@@ -23,7 +23,7 @@ from gearwright.errors import DesignError, SolveError
 from gearwright.mission import durability, fly
 from gearwright.render.words.flight_data import flight_json
 from gearwright.render.words.text import modes_json, sizing_json, trace_json
-from gearwright.sizing import Sizing, margins, size
+from gearwright.sizing import Sizing, size
 from gearwright.spec import parse, parse_mission, parse_study
 
 LONGEST = 20.0
@@ -67,7 +67,7 @@ def _read(fuzzed: Case) -> object:
 
 
 def _check(fuzzed: Case) -> object:
-    return margins(_sized(fuzzed))
+    return _sized(fuzzed).checks
 
 
 def _sized(fuzzed: Case) -> Sizing:

@@ -30,7 +30,7 @@ def right(key):
 
 def check(part, words):
     """Return the one check of a part that begins so."""
-    (found,) = (each for each in SIZING.checks if each.part == part and each.check.startswith(words))
+    (found,) = (each for each in SIZING.checks if str(each.part) == part and each.what.startswith(words))
     return found
 
 
@@ -100,15 +100,15 @@ def test_keys_are_pressed_as_the_report_presses_them(shaft):
 
 
 FAILS = [
-    ("input-rear (6406)", "shaft in its bore", 0.032, 0.030),
-    ("intermediate-front (6409)", "shaft in its bore", 0.070, 0.045),
-    ("mast-lower (6411)", "shaft in its bore", 0.060, 0.055),
+    ("input-rear", "shaft in its bore", 0.032, 0.030),
+    ("intermediate-front", "shaft in its bore", 0.070, 0.045),
+    ("mast-lower", "shaft in its bore", 0.060, 0.055),
     ("helical.pinion on input", "key length", 0.005, 0.022),
     ("bevel.pinion on intermediate", "key length", 0.006, 0.056),
     ("bevel.wheel on mast", "key length", 0.019, 0.050),
     ("helical.pinion on input", "key length over its width", 0.005, 0.010),
     ("bevel.pinion on intermediate", "key length over its width", 0.006, 0.020),
-    ("input", "distance of helical.pinion and input-front", 0.055, (0.113097 + 0.023) / 2.0),
+    ("input", "room", 0.055, (0.113097 + 0.023) / 2.0),
 ]
 """Part, check, value and limit [m]."""
 
@@ -116,8 +116,12 @@ FAILS = [
 @pytest.mark.parametrize(("part", "words", "value", "limit"), FAILS)
 def test_what_does_not_fit_is_a_check_that_fails(part, words, value, limit):
     """Bores, lengths of DIN 6885-1 and distances as the report has them; floats."""
-    found = next(each for each in SIZING.checks if each.part == part and each.check == words)
-    assert (found.value, found.limit) == (pytest.approx(value), pytest.approx(limit))
+    found = next(
+        each
+        for each in SIZING.checks
+        if (str(each.part), each.mode) == (part, words) and each.limit == pytest.approx(limit)
+    )
+    assert found.value == pytest.approx(value)
     assert found.margin < 1.0
 
 
@@ -134,8 +138,8 @@ def test_shafts_reach_the_roots_of_their_pinions():
 
 def test_strength_slopes_and_lives_fail_too_and_the_worst_comes_first():
     """Bending only, as the report sizes its shafts, leaves n_f from 0.44 to 0.62 of the asked 1.5."""
-    assert SIZING.checks[0].part == "mast-lower (6411)"
+    assert SIZING.checks[0].name == "helical.pinion on input rim under the teeth"
     weak = {shaft.name: shaft.weakest.fatigue_safety for shaft in SIZING.built_shafts}
     assert weak == pytest.approx({"input": 0.553, "intermediate": 0.439, "mast": 0.619}, abs=1e-3)
-    assert check("mast", "slope at bevel.wheel").margin < 0.1
-    assert all(check(f"{each.name} ({each.designation})", "life").margin < 0.2 for each in SIZING.bearings)
+    assert check("mast", "slope, bevel.wheel").margin < 0.1
+    assert all(check(each.name, "life").ratio < 0.2 for each in SIZING.bearings)

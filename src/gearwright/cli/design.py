@@ -78,15 +78,14 @@ def _list() -> None:
 def check(design: DesignArgument) -> None:
     """Check a design file and say everything that is wrong with it; a margin below 1 ends with exit code 1."""
     from gearwright.dynamics.assembly import assemble
-    from gearwright.render.tables.sizing import margin_sentence
-    from gearwright.sizing import margins
+    from gearwright.render.tables.checks import check_sentence
 
     sizing = sized(design)
     for case in sizing.flows:  # what the dynamic model would refuse is said here
         assemble(sizing, case)
-    weak = [margin for margin in margins(sizing) if not margin.holds]
-    for margin in weak:
-        tell(f"{margin_sentence(margin)}; the margin should be 1 or more")
+    weak = [check for check in sizing.checks if check.fails]
+    for check in weak:
+        tell(f"{check_sentence(check)}; the margin should be 1 or more")
     if weak:
         raise typer.Exit(1)
     show(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")

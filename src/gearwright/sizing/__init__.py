@@ -3,12 +3,10 @@
 from gearwright.sizing.answers import (
     TEXT,
     AskedSpeed,
-    Margin,
     MassPart,
     Named,
     asked_speeds,
     bearing_forces,
-    margins,
     mass_parts,
     named_results,
     pick,
@@ -16,7 +14,7 @@ from gearwright.sizing.answers import (
     total_results,
 )
 from gearwright.sizing.arranged import Arrangement, ShaftPlan
-from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing, ShaftStep
+from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
 from gearwright.sizing.pair_data import BevelPairData, CylindricalPairData, pair_data
 from gearwright.sizing.result import (
     CarrierSizing,
@@ -39,12 +37,10 @@ __all__ = [
     "BevelPairData",
     "BuiltShaft",
     "CarrierSizing",
-    "Check",
     "CylindricalPairData",
     "GearSizing",
     "JointSizing",
     "MachineSizing",
-    "Margin",
     "MassPart",
     "MeshSizing",
     "Named",
@@ -56,7 +52,6 @@ __all__ = [
     "StageSummary",
     "asked_speeds",
     "bearing_forces",
-    "margins",
     "mass_parts",
     "named_results",
     "pair_data",

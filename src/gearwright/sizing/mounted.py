@@ -1,4 +1,4 @@
-"""What sizing yields of shafts as they are built: steps, seats, bearings, joints, and every check against its limit."""
+"""What sizing yields of shafts as they are built: steps, seats, bearings and joints."""
 
 from __future__ import annotations
 
@@ -6,35 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.catalogue import Bearing
-from gearwright.units import Force, Length, Life, Mass, Number, Origin, Quantity, Ratio, Slope, Speed, Stress, Torque
-
-
-@dataclass(frozen=True)
-class Check:
-    """One property of one part against its limit."""
-
-    part: str
-    """Such as ``helical.pinion``, ``mast`` or a bearing."""
-    check: str
-    """Such as ``pitting S_H``."""
-    clause: str
-    """Standard and clause, or source."""
-    value: Number
-    """As computed, in SI."""
-    limit: Number
-    """What is allowed, in SI."""
-    dimension: str = "ratio"
-    """Dimension of value and limit."""
-    at_most: bool = False
-    """True where the limit is the largest allowed value, False where it is the least."""
-    case: str = ""
-    """Load case that governs; empty where no single one does."""
-
-    @property
-    def margin(self) -> Ratio:
-        """1 is just enough; value over limit, or limit over value [-]."""
-        over, under = (self.limit, self.value) if self.at_most else (self.value, self.limit)
-        return over / under if under else float("inf")
+from gearwright.units import Force, Length, Life, Mass, Origin, Quantity, Ratio, Slope, Speed, Stress, Torque
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
+from gearwright.checks import Check, worst
 from gearwright.parts.bearings import system_life, weibull_slope
 from gearwright.sizing.arranged import Arrangement
-from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing
+from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
 from gearwright.sizing.rating import MeshRating
 from gearwright.spec import Design
 from gearwright.train import PowerFlow, Train
@@ -253,7 +254,7 @@ class Sizing:
     bearings: tuple[BearingSizing, ...] = ()
     joints: tuple[JointSizing, ...] = ()
     checks: tuple[Check, ...] = ()
-    """Every check of rated gears, built shafts, bearings and joints, the worst first."""
+    """Every check of gears, shafts, carriers, bearings and joints, the worst first."""
     overrides: Mapping[str, float] = field(default_factory=dict)
     """Path -> value that the user gave instead of the computed one [SI]."""
     origins: Mapping[str, str] = field(default_factory=dict)
@@ -324,9 +325,6 @@ class Sizing:
 
     @property
     def worst_margin(self) -> Number:
-        """Smallest margin of all checks [-]."""
-        margins = [margin for mesh in self.meshes for margin in (mesh.bending_margin, mesh.contact_margin)]
-        margins += [carrier.pin_margin for carrier in self.carriers]
-        margins += [carrier.plate_margin for carrier in self.carriers if carrier.plate_margin is not None]
-        margins += [check.margin for check in self.checks]
-        return min([*margins, *(shaft.margin for shaft in self.shafts)])
+        """Margin of the worst check [-]: its reserve, or its ratio to the limit where it fails and no load moves it."""
+        first = worst(self.checks)
+        return math.inf if first is None or first.margin is None else first.margin

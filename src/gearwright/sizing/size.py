@@ -4,12 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
+from gearwright.checks import worst_first
 from gearwright.sizing.answers import refuse_no_numbers
 from gearwright.sizing.arrangement import arrange
 from gearwright.sizing.machines import size_machines
 from gearwright.sizing.rating import context_of, demands_of
 from gearwright.sizing.result import Sizing
-from gearwright.sizing.shafts import checks_of, refuse_bores, refuse_idle_shafts, size_carriers, size_shafts
+from gearwright.sizing.shafts import (
+    built_checks,
+    carrier_checks,
+    refuse_bores,
+    refuse_idle_shafts,
+    shaft_checks,
+    size_carriers,
+    size_shafts,
+)
 from gearwright.sizing.stages import gear_checks, size_gears, size_meshes, stage_sizes
 from gearwright.sizing.teeth import choose_teeth, refuse_contradictions
 from gearwright.spec import Design
@@ -44,9 +53,12 @@ def size(design: Design) -> Sizing:
     shafts, built = size_shafts(context, gears, arrangement)
     refuse_bores(shafts)
     refuse_idle_shafts(shafts)
+    carriers = size_carriers(context, gears, shafts)
     checks = [
         *gear_checks(context, gears, meshes, sizes),
-        *(check for shaft in built for check in checks_of(shaft, design)),
+        *(check for shaft in shafts for check in shaft_checks(shaft)),
+        *(check for carrier in carriers for check in carrier_checks(carrier)),
+        *(check for shaft in built for check in built_checks(shaft, design)),
     ]
     overrides.take("gearbox.mass", "mass", 0.0)
     sizing = Sizing(
@@ -58,12 +70,12 @@ def size(design: Design) -> Sizing:
         meshes=meshes,
         arrangement=arrangement,
         shafts=shafts,
-        carriers=size_carriers(context, gears, shafts),
+        carriers=carriers,
         machines=size_machines(context),
         built_shafts=tuple(shaft.shaft for shaft in built),
         bearings=tuple(bearing for shaft in built for bearing in shaft.bearings),
         joints=tuple(joint for shaft in built for joint in shaft.joints),
-        checks=tuple(sorted(checks, key=lambda check: (round(check.margin, 9), check.part))),
+        checks=worst_first(checks),
         overrides=overrides.used,
         origins=overrides.origins,
     )

@@ -8,11 +8,11 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.motion import simulate
 from gearwright.dynamics.vibration import dynamic_loads
 from gearwright.parts.bevel import BevelRating
+from gearwright.render.tables.checks import check_sentence
 from gearwright.render.tables.factors import factor_tables
-from gearwright.render.tables.sizing import margin_sentence
 from gearwright.render.words.inputs import entries
 from gearwright.shipped import shipped_design
-from gearwright.sizing import margins, pair_data, size
+from gearwright.sizing import pair_data, size
 from gearwright.spec import read
 
 DESIGN = read(shipped_design("ec120b"))
@@ -100,10 +100,10 @@ def test_tooth_data_of_a_bevel_pair_are_its_cones():
 
 
 def test_a_margin_says_value_limit_and_clause():
-    worst = margins(SIZING)[0]
-    assert margin_sentence(worst).startswith(f"{worst.part}: {worst.check} ")
-    assert "limit" in margin_sentence(worst)
-    assert worst.source in margin_sentence(worst)
+    worst = SIZING.checks[0]
+    assert check_sentence(worst).startswith(f"{worst.part}: {worst.what} ")
+    assert "limit" in check_sentence(worst)
+    assert worst.clause in check_sentence(worst)
 
 
 def test_rules_that_a_stage_does_not_state_are_not_listed_as_its_own():

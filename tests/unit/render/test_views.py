@@ -3,7 +3,7 @@ from drawn_designs import MIXED, sized
 
 from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
 from gearwright.render.tables.sizing import flow_tables, tables_of
-from gearwright.sizing import asked_speeds, bearing_forces, margins, mass_parts
+from gearwright.sizing import asked_speeds, bearing_forces, mass_parts
 from gearwright.spec import GROUND
 from gearwright.spec.design import NO_ORIGIN
 from gearwright.train import branches
@@ -28,17 +28,17 @@ def test_the_ground_takes_the_reaction_of_the_rings(in_line_h2) -> None:
 
 
 def test_margins_come_worst_first_with_every_check(in_line_h2) -> None:
-    found = margins(in_line_h2)
+    found = in_line_h2.checks
     checks = 2 * len(in_line_h2.meshes) + len(in_line_h2.shafts) + 2 * len(in_line_h2.carriers)
     assert len(found) == checks
     assert [each.margin for each in found] == sorted((each.margin for each in found), key=lambda value: round(value, 9))
     assert found[0].margin == pytest.approx(in_line_h2.worst_margin, abs=1e-9)
-    assert all(each.holds for each in found)
+    assert not any(each.fails for each in found)
 
 
 def test_a_stress_above_its_allowable_does_not_hold() -> None:
-    worst = margins(sized(MIXED + '[overrides]\n"lay.diameter_mm" = 20\n'))[0]
-    assert (worst.part, worst.holds) == ("lay", False)
+    worst = sized(MIXED + '[overrides]\n"lay.diameter_mm" = 20\n').checks[0]
+    assert (worst.name, worst.fails) == ("lay Tresca", True)
     assert worst.value > worst.limit
 
 

@@ -52,9 +52,9 @@ def test_a_bearing_inside_a_gear_of_a_shaft_as_given_is_a_failed_check():
         shipped("ec120b-as-reported"), '"helical.pinion".position_mm = 115', '"helical.pinion".position_mm = 0'
     )
     checks = size(parse(text)).checks
-    rear = next(each for each in checks if each.part.startswith("input-rear") and each.check == "shaft in its bore")
+    rear = next(each for each in checks if each.name == "input-rear shaft in its bore")
     assert (rear.value, rear.limit) == (pytest.approx(0.032), pytest.approx(0.030))
-    assert any(each.margin < 0.1 for each in checks if each.check.startswith("distance of"))
+    assert any(each.margin < 0.1 for each in checks if each.mode == "room")
 
 
 def sizing_of(text: str) -> Sizing:

@@ -9,11 +9,12 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from gearwright.checks import ROUNDING, Status
+from gearwright.identity import Kind
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.render.tables.sizing import NOT_IN_THE_MASS
-from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, margins, mass_parts
-from gearwright.sizing.answers import ROUNDING
+from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, mass_parts
 
 Floats = NDArray[np.float64]
 _GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN}
@@ -24,8 +25,8 @@ _FRAME = 22.0
 _CHECK_COLOURS = {"bending": theme.BLUE, "contact": theme.SKY, "Tresca": theme.GREEN,
                  "pin bending": theme.AMBER, "plate shear": theme.ORANGE}  # fmt: skip
 """Check of a first sizing -> colour."""
-_PART_COLOURS = {"gears": theme.BLUE, "shafts": theme.GREEN, "bearings": theme.SKY, "joints": theme.AMBER}
-"""Kind of part -> colour of its other checks."""
+_PART_COLOURS = {Kind.SHAFT: theme.GREEN, Kind.BEARING: theme.SKY, Kind.JOINT: theme.AMBER}
+"""Kind of part -> colour of its other checks; gears, meshes and stages have another."""
 MOST_MARGINS = 45
 """Checks that are drawn at most, the worst ones; tables have all."""
 STEPS = 12
@@ -70,19 +71,21 @@ def margin_figure(sizing: Sizing) -> Figure:
     Args:
         sizing: As sized.
     """
-    every = margins(sizing)
+    every = sizing.checks
     checks = every[:MOST_MARGINS]
+    margins = [math.inf if check.margin is None else check.margin for check in checks]
     figure = theme.sheet(WIDTH, _FRAME + _ROW * len(checks))
     axes = figure.add_subplot()
-    shown = [min(check.margin, LARGEST_MARGIN) for check in checks]
-    colours = [_CHECK_COLOURS.get(check.check) or _PART_COLOURS[check.group] for check in checks]
+    shown = [min(margin, LARGEST_MARGIN) for margin in margins]
+    colours = [_CHECK_COLOURS.get(check.mode) or _PART_COLOURS.get(check.part.kind, theme.BLUE) for check in checks]
     axes.barh(range(len(checks)), shown, color=colours, height=0.72)
-    for place, (check, length) in enumerate(zip(checks, shown, strict=True)):
-        colour = theme.INK if check.holds else theme.ORANGE
-        number = f"{check.margin:.3f}" if math.isfinite(check.margin) else "no load"
-        axes.annotate(number if check.holds else f"{number}  too small", (length, place), (3, 0), fontsize=7.5,
+    for place, (check, margin, length) in enumerate(zip(checks, margins, shown, strict=True)):
+        fails = check.status is Status.FAILS
+        colour = theme.ORANGE if fails else theme.INK
+        number = f"{margin:.3f}" if math.isfinite(margin) else "no load"
+        axes.annotate(f"{number}  too small" if fails else number, (length, place), (3, 0), fontsize=7.5,
                       textcoords="offset points", va="center", color=colour)  # fmt: skip
-    axes.set_yticks(range(len(checks)), [f"{check.part}, {check.check}" for check in checks])
+    axes.set_yticks(range(len(checks)), [f"{check.part}, {check.what}" for check in checks])
     axes.axvline(1.0, color=theme.ORANGE, lw=1.2)
     axes.invert_yaxis()
     axes.set_xlim(0.0, max(shown) * 1.12)

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 from gearwright.dynamics import Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
-from gearwright.render.tables.sizing import margin_sentence
+from gearwright.render.tables.checks import check_sentence
 from gearwright.render.tables.tables import Table
 from gearwright.render.words.headline import resonances, worst_margin
-from gearwright.sizing import Sizing, asked_speeds, margins
+from gearwright.sizing import Sizing, asked_speeds
 from gearwright.train import recirculation
 from gearwright.units import text
 
@@ -79,9 +79,7 @@ def warnings(sizing: Sizing, trace: Trace | None, campbell: Sequence[SpeedCase] 
         trace: As simulated, if it was.
         campbell: Critical speeds, if they are shown.
     """
-    sentences = [
-        f"{margin_sentence(margin)}; it should be 1 or more." for margin in margins(sizing) if not margin.holds
-    ]
+    sentences = [f"{check_sentence(check)}; it should be 1 or more." for check in sizing.checks if check.fails]
     sentences += [f"In resonance: {words}." for words in resonances(campbell)]
     sentences += _yielded(sizing)
     sentences += [

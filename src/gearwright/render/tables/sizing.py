@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from gearwright.render.tables.checks import JUST_ENOUGH, judged
 from gearwright.render.tables.given import given_by_user, overrides_table
 from gearwright.render.tables.mounted import mounted_tables
-from gearwright.render.tables.tables import Mark, Table, table, written
-from gearwright.sizing import Margin, Sizing, asked_speeds, bearing_forces, margins, mass_parts
+from gearwright.render.tables.tables import Mark, Table, table
+from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_parts
 from gearwright.sizing.arrangement import envelope
 from gearwright.train import Branch, branches
 
@@ -13,10 +14,6 @@ NOT_IN_THE_MASS = "Not in the mass: housing, bearings, oil system, accessories, 
 _BEARINGS = "Positions from the shaft's first end; shafts that only torque acts on need none for it."
 _THICKEST = "d of a shaft with steps is its thickest; the stress is of a section, listed with its own d under strength."
 _ENVELOPE = "Box around tip circles and shafts, without housing."
-_JUST_ENOUGH = (
-    "Margin: limit over value, or value over limit where more is better; 1 is just enough. Limits of stresses include"
-    " the asked factor. Bending (Lewis), contact (Hertz), Tresca's stress: equations of Pulvirenti 2023."
-)
 
 
 def flow_tables(sizing: Sizing) -> tuple[Table, ...]:
@@ -47,9 +44,9 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
 
     return {
         **mounted_tables(sizing),
-        "margins": table("Margins, worst first", margins(sizing),
+        "margins": table("Margins, worst first", judged(sizing.checks),
                          ("part", "check", "case", "value", "limit", "unit", "margin", "source"),
-                         note=_JUST_ENOUGH),
+                         note=JUST_ENOUGH),
         "speeds": table("Speeds that yield", asked_speeds(sizing),
                         ("case", "machine", "asked", "actual", "deviation")),
         "gears": table("Gears", sizing.gears, _gear_fields(sizing), mark=mark),
@@ -82,17 +79,3 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
 def _gear_fields(sizing: Sizing) -> tuple[str, ...]:
     helical = ("helix_angle",) if any(gear.helix_angle for gear in sizing.gears) else ()
     return ("name", "bodies", "teeth", "module", *helical, "face_width", "pitch_diameter", "mass", "inertia")
-
-
-def margin_sentence(margin: Margin) -> str:
-    """Return part, check, value, limit, source, case and margin.
-
-    Args:
-        margin: Of a sizing.
-    """
-    value, limit = (f"{written(number)} {margin.unit}".rstrip() for number in (margin.value, margin.limit))
-    case = f", case {margin.case}" if margin.case else ""
-    return (
-        f"{margin.part}: {margin.check} {value}, limit {limit} ({margin.source}){case}:"
-        f" margin {written(margin.margin, 3)}"
-    )

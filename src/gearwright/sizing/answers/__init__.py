@@ -1,23 +1,19 @@
-"""What a sizing says: margins, masses, speeds that yield, results by name; and that its numbers are numbers.
+"""What a sizing says: masses, speeds that yield, results by name; and that its numbers are numbers.
 
 How they are shown is for `render`.
 """
 
 from gearwright.sizing.answers.breakdown import AskedSpeed, MassPart, asked_speeds, bearing_forces, mass_parts
 from gearwright.sizing.answers.gate import refuse_no_numbers
-from gearwright.sizing.answers.margins import ROUNDING, Margin, margins
 from gearwright.sizing.answers.named import TEXT, Named, named_results, pick, total_results
 
 __all__ = [
-    "ROUNDING",
     "TEXT",
     "AskedSpeed",
-    "Margin",
     "MassPart",
     "Named",
     "asked_speeds",
     "bearing_forces",
-    "margins",
     "mass_parts",
     "named_results",
     "pick",

@@ -1,7 +1,7 @@
 """Shafts of one diameter and built ones: stretches, sections, joints, bending, room, checks; carriers of planets."""
 
 from gearwright.sizing.shafts.carriers import size_carriers
-from gearwright.sizing.shafts.checks import checks_of
+from gearwright.sizing.shafts.checks import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
 from gearwright.sizing.shafts.sections import Section, Strength, strengths
 from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
@@ -9,9 +9,11 @@ from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
 __all__ = [
     "Section",
     "Strength",
-    "checks_of",
+    "built_checks",
+    "carrier_checks",
     "refuse_bores",
     "refuse_idle_shafts",
+    "shaft_checks",
     "shaft_material",
     "size_carriers",
     "size_shafts",

@@ -12,7 +12,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from gearwright.catalogue import Bearing, key_for_shaft
-from gearwright.sizing.mounted import Check, JointSizing
+from gearwright.checks import Check
+from gearwright.identity import Kind, PartId
+from gearwright.sizing.mounted import JointSizing
 from gearwright.sizing.shafts.joints import Seat, keyway_depth
 from gearwright.sizing.shafts.stretches import LARGEST_BODY, Item, Stretch
 from gearwright.spec.design import Joint
@@ -58,9 +60,11 @@ def room_checks(shaft: str, items: Sequence[Item], length: float) -> Iterator[Ch
         length: Of the shaft [m].
     """
     ends = (Item("first end", "between", 0.0, 0.0), *items, Item("second end", "between", length, 0.0))
+    part, clause = PartId(Kind.SHAFT, shaft), "half of both widths"
     for left, right in pairwise(ends):
         apart, needed = right.middle - left.middle, (left.width + right.width) / 2.0
-        yield Check(shaft, f"distance of {left.name} and {right.name}", "half of both widths", apart, needed, "length")
+        place = f"between {left.name} and {right.name}"
+        yield Check(part, "room", clause, apart, needed, "length", exponent=None, place=place)
 
 
 def seat_checks(seat: float, bearings: Mapping[str, Bearing]) -> Iterator[Check]:
@@ -71,8 +75,11 @@ def seat_checks(seat: float, bearings: Mapping[str, Bearing]) -> Iterator[Check]
         bearings: On it, by name.
     """
     for name, bearing in bearings.items():
-        part, clause = f"{name} ({bearing.designation})", "ISO 15, d"
-        yield Check(part, "shaft in its bore", clause, seat, bearing.bore, "length", at_most=seat > bearing.bore)
+        part, thick = PartId(Kind.BEARING, name), seat > bearing.bore
+        yield Check(
+            part, "shaft in its bore", "ISO 15, d", seat, bearing.bore, "length",
+            at_most=thick, exponent=None, place=bearing.designation,
+        )  # fmt: skip
 
 
 def joint_checks(joint: Joint, seat: Seat, sized: JointSizing) -> Iterator[Check]:
@@ -83,15 +90,19 @@ def joint_checks(joint: Joint, seat: Seat, sized: JointSizing) -> Iterator[Check
         seat: Where it sits.
         sized: As it came out.
     """
-    part, length = f"{sized.part} on {sized.shaft}", sized.length
+    part, length = PartId(Kind.JOINT, sized.part, branch=sized.shaft), sized.length
     if seat.root < math.inf:
-        what = "shaft and keyway in the root circle" if joint.kind == "key" else "shaft in the root circle"
+        mode = "shaft and keyway in the root circle" if joint.kind == "key" else "shaft in the root circle"
         reach = sized.diameter + 2.0 * keyway_depth(joint, sized.diameter)
-        yield Check(part, what, "ISO 21771, d_f", reach, seat.root, "length", at_most=True)
+        yield _within(part, mode, "ISO 21771, d_f", reach, seat.root)
     if joint.kind != "integral" and seat.hub_length < math.inf:
-        what, room = f"{joint.kind} in its hub", seat.hub_length
-        yield Check(part, what, "length of the hub", length, room, "length", at_most=True)
+        yield _within(part, f"{joint.kind} in its hub", "length of the hub", length, seat.hub_length)
     if joint.kind == "key":
         key = key_for_shaft(sized.diameter)
-        yield Check(part, "key length", "DIN 6885-1, shortest", length, key.shortest, "length")
-        yield Check(part, "key length over its width", "DIN 6885-1, b", length, key.section.width, "length")
+        yield Check(part, "key length", "DIN 6885-1, shortest", length, key.shortest, "length", exponent=None)
+        width, mode = key.section.width, "key length over its width"
+        yield Check(part, mode, "DIN 6885-1, b", length, width, "length", exponent=None)
+
+
+def _within(part: PartId, mode: str, clause: str, length: float, room: float) -> Check:
+    return Check(part, mode, clause, length, room, "length", at_most=True, exponent=None)

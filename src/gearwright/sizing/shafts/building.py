@@ -12,12 +12,13 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from gearwright.catalogue import Bearing
+from gearwright.checks import Check
 from gearwright.errors import DesignError
 from gearwright.parts import Material
 from gearwright.parts.shafts import shaft_mass
 from gearwright.sizing.bearings import Seating, bearing_sizings, seating
 from gearwright.sizing.loads import ShaftForces
-from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing, ShaftStep
+from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shafts.as_given import joint_checks, room_checks, seat_checks

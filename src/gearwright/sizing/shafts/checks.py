@@ -1,10 +1,14 @@
-"""Every check of built shafts, bearings and joints against its limit."""
+"""Every check of shafts, carriers, bearings and joints against its limit."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gearwright.sizing.mounted import BearingSizing, BuiltShaft, Check, JointSizing
+from gearwright.checks import Check, stressed
+from gearwright.identity import Kind, PartId
+from gearwright.parts.bearings import life_exponent
+from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
+from gearwright.sizing.result import CarrierSizing, ShaftSizing
 from gearwright.sizing.shafts.bending import BEARING_SLOPES, GEAR_SLOPE
 from gearwright.sizing.shafts.building import Built
 from gearwright.spec import Design
@@ -16,14 +20,37 @@ THICKEST_RIM = 1.2
 _CLAUSES = {"key": "DIN 6892:2012, C", "spline": "DIN 5480, first sizing", "press-fit": "DIN 7190-1"}
 
 
-def checks_of(built: Built, design: Design) -> Iterator[Check]:
+def shaft_checks(shaft: ShaftSizing) -> Iterator[Check]:
+    """Yield the check of a shaft of one diameter, or of the section of a built one that its stress is of.
+
+    Args:
+        shaft: As sized.
+    """
+    part, clause = PartId(Kind.SHAFT, shaft.name), "Pulvirenti 2023, eq. 2.47"
+    yield stressed(part, "Tresca", clause, shaft.stress, shaft.margin, case=shaft.case)
+
+
+def carrier_checks(carrier: CarrierSizing) -> Iterator[Check]:
+    """Yield the checks of a carrier's pins and, where it turns, of its plate.
+
+    Args:
+        carrier: As sized.
+    """
+    part, case = PartId(Kind.CARRIER, carrier.stage), carrier.case
+    yield stressed(part, "pin bending", "cantilever", carrier.pin_stress, carrier.pin_margin, case=case)
+    if carrier.plate_margin is not None:
+        yield stressed(part, "plate shear", "Tresca", carrier.plate_stress, carrier.plate_margin, case=case)
+
+
+def built_checks(built: Built, design: Design) -> Iterator[Check]:
     """Yield every check of a built shaft, its bearings and its joints.
 
     Args:
         built: The shaft.
         design: With its limits.
     """
-    yield from _shaft(built.shaft, design)
+    yield from _strength(built.shaft, design)
+    yield from _stiffness(built.shaft, design)
     for bearing in built.bearings:
         yield from _bearing(bearing)
     for joint in built.joints:
@@ -31,21 +58,29 @@ def checks_of(built: Built, design: Design) -> Iterator[Check]:
     yield from built.fits
 
 
-def _shaft(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
-    service, rules, name = design.service, design.shafting, shaft.name
+def _strength(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
+    service, part = design.service, PartId(Kind.SHAFT, shaft.name)
     tired, strained = shaft.weakest, min(shaft.sections, key=lambda section: section.yield_safety)
-    law = "DE-ASME" if rules.fatigue == "asme" else "DE-Goodman"
-    fatigue, asked = tired.fatigue_safety, service.shaft_fatigue_safety
-    yield Check(name, f"fatigue n_f, {tired.place}", f"{law}, Shigley ch. 7", fatigue, asked, case=tired.case)
-    first, asked = strained.yield_safety, service.shaft_yield_safety
-    yield Check(name, f"yield n_y, {strained.place}", "Shigley eq. 7-16", first, asked, case=strained.case)
+    law = "DE-ASME" if design.shafting.fatigue == "asme" else "DE-Goodman"
+    yield Check(
+        part, "fatigue", f"{law}, Shigley ch. 7", tired.fatigue_safety, service.shaft_fatigue_safety,
+        symbol="n_f", place=tired.place, case=tired.case,
+    )  # fmt: skip
+    yield Check(
+        part, "yield", "Shigley eq. 7-16", strained.yield_safety, service.shaft_yield_safety,
+        symbol="n_y", place=strained.place, case=strained.case,
+    )  # fmt: skip
+
+
+def _stiffness(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
+    part = PartId(Kind.SHAFT, shaft.name)
     for place, slope in shaft.slopes:
         limit = _slope_limit(place, design)
         if limit is not None and slope > 0.0:
-            yield Check(name, f"slope at {place}", "Shigley table 7-2", slope, limit, "slope", at_most=True)
+            yield Check(part, "slope", "Shigley table 7-2", slope, limit, "slope", at_most=True, place=place)
     if shaft.critical_speed is not None:
-        asked = LEAST_CRITICAL * shaft.highest_speed
-        yield Check(name, "first critical speed", "Shigley §7-6", shaft.critical_speed, asked, "speed")
+        first, asked = shaft.critical_speed, LEAST_CRITICAL * shaft.highest_speed
+        yield Check(part, "first critical speed", "Shigley §7-6", first, asked, "speed", exponent=None)
 
 
 def _slope_limit(place: str, design: Design) -> float | None:
@@ -54,16 +89,23 @@ def _slope_limit(place: str, design: Design) -> float | None:
 
 
 def _bearing(bearing: BearingSizing) -> Iterator[Check]:
-    named, safety = f"{bearing.name} ({bearing.designation})", bearing.static_safety
-    yield Check(named, "life L_10h", "ISO 281:2007", bearing.life, bearing.wanted_life, "life")
-    yield Check(named, "static safety s_0", "ISO 76:2006", safety, bearing.wanted_static_safety, case=bearing.case)
+    part, place, exponent = PartId(Kind.BEARING, bearing.name), bearing.designation, life_exponent(bearing.bearing.kind)
+    yield Check(
+        part, "life", "ISO 281:2007", bearing.life, bearing.wanted_life, "life",
+        exponent=exponent, symbol="L_10h", place=place,
+    )  # fmt: skip
+    yield Check(
+        part, "static safety", "ISO 76:2006", bearing.static_safety, bearing.wanted_static_safety,
+        symbol="s_0", place=place, case=bearing.case,
+    )  # fmt: skip
 
 
 def _joint(joint: JointSizing) -> Iterator[Check]:
     if joint.kind == "integral":
         return
-    part, clause = f"{joint.part} on {joint.shaft}", _CLAUSES[joint.kind]
+    part, clause = PartId(Kind.JOINT, joint.part, branch=joint.shaft), _CLAUSES[joint.kind]
     pressure, allowed = joint.pressure, joint.allowed_pressure
     yield Check(part, f"{joint.kind} pressure", clause, pressure, allowed, "stress", at_most=True)
     if joint.rim is not None and joint.rim > 0.0:
-        yield Check(part, "rim under the teeth s_R/h_t", "ISO 6336-3:2019, Y_B", joint.rim, THICKEST_RIM)
+        clause = "ISO 6336-3:2019, Y_B"
+        yield Check(part, "rim under the teeth", clause, joint.rim, THICKEST_RIM, exponent=None, symbol="s_R/h_t")

@@ -1,0 +1,77 @@
+"""Checks as rows of a table, in the units of the trade, and as sentences."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Annotated
+
+from gearwright.checks import Check
+from gearwright.render.tables.tables import written
+from gearwright.units import Quantity, shown, unit
+
+JUST_ENOUGH = (
+    "Margin: the factor by which loads may grow; 1 is just enough. Of a safety value over limit, of a stress limit over"
+    " value, of a bearing's life the root of life over limit (p = 3, rollers 10/3). What no load moves, such as room,"
+    " passes or fails with its distance. Limits of stresses include the asked factor."
+)
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A check as it is shown."""
+
+    part: str
+    check: str
+    """Mode, symbol and place."""
+    case: str
+    """Load case that governs; empty where no single one does."""
+    value: float | None
+    """As computed, in the unit."""
+    limit: float | None
+    """What is allowed, in the unit."""
+    unit: str
+    """Empty for a ratio."""
+    margin: Annotated[float | None, Quantity("ratio")]
+    """1 is just enough [-]."""
+    source: str
+    """Equation or clause."""
+
+
+def judged(checks: Iterable[Check]) -> tuple[Judged, ...]:
+    """Return checks as they are shown, in the order in which they come.
+
+    Args:
+        checks: Of one gearbox.
+    """
+    return tuple(
+        Judged(
+            part=str(check.part),
+            check=check.what,
+            case=check.case,
+            value=_shown(check.value, check.dimension),
+            limit=_shown(check.limit, check.dimension),
+            unit=unit(check.dimension),
+            margin=check.margin,
+            source=check.clause,
+        )
+        for check in checks
+    )
+
+
+def _shown(value: float | None, dimension: str) -> float | None:
+    return None if value is None else shown(value, dimension)
+
+
+def check_sentence(check: Check) -> str:
+    """Return part, check, value, limit, source, case and margin.
+
+    Args:
+        check: One that is assessed.
+    """
+    (row,) = judged([check])
+    value, limit = (f"{written(number)} {row.unit}".rstrip() for number in (row.value, row.limit) if number is not None)
+    case = f", case {row.case}" if row.case else ""
+    return (
+        f"{row.part}: {row.check} {value}, limit {limit} ({row.source}){case}: margin {written(row.margin or 0.0, 3)}"
+    )
