@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
-from typing import Annotated
+from types import MappingProxyType, UnionType
+from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin, get_type_hints
 
 RPM = 2.0 * math.pi / 60.0
 """One revolution per minute in rad/s."""
@@ -91,7 +91,20 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
     "elasticity_factor": ("√MPa", 1e3),
     "mass_per_length": ("g/mm", 1.0),
     "temperature": ("°C", 1.0),
+    "absolute_temperature": ("K", 1.0),
+    "current": ("A", 1.0),
+    "voltage": ("V", 1.0),
+    "mass_flow": ("kg/h", 1.0 / 3600.0),
 }
+_SI: Mapping[str, str] = MappingProxyType({
+    "angle": "rad", "area": "m²", "density": "kg/m³", "energy": "J", "electric_energy": "J", "force": "N",
+    "frequency": "Hz", "inertia": "kg m²", "length": "m", "altitude": "m", "life": "s", "flight_time": "s",
+    "mass": "kg", "power": "W", "specific_power": "W/kg", "specific_torque": "N m/kg", "slope": "rad", "speed": "rad/s",
+    "stiffness": "N/m", "bearing_force": "N", "stress": "Pa", "time": "s", "torque": "N m",
+    "torsional_stiffness": "N m/rad", "velocity": "m/s", "volume": "m³", "number": "1", "ratio": "1", "percent": "1",
+    "elasticity_factor": "√Pa", "mass_per_length": "kg/m", "temperature": "°C", "absolute_temperature": "K",
+    "current": "A", "voltage": "V", "mass_flow": "kg/s",
+})  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -172,3 +185,45 @@ def text(value: float, dimension: str, digits: int = 4) -> str:
     number = shown(value, dimension)
     written = f"{number:.0f}" if abs(number) >= 10 ** (digits - 1) else f"{number:.{digits}g}"
     return f"{written} {unit(dimension)}".rstrip()
+
+
+def si_unit(dimension: str) -> str:
+    """Return the unit in which a dimension is kept.
+
+    Args:
+        dimension: Such as ``"length"``.
+
+    >>> si_unit("speed")
+    'rad/s'
+    """
+    return _SI[dimension]
+
+
+class Marks(NamedTuple):
+    """What the marks of a field say."""
+
+    dimension: str
+    """Key of the units; empty for words and counts."""
+    origin: Origin | None
+    """Equation and source of a computed field."""
+
+
+def marks_in(hint: Any) -> Marks:
+    """Return what an annotation says of its field, also inside a union.
+
+    Args:
+        hint: Annotation with its marks.
+    """
+    inside = get_args(hint) if get_origin(hint) in (Union, UnionType) else ()
+    marks = [mark for part in (hint, *inside) for mark in getattr(part, "__metadata__", ())]
+    dimension = next((mark.dimension for mark in marks if isinstance(mark, Quantity)), "")
+    return Marks(dimension, next((mark for mark in marks if isinstance(mark, Origin)), None))
+
+
+def marks_of(record: type) -> dict[str, Marks]:
+    """Return the marks of every field of a record.
+
+    Args:
+        record: Its class.
+    """
+    return {name: marks_in(hint) for name, hint in get_type_hints(record, include_extras=True).items()}

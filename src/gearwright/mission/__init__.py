@@ -1,8 +1,9 @@
 """A mission flown by a sized gearbox: Mission x Sizing becomes a Flight."""
 
-from gearwright.mission.flight import Balance, Flight, PhaseSummary, phase_summaries
+from gearwright.mission.flight import Balance, Flight, PhaseSummary, flight_series, phase_summaries
 from gearwright.mission.fly import fly
 from gearwright.mission.gearbox import Oil, gearbox_of
+from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, Series
 from gearwright.mission.lives.bearings import BearingDamage, BearingLives, bearing_lives
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.mission.lives.life import LifeSizing, size_for_life
@@ -18,14 +19,20 @@ __all__ = [
     "DutyBin",
     "Flight",
     "GearDamage",
+    "History",
     "LifeSizing",
+    "MachineHistory",
+    "MeshHistory",
+    "NodeHistory",
     "Oil",
     "PartLife",
     "PhaseSummary",
+    "Series",
     "Window",
     "bearing_lives",
     "bearing_spectra",
     "durability",
+    "flight_series",
     "fly",
     "gear_damage",
     "gearbox_of",

@@ -1,4 +1,4 @@
-"""Intervals become a flight: histories by name, oil, and the balance of energies."""
+"""Intervals become a flight: histories, oil, and the balance of energies."""
 
 from __future__ import annotations
 
@@ -8,10 +8,13 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
-from gearwright.machines import PropellerMap, stored_energy
+from gearwright.machines import stored_energy
 from gearwright.mission.flight import Balance, Flight, fuel_energy
-from gearwright.mission.gearbox import Array, Gearbox, Point
-from gearwright.mission.supply import Supply
+from gearwright.mission.gearbox import Drag, Gearbox, Point
+from gearwright.mission.history import Array, History, MachineHistory, MeshHistory, NodeHistory, stacked
+from gearwright.mission.profile import Moment
+from gearwright.mission.supply import Drawn, Supply
+from gearwright.mission.thrust import Blades, Performance
 from gearwright.parts.losses import cooler_conductance, oil_flow
 from gearwright.spec import Mission
 
@@ -24,8 +27,10 @@ class Interval(NamedTuple):
 
     phase: str
     """Name of its phase."""
-    values: Mapping[str, float]
-    """What is recorded, by name."""
+    values: History[float]
+    """What is recorded."""
+    powers: Mapping[str, float]
+    """Machine -> power into the train, with drag and spin-up [W]."""
     point: Point
     """Of the gearbox."""
 
@@ -34,79 +39,142 @@ class Flown(NamedTuple):
     """What flew."""
 
     gearbox: Gearbox
+    blades: Blades
     mission: Mission
     supply: Supply
 
 
-def collect(flown: Flown, intervals: Sequence[Interval], chart: PropellerMap | None) -> Flight:
+class Lost(NamedTuple):
+    """Losses of an interval, and what spins the train up."""
+
+    meshes: float
+    """[W]"""
+    friction: Drag
+    motors: float
+    """With those that are dragged [W]."""
+    spin_up: float
+    """[W]"""
+
+
+def recorded(moment: Moment, work: float, performance: Performance, drawn: Drawn, lost: Lost) -> History[float]:
+    """Return what is recorded of an interval.
+
+    Args:
+        moment: Where it is flown.
+        work: Power of the propeller's shaft [W].
+        performance: What the propeller does with it.
+        drawn: By machines and battery.
+        lost: On the way.
+    """
+    return History(
+        time=moment.time,
+        duration=moment.duration,
+        altitude=moment.altitude,
+        true_airspeed=moment.true_airspeed,
+        mach=moment.mach,
+        air_temperature=moment.air.temperature,
+        air_density=moment.air.density,
+        propeller_speed=moment.propeller_speed,
+        propeller_gain=moment.propeller_gain,
+        propeller_power=work,
+        **performance._asdict(),
+        fuel_flow=drawn.fuel_flow,
+        turbine_power=drawn.turbine_power,
+        turbine_available=drawn.turbine_available,
+        battery_power=drawn.battery.open_power,
+        battery_current=drawn.battery.current,
+        battery_voltage=drawn.battery.terminal_voltage,
+        state_of_charge=drawn.battery.state_of_charge,
+        mesh_loss=lost.meshes,
+        bearing_loss=lost.friction.bearings,
+        windage_loss=lost.friction.windage,
+        churning_loss=lost.friction.churning,
+        gearbox_heat=lost.meshes + sum(lost.friction),
+        motor_loss=lost.motors,
+        battery_loss=drawn.battery.loss,
+        spin_up=lost.spin_up,
+    )
+
+
+def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
     """Return the flight of its intervals.
 
     Args:
-        flown: Gearbox, mission and machines.
+        flown: Gearbox, propeller, mission and machines.
         intervals: In their order.
-        chart: Map of the propeller.
     """
-    gearbox, mission, _ = flown
-    history = {name: np.array([interval.values[name] for interval in intervals]) for name in intervals[0].values}
-    powers = {name: history.pop(f"power.{name}") for name in gearbox.machines}
-    heat = history["gearbox_heat"]
-    history["oil_outlet"] = mission.oil.inlet_temperature_k + mission.oil.rise_k * heat / heat.max()
-    train = gearbox.sizing.train
-    speeds, shafts, meshes = (
-        np.array([getattr(interval.point, name) for interval in intervals])
-        for name in ("speeds", "shaft_torques", "mesh_torques")
-    )
+    gearbox, blades, mission, _ = flown
+    history = stacked([interval.values for interval in intervals])
+    heat = history.gearbox_heat
+    oil_outlet = mission.oil.inlet_temperature_k + mission.oil.rise_k * heat / heat.max()
+    nodes = _nodes(gearbox, intervals)
     return Flight(
         mission=mission,
         sizing=gearbox.sizing,
         phase=tuple(interval.phase for interval in intervals),
         history=history,
-        speeds=dict(zip(train.nodes, speeds.T, strict=True)),
-        shaft_torques=dict(zip(train.nodes, shafts.T, strict=True)),
-        machine_powers=powers,
-        mesh_torques={mesh.name: row for mesh, row in zip(train.meshes, meshes.T, strict=True)},
-        mesh_forces={mesh.name: row for mesh, row in zip(train.meshes, meshes.T / gearbox.radii[:, None], strict=True)},
+        oil_outlet=oil_outlet,
+        nodes=nodes,
+        machines={
+            name: MachineHistory(np.array([interval.powers[name] for interval in intervals]), nodes[shaft].speed)
+            for name, shaft in gearbox.sizing.train.machines.items()
+            if name != gearbox.propeller
+        },
+        meshes=_meshes(gearbox, intervals),
         balance=_balance(flown, history),
         oil_flow=oil_flow(float(heat.max()), mission.oil.rise_k),
-        cooler_conductance=_cooler(mission, history, heat),
+        cooler_conductance=_cooler(mission, history, oil_outlet),
         inertia=gearbox.inertia,
-        propeller_map=chart,
+        propeller_map=blades.chart,
     )
 
 
-def _cooler(mission: Mission, history: Mapping[str, Array], heat: Array) -> float:
+def _nodes(gearbox: Gearbox, intervals: Sequence[Interval]) -> dict[str, NodeHistory]:
+    speeds = np.array([interval.point.speeds for interval in intervals]).T
+    torques = np.array([interval.point.shaft_torques for interval in intervals]).T
+    rows = zip(gearbox.sizing.train.nodes, speeds, torques, strict=True)
+    return {name: NodeHistory(speed, torque) for name, speed, torque in rows}
+
+
+def _meshes(gearbox: Gearbox, intervals: Sequence[Interval]) -> dict[str, MeshHistory]:
+    torques = np.array([interval.point.mesh_torques for interval in intervals]).T
+    rows = zip(gearbox.sizing.train.meshes, torques, torques / gearbox.radii[:, None], strict=True)
+    return {mesh.name: MeshHistory(torque, force) for mesh, torque, force in rows}
+
+
+def _cooler(mission: Mission, history: History[Array], oil_outlet: Array) -> float:
     """The largest conductance that any interval needs [W/K]."""
-    oil = 0.5 * (mission.oil.inlet_temperature_k + history["oil_outlet"])
-    if float((oil - history["air_temperature"]).min()) < _LEAST_COOLING:
+    oil, air = 0.5 * (mission.oil.inlet_temperature_k + oil_outlet), history.air_temperature
+    if float((oil - air).min()) < _LEAST_COOLING:
         message = (
-            f"{mission.oil.inlet_temperature_k:g} K: the air, of up to {float(history['air_temperature'].max()):.4g} K,"
+            f"{mission.oil.inlet_temperature_k:g} K: the air, of up to {float(air.max()):.4g} K,"
             " does not cool this oil; let it be warmer"
         )
         raise DesignError([Problem("oil.inlet_temperature_k", message)])
-    rows = zip(heat, oil, history["air_temperature"], strict=True)
+    rows = zip(history.gearbox_heat, oil, air, strict=True)
     return max(cooler_conductance(float(power), float(warm), float(cold)) for power, warm, cold in rows)
 
 
-def _balance(flown: Flown, history: Mapping[str, Array]) -> Balance:
-    gearbox, mission, supply = flown
+def _balance(flown: Flown, history: History[Array]) -> Balance:
+    gearbox, _, mission, supply = flown
 
-    def total(name: str) -> float:
-        return float((history[name] * history["duration"]).sum())
+    def total(power: Array) -> float:
+        return float((power * history.duration).sum())
 
     first = next(iter(mission.phases.values())).propeller_speed
-    last = float(history["propeller_speed"][-1] + 0.5 * history["propeller_gain"][-1])
-    fuel = fuel_energy(total("fuel_flow"))
+    last = float(history.propeller_speed[-1] + 0.5 * history.propeller_gain[-1])
+    fuel = fuel_energy(total(history.fuel_flow))
     return Balance(
         fuel=fuel,
-        battery=_drawn(mission, supply, float(history["state_of_charge"][-1])),
-        propeller=total("propeller_power"),
-        turbine_heat=fuel - total("turbine_power"),
-        mesh_loss=total("mesh_loss"),
-        bearing_loss=total("bearing_loss"),
-        windage_loss=total("windage_loss"),
-        churning_loss=total("churning_loss"),
-        motor_loss=total("motor_loss"),
-        battery_loss=total("battery_loss"),
+        battery=_drawn(mission, supply, float(history.state_of_charge[-1])),
+        propeller=total(history.propeller_power),
+        turbine_heat=fuel - total(history.turbine_power),
+        mesh_loss=total(history.mesh_loss),
+        bearing_loss=total(history.bearing_loss),
+        windage_loss=total(history.windage_loss),
+        churning_loss=total(history.churning_loss),
+        motor_loss=total(history.motor_loss),
+        battery_loss=total(history.battery_loss),
         stored=0.5 * gearbox.inertia * (last**2 - first**2),
     )
 

@@ -2,19 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.machines import HEATING_VALUE, PropellerMap
+from gearwright.mission.history import (
+    BATTERY_LOSS,
+    BEARING_LOSS,
+    CHURNING_LOSS,
+    MESH_LOSS,
+    MOTOR_LOSS,
+    TURBINE_HEAT,
+    WINDAGE_LOSS,
+    Array,
+    History,
+    MachineHistory,
+    MeshHistory,
+    NodeHistory,
+    Series,
+    marked_series,
+)
 from gearwright.sizing import Sizing
-from gearwright.spec import Mission
-from gearwright.units import Energy, Length, Mass, Ratio, Time
+from gearwright.spec import GROUND, Mission
+from gearwright.units import Energy, Length, Mass, Origin, Quantity, Ratio, Time, marks_of
 from gearwright.verbs import verb
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -27,19 +42,19 @@ class Balance:
     """Taken from the battery's store, by its state of charge [J]."""
     propeller: Energy
     """Work of the propeller's shaft [J]."""
-    turbine_heat: Energy
+    turbine_heat: Annotated[Energy, TURBINE_HEAT]
     """Of the fuel, what does not reach the shaft [J]."""
-    mesh_loss: Energy
+    mesh_loss: Annotated[Energy, MESH_LOSS]
     """[J]"""
-    bearing_loss: Energy
+    bearing_loss: Annotated[Energy, BEARING_LOSS]
     """[J]"""
-    windage_loss: Energy
+    windage_loss: Annotated[Energy, WINDAGE_LOSS]
     """Gears in the oil mist [J]."""
-    churning_loss: Energy
+    churning_loss: Annotated[Energy, CHURNING_LOSS]
     """Gears that dip into the oil [J]."""
-    motor_loss: Energy
+    motor_loss: Annotated[Energy, MOTOR_LOSS]
     """Motors and inverters, and motors that are dragged without current [J]."""
-    battery_loss: Energy
+    battery_loss: Annotated[Energy, BATTERY_LOSS]
     """[J]"""
     stored: Energy
     """Gain of kinetic energy of everything that turns, by the speeds at start and end [J]."""
@@ -70,21 +85,16 @@ class Flight:
     sizing: Sizing
     phase: tuple[str, ...]
     """Phase of each interval."""
-    history: Mapping[str, Array]
-    """Name -> values in SI: time, duration, altitude, air_temperature, air_density, true_airspeed, mach,
-    advance_ratio, pitch, thrust, propeller_power, propeller_speed, fuel_flow, turbine_available, state_of_charge (at
-    the end of the interval), battery_current, battery_voltage, mesh_loss, bearing_loss, windage_loss, churning_loss,
-    gearbox_heat (their sum), motor_loss, battery_loss, oil_outlet."""
-    speeds: Mapping[str, Array]
-    """Node of the train -> speed [rad/s]."""
-    shaft_torques: Mapping[str, Array]
-    """Node of the train -> torque that it transmits [N m]."""
-    machine_powers: Mapping[str, Array]
-    """Machine -> power into the train, with drag and spin-up [W]."""
-    mesh_torques: Mapping[str, Array]
-    """Mesh row -> torque on gear a of one single mesh [N m]."""
-    mesh_forces: Mapping[str, Array]
-    """Mesh row -> tangential force of one single mesh, signed as its torque [N]."""
+    history: History[Array]
+    """Air, propeller, machines, battery and losses."""
+    oil_outlet: Annotated[Array, Quantity("absolute_temperature"), Origin("T_in + ΔT P/P_max", "heat balance")]
+    """Of the oil behind the gearbox [K]."""
+    nodes: Mapping[str, NodeHistory]
+    """Shaft, or planets of a stage -> speed and torque."""
+    machines: Mapping[str, MachineHistory]
+    """Machine without the propeller -> power and speed."""
+    meshes: Mapping[str, MeshHistory]
+    """Mesh row -> torque and force."""
     balance: Balance
     oil_flow: float
     """Through the gearbox [m³/s]."""
@@ -98,27 +108,35 @@ class Flight:
     @property
     def duration(self) -> Time:
         """Of the whole mission [s]."""
-        return float(self.history["duration"].sum())
+        return float(self.history.duration.sum())
 
     @property
     def fuel(self) -> Mass:
         """Burnt by one gearbox's turbines [kg]."""
-        return float((self.history["fuel_flow"] * self.history["duration"]).sum())
+        return float((self.history.fuel_flow * self.history.duration).sum())
 
     @property
     def distance(self) -> Length:
         """Flown through the air [m]."""
-        return float((self.history["true_airspeed"] * self.history["duration"]).sum())
+        return float((self.history.true_airspeed * self.history.duration).sum())
 
     @property
     def hottest_oil(self) -> float:
         """Temperature of the oil behind the gearbox where it is hottest [K]."""
-        return float(self.history["oil_outlet"].max())
+        return float(self.oil_outlet.max())
 
     @property
     def has_battery(self) -> bool:
         """True where a battery flies: the mission has one, and the design a motor."""
         return self.mission.battery is not None and bool(self.sizing.design.motors)
+
+    def speed(self, node: str) -> Array:
+        """Return the speed of a node of the train, also of the ground, per interval [rad/s].
+
+        Args:
+            node: Shaft, planets of a stage, or ``ground``.
+        """
+        return self.nodes[node].speed if node != GROUND else np.zeros(len(self.phase))
 
     def efficiency(self, counted: NDArray[np.bool_] | None = None) -> Ratio:
         """Return the efficiency of the gearbox over some intervals [-]; left out: over all of them.
@@ -127,12 +145,12 @@ class Flight:
             counted: True for the intervals that count.
         """
         taken, given = self.passed()
-        weights = self.history["duration"] if counted is None else np.where(counted, self.history["duration"], 0.0)
+        weights = self.history.duration if counted is None else np.where(counted, self.history.duration, 0.0)
         return float((given * weights).sum() / (taken * weights).sum())
 
     def passed(self) -> tuple[Array, Array]:
         """Return what the gearbox takes and gives in every interval [W]; a propeller that the air drives gives."""
-        work, loss = self.history["propeller_power"], self.history["gearbox_heat"]
+        work, loss = self.history.propeller_power, self.history.gearbox_heat
         return np.maximum(work + loss, -work), np.maximum(np.maximum(work, -work - loss), 0.0)
 
 
@@ -167,18 +185,38 @@ def phase_summaries(flight: Flight) -> tuple[PhaseSummary, ...]:
 
 
 def _summary(flight: Flight, name: str, within: NDArray[np.bool_]) -> PhaseSummary:
-    def total(key: str) -> float:
-        return float((flight.history[key] * flight.history["duration"])[within].sum())
+    history = flight.history
+
+    def total(power: Array) -> float:
+        return float((power * history.duration)[within].sum())
 
     return PhaseSummary(
         name=name,
-        duration=float(flight.history["duration"][within].sum()),
-        fuel=total("fuel_flow"),
-        battery=total("battery_power"),
-        propeller=total("propeller_power"),
-        loss=total("gearbox_heat"),
+        duration=float(history.duration[within].sum()),
+        fuel=total(history.fuel_flow),
+        battery=total(history.battery_power),
+        propeller=total(history.propeller_power),
+        loss=total(history.gearbox_heat),
         efficiency=flight.efficiency(within),
     )
+
+
+def flight_series(flight: Flight) -> Iterator[Series]:
+    """Yield everything that is recorded of a flight, as tables, files and figures name it, with unit and source.
+
+    Args:
+        flight: As flown.
+    """
+    yield from marked_series(flight.history)
+    yield Series("oil_outlet", flight.oil_outlet, marks_of(Flight)["oil_outlet"])
+    for group, field, records in (
+        ("speed", "speed", flight.nodes),
+        ("torque", "torque", flight.nodes),
+        ("power", "power", flight.machines),
+        ("force", "force", flight.meshes),
+    ):
+        for name, record in records.items():
+            yield Series(f"{group}.{name}", getattr(record, field), marks_of(type(record))[field])
 
 
 def fuel_energy(mass: float) -> float:

@@ -5,24 +5,45 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from pathlib import Path
-
-import numpy as np
+from typing import NamedTuple
 
 from gearwright.catalogue import propeller_map, read_propeller_map
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import PropellerMap
-from gearwright.mission.collect import Flown, Interval, collect
+from gearwright.mission.collect import Flown, Interval, Lost, collect, recorded
 from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Oil, Point, drag, efficiencies, gearbox_of, operate
 from gearwright.mission.profile import Moment, moments
-from gearwright.mission.supply import supply_of
-from gearwright.mission.thrust import performed, propeller_power
+from gearwright.mission.supply import Given, Terms, supply_of
+from gearwright.mission.thrust import Blades, performed, propeller_power
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, engine_out, mission_problems
 from gearwright.verbs import verb
 
 TRIAL_POWER = 1e5
 """Power at which an operating point is found before it is scaled [W]; torques and powers are proportional."""
+
+
+class _Before(NamedTuple):
+    """What an interval takes over from the one before it."""
+
+    point: Point | None
+    """Of the gearbox; None at the start."""
+    charge: float
+    """State of charge [-]."""
+    burnt: float
+    """Fuel of all engines [kg]."""
+
+
+class _Asked(NamedTuple):
+    """What an interval asks of the gearbox."""
+
+    parts: Mapping[str, float]
+    """Machine -> part of the power [-]."""
+    propeller: float | None
+    """Power of its shaft [W]; None where the machines' power is given."""
+    spin_up: float
+    """Power into everything that turns [W]."""
 
 
 @verb
@@ -47,19 +68,22 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     if problems:
         raise DesignError(problems)
     oil = Oil(mission.oil.inlet_temperature_k, mission.oil.roughness, _dipping(sizing, mission))
-    flown = Flown(gearbox_of(sizing, _only_propeller(sizing), oil), mission, supply_of(sizing, mission))
-    chart = _chart(mission, folder)
-    charge = mission.battery.start_charge if mission.battery else 0.0
-    burnt, intervals, point = 0.0, [], None
+    gearbox = gearbox_of(sizing, _only_propeller(sizing), oil)
+    blades = Blades(
+        mission.propeller_map, _chart(mission, folder), sizing.design.propellers[gearbox.propeller].diameter
+    )
+    flown = Flown(gearbox, blades, mission, supply_of(sizing, mission))
+    before, intervals = _Before(None, mission.battery.start_charge if mission.battery else 0.0, 0.0), list[Interval]()
     for moment in moments(mission):
         try:
-            values, point = _interval(flown, chart, moment, before=(point, charge, burnt))
+            interval = _interval(flown, moment, before)
         except DesignError as error:
             raise _placed(error, moment) from None
-        intervals.append(Interval(moment.phase, values, point))
-        charge = values["state_of_charge"]
-        burnt += values["fuel_flow"] * moment.duration * (mission.phases[moment.phase].engines or mission.engines)
-    return collect(flown, intervals, chart)
+        intervals.append(interval)
+        engines = mission.phases[moment.phase].engines or mission.engines
+        burnt = before.burnt + interval.values.fuel_flow * moment.duration * engines
+        before = _Before(interval.point, interval.values.state_of_charge, burnt)
+    return collect(flown, intervals)
 
 
 def _dipping(sizing: Sizing, mission: Mission) -> dict[str, float]:
@@ -93,57 +117,44 @@ def _placed(error: DesignError, moment: Moment) -> DesignError:
     )
 
 
-def _interval(
-    flown: Flown, chart: PropellerMap | None, moment: Moment, *, before: tuple[Point | None, float, float]
-) -> tuple[dict[str, float], Point]:
-    """Return what is recorded of an interval, and the gearbox's operating point."""
-    gearbox, mission, supply = flown
-    last, charge, burnt = before
-    parts = supply.parts(mission.phases[moment.phase])
-    wanted = propeller_power(chart, gearbox, mission, now=(moment, burnt))
+def _interval(flown: Flown, moment: Moment, before: _Before) -> Interval:
+    """Return what is recorded of an interval."""
+    gearbox, blades, mission, supply = flown
+    phase = mission.phases[moment.phase]
+    parts = supply.parts(phase)
+    wanted = propeller_power(blades, mission, moment, burnt=before.burnt)
     spin_up = gearbox.inertia * moment.propeller_speed * moment.propeller_gain / moment.duration
     # Losses are those of the last interval's loads; where the loads change at once, they are found twice.
-    point = _operating(flown, parts, moment, asked=(wanted, last, spin_up))
-    if last is None or moment.starts_phase:
-        point = _operating(flown, parts, moment, asked=(wanted, point, spin_up))
+    point = _operating(flown, moment, _Asked(parts, wanted, spin_up), before.point)
+    if before.point is None or moment.starts_phase:
+        point = _operating(flown, moment, _Asked(parts, wanted, spin_up), point)
     friction, dragged = drag(gearbox, point), supply.dragged(gearbox, point, parts)
-    carried = np.array([parts.get(name, 0.0) for name in gearbox.machines]) * (sum(friction) + dragged + spin_up)
-    powers = point.machine_powers + carried
-    lost = float(point.mesh_losses.sum())
-    work = float(point.machine_powers.sum()) - lost
-    rating = mission.engine.contingency if engine_out(mission, mission.phases[moment.phase]) else 1.0
-    driven = supply.drive(gearbox, moment, (point, powers), (charge, rating, mission.phases[moment.phase].mode))
-    return {
-        **performed((mission.propeller_map, chart), gearbox, moment, work),
-        **driven,
-        "mesh_loss": lost,
-        "bearing_loss": friction.bearings,
-        "windage_loss": friction.windage,
-        "churning_loss": friction.churning,
-        "gearbox_heat": lost + sum(friction),
-        "motor_loss": driven["motor_loss"] + dragged,
-        "spin_up": spin_up,
-    }, point
+    carried = sum(friction) + dragged + spin_up
+    rigid = zip(gearbox.machines, point.machine_powers.tolist(), strict=True)
+    powers = {name: power + parts.get(name, 0.0) * carried for name, power in rigid}
+    rating = mission.engine.contingency if engine_out(mission, phase) else 1.0
+    drawn = supply.drive(gearbox, moment, Given(point, powers), Terms(before.charge, rating, phase.mode))
+    performance = performed(blades, moment, point.work)
+    lost = Lost(point.mesh_loss, friction, drawn.motor_loss + dragged, spin_up)
+    return Interval(moment.phase, recorded(moment, point.work, performance, drawn, lost), powers, point)
 
 
-def _operating(
-    flown: Flown, parts: Mapping[str, float], moment: Moment, *, asked: tuple[float | None, Point | None, float]
-) -> Point:
+def _operating(flown: Flown, moment: Moment, asked: _Asked, last: Point | None) -> Point:
     """Return the operating point for a propeller power, or for the machines' power where that is given.
 
     A propeller that the air drives has a negative power: it is found with machines that take power, so that losses
     stay losses.
     """
-    gearbox, _, supply = flown
-    wanted, last, spin_up = asked
+    gearbox, _, _, supply = flown
     efficiency = efficiencies(gearbox, last) if last is not None else {}
-    trial_power = math.copysign(TRIAL_POWER, wanted or 0.0)
-    trial = {name: part * trial_power for name, part in parts.items()}
+    trial_power = math.copysign(TRIAL_POWER, asked.propeller or 0.0)
+    trial = {name: part * trial_power for name, part in asked.parts.items()}
     point = operate(gearbox, trial, moment.propeller_speed, efficiency)
-    if wanted is not None:
-        return point.scaled(wanted / float(point.machine_powers.sum() - point.mesh_losses.sum()))
+    if asked.propeller is not None:
+        return point.scaled(asked.propeller / point.work)
     before = point.scaled((moment.power or 0.0) / TRIAL_POWER)
-    left = (moment.power or 0.0) - spin_up - sum(drag(gearbox, before)) - supply.dragged(gearbox, point, parts)
+    left = (moment.power or 0.0) - asked.spin_up - sum(drag(gearbox, before))
+    left -= supply.dragged(gearbox, point, asked.parts)
     if left <= 0.0:
         message = f"{(moment.power or 0.0) / 1e3:.4g} kW only spin the train up; give more, or a longer ramp_s"
         raise DesignError([Problem("power", message)])

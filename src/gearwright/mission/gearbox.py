@@ -68,6 +68,16 @@ class Point(NamedTuple):
     mesh_losses: Array
     """Of all equal meshes of a row, shape (meshes,) [W]."""
 
+    @property
+    def mesh_loss(self) -> float:
+        """Of all meshes [W]."""
+        return float(self.mesh_losses.sum())
+
+    @property
+    def work(self) -> float:
+        """Power that reaches the propeller [W]."""
+        return float(self.machine_powers.sum()) - self.mesh_loss
+
     def scaled(self, factor: float) -> Point:
         """Return the point with all torques and powers changed by one factor; the balance is homogeneous.
 

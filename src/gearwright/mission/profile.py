@@ -44,6 +44,28 @@ class Moment(NamedTuple):
         return self.true_airspeed / self.air.sound_speed
 
 
+class _Cut(NamedTuple):
+    """One interval of a phase, from the phase's start."""
+
+    start: float
+    """[s]"""
+    end: float
+    """[s]"""
+    duration: float
+    """Of the phase [s]."""
+
+
+class _Before(NamedTuple):
+    """Where the phase before ended."""
+
+    clock: float
+    """From the start of the mission [s]."""
+    altitude: float
+    """[m]"""
+    speed: float
+    """Of the propeller [rad/s]."""
+
+
 def moments(mission: Mission) -> Iterator[Moment]:
     """Yield the intervals of a mission in their order.
 
@@ -55,13 +77,13 @@ def moments(mission: Mission) -> Iterator[Moment]:
     """
     first = next(iter(mission.phases.values()))
     altitude = first.altitude if first.from_altitude is None else first.from_altitude
-    speed, clock = first.propeller_speed, 0.0
+    before = _Before(0.0, altitude, first.propeller_speed)
     for name, phase in mission.phases.items():
-        duration = phase_duration(phase, altitude)
+        duration = phase_duration(phase, before.altitude)
         edges = _edges(duration, phase.ramp, mission.step)
         for start, end in pairwise(edges):
-            yield _moment(mission, name, (start, end, duration), (clock, altitude, speed))
-        clock, altitude, speed = clock + duration, phase.altitude, _ramped(phase, duration, speed)
+            yield _moment(mission, name, _Cut(start, end, duration), before)
+        before = _Before(before.clock + duration, phase.altitude, _ramped(phase, duration, before.speed))
 
 
 def phase_duration(phase: Phase, altitude: float) -> float:
@@ -90,24 +112,24 @@ def _ramped(phase: Phase, time: float, before: float) -> float:
     return before + (phase.propeller_speed - before) * min(time / phase.ramp, 1.0)
 
 
-def _moment(mission: Mission, name: str, cut: tuple[float, float, float], before: tuple[float, float, float]) -> Moment:
-    phase, (start, end, duration), (clock, from_altitude, from_speed) = mission.phases[name], cut, before
+def _moment(mission: Mission, name: str, cut: _Cut, before: _Before) -> Moment:
+    phase, (start, end, duration) = mission.phases[name], cut
     part = 0.5 * (start + end) / duration
-    altitude = from_altitude + (phase.altitude - from_altitude) * part
+    altitude = before.altitude + (phase.altitude - before.altitude) * part
     air = air_at(altitude, mission.isa_offset_k)
-    speeds = [_ramped(phase, time, from_speed) for time in (start, end)]
+    speeds = [_ramped(phase, time, before.speed) for time in (start, end)]
     power = phase.power
     if power is not None and phase.end_power is not None:
         power += (phase.end_power - power) * part
     return Moment(
         phase=name,
         starts_phase=start == 0.0,
-        time=clock + 0.5 * (start + end),
+        time=before.clock + 0.5 * (start + end),
         duration=end - start,
         altitude=altitude,
         air=air,
         true_airspeed=_true_airspeed(phase, name, air),
-        climb=(phase.altitude - from_altitude) / duration,
+        climb=(phase.altitude - before.altitude) / duration,
         propeller_speed=0.5 * sum(speeds),
         propeller_gain=speeds[1] - speeds[0],
         power=power,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from gearwright.air import stagnation_ratios
 from gearwright.errors import DesignError, Problem, near
@@ -22,7 +23,7 @@ from gearwright.machines import (
     power_limits,
     rated_losses,
 )
-from gearwright.mission.gearbox import Array, Gearbox, Point
+from gearwright.mission.gearbox import Gearbox, Point
 from gearwright.mission.profile import Moment
 from gearwright.sizing import Sizing
 from gearwright.spec import BatteryRules, Mission, Phase
@@ -30,6 +31,49 @@ from gearwright.units import KWH
 
 _SLACK = 1e-9
 """Part by which a limit may be passed: rounding."""
+
+
+class Given(NamedTuple):
+    """What the machines give in an interval."""
+
+    point: Point
+    """Of the gearbox."""
+    powers: Mapping[str, float]
+    """Machine -> power into the train, with drag and spin-up [W]."""
+
+
+class Terms(NamedTuple):
+    """Under which machines and battery give it."""
+
+    charge: float
+    """State of charge at the start [-]."""
+    rating: float
+    """Of the turbines, over the usual one [-]."""
+    mode: str
+    """Of the phase."""
+
+
+class Drawn(NamedTuple):
+    """What machines and battery draw for what they give."""
+
+    fuel_flow: float
+    """[kg/s]"""
+    turbine_power: float
+    """Of all turbines [W]."""
+    turbine_available: float
+    """What they could give [W]."""
+    motor_loss: float
+    """[W]"""
+    battery: BatteryStep
+
+
+class MotorPoint(NamedTuple):
+    """An operating point of a motor."""
+
+    power: float
+    """[W]"""
+    speed: float
+    """[rad/s]"""
 
 
 @dataclass(frozen=True)
@@ -76,40 +120,26 @@ class Supply:
             raise DesignError([Problem("inoperative", message)])
         return {**_divided(1.0 - share, turbines), **_divided(share, motors)}
 
-    def drive(
-        self, gearbox: Gearbox, moment: Moment, now: tuple[Point, Array], state: tuple[float, float, str]
-    ) -> dict[str, float]:
+    def drive(self, gearbox: Gearbox, moment: Moment, given: Given, terms: Terms) -> Drawn:
         """Return fuel, charge and losses of an interval.
 
         Args:
             gearbox: With the machines' names.
             moment: Where it is flown.
-            now: The operating point, and the machines' powers [W].
-            state: State of charge at the start, the turbines' rating over the usual one [-], and the phase's mode.
+            given: The operating point, and the machines' powers.
+            terms: Charge, rating and mode.
 
         Raises:
             DesignError: A machine or the battery cannot give its power.
         """
-        (point, values), (charge, rating, mode) = now, state
-        speeds = _machine_speeds(gearbox, point)
-        powers = dict(zip(gearbox.machines, (float(value) for value in values), strict=True))
-        fuel, available = self._burn(moment, powers, speeds, rating)
-        lost = sum(self._heat(name, (powers[name], speeds[name]), mode) for name in self.motors if powers[name])
+        powers, speeds = given.powers, machine_speeds(gearbox, given.point)
+        fuel, available = self._burn(moment, powers, speeds, terms.rating)
+        points = {name: MotorPoint(powers[name], speeds[name]) for name in self.motors if powers[name]}
+        lost = sum(self._heat(name, at, terms.mode) for name, at in points.items())
         electric = sum(powers[name] for name in self.motors) + lost
-        step = self._discharge(charge, electric, moment, mode)
-        return {
-            **{f"power.{name}": power for name, power in powers.items()},
-            "fuel_flow": fuel,
-            "turbine_power": sum(powers[name] for name in self.engines),
-            "turbine_available": available,
-            "motor_loss": lost,
-            "battery_power": step.open_power,
-            "battery_loss": step.loss,
-            "battery_current": step.current,
-            "battery_voltage": step.terminal_voltage,
-            "state_of_charge": step.state_of_charge,
-            "propeller_gain": moment.propeller_gain,
-        }
+        step = self._discharge(terms, electric, moment)
+        turbines = sum(powers[name] for name in self.engines)
+        return Drawn(fuel, turbines, available, lost, step)
 
     def dragged(self, gearbox: Gearbox, point: Point, parts: Mapping[str, float]) -> float:
         """Return what motors without current take from the shafts that drag them [W].
@@ -119,7 +149,7 @@ class Supply:
             point: With the speeds.
             parts: The machines that give power.
         """
-        speeds = _machine_speeds(gearbox, point)
+        speeds = machine_speeds(gearbox, point)
         return sum(motor_loss(motor, 0.0, speeds[name]) for name, motor in self.motors.items() if name not in parts)
 
     def _burn(
@@ -149,7 +179,7 @@ class Supply:
         offer = f"gives {available / 1e3:.4g} kW (by its {bound})"
         return f"needs {power / 1e3:.4g} kW at {moment.altitude:.0f} m, and {offer}; {fix}"
 
-    def _heat(self, name: str, point: tuple[float, float], mode: str) -> float:
+    def _heat(self, name: str, point: MotorPoint, mode: str) -> float:
         motor, (power, speed) = self.motors[name], point
         torque = power / speed if speed else 0.0
         if abs(torque) > motor.peak_torque * (1.0 + _SLACK) or abs(power) > motor.peak_power * (1.0 + _SLACK):
@@ -160,7 +190,7 @@ class Supply:
             raise DesignError([Problem(name, message)])
         return motor_loss(motor, torque, speed)
 
-    def _discharge(self, charge: float, power: float, moment: Moment, mode: str) -> BatteryStep:
+    def _discharge(self, terms: Terms, power: float, moment: Moment) -> BatteryStep:
         if self.battery is None:
             if power > 0.0:
                 message = (
@@ -168,9 +198,9 @@ class Supply:
                 )
                 raise DesignError([Problem("battery", message)])
             return BatteryStep(0.0, 0.0, 0.0, 0.0, 0.0, "")
-        step = battery_step(self.battery, charge, power, moment.duration)
+        step = battery_step(self.battery, terms.charge, power, moment.duration)
         if step.fault:
-            raise DesignError([Problem("battery", _faulty(self.battery, (charge, power), step, mode))])
+            raise DesignError([Problem("battery", _faulty(self.battery, terms, power, step))])
         return step
 
 
@@ -179,11 +209,10 @@ def _less(mode: str) -> str:
     return "lower electric_share or power" if mode == "hybrid" else "ask for less power"
 
 
-def _faulty(battery: Battery, asked: tuple[float, float], step: BatteryStep, mode: str) -> str:
+def _faulty(battery: Battery, terms: Terms, power: float, step: BatteryStep) -> str:
     """Return what is wrong with a power that a battery cannot give or take, its limit, and what helps."""
-    charge, power = asked
-    said = f"{step.fault}: {power / 1e3:.0f} kW at a state of charge of {charge:.3f}"
-    less = _less(mode)
+    said = f"{step.fault}: {power / 1e3:.0f} kW at a state of charge of {terms.charge:.3f}"
+    less = _less(terms.mode)
     if step.fault == FULL:
         return f"{said} (most 1); start with a lower start_charge, charge less or shorter, or give more energy_kwh"
     if step.fault == EMPTY:
@@ -203,8 +232,13 @@ def _braked(power: float) -> str:
     )
 
 
-def _machine_speeds(gearbox: Gearbox, point: Point) -> dict[str, float]:
-    """Machine -> speed without its sense [rad/s]."""
+def machine_speeds(gearbox: Gearbox, point: Point) -> dict[str, float]:
+    """Return the speed of every machine without its sense [rad/s].
+
+    Args:
+        gearbox: With the machines' names.
+        point: With the speeds.
+    """
     train = gearbox.sizing.train
     return {name: abs(float(point.speeds[train.nodes.index(train.machines[name])])) for name in gearbox.machines}
 

@@ -104,9 +104,11 @@ def test_a_bearing_that_bears_load_only_while_it_stands_is_chosen_by_its_static_
         size(read(shipped_design("off-set"))), parse_mission(STEADY.replace("= 3000", "= 3000\nstatic_safety = 4"))
     )
     turns = turning * (np.arange(len(flight.phase)) % 2)
-    speeds = {name: speed * turns for name, speed in flight.speeds.items()}
-    torques = {name: torque * (turns == 0.0) for name, torque in flight.mesh_torques.items()}
-    found = bearing_lives(dataclasses.replace(flight, speeds=speeds, mesh_torques=torques))
+    nodes = {name: dataclasses.replace(node, speed=node.speed * turns) for name, node in flight.nodes.items()}
+    meshes = {
+        name: dataclasses.replace(mesh, torque=mesh.torque * (turns == 0.0)) for name, mesh in flight.meshes.items()
+    }
+    found = bearing_lives(dataclasses.replace(flight, nodes=nodes, meshes=meshes))
     assert {"left.first", "left.second"} <= {row.seat for row in found.rows}
     for row in found.rows:
         assert row.damage == 0.0
@@ -151,7 +153,7 @@ def test_the_thrust_of_the_map_loads_the_bearing_that_locates_the_propeller():
         {seat.name: duty for seat, duty in seat_duties(flight)}
         for flight in (fly(sizing, parse_mission(mapped)), fly(sizing, parse_mission(STEADY.replace("= 100", "= 200"))))
     )
-    thrust = fly(sizing, parse_mission(mapped)).history["thrust"]
+    thrust = fly(sizing, parse_mission(mapped)).history.thrust
     apart = np.abs(with_map["nose"].axial - without["nose"].axial)
     total = with_map["nose"].axial + without["nose"].axial
     assert np.minimum(np.abs(apart - thrust), np.abs(total - thrust)) == pytest.approx(0.0, abs=1e-6 * thrust.max())

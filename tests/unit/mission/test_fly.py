@@ -1,5 +1,6 @@
 """Flying: balances, limits, spectra and damage."""
 
+import json
 import math
 
 import numpy as np
@@ -10,6 +11,7 @@ from gearwright.errors import DesignError
 from gearwright.machines import performance
 from gearwright.mission import (
     durability,
+    flight_series,
     fly,
     gear_damage,
     mesh_spectrum,
@@ -17,11 +19,13 @@ from gearwright.mission import (
     shaft_spectrum,
     unrated_stages,
 )
+from gearwright.mission.history import MESH_LOSS
 from gearwright.render.words.flight import flight_text, verdict_text
 from gearwright.render.words.flight_data import flight_csv, flight_json
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import parse_mission, read, read_mission
+from gearwright.units import si_unit
 
 HYBRID = size(read(shipped_design("in-line-h2")))
 CONVENTIONAL = size(read(shipped_design("in-line")))
@@ -63,32 +67,32 @@ def test_energy_closes_while_the_propeller_spins_up():
 def test_powers_balance_in_every_interval():
     """Machines = propeller + meshes + bearings and windage + spin-up + dragged motors; 1e-9 of the power."""
     h = THESIS.history
-    whole = sum(THESIS.machine_powers.values())
-    out = h["propeller_power"] + h["mesh_loss"] + h["bearing_loss"] + h["windage_loss"] + h["spin_up"]
+    whole = sum(machine.power for machine in THESIS.machines.values())
+    out = h.propeller_power + h.mesh_loss + h.bearing_loss + h.windage_loss + h.spin_up
     dragged = np.array([phase in ("descent", "approach") for phase in THESIS.phase])
     assert whole[~dragged] == pytest.approx(out[~dragged], rel=1e-9)
-    assert whole[dragged] == pytest.approx((out + h["motor_loss"])[dragged], rel=1e-9)
+    assert whole[dragged] == pytest.approx((out + h.motor_loss)[dragged], rel=1e-9)
 
 
 def test_a_loss_free_torque_follows_the_teeth():
     """The shaft torques of a lossless planetary train are in the ratio of its speeds; 2 % for the mesh losses."""
     flight = flown(BASE.replace("power_kw = 900", "power_kw = 1000"), CONVENTIONAL)
-    propeller = flight.history["propeller_power"] / flight.history["propeller_speed"]
-    turbine = flight.machine_powers["gas-turbine"] / flight.speeds["input"]
-    ratio = flight.speeds["input"] / flight.history["propeller_speed"]
+    propeller = flight.history.propeller_power / flight.history.propeller_speed
+    turbine = flight.machines["gas-turbine"].power / flight.nodes["input"].speed
+    ratio = flight.nodes["input"].speed / flight.history.propeller_speed
     assert propeller == pytest.approx(turbine * ratio, rel=0.02)
 
 
 def test_the_propeller_holds_its_pitch_on_taxi():
     taxi = np.array([phase == "taxi-out" for phase in THESIS.phase])
-    assert np.degrees(THESIS.history["pitch"][taxi]) == pytest.approx(10.0, abs=1e-6)
-    assert THESIS.history["fuel_flow"][taxi] == pytest.approx(0.0)
+    assert np.degrees(THESIS.history.pitch[taxi]) == pytest.approx(10.0, abs=1e-6)
+    assert THESIS.history.fuel_flow[taxi] == pytest.approx(0.0)
 
 
 def test_regeneration_charges_the_battery():
     text = BASE.replace("power_kw = 900", 'power_kw = 700\nmode = "hybrid"\nelectric_share = -0.2')
     flight = flown(text)
-    assert flight.history["state_of_charge"][-1] > 0.95
+    assert flight.history.state_of_charge[-1] > 0.95
     assert flight.balance.battery < 0.0
     assert flight.balance.residual < 1e-9
 
@@ -109,12 +113,12 @@ def test_a_propeller_that_the_air_drives_charges_through_the_teeth_at_a_loss(win
     text, folder = windmill
     flight = fly(HYBRID, parse_mission(text), folder=folder)
     history, row = flight.history, phase_summaries(flight)[0]
-    assert history["propeller_power"].max() < -500e3
-    assert history["mesh_loss"].min() > 0.0
+    assert history.propeller_power.max() < -500e3
+    assert history.mesh_loss.min() > 0.0
     assert flight.balance.residual < 1e-9
-    motor = flight.machine_powers["electric"]
-    assert -motor == pytest.approx(-history["propeller_power"] - history["gearbox_heat"], rel=1e-12)
-    assert row.efficiency == pytest.approx(float(motor.sum() / history["propeller_power"].sum()), rel=1e-12)
+    motor = flight.machines["electric"].power
+    assert -motor == pytest.approx(-history.propeller_power - history.gearbox_heat, rel=1e-12)
+    assert row.efficiency == pytest.approx(float(motor.sum() / history.propeller_power.sum()), rel=1e-12)
     driven = flown(text.replace("pitch_deg = 15", "power_kw = 690").replace('propeller_map = "own.csv"', ""))
     assert 1.0 - row.efficiency == pytest.approx(1.0 - phase_summaries(driven)[0].efficiency, rel=0.1)
 
@@ -128,14 +132,14 @@ def test_a_turbine_does_not_take_what_the_air_drives(windmill):
 def test_a_fast_propeller_loses_thrust_to_compressibility_as_its_charts_say():
     """The cruise of the thesis, Mach 0.52, by the method of the charts from its power: 0.963; 1e-4: the map's grid."""
     h, k = THESIS.history, THESIS.phase.index("cruise") + 5
-    turns, diameter = h["propeller_speed"][k] / (2 * np.pi), HYBRID.design.propellers["propeller"].diameter
-    power = h["propeller_power"][k] / (h["air_density"][k] * turns**3 * diameter**5)
-    found = performance(hamilton_standard_charts(), MAPS["6-blades-af115"], h["advance_ratio"][k],
-                        power_coefficient=power, mach=h["mach"][k])  # fmt: skip
+    turns, diameter = h.propeller_speed[k] / (2 * np.pi), HYBRID.design.propellers["propeller"].diameter
+    power = h.propeller_power[k] / (h.air_density[k] * turns**3 * diameter**5)
+    found = performance(hamilton_standard_charts(), MAPS["6-blades-af115"], h.advance_ratio[k],
+                        power_coefficient=power, mach=h.mach[k])  # fmt: skip
     assert found.compressibility == pytest.approx(0.963, abs=1e-3)
-    assert h["compressibility"][k] == pytest.approx(found.compressibility, abs=1e-4)
-    scale = h["air_density"][k] * turns**2 * diameter**4
-    assert h["thrust"][k] == pytest.approx(found.thrust_coefficient * scale, rel=2e-3)
+    assert h.compressibility[k] == pytest.approx(found.compressibility, abs=1e-4)
+    scale = h.air_density[k] * turns**2 * diameter**4
+    assert h.thrust[k] == pytest.approx(found.thrust_coefficient * scale, rel=2e-3)
 
 
 def test_a_mach_number_beyond_the_charts_is_refused():
@@ -155,14 +159,14 @@ def test_thrust_carries_the_weight_up_the_slope(turning):
     text = BASE.replace("power_kw = 900\n", "from_altitude_ft = 4000\n").replace("[engine]", aircraft + "[engine]")
     flight = flown(text.replace("1212", str(turning)), CONVENTIONAL)
     k, h = len(flight.phase) // 2, flight.history
-    speed, slope = h["true_airspeed"][k], 1000 * 0.3048 / 120 / h["true_airspeed"][k]
+    speed, slope = h.true_airspeed[k], 1000 * 0.3048 / 120 / h.true_airspeed[k]
     from gearwright.air import air_at
 
-    dynamic = 0.5 * air_at(h["altitude"][k]).density * speed**2 * 61
+    dynamic = 0.5 * air_at(h.altitude[k]).density * speed**2 * 61
     lift = 9000 * 9.80665 * math.sqrt(1 - slope**2) / dynamic
     thrust = dynamic * (0.028 + 0.034 * lift**2) + 9000 * 9.80665 * slope
-    assert h["thrust"][k] == pytest.approx(thrust, rel=1e-3)
-    assert (h["compressibility"][k] < 0.999) == (turning > 1400)
+    assert h.thrust[k] == pytest.approx(thrust, rel=1e-3)
+    assert (h.compressibility[k] < 0.999) == (turning > 1400)
 
 
 @pytest.mark.parametrize(
@@ -229,7 +233,7 @@ def test_a_spectrum_keeps_every_second_and_every_turn():
         bins = mesh_spectrum(THESIS, mesh.name)
         assert sum(each.time for each in bins) == pytest.approx(THESIS.duration, rel=1e-12)
     bins = shaft_spectrum(THESIS, "output", classes=10)
-    turns = (THESIS.speeds["output"] * THESIS.history["duration"]).sum() / (2 * np.pi)
+    turns = (THESIS.nodes["output"].speed * THESIS.history.duration).sum() / (2 * np.pi)
     assert sum(each.turns for each in bins) == pytest.approx(turns, rel=1e-12)
     assert len(bins) <= 10
 
@@ -262,6 +266,29 @@ def test_a_flight_is_told_in_words_numbers_and_histories():
     assert '"fuel"' in flight_json(THESIS, parts)
 
 
+def test_every_recorded_quantity_has_a_unit_and_every_loss_a_source():
+    """CSV, JSON and figures take them from the marks of the fields."""
+    recorded = {series.name: series for series in flight_series(THESIS)}
+    units = {name: si_unit(series.marks.dimension) for name, series in recorded.items()}
+    assert units["propeller_speed"] == units["speed.output"] == "rad/s"
+    assert units["air_temperature"] == units["oil_outlet"] == "K"
+    assert units["power.electric"] == "W"
+    assert all(series.marks.origin for name, series in recorded.items() if name.endswith("_loss"))
+    assert all(len(series.values) == len(THESIS.phase) for series in recorded.values())
+    columns = json.loads(flight_json(THESIS, durability(THESIS)))["columns"]
+    assert set(columns) == set(recorded)
+    assert columns["mesh_loss"] == {"unit": "W", "equation": "P μ H_V", "source": MESH_LOSS.source}
+
+
+def test_a_machine_has_a_torque_by_its_power_and_its_speed():
+    motor = THESIS.machines["electric"]
+    assert motor.torque * THESIS.speed("intermediate") == pytest.approx(motor.power, rel=1e-12)
+
+
+def test_the_ground_stands_still_in_a_flight():
+    assert not THESIS.speed("ground").any()
+
+
 def test_lives_beyond_any_sense_are_not_printed_in_full():
     """The worst part of a light flight lives longer than a million flights, and the sentence says just that."""
     parts = durability(flown(BASE.replace("power_kw = 900", "power_kw = 600")))
@@ -280,7 +307,7 @@ def test_a_verdict_without_all_bearings_is_of_what_is_rated():
 def test_a_rotor_flies_by_its_schedules_and_its_face_gears_are_not_rated():
     """ISO 6336 covers cylindrical gears; those of the second stage are rated, and the first stage is named."""
     flight = fly(size(read(shipped_design("face-gear-split-torque"))), read_mission(shipped_mission("rotor-schedule")))
-    assert "thrust" not in flight.history
+    assert flight.history.thrust is None
     assert flight.balance.residual < 1e-9
     found = durability(flight)
     face = unrated_stages(flight.sizing.design)
@@ -312,8 +339,10 @@ def test_one_engine_of_a_gearbox_stops_and_the_other_drives_alone():
     """The overrunning clutch lets go: the dead turbine stands still, gives nothing and burns nothing."""
     flight = flown(ONE_OUT, TWIN)
     both = flown(BASE, TWIN)
-    assert np.abs(flight.machine_powers["turbine-2"]).max() == 0.0
-    assert flight.machine_powers["turbine-1"] == pytest.approx(sum(both.machine_powers.values()), rel=1e-3)
+    assert np.abs(flight.machines["turbine-2"].power).max() == 0.0
+    assert flight.machines["turbine-1"].power == pytest.approx(
+        sum(machine.power for machine in both.machines.values()), rel=1e-3
+    )
     assert flight.fuel < both.fuel
     assert flight.balance.residual < 1e-9
 
@@ -324,7 +353,7 @@ def test_a_contingency_rating_holds_only_while_an_engine_is_out():
     with pytest.raises(DesignError, match="turbine-1: needs 1150 kW"):
         flown(more, TWIN)
     rated = more.replace("thermal_power_kw = 2600", "thermal_power_kw = 2600\ncontingency = 1.15")
-    assert flown(rated, TWIN).machine_powers["turbine-1"].max() == pytest.approx(1150e3, rel=1e-5)
+    assert flown(rated, TWIN).machines["turbine-1"].power.max() == pytest.approx(1150e3, rel=1e-5)
     with pytest.raises(DesignError, match="needs 1150 kW"):
         flown(BASE.replace("power_kw = 900", "power_kw = 2300").replace("2600", "2600\ncontingency = 1.05"), TWIN)
 

@@ -36,7 +36,7 @@ def test_results_of_a_flight_are_those_of_the_verb() -> None:
     flight = fly(size(DESIGN), mission)
     worst = gear_damage(flight)[0]
     assert row.number("fly.fuel") == flight.fuel
-    assert row.number("fly.charge") == flight.history["state_of_charge"][-1]
+    assert row.number("fly.charge") == flight.history.state_of_charge[-1]
     assert row.number("fly.life") == worst.life * 3600.0 and row.shown("fly.life") == pytest.approx(worst.life)
     assert row.number("fly.flights") == worst.flights
     assert row.results["fly.governing"].value == f"{worst.gear}, {worst.mode}"

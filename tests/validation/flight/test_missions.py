@@ -19,9 +19,9 @@ def phase(name):
 
 def test_green_taxi_leaves_the_first_stage_without_force():
     """Pulvirenti 2023, §4.2.1: the motor drives behind stage 1, whose forces are zero; 1e-9 of the cruise force."""
-    cruise = np.abs(FLIGHT.mesh_forces["first.sun-planet"][phase("cruise")]).max()
-    assert np.abs(FLIGHT.mesh_forces["first.sun-planet"][phase("taxi-out")]).max() < 1e-9 * cruise
-    assert np.abs(FLIGHT.mesh_forces["second.sun-planet"][phase("taxi-out")]).min() > 0.0
+    cruise = np.abs(FLIGHT.meshes["first.sun-planet"].force[phase("cruise")]).max()
+    assert np.abs(FLIGHT.meshes["first.sun-planet"].force[phase("taxi-out")]).max() < 1e-9 * cruise
+    assert np.abs(FLIGHT.meshes["second.sun-planet"].force[phase("taxi-out")]).min() > 0.0
 
 
 def test_cruise_has_the_torque_ratios_of_the_thesis():
@@ -31,17 +31,17 @@ def test_cruise_has_the_torque_ratios_of_the_thesis():
     motor on the same shaft 6.45 T_GT.
     """
     k = int(np.flatnonzero(phase("cruise"))[0])
-    turbine = FLIGHT.machine_powers["gas-turbine"][k] / FLIGHT.speeds["input"][k]
-    motor = FLIGHT.machine_powers["electric"][k] / FLIGHT.speeds["intermediate"][k]
-    output = FLIGHT.history["propeller_power"][k] / FLIGHT.speeds["output"][k]
+    turbine = FLIGHT.machines["gas-turbine"].power[k] / FLIGHT.nodes["input"].speed[k]
+    motor = FLIGHT.machines["electric"].power[k] / FLIGHT.nodes["intermediate"].speed[k]
+    output = FLIGHT.history.propeller_power[k] / FLIGHT.nodes["output"].speed[k]
     assert motor / turbine == pytest.approx(2.0, abs=0.1)
-    assert FLIGHT.shaft_torques["intermediate"][k] / turbine == pytest.approx(6.0, abs=0.5)
+    assert FLIGHT.nodes["intermediate"].torque[k] / turbine == pytest.approx(6.0, abs=0.5)
     assert output / turbine > 20.0
 
 
 def test_cruise_is_313_knots_at_mach_052():
     """Pulvirenti 2023, figure 4.1; Saint-Venant gives M 0.520 at FL250 (printed digit)."""
-    assert FLIGHT.history["mach"][phase("cruise")] == pytest.approx(0.520, abs=5e-4)
+    assert FLIGHT.history.mach[phase("cruise")] == pytest.approx(0.520, abs=5e-4)
 
 
 def test_two_planetary_stages_lose_about_half_a_percent_each_at_power():
@@ -57,7 +57,7 @@ def test_two_planetary_stages_lose_about_half_a_percent_each_at_power():
 def test_the_regional_mission_covers_its_250_nautical_miles():
     """The distance of its name, through still air; 2 % as phases have round durations."""
     flight = fly(size(read(shipped_design("in-line"))), read_mission(shipped_mission("regional-250nm")))
-    miles = (flight.history["true_airspeed"] * flight.history["duration"]).sum() / 1852.0
+    miles = (flight.history.true_airspeed * flight.history.duration).sum() / 1852.0
     assert miles == pytest.approx(250.0, rel=0.02)
     assert flight.balance.residual < 1e-6
 

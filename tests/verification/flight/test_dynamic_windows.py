@@ -26,7 +26,7 @@ def thesis():
 
 def interval(flight, time):
     """Return the interval of a flight at a time."""
-    return int(np.argmin(np.abs(flight.history["time"] - time)))
+    return int(np.argmin(np.abs(flight.history.time - time)))
 
 
 @pytest.mark.parametrize("stiffness", STIFFNESSES)
@@ -37,16 +37,16 @@ def test_a_quiet_window_has_the_means_of_the_quasi_steady_flight(phase, at, stif
     flight = thesis()
     window = fly_window(flight, "quiet", WindowRules(phase=phase, at=at, duration=1.0, stiffness=stiffness))
     k, trace = interval(flight, window.start), window.trace
-    expected = flight.history["propeller_power"][k] / flight.history["propeller_speed"][k]
+    expected = flight.history.propeller_power[k] / flight.history.propeller_speed[k]
     assert trace.drive.of("propeller torque")["mean"][-1] == pytest.approx(expected, rel=1e-3)
     assert math.degrees(trace.drive.of("propeller pitch")["mean"][-1]) == pytest.approx(
-        math.degrees(flight.history["pitch"][k]), abs=0.02
+        math.degrees(flight.history.pitch[k]), abs=0.02
     )
     pressure = math.cos(flight.sizing.design.gears.pressure_angle)
     for row in ("first.sun-planet", "second.sun-planet"):
         force = np.mean([np.mean(trace.force.of(f"{row}-{n}")["mean"][-100:]) for n in (1, 2, 3)])
-        scale = flight.mesh_forces["second.sun-planet"][k]
-        assert abs(force) == pytest.approx(abs(flight.mesh_forces[row][k]) / pressure, rel=1e-2, abs=2e-3 * abs(scale))
+        scale = flight.meshes["second.sun-planet"].force[k]
+        assert abs(force) == pytest.approx(abs(flight.meshes[row].force[k]) / pressure, rel=1e-2, abs=2e-3 * abs(scale))
 
 
 @pytest.mark.parametrize("stiffness", STIFFNESSES)

@@ -35,9 +35,9 @@ def critical_gain(time_constant, damping):
 
 def test_the_window_starts_where_the_mission_flies():
     """Both read one map: torque times speed is the mission's propeller power; 1e-9 is rounding."""
-    k = int(np.argmin(np.abs(FLIGHT.history["time"] - 2000.0)))
+    k = int(np.argmin(np.abs(FLIGHT.history.time - 2000.0)))
     assert TRIM.torque(TRIM.speed, TRIM.pitch) * TRIM.speed == pytest.approx(
-        FLIGHT.history["propeller_power"][k], rel=1e-9
+        FLIGHT.history.propeller_power[k], rel=1e-9
     )
     still = governed_window(TRIM, governor(1.0, 0.1, 0.0), duration=0.5)
     assert np.ptp(still.speed) < 1e-9 * TRIM.speed

@@ -31,7 +31,7 @@ from gearwright.parts.bearings import (
 )
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
-from gearwright.spec import GROUND, BearingLifeRules
+from gearwright.spec import BearingLifeRules
 from gearwright.spec.checks import KINDS
 from gearwright.units import Force, Mass, Ratio, Speed
 from gearwright.verbs import verb
@@ -179,17 +179,16 @@ def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:
         flight: As flown.
     """
     seats = {seat.name: seat for seat in bearing_seats(flight.sizing)}
-    speeds = {**flight.speeds, GROUND: np.zeros(len(flight.phase))}
-    torques = np.stack([flight.mesh_torques[mesh.name] for mesh in flight.sizing.train.meshes], axis=-1)
-    forces = {name: seat_forces(seat, torques, speeds[seat.carrier]) for name, seat in seats.items()}
+    torques = np.stack([flight.meshes[mesh.name].torque for mesh in flight.sizing.train.meshes], axis=-1)
+    forces = {name: seat_forces(seat, torques, flight.speed(seat.carrier)) for name, seat in seats.items()}
     axial: dict[str, Array] = {}
     for shaft in dict.fromkeys(seat.nodes[0] for seat in seats.values()):
         on_shaft = {name: seat for name, seat in seats.items() if seat.nodes[0] == shaft}
         axial |= _located(flight, shaft, on_shaft, forces)
     duties = []
     for name, seat in seats.items():
-        speed = np.abs(speeds[seat.nodes[0]] - speeds[seat.nodes[1]])
-        duties.append((seat, SeatDuty(forces[name][0], axial[name], speed, flight.history["duration"])))
+        speed = np.abs(flight.speed(seat.nodes[0]) - flight.speed(seat.nodes[1]))
+        duties.append((seat, SeatDuty(forces[name][0], axial[name], speed, flight.history.duration)))
     return tuple(duties)
 
 
@@ -217,8 +216,9 @@ def _located(
 
 def _thrust(flight: Flight) -> Array:
     """Return the propeller's thrust, by the map where there is one, else as the design says [N]."""
-    stated = next(iter(flight.sizing.design.propellers.values())).thrust
-    return flight.history.get("thrust", np.full(len(flight.phase), stated))
+    if flight.history.thrust is not None:
+        return flight.history.thrust
+    return np.full(len(flight.phase), next(iter(flight.sizing.design.propellers.values())).thrust)
 
 
 def _taper_factors(flight: Flight, names: Iterable[str]) -> dict[str, LoadFactors]:

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from gearwright.errors import by_name
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.bearings import seat_duties
-from gearwright.spec import GROUND
 from gearwright.verbs import verb
 
 Array = NDArray[np.float64]
@@ -42,9 +41,8 @@ def mesh_spectrum(flight: Flight, mesh: str, *, classes: int = CLASSES) -> tuple
         classes: Number of load classes [-].
     """
     row = by_name(mesh, {candidate.name: candidate for candidate in flight.sizing.train.meshes}, "mesh")
-    speeds = {**flight.speeds, GROUND: np.zeros(len(flight.phase))}
-    rolling = speeds[row.nodes[0]] - speeds[row.nodes[2]]
-    return _binned(flight, flight.mesh_torques[mesh], rolling, classes)
+    rolling = flight.speed(row.nodes[0]) - flight.speed(row.nodes[2])
+    return _binned(flight, flight.meshes[mesh].torque, rolling, classes)
 
 
 @verb
@@ -56,7 +54,8 @@ def shaft_spectrum(flight: Flight, shaft: str, *, classes: int = CLASSES) -> tup
         shaft: Its name.
         classes: Number of load classes [-].
     """
-    return _binned(flight, by_name(shaft, flight.shaft_torques, "shaft"), flight.speeds[shaft], classes)
+    node = by_name(shaft, flight.nodes, "shaft")
+    return _binned(flight, node.torque, node.speed, classes)
 
 
 @verb
@@ -72,7 +71,7 @@ def bearing_spectra(flight: Flight, *, classes: int = CLASSES) -> dict[str, tupl
 
 def _binned(flight: Flight, load_of: Array, speed: Array, classes: int) -> tuple[DutyBin, ...]:
     """Sum what falls into each class of equal width; empty classes are left out."""
-    load, turning, time = np.abs(load_of), np.abs(speed), flight.history["duration"]
+    load, turning, time = np.abs(load_of), np.abs(speed), flight.history.duration
     turns = turning * time / (2.0 * np.pi)
     top = float(load.max()) or 1.0
     place = np.minimum((load / top * classes).astype(int), classes - 1)

@@ -9,13 +9,23 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.mission.flight import Array, Flight
+from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Gearbox, Oil, Point, drag, efficiencies, gearbox_of, operate
+from gearwright.mission.history import Array, History
 from gearwright.mission.supply import Supply, supply_of
 from gearwright.spec import Phase, WindowRules
 
 Curve = list[tuple[float, float]]
 """(time from the window's start [s], value)."""
+
+
+class Turning(NamedTuple):
+    """How the gearbox turns at one instant."""
+
+    speed: float
+    """Of the propeller [rad/s]."""
+    spin_up: float
+    """Power into everything that turns [W]."""
 
 
 class Stage(NamedTuple):
@@ -71,14 +81,14 @@ def background(flight: Flight, rules: WindowRules) -> Background:
     gearbox = gearbox_of(flight.sizing, next(iter(flight.sizing.design.propellers)), oil)
     supply = supply_of(flight.sizing, flight.mission)
     history, in_phase = flight.history, np.flatnonzero(np.array(flight.phase) == phase)
-    first = history["time"] - 0.5 * history["duration"]
+    first = history.time - 0.5 * history.duration
     start = float(first[in_phase[0]]) + at
-    seen = np.flatnonzero((first + history["duration"] > start) & (first < start + duration))
+    seen = np.flatnonzero((first + history.duration > start) & (first < start + duration))
     seen = np.union1d(seen, np.clip(seen + 1, 0, len(first) - 1))
     seen = np.union1d(seen, np.clip(seen - 1, 0, len(first) - 1))
     stages = {int(k): _stage(flight, gearbox, supply, int(k)) for k in seen}
     times = _knots(flight, stages, start, over)
-    air = [(float(history["time"][k]) - start, int(k)) for k in in_phase]
+    air = [(float(history.time[k]) - start, int(k)) for k in in_phase]
     names, shafts = gearbox.machines, set(_shafts(gearbox).values()) if rules.losses else set()
     return Background(
         flight=flight,
@@ -88,8 +98,8 @@ def background(flight: Flight, rules: WindowRules) -> Background:
         start=start,
         torques={name: [(time, stages[k].torques[name]) for time, k in times] for name in names},
         resistances={shaft: [(time, stages[k].resistances[shaft]) for time, k in times] for shaft in shafts},
-        density=[(time, float(history["air_density"][k])) for time, k in air],
-        airspeed=[(time, float(history["true_airspeed"][k])) for time, k in air],
+        density=[(time, float(history.air_density[k])) for time, k in air],
+        airspeed=[(time, float(history.true_airspeed[k])) for time, k in air],
         speed=_speed_curve(history, seen, start),
         pitch=[(0.0, 0.0)],
         interval=int(np.searchsorted(first, start, side="right")) - 1,
@@ -100,33 +110,41 @@ def _knots(flight: Flight, stages: Mapping[int, Stage], start: float, over: floa
     """Return (time, interval): middles of intervals, and both ends of what happens between two phases."""
     history, knots = flight.history, list[tuple[float, int]]()
     for k in sorted(stages):
-        begin = float(history["time"][k] - 0.5 * history["duration"][k]) - start
+        begin = float(history.time[k] - 0.5 * history.duration[k]) - start
         if k - 1 in stages and flight.phase[k] != flight.phase[k - 1]:
             knots += [(begin, k - 1), (begin + over, k)]
-        middle = float(history["time"][k]) - start
+        middle = float(history.time[k]) - start
         if not knots or middle > knots[-1][0]:
             knots.append((middle, k))
     return knots
 
 
-def _speed_curve(history: Mapping[str, Array], seen: NDArray[np.intp], start: float) -> Curve:
+def _speed_curve(history: History[Array], seen: NDArray[np.intp], start: float) -> Curve:
     """Return the set speed at the edges of intervals."""
-    half, speed, gain = (history[name] for name in ("duration", "propeller_speed", "propeller_gain"))
-    edges = [(float(history["time"][k] - 0.5 * half[k]) - start, float(speed[k] - 0.5 * gain[k])) for k in seen]
+    length, speed, gain = history.duration, history.propeller_speed, history.propeller_gain
+    edges = [(float(history.time[k] - 0.5 * length[k]) - start, float(speed[k] - 0.5 * gain[k])) for k in seen]
     last = seen[-1]
-    end = (float(history["time"][last] + 0.5 * half[last]) - start, float(speed[last] + 0.5 * gain[last]))
+    end = (float(history.time[last] + 0.5 * length[last]) - start, float(speed[last] + 0.5 * gain[last]))
     return [*edges, end]
 
 
 def _stage(flight: Flight, gearbox: Gearbox, supply: Supply, k: int) -> Stage:
     phase = flight.mission.phases[flight.phase[k]]
-    powers = {name: float(flight.machine_powers[name][k]) for name in gearbox.machines}
-    return staged(gearbox, supply, phase, powers=powers, flown=(flight, k))
+    powers = {name: float(flight.machines[name].power[k]) for name in gearbox.machines}
+    return staged(gearbox, supply, phase, powers=powers, turning=turning_at(flight, k))
 
 
-def staged(
-    gearbox: Gearbox, supply: Supply, phase: Phase, *, powers: Mapping[str, float], flown: tuple[Flight, int]
-) -> Stage:
+def turning_at(flight: Flight, k: int) -> Turning:
+    """Return how the gearbox turns in an interval of a flight.
+
+    Args:
+        flight: As flown.
+        k: Number of the interval.
+    """
+    return Turning(float(flight.history.propeller_speed[k]), float(flight.history.spin_up[k]))
+
+
+def staged(gearbox: Gearbox, supply: Supply, phase: Phase, *, powers: Mapping[str, float], turning: Turning) -> Stage:
     """Return the gearbox in equilibrium at an interval's speed, with machines of given powers.
 
     Args:
@@ -134,11 +152,10 @@ def staged(
         supply: Its machines.
         phase: Whose mode says which machines carry drag and spin-up.
         powers: Of the machines, with drag and spin-up, as the flight records them [W].
-        flown: The flight, and the interval whose speeds count.
+        turning: Speed and spin-up of that interval.
     """
-    flight, k = flown
-    train, speed, parts = gearbox.sizing.train, float(flight.history["propeller_speed"][k]), supply.parts(phase)
-    lost, gain = 0.0, float(flight.history["spin_up"][k])
+    train, (speed, gain), parts = gearbox.sizing.train, turning, supply.parts(phase)
+    lost = 0.0
     point = operate(gearbox, {name: power for name, power in powers.items() if power}, speed, {})
     for _ in range(3):  # drag follows from the loads, which it hardly changes
         wanted = {name: power - parts.get(name, 0.0) * (lost + gain) for name, power in powers.items() if power}

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
-from gearwright.mission.windows.background import Background, Curve, staged
+from gearwright.mission.windows.background import Background, Curve, staged, turning_at
 from gearwright.spec import WindowRules
 
 GUST_POINTS = 48
@@ -88,11 +88,11 @@ def _other_mode(back: Background, rules: WindowRules) -> Background:
     phase = back.flight.mission.phases[back.phase].model_copy(
         update={"mode": rules.mode, "electric_share": rules.electric_share}
     )
-    before = sum(float(values[back.interval]) for values in back.flight.machine_powers.values())
+    before = sum(float(machine.power[back.interval]) for machine in back.flight.machines.values())
     power = before if rules.power is None else rules.power
     parts = back.supply.parts(phase)
     powers = {name: parts.get(name, 0.0) * power for name in back.gearbox.machines}
-    after = staged(back.gearbox, back.supply, phase, powers=powers, flown=(back.flight, back.interval))
+    after = staged(back.gearbox, back.supply, phase, powers=powers, turning=turning_at(back.flight, back.interval))
     return replace(
         back,
         torques={name: _blended(curve, [(0.0, after.torques[name])], rules) for name, curve in back.torques.items()},

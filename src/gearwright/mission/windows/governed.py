@@ -23,7 +23,8 @@ from gearwright.machines import (
     look_up,
     marched,
 )
-from gearwright.mission.flight import Array, Flight
+from gearwright.mission.flight import Flight
+from gearwright.mission.history import Array
 from gearwright.verbs import verb
 
 _NUDGE = 5e-3
@@ -99,18 +100,18 @@ def trim_at(flight: Flight, time: float) -> Trim:
     Raises:
         DesignError: The flight has no propeller map.
     """
-    if flight.propeller_map is None:
-        raise DesignError([Problem("propeller_map", "the mission flies by schedules; a governor needs a map")])
     history = flight.history
-    k = int(np.argmin(np.abs(history["time"] - time)))
+    if flight.propeller_map is None or history.pitch is None:
+        raise DesignError([Problem("propeller_map", "the mission flies by schedules; a governor needs a map")])
+    k = int(np.argmin(np.abs(history.time - time)))
     diameter = next(iter(flight.sizing.design.propellers.values())).diameter
     return Trim(
         chart=flight.propeller_map,
-        density=float(history["air_density"][k]),
-        true_airspeed=float(history["true_airspeed"][k]),
+        density=float(history.air_density[k]),
+        true_airspeed=float(history.true_airspeed[k]),
         diameter=diameter,
-        speed=float(history["propeller_speed"][k]),
-        pitch=float(history["pitch"][k]),
+        speed=float(history.propeller_speed[k]),
+        pitch=float(history.pitch[k]),
         inertia=flight.inertia,
     )
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -49,6 +50,15 @@ class DynamicWindow:
     """Time runs from the window's start."""
     limit_cycle: LimitCycle | None
     """What the governor sustains; None where it comes to rest."""
+
+
+class _Blade(NamedTuple):
+    """Blade angles that a map holds at an advance ratio."""
+
+    lowest: float
+    """[rad]"""
+    highest: float
+    """[rad]"""
 
 
 @verb
@@ -98,7 +108,7 @@ def _check(flight: Flight, name: str, rules: WindowRules) -> None:
     at = f"windows.{name}"
     if flight.propeller_map is None:
         raise DesignError([Problem(at, "the mission flies by schedules; a window needs a propeller_map")])
-    phase_duration = float(flight.history["duration"][np.array(flight.phase) == rules.phase].sum())
+    phase_duration = float(flight.history.duration[np.array(flight.phase) == rules.phase].sum())
     if rules.at >= phase_duration:
         message = (
             f"{rules.at:g} s, but {rules.phase} ends after {phase_duration:g} s; start earlier, or in the next phase"
@@ -151,9 +161,9 @@ def _body(system: System, drive: str) -> str:
 
 def _machine(back: Background, rules: WindowRules, name: str) -> MachineDrive:
     """Return a machine whose torque at the set speed is the mission's."""
-    train, supply = back.flight.sizing.train, back.supply
-    turning = abs(float(back.flight.speeds[train.machines[name]][back.interval]))
-    mean_speed = back.flight.history["propeller_speed"][back.interval]
+    supply = back.supply
+    turning = abs(float(back.flight.machines[name].speed[back.interval]))
+    mean_speed = back.flight.history.propeller_speed[back.interval]
     reference = turning * value_at(back.speed, 0.0) / float(mean_speed)
     if name in supply.motors:
         motor = supply.motors[name]
@@ -177,7 +187,9 @@ def _propeller(back: Background, rules: WindowRules) -> PropellerDrive:
     turns = speed / (2.0 * math.pi)
     ratio = airspeed / (turns * diameter)
     pitch = angle_for_power(chart, ratio, _taken(back, rules) / (density * turns**3 * diameter**5))
-    governor = _governor(rules.governor or back.flight.mission.governor, pitch, back, blade_angles(chart, ratio))
+    governor = _governor(
+        rules.governor or back.flight.mission.governor, pitch, back, _Blade(*blade_angles(chart, ratio))
+    )
     settled = (governor.reference - pitch) / governor.integral if governor.integral else 0.0
     start = GovernorState(pitch, 0.0, settled)
     return PropellerDrive(
@@ -189,8 +201,8 @@ def _taken(back: Background, rules: WindowRules) -> float:
     """Return the power that is left for the propeller at the window's start [W]."""
     train, k = back.flight.sizing.train, back.interval
     speed = value_at(back.speed, 0.0)
-    scale = speed / float(back.flight.history["propeller_speed"][k])
-    turning = {node: abs(float(values[k])) * scale for node, values in back.flight.speeds.items()}
+    scale = speed / float(back.flight.history.propeller_speed[k])
+    turning = {node: abs(float(history.speed[k])) * scale for node, history in back.flight.nodes.items()}
     driven = sum(value_at(back.torques[name], 0.0) * turning[train.machines[name]] for name in back.gearbox.machines)
     lost = sum(value_at(curve, 0.0) * turning[shaft] for shaft, curve in back.resistances.items())
     small = 1e-3
@@ -198,7 +210,7 @@ def _taken(back: Background, rules: WindowRules) -> float:
     return driven - lost - back.gearbox.inertia * speed * gain
 
 
-def _governor(rules: GovernorRules, pitch: float, back: Background, ends: tuple[float, float]) -> Governor:
+def _governor(rules: GovernorRules, pitch: float, back: Background, blade: _Blade) -> Governor:
     held = back.flight.mission.phases[back.phase].pitch
     lowest = rules.lowest_pitch if rules.lowest_pitch is not None else held
     return Governor(
@@ -207,8 +219,8 @@ def _governor(rules: GovernorRules, pitch: float, back: Background, ends: tuple[
         integral=math.radians(rules.integral_deg_rad),
         time_constant=rules.time_constant,
         damping=rules.damping,
-        lower=min(pitch, ends[0] if lowest is None else lowest),
-        upper=ends[1] if rules.highest_pitch is None else rules.highest_pitch,
+        lower=min(pitch, blade.lowest if lowest is None else lowest),
+        upper=blade.highest if rules.highest_pitch is None else rules.highest_pitch,
         rate=math.radians(rules.rate_deg_s),
     )
 
@@ -218,7 +230,7 @@ def _capacity(back: Background, rules: WindowRules) -> float | Curve:
     joint = next(clutch for clutch in back.flight.sizing.train.joints if clutch.name == rules.clutch)
     if joint.overrunning:
         return NEVER_SLIPS
-    carried = float(back.flight.shaft_torques[joint.driving][back.interval])
+    carried = float(back.flight.nodes[joint.driving].torque[back.interval])
     full = rules.capacity or 2.0 * carried
     return [(rules.event_at, 0.0), (rules.event_at + rules.over, full)]
 

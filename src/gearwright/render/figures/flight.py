@@ -52,7 +52,7 @@ def stretches(flight: Flight) -> tuple[Stretch, ...]:
     """
     phases, clock, names = [], 0.0, np.array(flight.phase)
     for name, phase in flight.mission.phases.items():
-        length = float(flight.history["duration"][names == name].sum()) / _MINUTE
+        length = float(flight.history.duration[names == name].sum()) / _MINUTE
         phases.append(Stretch(name, phase.mode, clock, clock + length))
         clock += length
     return tuple(phases)
@@ -112,7 +112,7 @@ def _strip(axes: Axes, parts: Sequence[Stretch], end: float) -> None:
 
 
 def _minutes(flight: Flight) -> Array:
-    return flight.history["time"] / _MINUTE
+    return flight.history.time / _MINUTE
 
 
 @theme.styled
@@ -124,27 +124,27 @@ def profile_figure(flight: Flight) -> Figure:
     """
     figure, (height, speed, turning, pitch) = _panels(flight, [28.0, 24.0, 20.0, 20.0])
     time, history = _minutes(flight), flight.history
-    feet = history["altitude"] / FOOT
+    feet = history.altitude / FOOT
     height.fill_between(time, feet, color=theme.STEEL)
     height.plot(time, feet, color=theme.INK)
     height.set_ylabel("pressure\naltitude [ft]")
     height.set_ylim(bottom=0.0)
-    speed.plot(time, history["true_airspeed"] / KNOT, color=theme.BLUE, label="true airspeed [kt]")
+    speed.plot(time, history.true_airspeed / KNOT, color=theme.BLUE, label="true airspeed [kt]")
     speed.set_ylabel("true airspeed\n[kt]", color=theme.BLUE)
     mach = speed.twinx()
-    mach.plot(time, history["mach"], color=theme.MUTED, lw=0.8, ls="--")
+    mach.plot(time, history.mach, color=theme.MUTED, lw=0.8, ls="--")
     mach.set_ylabel("Mach\n(dashed)", color=theme.MUTED)
     mach.grid(visible=False)
-    mach.set_ylim(0.0, 1.25 * max(float(history["mach"].max()), 0.05))
-    turning.plot(time, history["propeller_speed"] / RPM, color=theme.GREEN)
+    mach.set_ylim(0.0, 1.25 * max(float(history.mach.max()), 0.05))
+    turning.plot(time, history.propeller_speed / RPM, color=theme.GREEN)
     turning.set_ylabel("propeller\n[rpm]")
     for panel in (speed, turning):
         panel.set_ylim(bottom=0.0)
-    if "pitch" in history:
-        pitch.plot(time, np.degrees(history["pitch"]), color=theme.PURPLE)
+    if history.pitch is not None:
+        pitch.plot(time, np.degrees(history.pitch), color=theme.PURPLE)
         pitch.set_ylabel("blade\nangle [°]")
     else:
-        pitch.plot(time, history["air_density"], color=theme.PURPLE)
+        pitch.plot(time, history.air_density, color=theme.PURPLE)
         pitch.set_ylabel("air density\n[kg/m³]")
     return figure
 
@@ -164,16 +164,16 @@ def power_figure(flight: Flight) -> Figure:
         if any(part.any() for part in parts):
             powers.stackplot(time, parts, colors=[colour for *_, colour in stacks], lw=0.0, alpha=0.85,
                              labels=[name for name, *_ in stacks] if sign > 0.0 else [])  # fmt: skip
-    powers.plot(time, history["propeller_power"] / _KILO, color=theme.INK, label="propeller takes")
-    if history["turbine_available"].any():
-        powers.plot(time, history["turbine_available"] / _KILO, color=theme.BLUE, lw=0.8, ls=":",
+    powers.plot(time, history.propeller_power / _KILO, color=theme.INK, label="propeller takes")
+    if history.turbine_available.any():
+        powers.plot(time, history.turbine_available / _KILO, color=theme.BLUE, lw=0.8, ls=":",
                     label="turbines could give")  # fmt: skip
     powers.set_ylabel("power [kW]")
     powers.legend(loc="upper right", ncols=2)
-    powers.set_ylim(top=1.3 * max(float(history["propeller_power"].max()), float(history["turbine_available"].max()))
+    powers.set_ylim(top=1.3 * max(float(history.propeller_power.max()), float(history.turbine_available.max()))
                     / _KILO)  # fmt: skip
     for colour, name in zip(theme.CYCLE * 4, flight.sizing.design.shafts, strict=False):
-        torques.plot(time, flight.shaft_torques[name], color=colour, label=name)
+        torques.plot(time, flight.nodes[name].torque, color=colour, label=name)
     torques.set_yscale("symlog", linthresh=10.0)
     torques.set_ylim(bottom=0.0)
     torques.set_ylabel("torque inside\nthe shaft [N m]")
@@ -185,9 +185,9 @@ def _machines(flight: Flight) -> Iterator[tuple[str, Array, str]]:
     design = flight.sizing.design
     shades = {"turbine": (theme.BLUE, theme.SKY), "motor": (theme.ORANGE, theme.AMBER)}
     counts = {"turbine": 0, "motor": 0}
-    for name, values in flight.machine_powers.items():
+    for name, machine in flight.machines.items():
         kind = "turbine" if name in design.turbines else "motor"
-        yield name, values, shades[kind][counts[kind] % 2]
+        yield name, machine.power, shades[kind][counts[kind] % 2]
         counts[kind] += 1
 
 
@@ -198,15 +198,15 @@ def stores_figure(flight: Flight) -> Figure:
     Args:
         flight: As flown.
     """
-    battery = flight.mission.battery is not None and bool(flight.history["battery_current"].any())
+    battery = flight.mission.battery is not None and bool(flight.history.battery_current.any())
     figure, (fuel, *others) = _panels(flight, [30.0, 22.0, 20.0, 20.0] if battery else [34.0])
     time, history = _minutes(flight), flight.history
-    burnt = np.cumsum(history["fuel_flow"] * history["duration"])
+    burnt = np.cumsum(history.fuel_flow * history.duration)
     fuel.fill_between(time, burnt, color=theme.STEEL)
     fuel.plot(time, burnt, color=theme.BLUE, label="burnt [kg]")
-    fuel.plot(time, history["fuel_flow"] * _HOUR, color=theme.INK, lw=0.8, ls="--", label="flow [kg/h]")
+    fuel.plot(time, history.fuel_flow * _HOUR, color=theme.INK, lw=0.8, ls="--", label="flow [kg/h]")
     fuel.set_ylabel("fuel")
-    fuel.set_ylim(0.0, 1.25 * max(float(burnt.max()), float(history["fuel_flow"].max()) * _HOUR, 1.0))
+    fuel.set_ylim(0.0, 1.25 * max(float(burnt.max()), float(history.fuel_flow.max()) * _HOUR, 1.0))
     fuel.legend(loc="upper left", ncols=2)
     if battery:
         _charge(flight, time, others)
@@ -218,14 +218,14 @@ def _charge(flight: Flight, time: Array, panels: Sequence[Axes]) -> None:
     if rules is None:
         return
     charge, volts, rate = panels
-    charge.plot(time, 100.0 * history["state_of_charge"], color=theme.ORANGE)
+    charge.plot(time, 100.0 * history.state_of_charge, color=theme.ORANGE)
     charge.axhline(100.0 * rules.least_charge, color=theme.MUTED, lw=0.7, ls="--")
     charge.annotate("must remain", (0.0, 100.0 * rules.least_charge), (3, 2), textcoords="offset points", fontsize=7.0)
     charge.set(ylim=(0.0, 105.0), ylabel="state of\ncharge [%]")
     capacity = 2.0 * rules.energy / (rules.full_voltage_v + rules.empty_voltage_v)
-    volts.plot(time, history["battery_voltage"], color=theme.PURPLE)
+    volts.plot(time, history.battery_voltage, color=theme.PURPLE)
     volts.set_ylabel("terminal\nvoltage [V]")
-    rate.plot(time, _HOUR * history["battery_current"] / capacity, color=theme.GREEN)
+    rate.plot(time, _HOUR * history.battery_current / capacity, color=theme.GREEN)
     rate.axhline(0.0, color=theme.MUTED, lw=0.6)
     rate.set_ylabel(f"C-rate [1/h]\n(at most {rules.highest_c_rate:g})")
 
@@ -239,17 +239,17 @@ def heat_figure(flight: Flight) -> Figure:
     """
     figure, (losses, share, oil) = _panels(flight, [34.0, 22.0, 26.0])
     time, history = _minutes(flight), flight.history
-    kinds = {name: look for name, look in LOSSES.items() if history[name].any()}
+    kinds = {name: look for name, look in LOSSES.items() if getattr(history, name).any()}
     words, colours = zip(*kinds.values(), strict=True)
-    losses.stackplot(time, [history[name] / _KILO for name in kinds], lw=0.0, colors=colours, labels=words)
-    losses.set(ylabel="heat of the\ngearbox [kW]", ylim=(0.0, 1.25 * float(history["gearbox_heat"].max()) / _KILO))
+    losses.stackplot(time, [getattr(history, name) / _KILO for name in kinds], lw=0.0, colors=colours, labels=words)
+    losses.set(ylabel="heat of the\ngearbox [kW]", ylim=(0.0, 1.25 * float(history.gearbox_heat.max()) / _KILO))
     losses.legend(loc="upper right", ncols=4)
     taken, delivered = flight.passed()
     share.plot(time, 100.0 * delivered / taken, color=theme.INK)
     share.set_ylabel("efficiency\n[%]")
-    oil.plot(time, history["oil_outlet"] - CELSIUS, color=theme.ORANGE, label="behind the gearbox")
+    oil.plot(time, flight.oil_outlet - CELSIUS, color=theme.ORANGE, label="behind the gearbox")
     oil.axhline(flight.mission.oil.inlet_temperature_k - CELSIUS, color=theme.BLUE, label="into it")
-    oil.plot(time, history["air_temperature"] - CELSIUS, color=theme.SKY, lw=0.8, label="outside air")
+    oil.plot(time, history.air_temperature - CELSIUS, color=theme.SKY, lw=0.8, label="outside air")
     oil.set_ylabel("oil [°C]")
     oil.legend(loc="center", bbox_to_anchor=(0.42, 0.55), ncols=3)
     return figure

@@ -56,19 +56,19 @@ def _spectrum(axes: Axes, duties: Iterable[Duty]) -> None:
 
 
 def _turns(flight: Flight, speed: Array) -> Array:
-    return np.abs(speed) * flight.history["duration"] / (2.0 * np.pi)
+    return np.abs(speed) * flight.history.duration / (2.0 * np.pi)
 
 
 def _shafts(flight: Flight) -> Iterator[Duty]:
     for name in flight.sizing.design.shafts:
-        yield name, flight.shaft_torques[name] / _KILO, _turns(flight, flight.speeds[name])
+        yield name, flight.nodes[name].torque / _KILO, _turns(flight, flight.nodes[name].speed)
 
 
 def _meshes(flight: Flight) -> Iterator[Duty]:
     for mesh in flight.sizing.train.meshes:
-        carrier = flight.speeds.get(mesh.nodes[2], np.zeros(len(flight.phase)))
-        force = flight.mesh_forces[mesh.name] / _KILO
-        yield mesh.name, force, _turns(flight, flight.speeds[mesh.nodes[0]] - carrier)
+        carrier = flight.speed(mesh.nodes[2])
+        force = flight.meshes[mesh.name].force / _KILO
+        yield mesh.name, force, _turns(flight, flight.speed(mesh.nodes[0]) - carrier)
 
 
 def _seats(flight: Flight) -> Iterator[Duty]:

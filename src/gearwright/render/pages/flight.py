@@ -112,10 +112,10 @@ def _took(flight: Flight) -> Iterator[str]:
     if flight.has_battery:
         words += (
             f" and takes {balance.battery / KWH:.1f} kWh from its battery, which ends at a state of charge of"
-            f" {float(history['state_of_charge'][-1]):.1%}"
+            f" {float(history.state_of_charge[-1]):.1%}"
         )
-    fastest = float(history["true_airspeed"].max()) / KNOT
-    yield f"{words}; fastest {fastest:.0f} kt TAS, Mach {float(history['mach'].max()):.3f}."
+    fastest = float(history.true_airspeed.max()) / KNOT
+    yield f"{words}; fastest {fastest:.0f} kt TAS, Mach {float(history.mach.max()):.3f}."
     yield (
         f"{flight.oil_flow / _LITRE_PER_MINUTE:.1f} l/min of oil carry the heat away; it leaves the gearbox with"
         f" {flight.hottest_oil - CELSIUS:.0f} °C at most, and the cooler needs"

@@ -9,11 +9,11 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.mission import BearingDamage, Durability, Flight, PhaseSummary, phase_summaries
+from gearwright.mission import Balance, BearingDamage, Durability, Flight, PhaseSummary, phase_summaries
 from gearwright.mission.lives import ENDLESS, USUAL_RELIABILITY
 from gearwright.render.tables.tables import Table, table
 from gearwright.spec import Phase
-from gearwright.units import CELSIUS, FOOT, KNOT, Mass, Number, Origin, Power, Quantity
+from gearwright.units import CELSIUS, FOOT, KNOT, Mass, Number, Origin, Power, Quantity, marks_of
 
 ElectricEnergy = Annotated[float, Quantity("electric_energy")]
 GEAR_RELIABILITY = "0.99"
@@ -104,16 +104,16 @@ class BearingView:
     origin: str
 
 
-MODELS = {
-    "turbine_heat": ("heat of the turbines", "Willans line, P ∝ δ_t θ_t^n", "Saravanamuttoo et al., ch. 8"),
-    "mesh_loss": ("meshes", "P μ H_V", "Ohlendorf 1958; Schlenk 1994; ISO/TR 14179-2"),
-    "bearing_loss": ("bearings", "M = μ P d/2, μ = 0.0011", "SKF, constant coefficient"),
-    "windage_loss": ("windage", "n^2.8 R^4.6", "Anderson and Loewenthal, NASA TP-1622"),
-    "churning_loss": ("churning", "f_g ν n³ D^5.7", "ISO/TR 14179-1"),
-    "motor_loss": ("motors and inverters", "k_c T² + k_i ω + k_w ω³ + C", "Larminie and Lowry 2012, eq. 7.23"),
-    "battery_loss": ("battery", "R I²", "open-circuit voltage behind a resistance"),
+LOSSES = {
+    "turbine_heat": "heat of the turbines",
+    "mesh_loss": "meshes",
+    "bearing_loss": "bearings",
+    "windage_loss": "windage",
+    "churning_loss": "churning",
+    "motor_loss": "motors and inverters",
+    "battery_loss": "battery",
 }
-"""Loss in the balance -> words, model, source."""
+"""Loss in the balance -> words."""
 
 
 def asked_table(flight: Flight) -> Table:
@@ -174,10 +174,10 @@ def _phase(flight: Flight, row: PhaseSummary) -> PhaseView:
         fuel=row.fuel,
         from_battery=row.battery,
         propeller=row.propeller,
-        greatest_power=float(flight.history["propeller_power"][inside].max()),
+        greatest_power=float(flight.history.propeller_power[inside].max()),
         gearbox_heat=row.loss,
         efficiency=row.efficiency,
-        oil_out=float(flight.history["oil_outlet"][inside].max()) - CELSIUS,
+        oil_out=float(flight.oil_outlet[inside].max()) - CELSIUS,
     )
 
 
@@ -204,9 +204,12 @@ def loss_table(flight: Flight) -> Table:
         flight: As flown.
     """
     came = flight.balance.came_in
+    origins = {name: marks.origin for name, marks in marks_of(Balance).items() if marks.origin is not None}
     rows = [
-        LossView(words, getattr(flight.balance, name), getattr(flight.balance, name) / came, model, source)
-        for name, (words, model, source) in MODELS.items()
+        LossView(
+            words, lost := getattr(flight.balance, name), lost / came, origins[name].equation, origins[name].source
+        )
+        for name, words in LOSSES.items()
     ]
     return table("Losses", [row for row in rows if row.energy], _names(LossView))
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from types import MappingProxyType, UnionType
-from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
+from types import MappingProxyType
+from typing import Any, Literal, get_type_hints
 
-from gearwright.units import SUFFIXES, Origin, Quantity, shown, unit
+from gearwright.units import SUFFIXES, Origin, marks_in, shown, unit
 
 Mark = Literal["", "given", "estimated"]
 """Where a value comes from: computed, given by the user in place of the computed one, or estimated."""
@@ -147,16 +147,7 @@ def column(name: str, hint: Any) -> Column:
         name: Of the field.
         hint: Its annotation with marks.
     """
-    marks = [mark for part in _parts(hint) for mark in getattr(part, "__metadata__", ())]
-    quantity = next((mark.dimension for mark in marks if isinstance(mark, Quantity)), "")
-    origin = next((mark for mark in marks if isinstance(mark, Origin)), None)
-    return Column(name, _HEADERS.get(name, name.replace("_", " ")), SYMBOLS.get(name, ""), quantity, origin)
-
-
-def _parts(hint: Any) -> tuple[Any, ...]:
-    if get_origin(hint) is Annotated:
-        return (hint,)
-    return get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
+    return Column(name, _HEADERS.get(name, name.replace("_", " ")), SYMBOLS.get(name, ""), *marks_in(hint))
 
 
 def cell(value: object, column: Column, mark: Mark = "") -> Cell:

@@ -94,7 +94,7 @@ def _totals(flight: Flight) -> list[str]:
         f"Energies close {energy_text(balance.residual)}",
     ]
     if flight.has_battery:
-        lines.insert(1, f"State of charge at the end {history['state_of_charge'][-1]:.3f}")
+        lines.insert(1, f"State of charge at the end {history.state_of_charge[-1]:.3f}")
     return lines
 
 

@@ -9,13 +9,16 @@ from gearwright.mission import (
     Durability,
     Flight,
     LifeSizing,
+    Series,
     bearing_spectra,
+    flight_series,
     mesh_spectrum,
     phase_summaries,
     shaft_spectrum,
 )
 from gearwright.mission.lives import seat_duties
 from gearwright.render.tables.csv_text import csv_text
+from gearwright.units import si_unit
 
 
 def flight_csv(flight: Flight) -> str:
@@ -25,11 +28,7 @@ def flight_csv(flight: Flight) -> str:
         flight: As flown.
     """
     columns = {
-        **flight.history,
-        **{f"speed.{name}": values for name, values in flight.speeds.items()},
-        **{f"torque.{name}": values for name, values in flight.shaft_torques.items()},
-        **{f"power.{name}": values for name, values in flight.machine_powers.items()},
-        **{f"force.{name}": values for name, values in flight.mesh_forces.items()},
+        **{series.name: series.values for series in flight_series(flight)},
         **{f"bearing.{seat.name}": duty.radial for seat, duty in seat_duties(flight)},
     }
     rows = ([phase, *(float(values[k]) for values in columns.values())] for k, phase in enumerate(flight.phase))
@@ -62,11 +61,19 @@ def flight_json(flight: Flight, parts: Durability, life: LifeSizing | None = Non
             for row in parts.bearings.rows
         ],
         "not_rated": parts.notes,
+        "columns": {series.name: _marked(series) for series in flight_series(flight)},
         "spectrum": _spectrum(flight),
     }
     if life is not None:
         told["life"] = {"hours": life.hours, "mass": life.sizing.mass, "mass_before": life.mass_before}
     return json.dumps(told, indent=2, allow_nan=False)
+
+
+def _marked(series: Series) -> dict[str, str]:
+    """Return unit, equation and source of a column of the CSV."""
+    dimension, origin = series.marks
+    made = {"equation": origin.equation, "source": origin.source} if origin else {}
+    return {"unit": si_unit(dimension), **made}
 
 
 def _spectrum(flight: Flight) -> dict[str, dict[str, list[dict[str, float]]]]:

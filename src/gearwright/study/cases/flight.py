@@ -57,9 +57,9 @@ def flight_results(flight: Flight, names: Iterable[str]) -> dict[str, Named]:
 
 
 def _whole(flight: Flight) -> dict[str, Named]:
-    balance, charge = flight.balance, flight.history["state_of_charge"]
+    balance, charge = flight.balance, flight.history.state_of_charge
     lost = balance.gearbox_loss
-    work = {name: float((power * flight.history["duration"]).sum()) for name, power in flight.machine_powers.items()}
+    work = {name: float((machine.power * flight.history.duration).sum()) for name, machine in flight.machines.items()}
     motors = sum(work[name] for name in flight.sizing.design.motors)
     return {
         "fly.fuel": Named(flight.fuel, "mass"),
