@@ -6,12 +6,13 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+from gearwright.cli import design as cli_design
 from gearwright.cli import weights as cli_weights
 from gearwright.errors import DesignError
 
 app = typer.Typer()
 app.command()(cli_weights.engines)
-app.command()(cli_weights.mass)
+app.command()(cli_design.mass)
 
 PW127 = ["mass", "--power-kw", "2051", "--engine-rpm", "20204", "--propeller-rpm", "1212"]
 

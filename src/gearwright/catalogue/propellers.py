@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq
 
 from gearwright.catalogue.tables import data_text
 from gearwright.errors import DesignError, Problem, SolveError, near
@@ -213,6 +212,8 @@ def charted_point(blades: Blades, advance_ratio: float, blade_angle: float) -> t
     Returns:
         C_P and C_T [-], or None where the charts do not hold the point.
     """
+    from scipy.optimize import brentq
+
     charts = hamilton_standard_charts()
 
     def excess(power: float) -> float:

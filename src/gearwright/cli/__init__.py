@@ -21,6 +21,7 @@ from gearwright.cli.mission import fly
 from gearwright.cli.output import STANDARD_OUTPUT, show, tell
 from gearwright.cli.replay import colibri, replay, thesis
 from gearwright.cli.runs import cluster, resume, status
+from gearwright.cli.sections import Sections
 from gearwright.cli.sharing import sharing
 from gearwright.cli.streams import flushed, steady_streams
 from gearwright.cli.study import compare, study
@@ -28,23 +29,29 @@ from gearwright.cli.weights import engines
 from gearwright.cli.windows import window
 from gearwright.version import __version__
 
+COMMANDS = {
+    "Designs": (new, run, check, size, report, draw, schema),
+    "Dynamics": (modes, simulate, campbell, response, runup, sharing),
+    "Flights": (fly, window),
+    "Studies": (compare, study, status, resume, cluster),
+    "Mass and engines": (mass, engines),
+    "Published work": (validate,),
+}
+"""Heading of ``--help`` -> its commands."""
 app = typer.Typer(
+    cls=Sections,
     help="Design aircraft transmissions and see how they behave.",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
+    rich_markup_mode=None,
 )
-COMMANDS = (
-    *(new, run, check, size, modes, simulate, report, draw, schema),
-    *(compare, study, status, resume, cluster),
-    *(campbell, response, runup, sharing, fly, window),
-    *(mass, engines, validate),
-)
-for _command in COMMANDS:
-    app.command()(ended_well(_command))
+for _title, _commands in COMMANDS.items():
+    for _command in _commands:
+        app.command(rich_help_panel=_title)(ended_well(_command))
 for _command in (thesis, colibri):  # older names of two replays
     app.command(hidden=True)(ended_well(_command))
-app.add_typer(replay)
+app.add_typer(replay, rich_help_panel="Published work")
 
 
 @app.callback(invoke_without_command=True)

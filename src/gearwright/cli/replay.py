@@ -16,6 +16,7 @@ from gearwright.cli.designs import sized
 from gearwright.cli.ends import ended_well
 from gearwright.cli.options import JsonOption
 from gearwright.cli.output import show, show_json, tell, write_figure
+from gearwright.cli.sections import Sections
 from gearwright.writing import make_folder, write_bytes, write_text
 
 PAGE_RESOLUTION = 110.0
@@ -135,6 +136,8 @@ def wang(
 
 COMMANDS: dict[str, Callable[..., None]] = {"pulvirenti": thesis, "colibri": colibri, "wang": wang}
 """Replay -> its command."""
-replay = typer.Typer(name="replay", help="Hold published work against what gearwright computes.", no_args_is_help=True)
+replay = typer.Typer(
+    name="replay", cls=Sections, help="Hold published work against what gearwright computes.", no_args_is_help=True
+)
 for _name, _command in COMMANDS.items():
     replay.command(_name)(ended_well(_command))

@@ -70,19 +70,6 @@ def engines(
             _write(path, write(weights_data.engine_rows(rows)))
 
 
-def mass(
-    power_kw: Annotated[float, typer.Option(help="Power at the rating that sizes the gearbox.")],
-    engine_rpm: Annotated[float, typer.Option(help="Speed of the input.")],
-    propeller_rpm: Annotated[float, typer.Option(help="Speed of the propeller or rotor.")],
-    mass_kg: Annotated[float | None, typer.Option(help="Your own mass; it wins over every estimate.")] = None,
-    origin: Annotated[str, typer.Option(help="Where your own mass comes from.")] = "",
-    json: Annotated[Path | None, typer.Option(help="Write the comparison as JSON.")] = None,
-    report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page.")] = None,
-) -> None:
-    """Show what a gearbox weighs by every public method, with the band of the real weights."""
-    show_mass(power_kw, engine_rpm, propeller_rpm, stated=stated_mass(mass_kg, origin), json=json, report=report)
-
-
 def stated_mass(mass_kg: float | None, origin: str) -> StatedMass | None:
     """Return the user's own mass, if there is one.
 

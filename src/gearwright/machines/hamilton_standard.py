@@ -13,7 +13,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from gearwright.errors import SolveError
 
@@ -304,6 +303,8 @@ def _parabola(x: float, xs: Array, ys: Array) -> float:
 
 
 def _root(excess: Callable[[float], float], chart: float) -> float:
+    from scipy.optimize import brentq
+
     if excess(_MOST_THRUST) <= 0.0:
         raise SolveError(f"propeller: no thrust coefficient up to {_MOST_THRUST:g} gives the chart's {chart:.4g}")
     return float(brentq(excess, 0.0, _MOST_THRUST, xtol=1e-12))

@@ -8,7 +8,6 @@ from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import stdtrit
 
 from gearwright.catalogue import weighed_gearboxes
 from gearwright.units import POUND, Mass, Number
@@ -53,6 +52,8 @@ class LogLine:
         Source:
             Prediction interval of simple linear regression, Student's t with n - 2 degrees of freedom.
         """
+        from scipy.special import stdtrit
+
         quantile = float(stdtrit(self.count - 2, 0.5 + 0.5 * level))
         offset = (math.log10(x) - self.mean) ** 2 / self.sum_of_squares
         width = quantile * self.spread * math.sqrt(1.0 + 1.0 / self.count + offset)

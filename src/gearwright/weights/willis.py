@@ -9,8 +9,6 @@ from __future__ import annotations
 
 import math
 
-from scipy.optimize import brentq
-
 from gearwright.units import INCH, POUND, POUND_FORCE
 
 AIRCRAFT_DENSITY = 0.25 * POUND / INCH**3
@@ -90,6 +88,8 @@ def lightest_planet(ring: float, planets: int) -> float:
     Source:
         Willis 1963; Pulvirenti 2023, eq. 1.5, is this for a star.
     """
+    from scipy.optimize import brentq
+
     target = (RING_FACTOR * ring**2 + 1.0) / planets
     return float(brentq(lambda m: 2.0 * m**3 + m**2 - target, 0.0, 1.0 + math.sqrt(target)))
 

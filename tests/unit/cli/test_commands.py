@@ -70,6 +70,30 @@ print(sorted({"numpy", "numba", "matplotlib", "scipy", "h5py", "pydantic", "jinj
     assert done.stdout.splitlines()[-1] == "[]"
 
 
+def test_size_loads_no_dynamics_and_nothing_that_solves_or_compiles():
+    """A design without parallel paths; modules, not seconds."""
+    script = """
+import sys
+from gearwright.cli import main
+sys.argv = ["gearwright", "size", "in-line-h2"]
+try:
+    main()
+except SystemExit:
+    pass
+print(sorted({"numba", "matplotlib", "scipy", "h5py", "jinja2", "gearwright.dynamics"} & set(sys.modules)))
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "[]"
+
+
+def test_help_lists_every_command_once_with_its_whole_first_sentence(call):
+    listed = " ".join(call("--help").out.split())
+    for command in app.registered_commands:
+        if not command.hidden:
+            sentence = " ".join(command.callback.__doc__.partition("\n\n")[0].split()).removesuffix(".")
+            assert listed.count(f" {command.callback.__name__} {sentence}") == 1
+
+
 def test_the_module_runs_as_a_command(tmp_path):
     """What the entry point of the package does: a code for the shell, nothing but the message on standard error."""
     done = subprocess.run(

@@ -8,9 +8,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from scipy.optimize import brentq
-from scipy.special import ellipe, ellipk
-
 from gearwright.parts.bearings.rolling_bearing import BearingGeometry
 
 _FLATTEST = 1e4
@@ -68,6 +65,8 @@ def ellipse_ratio(difference: float) -> float:
     >>> round(ellipse_ratio(0.0), 3)
     1.0
     """
+    from scipy.optimize import brentq
+
     if difference < _NEARLY_ROUND:
         return math.exp(4.0 / 3.0 * difference)
 
@@ -80,6 +79,8 @@ def ellipse_ratio(difference: float) -> float:
 
 def _integrals(ratio: float) -> tuple[float, float]:
     """Return the complete elliptic integrals K(χ) and E(χ)."""
+    from scipy.special import ellipe, ellipk
+
     parameter = 1.0 - 1.0 / ratio**2
     return float(ellipk(parameter)), float(ellipe(parameter))
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from gearwright.dynamics import Trace
-from gearwright.dynamics.vibration import CriticalSpeed, SpeedCase, dynamic_loads
 from gearwright.sizing import Sizing
+
+if TYPE_CHECKING:
+    from gearwright.dynamics import Trace
+    from gearwright.dynamics.vibration import CriticalSpeed, SpeedCase
 
 ROUNDING = 1e-15
 """Relative residual of an energy book below which nothing but rounding is left [-]."""
@@ -20,7 +23,11 @@ def worst_margin(sizing: Sizing, trace: Trace | None = None) -> str:
         trace: A run of it, if the page shows one.
     """
     rated = f"{sizing.worst_margin:.3f}"
-    loads = dynamic_loads(sizing, trace) if trace is not None else ()
+    if trace is None:
+        return rated
+    from gearwright.dynamics.vibration import dynamic_loads
+
+    loads = dynamic_loads(sizing, trace)
     if not loads:
         return rated
     first = loads[0]

@@ -4,22 +4,23 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from gearwright.dynamics import Modes, Trace
-from gearwright.dynamics.vibration import SpeedCase
-from gearwright.render.tables.dynamic_load import dynamic_table
 from gearwright.render.tables.factors import factor_tables, rated
 from gearwright.render.tables.grid import Grid
-from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
 from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing import flow_tables, tables_of
 from gearwright.render.tables.tables import MARKS, Cell, Column, Table, as_json
 from gearwright.render.words.headline import resonances, worst_margin
 from gearwright.sizing import Sizing
 from gearwright.units import text
+
+if TYPE_CHECKING:
+    from gearwright.dynamics import Modes, Trace
+    from gearwright.dynamics.vibration import SpeedCase
 
 _ORDER = (
     "margins",
@@ -128,6 +129,8 @@ def modes_text(modes: Modes, *, most: int = 30) -> RenderableType:
         modes: As found.
         most: Modes that are listed at most.
     """
+    from gearwright.render.tables.motion import mode_table
+
     return table_text(mode_table(modes, most=most))
 
 
@@ -137,6 +140,8 @@ def modes_json(modes: Modes) -> str:
     Args:
         modes: As found.
     """
+    from gearwright.render.tables.motion import mode_table
+
     return json.dumps(as_json(mode_table(modes, most=len(modes.frequency))), indent=2, ensure_ascii=False)
 
 
@@ -147,6 +152,9 @@ def trace_text(trace: Trace, sizing: Sizing | None = None) -> RenderableType:
         trace: As simulated.
         sizing: That it is a run of: with it, peaks stand beside the rated loads.
     """
+    from gearwright.render.tables.dynamic_load import dynamic_table
+    from gearwright.render.tables.motion import energy_table, motion_tables
+
     head = Text(
         f"{trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
         f" estimated force error {trace.error:.1e}"
@@ -163,6 +171,8 @@ def trace_json(trace: Trace) -> str:
     Args:
         trace: As simulated.
     """
+    from gearwright.render.tables.motion import energy_table, motion_tables
+
     tables = {table.title.lower(): as_json(table) for table in (*motion_tables(trace), energy_table(trace))}
     head = {"method": trace.method, "step_s": trace.step, "duration_s": trace.duration, "error": trace.error}
     return json.dumps({**head, "notes": list(trace.notes), **tables}, indent=2, ensure_ascii=False, allow_nan=False)
