@@ -36,6 +36,12 @@ class Role(StrEnum):
     WHEEL = "wheel"
 
 
+SIDES = (Role.PINION, Role.WHEEL)
+"""The gears of a pair."""
+MEMBERS = (Role.SUN, Role.RING, Kind.CARRIER)
+"""What of a planetary set is on a shaft, or on the ground."""
+
+
 class Row(StrEnum):
     """Which meshes of a stage a row holds."""
 
@@ -67,3 +73,58 @@ class PartId(NamedTuple):
         role = "" if self.role in (None, Row.PAIR) else str(self.role)
         label = ".".join(part for part in (self.name, role, self.branch) if part)
         return label if self.number is None else f"{label}-{self.number}"
+
+
+def gear_part(stage: str, role: Role, branch: str = "", *, number: int | None = None) -> PartId:
+    """Return a gear.
+
+    Args:
+        stage: Pair or planetary set that owns it.
+        role: What it is there.
+        branch: Shaft of one of several bodies.
+        number: Of one planet, from 1.
+
+    >>> str(gear_part("first", Role.PLANET, number=2))
+    'first.planet-2'
+    """
+    return PartId(Kind.GEAR, stage, role, branch, number)
+
+
+def mesh_part(stage: str, row: Row, branch: str = "", *, number: int | None = None) -> PartId:
+    """Return a mesh row, or one of its meshes.
+
+    Args:
+        stage: Pair or planetary set that it belongs to.
+        row: Which meshes of the stage.
+        branch: Shaft of one of several parallel rows.
+        number: Of one planet, from 1.
+
+    >>> str(mesh_part("first", Row.SUN_PLANET, number=1)), str(mesh_part("off", Row.PAIR, "left-out"))
+    ('first.sun-planet-1', 'off.left-out')
+    """
+    return PartId(Kind.MESH, stage, row, branch, number)
+
+
+def member_part(stage: str, member: Role | Kind) -> PartId:
+    """Return a member of a planetary set.
+
+    Args:
+        stage: Name of the set.
+        member: Sun, ring, planet, or carrier.
+
+    >>> str(member_part("first", Role.RING)), str(member_part("first", Kind.CARRIER))
+    ('first.ring', 'first.carrier')
+    """
+    return gear_part(stage, member) if isinstance(member, Role) else PartId(member, stage)
+
+
+def carrier_part(stage: str) -> PartId:
+    """Return the carrier of a planetary set.
+
+    Args:
+        stage: Name of the set.
+
+    >>> str(carrier_part("first"))
+    'first.carrier'
+    """
+    return PartId(Kind.CARRIER, stage)

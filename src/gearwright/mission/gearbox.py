@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.errors import by_name
+from gearwright.identity import Role
 from gearwright.parts.losses import (
     OIL_DENSITY,
     ToothContact,
@@ -158,10 +159,8 @@ def _inertia(sizing: Sizing, propeller: str) -> float:
     carriers = {carrier.stage: carrier for carrier in sizing.carriers}
     energy = 0.0
     for gear in sizing.gears:
-        planet = gear.role == "planet"
-        nodes = (f"{gear.stage}.planet",) if planet else gear.shafts
-        energy += gear.inertia * gear.bodies * float(np.mean([speeds[node] ** 2 for node in nodes]))
-        if planet:
+        energy += gear.inertia * gear.bodies * float(np.mean([speeds[node] ** 2 for node in gear.shafts]))
+        if gear.role is Role.PLANET:
             carrier = carriers[gear.stage]
             energy += gear.mass * gear.bodies * (carrier.radius * speeds[carrier.shaft]) ** 2
     energy += sum(shaft.inertia * speeds[shaft.name] ** 2 for shaft in sizing.shafts)
@@ -266,7 +265,7 @@ def _oil_drag(gearbox: Gearbox, speed: Mapping[str, float]) -> tuple[float, floa
     """Return windage and churning [W]; a gear that dips churns the bath instead of the mist."""
     viscosity, windage, churning = oil_viscosity(gearbox.oil.temperature), 0.0, 0.0
     for gear in gearbox.sizing.gears:
-        turning = speed.get(gear.name if gear.role == "planet" else gear.shafts[0], 0.0)
+        turning = speed.get(gear.shafts[0], 0.0)
         dip = gearbox.oil.dip.get(gear.name, 0.0)
         if dip:
             module = gear.module / math.cos(gear.helix_angle)

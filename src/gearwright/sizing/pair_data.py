@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
+from gearwright.identity import Role
 from gearwright.parts.gears import BasicRack, CylindricalGear, span_measurement, spanned_teeth
 from gearwright.parts.iso6336 import MeshGeometry
 from gearwright.sizing.rating import bevel_pair, cylindrical_mesh, rating_of
@@ -102,12 +103,12 @@ def pair_data(sizing: Sizing, mesh: MeshSizing) -> CylindricalPairData | BevelPa
         return _bevel(sizing, pinion, wheel)
     width = min(pinion.face_width, wheel.face_width)
     geometry = cylindrical_mesh((pinion.teeth, wheel.teeth), pinion.module, width, rating,
-                                internal=wheel.role == "ring")  # fmt: skip
+                                internal=wheel.role is Role.RING)  # fmt: skip
     return _cylindrical(geometry, pinion, wheel)
 
 
 def _cylindrical(mesh: MeshGeometry, pinion: GearSizing, wheel: GearSizing) -> CylindricalPairData:
-    external = wheel.role != "ring"
+    external = wheel.role is not Role.RING
     shifts = tuple(float(tooth.profile_shift) for tooth in mesh.proportions)
     gears = [
         _gear(gear, shift, float(mesh.pressure_angle)) for gear, shift in zip((pinion, wheel), shifts, strict=True)

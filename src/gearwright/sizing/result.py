@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Annotated
 
 from gearwright.checks import Check, worst
+from gearwright.identity import PartId, Role, Row, carrier_part, gear_part, mesh_part
 from gearwright.parts.bearings import system_life, weibull_slope
 from gearwright.sizing.arranged import Arrangement
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
@@ -23,12 +25,10 @@ _THESIS = "Pulvirenti 2023"
 class GearSizing:
     """One kind of gear body."""
 
-    name: str
-    """Such as ``first.sun``."""
     stage: str
     """Pair or planetary set that owns it."""
-    role: str
-    """sun, planet, ring, pinion or wheel."""
+    role: Role
+    """What it is in its stage."""
     shafts: tuple[str, ...]
     """What carries it."""
     bodies: int
@@ -52,13 +52,33 @@ class GearSizing:
     inertia: Annotated[float, Quantity("inertia"), Origin("I = m d²/8", f"{_THESIS}, eq. 3.6")]
     """Polar inertia of one body about its own axis [kg m²]."""
 
+    @cached_property
+    def part(self) -> PartId:
+        """Who it is."""
+        return gear_part(self.stage, self.role)
+
+    @cached_property
+    def name(self) -> str:
+        """Its label, such as ``first.sun``."""
+        return str(self.part)
+
+    def body(self, shaft: str) -> PartId:
+        """Return the body on one of its shafts; the gear itself where it has one.
+
+        Args:
+            shaft: That carries the body.
+        """
+        return self.part if len(self.shafts) == 1 else gear_part(self.stage, self.role, shaft)
+
 
 @dataclass(frozen=True)
 class MeshSizing:
     """One row of equal meshes at its worst case."""
 
-    name: str
-    """Such as ``first.sun-planet``."""
+    stage: str
+    """Pair or planetary set that it belongs to."""
+    row: Row
+    """Which meshes of the stage it holds."""
     gears: tuple[str, str]
     """Names of the two gears."""
     count: int
@@ -97,6 +117,19 @@ class MeshSizing:
     """Allowable over actual contact pressure [-]; 1 is just enough."""
     rating: MeshRating | None = None
     """By ISO 6336 or ISO 10300, whose stresses and safeties then stand above; None for Lewis and Hertz."""
+
+    branch: str = ""
+    """Shaft that tells it from the other rows of a pair; empty where the pair has one."""
+
+    @cached_property
+    def part(self) -> PartId:
+        """Who it is."""
+        return mesh_part(self.stage, self.row, self.branch)
+
+    @cached_property
+    def name(self) -> str:
+        """Its label, such as ``first.sun-planet``."""
+        return str(self.part)
 
 
 @dataclass(frozen=True)
@@ -208,6 +241,11 @@ class CarrierSizing:
     """Pins and plate, without planets [kg]."""
     inertia: Annotated[float, Quantity("inertia"), Origin("pins and plate", "geometry")]
     """Pins and plate, without planets [kg m²]."""
+
+    @property
+    def part(self) -> PartId:
+        """Who it is."""
+        return carrier_part(self.stage)
 
 
 @dataclass(frozen=True)

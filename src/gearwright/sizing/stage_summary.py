@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
 
+from gearwright.identity import Role, gear_part
 from gearwright.sizing.result import Sizing
 from gearwright.spec import Planetary
 from gearwright.units import Origin, Quantity
@@ -42,7 +43,7 @@ def stage_summaries(sizing: Sizing, design: str) -> Iterator[StageSummary]:
     """
     gears = {gear.name: gear for gear in sizing.gears}
     for stage in sizing.design.stages:
-        rows = [mesh for mesh in sizing.meshes if mesh.name.partition(".")[0] == stage]
+        rows = [mesh for mesh in sizing.meshes if mesh.stage == stage]
         first = gears[rows[0].gears[0]]
         planetary = isinstance(sizing.design.stages[stage], Planetary)
         yield StageSummary(
@@ -70,7 +71,8 @@ def _kind(sizing: Sizing, stage: str, rows: int) -> str:
 def _ratio(sizing: Sizing, stage: str) -> float:
     record, teeth = sizing.design.stages[stage], sizing.teeth
     if isinstance(record, Planetary):
-        ratio = teeth[f"{stage}.ring"] / teeth[f"{stage}.sun"]
+        sun, ring = (teeth[str(gear_part(stage, role))] for role in (Role.SUN, Role.RING))
+        ratio = ring / sun
         return ratio if record.carrier == "ground" else 1.0 + ratio
     mesh = next(mesh for mesh in sizing.train.meshes if mesh.stage == stage)
     return teeth[mesh.gears[1]] / teeth[mesh.gears[0]]

@@ -3,7 +3,7 @@
 from gearwright.train.branches import Attachment, Branch, attachments, branches
 from gearwright.train.edges import Edge, members_of, willis_ratio, willis_speed
 from gearwright.train.flow import RATED, MeshFlow, PowerFlow, power_flow, power_flows
-from gearwright.train.graph import EXTERNAL, INTERNAL, Gear, Joint, Mesh, Train, build_train, gear_of
+from gearwright.train.graph import EXTERNAL, INTERNAL, Gear, Joint, Mesh, Train, build_train, gear_of, gears_of
 from gearwright.train.memory import remembered
 from gearwright.train.recirculation import recirculation
 from gearwright.train.targets import Targets, targets
@@ -28,6 +28,7 @@ __all__ = [
     "branches",
     "build_train",
     "gear_of",
+    "gears_of",
     "members_of",
     "power_flow",
     "power_flows",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from gearwright.identity import Kind, PartId, Role, Row, carrier_part
 from gearwright.train.flow import PowerFlow
 from gearwright.train.graph import Mesh, Train
 from gearwright.units import Power, Speed, Torque
@@ -15,12 +16,10 @@ class Branch:
 
     shaft: str
     """Shaft, or ``ground``."""
-    part: str
+    part: PartId
     """Machine, clutch, or member of a stage such as ``first.sun``, ``first.carrier``."""
     stage: str
     """Pair or planetary set; empty for machines and clutches."""
-    kind: str
-    """``machine``, ``clutch``, or the member's role."""
     speed: Speed
     """Of the shaft [rad/s]."""
     torque: Torque
@@ -37,9 +36,14 @@ class Attachment:
     """Where a part of the train sits on a shaft."""
 
     shaft: str
-    part: str
+    part: PartId
     stage: str
-    kind: str
+    """Of which it is a member there, also of a gear that another pair owns; empty for machines and clutches."""
+
+    @property
+    def member(self) -> Role | Kind:
+        """What it is there: role of a gear, or carrier, machine, clutch."""
+        return self.part.role if isinstance(self.part.role, Role) else self.part.kind
 
 
 def attachments(train: Train) -> tuple[Attachment, ...]:
@@ -48,28 +52,30 @@ def attachments(train: Train) -> tuple[Attachment, ...]:
     Args:
         train: The graph.
     """
-    machines = [Attachment(shaft, name, "", "machine") for name, shaft in train.machines.items()]
+    machines = [Attachment(shaft, PartId(Kind.MACHINE, name), "") for name, shaft in train.machines.items()]
     gears = [
-        Attachment(shaft, gear.name, gear.stage, gear.role)
+        Attachment(shaft, gear.part, gear.stage)
         for gear in train.gears
         for shaft in gear.nodes
-        if gear.role != "planet"
+        if gear.role is not Role.PLANET
     ]
     shared = [
-        Attachment(node, gear, mesh.stage, "shared")
+        Attachment(node, train.gear(gear).part, mesh.stage)
         for mesh in train.meshes
         for gear, node in zip(mesh.gears, mesh.nodes, strict=False)
-        if not gear.startswith(f"{mesh.stage}.")
+        if train.gear(gear).stage != mesh.stage
     ]
-    carriers = {
-        mesh.stage: Attachment(mesh.nodes[2], f"{mesh.stage}.carrier", mesh.stage, "carrier")
+    carriers = [
+        Attachment(mesh.nodes[2], carrier_part(mesh.stage), mesh.stage)
         for mesh in train.meshes
-        if any(train.gear(gear).role == "planet" for gear in mesh.gears)
-    }
-    clutches = [
-        Attachment(shaft, joint.name, "", "clutch") for joint in train.joints for shaft in (joint.driving, joint.driven)
+        if mesh.row is Row.SUN_PLANET
     ]
-    return tuple(dict.fromkeys([*machines, *gears, *shared, *carriers.values(), *clutches]))
+    clutches = [
+        Attachment(shaft, PartId(Kind.CLUTCH, joint.name), "")
+        for joint in train.joints
+        for shaft in (joint.driving, joint.driven)
+    ]
+    return tuple(dict.fromkeys([*machines, *gears, *shared, *carriers, *clutches]))
 
 
 def branches(train: Train, flow: PowerFlow) -> tuple[Branch, ...]:
@@ -84,7 +90,6 @@ def branches(train: Train, flow: PowerFlow) -> tuple[Branch, ...]:
             attachment.shaft,
             attachment.part,
             attachment.stage,
-            attachment.kind,
             flow.speeds[attachment.shaft],
             _torque(attachment, train, flow),
         )
@@ -93,18 +98,19 @@ def branches(train: Train, flow: PowerFlow) -> tuple[Branch, ...]:
 
 
 def _torque(attachment: Attachment, train: Train, flow: PowerFlow) -> float:
-    if attachment.kind == "machine":
-        return flow.machine_torques[attachment.part]
-    if attachment.kind == "clutch":
-        joint = next(joint for joint in train.joints if joint.name == attachment.part)
-        torque = flow.joints.get(attachment.part, 0.0)
+    part = attachment.part
+    if part.kind is Kind.MACHINE:
+        return flow.machine_torques[part.name]
+    if part.kind is Kind.CLUTCH:
+        joint = next(joint for joint in train.joints if joint.name == part.name)
+        torque = flow.joints.get(part.name, 0.0)
         return torque if attachment.shaft == joint.driven else -torque
     return sum(_on_member(attachment, mesh, flow) for mesh in train.meshes if mesh.stage == attachment.stage)
 
 
 def _on_member(attachment: Attachment, mesh: Mesh, flow: PowerFlow) -> float:
-    torques = flow.meshes[mesh.name].torques
-    if attachment.kind == "carrier":
+    torques, name = flow.meshes[mesh.name].torques, str(attachment.part)
+    if attachment.part.kind is Kind.CARRIER:
         return torques[2]
     ends = zip(mesh.gears, mesh.nodes[:2], torques[:2], strict=True)
-    return sum(torque for gear, node, torque in ends if gear == attachment.part and node == attachment.shaft)
+    return sum(torque for gear, node, torque in ends if gear == name and node == attachment.shaft)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gearwright.identity import SIDES
 from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.graph import shafts_of
 from gearwright.train.kinematics import Array
@@ -54,7 +55,7 @@ def edge_of(name: str, design: Design) -> Edge | None:
     """
     stage = design.stages[name]
     if isinstance(stage, Pair):
-        pinions, wheels = shafts_of("pinion", stage, design), shafts_of("wheel", stage, design)
+        pinions, wheels = (shafts_of(side, stage, design) for side in SIDES)
         return Edge(name, tuple(pinions), tuple(wheels), "axes")
     if stage.ring == GROUND:
         return Edge(name, (stage.sun,), (stage.carrier,), "ring")

@@ -10,10 +10,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
 
+from gearwright.identity import SIDES, PartId, Role, Row, gear_part, mesh_part
 from gearwright.spec import GROUND, Design, Pair, Planetary
-from gearwright.spec.checks import as_list
 
 EXTERNAL, INTERNAL = -1, 1
 
@@ -22,26 +21,34 @@ EXTERNAL, INTERNAL = -1, 1
 class Gear:
     """One kind of toothed body; several equal ones count together."""
 
-    name: str
-    """Such as ``first.sun``."""
     stage: str
     """Pair or planetary set that owns it."""
-    role: Literal["sun", "planet", "ring", "pinion", "wheel"]
+    role: Role
     """What it is in its stage."""
     nodes: tuple[str, ...]
     """Shafts that carry it (one body, or one per half, on each), or the planet's own node."""
     bodies: int
     """Number of equal bodies."""
 
+    @cached_property
+    def part(self) -> PartId:
+        """Who it is."""
+        return gear_part(self.stage, self.role)
+
+    @cached_property
+    def name(self) -> str:
+        """Its label, such as ``first.sun``."""
+        return str(self.part)
+
 
 @dataclass(frozen=True)
 class Mesh:
     """A row of the graph: one mesh, or several equal ones that share a load."""
 
-    name: str
-    """Such as ``first.sun-planet``."""
     stage: str
     """Pair or planetary set that it belongs to."""
+    row: Row
+    """Which meshes of the stage it holds."""
     gears: tuple[str, str]
     """Names of gear a and gear b."""
     nodes: tuple[str, str, str]
@@ -50,6 +57,18 @@ class Mesh:
     """−1 external, +1 internal."""
     count: int
     """Number of equal meshes of the row (planets, halves)."""
+    branch: str = ""
+    """Shaft that tells it from the other rows of a pair; empty where the pair has one."""
+
+    @cached_property
+    def part(self) -> PartId:
+        """Who it is."""
+        return mesh_part(self.stage, self.row, self.branch)
+
+    @cached_property
+    def name(self) -> str:
+        """Its label, such as ``first.sun-planet``."""
+        return str(self.part)
 
 
 @dataclass(frozen=True)
@@ -94,6 +113,29 @@ class Train:
         """
         return self._by_name[name]
 
+    def gear_of(self, stage: str, role: Role) -> Gear:
+        """Return what plays a role in a stage.
+
+        Args:
+            stage: That owns the gear.
+            role: Such as the sun.
+        """
+        return self._by_name[str(gear_part(stage, role))]
+
+    def mesh_of(self, stage: str, row: Row) -> Mesh:
+        """Return a mesh row of a stage, of several parallel ones the first.
+
+        Args:
+            stage: That the mesh belongs to.
+            row: Such as sun and planets.
+        """
+        return next(mesh for mesh in self.meshes if mesh.stage == stage and mesh.row is row)
+
+    @cached_property
+    def planet_nodes(self) -> frozenset[str]:
+        """Nodes that are no shafts: one of each planetary set, which all its planets share."""
+        return frozenset(node for gear in self.gears if gear.role is Role.PLANET for node in gear.nodes)
+
 
 def build_train(design: Design) -> Train:
     """Return the graph of a design.
@@ -105,7 +147,7 @@ def build_train(design: Design) -> Train:
     meshes: list[Mesh] = []
     planets: list[str] = []
     for name, planetary in design.planetaries.items():
-        planets.append(f"{name}.planet")
+        planets.append(str(gear_part(name, Role.PLANET)))
         gears += _planetary_gears(name, planetary)
         meshes += _planetary_meshes(name, planetary)
     for name, pair in design.pairs.items():
@@ -120,68 +162,74 @@ def build_train(design: Design) -> Train:
     return Train((*design.shafts, *planets), tuple(gears), tuple(meshes), joints, machines)
 
 
-def _planetary_gears(name: str, planetary: Planetary) -> list[Gear]:
+def _planetary_gears(stage: str, planetary: Planetary) -> list[Gear]:
     return [
-        Gear(f"{name}.sun", name, "sun", (planetary.sun,), 1),
-        Gear(f"{name}.planet", name, "planet", (f"{name}.planet",), planetary.planets),
-        Gear(f"{name}.ring", name, "ring", (planetary.ring,), 1),
+        Gear(stage, Role.SUN, (planetary.sun,), 1),
+        Gear(stage, Role.PLANET, (str(gear_part(stage, Role.PLANET)),), planetary.planets),
+        Gear(stage, Role.RING, (planetary.ring,), 1),
     ]
 
 
-def _planetary_meshes(name: str, planetary: Planetary) -> list[Mesh]:
-    sun, planet, ring = f"{name}.sun", f"{name}.planet", f"{name}.ring"
+def _planetary_meshes(stage: str, planetary: Planetary) -> list[Mesh]:
+    sun, planet, ring = gears_of(stage, planetary)
     count, carrier = planetary.planets, planetary.carrier
     return [
-        Mesh(f"{name}.sun-planet", name, (sun, planet), (planetary.sun, planet, carrier), EXTERNAL, count),
-        Mesh(f"{name}.planet-ring", name, (planet, ring), (planet, planetary.ring, carrier), INTERNAL, count),
+        Mesh(stage, Row.SUN_PLANET, (sun, planet), (planetary.sun, planet, carrier), EXTERNAL, count),
+        Mesh(stage, Row.PLANET_RING, (planet, ring), (planet, planetary.ring, carrier), INTERNAL, count),
     ]
 
 
-def gear_of(stage: str, side: str, pair: Pair) -> str:
-    """Return the name of the gear on one side of a pair, its own or the one that it shares.
+def gear_of(stage: str, side: Role, pair: Pair) -> PartId:
+    """Return the gear on one side of a pair, its own or the one that it shares.
 
     Args:
         stage: Name of the pair.
-        side: ``pinion`` or ``wheel``.
+        side: Pinion or wheel.
         pair: The pair.
     """
-    reference = as_list(getattr(pair, side))[0]
-    return reference if "." in reference else f"{stage}.{side}"
+    return gear_part(*(pair.shared(side) or (stage, side)))
 
 
-def shafts_of(side: str, pair: Pair, design: Design) -> list[str]:
+def gears_of(name: str, stage: Pair | Planetary) -> tuple[str, ...]:
+    """Return the names of a stage's gears: sun, planet and ring, or pinion and wheel, its own or shared.
+
+    Args:
+        name: Of the stage.
+        stage: As in the design.
+    """
+    if isinstance(stage, Planetary):
+        return tuple(str(gear_part(name, role)) for role in (Role.SUN, Role.PLANET, Role.RING))
+    return tuple(str(gear_of(name, side, stage)) for side in SIDES)
+
+
+def shafts_of(side: Role, pair: Pair, design: Design) -> list[str]:
     """Return the shafts on one side of a pair.
 
     Args:
-        side: ``pinion`` or ``wheel``.
+        side: Pinion or wheel.
         pair: The pair.
         design: Where a shared gear is looked up.
     """
-    names = as_list(getattr(pair, side))
-    if "." not in names[0]:
-        return names
-    stage, _, gear = names[0].partition(".")
-    return as_list(getattr(design.pairs[stage], gear))
+    shared = pair.shared(side)
+    return pair.named(side) if shared is None else design.pairs[shared[0]].named(shared[1])
 
 
-def _pair_gears(name: str, pair: Pair) -> list[Gear]:
-    gears: list[Gear] = []
-    for side in ("pinion", "wheel"):
-        shafts = as_list(getattr(pair, side))
-        if "." not in shafts[0]:
-            role: Literal["pinion", "wheel"] = "pinion" if side == "pinion" else "wheel"
-            gears.append(Gear(f"{name}.{side}", name, role, tuple(shafts), len(shafts) * pair.halves))
-    return gears
+def _pair_gears(stage: str, pair: Pair) -> list[Gear]:
+    return [
+        Gear(stage, side, tuple(pair.named(side)), len(pair.named(side)) * pair.halves)
+        for side in SIDES
+        if pair.shared(side) is None
+    ]
 
 
-def _pair_meshes(name: str, pair: Pair, design: Design) -> list[Mesh]:
-    pinions, wheels = shafts_of("pinion", pair, design), shafts_of("wheel", pair, design)
+def _pair_meshes(stage: str, pair: Pair, design: Design) -> list[Mesh]:
+    pinions, wheels = (shafts_of(side, pair, design) for side in SIDES)
     count = max(len(pinions), len(wheels))
     ends = zip(pinions * (count // len(pinions)), wheels * (count // len(wheels)), strict=True)
-    gears = (gear_of(name, "pinion", pair), gear_of(name, "wheel", pair))
+    pinion, wheel = gears_of(stage, pair)
     sign = INTERNAL if pair.internal else EXTERNAL
     parallel = pinions if len(pinions) > 1 else wheels
     return [
-        Mesh(name if count == 1 else f"{name}.{parallel[k]}", name, gears, (pinion, wheel, GROUND), sign, pair.halves)
-        for k, (pinion, wheel) in enumerate(ends)
+        Mesh(stage, Row.PAIR, (pinion, wheel), (*shafts, GROUND), sign, pair.halves, "" if count == 1 else parallel[k])
+        for k, shafts in enumerate(ends)
     ]

@@ -133,7 +133,7 @@ def _free(train: Train, free: Array, motions: Array, kept: int) -> DesignError:
     """Name the shafts whose speed nothing determines."""
     remaining = free @ null_space(motions) if len(motions) else free
     loose = [name for name, motion in zip(train.nodes, remaining, strict=True) if np.linalg.norm(motion) > 1e-6]
-    shafts = [name for name in loose if "." not in name]
+    shafts = [name for name in loose if name not in train.planet_nodes]
     message = (
         f"the speeds of {', '.join(shafts)} are not determined: the train has {free.shape[1]} free speeds and the"
         f" machines give {kept}; give a machine with a speed on one of them, ground a member, or join two shafts"

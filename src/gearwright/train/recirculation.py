@@ -49,7 +49,7 @@ def _edges(train: Train, flow: PowerFlow) -> dict[str, dict[str, float]]:
     powers: dict[tuple[str, str], float] = {}
     for mesh in train.meshes:
         for node, torque in zip(mesh.nodes, flow.meshes[mesh.name].torques, strict=True):
-            if node != GROUND and "." not in node:
+            if node != GROUND and node not in train.planet_nodes:
                 key = (f"stage {mesh.stage}", node)
                 powers[key] = powers.get(key, 0.0) + torque * flow.speeds[node]
     for joint in train.joints:

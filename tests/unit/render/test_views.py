@@ -22,7 +22,7 @@ def test_the_parts_on_every_shaft_are_in_balance_in_every_case(designs) -> None:
 
 def test_the_ground_takes_the_reaction_of_the_rings(in_line_h2) -> None:
     found = branches(in_line_h2.train, in_line_h2.flows["rated"])
-    held = {each.part for each in found if each.shaft == GROUND}
+    held = {str(each.part) for each in found if each.shaft == GROUND}
     assert held == {"first.ring", "second.ring"}
     assert sum(each.power for each in found if each.shaft == GROUND) == 0.0
 

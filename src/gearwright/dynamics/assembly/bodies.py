@@ -9,6 +9,7 @@ from typing import NamedTuple
 from gearwright.dynamics.assembly.contacts import body_of
 from gearwright.dynamics.assembly.meshes import gear_pairs, mesh_curve
 from gearwright.dynamics.model import Model
+from gearwright.identity import SIDES, Role, gear_part
 from gearwright.parts.gears import GearPair
 from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
@@ -107,7 +108,7 @@ def add_bodies(assembly: Assembly) -> None:
     for name in sizing.design.planetaries:
         _add_set(assembly, name)
     for gear in sizing.gears:
-        if gear.role in ("pinion", "wheel"):
+        if gear.role in SIDES:
             for shaft in gear.shafts:
                 assembly.put(body_of(sizing, gear.name, shaft), shaft, gear.inertia * gear.bodies / len(gear.shafts))
     for sized in sizing.shafts:
@@ -120,14 +121,15 @@ def _add_set(assembly: Assembly, name: str) -> None:
     """Put a planetary set on its shafts; planets turn on none."""
     sizing, planetary = assembly.sizing, assembly.sizing.design.planetaries[name]
     gears = {gear.role: gear for gear in sizing.gears if gear.stage == name}
-    planet, carrier = gears["planet"], next(carrier for carrier in sizing.carriers if carrier.stage == name)
+    planet, carrier = gears[Role.PLANET], next(carrier for carrier in sizing.carriers if carrier.stage == name)
     # Planets that move on their pins are masses of their own.
     carried = 0.0 if name in assembly.moving else planet.bodies * planet.mass * carrier.radius**2
-    assembly.put(f"{name}.sun", planetary.sun, gears["sun"].inertia)
-    assembly.put(f"{name}.carrier", planetary.carrier, carrier.inertia + carried)
-    assembly.put(f"{name}.ring", planetary.ring, gears["ring"].inertia)
-    for k in range(planetary.planets):
-        assembly.rotors[f"{name}.planet-{k + 1}"] = Rotor(planet.inertia, assembly.flow.speeds[f"{name}.planet"])
+    assembly.put(gears[Role.SUN].name, planetary.sun, gears[Role.SUN].inertia)
+    assembly.put(str(carrier.part), planetary.carrier, carrier.inertia + carried)
+    assembly.put(gears[Role.RING].name, planetary.ring, gears[Role.RING].inertia)
+    for number in range(1, planetary.planets + 1):
+        body = str(gear_part(name, Role.PLANET, number=number))
+        assembly.rotors[body] = Rotor(planet.inertia, assembly.flow.speeds[planet.name])
 
 
 def _share_shaft(assembly: Assembly, shaft: ShaftSizing) -> None:

@@ -12,10 +12,10 @@ from gearwright.dynamics.assembly.bodies import Assembly
 from gearwright.dynamics.assembly.contacts import push_sense
 from gearwright.dynamics.assembly.meshes import gear_of
 from gearwright.dynamics.model import Entries, Member, PlanetarySet, System, add_planetary
+from gearwright.identity import MEMBERS, Kind, Role, Row, carrier_part, gear_part, member_part, mesh_part
 from gearwright.parts.planetary import even_positions, planet_phases
-from gearwright.sizing import CarrierSizing, Sizing
+from gearwright.sizing import CarrierSizing, GearSizing, Sizing
 from gearwright.spec import GROUND, Planetary
-from gearwright.spec.checks import MEMBERS
 from gearwright.train import PowerFlow
 
 
@@ -29,13 +29,14 @@ def add_moving_set(assembly: Assembly, stage: str) -> None:
     Source: Lin & Parker 1999, J. Vib. Acoust. 121, 316-321.
     """
     planetary, flow = assembly.sizing.design.planetaries[stage], assembly.flow
-    shafts = {name: getattr(planetary, name) for name in MEMBERS}
+    shafts = {str(member): getattr(planetary, member) for member in MEMBERS}
     speeds = {name: flow.speeds[shaft] for name, shaft in shafts.items() if shaft != GROUND}
     add_planetary(assembly.model, _planetary_set(assembly, stage), name=stage, speeds=speeds)
 
 
 def _planetary_set(assembly: Assembly, stage: str) -> PlanetarySet:
-    planetary, rows = assembly.sizing.design.planetaries[stage], (f"{stage}.sun-planet", f"{stage}.planet-ring")
+    planetary = assembly.sizing.design.planetaries[stage]
+    rows = tuple(str(mesh_part(stage, row)) for row in (Row.SUN_PLANET, Row.PLANET_RING))
     inner, outer = (assembly.pairs[row] for row in rows)
     places = even_positions(planetary.planets)
     return PlanetarySet(
@@ -55,25 +56,30 @@ def _planetary_set(assembly: Assembly, stage: str) -> PlanetarySet:
 def _members(assembly: Assembly, stage: str) -> tuple[Member, Member, Member, Member]:
     """Return sun, ring, carrier and one planet; what is part of the ground and rigid has no motion."""
     sizing, planetary = assembly.sizing, assembly.sizing.design.planetaries[stage]
-    inner, outer = (assembly.pairs[f"{stage}.{end}"] for end in ("sun-planet", "planet-ring"))
-    gears = {gear.role: gear for gear in sizing.gears if gear.stage == stage}
-    mass = {role: gear.mass for role, gear in gears.items()} | {"carrier": _carrier(sizing, stage).mass}
-    radius = {"sun": inner.driver.base_radius, "ring": outer.driven.base_radius, "carrier": inner.centre_distance}
+    inner, outer = (assembly.pairs[str(mesh_part(stage, row))] for row in (Row.SUN_PLANET, Row.PLANET_RING))
+    gears: dict[Role | Kind, GearSizing] = {gear.role: gear for gear in sizing.gears if gear.stage == stage}
+    mass = {role: gear.mass for role, gear in gears.items()} | {Kind.CARRIER: _carrier(sizing, stage).mass}
+    radii = (inner.driver.base_radius, outer.driven.base_radius, inner.centre_distance)
+    radius: dict[Role | Kind, float] = dict(zip(MEMBERS, radii, strict=True))
 
-    def member(name: str) -> Member:
+    def member(role: Role | Kind) -> Member:
         # A member that stands still is no body of the train; a ring that does gives way as itself.
-        standing = gears[name].inertia if name in gears else 1.0
-        rotor = assembly.rotors.get(f"{stage}.{name}")
-        support, torsion = _support(planetary, name), _torsion(planetary, name, radius[name])
-        return Member(mass[name], rotor.inertia if rotor else standing, radius[name], support=support, torsion=torsion)
+        standing = gears[role].inertia if role in gears else 1.0
+        rotor = assembly.rotors.get(str(member_part(stage, role)))
+        support, torsion = _support(planetary, role), _torsion(planetary, role, radius[role])
+        return Member(mass[role], rotor.inertia if rotor else standing, radius[role], support=support, torsion=torsion)
 
     pin = math.inf if "pin" in planetary.bearings.rigid else pin_stiffness(sizing, stage)
-    planet = Member(mass["planet"], gears["planet"].inertia, inner.driven.base_radius, support=pin)
-    return member("sun"), member("ring"), member("carrier"), planet
+    planet = Member(mass[Role.PLANET], gears[Role.PLANET].inertia, inner.driven.base_radius, support=pin)
+    return member(Role.SUN), member(Role.RING), member(Kind.CARRIER), planet
 
 
 def _carrier(sizing: Sizing, stage: str) -> CarrierSizing:
     return next(carrier for carrier in sizing.carriers if carrier.stage == stage)
+
+
+def _planet(sizing: Sizing, stage: str) -> GearSizing:
+    return gear_of(sizing, str(gear_part(stage, Role.PLANET)))
 
 
 def pin_stiffness(sizing: Sizing, stage: str) -> float:
@@ -88,20 +94,20 @@ def pin_stiffness(sizing: Sizing, stage: str) -> float:
     stated = sizing.design.planetaries[stage].bearings.pin
     if stated is not None:
         return stated
-    width, diameter = gear_of(sizing, f"{stage}.planet").face_width, _carrier(sizing, stage).pin_diameter
+    width, diameter = _planet(sizing, stage).face_width, _carrier(sizing, stage).pin_diameter
     modulus = materials()[sizing.design.rules(stage).material].elastic_modulus
     return 3.0 * modulus * math.pi / 64.0 * diameter**4 / (0.5 * width) ** 3
 
 
-def _support(planetary: Planetary, name: str) -> float:
-    grounded = name in ("sun", "carrier") and getattr(planetary, name) == GROUND
+def _support(planetary: Planetary, name: Role | Kind) -> float:
+    grounded = name is not Role.RING and getattr(planetary, name) == GROUND
     return math.inf if grounded or name in planetary.bearings.rigid else float(getattr(planetary.bearings, name))
 
 
-def _torsion(planetary: Planetary, name: str, radius: float) -> float:
+def _torsion(planetary: Planetary, name: Role | Kind, radius: float) -> float:
     if getattr(planetary, name) != GROUND:
         return 0.0
-    if name == "ring" and "ring" not in planetary.bearings.rigid:
+    if name is Role.RING and name.value not in planetary.bearings.rigid:
         return planetary.bearings.ring_tangential * radius**2
     return math.inf
 
@@ -124,13 +130,13 @@ def with_preload(system: System, sizing: Sizing, flow: PowerFlow) -> System:
     names, old = system.labels.coordinates, system.arrays.centripetal
     rows, columns, values = list[int](), list[int](), list[float]()
     for stage, planetary in sizing.design.planetaries.items():
-        carrier, speed = f"{stage}.carrier", flow.speeds[planetary.carrier]
-        if f"{stage}.planet-1.tangential" not in names or carrier not in names:
+        carrier, speed = str(carrier_part(stage)), flow.speeds[planetary.carrier]
+        paths = [f"{gear_part(stage, Role.PLANET, number=k + 1)}.tangential" for k in range(planetary.planets)]
+        if paths[0] not in names or carrier not in names:
             continue
         radius, turn = _carrier(sizing, stage).radius, names.index(carrier)
-        pull = gear_of(sizing, f"{stage}.planet").mass * speed**2 * radius
-        for number in range(1, planetary.planets + 1):
-            along = names.index(f"{stage}.planet-{number}.tangential")
+        pull = _planet(sizing, stage).mass * speed**2 * radius
+        for along in map(names.index, paths):
             rows += [along, turn, turn]
             columns += [turn, along, turn]
             values += [-pull, -pull, pull * radius]

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
+from gearwright.identity import Role
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.spectrum import mesh_spectrum
 from gearwright.parts.iso6336 import LifeCurve, StressBin, bending_life_curve, contact_life_curve, damage_parts
@@ -92,7 +93,7 @@ def unrated_stages(design: Design) -> tuple[str, ...]:
 
 
 def _joined(flight: Flight, gear: str, parts: Sequence[float]) -> float:
-    return max(parts) if flight.sizing.train.gear(gear).role == "planet" else sum(parts)
+    return max(parts) if flight.sizing.train.gear(gear).role is Role.PLANET else sum(parts)
 
 
 def _mesh_damage(flight: Flight, mesh: Mesh) -> list[tuple[float, float]]:

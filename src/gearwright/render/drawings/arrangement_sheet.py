@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import product
 
+from gearwright.identity import carrier_part
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.dimensions import extent
 from gearwright.render.drawings.sheet.entities import SMALL, Box, Distance, Entity, Layer, Path, Words
@@ -138,7 +139,7 @@ def _ends(sizing: Sizing, plane: Positions, shaft: str) -> tuple[float, float]:
     """Return the middles of the first and the last gear, carrier or bearing on a shaft [mm]."""
     carried = [gear.name for gear in sizing.gears if shaft in gear.shafts]
     carried += [
-        f"{name}.carrier" for name, planetary in sizing.design.planetaries.items() if planetary.carrier == shaft
+        str(carrier_part(name)) for name, planetary in sizing.design.planetaries.items() if planetary.carrier == shaft
     ]
     seats = [plane.places[shaft][name] for name in carried]
     seats += [MM * bearing.position for bearing in sizing.bearings if bearing.shaft == shaft]

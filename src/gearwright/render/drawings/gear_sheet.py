@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from gearwright.catalogue import materials
+from gearwright.identity import Role
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.dimensions import corner_leader, corner_words, words_corners
 from gearwright.render.drawings.sheet.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words
@@ -71,10 +72,10 @@ def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, name: str) -> Con
 
 def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:
     ratio = sizing.design.rules(gear.stage).web_ratio
-    if gear.role == "wheel" and ratio < 1.0:
+    if gear.role is Role.WHEEL and ratio < 1.0:
         yield f"Web not sized: the mass is {ratio:g} of the solid disc's, the solid disc is drawn."
     if gear.bodies > 1:
-        yield f"{gear.bodies} equal bodies." if gear.role == "planet" else ""
+        yield f"{gear.bodies} equal bodies." if gear.role is Role.PLANET else ""
     if kind_of(sizing, gear.stage) == "bevel":
         yield "Assumed: teeth taper towards the apex (standard depth, ISO 23509)."
         if hub.bore:

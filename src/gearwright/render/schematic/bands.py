@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon, Rectangle
 
+from gearwright.identity import Kind
 from gearwright.render.schematic.glyphs import tinted
 from gearwright.render.schematic.layout import Layout, pair_meshes
 from gearwright.render.schematic.power import NOTHING, Feed, Stretch, Traced
@@ -84,7 +85,7 @@ def draw_bands(pen: Pen, train: Train, flow: PowerFlow, *, layout: Layout, trace
             _across(pen, layout.places[mesh.stage].x, abs(power), start=start, end=end, shares=feed.sources)
     for feed in traced.feeds:
         start, end = layout.spans[feed.branch.shaft]
-        if feed.branch.kind == "machine" and start < feed.x < end:
+        if feed.branch.part.kind is Kind.MACHINE and start < feed.x < end:
             y = layout.heights[feed.branch.shaft]
             _around(pen, (feed.x, y), feed)
 
@@ -162,7 +163,7 @@ def _across(pen: Pen, x: float, power: float, *, start: float, end: float, share
 
 def _around(pen: Pen, at: tuple[float, float], feed: Feed) -> None:
     """Draw arrow heads inside a machine that its shaft goes through: towards the shaft if it drives."""
-    colour = pen.colours.get(feed.branch.part, theme.MUTED)
+    colour = pen.colours.get(feed.branch.part.name, theme.MUTED)
     if feed.branch.power == 0.0:
         return
     for up in (1.0, -1.0):

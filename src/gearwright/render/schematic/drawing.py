@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping
 
 from matplotlib.axes import Axes
 
+from gearwright.identity import SIDES, Kind, Role
 from gearwright.render.schematic import glyphs
 from gearwright.render.schematic.layout import Layout, centre_distance, element, pair_meshes
 from gearwright.spec import GROUND
@@ -13,7 +14,7 @@ from gearwright.train import INTERNAL, Attachment, Gear, Mesh, Train, attachment
 
 STUB = 4.0
 """How far a shaft sticks out of a pair's gear [mm]."""
-_SIDES = {"sun": -1.0, "ring": 1.0, "carrier": 1.0}
+_SIDES: Mapping[Role | Kind, float] = {Role.SUN: -1.0, Role.RING: 1.0, Kind.CARRIER: 1.0}
 """Where a member's shaft leaves if nothing else says so."""
 
 
@@ -30,7 +31,7 @@ def draw_train(
         open_clutches: Clutches that do not transmit.
     """
     seats = attachments(train)
-    for name in dict.fromkeys(seat.stage for seat in seats if seat.kind == "carrier"):
+    for name in dict.fromkeys(seat.stage for seat in seats if seat.member is Kind.CARRIER):
         glyphs.planetary(axes, _planetary(name, train, layout, seats))
     _draw_pairs(axes, train, layout)
     for shaft in layout.spans:
@@ -46,9 +47,9 @@ def draw_train(
 
 
 def _planetary(name: str, train: Train, layout: Layout, seats: Collection[Attachment]) -> glyphs.PlanetaryShape:
-    members = {seat.kind: seat for seat in seats if seat.stage == name}
+    members = {seat.member: seat for seat in seats if seat.stage == name}
     shafts = [seat.shaft for seat in members.values() if seat.shaft != GROUND]
-    sun, planet, ring = (layout.outlines[f"{name}.{role}"] for role in ("sun", "planet", "ring"))
+    sun, planet, ring = (layout.outlines[train.gear_of(name, role).name] for role in (Role.SUN, Role.PLANET, Role.RING))
     scale = layout.scale
     return glyphs.PlanetaryShape(
         x=layout.places[name].x,
@@ -58,14 +59,14 @@ def _planetary(name: str, train: Train, layout: Layout, seats: Collection[Attach
         ring=ring.radius * scale,
         wall=max(ring.rim * scale, glyphs.LEAST_WALL),
         width=max(sun.width * scale, glyphs.LEAST_WIDTH),
-        members=_members(name, members, layout),
+        members=_members(members, layout),
     )
 
 
-def _members(name: str, seats: Mapping[str, Attachment], layout: Layout) -> dict[str, glyphs.Member]:
+def _members(seats: Mapping[Role | Kind, Attachment], layout: Layout) -> dict[Role | Kind, glyphs.Member]:
     """Return sun, carrier and ring; a web that would cut a shaft outside it goes to the other side."""
-    members: dict[str, glyphs.Member] = {}
-    for kind in ("sun", "carrier", "ring"):
+    members: dict[Role | Kind, glyphs.Member] = {}
+    for kind in (Role.SUN, Kind.CARRIER, Role.RING):
         shaft = seats[kind].shaft
         if shaft == GROUND:
             members[kind] = glyphs.Member(grounded=True, side=_SIDES[kind], level=0)
@@ -87,7 +88,7 @@ def member_side(seat: Attachment, layout: Layout) -> float:
     """
     x, (start, end) = layout.places[seat.stage].x, layout.spans[seat.shaft]
     if start == end:
-        return _SIDES[seat.kind]
+        return _SIDES[seat.member]
     return 1.0 if end - x > x - start else -1.0
 
 
@@ -105,14 +106,14 @@ def _draw_shaft(axes: Axes, shaft: str, layout: Layout, seats: Collection[Attach
 
 def _reach(seat: Attachment, layout: Layout, outward: float) -> float:
     """Return how far a shaft goes beyond the middle of its last column [mm]; a carrier's shaft ends at its arm."""
-    if seat.kind in ("machine", "clutch"):
+    if not seat.stage:
         return 0.0
-    width = max(layout.outlines[gear].width for gear in layout.outlines if gear.startswith(f"{seat.stage}."))
+    width = layout.widths[seat.stage]
     half = max(width * layout.scale, glyphs.LEAST_WIDTH) / 2.0
-    inward = {"sun": 0.0, "carrier": half + 2.5, "ring": half + 5.0}
-    if seat.kind in inward:
+    inward = {Role.SUN: 0.0, Kind.CARRIER: half + 2.5, Role.RING: half + 5.0}
+    if seat.member in inward:
         # The shaft comes from the side away from `outward`.
-        return -outward * inward[seat.kind]
+        return -outward * inward[seat.member]
     return outward * (2.0 * half + STUB)
 
 
@@ -147,8 +148,7 @@ def _draw_pairs(axes: Axes, train: Train, layout: Layout) -> None:
         down, up = (sides.get(side, min(sides.values())) for side in (-1.0, 1.0))
         width = max(layout.outlines[gear].width * layout.scale, glyphs.LEAST_WIDTH)
         at = (layout.places[stage].x, layout.heights[shaft])
-        role = "pinion" if gear.endswith(".pinion") else "wheel"
-        glyphs.wheel(axes, at, (down, up), width=width, halves=count[stage, gear, shaft], role=role)
+        glyphs.wheel(axes, at, (down, up), width=width, halves=count[stage, gear, shaft], role=train.gear(gear).role)
 
 
 def gear_sides(train: Train, layout: Layout) -> Iterator[tuple[str, float, float]]:
@@ -160,12 +160,12 @@ def gear_sides(train: Train, layout: Layout) -> Iterator[tuple[str, float, float
     """
     for gear in train.gears:
         x, outlines = layout.places[gear.stage].x, layout.outlines
-        if gear.role in ("pinion", "wheel"):
+        if gear.role in SIDES:
             yield gear.name, x, layout.heights[gear.nodes[0]] + 0.6 * _drawn_radius(gear, train, layout)
             continue
         seats = [seat for seat in attachments(train) if seat.stage == gear.stage and seat.shaft != GROUND]
-        sun, planet = (outlines[f"{gear.stage}.{role}"].radius for role in ("sun", "planet"))
-        share = {"sun": 0.7 * sun, "planet": sun + 1.5 * planet, "ring": outlines[gear.name].radius}[gear.role]
+        sun, planet = (outlines[train.gear_of(gear.stage, role).name].radius for role in (Role.SUN, Role.PLANET))
+        share = {Role.SUN: 0.7 * sun, Role.PLANET: sun + 1.5 * planet, Role.RING: outlines[gear.name].radius}[gear.role]
         yield gear.name, x, layout.heights[seats[0].shaft] + share * layout.scale
 
 

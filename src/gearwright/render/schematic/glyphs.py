@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from matplotlib.axes import Axes
 from matplotlib.patches import Ellipse, Polygon, Rectangle
 
+from gearwright.identity import Kind, Role
 from gearwright.render.style import theme
 
 THIN, LINE, BOLD = 0.7, 1.3, 2.2
@@ -47,24 +48,26 @@ class PlanetaryShape:
     """Of the ring [mm]."""
     width: float
     """Of the gears [mm]."""
-    members: Mapping[str, Member]
+    members: Mapping[Role | Kind, Member]
     """sun, ring and carrier."""
 
 
-FILLS = {"sun": "#cdd5de", "planet": "#f3f5f7", "ring": "#b4bfca", "pinion": "#cdd5de", "wheel": theme.STEEL}
+FILLS = {
+    Role.SUN: "#cdd5de", Role.PLANET: "#f3f5f7", Role.RING: "#b4bfca", Role.PINION: "#cdd5de", Role.WHEEL: theme.STEEL,
+}  # fmt: skip
 """Shade of each kind of gear, so that neighbours differ."""
 
 Spot = tuple[float, float, float, float]
 """Left, low, width, height [mm]."""
 
 
-def bar(axes: Axes, spot: Spot, role: str) -> None:
+def bar(axes: Axes, spot: Spot, role: Role) -> None:
     """Draw a gear seen from its side.
 
     Args:
         axes: In mm of paper.
         spot: Where.
-        role: sun, planet, ring, pinion or wheel.
+        role: What kind of gear.
     """
     axes.add_patch(Rectangle(spot[:2], *spot[2:], fc=FILLS[role], ec=theme.INK, lw=THIN, zorder=4))
 
@@ -99,16 +102,16 @@ def planetary(axes: Axes, shape: PlanetaryShape) -> None:
         shape: The set.
     """
     half = shape.width / 2.0
-    bar(axes, (shape.x - half, shape.y - shape.sun, shape.width, 2.0 * shape.sun), "sun")
+    bar(axes, (shape.x - half, shape.y - shape.sun, shape.width, 2.0 * shape.sun), Role.SUN)
     pin = shape.sun + shape.planet
     for up in (1.0, -1.0):
         middle = shape.y + up * pin
-        bar(axes, (shape.x - half, middle - shape.planet, shape.width, 2.0 * shape.planet), "planet")
+        bar(axes, (shape.x - half, middle - shape.planet, shape.width, 2.0 * shape.planet), Role.PLANET)
         low = shape.y + up * shape.ring - (0.0 if up > 0.0 else shape.wall)
-        bar(axes, (shape.x - half, low, shape.width, shape.wall), "ring")
+        bar(axes, (shape.x - half, low, shape.width, shape.wall), Role.RING)
         _ring(axes, shape, up)
         _carrier(axes, shape, up, middle)
-    sun = shape.members["sun"]
+    sun = shape.members[Role.SUN]
     if sun.grounded:
         reach = shape.x + sun.side * (half + 5.0)
         line(axes, [(shape.x, shape.y), (reach, shape.y)], BOLD)
@@ -117,7 +120,7 @@ def planetary(axes: Axes, shape: PlanetaryShape) -> None:
 
 
 def _ring(axes: Axes, shape: PlanetaryShape, up: float) -> None:
-    ring, half = shape.members["ring"], shape.width / 2.0
+    ring, half = shape.members[Role.RING], shape.width / 2.0
     outer = shape.y + up * (shape.ring + shape.wall)
     if ring.grounded:
         ground(axes, (shape.x - half - 2.5, min(outer, outer + up * WALL), shape.width + 5.0, WALL))
@@ -128,7 +131,7 @@ def _ring(axes: Axes, shape: PlanetaryShape, up: float) -> None:
 
 
 def _carrier(axes: Axes, shape: PlanetaryShape, up: float, middle: float) -> None:
-    carrier, half = shape.members["carrier"], shape.width / 2.0
+    carrier, half = shape.members[Kind.CARRIER], shape.width / 2.0
     arm = shape.x + carrier.side * (half + 2.5)
     line(axes, [(shape.x - carrier.side * (half + 1.2), middle), (arm, middle)], BOLD)
     if carrier.grounded:
@@ -139,7 +142,7 @@ def _carrier(axes: Axes, shape: PlanetaryShape, up: float, middle: float) -> Non
 
 
 def wheel(
-    axes: Axes, at: tuple[float, float], reach: tuple[float, float], *, width: float, halves: int, role: str
+    axes: Axes, at: tuple[float, float], reach: tuple[float, float], *, width: float, halves: int, role: Role
 ) -> None:
     """Draw a gear of a pair, two halves with their opposite hands where it is double-helical.
 
@@ -149,7 +152,7 @@ def wheel(
         reach: Radius below and above its axis [mm].
         width: Of one half [mm].
         halves: 1 or 2.
-        role: pinion or wheel.
+        role: Pinion or wheel.
     """
     x, y = at
     down, up = reach
@@ -177,7 +180,7 @@ def internal_wheel(axes: Axes, at: tuple[float, float], radius: float, width: fl
     """
     x, y = at
     wall = 3.0 if radius > 0.0 else -3.0
-    bar(axes, (x - width / 2.0, min(y + radius, y + radius + wall), width, abs(wall)), "ring")
+    bar(axes, (x - width / 2.0, min(y + radius, y + radius + wall), width, abs(wall)), Role.RING)
     web = x + width / 2.0 + 2.5
     line(axes, [(x + width / 2.0, y + radius + wall / 2.0), (web, y + radius + wall / 2.0), (web, y)], BOLD)
 

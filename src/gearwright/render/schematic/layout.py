@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from gearwright.identity import Kind, Role
 from gearwright.sizing import GearSizing
 from gearwright.spec import GROUND
 from gearwright.train import Attachment, Mesh, Train, attachments
@@ -37,9 +38,9 @@ class Outline:
     """Wall of a ring [m]."""
 
 
-DEFAULT_OUTLINES: Mapping[str, Outline] = {
-    "sun": Outline(0.045, 0.02), "planet": Outline(0.050, 0.02), "ring": Outline(0.145, 0.02, 0.008),
-    "pinion": Outline(0.040, 0.02), "wheel": Outline(0.120, 0.02),
+DEFAULT_OUTLINES: Mapping[Role, Outline] = {
+    Role.SUN: Outline(0.045, 0.02), Role.PLANET: Outline(0.050, 0.02), Role.RING: Outline(0.145, 0.02, 0.008),
+    Role.PINION: Outline(0.040, 0.02), Role.WHEEL: Outline(0.120, 0.02),
 }  # fmt: skip
 """Proportions where nothing is sized."""
 
@@ -68,6 +69,8 @@ class Layout:
     """Shaft -> its ends [mm]."""
     outlines: Mapping[str, Outline]
     """Gear -> what is drawn of it."""
+    widths: Mapping[str, float]
+    """Stage -> face width of its widest gear [m]."""
     scale: float
     """Paper over part [mm/m]."""
     exact: bool
@@ -90,7 +93,7 @@ def element(seat: Attachment) -> str:
     Args:
         seat: The part.
     """
-    return seat.stage or seat.part
+    return seat.stage or seat.part.name
 
 
 def lay_out(train: Train, gears: Sequence[GearSizing], kinds: Mapping[str, str]) -> Layout:
@@ -115,6 +118,7 @@ def lay_out(train: Train, gears: Sequence[GearSizing], kinds: Mapping[str, str])
         levels=_levels(axis, spans),
         spans=spans,
         outlines=outlines,
+        widths={stage: _width(stage, train, outlines) for stage in dict.fromkeys(mesh.stage for mesh in train.meshes)},
         scale=scale,
         exact=all(_is_true(mesh, axis, heights, outlines) for mesh in pair_meshes(train)),
     )
@@ -127,7 +131,7 @@ def pair_meshes(train: Train) -> Iterator[Mesh]:
         train: The graph.
     """
     for mesh in train.meshes:
-        if all(train.gear(gear).role != "planet" for gear in mesh.gears):
+        if all(train.gear(gear).role is not Role.PLANET for gear in mesh.gears):
             yield mesh
 
 
@@ -143,13 +147,13 @@ def _axes(train: Train, seats: Sequence[Attachment]) -> dict[str, int]:
 
 
 def _is_shaft(node: str, train: Train) -> bool:
-    return all(node not in gear.nodes for gear in train.gears if gear.role == "planet")
+    return all(node not in gear.nodes for gear in train.gears if gear.role is Role.PLANET)
 
 
 def _coaxial(train: Train, seats: Sequence[Attachment]) -> list[str]:
     """Return the planetary sets and clutches."""
-    sets = {gear.stage for gear in train.gears if gear.role == "planet"}
-    return list(dict.fromkeys(element(seat) for seat in seats if seat.stage in sets or seat.kind == "clutch"))
+    sets = {gear.stage for gear in train.gears if gear.role is Role.PLANET}
+    return list(dict.fromkeys(element(seat) for seat in seats if seat.stage in sets or seat.member is Kind.CLUTCH))
 
 
 def centre_distance(mesh: Mesh, outlines: Mapping[str, Outline]) -> float:
@@ -273,7 +277,7 @@ def _leaves(
     """Return machine -> stage for those that feed a stage from a shaft of their own; they stand just before it."""
     leaf = {}
     for name in machines:
-        shaft = next(seat.shaft for seat in seats if seat.part == name and not seat.stage)
+        shaft = next(seat.shaft for seat in seats if seat.member is Kind.MACHINE and seat.part.name == name)
         beside = [element(seat) for seat in seats if seat.shaft == shaft and element(seat) != name]
         nearer = beside and all(distance[neighbour] < distance[name] for neighbour in beside)
         if nearer and kinds.get(name) != "propeller":
@@ -284,15 +288,19 @@ def _leaves(
 def _half(name: str, train: Train, outlines: Mapping[str, Outline], scale: float) -> float:
     if name in train.machines:
         return MACHINE_HALF
-    widths = [outlines[gear.name].width for gear in train.gears if gear.stage == name]
-    if not widths:
+    width = _width(name, train, outlines)
+    if not width:
         return CLUTCH_HALF
     halves = max(mesh.count for mesh in train.meshes if mesh.stage == name) if _is_pair(name, train) else 1
-    return max(STAGE_HALF, halves * max(widths) * scale / 2.0 + 5.0)
+    return max(STAGE_HALF, halves * width * scale / 2.0 + 5.0)
+
+
+def _width(stage: str, train: Train, outlines: Mapping[str, Outline]) -> float:
+    return max((outlines[gear.name].width for gear in train.gears if gear.stage == stage), default=0.0)
 
 
 def _is_pair(name: str, train: Train) -> bool:
-    return all(gear.role != "planet" for gear in train.gears if gear.stage == name)
+    return all(gear.role is not Role.PLANET for gear in train.gears if gear.stage == name)
 
 
 def _span(shaft: str, seats: Sequence[Attachment], places: Mapping[str, Place]) -> tuple[float, float]:

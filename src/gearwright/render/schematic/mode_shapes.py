@@ -13,6 +13,7 @@ from matplotlib.patches import Circle
 
 from gearwright.dynamics import Modes
 from gearwright.dynamics.model import System
+from gearwright.identity import SIDES, Kind, Role, carrier_part, gear_part
 from gearwright.parts.planetary import even_positions
 from gearwright.render.schematic import glyphs
 from gearwright.render.schematic.drawing import draw_train, member_side
@@ -101,27 +102,26 @@ def _spots(sizing: Sizing, layout: Layout) -> Iterator[tuple[str, float, float]]
     for stage, planetary in sizing.design.planetaries.items():
         x, radii = layout.places[stage].x, _radii(sizing, stage)
         shaft = next(member for member in (planetary.sun, planetary.carrier, planetary.ring) if member != GROUND)
-        y, centre = layout.heights[shaft], (radii["sun"] + radii["planet"]) * layout.scale
-        yield f"{stage}.sun", x, y
-        yield f"{stage}.planet-1", x, y + centre
-        yield f"{stage}.planet-2", x, y - centre
-        yield f"{stage}.carrier", x + _arm(sizing, layout, stage), y + 0.5 * centre
-        yield f"{stage}.ring", x, y + radii["ring"] * layout.scale
+        y, centre = layout.heights[shaft], (radii[Role.SUN] + radii[Role.PLANET]) * layout.scale
+        yield str(gear_part(stage, Role.SUN)), x, y
+        yield str(gear_part(stage, Role.PLANET, number=1)), x, y + centre
+        yield str(gear_part(stage, Role.PLANET, number=2)), x, y - centre
+        yield str(carrier_part(stage)), x + _arm(sizing, layout, stage), y + 0.5 * centre
+        yield str(gear_part(stage, Role.RING)), x, y + radii[Role.RING] * layout.scale
     for gear in sizing.gears:
-        for shaft in gear.shafts if gear.role in ("pinion", "wheel") else ():
-            name = gear.name if len(gear.shafts) == 1 else f"{gear.name}.{shaft}"
-            yield name, layout.places[gear.stage].x, layout.heights[shaft]
+        for shaft in gear.shafts if gear.role in SIDES else ():
+            yield str(gear.body(shaft)), layout.places[gear.stage].x, layout.heights[shaft]
 
 
 def _arm(sizing: Sizing, layout: Layout, stage: str) -> float:
     """Return where the carrier's arm stands beside its planets [mm]."""
-    width = max(layout.outlines[f"{stage}.sun"].width * layout.scale, glyphs.LEAST_WIDTH)
-    seats = [seat for seat in attachments(sizing.train) if seat.stage == stage and seat.kind == "carrier"]
+    width = max(layout.outlines[sizing.train.gear_of(stage, Role.SUN).name].width * layout.scale, glyphs.LEAST_WIDTH)
+    seats = [seat for seat in attachments(sizing.train) if seat.stage == stage and seat.member is Kind.CARRIER]
     side = member_side(seats[0], layout) if seats and seats[0].shaft != GROUND else 1.0
     return side * (0.5 * width + 2.5)
 
 
-def _radii(sizing: Sizing, stage: str) -> Mapping[str, float]:
+def _radii(sizing: Sizing, stage: str) -> Mapping[Role, float]:
     return {gear.role: 0.5 * gear.pitch_diameter for gear in sizing.gears if gear.stage == stage}
 
 
@@ -131,7 +131,7 @@ def _scale(sizing: Sizing, motion: _Motion) -> float:
     largest = max((disc.reach for radii, stage in sets for disc in _discs(sizing, stage, radii, motion)), default=0.0)
     names = motion.system.labels.coordinates
     energy = sum(motion.share(name) for name in names if name.partition(".")[0] in sizing.design.planetaries)
-    return SHOWN * min(radii["planet"] for radii, _ in sets) / largest if energy > QUIET else 0.0
+    return SHOWN * min(radii[Role.PLANET] for radii, _ in sets) / largest if energy > QUIET else 0.0
 
 
 class _Disc(NamedTuple):
@@ -163,11 +163,11 @@ def _draw_front(axes: Axes, sizing: Sizing, stage: str, *, motion: _Motion, scal
             (disc.centre[0] + scale * disc.shift[0], disc.centre[1] + scale * disc.shift[1]),
             (0.0, 0.0), disc.radius, scale * disc.turn,
         )  # fmt: skip
-        still = scale * disc.reach < STILL * radii["planet"]
+        still = scale * disc.reach < STILL * radii[Role.PLANET]
         colour = theme.MUTED if still else theme.BLUE if disc.turn >= 0.0 else theme.ORANGE
         _draw_disc(axes, disc._replace(turn=0.0), theme.HAIR)
         _draw_disc(axes, moved, colour)
-    reach = 1.25 * radii["ring"]
+    reach = 1.25 * radii[Role.RING]
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
 
 
@@ -179,15 +179,15 @@ def _draw_disc(axes: Axes, disc: _Disc, colour: str) -> None:
     axes.plot([x, tip[0]], [y, tip[1]], color=colour, lw=1.0)
 
 
-def _discs(sizing: Sizing, stage: str, radii: Mapping[str, float], motion: _Motion) -> Iterator[_Disc]:
-    for name in ("ring", "sun"):
-        shift = (motion.of(f"{stage}.{name}.x"), motion.of(f"{stage}.{name}.y"))
-        yield _Disc((0.0, 0.0), shift, radii[name], motion.of(f"{stage}.{name}"))
-    arm, carrier = radii["sun"] + radii["planet"], motion.of(f"{stage}.carrier")
+def _discs(sizing: Sizing, stage: str, radii: Mapping[Role, float], motion: _Motion) -> Iterator[_Disc]:
+    for role in (Role.RING, Role.SUN):
+        name = str(gear_part(stage, role))
+        yield _Disc((0.0, 0.0), (motion.of(f"{name}.x"), motion.of(f"{name}.y")), radii[role], motion.of(name))
+    arm, carrier = radii[Role.SUN] + radii[Role.PLANET], motion.of(str(carrier_part(stage)))
     for k, angle in enumerate(even_positions(sizing.design.planetaries[stage].planets), start=1):
-        planet, cosine, sine = f"{stage}.planet-{k}", math.cos(angle), math.sin(angle)
+        planet, cosine, sine = gear_part(stage, Role.PLANET, number=k), math.cos(angle), math.sin(angle)
         # Rotating bearings only: the planet's centre goes where its pin goes.
         along = motion.of(f"{planet}.tangential") or arm * carrier
         out = motion.of(f"{planet}.radial")
         shift = (out * cosine - along * sine, out * sine + along * cosine)
-        yield _Disc((arm * cosine, arm * sine), shift, radii["planet"], motion.of(planet))
+        yield _Disc((arm * cosine, arm * sine), shift, radii[Role.PLANET], motion.of(str(planet)))

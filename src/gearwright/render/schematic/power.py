@@ -86,7 +86,7 @@ def trace_power(train: Train, flow: PowerFlow, layout: Layout) -> Traced:
 
 
 def _part(branch: Branch) -> str:
-    return branch.stage or branch.part
+    return branch.stage or branch.part.name
 
 
 def _column(branch: Branch, layout: Layout) -> float:

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from gearwright.errors import by_name
+from gearwright.identity import Kind, Role
 from gearwright.render.schematic.bands import Pen, band_scale, draw_bands, half_width, source_colours, spots
 from gearwright.render.schematic.drawing import draw_train, gear_sides
 from gearwright.render.schematic.glyphs import tinted
@@ -96,11 +97,12 @@ def _machine_texts(feeds: Sequence[Feed], layout: Layout) -> dict[str, str]:
     """Return machine -> name; with its power and torque where its shaft goes through, as no stretch shows them."""
     texts = {}
     for feed in feeds:
-        if feed.branch.kind == "machine":
+        if feed.branch.part.kind is Kind.MACHINE:
             start, end = layout.spans[feed.branch.shaft]
             alone = start < feed.x < end or start == end
             values = [text(abs(feed.branch.power), "power"), text(abs(feed.branch.torque), "torque")]
-            texts[feed.branch.part] = "\n".join([feed.branch.part, *(values if alone else [])])
+            name = feed.branch.part.name
+            texts[name] = "\n".join([name, *(values if alone else [])])
     return texts
 
 
@@ -171,9 +173,9 @@ def _stage_lines(sizing: Sizing, stage: str) -> list[str]:
     if not gears:
         return []
     teeth = {gear.role: gear.teeth for gear in gears}
-    lines = [f"{gear.bodies} planets" for gear in gears if gear.role == "planet"]
-    if "ring" in teeth:
-        lines.append(f"$1 + z_r/z_s$ = {1.0 + teeth['ring'] / teeth['sun']:.4g}")
+    lines = [f"{gear.bodies} planets" for gear in gears if gear.role is Role.PLANET]
+    if Role.RING in teeth:
+        lines.append(f"$1 + z_r/z_s$ = {1.0 + teeth[Role.RING] / teeth[Role.SUN]:.4g}")
     else:
         pinion, wheel = next(mesh.gears for mesh in sizing.train.meshes if mesh.stage == stage)
         lines.append(f"$z_2/z_1$ = {sizing.teeth[wheel] / sizing.teeth[pinion]:.4g}")

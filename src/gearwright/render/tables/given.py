@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from gearwright.render.tables.tables import Mark, Table, table
 from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
 from gearwright.sizing.teeth import groups_of
-from gearwright.spec.design import ShaftLayout
+from gearwright.spec.design import NO_ORIGIN, ShaftLayout
 
 _LAYOUT = {"stiffness": "torsional_stiffness"}
 """Field of a sized shaft -> its name in the layout, where they differ."""
@@ -61,10 +61,6 @@ def overrides_table(sizing: Sizing) -> Table:
     Args:
         sizing: As sized.
     """
-    rows = [Given(key, value, _origin(key, sizing)) for key, value in sizing.design.overrides.items()]
+    origins = sizing.design.origins
+    rows = [Given(key, value, origins.get(key, NO_ORIGIN)) for key, value in sizing.design.overrides.items()]
     return table("Given in place of computed values", rows, ("entry", "value", "origin"))
-
-
-def _origin(key: str, sizing: Sizing) -> str:
-    paths = [path for path in sizing.origins if key == path or key.startswith(f"{path}_")]
-    return sizing.origins[max(paths, key=len)] if paths else ""

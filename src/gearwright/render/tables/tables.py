@@ -9,9 +9,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any, Literal, get_type_hints
 
+from gearwright.identity import PartId
 from gearwright.units import SUFFIXES, Origin, marks_in, shown, unit
 
 Mark = Literal["", "given", "estimated"]
@@ -137,7 +139,10 @@ def table(
 
 
 def _returned(record: type, name: str) -> Any:
-    return get_type_hints(getattr(record, name).fget, include_extras=True)["return"]
+    member = getattr(record, name)
+    return get_type_hints(member.func if isinstance(member, cached_property) else member.fget, include_extras=True)[
+        "return"
+    ]
 
 
 def column(name: str, hint: Any) -> Column:
@@ -163,6 +168,8 @@ def cell(value: object, column: Column, mark: Mark = "") -> Cell:
         return Cell(number, written(number), mark)
     if value is None:
         return Cell(None, "–", mark)
+    if isinstance(value, PartId):
+        return Cell(str(value), str(value), mark)
     if isinstance(value, tuple):
         parts = [cell(part, column) for part in value]
         return Cell([part.value for part in parts], ", ".join(part.text for part in parts), mark)

@@ -65,7 +65,7 @@ def mass_parts(sizing: Sizing) -> tuple[MassPart, ...]:
     """
     parts = [(gear.name, "gears", gear.bodies, gear.mass) for gear in sizing.gears]
     parts += [(shaft.name, "shafts", 1, shaft.mass) for shaft in sizing.shafts]
-    parts += [(f"{carrier.stage}.carrier", "carriers", 1, carrier.mass) for carrier in sizing.carriers]
+    parts += [(str(carrier.part), "carriers", 1, carrier.mass) for carrier in sizing.carriers]
     rows = [
         MassPart(part, group, count, mass, count * mass, count * mass / sizing.parts_mass)
         for part, group, count, mass in parts

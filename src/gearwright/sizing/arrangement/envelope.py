@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
 
+from gearwright.identity import Role
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.spec import Planetary
 from gearwright.units import Origin, Quantity, Volume
@@ -57,7 +58,7 @@ def _carriers_of(sizing: Sizing, gear: GearSizing) -> Iterator[str]:
     stage = sizing.design.stages[gear.stage]
     members = (stage.sun, stage.carrier, stage.ring) if isinstance(stage, Planetary) else gear.shafts
     names = {shaft.name for shaft in sizing.shafts}
-    if gear.role != "planet":
+    if gear.role is not Role.PLANET:
         borne = [shaft for shaft in members if shaft in names]
         yield from borne[:1] if isinstance(stage, Planetary) else borne
 
@@ -69,7 +70,7 @@ def _lengths(sizing: Sizing) -> dict[tuple[float, float], float]:
     for shaft in sizing.shafts:
         length[shaft.axis] = length.get(shaft.axis, 0.0) + shaft.length
     for gear in sizing.gears:
-        if gear.role == "ring":
+        if gear.role is Role.RING:
             stage = sizing.design.planetaries[gear.stage]
             place = next(axis[member] for member in (stage.sun, stage.carrier, stage.ring) if member in axis)
             length[place] += gear.face_width

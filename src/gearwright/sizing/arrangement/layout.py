@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from gearwright.errors import DesignError, Problem, near
+from gearwright.identity import SIDES, carrier_part
 from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.arrangement.seats import radial_places, seats_of
 from gearwright.sizing.rating import Context
@@ -35,7 +36,7 @@ def plan_of(context: Context, name: str, gears: tuple[GearSizing, ...]) -> Shaft
     widths = {
         gear.name: gear.face_width * gear.bodies / len(gear.shafts)
         for gear in gears
-        if name in gear.shafts and gear.role in ("pinion", "wheel")
+        if name in gear.shafts and gear.role in SIDES
     }
     length = context.overrides.take(f"{name}.length", "length", layout.length or _length(context.design, name, widths))
     places = _between_bearings(names, widths, length) if widths else _spread(names, length)
@@ -56,7 +57,7 @@ def _on_shaft(design: Design, train: Train, shaft: str) -> Iterator[str]:
     for stage in design.stages:
         yield from (gear.name for gear in train.gears if gear.stage == stage and shaft in gear.nodes)
         if stage in design.planetaries and design.planetaries[stage].carrier == shaft:
-            yield f"{stage}.carrier"
+            yield str(carrier_part(stage))
     yield from (joint.name for joint in train.joints if joint.driving == shaft)
     yield from (name for name in design.propellers if train.machines[name] == shaft)
 

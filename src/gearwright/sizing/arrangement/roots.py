@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from gearwright.identity import Role
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 
@@ -21,7 +22,7 @@ def root_diameter(context: Context, gear: GearSizing) -> float:
     Source: ISO 21771:2007: d_f = d − 2 m_n (1.25 − x); ISO 23509:2016 at the mean cone, less b sin δ at the thin end.
     """
     rating = context.ratings[gear.stage]
-    shift = rating.rules.profile_shift if gear.role == "pinion" else 0.0
+    shift = rating.rules.profile_shift if gear.role is Role.PINION else 0.0
     depth = 2.0 * gear.module * (DEDENDUM - shift)
     if rating.kind != "bevel":
         return gear.pitch_diameter - depth

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.identity import Role, gear_part
 from gearwright.parts.shafts import PointLoads, bearing_reactions
 from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.loads import rotor_side, shaft_loads
@@ -149,7 +150,7 @@ def _rotor(design: Design, shaft: str, plan: ShaftPlan) -> tuple[Array, float]:
 
 def _planet_seats(sizing: Sizing, gears: Mapping[str, GearSizing]) -> Iterator[Seat]:
     for carrier in sizing.carriers:
-        planet, rules = gears[f"{carrier.stage}.planet"], sizing.design.rules(carrier.stage)
+        planet, rules = gears[str(gear_part(carrier.stage, Role.PLANET))], sizing.design.rules(carrier.stage)
         force = np.zeros((len(sizing.train.meshes), 3))
         for k, mesh in enumerate(sizing.train.meshes):
             if mesh.stage == carrier.stage and mesh.sign != INTERNAL:

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.identity import carrier_part
 from gearwright.parts.shafts import PointLoads
 from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.arrangement import helix_hand
@@ -94,7 +95,7 @@ def pure_torques(context: Context, name: str, plan: ShaftPlan) -> Iterator[tuple
     for mesh in train.meshes:
         if mesh.stage in context.design.planetaries and name in mesh.nodes:
             side = mesh.nodes.index(name)
-            member = f"{mesh.stage}.carrier" if side == 2 else mesh.gears[side]
+            member = str(carrier_part(mesh.stage)) if side == 2 else mesh.gears[side]
             yield plan.places[member], [flow.meshes[mesh.name].torques[side] for flow in flows]
 
 

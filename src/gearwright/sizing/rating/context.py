@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from gearwright.identity import Role
 from gearwright.sizing.rating.modules import modules
 from gearwright.sizing.rating.rules import Ask, Rating, rating_of
 from gearwright.sizing.rating.standard_teeth import stage_width_ratio
@@ -116,7 +117,7 @@ def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh) -> Ask:
         (teeth[first.name], teeth[second.name]),
         1.0,
         internal=mesh.sign == INTERNAL,
-        idlers=(first.role == "planet", second.role == "planet"),
+        idlers=(first.role is Role.PLANET, second.role is Role.PLANET),
         passes=(max(mesh.count / first.bodies, 1.0), max(mesh.count / second.bodies, 1.0)),
     )
 

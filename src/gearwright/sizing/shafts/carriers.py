@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from gearwright.identity import Role, gear_part
 from gearwright.parts.planetary import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import CarrierSizing, GearSizing, ShaftSizing
@@ -50,7 +51,7 @@ def _carrier(
     stage, rules, take = context.design.planetaries[name], context.design.carriers, context.overrides.take
     material = shaft_material(context)
     allowable = (material.yield_strength or 0.0) / rules.safety
-    sun, planet = gears[f"{name}.sun"], gears[f"{name}.planet"]
+    sun, planet = (gears[str(gear_part(name, role))] for role in (Role.SUN, Role.PLANET))
     radius = (sun.pitch_diameter + planet.pitch_diameter) / 2.0
     loads = _loads(context, name, planet, radius)
     worst = max(loads, key=lambda load: load.pin)

@@ -36,7 +36,7 @@ def carrier_checks(carrier: CarrierSizing) -> Iterator[Check]:
     Args:
         carrier: As sized.
     """
-    part, case = PartId(Kind.CARRIER, carrier.stage), carrier.case
+    part, case = carrier.part, carrier.case
     yield stressed(part, "pin bending", "cantilever", carrier.pin_stress, carrier.pin_margin, case=case)
     if carrier.plate_margin is not None:
         yield stressed(part, "plate shear", "Tresca", carrier.plate_stress, carrier.plate_margin, case=case)

@@ -189,7 +189,7 @@ def _stepped(context: Context, forces: ShaftForces, built: Built, axis: complex,
     weak = max(built.shaft.sections, key=lambda section: _tresca(section, bore))
     case, stress = list(context.flows).index(weak.case), _tresca(weak, bore)
     allowable = (material.yield_strength or 0.0) / rules.safety
-    inside = {step.seat for step in steps if step.seat.partition(".")[0] in context.design.stages}
+    inside = {gear.name for gear in context.train.gears}
     outside = [0.0 if step.seat in inside else step.diameter for step in steps]
     pieces = [
         shaft_mass(diameter, step.end - step.start, material.density, bore=bore)

@@ -6,13 +6,12 @@ import math
 from collections.abc import Iterator, Mapping
 
 from gearwright.checks import Check, stressed
-from gearwright.identity import Kind, PartId, Role, Row
+from gearwright.identity import Kind, PartId, Role
 from gearwright.parts.bevel import WIDEST, WIDEST_MODULES, BevelRating
 from gearwright.parts.gears import ISO53_A, least_teeth
 from gearwright.sizing.rating import Context, MeshRating, Rating, cone_ratio, cylindrical_mesh, fewest_virtual_teeth
 from gearwright.sizing.result import GearSizing, MeshSizing
 from gearwright.sizing.stages.stage_sizes import StageSize
-from gearwright.train import Mesh, Train
 
 LEAST_CONTACT_RATIO = 1.0
 """Least transverse contact ratio ε_α with which motion is passed on without a gap [-]."""
@@ -30,12 +29,12 @@ def gear_checks(
         sizes: From `stage_sizes`.
     """
     by_name = {gear.name: gear for gear in gears}
-    for row, mesh in zip(context.train.meshes, meshes, strict=True):
-        part = _mesh_part(context.train, row)
+    for mesh in meshes:
         if mesh.rating is None:
-            yield from _first_strength(part, mesh)
+            yield from _first_strength(mesh)
         else:
-            yield from _strength(part, [by_name[name] for name in mesh.gears], mesh.rating, context.ratings[row.stage])
+            pair = (by_name[mesh.gears[0]], by_name[mesh.gears[1]])
+            yield from _strength(mesh, pair, mesh.rating, context.ratings[mesh.stage])
     for stage, size in sizes.items():
         if context.ratings[stage].by_standard:
             row = next(mesh for mesh in context.train.meshes if mesh.stage == stage)
@@ -45,51 +44,40 @@ def gear_checks(
             )
 
 
-def _mesh_part(train: Train, row: Mesh) -> PartId:
-    """Return who a row of meshes is."""
-    first = train.gear(row.gears[0])
-    kind = {Role.SUN: Row.SUN_PLANET, Role.PLANET: Row.PLANET_RING}.get(Role(first.role), Row.PAIR)
-    several = kind is Row.PAIR and sum(other.stage == row.stage for other in train.meshes) > 1
-    branch = row.nodes[0] if len(first.nodes) > 1 else row.nodes[1]
-    return PartId(Kind.MESH, row.stage, kind, branch if several else "")
-
-
-def _gear_part(gear: GearSizing) -> PartId:
-    return PartId(Kind.GEAR, gear.stage, Role(gear.role))
-
-
-def _first_strength(part: PartId, mesh: MeshSizing) -> Iterator[Check]:
+def _first_strength(mesh: MeshSizing) -> Iterator[Check]:
     """Yield both stresses of a first sizing."""
     bending = (mesh.bending_stress, mesh.bending_margin, "Pulvirenti 2023, eq. 2.1")
     contact = (mesh.contact_stress, mesh.contact_margin, "Pulvirenti 2023, eq. 2.2")
     for mode, (stress, margin, clause) in {"bending": bending, "contact": contact}.items():
-        yield stressed(part, mode, clause, stress, margin, case=mesh.case)
+        yield stressed(mesh.part, mode, clause, stress, margin, case=mesh.case)
 
 
-def _strength(part: PartId, pair: list[GearSizing], rated: MeshRating, rating: Rating) -> Iterator[Check]:
+def _strength(
+    mesh: MeshSizing, pair: tuple[GearSizing, GearSizing], rated: MeshRating, rating: Rating
+) -> Iterator[Check]:
     rules, bevel = rating.rules.iso6336, isinstance(rated.factors, BevelRating)
     flank, root = ("ISO 10300-2, eq. 5", "ISO 10300-3, eq. 5") if bevel else ("ISO 6336-2, 5.3", "ISO 6336-3, 5.2")
-    for gear, contact, bending in zip(map(_gear_part, pair), rated.pitting, rated.bending, strict=True):
-        yield Check(gear, "pitting", flank, contact, rules.pitting_safety, symbol="S_H")
-        yield Check(gear, "tooth root", root, bending, rules.bending_safety, symbol="S_F")
+    for gear, contact, bending in zip(pair, rated.pitting, rated.bending, strict=True):
+        yield Check(gear.part, "pitting", flank, contact, rules.pitting_safety, symbol="S_H")
+        yield Check(gear.part, "tooth root", root, bending, rules.bending_safety, symbol="S_F")
     if rated.scuffing is not None:
         safety = rated.scuffing.safety
-        yield Check(part, "scuffing", "ISO/TS 6336-21, eq. 14", safety, rules.scuffing_safety, symbol="S_intS")
+        yield Check(mesh.part, "scuffing", "ISO/TS 6336-21, eq. 14", safety, rules.scuffing_safety, symbol="S_intS")
 
 
 def _cylinder(rating: Rating, pair: tuple[GearSizing, GearSizing], size: StageSize) -> Iterator[Check]:
     first, second = pair
-    rules, internal = rating.rules, second.role == "ring"
+    rules, internal = rating.rules, second.role is Role.RING
     width, pinion = size.face_width, min(pair, key=lambda gear: gear.teeth)
     limits = {
         f"b ≤ {rules.iso6336.widest_modules:g} m_n, usual": rules.iso6336.widest_modules * size.module,
         f"b ≤ {rules.iso6336.widest_diameters:g} d_1, usual": rules.iso6336.widest_diameters * first.pitch_diameter,
     }
     for clause, largest in limits.items():
-        yield Check(_gear_part(first), "face width", clause, width, largest, "length", at_most=True, exponent=None)
+        yield Check(first.part, "face width", clause, width, largest, "length", at_most=True, exponent=None)
     height = ISO53_A.straight_dedendum - rules.profile_shift
     fewest = least_teeth(height, pressure_angle=rules.pressure_angle, helix_angle=rating.helix_angle)
-    part, fewest = _gear_part(pinion), math.ceil(fewest - 1e-9)
+    part, fewest = pinion.part, math.ceil(fewest - 1e-9)
     yield Check(part, "undercut", "ISO 21771, z_min", pinion.teeth, fewest, "number", exponent=None, symbol="z")
     mesh = cylindrical_mesh((first.teeth, second.teeth), size.module, width, rating, internal=internal)
     ratio = float(mesh.transverse_contact_ratio)
@@ -103,7 +91,7 @@ def _cone(rating: Rating, pair: tuple[GearSizing, GearSizing], size: StageSize) 
     outer = size.module / math.cos(rating.helix_angle) + size.face_width / (2.0 * cone)
     limit = min(WIDEST * cone, WIDEST_MODULES) * outer
     clause = "ISO 23509, annex B: R_e/3 and 10 m_et"
-    part, asked, fewest = _gear_part(first), size.asked_width, fewest_virtual_teeth(rating)
+    part, asked, fewest = first.part, size.asked_width, fewest_virtual_teeth(rating)
     yield Check(part, "face width", clause, asked, limit, "length", at_most=True, exponent=None)
     virtual = first.teeth * math.hypot(first.teeth, second.teeth) / second.teeth
     clause = "ISO 23509, z_1/cos δ_1"

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from gearwright.identity import Role
 from gearwright.parts.gears import (
     bending_stress_lewis,
     contact_stress,
@@ -20,7 +21,7 @@ from gearwright.sizing.stages.stage_sizes import StageSize
 from gearwright.spec import Design
 from gearwright.train import INTERNAL, Gear, Mesh
 
-_SIGNS = {"pinion": 1.0, "sun": 1.0, "ring": 1.0, "wheel": -1.0, "planet": -1.0}
+_SIGNS = {Role.PINION: 1.0, Role.SUN: 1.0, Role.RING: 1.0, Role.WHEEL: -1.0, Role.PLANET: -1.0}
 """Role -> sense of the stage's profile shift [-]."""
 
 
@@ -39,16 +40,15 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
     module, width = size.module, size.face_width
     diameter = module * teeth / math.cos(rating.helix_angle)
     density = rating.material.density
-    ring = gear.role == "ring"
+    ring = gear.role is Role.RING
     wall = rating.rules.rim_thickness_ratio * module if ring else 0.0
     if ring:
         mass = ring_mass(diameter, wall, width, density=density)
     else:
-        mass = disc_mass(diameter, width, density) * (rating.rules.web_ratio if gear.role == "wheel" else 1.0)
+        mass = disc_mass(diameter, width, density) * (rating.rules.web_ratio if gear.role is Role.WHEEL else 1.0)
     mass = take(f"{gear.name}.mass", "mass", mass)
     inertia = ring_inertia(mass, diameter, wall) if ring else disc_inertia(mass, diameter)
     return GearSizing(
-        name=gear.name,
         stage=gear.stage,
         role=gear.role,
         shafts=gear.nodes,
@@ -96,7 +96,8 @@ def _mesh(context: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing], dem
     rated = rate_row(context, mesh, first.module, width) if rating.by_standard else None
     strength = _first_strength(rating, mesh, pair, force) if rated is None else _rated_strength(rating, rated)
     return MeshSizing(
-        name=mesh.name,
+        stage=mesh.stage,
+        row=mesh.row,
         gears=mesh.gears,
         count=mesh.count,
         case=case,
@@ -112,6 +113,7 @@ def _mesh(context: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing], dem
         contact_stress=strength.contact,
         contact_margin=strength.contact_margin,
         rating=rated,
+        branch=mesh.branch,
     )
 
 
@@ -133,7 +135,9 @@ def _first_strength(rating: Rating, mesh: Mesh, pair: tuple[GearSizing, GearSizi
     contact = contact_stress(
         force, width, curvature, angles=rating.angles, elastic_modulus=rating.material.elastic_modulus
     )
-    allowable = rating.bending_allowable * (rating.rules.idler_factor if "planet" in (first.role, second.role) else 1.0)
+    allowable = rating.bending_allowable * (
+        rating.rules.idler_factor if Role.PLANET in (first.role, second.role) else 1.0
+    )
     return _Strength(
         bending,
         allowable / bending if bending else math.inf,

@@ -27,8 +27,8 @@ def refuse_idle_stages(context: Context, needed: Mapping[str, float]) -> None:
         return
     problems = []
     for stage, module in needed.items():
-        offered = (f"{stage}.module_", f"{stage}.outer_module_")
-        if module > math.cbrt(NOTHING) * largest or any(path.startswith(offered) for path in context.overrides.given):
+        given = any(context.overrides.gives(f"{stage}.{field}", "length") for field in ("module", "outer_module"))
+        if given or module > math.cbrt(NOTHING) * largest:
             continue
         table = "pairs" if stage in context.design.pairs else "planetaries"
         key = f"{stage}.{'outer_module' if context.ratings[stage].kind == 'bevel' else 'module'}_mm"

@@ -13,7 +13,7 @@ from gearwright.parts.planetary import assembles, neighbours_clear
 from gearwright.sizing.rating import Rating, fewest_virtual_teeth
 from gearwright.sizing.teeth.front import Floats, Front, Integers, Task
 from gearwright.spec import Design, Pair, Planetary
-from gearwright.train import gear_of
+from gearwright.train import gears_of
 
 NEAREST, WIDE = 1, 4
 """Tooth numbers on either side of the exact ratio: the integers next to it, and more where none of those will do."""
@@ -49,16 +49,10 @@ def given_teeth(design: Design) -> dict[str, int]:
     for name, stage in design.stages.items():
         if isinstance(stage, Planetary):
             sun, planet = _planetary_given(stage)
-            teeth |= {
-                f"{name}.sun": sun or 0,
-                f"{name}.planet": planet or 0,
-                f"{name}.ring": (sun or 0) + 2 * (planet or 0),
-            }
+            numbers = [sun or 0, planet or 0, (sun or 0) + 2 * (planet or 0)]
         else:
-            teeth |= {
-                gear_of(name, "pinion", stage): stage.pinion_teeth or 0,
-                gear_of(name, "wheel", stage): stage.wheel_teeth or 0,
-            }
+            numbers = [stage.pinion_teeth or 0, stage.wheel_teeth or 0]
+        teeth |= zip(gears_of(name, stage), numbers, strict=True)
     return teeth
 
 
@@ -86,7 +80,7 @@ def candidates(
         if stage.ring_teeth and second is None:
             wanted = np.broadcast_to((stage.ring_teeth - small) / 2.0, wanted.shape)
         return _neighbours(wanted, small, second, reach)
-    pinion, wheel = (gear_of(task.name, side, stage) for side in ("pinion", "wheel"))
+    pinion, wheel = gears_of(task.name, stage)
     if wheel in front.teeth:
         large = front.teeth[wheel]
         return _around(large / target, large, stage.pinion_teeth, reach)

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem
+from gearwright.identity import SIDES, Role
 from gearwright.sizing.rating import Ask, modules, rating_of, stage_width_ratio
 from gearwright.sizing.teeth.candidates import (
     NEAREST,
@@ -34,6 +35,7 @@ from gearwright.train import (
     Train,
     Turning,
     gear_of,
+    gears_of,
     members_of,
     power_flows,
     willis_ratio,
@@ -79,9 +81,10 @@ def _nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[
     for name, stage in design.stages.items():
         ratio = nominal.tooth_ratios[name]
         if isinstance(stage, Planetary):
-            real |= {f"{name}.sun": 1.0, f"{name}.planet": (ratio - 1.0) / 2.0, f"{name}.ring": ratio}
+            sun, planet, ring = gears_of(name, stage)
+            real |= {sun: 1.0, planet: (ratio - 1.0) / 2.0, ring: ratio}
         else:
-            pinion, wheel = (gear_of(name, side, stage) for side in ("pinion", "wheel"))
+            pinion, wheel = gears_of(name, stage)
             size = real.get(pinion) or (real[wheel] / ratio if wheel in real else 1.0)
             real |= {pinion: size, wheel: size * ratio}
     turning = Turning(design, train, real)
@@ -98,10 +101,8 @@ def groups_of(design: Design) -> dict[str, str]:
     """
     owner = {name: name for name in design.stages}
     for name, pair in design.pairs.items():
-        for side in ("pinion", "wheel"):
-            shared = gear_of(name, side, pair).partition(".")[0]
-            if shared != name:
-                owner[name] = shared
+        for side in SIDES:
+            owner[name], _ = pair.shared(side) or (owner[name], side)
     return owner
 
 
@@ -126,8 +127,8 @@ def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapp
 def _ready(task: Task, front: Front) -> bool:
     """Tell whether the speeds on one side of a stage, and the teeth that it shares, are chosen."""
     if isinstance(task.stage, Pair):
-        shared = [gear_of(task.name, side, task.stage) for side in ("pinion", "wheel")]
-        if any(gear.partition(".")[0] != task.name and gear not in front.teeth for gear in shared):
+        shared = [gear_of(task.name, side, task.stage) for side in SIDES if task.stage.shared(side)]
+        if any(str(gear) not in front.teeth for gear in shared):
             return False
     if isinstance(task.stage, Planetary):
         members = members_of(task.stage)
@@ -273,16 +274,12 @@ def _bodies(task: Task, small: Integers, large: Integers) -> tuple[dict[str, Int
         ring = small + 2 * large
         wall = rating.rules.rim_thickness_ratio
         annulus = (ring + 2.0 * wall) ** 2 - ring**2
-        teeth = {f"{task.name}.sun": small, f"{task.name}.planet": large, f"{task.name}.ring": ring}
+        teeth = dict(zip(gears_of(task.name, stage), (small, large, ring), strict=True))
         return teeth, np.asarray(disc * (small**2 + stage.planets * large**2 + annulus), dtype=np.float64)
-    gears = {side: gear_of(task.name, side, stage) for side in ("pinion", "wheel")}
-    counts = {
-        side: (len(getattr(stage, side)) if isinstance(getattr(stage, side), list) else 1) * stage.halves
-        for side, gear in gears.items()
-        if gear == f"{task.name}.{side}"
-    }
-    squares = {"pinion": small.astype(float) ** 2, "wheel": rating.rules.web_ratio * large.astype(float) ** 2}
+    pinion, wheel = gears_of(task.name, stage)
+    squares = {Role.PINION: small.astype(float) ** 2, Role.WHEEL: rating.rules.web_ratio * large.astype(float) ** 2}
     factor: Floats = np.zeros(len(small))
-    for side, count in counts.items():
-        factor = np.asarray(factor + disc * count * squares[side], dtype=np.float64)
-    return {gears["pinion"]: small, gears["wheel"]: large}, factor
+    for side, square in squares.items():
+        if stage.shared(side) is None:
+            factor = np.asarray(factor + disc * (len(stage.named(side)) * stage.halves) * square, dtype=np.float64)
+    return {pinion: small, wheel: large}, factor

@@ -3,18 +3,16 @@
 Bounds of single fields stand with the fields.
 """
 
-from gearwright.spec.checks.bearings import MEMBERS, bearing_problems
-from gearwright.spec.checks.design import as_list, reference_problems, table_of
+from gearwright.spec.checks.bearings import bearing_problems
+from gearwright.spec.checks.design import reference_problems, table_of
 from gearwright.spec.checks.gears import STEEL_KEYS
 from gearwright.spec.checks.mounting import APART, KINDS, MOST_HOLLOW
 
 __all__ = [
     "APART",
     "KINDS",
-    "MEMBERS",
     "MOST_HOLLOW",
     "STEEL_KEYS",
-    "as_list",
     "bearing_problems",
     "reference_problems",
     "table_of",

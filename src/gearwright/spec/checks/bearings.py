@@ -6,10 +6,8 @@ from collections.abc import Iterator
 
 from gearwright.catalogue import bearing
 from gearwright.errors import DesignError, Problem
+from gearwright.identity import MEMBERS
 from gearwright.spec.design import Design
-
-MEMBERS = ("sun", "ring", "carrier")
-"""The three central members of a planetary set."""
 
 
 def bearing_problems(design: Design) -> Iterator[Problem]:

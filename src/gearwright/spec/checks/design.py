@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from gearwright.catalogue import materials
 from gearwright.errors import Problem, near
+from gearwright.identity import SIDES
 from gearwright.spec.checks.effect import effect_problems
 from gearwright.spec.checks.gears import gear_problems
 from gearwright.spec.checks.motion import motion_problems
@@ -14,11 +15,11 @@ from gearwright.spec.checks.mounting import mounting_problems
 from gearwright.spec.checks.names import name_problems
 from gearwright.spec.checks.planets import planetary_problems
 from gearwright.spec.design import Design, GearRules, Pair, Planetary
+from gearwright.spec.design.stages import gear_named
 from gearwright.units import text
 
 WIDEST = 60
 """Largest face width in modules that a design may ask for."""
-SIDES = ("pinion", "wheel")
 
 
 def reference_problems(design: Design) -> list[Problem]:
@@ -46,21 +47,12 @@ def _shafts(design: Design) -> Iterator[Problem]:
 def _used_shafts(design: Design) -> set[str]:
     used = {machine.shaft for machine in design.machines.values()}
     for pair in design.pairs.values():
-        used |= {name for side in SIDES for name in as_list(getattr(pair, side))}
+        used |= {name for side in SIDES for name in pair.named(side)}
     for planetary in design.planetaries.values():
         used |= {planetary.sun, planetary.ring, planetary.carrier}
     for clutch in design.clutches.values():
         used |= {clutch.driving, clutch.driven}
     return used
-
-
-def as_list(names: str | list[str]) -> list[str]:
-    """Return one name or several as a list.
-
-    Args:
-        names: As a pair gives its side.
-    """
-    return [names] if isinstance(names, str) else names
 
 
 def _shaft(path: str, name: str, design: Design) -> Iterator[Problem]:
@@ -117,7 +109,7 @@ def _pairs(design: Design) -> Iterator[Problem]:
         if pair.pinion == [] or pair.wheel == []:
             yield Problem(path, "a gear sits on at least one shaft; name one in pinion and in wheel")
             continue
-        sides = {side: as_list(getattr(pair, side)) for side in SIDES}
+        sides = {side: pair.named(side) for side in SIDES}
         if all(isinstance(getattr(pair, side), list) for side in SIDES):
             yield Problem(
                 path, "pinion and wheel are both lists; one gear meshes with several, so only one side may be a list"
@@ -127,7 +119,7 @@ def _pairs(design: Design) -> Iterator[Problem]:
                 yield from _gear_reference(f"{path}.{side}", shaft, name, design)
             if len(set(names)) < len(names) or (len(names) > 1 and any("." in shaft for shaft in names)):
                 yield Problem(f"{path}.{side}", f"{names}: a list names different shafts, and no shared gear")
-        if set(sides["pinion"]) & set(sides["wheel"]):
+        if set.intersection(*map(set, sides.values())):
             yield Problem(path, f"{pair.pinion!r} carries both gears; pinion and wheel turn on two shafts")
         if pair.coaxial_with is not None and (pair.coaxial_with == name or pair.coaxial_with not in design.pairs):
             others = [other for other in design.pairs if other != name]
@@ -145,14 +137,14 @@ def _is_share(share: list[float], meshes: int) -> bool:
 
 
 def _gear_reference(path: str, name: str, pair_name: str, design: Design) -> Iterator[Problem]:
-    stage, dot, gear = name.partition(".")
-    if not dot:
+    if "." not in name:
         yield from _shaft(path, name, design)
         return
+    stage, gear = gear_named(name) or ("", SIDES[0])
     others = [f"{pair}.{side}" for pair in design.pairs if pair != pair_name for side in SIDES]
-    if stage == pair_name or gear not in SIDES or stage not in design.pairs:
+    if stage == pair_name or stage not in design.pairs:
         yield Problem(path, f"there is no gear {name!r} in another pair; {near(name, others)}")
-    elif any("." in shaft for shaft in as_list(getattr(design.pairs[stage], gear))):
+    elif any("." in shaft for shaft in design.pairs[stage].named(gear)):
         yield Problem(path, f"{name!r} is itself a shared gear; name the pair that owns it")
 
 

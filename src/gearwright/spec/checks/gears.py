@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from gearwright.catalogue import gear_steel
 from gearwright.errors import DesignError, Problem
+from gearwright.identity import SIDES, Role, gear_part
 from gearwright.spec.design import Design, GearRules, Pair
 
 SQUARE = 0.5 * math.pi
@@ -27,7 +28,7 @@ def gear_problems(design: Design) -> Iterator[Problem]:
     """
     for name, pair in design.pairs.items():
         yield from _crossing(name, pair, design)
-        for side in ("pinion", "wheel"):
+        for side in SIDES:
             yield from _shared(name, side, design)
         yield from _inside(name, pair)
     rated = {"gears": design.gears} if design.gears.rating == "iso6336" else {}
@@ -48,12 +49,12 @@ def _steel(path: str, rules: GearRules) -> Iterator[Problem]:
             yield Problem(f"{path}.{STEEL_KEYS.get(problem.path, problem.path)}", problem.message)
 
 
-def _shared(name: str, side: str, design: Design) -> Iterator[Problem]:
+def _shared(name: str, side: Role, design: Design) -> Iterator[Problem]:
     """Find a pair that says otherwise of a gear that it shares than the pair that owns it."""
-    pair, gear = design.pairs[name], getattr(design.pairs[name], side)
-    stage, dot, role = gear.partition(".") if isinstance(gear, str) else ("", "", "")
-    owner = design.pairs.get(stage)
-    if not dot or owner is None or role not in ("pinion", "wheel"):
+    pair = design.pairs[name]
+    stage, role = pair.shared(side) or ("", side)
+    owner, gear = design.pairs.get(stage), gear_part(stage, role)
+    if owner is None:
         return
     path, ours, theirs = f"pairs.{name}", getattr(pair, f"{side}_teeth"), getattr(owner, f"{role}_teeth")
     if ours is not None and ours != theirs:
@@ -74,7 +75,7 @@ def _shared(name: str, side: str, design: Design) -> Iterator[Problem]:
             message = f"{here:.6g} deg, but the gear that it shares with pairs.{stage} has {there:.6g} deg; give one"
             yield Problem(f"{path}.gears.{key}", message)
     ends = ((rules.profile_shift, side), (others.profile_shift, role))
-    shifts = [-shift if end == "wheel" else shift for shift, end in ends]
+    shifts = [-shift if end is Role.WHEEL else shift for shift, end in ends]
     if shifts[0] != shifts[1]:
         message = f"{gear} would have the shift {shifts[0]:g} here and {shifts[1]:g} at pairs.{stage}; give 0 to both"
         yield Problem(f"{path}.gears.profile_shift", message)

@@ -39,9 +39,7 @@ class Overrides:
         """
         if not self.given:
             return computed
-        keys = {path: 1.0} if dimension not in SUFFIXES else {
-            f"{path}_{suffix}": factor for suffix, factor in SUFFIXES[dimension].items()
-        }  # fmt: skip
+        keys = _keys(path, dimension)
         self.offered |= set(keys)
         written = [key for key in keys if key in self.given]
         if not written:
@@ -51,6 +49,15 @@ class Overrides:
         self.used[path] = self.given[written[0]] * keys[written[0]]
         self.origins[path] = self.sources.get(written[0], NO_ORIGIN)
         return self.used[path]
+
+    def gives(self, path: str, dimension: str) -> bool:
+        """Tell whether the user gives a value, which need not have been taken yet.
+
+        Args:
+            path: Such as ``first.module``.
+            dimension: Of the value.
+        """
+        return not self.given.keys().isdisjoint(_keys(path, dimension))
 
     def require_all_used(self) -> None:
         """Raise for every override that no computed value has taken, or that is given twice.
@@ -65,3 +72,10 @@ class Overrides:
         ]
         if unknown or self.twice:
             raise DesignError([*unknown, *self.twice])
+
+
+def _keys(path: str, dimension: str) -> dict[str, float]:
+    """Return every key under which a value may be given, with its unit in SI."""
+    if dimension not in SUFFIXES:
+        return {path: 1.0}
+    return {f"{path}_{suffix}": factor for suffix, factor in SUFFIXES[dimension].items()}

@@ -7,12 +7,23 @@ from typing import Literal
 
 from pydantic import Field
 
+from gearwright.identity import SIDES, Role
 from gearwright.spec.design.dynamics import PlanetaryBearings
 from gearwright.spec.design.gears import GearRules
 from gearwright.spec.record import Record
 from gearwright.units import Angle, Force, Length, Ratio, Stiffness
 
 _DEGREE = math.pi / 180.0
+
+
+def gear_named(reference: str) -> tuple[str, Role] | None:
+    """Return the pair and the side of it that a text such as ``second.pinion`` means; None where it can mean none.
+
+    Args:
+        reference: As written.
+    """
+    stage, _, role = reference.partition(".")
+    return (stage, Role(role)) if role in SIDES else None
 
 
 class PlanetBearing(Record):
@@ -71,6 +82,23 @@ class Pair(Record):
     )
     share: list[Ratio] | None = Field(None, description="Share of the load of each parallel mesh; left out: equal")
     gears: GearRules | None = Field(None, description="Rules of this pair where they differ from [gears]")
+
+    def named(self, side: Role) -> list[str]:
+        """Return the shafts, or the one shared gear, that a side names.
+
+        Args:
+            side: Pinion or wheel.
+        """
+        names = self.pinion if side is Role.PINION else self.wheel
+        return names if isinstance(names, list) else [names]
+
+    def shared(self, side: Role) -> tuple[str, Role] | None:
+        """Return the pair and the side of it whose gear a side shares, or None where it names shafts.
+
+        Args:
+            side: Pinion or wheel.
+        """
+        return gear_named(next(iter(self.named(side)), ""))
 
 
 class Planetary(Record):

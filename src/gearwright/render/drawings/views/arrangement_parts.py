@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
+from gearwright.identity import Role, gear_part
 from gearwright.render.drawings.sheet.entities import Entity, Layer, Path
 from gearwright.render.drawings.views.bearing_view import bearing_section
 from gearwright.render.drawings.views.gear_parts import Hub, hub_of
@@ -123,7 +124,7 @@ def gear_parts(sizing: Sizing, gear: GearSizing, axis: Axis, *, shaft: str, midd
     half = MM * gear.face_width * halves_of(gear) / 2.0
     span = (middle - half, middle + half)
     teeth = cylindrical_gear(sizing, gear)
-    if kind_of(sizing, gear.stage) == "face" and gear.role == "wheel":
+    if kind_of(sizing, gear.stage) == "face" and gear.role is Role.WHEEL:
         radius = MM * teeth.pitch_radius
         return [Path((axis.at(middle, -radius), axis.at(middle, radius)), Layer.PITCH)]
     if is_internal(sizing, gear):
@@ -167,10 +168,10 @@ def planetary_parts(
     """
     planetary = sizing.design.planetaries[stage]
     shaft = next(name for name in (planetary.sun, planetary.ring, planetary.carrier) if name != GROUND)
-    axis, middle = axis_of(plane.shafts[shaft], scale), plane.places[shaft][f"{stage}.planet"]
+    axis, middle = axis_of(plane.shafts[shaft], scale), plane.places[shaft][str(gear_part(stage, Role.PLANET))]
     gears = {gear.role: gear for gear in sizing.gears if gear.stage == stage}
     carrier = next(carrier for carrier in sizing.carriers if carrier.stage == stage)
-    planet, half = gears["planet"], MM * gears["planet"].face_width / 2.0
+    planet, half = gears[Role.PLANET], MM * gears[Role.PLANET].face_width / 2.0
     hub = Hub(hub_of(sizing, planet, planet.shafts[0]).bore)
     entities: list[Entity] = []
     for side in (1.0, -1.0):
@@ -186,7 +187,7 @@ def planetary_parts(
     )
     items.append(Item(f"Carrier {stage}", "plate and pins", 1, carrier.mass, axis.at(plate, 0.6 * MM * carrier.radius)))
     if planetary.ring == GROUND:
-        ring = gears["ring"]
+        ring = gears[Role.RING]
         entities += gear_parts(sizing, ring, axis, shaft=GROUND, middle=middle, lean=math.pi - lean)
         items.append(gear_item(sizing, ring, axis, middle))
     return entities, items

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from gearwright.catalogue import key_for_shaft
+from gearwright.identity import Role
 from gearwright.parts.joints import KeySection, Spline
 from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_profile, spline_of, toothed_piece
 from gearwright.render.drawings.views.teeth import cylindrical_gear, is_internal, kind_of
@@ -69,7 +70,7 @@ def hub_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hub:
     if is_internal(sizing, gear):
         return Hub(0.0, note="What holds the ring is not sized; it is not drawn.")
     carrier = next((carrier for carrier in sizing.carriers if carrier.stage == gear.stage), None)
-    if gear.role == "planet" and carrier is not None:
+    if gear.role is Role.PLANET and carrier is not None:
         return _fitting(sizing, gear, MM * carrier.pin_diameter, "Bore: diameter of the pin; its bearing is not sized.")
     sized = next((body for body in sizing.shafts if body.name == shaft), None)
     diameter = MM * sized.diameter if sized is not None else 0.0

@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
+from gearwright.identity import Kind, Role
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.teeth import bevel_pair, gear_of, halves_of, kind_of
 from gearwright.render.schematic.layout import element, lay_out, pair_meshes
@@ -210,7 +211,7 @@ def _in_columns(sizing: Sizing) -> Positions:
         ends = list(_column_ends(sizing, name, middle))
         shafts[name] = Lying(1j * heights[name], 1 + 0j, min(start for start, _ in ends), max(end for _, end in ends))
     named = {gear.name: middle[gear.stage] for gear in sizing.gears} | middle
-    named |= {f"{carrier.stage}.carrier": middle[carrier.stage] for carrier in sizing.carriers}
+    named |= {str(carrier.part): middle[carrier.stage] for carrier in sizing.carriers}
     notes = ["Places along the axes are not sized where planetary sets or clutches join shafts: drawn side by side."]
     if not layout.exact:
         notes.append("Unfolded: parallel paths meet again, so that not every centre distance is true in this plane.")
@@ -224,11 +225,11 @@ def _column_ends(sizing: Sizing, shaft: str, middle: Mapping[str, float]) -> Ite
     for seat in seats:
         x = middle[element(seat)]
         half = max((MM * gear.face_width / 2.0 for gear in sizing.gears if gear.stage == seat.stage), default=0.0)
-        if seat.kind in ("carrier", "ring"):
+        if seat.member in (Kind.CARRIER, Role.RING):
             edge = x + math.copysign(half + PLATE_GAP, centre - x if centre != x else 1.0)
             yield edge, edge
         else:
-            more = half if seat.kind == "sun" else half + PLATE_GAP if seat.stage else 0.0
+            more = half if seat.member is Role.SUN else half + PLATE_GAP if seat.stage else 0.0
             yield x - more, x + more
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from gearwright.errors import by_name
+from gearwright.identity import SIDES
 from gearwright.parts.bevel import BevelPair, Hand
 from gearwright.parts.gears import BasicRack, CylindricalGear
 from gearwright.sizing import GearSizing, Sizing, profile_shift
@@ -41,7 +42,7 @@ def halves_of(gear: GearSizing) -> int:
     Args:
         gear: As sized.
     """
-    return max(gear.bodies // max(len(gear.shafts), 1), 1) if gear.role in ("pinion", "wheel") else 1
+    return max(gear.bodies // max(len(gear.shafts), 1), 1) if gear.role in SIDES else 1
 
 
 def is_internal(sizing: Sizing, gear: GearSizing) -> bool:
