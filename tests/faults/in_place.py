@@ -100,6 +100,8 @@ class _Loop:
 
     def exchange(self, fault: Fault) -> bool:
         """Put the faulty code into all functions that have the sound one; tell whether there are any."""
+        if fault.module not in sys.modules:
+            return False
         path = sys.modules[fault.module].__file__ or ""
         tree = fault.tree(Path(path).read_text(encoding="utf-8"))
         changed = False
