@@ -1,19 +1,29 @@
-"""What is remembered of a sizing, and where; ``python tests/golden/record.py`` writes all of it anew."""
+"""What is remembered of a sizing and of its assembled system.
+
+``PYTHONPATH=tests python tests/golden/record.py`` writes it anew.
+"""
 
 from __future__ import annotations
 
 import json
+import math
+from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from variants import VARIANTS
+
+from gearwright.dynamics import System
+from gearwright.dynamics.assembly import assemble
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import Sizing, size
-from gearwright.spec import read
+from gearwright.spec import Design, parse, read
 
 FOLDER = Path(__file__).parent / "sizing"
 TOLERANCE = {"rel": 1e-9, "why": "rounding differs between linear algebra libraries; no rule of sizing moves less"}
-PARTS = ("gears", "meshes", "shafts", "carriers", "machines")
+PARTS = ("gears", "meshes", "shafts", "carriers", "machines", "built_shafts", "bearings", "joints")
 
 
 def numbers(value: Any, path: str = "") -> dict[str, float]:
@@ -21,34 +31,62 @@ def numbers(value: Any, path: str = "") -> dict[str, float]:
     if isinstance(value, bool) or value is None or isinstance(value, str):
         return {}
     if isinstance(value, int | float):
-        return {path: value}
+        return {path: value} if math.isfinite(value) else {}
     if is_dataclass(value):
         inner = {field.name: getattr(value, field.name) for field in fields(value)}
     elif isinstance(value, dict):
         inner = value
     else:
-        inner = {getattr(each, "name", getattr(each, "stage", str(k))): each for k, each in enumerate(value)}
+        inner = {getattr(member, "name", getattr(member, "stage", str(k))): member for k, member in enumerate(value)}
     found: dict[str, float] = {}
-    for name, each in inner.items():
-        found |= numbers(each, f"{path}.{name}" if path else str(name))
+    for name, member in inner.items():
+        found |= numbers(member, f"{path}.{name}" if path else str(name))
     return found
 
 
 def recorded(sizing: Sizing) -> dict[str, float]:
-    """Return what is remembered of a sizing: teeth, every part, and the powers and speeds of every case."""
+    """Return what is remembered of a sizing: teeth, every part and check, and the powers and speeds of every case."""
     parts: dict[str, Any] = {"teeth": dict(sizing.teeth), **{name: getattr(sizing, name) for name in PARTS}}
+    parts["checks"] = {
+        f"{check.part} {check.what}, {check.clause}": {"value": check.value, "limit": check.limit}
+        for check in sizing.checks
+    }
     parts["cases"] = {
         case: {"powers": dict(flow.machine_powers), "speeds": dict(flow.speeds)} for case, flow in sizing.flows.items()
     }
-    return numbers(parts)
+    return {**numbers(parts), **_assembled(assemble(sizing))}
+
+
+def _assembled(system: System) -> dict[str, float]:
+    """Return the size of every array of a system, and a number in -1 to 1 that notices signs and places."""
+    sums = {}
+    for name, array in _arrays(system.arrays, ""):
+        if (size := float(np.sum(np.abs(array)))) and math.isfinite(size):
+            weight = np.cos(np.arange(array.size))
+            sums |= {f"arrays.{name}.size": size, f"arrays.{name}.order": float(weight @ array.ravel()) / size}
+    return sums
+
+
+def _arrays(record: Any, path: str) -> Iterator[tuple[str, Any]]:
+    for name in record._fields:
+        value = getattr(record, name)
+        if isinstance(value, np.ndarray):
+            yield f"{path}{name}", value
+        elif hasattr(value, "_fields"):
+            yield from _arrays(value, f"{path}{name}.")
+
+
+def designs() -> dict[str, Design]:
+    """Return every shipped design, and those with the options that no shipped one has."""
+    shipped = {name: read(shipped_design(name)) for name in shipped_designs()}
+    return shipped | {f"variant-{name}": parse(text) for name, text in VARIANTS.items()}
 
 
 def write_all() -> None:
-    """Write the file of every shipped design; the difference shows in version control."""
+    """Write the file of every design; the difference shows in version control."""
     FOLDER.mkdir(exist_ok=True)
-    for name in shipped_designs():
-        values = recorded(size(read(shipped_design(name))))
-        content = {"design": name, "tolerance": TOLERANCE, "values": values}
+    for name, design in designs().items():
+        content = {"design": name, "tolerance": TOLERANCE, "values": recorded(size(design))}
         (FOLDER / f"{name}.json").write_text(json.dumps(content, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
