@@ -22,13 +22,14 @@ if TYPE_CHECKING:
     from gearwright.shipped import shipped_design, shipped_designs
     from gearwright.sizing import size
     from gearwright.spec import parse, read, schema
-    from gearwright.store import load, save
+    from gearwright.store import StoredRun, load, save
 
 _VERBS = {
     "DesignError": "errors",
     "Model": "dynamics",
     "Outputs": "dynamics",
     "SolveError": "errors",
+    "StoredRun": "store",
     "assemble": "dynamics.assembly",
     "load": "store",
     "modes": "dynamics",
@@ -49,6 +50,7 @@ __all__ = [
     "Model",
     "Outputs",
     "SolveError",
+    "StoredRun",
     "assemble",
     "load",
     "modes",

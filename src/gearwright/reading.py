@@ -23,21 +23,41 @@ _SHOWN = 200
 """Characters of a path in a message [-]."""
 
 
-def text_of(path: str | Path, key: str = "", *, missing: str = "there is no such file") -> str:
+def text_of(
+    path: str | Path, key: str = "", *, missing: str = "there is no such file", largest: int = LARGEST_TEXT
+) -> str:
     """Return the text of a regular file, with the line ends of Unix.
 
     Args:
         path: Of the file.
         key: Entry that names the file, if it is not the caller itself.
         missing: What is said if there is none.
+        largest: Size of the largest file that is read [bytes].
 
     Raises:
         DesignError: If there is no such file, it is none that can be read, is too large, or is no text in UTF-8.
     """
     try:
-        return _content(path, key, missing).decode("utf-8-sig").replace("\r\n", "\n")
+        return _content(path, key, missing, largest).decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError:
         raise _refused(path, key, "this is not a text file in UTF-8") from None
+
+
+def begins_with(path: str | Path, mark: bytes) -> bool:
+    """Tell whether a regular file begins with a mark, such as that of its kind.
+
+    Args:
+        path: Of the file.
+        mark: First bytes.
+
+    Raises:
+        DesignError: If there is no such file, or it is none that can be read.
+    """
+    try:
+        with os.fdopen(_opened(path, "", "there is no such file"), "rb") as file:
+            return file.read(len(mark)) == mark
+    except OSError as error:
+        raise _refused(path, "", f"the file cannot be read: {error.strerror}") from None
 
 
 def refuse_irregular(path: str | Path, *, missing: str = "there is no such file") -> None:
@@ -116,16 +136,16 @@ def beside(name: str, folder: Path, key: str) -> Path:
     return folder / path
 
 
-def _content(path: str | Path, key: str, missing: str) -> bytes:
-    too_large = f"the file has more than {LARGEST_TEXT:,} bytes, the most that is read"
+def _content(path: str | Path, key: str, missing: str, largest: int) -> bytes:
+    too_large = f"the file has more than {largest:,} bytes, the most that is read"
     try:
         with os.fdopen(_opened(path, key, missing), "rb") as file:
-            if os.fstat(file.fileno()).st_size > LARGEST_TEXT:
+            if os.fstat(file.fileno()).st_size > largest:
                 raise _refused(path, key, too_large)
-            content = file.read(LARGEST_TEXT + 1)
+            content = file.read(largest + 1)
     except OSError as error:
         raise _refused(path, key, f"the file cannot be read: {error.strerror}") from None
-    if len(content) > LARGEST_TEXT:
+    if len(content) > largest:
         raise _refused(path, key, too_large)
     return content
 

@@ -233,9 +233,9 @@ def schema() -> None:
 def _run_of(sizing: Sizing, results: Path) -> StoredRun:
     """Return a stored run, if it is one of this design."""
     from gearwright.errors import DesignError, Problem
-    from gearwright.store import load
+    from gearwright.store import load_run
 
-    stored = load(results)
+    stored = load_run(results)
     if stored.design != sizing.design:
         message = (
             f"this is a run of another design, {stored.design.name!r}, or of an earlier state of it; simulate again"

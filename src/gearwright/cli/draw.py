@@ -50,9 +50,9 @@ def _sized(name: str) -> Sizing:
     """Return the sizing of a design, or of the design that a run belongs to."""
     from gearwright.cli.designs import sized
     from gearwright.sizing import size
-    from gearwright.store import load
+    from gearwright.store import load_run
 
-    return size(load(Path(name)).design) if name.endswith(".nc") else sized(name)
+    return size(load_run(Path(name)).design) if name.endswith(".nc") else sized(name)
 
 
 def _names(what: str | None) -> tuple[str, ...]:

@@ -51,10 +51,10 @@ def interrupted_name(path: Path) -> Path:
 
 def save_run(path: Path, trace: Trace, sizing: Sizing, case: str) -> Path:
     """Write a run, an interrupted one under its own name; return that name."""
-    from gearwright.store import save
+    from gearwright.store import StoredRun, save
 
     target = interrupted_name(path) if trace.interrupted else path
-    save(target, trace, design=sizing.design, case=case)
+    save(StoredRun(sizing.design, case, trace), target)
     return target
 
 

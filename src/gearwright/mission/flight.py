@@ -201,14 +201,18 @@ def _summary(flight: Flight, name: str, within: NDArray[np.bool_]) -> PhaseSumma
     )
 
 
-def flight_series(flight: Flight) -> Iterator[Series]:
-    """Yield everything that is recorded of a flight, as tables, files and figures name it, with unit and source.
+@verb
+def flight_series(flight: Flight) -> tuple[Series, ...]:
+    """Return everything that is recorded of a flight, as tables, files and figures name it, with unit and source.
 
     Args:
         flight: As flown.
     """
-    yield from marked_series(flight.history)
-    yield Series("oil_outlet", flight.oil_outlet, marks_of(Flight)["oil_outlet"])
+    oil = Series("oil_outlet", flight.oil_outlet, marks_of(Flight)["oil_outlet"])
+    return (*marked_series(flight.history), oil, *_series_of_parts(flight))
+
+
+def _series_of_parts(flight: Flight) -> Iterator[Series]:
     for group, field, records in (
         ("speed", "speed", flight.nodes),
         ("torque", "torque", flight.nodes),

@@ -1,6 +1,7 @@
-"""Save and load values."""
+"""Save and load values: runs as netCDF-4, everything else as JSON."""
 
 from gearwright.store.image import new_netcdf
-from gearwright.store.netcdf import StoredRun, load, save
+from gearwright.store.netcdf import StoredRun, load_run, save_run
+from gearwright.store.value import load, save
 
-__all__ = ["StoredRun", "load", "new_netcdf", "save"]
+__all__ = ["StoredRun", "load", "load_run", "new_netcdf", "save", "save_run"]

@@ -23,7 +23,6 @@ from gearwright.reading import refuse_irregular
 from gearwright.spec import Design
 from gearwright.store.image import new_netcdf
 from gearwright.train import RATED
-from gearwright.verbs import verb
 from gearwright.version import __version__
 
 FORMAT = "gearwright trace 1"
@@ -63,25 +62,25 @@ class StoredRun:
     """The run."""
 
 
-@verb
-def save(path: str | Path, trace: Trace, *, design: Design, case: str) -> None:
+def save_run(run: StoredRun | Trace, path: Path) -> None:
     """Write a run to a netCDF-4 file; a file that is there is replaced only when the new one is complete.
 
     Args:
+        run: With the design that made it, or without.
         path: Of the file, usually ``*.nc``.
-        trace: The run.
-        design: That made it.
-        case: Load case that was run.
 
     Raises:
-        DesignError: If no file can be there.
+        DesignError: If no file can be there, or the design has no such case.
         SolveError: If the disk does not take it.
     """
-    by_name(case, {RATED: {}, **design.cases}, "case")
-    with new_netcdf(Path(path)) as file:
+    if isinstance(run, StoredRun):
+        by_name(run.case, {RATED: {}, **run.design.cases}, "case")
+    with new_netcdf(path) as file:
         file.attrs["format"], file.attrs["gearwright"] = FORMAT, __version__
-        file.attrs["design"], file.attrs["case"] = design.model_dump_json(by_alias=True, exclude_unset=True), case
-        _write_trace(file, trace)
+        if isinstance(run, StoredRun):
+            file.attrs["design"] = run.design.model_dump_json(by_alias=True, exclude_unset=True)
+            file.attrs["case"] = run.case
+        _write_trace(file, run.trace if isinstance(run, StoredRun) else run)
 
 
 def _write_trace(file: Any, trace: Trace) -> None:
@@ -110,9 +109,24 @@ def _statistics_of(trace: Trace) -> dict[str, Statistics]:
     return {name: value for name, value in statistics.items() if value is not None}
 
 
-@verb
-def load(path: str | Path) -> StoredRun:
-    """Return the run that a file holds, equal to what was saved.
+def load_run(path: str | Path) -> StoredRun:
+    """Return the run that a netCDF file holds, with its design.
+
+    Args:
+        path: Of the file.
+
+    Raises:
+        DesignError: If there is no such file, or it is not one of gearwright's, or holds no design.
+    """
+    run = read_run(path)
+    if isinstance(run, Trace):
+        message = "this run was saved without its design; gw.save(gw.StoredRun(design, case, trace), path) keeps both"
+        raise DesignError([Problem("", message)], str(path))
+    return run
+
+
+def read_run(path: str | Path) -> StoredRun | Trace:
+    """Return the run that a netCDF file holds, equal to what was saved.
 
     Args:
         path: Of the file.
@@ -123,11 +137,7 @@ def load(path: str | Path) -> StoredRun:
     refuse_irregular(path)
     try:
         with h5netcdf.File(Path(path), "r") as file:
-            if file.attrs.get("format") != FORMAT:
-                raise DesignError(
-                    [Problem("", "this is not a gearwright run; `gearwright simulate --output` writes one")],
-                    str(path),
-                )
+            _check_format(str(file.attrs.get("format", "")), path)
             return _read(file)
     except OSError as error:
         raise DesignError([Problem("", f"the file cannot be read as netCDF-4: {error}")], str(path)) from None
@@ -136,10 +146,29 @@ def load(path: str | Path) -> StoredRun:
         raise DesignError([Problem("", message)], str(path)) from None
 
 
-def _read(file: Any) -> StoredRun:
+def _check_format(written: str, path: str | Path) -> None:
+    """Refuse what is no run, and what a newer version wrote."""
+    if written == FORMAT:
+        return
+    kind, _, number = written.rpartition(" ")
+    if kind == FORMAT.rpartition(" ")[0] and number.isdigit():
+        message = f"a newer gearwright wrote this run ({written!r}; this one reads {FORMAT!r}); update gearwright"
+    else:
+        message = "this is not a gearwright run; `gearwright simulate --output` writes one"
+    raise DesignError([Problem("", message)], str(path))
+
+
+def _read(file: Any) -> StoredRun | Trace:
+    trace = _read_trace(file)
+    if "design" not in file.attrs:
+        return trace
+    return StoredRun(Design.model_validate_json(str(file.attrs["design"])), str(file.attrs["case"]), trace)
+
+
+def _read_trace(file: Any) -> Trace:
     labels = _read_labels(file)
     windows = sorted((name for name in file.groups if name.startswith("window_")), key=lambda name: int(name[7:]))
-    trace = Trace(
+    return Trace(
         method=str(file.attrs["method"]),
         step=float(file.attrs["step"]),
         duration=float(file.attrs["duration"]),
@@ -156,8 +185,6 @@ def _read(file: Any) -> StoredRun:
         orders=_read_orders(file.groups["orders"]) if "orders" in file.groups else None,
         drive=_read_statistics(file.groups["drive"]) if "drive" in file.groups else None,
     )
-    design = Design.model_validate_json(str(file.attrs["design"]))
-    return StoredRun(design, str(file.attrs["case"]), trace)
 
 
 def _write_part(group: Any, part: Any) -> None:

@@ -13,7 +13,7 @@ from gearwright.dynamics.model import ClutchDrive, MachineDrive
 from gearwright.dynamics.motion import simulate_many
 from gearwright.errors import DesignError, SolveError
 from gearwright.spec import parse
-from gearwright.store import load, save
+from gearwright.store import StoredRun, load, save
 
 DURATION = 0.3
 
@@ -62,7 +62,7 @@ def test_energy_closes_with_drives():
 def test_a_run_is_saved_loaded_and_replayed(tmp_path):
     system = driven_train()
     trace = simulate(system, DURATION)
-    save(tmp_path / "run.nc", trace, design=parse(HYBRID), case="rated")
+    save(StoredRun(parse(HYBRID), "rated", trace), tmp_path / "run.nc")
     again = load(tmp_path / "run.nc").trace
     assert np.array_equal(again.samples.drives, trace.samples.drives)
     assert again.labels == trace.labels

@@ -8,7 +8,7 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.vibration import run_up
 from gearwright.sizing import size
 from gearwright.spec import parse
-from gearwright.store import load, save
+from gearwright.store import StoredRun, load, save
 
 
 @pytest.fixture(scope="module")
@@ -26,7 +26,7 @@ def test_the_mark_is_in_the_trace_and_in_its_file(in_line_h2, tmp_path) -> None:
     assert stopped.interrupted
     with pytest.raises(KeyboardInterrupt):
         stopped.whole()
-    save(tmp_path / "run.nc", stopped, design=in_line_h2.design, case="cruise")
+    save(StoredRun(in_line_h2.design, "cruise", stopped), tmp_path / "run.nc")
     assert load(tmp_path / "run.nc").trace.interrupted
     whole = simulate(system, 1e-4)
     assert not whole.interrupted
