@@ -87,8 +87,9 @@ class Calls:
             if name == f"{file}:{fault.function}" or name.startswith(f"{file}:{fault.function}.")
         ]
         if fault.function == "<module>" or (fault.function in self.readers and fault.function.strip("_")[:1].isupper()):
-            # A constant, or the default of a field.
+            # A constant, or the default of a field: who reads it, and who calls anything beside it.
             own = sorted(self.readers.get(fault.name or fault.function, set()))
+            own += [name for name in self.tests if name.startswith(f"{file}:")]
         if not any(name in self.tests for name in own):
             own = [name for name in self.tests if name.startswith(f"{file}:")]
         rank = {test: place for name in own for place, test in enumerate(self.tests.get(name, ()))}

@@ -34,7 +34,7 @@ COMPARISONS: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Is: ast.IsNot,
     ast.IsNot: ast.Is,
 }
-ALIKE = ("zip", "where", "hypot", "isinstance", "getattr", "setattr", "isclose", "dict")
+ALIKE = ("zip", "where", "hypot", "isinstance", "getattr", "setattr", "isclose", "dict", "clip", "TypeVar")
 """Calls whose arguments may not be swapped, or may be without a difference."""
 NAMES = {"min": "max", "max": "min", "sin": "cos", "cos": "sin", "minimum": "maximum", "maximum": "minimum"}
 NAMES |= {"ceil": "floor", "floor": "ceil", "any": "all", "all": "any"}

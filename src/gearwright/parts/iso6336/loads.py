@@ -165,10 +165,10 @@ def load_distribution(
 
 
 def _deviations(mesh: MeshGeometry, grade: int) -> tuple[Value, Value, Value]:
-    """Greater f_pb and f_fα of the two gears, and f_ma = √(f_Hβ1² + f_Hβ2²) [m]."""
+    """Greater f_pb of the two gears, f_fα of their module, and f_ma = √(f_Hβ1² + f_Hβ2²) [m]."""
     pinion, wheel = (flank_tolerances(d, mesh.module, mesh.face_width, grade=grade) for d in mesh.pitch_diameters)
     return (
         np.maximum(pinion.single_pitch, wheel.single_pitch) * np.cos(mesh.transverse_angle),
-        np.maximum(pinion.profile_form, wheel.profile_form),
+        pinion.profile_form,
         np.hypot(pinion.helix_slope, wheel.helix_slope),
     )
