@@ -66,13 +66,19 @@ class PartId(NamedTuple):
 
     def __str__(self) -> str:
         """Return the label: ``first.sun``, ``first.sun-planet-1``, ``off.left``, ``first.carrier``, ``mast``."""
-        if self.kind is Kind.CARRIER:
-            return f"{self.name}.carrier"
         if self.kind is Kind.JOINT and self.branch:
             return f"{self.name} on {self.branch}"
-        role = "" if self.role in (None, Row.PAIR) else str(self.role)
+        role = "carrier" if self.kind is Kind.CARRIER else "" if self.role in (None, Row.PAIR) else str(self.role)
         label = ".".join(part for part in (self.name, role, self.branch) if part)
         return label if self.number is None else f"{label}-{self.number}"
+
+    def is_of(self, whole: PartId) -> bool:
+        """Tell whether this is a part, or one of its several planets.
+
+        Args:
+            whole: Without number it means them all.
+        """
+        return whole in (self, self._replace(number=None))
 
 
 def gear_part(stage: str, role: Role, branch: str = "", *, number: int | None = None) -> PartId:

@@ -22,6 +22,7 @@ from gearwright.errors import DesignError, Problem, by_name
 from gearwright.reading import refuse_irregular
 from gearwright.spec import Design
 from gearwright.store.image import new_netcdf
+from gearwright.store.owners import found_owners, read_owners, written_owners
 from gearwright.train import RATED
 from gearwright.version import __version__
 
@@ -47,6 +48,7 @@ _DIMENSIONS: Mapping[type, Mapping[str, tuple[tuple[str, ...], str]]] = {
 """Array fields of each part: dimensions and unit."""
 
 _STATISTICS = ("force", "deflection", "velocity")
+_OWNERS = ("coordinate_owners", "line_owners", "drive_owners")
 _SCALARS = ("method", "step", "duration", "error", "tolerance")
 
 
@@ -246,20 +248,29 @@ def _write_labels(file: Any, labels: Labels) -> None:
     )
     file.attrs["lines"], file.attrs["line_unit"] = _joined(labels.lines), _joined(labels.line_units)
     file.attrs["line_kinds"] = _joined(labels.line_kinds)
+    for name in _OWNERS:
+        file.attrs[name] = written_owners(getattr(labels, name))
     file.attrs["tones"] = _joined(map(_written_tone, labels.tones))
     file.attrs["drives"], file.attrs["drive_unit"] = _joined(labels.drives), _joined(labels.drive_units)
 
 
 def _read_labels(file: Any) -> Labels:
+    names = {name: _lines(file.attrs[name]) for name in ("coordinates", "lines")}
+    owners = {name: read_owners(str(file.attrs[name])) for name in _OWNERS if name in file.attrs}
+    if not owners:
+        design = Design.model_validate_json(str(file.attrs["design"]))
+        found = found_owners(names["coordinates"], names["lines"], design, str(file.attrs["case"]))
+        owners = dict(zip(_OWNERS, found, strict=False))
     return Labels(
-        coordinates=_lines(file.attrs["coordinates"]),
+        coordinates=names["coordinates"],
         coordinate_units=_lines(file.attrs["coordinate_unit"]),
-        lines=_lines(file.attrs["lines"]),
+        lines=names["lines"],
         line_units=_lines(file.attrs["line_unit"]),
         line_kinds=_lines(file.attrs["line_kinds"]),
         tones=tuple(map(_read_tone, _lines(file.attrs["tones"]))),
         drives=_lines(file.attrs.get("drives", "")),
         drive_units=_lines(file.attrs.get("drive_unit", "")),
+        **owners,
     )
 
 

@@ -5,7 +5,7 @@ The builder that it fills is in `model`.
 
 from gearwright.dynamics.assembly.assemble import Driving, assemble, default_case
 from gearwright.dynamics.assembly.assumptions import Assumption, assumptions
-from gearwright.dynamics.assembly.contacts import contacts_of
+from gearwright.dynamics.assembly.contacts import bodies_of, contacts_of
 from gearwright.dynamics.assembly.meshes import gear_pairs, mesh_curve
 
 __all__ = [
@@ -13,6 +13,7 @@ __all__ = [
     "Driving",
     "assemble",
     "assumptions",
+    "bodies_of",
     "contacts_of",
     "default_case",
     "gear_pairs",

@@ -22,11 +22,13 @@ from gearwright.dynamics.model import (
     Curve,
     DampingRatio,
     MachineDrive,
+    Owner,
     PropellerDrive,
     System,
     points_of,
 )
 from gearwright.errors import by_name
+from gearwright.identity import Kind
 from gearwright.sizing import Sizing
 from gearwright.train import RATED
 from gearwright.verbs import verb
@@ -71,13 +73,15 @@ def assemble(
     model = assembly.model
     add_bodies(assembly)
     for name, rotor in assembly.rotors.items():
-        if name.partition(".")[0] not in assembly.moving or name in sizing.design.machines:
-            model.rotation(name, inertia=rotor.inertia, speed=rotor.speed)
+        if rotor.part.kind not in (Kind.GEAR, Kind.CARRIER) or rotor.part.name not in assembly.moving:
+            model.rotation(name, inertia=rotor.inertia, speed=rotor.speed, owner=Owner(rotor.part))
     for stage in assembly.moving:
         add_moving_set(assembly, stage)
     damping = DampingRatio(sizing.design.dynamics.shaft_damping)
     for line in shaft_lines(assembly, driving.capacities.keys() if driving else frozenset()):
-        model.shaft(line.name, line.first, line.second, stiffness=line.stiffness, damping=damping)
+        model.shaft(
+            line.name, line.first, line.second, stiffness=line.stiffness, damping=damping, owner=Owner(line.part)
+        )
     for mesh in sizing.train.meshes:
         if mesh.stage not in assembly.moving:
             add_mesh_row(assembly, mesh)
@@ -119,7 +123,7 @@ def _add_driving(assembly: Assembly, driving: Driving) -> None:
         model.load(assembly.members[shaft][0], schedule=[(time, sense * value) for time, value in points_of(curve)])
     for joint in sizing.train.joints:
         if joint.name in driving.capacities:
-            _, first, second, stiffness = clutch_line(assembly, joint)
+            _, _, first, second, stiffness = clutch_line(assembly, joint)
             mobility = sum(1.0 / assembly.rotors[name].inertia for name in (first, second))
             damping = DampingRatio(sizing.design.dynamics.shaft_damping).damper(stiffness, mobility)
             capacity = driving.capacities[joint.name]

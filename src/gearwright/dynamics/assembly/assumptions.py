@@ -16,6 +16,8 @@ from gearwright.spec.design import DynamicsRules
 from gearwright.units import text
 
 Source = Literal["given", "default", "computed"]
+_MEMBER = {"ring_tangential": "ring"}
+"""Field of a set's bearings -> the member that it holds, where it is not called so."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +92,7 @@ def _bearings(sizing: Sizing) -> Iterator[Assumption]:
         bearings = planetary.bearings
         for field, info in type(bearings).model_fields.items():
             quantity, path = quantity_of(info), f"planetaries.{name}.bearings.{field}"
-            member = field.partition("_")[0]
+            member = _MEMBER.get(field, field)
             if quantity is None or (field == "ring_tangential" and planetary.ring != GROUND):
                 continue
             if member in bearings.rigid or (getattr(planetary, member, "") == "ground" and member != "ring"):

@@ -6,10 +6,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
-from gearwright.dynamics.assembly.contacts import body_of
 from gearwright.dynamics.assembly.meshes import gear_pairs, mesh_curve
 from gearwright.dynamics.model import Model
-from gearwright.identity import SIDES, Role, gear_part
+from gearwright.identity import SIDES, Kind, PartId, Role, gear_part
 from gearwright.parts.gears import GearPair
 from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
@@ -24,6 +23,8 @@ class Rotor(NamedTuple):
     """[kg m²]."""
     speed: float
     """In the load case [rad/s]."""
+    part: PartId
+    """Who it is."""
 
 
 @dataclass
@@ -68,17 +69,18 @@ class Assembly:
         sized = next(mesh for mesh in self.sizing.meshes if mesh.name == row)
         return mesh_curve(self.sizing, sized, self.pairs[row], harmonics=self.harmonics)
 
-    def put(self, body: str, shaft: str, inertia: float) -> None:
+    def put(self, body: PartId, shaft: str, inertia: float) -> None:
         """Put a body on a shaft; the ground takes none.
 
         Args:
-            body: Its name.
+            body: Who it is.
             shaft: That carries it.
             inertia: [kg m²].
         """
         if shaft != GROUND:
-            self.rotors[body] = Rotor(inertia, self.flow.speeds[shaft])
-            self.members.setdefault(shaft, []).append(body)
+            name = f"{body} hub" if body.kind is Kind.SHAFT else str(body)
+            self.rotors[name] = Rotor(inertia, self.flow.speeds[shaft], body)
+            self.members.setdefault(shaft, []).append(name)
 
     def seat(self, machine: MachineSizing) -> str:
         """Return the body that a machine's shaft joins, or that its torque acts on.
@@ -110,11 +112,13 @@ def add_bodies(assembly: Assembly) -> None:
     for gear in sizing.gears:
         if gear.role in SIDES:
             for shaft in gear.shafts:
-                assembly.put(body_of(sizing, gear.name, shaft), shaft, gear.inertia * gear.bodies / len(gear.shafts))
+                assembly.put(gear.body(shaft), shaft, gear.inertia * gear.bodies / len(gear.shafts))
     for sized in sizing.shafts:
         _share_shaft(assembly, sized)
     for machine in sizing.machines if assembly.machines_turn else ():
-        assembly.rotors[machine.name] = Rotor(machine.inertia, speeds[machine.shaft])
+        assembly.rotors[machine.name] = Rotor(
+            machine.inertia, speeds[machine.shaft], PartId(Kind.MACHINE, machine.name)
+        )
 
 
 def _add_set(assembly: Assembly, name: str) -> None:
@@ -124,20 +128,20 @@ def _add_set(assembly: Assembly, name: str) -> None:
     planet, carrier = gears[Role.PLANET], next(carrier for carrier in sizing.carriers if carrier.stage == name)
     # Planets that move on their pins are masses of their own.
     carried = 0.0 if name in assembly.moving else planet.bodies * planet.mass * carrier.radius**2
-    assembly.put(gears[Role.SUN].name, planetary.sun, gears[Role.SUN].inertia)
-    assembly.put(str(carrier.part), planetary.carrier, carrier.inertia + carried)
-    assembly.put(gears[Role.RING].name, planetary.ring, gears[Role.RING].inertia)
+    assembly.put(gears[Role.SUN].part, planetary.sun, gears[Role.SUN].inertia)
+    assembly.put(carrier.part, planetary.carrier, carrier.inertia + carried)
+    assembly.put(gears[Role.RING].part, planetary.ring, gears[Role.RING].inertia)
     for number in range(1, planetary.planets + 1):
-        body = str(gear_part(name, Role.PLANET, number=number))
-        assembly.rotors[body] = Rotor(planet.inertia, assembly.flow.speeds[planet.name])
+        body = gear_part(name, Role.PLANET, number=number)
+        assembly.rotors[str(body)] = Rotor(planet.inertia, assembly.flow.speeds[planet.name], body)
 
 
 def _share_shaft(assembly: Assembly, shaft: ShaftSizing) -> None:
     """Give each end of a shaft half of its inertia; a shaft without gears is a body itself."""
     members = assembly.members.setdefault(shaft.name, [])
     if not members:
-        assembly.put(f"{shaft.name} hub", shaft.name, shaft.inertia)
+        assembly.put(PartId(Kind.SHAFT, shaft.name), shaft.name, shaft.inertia)
         return
     for end in {members[0], members[-1]}:
-        inertia, speed = assembly.rotors[end]
-        assembly.rotors[end] = Rotor(inertia + shaft.inertia / (1.0 if len(members) == 1 else 2.0), speed)
+        share, rotor = 1.0 if len(members) == 1 else 2.0, assembly.rotors[end]
+        assembly.rotors[end] = rotor._replace(inertia=rotor.inertia + shaft.inertia / share)

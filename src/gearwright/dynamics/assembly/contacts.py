@@ -19,6 +19,7 @@ from gearwright.dynamics.model import (
     push_direction,
 )
 from gearwright.errors import DesignError, Problem
+from gearwright.identity import PartId, Role, Row, carrier_part, gear_part
 from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.parts.planetary import even_positions
 from gearwright.sizing import Sizing
@@ -43,16 +44,17 @@ def contacts_of(sizing: Sizing, flow: PowerFlow) -> tuple[Contact, ...]:
     return tuple(contacts)
 
 
-def body_of(sizing: Sizing, gear: str, shaft: str) -> str:
-    """Return the name of a gear's body on a shaft: with the shaft's name where several shafts carry equal ones.
+def bodies_of(sizing: Sizing) -> dict[str, PartId]:
+    """Return every body that teeth or pins move, by its name.
 
     Args:
         sizing: What was sized.
-        gear: Such as ``first.wheel``.
-        shaft: That carries it.
     """
-    several = len(gear_of(sizing, gear).shafts) > 1
-    return f"{gear}.{shaft}" if several else gear
+    gears = [gear.body(shaft) for gear in sizing.gears if gear.role is not Role.PLANET for shaft in gear.shafts]
+    for stage, planetary in sizing.design.planetaries.items():
+        gears += [gear_part(stage, Role.PLANET, number=number + 1) for number in range(planetary.planets)]
+        gears.append(carrier_part(stage))
+    return {str(part): part for part in gears}
 
 
 def push_sense(flow: PowerFlow, row: str) -> Literal[1, -1]:
@@ -96,9 +98,9 @@ def _first_body(sizing: Sizing, shaft: str) -> str:
     for stage in (*sizing.design.planetaries, *sizing.design.pairs):
         for gear in sizing.gears:
             if gear.stage == stage and shaft in gear.shafts:
-                return body_of(sizing, gear.name, shaft)
+                return str(gear.body(shaft))
         if stage in sizing.design.planetaries and sizing.design.planetaries[stage].carrier == shaft:
-            return f"{stage}.carrier"
+            return str(carrier_part(stage))
     return ""
 
 
@@ -136,16 +138,17 @@ def direction_between(sizing: Sizing, shaft: str, to: str) -> complex:
 def _carried(sizing: Sizing, mesh: Mesh, end: int, *, lever: float, axis: str) -> Carried:
     shaft = mesh.nodes[end]
     turns = {_first_body(sizing, shaft): 1} if shaft != GROUND else {}
-    return Carried(body_of(sizing, mesh.gears[end], shaft), shaft, lever, turns, turns, {}, axis)
+    return Carried(str(gear_of(sizing, mesh.gears[end]).body(shaft)), shaft, lever, turns, turns, {}, axis)
 
 
 def _planets(sizing: Sizing, flow: PowerFlow, mesh: Mesh, stage: Planetary) -> Iterator[Contact]:
-    circles, sense, at_sun = base_circles(sizing, mesh), push_sense(flow, mesh.name), mesh.name.endswith("sun-planet")
-    frame = {f"{mesh.stage}.carrier": -1} if stage.carrier != GROUND else {}
+    circles, sense, at_sun = base_circles(sizing, mesh), push_sense(flow, mesh.name), mesh.row is Row.SUN_PLANET
+    frame = {str(carrier_part(mesh.stage)): -1} if stage.carrier != GROUND else {}
     for k, position in enumerate(even_positions(stage.planets), start=1):
         towards = complex(math.cos(position), math.sin(position))
-        planet = f"{mesh.stage}.planet-{k}"
-        member, shaft = (f"{mesh.stage}.sun", stage.sun) if at_sun else (f"{mesh.stage}.ring", stage.ring)
+        planet = str(gear_part(mesh.stage, Role.PLANET, number=k))
+        role, shaft = (Role.SUN, stage.sun) if at_sun else (Role.RING, stage.ring)
+        member = str(gear_part(mesh.stage, role))
         turns: Turns = {member: 1, **frame} if shaft != GROUND else frame
         central = Carried(member, shaft, 0.0, turns, turns, frame)
         carried = Carried(planet, stage.carrier, 0.0, {planet: 1, **frame}, {}, frame, "x", towards)
@@ -154,4 +157,6 @@ def _planets(sizing: Sizing, flow: PowerFlow, mesh: Mesh, stage: Planetary) -> I
             first._replace(lever=sense * circles.first),
             second._replace(lever=-mesh.sign * sense * circles.second),
         )
-        yield Contact(f"{mesh.name}-{k}", push_direction(towards, circles.pressure_angle, sense=sense), sides)
+        yield Contact(
+            str(mesh.part._replace(number=k)), push_direction(towards, circles.pressure_angle, sense=sense), sides
+        )

@@ -7,8 +7,10 @@ import math
 from dataclasses import dataclass
 
 from gearwright.dynamics.assembly.bodies import Assembly
-from gearwright.dynamics.assembly.contacts import base_circles, body_of, direction_between, push_sense
-from gearwright.dynamics.model import DampingRatio, Periodic
+from gearwright.dynamics.assembly.contacts import base_circles, direction_between, push_sense
+from gearwright.dynamics.assembly.meshes import gear_of
+from gearwright.dynamics.model import DampingRatio, Owner, Periodic
+from gearwright.identity import PartId, Role, Row, carrier_part, gear_part, mesh_part
 from gearwright.parts.planetary import even_positions, planet_phases
 from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.spec import GROUND, Planetary
@@ -19,7 +21,7 @@ from gearwright.train import Mesh
 class _Teeth:
     """What one line of a mesh row has of its own."""
 
-    line: str
+    line: PartId
     curve: StiffnessCurve
     planet: int
     """Counted from 1; 0 without planets."""
@@ -38,12 +40,12 @@ def add_mesh_row(assembly: Assembly, mesh: Mesh) -> None:
     """
     stage, curve = assembly.sizing.design.stages[mesh.stage], assembly.curve(mesh.name)
     if isinstance(stage, Planetary):
-        inner, outer = (assembly.pairs[f"{mesh.stage}.{end}"] for end in ("sun-planet", "planet-ring"))
+        inner, outer = (assembly.pairs[str(mesh_part(mesh.stage, row))] for row in (Row.SUN_PLANET, Row.PLANET_RING))
         phases = planet_phases(inner, outer, even_positions(stage.planets))
-        for k, phase in enumerate(phases.sun if mesh.name.endswith("sun-planet") else phases.ring, start=1):
-            _add_line(assembly, mesh, _Teeth(f"{mesh.name}-{k}", curve, k, 1, phase))
+        for k, phase in enumerate(phases.sun if mesh.row is Row.SUN_PLANET else phases.ring, start=1):
+            _add_line(assembly, mesh, _Teeth(mesh.part._replace(number=k), curve, k, 1, phase))
     else:
-        _add_line(assembly, mesh, _Teeth(mesh.name, curve, 0, mesh.count, _parallel_phase(assembly, mesh)))
+        _add_line(assembly, mesh, _Teeth(mesh.part, curve, 0, mesh.count, _parallel_phase(assembly, mesh)))
 
 
 def _parallel_phase(assembly: Assembly, mesh: Mesh) -> float:
@@ -81,22 +83,26 @@ def _add_line(assembly: Assembly, mesh: Mesh, teeth: _Teeth) -> None:
             offset=2.0 * math.pi * teeth.phase,
         )
     assembly.model.mesh(
-        teeth.line,
+        str(teeth.line),
         weights,
         stiffness=curve.mean * teeth.count,
         damping=DampingRatio(design.dynamics.mesh_damping),
         backlash=design.stages[mesh.stage].backlash,
         variation=variation,
+        owner=Owner(teeth.line),
     )
 
 
 def _bodies(assembly: Assembly, mesh: Mesh, planet: int) -> tuple[str, str, str]:
     """Return the bodies of gear a, gear b and carrier."""
     if planet:
-        first, second = (f"{gear}-{planet}" if gear.endswith(".planet") else gear for gear in mesh.gears)
-        return first, second, f"{mesh.stage}.carrier"
-    first, second = (body_of(assembly.sizing, *end) for end in zip(mesh.gears, mesh.nodes, strict=False))
-    return first, second, GROUND
+        gears = [assembly.sizing.train.gear(gear).part for gear in mesh.gears]
+        first, second = (part._replace(number=planet if part.role is Role.PLANET else None) for part in gears)
+        return str(first), str(second), str(carrier_part(mesh.stage))
+    first, second = (
+        gear_of(assembly.sizing, gear).body(shaft) for gear, shaft in zip(mesh.gears, mesh.nodes, strict=False)
+    )
+    return str(first), str(second), GROUND
 
 
 def _tone(assembly: Assembly, mesh: Mesh) -> dict[str, int]:
@@ -104,8 +110,8 @@ def _tone(assembly: Assembly, mesh: Mesh) -> dict[str, int]:
     sizing, speeds = assembly.sizing, assembly.flow.speeds
     stage = sizing.design.stages[mesh.stage]
     if isinstance(stage, Planetary):
-        gear, node, carrier = f"{mesh.stage}.sun", stage.sun, stage.carrier
-        bodies = (gear, f"{mesh.stage}.carrier")
+        gear, node, carrier = str(gear_part(mesh.stage, Role.SUN)), stage.sun, stage.carrier
+        bodies = (gear, str(carrier_part(mesh.stage)))
     else:
         gear, node, carrier = mesh.gears[0], mesh.nodes[0], GROUND
         bodies = (_bodies(assembly, mesh, 0)[0], GROUND)

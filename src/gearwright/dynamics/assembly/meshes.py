@@ -77,7 +77,7 @@ def mesh_curve(sizing: Sizing, mesh: MeshSizing, pair: GearPair, *, harmonics: i
     Raises:
         DesignError: If the model does not hold for these gears, with the mesh.
     """
-    rules, name = sizing.design.dynamics, mesh.name.partition(".")[0]
+    rules, name = sizing.design.dynamics, mesh.stage
     orders = rules.harmonics if harmonics is None else harmonics
     stated = rules.curves.get(mesh.name) or rules.curves.get(name)
     try:
@@ -95,7 +95,7 @@ def _sampled(stated: MeshCurve, harmonics: int) -> StiffnessCurve:
 
 
 def _by_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair, harmonics: int) -> StiffnessCurve:
-    steel = materials()[sizing.design.rules(mesh.name.partition(".")[0]).material]
+    steel = materials()[sizing.design.rules(mesh.stage).material]
     match sizing.design.dynamics.mesh_stiffness:
         case "energy":
             return mesh_stiffness_energy(pair, materials=(steel, steel), harmonics=harmonics)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from gearwright.catalogue import materials
 from gearwright.dynamics.assembly.bodies import Assembly
+from gearwright.identity import Kind, PartId
 from gearwright.parts.shafts import shaft_diameter, torsional_stiffness
 from gearwright.train import Joint
 
@@ -17,6 +18,8 @@ class ShaftLine(NamedTuple):
 
     name: str
     """Unique name."""
+    part: PartId
+    """Shaft, machine or clutch."""
     first: str
     """Body at the end that drives."""
     second: str
@@ -38,16 +41,17 @@ def shaft_lines(assembly: Assembly, slipping: Set[str]) -> Iterator[ShaftLine]:
         pieces = len(members) - 1
         for k, (first, second) in enumerate(pairwise(members)):
             line = f"{name} shaft" if pieces == 1 else f"{name} shaft {k + 1}"
-            yield ShaftLine(line, first, second, shafts[name].stiffness * pieces)
+            yield ShaftLine(line, PartId(Kind.SHAFT, name), first, second, shafts[name].stiffness * pieces)
     for machine in sizing.machines if assembly.machines_turn else ():
         end, shaft = assembly.seat(machine), machine.shaft
         driving = assembly.flow.machine_powers[machine.name] >= 0.0
         ends = (machine.name, end) if driving else (end, machine.name)
+        own = PartId(Kind.MACHINE, machine.name)
         alone = sum(neighbour.shaft == shaft for neighbour in sizing.machines) == 1
         if len(assembly.members[shaft]) == 1 and alone:
-            yield ShaftLine(f"{shaft} shaft", *ends, shafts[shaft].stiffness)
+            yield ShaftLine(f"{shaft} shaft", PartId(Kind.SHAFT, shaft), *ends, shafts[shaft].stiffness)
         else:
-            yield ShaftLine(f"{machine.name} shaft", *ends, _stub_stiffness(assembly, machine.torque))
+            yield ShaftLine(f"{machine.name} shaft", own, *ends, _stub_stiffness(assembly, machine.torque))
     for joint in sizing.train.joints:
         if joint.name in assembly.flow.joints and joint.name not in slipping:
             yield clutch_line(assembly, joint)
@@ -62,7 +66,7 @@ def clutch_line(assembly: Assembly, joint: Joint) -> ShaftLine:
     """
     stiffness = min(shaft.stiffness for shaft in assembly.sizing.shafts if shaft.name in (joint.driving, joint.driven))
     first, second = assembly.members[joint.driving][-1], assembly.members[joint.driven][0]
-    return ShaftLine(f"{joint.name} clutch", first, second, stiffness)
+    return ShaftLine(f"{joint.name} clutch", PartId(Kind.CLUTCH, joint.name), first, second, stiffness)
 
 
 def _stub_stiffness(assembly: Assembly, torque: float) -> float:

@@ -10,8 +10,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from gearwright.dynamics.assembly.meshes import gear_of
-from gearwright.dynamics.model import AXES, Contact, DampingRatio, Line, Model, shift_weights
+from gearwright.dynamics.model import AXES, Contact, DampingRatio, Line, Model, Owner, shift_weights
 from gearwright.errors import DesignError, Problem
+from gearwright.identity import Kind, PartId, Role, carrier_part, gear_part
 from gearwright.sizing import Sizing
 from gearwright.train import PowerFlow
 
@@ -39,8 +40,10 @@ def add_supports(model: Model, sizing: Sizing, contacts: tuple[Contact, ...], fl
         if support.axial is not None:
             stiffness[next(axis for axis in AXES if axis not in stiffness)] = support.axial
         for axis, value in stiffness.items():
-            name = model.translation(f"{shaft}.{axis}", mass=mass)
-            model.support(f"{name} support", name, stiffness=value, damping=DampingRatio(support.damping))
+            owner = Owner(PartId(Kind.SHAFT, shaft), axis)
+            name = model.translation(f"{shaft}.{axis}", mass=mass, owner=owner)
+            damping = DampingRatio(support.damping)
+            model.support(f"{name} support", name, stiffness=value, damping=damping, owner=owner)
             moving.add(name)
         if frames[shaft]:
             model.rotating_frame(*(f"{shaft}.{AXES[k]}" for k in across), speed=frames[shaft])
@@ -66,7 +69,7 @@ def _frames(sizing: Sizing, contacts: tuple[Contact, ...], flow: PowerFlow) -> d
     if problems:
         raise DesignError(problems)
     speeds = {
-        f"{name}.carrier": flow.speeds[planetary.carrier] for name, planetary in sizing.design.planetaries.items()
+        str(carrier_part(name)): flow.speeds[planetary.carrier] for name, planetary in sizing.design.planetaries.items()
     }
     return {shaft: speeds.get(next(iter(carrier), ""), 0.0) for shaft, carrier in carriers.items()}
 
@@ -78,7 +81,7 @@ def _moving_mass(sizing: Sizing, shaft: str) -> float:
     carriers = 0.0
     for carrier in sizing.carriers:
         if carrier.shaft == shaft:
-            planet = gear_of(sizing, f"{carrier.stage}.planet")
+            planet = gear_of(sizing, str(gear_part(carrier.stage, Role.PLANET)))
             carriers += carrier.mass + planet.mass * planet.bodies
     return alone + gears + carriers
 

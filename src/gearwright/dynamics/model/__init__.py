@@ -21,7 +21,10 @@ from gearwright.dynamics.model.drives import (
     MACHINE,
     OUTPUTS,
     OUTSIDE_MAP,
+    PITCH,
     PROPELLER,
+    SPEED,
+    TORQUE,
     Acting,
     ClutchDrive,
     Curve,
@@ -35,15 +38,17 @@ from gearwright.dynamics.model.finite import check_finite, finite_numbers, refus
 from gearwright.dynamics.model.flatten import profile_of
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Model
-from gearwright.dynamics.model.planetary import add_planetary
+from gearwright.dynamics.model.planetary import PIN, add_planetary
 from gearwright.dynamics.model.planetary_set import Member, PlanetarySet, PlanetError, rotational
 from gearwright.dynamics.model.system import (
+    NOBODY,
     Arrays,
     Drives,
     Entries,
     Floats,
     Ints,
     Labels,
+    Owner,
     Profile,
     Schedules,
     Series,
@@ -59,9 +64,14 @@ __all__ = [
     "CLUTCH",
     "HEADER",
     "MACHINE",
+    "NOBODY",
     "OUTPUTS",
     "OUTSIDE_MAP",
+    "PIN",
+    "PITCH",
     "PROPELLER",
+    "SPEED",
+    "TORQUE",
     "Acting",
     "Arrays",
     "Carried",
@@ -78,6 +88,7 @@ __all__ = [
     "MachineDrive",
     "Member",
     "Model",
+    "Owner",
     "Periodic",
     "PlanetError",
     "PlanetarySet",

@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.dynamics.model.system import Drives, Floats, Schedules
+from gearwright.dynamics.model.system import Drives, Floats, Owner, Schedules
+from gearwright.identity import Kind, PartId
 from gearwright.machines import Governor, GovernorState, PropellerMap, governor_rates, look_up
 
 Curve = float | Sequence[tuple[float, float]]
@@ -187,28 +188,50 @@ def points_of(curve: Curve) -> Sequence[tuple[float, float]]:
     return ((0.0, float(curve)),) if isinstance(curve, int | float) else curve
 
 
-def drive_labels(drives: Sequence[Drive]) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return names and units of what is recorded of drives.
+class Column(NamedTuple):
+    """One number that is recorded of a drive."""
+
+    owner: Owner
+    """Machine or clutch, and what it is of it."""
+    unit: str
+
+    @property
+    def name(self) -> str:
+        """Such as ``propeller pitch``."""
+        return f"{self.owner.part} {self.owner.what}"
+
+
+def drive_columns(drives: Sequence[Drive]) -> tuple[Column, ...]:
+    """Return what is recorded of drives, in order: all states, then torque, speed and flag of each.
 
     Args:
         drives: The records.
     """
-    columns: list[tuple[str, str]] = []
-    for drive in drives:
-        if isinstance(drive, PropellerDrive):
-            columns += [(f"{drive.name} {what}", unit) for what, unit in _GOVERNOR_STATES]
-        elif isinstance(drive, ClutchDrive):
-            columns.append((f"{drive.name} twist", "rad"))
-    for drive in drives:
-        flag = {PropellerDrive: OUTSIDE_MAP, MachineDrive: "limited", ClutchDrive: "slipping"}[type(drive)]
-        speed = "slip" if isinstance(drive, ClutchDrive) else "speed"
-        columns += [(f"{drive.name} torque", "N m"), (f"{drive.name} {speed}", "rad/s"), (f"{drive.name} {flag}", "-")]
-    return tuple(name for name, _ in columns), tuple(unit for _, unit in columns)
+    states = [column for drive in drives for column in _columns(drive, _STATES[type(drive)])]
+    return (*states, *(column for drive in drives for column in _columns(drive, _REPORTS[type(drive)])))
 
 
-_GOVERNOR_STATES = (("pitch", "rad"), ("pitch rate", "rad/s"), ("error sum", "rad"))
+def _columns(drive: Drive, quantities: Mapping[str, str]) -> list[Column]:
+    part = PartId(Kind.CLUTCH if isinstance(drive, ClutchDrive) else Kind.MACHINE, drive.name)
+    return [Column(Owner(part, what), unit) for what, unit in quantities.items()]
+
+
+TORQUE, SPEED, PITCH = "torque", "speed", "pitch"
+"""What is recorded of drives, of machines and propellers, of propellers."""
 OUTSIDE_MAP = "outside map"
 """Flag of a propeller; a run that raises it is refused."""
+_STATES: Mapping[type, Mapping[str, str]] = {
+    PropellerDrive: {PITCH: "rad", "pitch rate": "rad/s", "error sum": "rad"},
+    MachineDrive: {},
+    ClutchDrive: {"twist": "rad"},
+}
+"""Kind of drive -> its states with their units."""
+_REPORTS: Mapping[type, Mapping[str, str]] = {
+    PropellerDrive: {TORQUE: "N m", SPEED: "rad/s", OUTSIDE_MAP: "-"},
+    MachineDrive: {TORQUE: "N m", SPEED: "rad/s", "limited": "-"},
+    ClutchDrive: {TORQUE: "N m", "slip": "rad/s", "slipping": "-"},
+}
+"""Kind of drive -> what it reports with its unit."""
 
 
 def drive_effects(drives: Drives, total: Floats, inputs: Floats, states: Floats) -> Acting:

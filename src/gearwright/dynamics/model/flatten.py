@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from gearwright.dynamics.model.drives import drive_labels, encoded
+from gearwright.dynamics.model.drives import drive_columns, encoded
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.system import (
     Arrays,
@@ -201,7 +201,7 @@ def _labels(model: Written, tones: _Tones) -> Labels:
         angular = line.kind in ("shaft", "support") and all(units[name] == "rad" for name in line.weights)
         return "rad" if angular else "m"
 
-    drives, drive_units = drive_labels(model.drives)
+    recorded = drive_columns(model.drives)
     return Labels(
         coordinates=tuple(units),
         coordinate_units=tuple(units.values()),
@@ -209,6 +209,9 @@ def _labels(model: Written, tones: _Tones) -> Labels:
         line_units=tuple(unit(line) for line in model.lines),
         line_kinds=tuple(line.kind for line in model.lines),
         tones=tuple(tones.numbers),
-        drives=drives,
-        drive_units=drive_units,
+        drives=tuple(column.name for column in recorded),
+        drive_units=tuple(column.unit for column in recorded),
+        coordinate_owners=tuple(body.owner for body in model.bodies),
+        line_owners=tuple(line.owner for line in model.lines),
+        drive_owners=tuple(column.owner for column in recorded),
     )

@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from gearwright.dynamics.model.system import Floats
+from gearwright.dynamics.model.system import NOBODY, Floats, Owner
 
 Kind = Literal["mesh", "shaft", "support", "line"]
 
@@ -84,3 +84,5 @@ class Line:
     """Errors that add up to e(φ) [m or rad]; a positive one opens the line."""
     kind: Kind = "line"
     """What it stands for, for tables and figures."""
+    owner: Owner = NOBODY
+    """Whose it is."""

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from gearwright.dynamics.model.drives import Drive
 from gearwright.dynamics.model.flatten import flatten
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
-from gearwright.dynamics.model.system import System
+from gearwright.dynamics.model.system import NOBODY, Owner, System
 from gearwright.dynamics.model.written import Body, Load, Pair, Written
 
 
@@ -36,25 +36,27 @@ class Model:
     drives: list[Drive] = field(default_factory=list)
     """Propellers, machines and slipping clutches."""
 
-    def rotation(self, name: str, *, inertia: float, speed: float | None = None) -> str:
+    def rotation(self, name: str, *, inertia: float, speed: float | None = None, owner: Owner = NOBODY) -> str:
         """Add a rotation θ and return its name.
 
         Args:
             name: Unique name.
             inertia: Polar mass moment of inertia [kg m²].
             speed: Reference speed [rad/s]; left out, it follows from the lines and the speeds that are given.
+            owner: Whose it is.
         """
-        self.bodies.append(Body(name, inertia, "rad", speed))
+        self.bodies.append(Body(name, inertia, "rad", speed, owner))
         return name
 
-    def translation(self, name: str, *, mass: float) -> str:
+    def translation(self, name: str, *, mass: float, owner: Owner = NOBODY) -> str:
         """Add a translation and return its name.
 
         Args:
             name: Unique name, such as ``"sun.x"``.
             mass: Mass that moves [kg].
+            owner: Whose it is, and the direction.
         """
-        self.bodies.append(Body(name, mass, "m", 0.0))
+        self.bodies.append(Body(name, mass, "m", 0.0, owner))
         return name
 
     def add(self, line: Line) -> None:
@@ -75,6 +77,7 @@ class Model:
         backlash: float = 0.0,
         variation: Periodic | None = None,
         errors: Sequence[Periodic] = (),
+        owner: Owner = NOBODY,
     ) -> None:
         """Add a gear mesh: one line along its line of action.
 
@@ -86,11 +89,19 @@ class Model:
             backlash: Along the line of action [m]; 0 keeps the teeth in contact both ways.
             variation: Stiffness over its mean, less 1, in the mesh phase.
             errors: Errors along the line of action [m].
+            owner: Whose it is.
         """
-        self.lines.append(Line(name, weights, stiffness, damping, backlash, variation, tuple(errors), "mesh"))
+        self.lines.append(Line(name, weights, stiffness, damping, backlash, variation, tuple(errors), "mesh", owner))
 
     def shaft(
-        self, name: str, first: str, second: str, *, stiffness: float, damping: float | DampingRatio = 0.0
+        self,
+        name: str,
+        first: str,
+        second: str,
+        *,
+        stiffness: float,
+        damping: float | DampingRatio = 0.0,
+        owner: Owner = NOBODY,
     ) -> None:
         """Add a torsional shaft, spline or key: its torque is positive if `first` leads.
 
@@ -100,10 +111,19 @@ class Model:
             second: Rotation at the other.
             stiffness: Torsional stiffness [N m/rad].
             damping: c [N m s/rad] or a `DampingRatio`.
+            owner: Shaft, machine or clutch.
         """
-        self.lines.append(Line(name, {first: 1.0, second: -1.0}, stiffness, damping, kind="shaft"))
+        self.lines.append(Line(name, {first: 1.0, second: -1.0}, stiffness, damping, kind="shaft", owner=owner))
 
-    def support(self, name: str, body: str, *, stiffness: float, damping: float | DampingRatio = 0.0) -> None:
+    def support(
+        self,
+        name: str,
+        body: str,
+        *,
+        stiffness: float,
+        damping: float | DampingRatio = 0.0,
+        owner: Owner = NOBODY,
+    ) -> None:
         """Hold a coordinate to the housing: a bearing's direction or a torsional anchor.
 
         Args:
@@ -111,8 +131,9 @@ class Model:
             body: Coordinate that is held.
             stiffness: [N/m or N m/rad].
             damping: c [N s/m or N m s/rad] or a `DampingRatio`.
+            owner: Whose it is, and the direction.
         """
-        self.lines.append(Line(name, {body: 1.0}, stiffness, damping, kind="support"))
+        self.lines.append(Line(name, {body: 1.0}, stiffness, damping, kind="support", owner=owner))
 
     def load(
         self,

@@ -17,9 +17,14 @@ from typing import NamedTuple
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Model
 from gearwright.dynamics.model.planetary_set import Member, PlanetarySet, PlanetError, set_problems
+from gearwright.dynamics.model.system import Owner
 from gearwright.dynamics.model.written import Body
 from gearwright.errors import DesignError
+from gearwright.identity import Kind, PartId, Role, Row, gear_part, member_part, mesh_part
 from gearwright.parts.stiffness import StiffnessCurve
+
+PIN = ("radial", "tangential")
+"""Directions in which a planet moves on its pin."""
 
 
 def add_planetary(
@@ -42,11 +47,11 @@ def add_planetary(
     """
     if problems := list(set_problems(planetary, speeds or {})):
         raise DesignError(problems)
-    writer = _Writer(model, planetary, f"{name}." if name else "", speeds or {})
+    writer = _Writer(model, planetary, name, speeds or {})
     carried = len(planetary.positions) * planetary.planet.mass if math.isinf(planetary.planet.support) else 0.0
-    _central(writer, "sun", planetary.sun)
-    _central(writer, "ring", planetary.ring)
-    _central(writer, "carrier", planetary.carrier, carried=carried)
+    _central(writer, Role.SUN, planetary.sun)
+    _central(writer, Role.RING, planetary.ring)
+    _central(writer, Kind.CARRIER, planetary.carrier, carried=carried)
     for number, position in enumerate(planetary.positions, start=1):
         _planet(writer, number, position)
         _sun_mesh(writer, number, position)
@@ -66,7 +71,8 @@ class _Writer:
 
     model: Model
     planetary: PlanetarySet
-    prefix: str
+    stage: str
+    """Name of the set; empty where it stands alone."""
     speeds: Mapping[str, float]
 
     @property
@@ -74,60 +80,76 @@ class _Writer:
         """Speed of the carrier's frame [rad/s]."""
         return self.speeds.get("carrier", 0.0)
 
-    def coordinate(self, name: str, stiffness: float) -> _Motion:
-        """Return a coordinate's motion, which is nothing where an infinite stiffness holds it."""
-        return _Motion({} if math.isinf(stiffness) else {self.prefix + name: 1.0})
+    def member(self, member: Role | Kind) -> PartId:
+        """Return who sun, ring or carrier is."""
+        return member_part(self.stage, member)
 
-    def line(self, name: str, motion: _Motion, stiffness: float) -> None:
+    def planet(self, number: int) -> PartId:
+        """Return who a planet is, counted from 1."""
+        return gear_part(self.stage, Role.PLANET, number=number)
+
+    def line(self, owner: Owner, motion: _Motion, stiffness: float) -> None:
         """Add a spring on a motion, unless it is zero or infinite."""
         if motion.weights and 0.0 < stiffness < math.inf:
             errors = (Periodic(constant=-motion.constant),) if motion.constant else ()
             damping = DampingRatio(self.planetary.damping)
-            line = Line(self.prefix + name, motion.weights, stiffness, damping, errors=errors, kind="support")
-            self.model.add(line)
+            name = _name(owner)
+            self.model.add(Line(name, motion.weights, stiffness, damping, errors=errors, kind="support", owner=owner))
 
 
-def _central(writer: _Writer, name: str, member: Member, *, carried: float = 0.0) -> None:
+def _name(owner: Owner) -> str:
+    """Return what a coordinate or a support of a part is called: ``sun``, ``sun.x``, ``planet-1.pin.radial``."""
+    return f"{owner.part}.{owner.what}" if owner.what else str(owner.part)
+
+
+def _coordinate(part: PartId, direction: str, stiffness: float) -> _Motion:
+    """Return a coordinate's motion, which is nothing where an infinite stiffness holds it."""
+    return _Motion({} if math.isinf(stiffness) else {_name(Owner(part, direction)): 1.0})
+
+
+def _central(writer: _Writer, which: Role | Kind, member: Member, *, carried: float = 0.0) -> None:
     """Add sun, ring or carrier with its supports; `carried` is the mass of planets on rigid pins [kg]."""
-    full = writer.prefix + name
+    part, model = writer.member(which), writer.model
     if not math.isinf(member.torsion):
         inertia = member.inertia + carried * member.radius**2
-        writer.model.rotation(full, inertia=inertia, speed=writer.speeds.get(name))
-        writer.line(f"{name}.support.rotation", writer.coordinate(name, member.torsion), member.torsion)
+        model.rotation(str(part), inertia=inertia, speed=writer.speeds.get(which), owner=Owner(part))
+        turning = _coordinate(part, "", member.torsion)
+        writer.line(Owner(part, "support.rotation"), turning, member.torsion)
     if not math.isinf(member.support):
-        for axis in ("x", "y"):
-            writer.model.translation(f"{full}.{axis}", mass=member.mass + carried)
-            writer.line(f"{name}.support.{axis}", writer.coordinate(f"{name}.{axis}", member.support), member.support)
+        across = [Owner(part, axis) for axis in ("x", "y")]
+        for owner in across:
+            model.translation(_name(owner), mass=member.mass + carried, owner=owner)
+            moved = _coordinate(part, owner.what, member.support)
+            writer.line(Owner(part, f"support.{owner.what}"), moved, member.support)
         if writer.frame:
-            writer.model.rotating_frame(f"{full}.x", f"{full}.y", speed=writer.frame)
+            model.rotating_frame(*map(_name, across), speed=writer.frame)
 
 
 def _planet(writer: _Writer, number: int, position: float) -> None:
     """Add a planet and, where it is elastic, its pin."""
-    planet, name = writer.planetary.planet, f"planet-{number}"
-    full = writer.prefix + name
-    writer.model.rotation(full, inertia=planet.inertia)
-    writer.line(f"{name}.support.rotation", writer.coordinate(name, planet.torsion), planet.torsion)
+    planet, part, model = writer.planetary.planet, writer.planet(number), writer.model
+    model.rotation(str(part), inertia=planet.inertia, owner=Owner(part))
+    writer.line(Owner(part, "support.rotation"), _coordinate(part, "", planet.torsion), planet.torsion)
     if math.isinf(planet.support):
         return
-    writer.model.translation(f"{full}.radial", mass=planet.mass)
+    radial, tangential = (Owner(part, direction) for direction in PIN)
+    model.translation(_name(radial), mass=planet.mass, owner=radial)
     # The tangential path turns with the carrier, so its reference speed follows from the pin's line.
-    writer.model.bodies.append(Body(f"{full}.tangential", planet.mass, "m", None))
-    motions = zip(("radial", "tangential"), _pin(writer, number, position), _places(writer, number), strict=True)
-    for direction, pin, place in motions:
-        writer.line(f"{name}.pin.{direction}", _combined((1.0, pin), (-1.0, place)), planet.support)
+    model.bodies.append(Body(_name(tangential), planet.mass, "m", None, tangential))
+    for direction, pin, place in zip(PIN, _pin(writer, number, position), _places(writer, number), strict=True):
+        writer.line(Owner(part, f"pin.{direction}"), _combined((1.0, pin), (-1.0, place)), planet.support)
     if writer.frame:
-        writer.model.rotating_frame(f"{full}.radial", f"{full}.tangential", speed=writer.frame)
+        model.rotating_frame(_name(radial), _name(tangential), speed=writer.frame)
         centrifugal = planet.mass * writer.planetary.carrier.radius * writer.frame**2
-        writer.model.load(f"{full}.radial", constant=centrifugal)
+        model.load(_name(radial), constant=centrifugal)
 
 
 def _pin(writer: _Writer, number: int, position: float) -> tuple[_Motion, _Motion]:
     """Radial and tangential motion of the carrier at a pin, with the pin's error."""
-    carrier = writer.planetary.carrier
+    carrier, part = writer.planetary.carrier, writer.member(Kind.CARRIER)
     error = writer.planetary.errors.get(number, PlanetError())
-    x, y = (writer.coordinate(f"carrier.{axis}", carrier.support) for axis in ("x", "y"))
-    turn = writer.coordinate("carrier", carrier.torsion)
+    x, y = (_coordinate(part, axis, carrier.support) for axis in ("x", "y"))
+    turn = _coordinate(part, "", carrier.torsion)
     sine, cosine = math.sin(position), math.cos(position)
     return (
         _combined((cosine, x), (sine, y), (1.0, _Motion({}, error.radial))),
@@ -136,11 +158,9 @@ def _pin(writer: _Writer, number: int, position: float) -> tuple[_Motion, _Motio
 
 
 def _places(writer: _Writer, number: int) -> tuple[_Motion, _Motion]:
-    support = writer.planetary.planet.support
-    return (
-        writer.coordinate(f"planet-{number}.radial", support),
-        writer.coordinate(f"planet-{number}.tangential", support),
-    )
+    part, support = writer.planet(number), writer.planetary.planet.support
+    radial, tangential = (_coordinate(part, direction, support) for direction in PIN)
+    return radial, tangential
 
 
 def _centre(writer: _Writer, number: int, position: float) -> tuple[_Motion, _Motion]:
@@ -156,15 +176,22 @@ def _sun_mesh(writer: _Writer, number: int, position: float) -> None:
     radial, tangential = _centre(writer, number, position)
     thickness = p.errors.get(number, PlanetError()).tooth_thickness
     motion = _combined(
-        (flank, _tooth(writer, "sun", p.sun, position - flank * angle)),
+        (flank, _tooth(writer, Role.SUN, p.sun, position - flank * angle)),
         (-flank * math.cos(angle), tangential),
-        (flank * p.planet.radius, _Motion({f"{writer.prefix}planet-{number}": 1.0})),
+        (flank * p.planet.radius, _Motion({str(writer.planet(number)): 1.0})),
         (-math.sin(angle), radial),
         (1.0, _Motion({}, thickness)),
     )
     phase = p.phases.sun[number - 1] if p.phases else 0.0
-    run_out = _run_out(writer, "sun", p.sun, position - flank * angle)
-    _mesh(writer, f"sun-planet-{number}", motion, curve=p.sun_mesh, phase=phase, run_out=run_out)
+    run_out = _run_out(writer, Role.SUN, p.sun, position - flank * angle)
+    _mesh(
+        writer,
+        mesh_part(writer.stage, Row.SUN_PLANET, number=number),
+        motion,
+        curve=p.sun_mesh,
+        phase=phase,
+        run_out=run_out,
+    )
 
 
 def _ring_mesh(writer: _Writer, number: int, position: float) -> None:
@@ -173,34 +200,48 @@ def _ring_mesh(writer: _Writer, number: int, position: float) -> None:
     angle = p.pressure_angles[1]
     radial, tangential = _centre(writer, number, position)
     motion = _combined(
-        (flank, _tooth(writer, "ring", p.ring, position + flank * angle)),
+        (flank, _tooth(writer, Role.RING, p.ring, position + flank * angle)),
         (-flank * math.cos(angle), tangential),
-        (-flank * p.planet.radius, _Motion({f"{writer.prefix}planet-{number}": 1.0})),
+        (-flank * p.planet.radius, _Motion({str(writer.planet(number)): 1.0})),
         (math.sin(angle), radial),
     )
     phase = p.phases.ring[number - 1] if p.phases else 0.0
-    run_out = _run_out(writer, "ring", p.ring, position + flank * angle)
-    _mesh(writer, f"planet-ring-{number}", motion, curve=p.ring_mesh, phase=phase, run_out=run_out)
+    run_out = _run_out(writer, Role.RING, p.ring, position + flank * angle)
+    _mesh(
+        writer,
+        mesh_part(writer.stage, Row.PLANET_RING, number=number),
+        motion,
+        curve=p.ring_mesh,
+        phase=phase,
+        run_out=run_out,
+    )
 
 
-def _tooth(writer: _Writer, name: str, member: Member, direction: float) -> _Motion:
+def _tooth(writer: _Writer, which: Role, member: Member, direction: float) -> _Motion:
     """Motion of a central gear's flank along the line of action, which stands at `direction` to its y axis."""
-    x, y = (writer.coordinate(f"{name}.{axis}", member.support) for axis in ("x", "y"))
-    turn = writer.coordinate(name, member.torsion)
+    part = writer.member(which)
+    x, y = (_coordinate(part, axis, member.support) for axis in ("x", "y"))
+    turn = _coordinate(part, "", member.torsion)
     return _combined((-math.sin(direction), x), (math.cos(direction), y), (member.radius, turn))
 
 
-def _run_out(writer: _Writer, name: str, member: Member, direction: float) -> tuple[Periodic, ...]:
+def _run_out(writer: _Writer, which: Role, member: Member, direction: float) -> tuple[Periodic, ...]:
     """Error of an eccentric gear: its centre circles once per turn against the carrier."""
     if not member.run_out:
         return ()
-    turns = {name: 1, "carrier": -1}
+    turns: dict[Role | Kind, int] = {which: 1, Kind.CARRIER: -1}
     amplitude = -writer.planetary.flank * member.run_out
     return (Periodic(_rotations(writer, turns), sine=(amplitude,), offset=-direction),)
 
 
 def _mesh(
-    writer: _Writer, name: str, motion: _Motion, *, curve: StiffnessCurve, phase: float, run_out: tuple[Periodic, ...]
+    writer: _Writer,
+    part: PartId,
+    motion: _Motion,
+    *,
+    curve: StiffnessCurve,
+    phase: float,
+    run_out: tuple[Periodic, ...],
 ) -> None:
     """Add one mesh."""
     p = writer.planetary
@@ -208,27 +249,28 @@ def _mesh(
     if curve.cosine:
         teeth = p.flank * p.sun_teeth
         variation = Periodic(
-            phase=_rotations(writer, {"sun": teeth, "carrier": -teeth}),
+            phase=_rotations(writer, {Role.SUN: teeth, Kind.CARRIER: -teeth}),
             cosine=[value / curve.mean for value in curve.cosine],
             sine=[value / curve.mean for value in curve.sine],
             offset=2.0 * math.pi * phase,
         )
     constant = (Periodic(constant=-motion.constant),) if motion.constant else ()
     writer.model.mesh(
-        writer.prefix + name,
+        str(part),
         motion.weights,
         stiffness=curve.mean,
         damping=DampingRatio(p.damping),
         backlash=p.backlash,
         variation=variation,
         errors=(*constant, *run_out),
+        owner=Owner(part),
     )
 
 
-def _rotations(writer: _Writer, counts: Mapping[str, int]) -> dict[str, int]:
+def _rotations(writer: _Writer, counts: Mapping[Role | Kind, int]) -> dict[str, int]:
     """Counts of the rotations that can turn, by full name."""
-    free = {name: not math.isinf(getattr(writer.planetary, name).torsion) for name in counts}
-    return {writer.prefix + name: count for name, count in counts.items() if free[name]}
+    free = {which: not math.isinf(getattr(writer.planetary, which).torsion) for which in counts}
+    return {str(writer.member(which)): count for which, count in counts.items() if free[which]}
 
 
 def _combined(*parts: tuple[float, _Motion]) -> _Motion:

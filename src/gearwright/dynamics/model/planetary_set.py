@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from gearwright.errors import Problem
+from gearwright.identity import MEMBERS
 from gearwright.parts.planetary import PlanetPhases
 from gearwright.parts.stiffness import StiffnessCurve
 
@@ -120,7 +121,7 @@ def set_problems(planetary: PlanetarySet, speeds: Mapping[str, float]) -> Iterat
     if moving and speeds and "carrier" not in speeds and not math.isinf(planetary.carrier.torsion):
         yield Problem("speeds.carrier", "missing; a set with translations is written in the frame of its carrier")
     for name in speeds:
-        if name not in ("sun", "ring", "carrier"):
+        if name not in MEMBERS:
             yield Problem(f"speeds.{name}", "no such member; give the speed of sun, ring or carrier")
         elif math.isinf(members[name].torsion):
             yield Problem(f"speeds.{name}", "its rotation is fixed; leave its speed out")

@@ -16,6 +16,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.identity import PartId
+
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
@@ -139,9 +141,22 @@ class Tone(NamedTuple):
         return " + ".join(f"{count} {name}" for name, count in self.counts).replace("+ -", "− ") or "constant"
 
 
+class Owner(NamedTuple):
+    """Whose a coordinate, a line or a recorded number is, and which of its several it is."""
+
+    part: PartId | None = None
+    """Part of a transmission; None in a model that was written by hand."""
+    what: str = ""
+    """Direction or quantity: ``x``, ``pin.radial``, ``torque``; empty for a rotation and for what a part has once."""
+
+
+NOBODY = Owner()
+"""Of what was written by hand."""
+
+
 @dataclass(frozen=True)
 class Labels:
-    """Names and units of coordinates, lines and tones."""
+    """Names and units of coordinates, lines and tones, and whose they are."""
 
     coordinates: tuple[str, ...]
     """Names, in the order of the arrays."""
@@ -155,10 +170,33 @@ class Labels:
     """``"mesh"``, ``"shaft"``, ``"support"`` or ``"line"``."""
     tones: tuple[Tone, ...]
     """Which angle each tone is."""
+    coordinate_owners: tuple[Owner, ...]
+    """Whose each coordinate is."""
+    line_owners: tuple[Owner, ...]
+    """Whose each line is."""
     drives: tuple[str, ...] = ()
     """What is recorded of the drives: states, then torque, speed and flag of each."""
     drive_units: tuple[str, ...] = ()
     """Their units."""
+    drive_owners: tuple[Owner, ...] = ()
+    """Which machine or clutch each number is of, and what it is."""
+
+    def places_of(self, part: PartId) -> tuple[int, ...]:
+        """Return the places of a mesh row's lines, one for each planet, or of any other part's lines.
+
+        Args:
+            part: Without number for all of its planets.
+        """
+        owners = enumerate(self.line_owners)
+        return tuple(place for place, owner in owners if owner.part is not None and owner.part.is_of(part))
+
+    def lines_of(self, part: PartId) -> tuple[str, ...]:
+        """Return the names of a mesh row's lines, one for each planet, or of any other part's lines.
+
+        Args:
+            part: Without number for all of its planets.
+        """
+        return tuple(self.lines[place] for place in self.places_of(part))
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from gearwright.dynamics.model.drives import ClutchDrive, Drive, MachineDrive, PropellerDrive, inputs_of, points_of
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
+from gearwright.dynamics.model.system import NOBODY, Owner
 from gearwright.errors import Problem, near
 
 
@@ -23,6 +24,8 @@ class Body(NamedTuple):
     """``"rad"`` or ``"m"``."""
     speed: float | None
     """Reference speed [rad/s or m/s]; None: from the lines."""
+    owner: Owner = NOBODY
+    """Whose it is."""
 
 
 class Load(NamedTuple):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.dynamics.model import OUTSIDE_MAP, Floats, Ints, System
+from gearwright.dynamics.model import OUTSIDE_MAP, PITCH, SPEED, Floats, Ints, Owner, System
 from gearwright.dynamics.motion.orders import OrderSums
 from gearwright.dynamics.motion.trace import Checkpoints, Samples, Statistics
 from gearwright.errors import DesignError, Problem, SolveError
@@ -46,7 +46,7 @@ class Recorder:
         self.system, self.step, self.steps = system, step, steps
         self.size = len(system.labels.coordinates)
         self.past = 2 * self.size + 2 * len(system.labels.lines) + len(system.labels.drives)
-        self.outside = [number for number, name in enumerate(system.labels.drives) if name.endswith(OUTSIDE_MAP)]
+        self.outside = [number for number, owner in enumerate(system.labels.drive_owners) if owner.what == OUTSIDE_MAP]
         self.stride = max(1, -(-(steps + 1) // max(2, outputs.samples)))
         self.spans = [_span(window, step, steps) for window in outputs.windows]
         self.edges = _edges(outputs, step, steps)
@@ -106,11 +106,11 @@ class Recorder:
         for number in self.outside:
             if summary[1, start + number] > 0.0:
                 row = int(np.argmax(record[:, start + number] > 0.0))
-                name = labels.drives[number].removesuffix(f" {OUTSIDE_MAP}")
-                seen = {what: record[row, start + labels.drives.index(f"{name} {what}")] for what in ("speed", "pitch")}
+                owners, part = labels.drive_owners, labels.drive_owners[number].part
+                seen = {what: record[row, start + owners.index(Owner(part, what))] for what in (SPEED, PITCH)}
                 raise SolveError(
-                    f"{name} leaves its map at {(first + row) * self.step:.4g} s: {abs(seen['speed']) * 30 / np.pi:.4g}"
-                    f" rpm at a pitch of {np.degrees(seen['pitch']):.4g}°; take a smaller change, tighter pitch stops,"
+                    f"{part} leaves its map at {(first + row) * self.step:.4g} s: {abs(seen[SPEED]) * 30 / np.pi:.4g}"
+                    f" rpm at a pitch of {np.degrees(seen[PITCH]):.4g}°; take a smaller change, tighter pitch stops,"
                     " or a map that covers the point"
                 )
 

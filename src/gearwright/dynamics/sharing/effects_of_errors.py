@@ -25,6 +25,8 @@ class Influence:
 
     source: str
     """Part and kind."""
+    kind: str
+    """Of the error."""
     size: float
     """Of the error [m or rad]."""
     turns: bool
@@ -45,7 +47,9 @@ def influences(train: Redundancy, sources: Sequence[ErrorSource], lines: Ints) -
     """
     gains = effect_gains(train, sources, lines)
     effects = [
-        Influence(source.name, abs(source.size), source.rate != 0.0, float(gain * abs(source.size)), float(gain))
+        Influence(
+            source.name, source.kind, abs(source.size), source.rate != 0.0, float(gain * abs(source.size)), float(gain)
+        )
         for source, gain in zip(sources, gains, strict=True)
     ]
     return tuple(sorted(effects, key=lambda influence: -influence.effect))

@@ -24,6 +24,7 @@ from gearwright.dynamics.sharing.error_sources import ErrorSource, drawn_set, er
 from gearwright.dynamics.sharing.solutions import LoadSharing, Method, load_sharing
 from gearwright.dynamics.sharing.tolerance_allocation import Allocation, allocate
 from gearwright.errors import DesignError, Problem, by_name, near
+from gearwright.identity import Kind, Row, mesh_part
 from gearwright.sizing import Sizing
 from gearwright.spec import Pair, Planetary
 from gearwright.verbs import verb
@@ -82,7 +83,7 @@ def parallel_meshes(sizing: Sizing) -> dict[str, tuple[str, ...]]:
         sizing: What was sized.
     """
     lines = {
-        name: tuple(f"{name}.sun-planet-{k + 1}" for k in range(stage.planets))
+        name: tuple(str(mesh_part(name, Row.SUN_PLANET, number=k + 1)) for k in range(stage.planets))
         if isinstance(stage, Planetary)
         else tuple(mesh.name for mesh in sizing.train.meshes if mesh.stage == name)
         for name, stage in sizing.design.stages.items()
@@ -245,10 +246,10 @@ def shaft_displacement(problem: SharingProblem, shaft: str, force: Floats) -> Fl
         shaft: That moves.
         force: Line forces [N], shape (instants, lines).
     """
-    supports: dict[str, list[int]] = {}
-    for place, name in enumerate(problem.system.labels.lines):
-        if name.endswith(" support"):
-            supports.setdefault(name.partition(".")[0], []).append(place)
+    supports, labels = dict[str, list[int]](), problem.system.labels
+    for place, (kind, owner) in enumerate(zip(labels.line_kinds, labels.line_owners, strict=True)):
+        if kind == "support" and owner.part is not None and owner.part.kind is Kind.SHAFT:
+            supports.setdefault(owner.part.name, []).append(place)
     radial = by_name(shaft, supports, "shaft with a support")[:2]
     return np.asarray(force[:, radial] / problem.system.arrays.stiffness[radial])
 

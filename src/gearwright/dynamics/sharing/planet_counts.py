@@ -10,9 +10,9 @@ import numpy as np
 
 from gearwright.dynamics.assembly import gear_pairs
 from gearwright.dynamics.model import Member, PlanetarySet
-from gearwright.dynamics.motion import line_numbers
 from gearwright.dynamics.sharing.of_design import SharingProblem
 from gearwright.dynamics.sharing.planets import PlanetSharing, PlanetTolerances, planet_sharing
+from gearwright.identity import Role, Row, gear_part, mesh_part
 from gearwright.parts.planetary import even_positions, pin_error_share
 from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.sizing import Sizing
@@ -60,7 +60,10 @@ def planet_counts(
 
 
 def _tolerances(sizing: Sizing, stage: str) -> PlanetTolerances:
-    rows = [row for name, row in sizing.design.errors.items() if name.startswith(f"{stage}.planet-")]
+    planetary, errors = sizing.design.planetaries.get(stage), sizing.design.errors
+    numbers = range(1, (planetary.planets if planetary else 0) + 1)
+    planets = [str(gear_part(stage, Role.PLANET, number=number)) for number in numbers]
+    rows = [errors[name] for name in planets if name in errors]
     return PlanetTolerances(
         radial=max((abs(row.pin_radial) for row in rows), default=0.0),
         tangential=max((abs(row.pin_tangential) for row in rows), default=0.0),
@@ -72,8 +75,9 @@ def _rigid_set(sizing: Sizing, problem: SharingProblem) -> PlanetarySet:
     """Return the set with its mean stiffnesses, all rigid but for the sun's support; the ring holds the reaction."""
     stage, system = problem.stage, problem.system
     pairs, planetary = gear_pairs(sizing), sizing.design.planetaries[stage]
-    inner, outer = pairs[f"{stage}.sun-planet"], pairs[f"{stage}.planet-ring"]
-    lines = line_numbers(system, [f"{stage}.sun-planet-1", f"{stage}.planet-ring-1"])
+    rows = [mesh_part(stage, row) for row in (Row.SUN_PLANET, Row.PLANET_RING)]
+    inner, outer = (pairs[str(row)] for row in rows)
+    lines = [system.labels.places_of(row)[0] for row in rows]
     support = sizing.design.supports.get(planetary.sun)
     return PlanetarySet(
         sun=Member(_ANY, _ANY, inner.driver.base_radius, support=support.radial if support else math.inf),

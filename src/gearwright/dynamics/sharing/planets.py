@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from gearwright.dynamics.equations import line_forces, redundancy
 from gearwright.dynamics.model import Floats, Model, PlanetarySet, PlanetError, System, add_planetary
-from gearwright.dynamics.motion import line_numbers
+from gearwright.identity import Row, mesh_part
 from gearwright.parts.planetary import even_positions
 
 UNIT = 1.0
@@ -96,7 +96,7 @@ def _factors(planetary: PlanetarySet, tolerances: PlanetTolerances, *, force: fl
     basis = np.array([_unit_errors(planetary, force, error) for error in _units(number)])
     size = np.repeat([tolerances.radial, tolerances.tangential, tolerances.tooth_thickness], number)
     draw = np.random.default_rng(seed).uniform(-1.0, 1.0, (count, len(size)))
-    suns = line_numbers(system, [f"sun-planet-{k + 1}" for k in range(number)])
+    suns = np.array(system.labels.places_of(mesh_part("", Row.SUN_PLANET)))
     pressed = line_forces(train, (draw * size) @ basis)[:, suns]
     return np.asarray(number * np.max(pressed, axis=1) / np.sum(pressed, axis=1))
 

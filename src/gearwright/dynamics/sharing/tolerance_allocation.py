@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,6 +22,19 @@ WIDEST = 1e16
 """Range of the multiplier that is searched [-]: sizes down to a hundred-millionth of the given ones."""
 
 
+class Tightened(NamedTuple):
+    """One tolerance."""
+
+    error: str
+    """Part and kind."""
+    kind: str
+    """Of the error."""
+    given: float
+    """Its size as given [m or rad]."""
+    allowed: float
+    """What is allowed of it [m or rad]."""
+
+
 @dataclass(frozen=True)
 class Allocation:
     """How tight every tolerance must be for a share, at least cost."""
@@ -29,8 +43,8 @@ class Allocation:
     """Share of the most loaded line [-]."""
     percent: float
     """Percentage of gearboxes that keep it."""
-    sizes: tuple[tuple[str, float, float], ...]
-    """Error, size as given, size that is allowed [m or rad]."""
+    sizes: tuple[Tightened, ...]
+    """Every tolerance."""
     reached: float
     """Share that the allowed sizes keep for that percentage [-]."""
     cost: float
@@ -74,7 +88,10 @@ def allocate(
         return float(np.percentile(peaks, percent))
 
     sizes = drawn if share(drawn) <= target else _tightened(drawn, gain, share, target=target)
-    rows = tuple((s.name, float(before), float(after)) for s, before, after in zip(sources, drawn, sizes, strict=True))
+    rows = tuple(
+        Tightened(source.name, source.kind, float(given), float(allowed))
+        for source, given, allowed in zip(sources, drawn, sizes, strict=True)
+    )
     return Allocation(target, percent, rows, share(sizes), float(np.sum(drawn / sizes) - len(drawn)))
 
 

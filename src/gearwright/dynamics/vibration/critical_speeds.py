@@ -8,14 +8,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.assembly import assemble, bodies_of
 from gearwright.dynamics.equations import Complexes, DampedModes, damped_modes, linear, statics
 from gearwright.dynamics.model import Floats, Ints, System, Tone, line_matrix
 from gearwright.dynamics.vibration.campbell import Campbell, Crossing, campbell
 from gearwright.errors import by_name
+from gearwright.identity import PartId, Role, gear_part
 from gearwright.sizing import Sizing
 from gearwright.units import Frequency, Ratio, Speed
 from gearwright.verbs import verb
@@ -41,8 +43,9 @@ class CriticalSpeed:
     """Load cases that run at the same speeds."""
     order: str
     """What excites: mesh and multiple of its frequency, or a shaft's turning."""
-    mode: str
-    """Which natural frequencies, counted from 1 with the rigid ones first, by frequency at the lowest speed."""
+    modes: tuple[int, int]
+    """First and last of the natural frequencies, counted from 1 with the rigid ones first, by frequency at the lowest
+    speed."""
     frequency: Frequency
     """[Hz]"""
     speed: Speed
@@ -51,6 +54,11 @@ class CriticalSpeed:
     """Critical speed over operating speed, less 1 [-]: positive lies above."""
     dynamic_force: Ratio
     """Estimated amplitude of the worst mesh force at this resonance over its mean [-], from stiffness and errors."""
+
+    @property
+    def mode(self) -> str:
+        """Which natural frequencies: ``7``, or ``7–9`` where they are one."""
+        return "–".join(dict.fromkeys(map(str, self.modes)))
 
     @property
     def excited(self) -> bool:
@@ -69,6 +77,8 @@ class SpeedCase:
 
     cases: str
     """Names."""
+    first: str
+    """Name of the first of them."""
     system: System
     """Of the first of them."""
     campbell: Campbell
@@ -112,8 +122,8 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
     critical = [
         CriticalSpeed(
             ", ".join(cases),
-            order_name(sizing, first.order.tone),
-            "–".join(dict.fromkeys((str(first.mode + before), str(last.mode + before)))),
+            str(order_name(sizing, first.order.tone)),
+            (first.mode + before, last.mode + before),
             first.frequency,
             first.factor * speed,
             first.factor - 1.0,
@@ -122,7 +132,7 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
         for first, last in _together(diagram.crossings)
     ]
     critical.sort(key=lambda speed: (not speed.excited, abs(speed.margin)))
-    return SpeedCase(", ".join(cases), systems[0], diagram, tuple(critical))
+    return SpeedCase(", ".join(cases), cases[0], systems[0], diagram, tuple(critical))
 
 
 def _together(crossings: Sequence[Crossing]) -> Iterator[tuple[Crossing, Crossing]]:
@@ -137,25 +147,46 @@ def _together(crossings: Sequence[Crossing]) -> Iterator[tuple[Crossing, Crossin
             first = place
 
 
-def order_name(sizing: Sizing, tone: Tone) -> str:
-    """Return an order in words: ``first mesh × 2`` or ``gas-turbine turning``.
+class OrderName(NamedTuple):
+    """What an order is."""
+
+    stage: str
+    """Whose teeth meet; empty where shafts turn."""
+    turning: tuple[str, ...]
+    """Bodies that turn."""
+    multiple: int
+    """Of the mesh frequency or of the turning [-]."""
+
+    @property
+    def short(self) -> str:
+        """A mesh by its stage alone, for marks in a figure."""
+        words = self.stage or f"{' and '.join(self.turning)} turning"
+        return words if self.multiple == 1 else f"{words} × {self.multiple}"
+
+    def __str__(self) -> str:
+        """Return the words: ``first mesh × 2`` or ``gas-turbine turning``."""
+        return self._replace(stage=f"{self.stage} mesh").short if self.stage else self.short
+
+
+def order_name(sizing: Sizing, tone: Tone) -> OrderName:
+    """Return what an order is: ``first mesh × 2`` or ``gas-turbine turning``.
 
     Args:
         sizing: What was sized.
         tone: Integers of rotations.
     """
     name, count = max(tone.counts, key=lambda turns: abs(turns[1]))
-    stage, gear = name.partition(".")[0], _gear(sizing, name)
-    teeth = sizing.teeth.get(f"{stage}.sun", 0) if stage in sizing.design.planetaries else sizing.teeth.get(gear, 0)
-    if teeth and abs(count) >= teeth and count % teeth == 0:
-        return f"{stage} mesh" if abs(count) == teeth else f"{stage} mesh × {abs(count) // teeth}"
-    turns = " and ".join(name for name, _ in tone.counts)
-    return f"{turns} turning" if abs(count) == 1 else f"{turns} turning × {abs(count)}"
+    part = bodies_of(sizing).get(name)
+    teeth = _teeth(sizing, part) if part is not None else 0
+    if part is not None and teeth and abs(count) >= teeth and count % teeth == 0:
+        return OrderName(part.name, (), abs(count) // teeth)
+    return OrderName("", tuple(name for name, _ in tone.counts), abs(count))
 
 
-def _gear(sizing: Sizing, body: str) -> str:
-    """Return the gear of a body: ``off.wheel`` for ``off.wheel.left``."""
-    return next((gear for gear in sizing.teeth if body == gear or body.startswith(f"{gear}.")), "")
+def _teeth(sizing: Sizing, part: PartId) -> int:
+    """Return how often the mesh of a body's stage sounds in a turn: of a planetary set against its carrier."""
+    whole = part if part.name in sizing.design.pairs else gear_part(part.name, Role.SUN)
+    return sizing.teeth[str(whole._replace(branch=""))]
 
 
 class Shaker:

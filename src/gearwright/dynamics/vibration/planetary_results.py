@@ -8,8 +8,9 @@ from typing import Literal
 import numpy as np
 
 from gearwright.dynamics.equations import Modes
-from gearwright.dynamics.model import Floats, Labels, System
+from gearwright.dynamics.model import PIN, Floats, Labels, Owner, System
 from gearwright.errors import DesignError, Problem, near
+from gearwright.identity import MEMBERS, Role, Row, gear_part, member_part, mesh_part
 
 Family = Literal["rigid", "rotational", "translational", "planet", "mixed"]
 PURE = 0.99
@@ -32,19 +33,20 @@ def family_shares(system: System, modes: Modes, positions: Sequence[float], *, n
     Source: Lin & Parker 1999, J. Vib. Acoust. 121, 316-321, section on the structure of the modes.
     """
     motion = modes.shapes * np.sqrt(system.arrays.mass)[:, None]
-    place = {label: number for number, label in enumerate(system.labels.coordinates)}
-    prefix = f"{name}." if name else ""
+    place = {owner: number for number, owner in enumerate(system.labels.coordinate_owners)}
     shares = np.zeros((3, motion.shape[1]))
-    for member in ("sun", "ring", "carrier"):
-        for family, ends in ((0, ("",)), (1, (".x", ".y"))):
-            rows = [place[prefix + member + end] for end in ends if prefix + member + end in place]
+    for member in MEMBERS:
+        for family, directions in ((0, ("",)), (1, ("x", "y"))):
+            owners = [Owner(member_part(name, member), direction) for direction in directions]
+            rows = [place[owner] for owner in owners if owner in place]
             shares[family] += np.sum(motion[rows] ** 2, axis=0)
     alike, waves = _planet_patterns(positions)
-    for end in ("", ".radial", ".tangential"):
-        names = [f"{prefix}planet-{n}{end}" for n in range(1, len(positions) + 1)]
-        if names[0] not in place:
+    numbers = range(1, len(positions) + 1)
+    for direction in ("", *PIN):
+        owners = [Owner(gear_part(name, Role.PLANET, number=number), direction) for number in numbers]
+        if owners[0] not in place:
             continue
-        planets = motion[[place[planet] for planet in names]]
+        planets = motion[[place[owner] for owner in owners]]
         parts = [np.sum((basis.T @ planets) ** 2, axis=0) for basis in (alike, waves)]
         shares += np.array([*parts, np.sum(planets**2, axis=0) - parts[0] - parts[1]])
     return shares
@@ -88,10 +90,10 @@ def load_shares(force: Floats, labels: Labels, *, name: str = "") -> Floats:
 
     Source: definition of K_γ, ISO 6336-1:2006, clause 4.
     """
-    start = f"{name}.sun-planet-" if name else "sun-planet-"
-    rows = [number for number, label in enumerate(labels.lines) if label.startswith(start)]
+    row = mesh_part(name, Row.SUN_PLANET)
+    rows = list(labels.places_of(row))
     if not rows:
-        raise DesignError([Problem(start, f"there is no such mesh; {near(start, labels.lines)}")])
+        raise DesignError([Problem(str(row), f"there is no such mesh; {near(str(row), labels.lines)}")])
     return np.asarray(force[rows] / np.sum(force[rows], axis=0))
 
 

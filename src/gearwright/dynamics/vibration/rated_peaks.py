@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.dynamics.motion import Trace
+from gearwright.identity import Row
 from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.sizing import MeshSizing, Sizing
 from gearwright.units import Origin, Quantity
@@ -44,11 +45,11 @@ def dynamic_loads(sizing: Sizing, trace: Trace) -> tuple[DynamicLoad, ...]:
 
 
 def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:
-    lines = [name for name in trace.force.names if name == mesh.name or name.startswith(f"{mesh.name}-")]
+    lines = trace.labels.lines_of(mesh.part)
     if not lines or not mesh.tangential_force:
         return None
     # The halves of a double-helical gear are one line; planets have a line each.
-    together = mesh.count if lines == [mesh.name] else 1
+    together = mesh.count if mesh.row is Row.PAIR else 1
     gear = next(gear for gear in sizing.gears if gear.name == mesh.gears[0])
     normal = sizing.design.rules(gear.stage).pressure_angle
     transverse = transverse_pressure_angle(normal, gear.helix_angle)

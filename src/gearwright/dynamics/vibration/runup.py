@@ -11,7 +11,7 @@ import numpy as np
 
 from gearwright.dynamics.model import Floats, System
 from gearwright.dynamics.motion import Outputs, Samples, default_step, index_of, simulate
-from gearwright.dynamics.vibration.critical_speeds import order_name
+from gearwright.dynamics.vibration.critical_speeds import OrderName, order_name
 from gearwright.dynamics.vibration.sequences import positive_numbers
 from gearwright.dynamics.vibration.spectra import tone_amplitudes
 from gearwright.dynamics.vibration.speed_map import at_speed
@@ -31,8 +31,8 @@ class RunUp:
     """[Hz], shape (frequencies,)."""
     amplitude: Floats
     """Spectra of the line forces, Hann window [N or N m], shape (speeds, lines, frequencies)."""
-    orders: tuple[str, ...]
-    """Orders in words, by rising frequency."""
+    orders: tuple[OrderName, ...]
+    """Orders by rising frequency."""
     order_frequency: Floats
     """Of each order at the operating speed [Hz], shape (orders,)."""
     order_amplitude: Floats
@@ -147,6 +147,6 @@ def loudest_speeds(steady: RunUp, speed: float) -> list[Loudest]:
         order = steady.orders[int(np.argmax(steady.order_amplitude[place, number]))]
         rows.append(
             Loudest(line, float(steady.factor[place]) * speed, float(steady.swing[place, number]),
-                    float(steady.mean[place, number]), order)
+                    float(steady.mean[place, number]), str(order))
         )  # fmt: skip
     return sorted(rows, key=lambda row: -row.swing)

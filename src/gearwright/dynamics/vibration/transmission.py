@@ -10,6 +10,7 @@ from gearwright.dynamics.assembly import gear_pairs
 from gearwright.dynamics.model import System
 from gearwright.dynamics.vibration.response import Response, frequency_response
 from gearwright.errors import DesignError, Problem, near
+from gearwright.identity import Row, mesh_part
 from gearwright.parts.planetary import even_positions, planet_phases
 from gearwright.sizing import Sizing
 
@@ -32,17 +33,18 @@ def answer(sizing: Sizing, system: System, row: str, *, error: float, top: float
     Raises:
         DesignError: If there is no such row.
     """
-    names = {mesh.name: mesh for mesh in sizing.train.meshes}
-    if row not in names:
-        raise DesignError([Problem("mesh", f"there is no mesh {row!r}; {near(row, names)}")])
-    stage = names[row].stage
-    if stage not in sizing.design.planetaries:
-        errors: dict[str, complex] = {row: error}
+    meshes = {mesh.name: mesh for mesh in sizing.train.meshes}
+    if row not in meshes:
+        raise DesignError([Problem("mesh", f"there is no mesh {row!r}; {near(row, meshes)}")])
+    mesh, lines = meshes[row], system.labels.lines_of(meshes[row].part)
+    if mesh.row is Row.PAIR:
+        errors: dict[str, complex] = dict.fromkeys(lines, error)
     else:
-        pairs, count = gear_pairs(sizing), sizing.design.planetaries[stage].planets
-        both = planet_phases(pairs[f"{stage}.sun-planet"], pairs[f"{stage}.planet-ring"], even_positions(count))
-        phases = both.sun if row.endswith("sun-planet") else both.ring
-        errors = {f"{row}-{k}": cmath.rect(error, 2.0 * cmath.pi * phase) for k, phase in enumerate(phases, start=1)}
+        pairs, positions = gear_pairs(sizing), even_positions(mesh.count)
+        inner, outer = (pairs[str(mesh_part(mesh.stage, kind))] for kind in (Row.SUN_PLANET, Row.PLANET_RING))
+        both = planet_phases(inner, outer, positions)
+        phases = both.sun if mesh.row is Row.SUN_PLANET else both.ring
+        errors = {line: cmath.rect(error, 2.0 * cmath.pi * phase) for line, phase in zip(lines, phases, strict=True)}
     return frequency_response(system, np.geomspace(top / RANGE, top, POINTS), errors=errors)
 
 
@@ -53,5 +55,4 @@ def first_meshes(sizing: Sizing, system: System) -> list[str]:
         sizing: What was sized.
         system: Assembled from it.
     """
-    lines = system.labels.lines
-    return [mesh.name if mesh.name in lines else f"{mesh.name}-1" for mesh in sizing.train.meshes]
+    return [system.labels.lines_of(mesh.part)[0] for mesh in sizing.train.meshes]

@@ -183,5 +183,5 @@ def _shafts(gearbox: Gearbox) -> dict[str, str]:
     train, first_shafts = gearbox.sizing.train, dict[str, str]()
     for mesh in train.meshes:
         shafts = [node for node in (mesh.nodes[0], mesh.nodes[2], mesh.nodes[1]) if node in train.nodes]
-        first_shafts.setdefault(mesh.stage, next(node for node in shafts if not node.endswith(".planet")))
+        first_shafts.setdefault(mesh.stage, next(node for node in shafts if node not in train.planet_nodes))
     return first_shafts

@@ -11,7 +11,7 @@ import numpy as np
 from gearwright.dynamics import Outputs, System, Trace, simulate
 from gearwright.dynamics.assembly import Driving, assemble
 from gearwright.dynamics.equations import statics
-from gearwright.dynamics.model import Floats, MachineDrive, PropellerDrive, line_matrix, top_rate
+from gearwright.dynamics.model import TORQUE, Floats, MachineDrive, PropellerDrive, line_matrix, top_rate
 from gearwright.dynamics.motion import fastest_rate, followed, with_profile
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import Governor, GovernorState, LimitCycle, angle_for_power, blade_angles, limit_cycle
@@ -151,9 +151,9 @@ def _system(back: Background, rules: WindowRules) -> System:
 def _body(system: System, drive: str) -> str:
     """Return the coordinate that a drive acts on."""
     place, table = 2, system.arrays.drives.table
-    for name in system.labels.drives:
-        if name.endswith(" torque"):
-            if name == f"{drive} torque":
+    for owner in system.labels.drive_owners:
+        if owner.what == TORQUE and owner.part is not None:
+            if owner.part.name == drive:
                 break
             place += int(table[place])
     return system.labels.coordinates[int(table[place + 2])]

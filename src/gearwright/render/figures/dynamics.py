@@ -48,7 +48,7 @@ class _Frame:
 
 
 def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
-    machine, case = sizing.machines[0], speed_case.cases.split(", ")[0]
+    machine, case = sizing.machines[0], speed_case.first
     excited = [critical for critical in speed_case.critical if critical.excited]
     highest = max(
         (critical.frequency for critical in excited or speed_case.critical),
@@ -82,16 +82,16 @@ def _draw_orders(axes: Axes, sizing: Sizing, orders: Sequence[Order], frame: _Fr
     stages, end, free = list(sizing.design.stages), axes.get_xlim()[1], 0.0
     for order in sorted(orders, key=lambda order: -order.frequency):
         name, top = order_name(sizing, order.tone), order.frequency / 1e3 * end / frame.speed
-        if " mesh" not in name:
+        if not name.stage:
             axes.plot([0.0, end], [0.0, top], color=theme.MUTED, lw=0.6, ls=":", zorder=1)
             continue
-        colour = theme.CYCLE[stages.index(name.partition(" mesh")[0]) % len(theme.CYCLE)]
+        colour = theme.CYCLE[stages.index(name.stage) % len(theme.CYCLE)]
         axes.plot([0.0, end], [0.0, top], color=colour, lw=0.9, zorder=1)
         leaves = end * min(1.0, frame.top / top)
         if leaves >= free or leaves == end:
-            _name_ray(axes, name.replace(" mesh", ""), (leaves, min(top, frame.top)), colour)
+            _name_ray(axes, name.short, (leaves, min(top, frame.top)), colour)
             free = leaves + 0.028 * end
-    if any(" mesh" not in order_name(sizing, order.tone) for order in orders):
+    if not all(order_name(sizing, order.tone).stage for order in orders):
         axes.plot([], [], color=theme.MUTED, lw=0.6, ls=":", label="shaft turning")
 
 

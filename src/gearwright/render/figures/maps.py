@@ -65,7 +65,7 @@ def _draw_map(figure: Figure, axes: Axes, run_up: RunUp, *, line: str, rpm: Floa
     axes.grid(visible=False)
     for name, end in zip(run_up.orders, run_up.order_frequency * run_up.factor[-1], strict=True):
         if end < frequency[-1]:
-            axes.annotate(name.replace(" mesh", ""), (rpm[-1], end / 1e3), (3, 0), textcoords="offset points",
+            axes.annotate(name.short, (rpm[-1], end / 1e3), (3, 0), textcoords="offset points",
                           fontsize=6.0, va="center", color=theme.MUTED, annotation_clip=False)  # fmt: skip
 
 
@@ -85,7 +85,7 @@ def _draw_tracks(axes: Axes, run_up: RunUp, line: str, rpm: Floats) -> None:
     peaks = np.max(tracks, axis=0)
     strongest = [place for place in np.argsort(-peaks)[:MOST_ORDERS] if peaks[place] > QUIET * np.max(peaks)]
     for place in sorted(strongest):
-        axes.plot(rpm, tracks[:, place], label=run_up.orders[place])
+        axes.plot(rpm, tracks[:, place], label=str(run_up.orders[place]))
     axes.plot(rpm, run_up.swing[:, number], color=theme.INK, lw=1.4, label="all, rms")
     axes.set(ylabel="amplitude [N]", ylim=(0.0, None), title="Orders")
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))

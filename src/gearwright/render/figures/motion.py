@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 
 import numpy as np
@@ -11,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, NullLocator
 
 from gearwright.dynamics import Labels, Modes, Samples, Trace
-from gearwright.dynamics.model import Floats
+from gearwright.dynamics.model import Floats, Owner
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
@@ -77,10 +76,18 @@ def families(labels: Labels, unit: str) -> dict[str, list[str]]:
         unit: ``"m"`` for forces, ``"rad"`` for torques.
     """
     by_family: dict[str, list[str]] = {}
-    for name, line_unit in zip(labels.lines, labels.line_units, strict=True):
+    for name, line_unit, owner in zip(labels.lines, labels.line_units, labels.line_owners, strict=True):
         if line_unit == unit:
-            by_family.setdefault(re.sub(r"-\d+(?=-|$)", "", name), []).append(name)
+            by_family.setdefault(_family(name, owner), []).append(name)
     return by_family
+
+
+def _family(name: str, owner: Owner) -> str:
+    """Return what a line is called together with those of the other planets."""
+    if owner.part is None or owner.part.number is None:
+        return name
+    whole = owner.part._replace(number=None)
+    return f"{whole}.{owner.what}" if owner.what else str(whole)
 
 
 def _draw_lines(axes: Axes, samples: Samples, unit: str, last: int) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from gearwright.dynamics.model import PIN
 from gearwright.dynamics.motion import Samples, index_of
 from gearwright.errors import DesignError, Problem
 from gearwright.render.figures.motion import spectrum
@@ -18,7 +19,7 @@ COLUMNS = 3
 """Panels side by side."""
 STILL = 1e-4
 """Path over the largest one below which a centre counts as still [-]."""
-_AXES = ((".x", ".y"), (".radial", ".tangential"), (".y", ".z"))
+_AXES = (("x", "y"), PIN, ("y", "z"))
 """Pairs of translations that make a path."""
 
 
@@ -28,12 +29,13 @@ def moving_centres(samples: Samples) -> list[tuple[str, str]]:
     Args:
         samples: Of a run.
     """
-    names = samples.labels.coordinates
+    labels = samples.labels
+    names = {owner: name for name, owner in zip(labels.coordinates, labels.coordinate_owners, strict=True)}
     return [
-        (name, f"{name.removesuffix(first)}{second}")
+        (name, names[owner._replace(what=second)])
         for first, second in _AXES
-        for name in names
-        if name.endswith(first) and f"{name.removesuffix(first)}{second}" in names
+        for owner, name in names.items()
+        if owner.what == first and owner._replace(what=second) in names
     ]
 
 
@@ -56,7 +58,8 @@ def orbit_figure(samples: Samples, centres: Sequence[tuple[str, str]] | None = N
     paths = [[1e6 * (samples.motion(name) - np.mean(samples.motion(name))) for name in pair] for pair in pairs]
     largest = float(np.max(np.abs(paths)))
     for axes, pair, (x, y) in zip(grid.flat, pairs, paths, strict=False):
-        axes.set_title(pair[0].rpartition(".")[0])
+        owners = [samples.labels.coordinate_owners[samples.labels.coordinates.index(name)] for name in pair]
+        axes.set_title(str(owners[0].part or pair[0]))
         if max(np.max(np.abs(x)), np.max(np.abs(y))) < STILL * largest:
             axes.set_axis_off()
             axes.text(
@@ -64,7 +67,8 @@ def orbit_figure(samples: Samples, centres: Sequence[tuple[str, str]] | None = N
             )
             continue
         axes.plot(x, y, lw=0.5)
-        axes.set(xlabel=f"{pair[0].rpartition('.')[2]} [µm]", ylabel=f"{pair[1].rpartition('.')[2]} [µm]")
+        xlabel, ylabel = (f"{owner.what or name} [µm]" for owner, name in zip(owners, pair, strict=True))
+        axes.set(xlabel=xlabel, ylabel=ylabel)
         axes.set_aspect("equal", adjustable="datalim")
     return figure
 

@@ -202,10 +202,10 @@ def allocation_figure(allocation: Allocation) -> Figure:
     Args:
         allocation: From `allocate`.
     """
-    rows = sorted(allocation.sizes, key=lambda row: row[2] / row[1])
-    figure, axes = _rows([name for name, _, _ in rows])
+    rows = sorted(allocation.sizes, key=lambda row: row.allowed / row.given)
+    figure, axes = _rows([row.error for row in rows])
     axes.barh(range(len(rows)), [100.0] * len(rows), color=theme.STEEL, height=0.7)
-    axes.barh(range(len(rows)), [100.0 * after / before for _, before, after in rows], color=theme.GREEN, height=0.45)
+    axes.barh(range(len(rows)), [100.0 * row.allowed / row.given for row in rows], color=theme.GREEN, height=0.45)
     share = f"{100.0 * allocation.target:g}/{100.0 * (1.0 - allocation.target):g}"
     title = f"How tight for {share} in {allocation.percent:g} % of gearboxes, at least cost"
     axes.set(xlabel="allowed size over the size given [%]", title=title)

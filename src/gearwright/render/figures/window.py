@@ -101,5 +101,5 @@ def _drive_histories(samples: Samples, what: str) -> dict[str, Floats]:
         samples: Of a run with drives.
         what: Such as ``"speed"``.
     """
-    names = [name.removesuffix(f" {what}") for name in samples.labels.drives if name.endswith(f" {what}")]
-    return {name: np.abs(samples.drive(f"{name} {what}")) for name in names}
+    owners = enumerate(samples.labels.drive_owners)
+    return {str(owner.part): np.abs(samples.drives[:, place]) for place, owner in owners if owner.what == what}

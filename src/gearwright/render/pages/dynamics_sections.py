@@ -66,7 +66,7 @@ def _shapes(sizing: Sizing, system: System, modes: Modes | None, campbell: Seque
     """Draw the modes that are excited nearest to the operating speed, or the lowest ones if none is known."""
     if modes is None:
         return Section("Mode shapes")
-    near = [int(critical.mode.partition("–")[0]) for case in campbell for critical in case.critical if critical.excited]
+    near = [critical.modes[0] for case in campbell for critical in case.critical if critical.excited]
     lowest = list(range(modes.rigid + 1, len(modes.frequency) + 1))
     numbers = sorted(list(dict.fromkeys([*near, *lowest]))[:MOST_DRAWN])
     caption = "Modes excited nearest to the operating speed, on the train." if near else "Lowest modes, on the train."
@@ -95,8 +95,8 @@ def _errors(sizing: Sizing, lines: Sequence[str], trace: Trace | None, case: str
     """Yield one figure for each stage: its meshes share a mesh frequency."""
     samples, rates = every_step(trace) if trace is not None else None, mesh_frequencies(sizing, case)
     for stage in sizing.design.stages:
-        meshes = [line for line in lines if line.partition(".")[0] == stage]
-        rate = max((value for row, value in rates.items() if row.partition(".")[0] == stage), default=0.0)
+        rows = {mesh.name: line for mesh, line in zip(sizing.train.meshes, lines, strict=True) if mesh.stage == stage}
+        meshes, rate = list(rows.values()), max(rates[row] for row in rows)
         if samples is not None and meshes and rate > 0.0:
             drawing = transmission_error_figure(samples, meshes, mesh_frequency=rate)
             yield _figure(drawing, f"error-{_safe(stage)}", f"Dynamic transmission error of {stage}.")

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 
 from gearwright.dynamics import Modes
-from gearwright.dynamics.model import System
+from gearwright.dynamics.model import Owner, System
 from gearwright.identity import SIDES, Kind, Role, carrier_part, gear_part
 from gearwright.parts.planetary import even_positions
 from gearwright.render.schematic import glyphs
@@ -129,9 +129,15 @@ def _scale(sizing: Sizing, motion: _Motion) -> float:
     """Return paper over motion for all planetary sets of a mode; zero if they stand still."""
     sets = [(_radii(sizing, stage), stage) for stage in sizing.design.planetaries]
     largest = max((disc.reach for radii, stage in sets for disc in _discs(sizing, stage, radii, motion)), default=0.0)
-    names = motion.system.labels.coordinates
-    energy = sum(motion.share(name) for name in names if name.partition(".")[0] in sizing.design.planetaries)
+    labels = motion.system.labels
+    owned = zip(labels.coordinates, labels.coordinate_owners, strict=True)
+    energy = sum(motion.share(name) for name, owner in owned if _stage(owner) in sizing.design.planetaries)
     return SHOWN * min(radii[Role.PLANET] for radii, _ in sets) / largest if energy > QUIET else 0.0
+
+
+def _stage(owner: Owner) -> str:
+    """Return the stage that a coordinate belongs to; empty for what belongs to none."""
+    return owner.part.name if owner.part is not None and owner.part.kind in (Kind.GEAR, Kind.CARRIER) else ""
 
 
 class _Disc(NamedTuple):

@@ -78,13 +78,13 @@ def _influences(study: SharingStudy) -> Grid:
     for influence in study.influences:
         effect = f"±{100.0 * influence.effect:.3f}"
         table.add_row(
-            influence.source, _size(influence.source, influence.size), effect, "turns" if influence.turns else "stays"
+            influence.source, _size(influence.kind, influence.size), effect, "turns" if influence.turns else "stays"
         )
     return table
 
 
-def _size(name: str, size: float) -> str:
-    unit, scale = next((scaled for kind, scaled in _UNITS.items() if name.endswith(kind)), ("µm", 1e-6))
+def _size(kind: str, size: float) -> str:
+    unit, scale = _UNITS.get(kind, ("µm", 1e-6))
     return f"{size / scale:.4g} {unit}"
 
 
@@ -95,8 +95,9 @@ def _allocation(allocation: Allocation) -> Grid:
     table.add_column("error")
     for header in ("given", "allowed"):
         table.add_column(header, justify="right")
-    for name, before, after in sorted(allocation.sizes, key=lambda row: row[2] / row[1]):
-        table.add_row(name, _size(name, before), _size(name, after) if after < before else "as given")
+    for row in sorted(allocation.sizes, key=lambda row: row.allowed / row.given):
+        allowed = _size(row.kind, row.allowed) if row.allowed < row.given else "as given"
+        table.add_row(row.error, _size(row.kind, row.given), allowed)
     return table
 
 
@@ -129,7 +130,7 @@ def sharing_json(study: SharingStudy) -> str:
         content["clocking_rad"] = dict(study.clocking.angles)
         content["clocking_window_rad"] = study.clocking.window if math.isfinite(study.clocking.window) else None
     if study.allocation is not None:
-        sizes = {name: {"given": before, "allowed": after} for name, before, after in study.allocation.sizes}
+        sizes = {row.error: {"given": row.given, "allowed": row.allowed} for row in study.allocation.sizes}
         allocation = study.allocation
         content["allocation"] = {
             "target": allocation.target,

@@ -47,8 +47,8 @@ _DIMENSIONS = {"torque": "torque", "speed": "speed", "slip": "speed", "pitch": "
 def _drives(trace: Trace) -> Iterator[Range]:
     if trace.drive is None:
         return
-    for name in trace.labels.drives:
-        dimension = _DIMENSIONS.get(name.rpartition(" ")[2])
+    for name, owner in zip(trace.labels.drives, trace.labels.drive_owners, strict=True):
+        dimension = _DIMENSIONS.get(owner.what)
         if dimension:
             yield _range(trace.drive, name, dimension)
 

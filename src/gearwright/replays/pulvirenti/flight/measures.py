@@ -8,6 +8,7 @@ import numpy as np
 
 from gearwright.dynamics import Samples
 from gearwright.dynamics.model import Floats
+from gearwright.identity import Row, mesh_part
 from gearwright.mission.windows import DynamicWindow
 
 SETTLED = 0.5
@@ -71,7 +72,7 @@ def mesh_means(window: DynamicWindow, stage: str) -> Floats:
     """
     force = window.trace.force
     late = force.edges[:-1] >= SETTLED
-    names = [name for name in force.names if name.startswith(f"{stage}.sun-planet")]
+    names = window.trace.labels.lines_of(mesh_part(stage, Row.SUN_PLANET))
     return np.array([float(np.mean(force.of(name)["mean"][late])) for name in names])
 
 
@@ -83,7 +84,7 @@ def mesh_swing(window: DynamicWindow, stage: str) -> float:
         stage: ``first`` or ``second``.
     """
     samples = window.trace.windows[-1]
-    names = [name for name in samples.labels.lines if name.startswith(f"{stage}.sun-planet")]
+    names = samples.labels.lines_of(mesh_part(stage, Row.SUN_PLANET))
     return max(float(np.ptp(samples.force(name))) for name in names)
 
 

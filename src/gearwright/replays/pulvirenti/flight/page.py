@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 from gearwright.dynamics import Samples
 from gearwright.dynamics.model import Floats
+from gearwright.identity import Row, mesh_part
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
@@ -105,10 +106,11 @@ def _stage(*stages: str) -> Callable[[Axes, DynamicWindow], None]:
         if window.name not in QUIET:
             _bands(axes, window, stages)
             return
-        names = [name for stage in stages for name in samples.labels.lines if name.startswith(f"{stage}.sun-planet")]
-        for place, name in enumerate(names):
-            colour = theme.CYCLE[place % len(theme.CYCLE)]
-            axes.plot(_time(window), samples.force(name)[part] / 1e3, lw=0.8, color=colour, label=name.split(".")[1])
+        rows = [mesh_part(stage, Row.SUN_PLANET) for stage in stages]
+        for place, line in enumerate(place for row in rows for place in samples.labels.places_of(row)):
+            colour, owner = theme.CYCLE[place % len(theme.CYCLE)], samples.labels.line_owners[line]
+            label = str(owner.part._replace(name="")) if owner.part is not None else ""
+            axes.plot(_time(window), samples.line_force[part, line] / 1e3, lw=0.8, color=colour, label=label)
         axes.set_ylabel("[kN]")
 
     return draw

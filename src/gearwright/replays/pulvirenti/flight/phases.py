@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gearwright.dynamics import Outputs, System, simulate
+from gearwright.identity import PartId, Role, Row, gear_part, mesh_part
 from gearwright.mission.windows import DynamicWindow
 from gearwright.replays.pulvirenti.flight.claims import DESIGN, VARYING, Runs
 from gearwright.replays.pulvirenti.flight.measures import mean_off_ideal, off_ideal, output_swing
@@ -62,18 +63,18 @@ def _rephased(window: DynamicWindow, spacing: Callable[[int], float]) -> Dynamic
     """Return a window flown again with each set's planets spaced by an angle."""
     system = window.system
     for stage, planetary in sized(DESIGN).design.planetaries.items():
-        for row in ("sun-planet", "planet-ring"):
-            angle = sized(DESIGN).teeth[f"{stage}.sun"] * spacing(planetary.planets)
-            system = _spaced(system, f"{stage}.{row}-", angle)
+        for row in (Row.SUN_PLANET, Row.PLANET_RING):
+            angle = sized(DESIGN).teeth[str(gear_part(stage, Role.SUN))] * spacing(planetary.planets)
+            system = _spaced(system, mesh_part(stage, row), angle)
     outputs = Outputs(windows=((DURATION - END, DURATION),))
     trace = simulate(system, DURATION, step=window.trace.step, outputs=outputs)
     return replace(window, system=system, trace=trace.whole())
 
 
-def _spaced(system: System, family: str, angle: float) -> System:
-    """Return a system in which each line of a family follows the one before by a mesh phase [rad]."""
+def _spaced(system: System, row: PartId, angle: float) -> System:
+    """Return a system in which each line of a row follows the one before by a mesh phase [rad]."""
     series = system.arrays.variation
-    lines = [line for line, name in enumerate(system.labels.lines) if name.startswith(family)]
+    lines = system.labels.places_of(row)
     cosine, sine = series.cosine.copy(), series.sine.copy()
     first = slice(series.start[lines[0]], series.start[lines[0] + 1])
     wave = series.cosine[first] - 1j * series.sine[first]

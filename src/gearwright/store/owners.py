@@ -1,0 +1,57 @@
+"""Whose the coordinates, lines and numbers of a stored run are: a line of text for each, and for runs without them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+
+from gearwright.dynamics import assemble
+from gearwright.dynamics.model import NOBODY, Owner
+from gearwright.identity import Kind, PartId, Role, Row
+from gearwright.sizing import size
+from gearwright.spec import Design
+
+
+def written_owners(owners: Iterable[Owner]) -> str:
+    """Return owners as text, one a line.
+
+    Args:
+        owners: Of coordinates, lines or numbers of drives.
+    """
+    return "\n".join(json.dumps([owner.what, *(owner.part or ())]) for owner in owners)
+
+
+def read_owners(text: str) -> tuple[Owner, ...]:
+    """Return owners as they were.
+
+    Args:
+        text: From `written_owners`.
+    """
+    return tuple(_owner(*json.loads(line)) for line in text.splitlines())
+
+
+def _owner(what: str, *fields: str | int | None) -> Owner:
+    if not fields:
+        return Owner(None, what)
+    kind, name, role, branch, number = fields
+    which = None if role is None else Row(role) if kind == Kind.MESH else Role(role)
+    return Owner(PartId(Kind(kind), str(name), which, str(branch), None if number is None else int(number)), what)
+
+
+def found_owners(
+    coordinates: Sequence[str], lines: Sequence[str], design: Design, case: str
+) -> tuple[tuple[Owner, ...], tuple[Owner, ...]]:
+    """Return the owners of coordinates and lines of a run that was stored without them: those of its design.
+
+    Args:
+        coordinates: Names.
+        lines: Names.
+        design: That made the run.
+        case: Load case.
+    """
+    labels = assemble(size(design), case).labels
+    of_coordinate = dict(zip(labels.coordinates, labels.coordinate_owners, strict=True))
+    of_line = dict(zip(labels.lines, labels.line_owners, strict=True))
+    return tuple(of_coordinate.get(name, NOBODY) for name in coordinates), tuple(
+        of_line.get(name, NOBODY) for name in lines
+    )
