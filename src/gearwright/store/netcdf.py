@@ -162,9 +162,15 @@ def _check_format(written: str, path: str | Path) -> None:
 
 def _read(file: Any) -> StoredRun | Trace:
     trace = _read_trace(file)
+    design, case = _origin(file)
+    return trace if design is None else StoredRun(design, case, trace)
+
+
+def _origin(file: Any) -> tuple[Design | None, str]:
+    """Return the design that made a run, if it is known, and its load case."""
     if "design" not in file.attrs:
-        return trace
-    return StoredRun(Design.model_validate_json(str(file.attrs["design"])), str(file.attrs["case"]), trace)
+        return None, ""
+    return Design.model_validate_json(str(file.attrs["design"])), str(file.attrs["case"])
 
 
 def _read_trace(file: Any) -> Trace:
@@ -258,8 +264,7 @@ def _read_labels(file: Any) -> Labels:
     names = {name: _lines(file.attrs[name]) for name in ("coordinates", "lines")}
     owners = {name: read_owners(str(file.attrs[name])) for name in _OWNERS if name in file.attrs}
     if not owners:
-        design = Design.model_validate_json(str(file.attrs["design"]))
-        found = found_owners(names["coordinates"], names["lines"], design, str(file.attrs["case"]))
+        found = found_owners(names["coordinates"], names["lines"], *_origin(file))
         owners = dict(zip(_OWNERS, found, strict=False))
     return Labels(
         coordinates=names["coordinates"],

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Sequence
 
-from gearwright.dynamics import assemble
+from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.model import NOBODY, Owner
 from gearwright.identity import Kind, PartId, Role, Row
 from gearwright.sizing import size
@@ -27,31 +27,36 @@ def read_owners(text: str) -> tuple[Owner, ...]:
     Args:
         text: From `written_owners`.
     """
-    return tuple(_owner(*json.loads(line)) for line in text.splitlines())
+    return tuple(_owner(json.loads(line)) for line in text.splitlines())
 
 
-def _owner(what: str, *fields: str | int | None) -> Owner:
-    if not fields:
-        return Owner(None, what)
-    kind, name, role, branch, number = fields
-    which = None if role is None else Row(role) if kind == Kind.MESH else Role(role)
-    return Owner(PartId(Kind(kind), str(name), which, str(branch), None if number is None else int(number)), what)
+def _owner(record: object) -> Owner:
+    match record:
+        case [str(what)]:
+            return Owner(None, what)
+        case [str(what), str(kind), str(name), None, str(branch), None | int() as number]:
+            return Owner(PartId(Kind(kind), name, None, branch, number), what)
+        case [str(what), str(kind), str(name), str(role), str(branch), None | int() as number]:
+            which = Row(role) if kind == Kind.MESH else Role(role)
+            return Owner(PartId(Kind(kind), name, which, branch, number), what)
+    raise ValueError(f"{record} is no owner")
 
 
 def found_owners(
-    coordinates: Sequence[str], lines: Sequence[str], design: Design, case: str
+    coordinates: Sequence[str], lines: Sequence[str], design: Design | None, case: str
 ) -> tuple[tuple[Owner, ...], tuple[Owner, ...]]:
     """Return the owners of coordinates and lines of a run that was stored without them: those of its design.
 
     Args:
         coordinates: Names.
         lines: Names.
-        design: That made the run.
+        design: That made the run; None where it is not known.
         case: Load case.
     """
+    if design is None:
+        return (NOBODY,) * len(coordinates), (NOBODY,) * len(lines)
     labels = assemble(size(design), case).labels
     of_coordinate = dict(zip(labels.coordinates, labels.coordinate_owners, strict=True))
     of_line = dict(zip(labels.lines, labels.line_owners, strict=True))
-    return tuple(of_coordinate.get(name, NOBODY) for name in coordinates), tuple(
-        of_line.get(name, NOBODY) for name in lines
-    )
+    owners = tuple(of_coordinate.get(name, NOBODY) for name in coordinates)
+    return owners, tuple(of_line.get(name, NOBODY) for name in lines)

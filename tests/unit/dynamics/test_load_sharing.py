@@ -234,7 +234,7 @@ def test_allocation_reaches_the_target_and_spares_what_matters_least():
     train, lines = redundancy(system), np.array([2, 3])
     found = allocate(train, error_sources(system, contacts, parts), lines, target=0.51)
     assert found.reached == pytest.approx(0.51, abs=1e-6)
-    cut = {name: after / before for name, before, after in found.sizes}
+    cut = {row.error: row.allowed / row.given for row in found.sizes}
     assert cut["left eccentricity"] < cut["first.wheel.left eccentricity"]
     loose = allocate(train, error_sources(system, contacts, parts), lines, target=0.6)
     assert loose.cost == 0.0
