@@ -7,8 +7,9 @@ import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from gearwright.catalogue import materials
+from gearwright.catalogue import materials, rated_steel
 from gearwright.parts import Material
+from gearwright.render.tables.materials import properties
 from gearwright.render.words.design_file import design_file_markdown, mission_file_markdown, study_file_markdown
 from gearwright.replays.colibri.page import colibri_markdown
 
@@ -16,32 +17,69 @@ FOLDER = Path(__file__).parent
 
 _MATERIALS_HEAD = """# Materials
 
-The materials that a design may name, as `[gears] material` or `[shafts] material`. The allowable stresses of the
-[first sizing](../theory/first-sizing.md) are $R_{p0.2}/S_F$ in bending and $2.5\\,HB/S_H$ in contact, with HB the
-Brinell number of the flanks. This page is made from the table that the tool reads.
-
-| name | E [GPa] | ν | ρ [kg/m³] | $R_{p0.2}$ [MPa] | HB | source |
-| --- | --- | --- | --- | --- | --- | --- |
+The materials that a design may name, as `[gears] material`, as that of a stage or as `[shafting] material`, beside
+[its own](../how-to/materials.md). The allowable stresses of the [first sizing](../theory/first-sizing.md) are
+$R_{p0.2}/S_F$ in bending and $2.5\\,HB/S_H$ in contact, with HB the Brinell number of the flanks; ISO 6336 takes
+σ_Hlim, σ_Flim, HV and the S-N lines. A `~` marks a number that no source gives: the rule by which it is estimated
+stands below, where every number has its source. A `–` is not known, and refused where it is needed. This page is made
+from the table that the tool reads.
 """
+_COLUMNS = (
+    "name", "E [GPa]", "ν", "ρ [kg/m³]", "$R_{p0.2}$ [MPa]", "$R_m$ [MPa]", "HB", "HV", "class, grade",
+    "σ_Hlim [MPa]", "σ_Flim [MPa]", "melting",
+)  # fmt: skip
+_SCALES = {"surface_hardness": "hardness"}
+"""Property -> the one whose source it shares where it has none of its own."""
 
 
 def materials_markdown() -> str:
-    """Return the table of the catalogue's materials."""
-    return _MATERIALS_HEAD + "".join(_row(each) for each in materials().values())
+    """Return the table of the catalogue's materials, and where each number of each comes from."""
+    known = materials().values()
+    head = f"{_MATERIALS_HEAD}\n| {' | '.join(_COLUMNS)} |\n|{' --- |' * len(_COLUMNS)}\n"
+    return head + "".join(map(_row, known)) + "".join(map(_origins, known))
 
 
 def _row(material: Material) -> str:
-    strength, hardness = material.yield_strength, material.surface_hardness
+    steel = None if material.steel is None else rated_steel(material)
+    words = (None, None) if steel is None else (steel.contact_strength, steel.bending_strength)
     cells = (
         f"`{material.name}`",
-        f"{1e-9 * material.elastic_modulus:g}",
-        f"{material.poisson_ratio:g}",
-        f"{material.density:g}",
-        "–" if strength is None else f"{1e-6 * strength:g}",
-        "–" if hardness is None else f"{hardness:g}",
-        material.source,
+        _cell(material, "elastic_modulus", 1e-9),
+        _cell(material, "poisson_ratio"),
+        _cell(material, "density"),
+        _cell(material, "yield_strength", 1e-6),
+        _cell(material, "ultimate_strength", 1e-6),
+        _cell(material, "surface_hardness"),
+        _cell(material, "hardness"),
+        "–" if steel is None else f"{steel.name} {steel.grade}",
+        *(
+            "–" if value is None else f"{1e-6 * value:.0f}{_guess(material, key)}"
+            for key, value in zip(("contact_strength", "bending_strength"), words, strict=True)
+        ),
+        material.melting or "–",
     )
     return f"| {' | '.join(cells)} |\n"
+
+
+def _cell(material: Material, key: str, factor: float = 1.0) -> str:
+    value = getattr(material, key)
+    own = key if key in material.sources or key in material.estimated else _SCALES.get(key, key)
+    return "–" if value is None else f"{factor * value:.4g}{_guess(material, own)}"
+
+
+def _guess(material: Material, key: str) -> str:
+    return " ~" if key in material.estimated else ""
+
+
+def _origins(material: Material) -> str:
+    """Return the properties of a material with their sources, those of one source in one line."""
+    steel = None if material.steel is None else rated_steel(material)
+    lines: dict[str, list[str]] = {}
+    for line in properties(material, steel):
+        guess = "estimated: " if line.estimated else ""
+        lines.setdefault(f"{guess}{line.source}", []).append(f"{line.property} {line.value} {line.unit}".rstrip())
+    rows = "".join(f"| {'; '.join(what)} | {source} |\n" for source, what in lines.items())
+    return f"\n## {material.name}\n\n{material.source}.\n\n| property | source |\n| --- | --- |\n{rows}"
 
 
 def beside(name: str) -> Callable[[], str]:

@@ -101,9 +101,13 @@ def test_a_made_page_is_up_to_date(name):
 def test_every_material_stands_in_the_table_with_its_source():
     page = beside("generate").materials_markdown()
     for name, material in materials().items():
-        assert any(line.startswith(f"| `{name}` |") and material.source in line for line in page.splitlines()), name
-    assert "| `nitriding-steel-785` | 210 | 0.3 | 7850 | 785 | 600 |" in page
-    assert "| `structural-steel` | 210 | 0.3 | 7850 | 355 | – |" in page
+        section = page.partition(f"\n## {name}\n")[2].partition("\n## ")[0]
+        assert f"\n| `{name}` |" in page, name
+        assert material.source in section, name
+        for words in (*material.sources.values(), *(f"estimated: {rule}" for rule in material.estimated.values())):
+            assert words in section or words == "ISO 6336-5:2016, table 1", (name, words)
+    assert "| `nitriding-steel-785` | 210 | 0.3 | 7850 | 785 | 980 | 600 | 650 ~ | nitrided MQ | 1250 ~ |" in page
+    assert "| `structural-steel` | 210 | 0.3 | 7850 | 355 | 470 | – |" in page
 
 
 def test_the_numbers_of_the_validation_page_are_within_their_tolerances():

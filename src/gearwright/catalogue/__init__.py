@@ -11,11 +11,11 @@ from gearwright.catalogue.bearing_choice import (
 from gearwright.catalogue.bearings import Bearing, bearing, bearings, with_ratings
 from gearwright.catalogue.engines import Engine, Printed, Series, all_series, engines, nearest, notes, select
 from gearwright.catalogue.fits import LARGEST, SEAT_SOURCE, SMALLEST, seat_tolerance, shaft_limits, standard_tolerance
-from gearwright.catalogue.gear_strength import gear_steel, gear_steel_names
+from gearwright.catalogue.gear_strength import USUAL_HARDNESS, gear_steel, gear_steel_names, rated_steel
 from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
 from gearwright.catalogue.keys import LENGTHS, StandardKey, key_for_shaft, standard_keys
 from gearwright.catalogue.load_factors import load_factor_tables, load_factors
-from gearwright.catalogue.materials import materials
+from gearwright.catalogue.materials import material_of, materials
 from gearwright.catalogue.propellers import (
     MAPS,
     charted_point,
@@ -32,6 +32,7 @@ __all__ = [
     "MAPS",
     "SEAT_SOURCE",
     "SMALLEST",
+    "USUAL_HARDNESS",
     "Bearing",
     "BearingCheck",
     "BearingDuty",
@@ -57,10 +58,12 @@ __all__ = [
     "load_factor_tables",
     "load_factors",
     "map_of",
+    "material_of",
     "materials",
     "nearest",
     "notes",
     "propeller_map",
+    "rated_steel",
     "read_propeller_map",
     "seat_tolerance",
     "select",

@@ -4,14 +4,27 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
 from gearwright.catalogue.tables import data_text
 from gearwright.errors import DesignError, Problem, near
-from gearwright.parts.iso6336 import GearSteel, StrengthLine, Treatment, allowable_stress
+from gearwright.parts import LifeLine, Material
+from gearwright.parts.iso6336 import (
+    GearSteel,
+    LifeCurve,
+    StrengthLine,
+    Treatment,
+    allowable_stress,
+    bending_life_curve,
+    contact_life_curve,
+    knee_curve,
+)
 
 _MPA = 1e6
+USUAL_HARDNESS = 700.0
+"""Hardness of flanks of another class than the material's own, where nothing else is said [HV]: 60 HRC."""
 
 
 @cache
@@ -42,9 +55,7 @@ def gear_steel(name: str, grade: str, hardness: float, *, yield_strength: float 
     >>> steel.contact_strength / 1e6, steel.bending_strength / 1e6
     (1500.0, 425.0)
     """
-    if name not in gear_steel_names():
-        raise DesignError([Problem("material", f"{name!r} is not known; {near(name, gear_steel_names())}")])
-    steel = _table()[name]
+    steel = _class(name)
     if grade not in steel["contact"]:
         raise DesignError([Problem("grade", f"{grade!r} is not given for {name}; {near(grade, steel['contact'])}")])
     rows = (steel["contact"][grade], steel["bending"][grade])
@@ -59,6 +70,82 @@ def gear_steel(name: str, grade: str, hardness: float, *, yield_strength: float 
         yield_strength=yield_strength,
         source=f"{_table()['source']}, rows {rows[0]['row']} and {rows[1]['row']}",
     )
+
+
+def rated_steel(
+    material: Material, name: str | None = None, grade: str | None = None, *, hardness: float | None = None
+) -> GearSteel:
+    """Return a material as ISO 6336 rates it: what it states itself, and the rest by its class in the table.
+
+    Args:
+        material: Of the gear.
+        name: Class in the table in place of the material's own, then of grade MQ and 700 HV where nothing is said.
+        grade: ML, MQ or ME in place of its own, or MQ.
+        hardness: Surface hardness in place of its own [HV, for structural steel HBW].
+
+    Source: ISO 6336-5:2016, table 1, for strengths that the material does not state.
+
+    Raises:
+        DesignError: no class; no such class, grade or hardness; a strength neither stated nor in the table.
+
+    >>> from gearwright.catalogue import materials
+    >>> steel = rated_steel(materials()["16MnCr5"])
+    >>> steel.treatment.value, steel.grade, steel.contact_strength / 1e6
+    ('Eh', 'MQ', 1500.0)
+    """
+    chosen = name or material.steel
+    if chosen is None:
+        message = f"{material.name!r} has no class of ISO 6336-5 and so no S-N data; give a steel with it, one of "
+        raise DesignError([Problem("material", message + ", ".join(gear_steel_names()))])
+    its = chosen == material.steel
+    quality, hard = grade or (its and material.grade) or "MQ", hardness or (_flank(material) if its else USUAL_HARDNESS)
+    if hard is None:
+        raise DesignError([Problem("hardness", f"{material.name!r} states none; give the hardness of its flanks")])
+    own = its and grade in (None, material.grade) and hardness is None
+    lives = (material.contact_life, material.bending_life) if own else (None, None)
+    curves = contact_life_curve, bending_life_curve
+    treatment = Treatment(_class(chosen)["treatment"])
+    contact, bending = (
+        None if life is None else _knee(life, curve(treatment)) for life, curve in zip(lives, curves, strict=True)
+    )
+    return replace(
+        _strengths(material, chosen, quality, hardness=hard, own=own),
+        elastic_modulus=material.elastic_modulus,
+        poisson_ratio=material.poisson_ratio,
+        density=material.density,
+        yield_strength=material.yield_strength,
+        contact_life=contact,
+        bending_life=bending,
+    )
+
+
+def _strengths(material: Material, name: str, grade: str, *, hardness: float, own: bool) -> GearSteel:
+    """Return what the material states of its strengths, or what its class says."""
+    contact, bending = material.contact_strength, material.bending_strength
+    if not own or contact is None or bending is None:
+        return gear_steel(name, grade, hardness)
+    source = material.source_of("contact_strength")
+    return GearSteel(name, Treatment(_class(name)["treatment"]), grade, hardness, contact, bending, source=source)
+
+
+def _flank(material: Material) -> float | None:
+    """Return the hardness of flanks in the scale of the material's class."""
+    return material.surface_hardness if _class(material.steel or "")["scale"] == "HBW" else material.hardness
+
+
+def _knee(line: LifeLine, usual: LifeCurve) -> LifeCurve:
+    """Return a stated S-N line as a curve, with the ends of the treatment where it states none."""
+    greatest = usual.factors[0] if line.static_factor is None else line.static_factor
+    end = usual.factors[-1] if line.factor_at_1e10 is None else line.factor_at_1e10
+    return knee_curve(line.knee_cycles, line.exponent, greatest=greatest, at_1e10=end)
+
+
+def _class(name: str) -> Mapping[str, Any]:
+    """Return the rows of a class."""
+    if name not in gear_steel_names():
+        raise DesignError([Problem("material", f"{name!r} is not known; {near(name, gear_steel_names())}")])
+    rows: Mapping[str, Any] = _table()[name]
+    return rows
 
 
 def _line(row: Mapping[str, Any]) -> StrengthLine:

@@ -1,39 +1,62 @@
-"""The materials that a design may name, read from the package's own table."""
+"""The materials that a design may name: the package's own table, and what makes one of a table that a user writes."""
 
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import Any
 
 from gearwright.catalogue.tables import data_text
-from gearwright.parts import Material
+from gearwright.parts import LifeLine, Material
+from gearwright.parts.hardness import BRINELL_PER_VICKERS, vickers_of_rockwell
+from gearwright.units import SUFFIXES
 
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-_MPA = 1e6
+_UNITS = {**SUFFIXES["stress"], **SUFFIXES["density"]}
+"""Suffix of a key -> SI value."""
+_LIVES = ("contact_life", "bending_life")
+_SCALES = ("hardness_hv", "hardness_hb", "hardness_hrc")
 
 
 @cache
 def materials() -> Mapping[str, Material]:
     """Return every material of the catalogue by name."""
     table = tomllib.loads(data_text("materials.toml"))
-    return MappingProxyType({name: _material(name, row) for name, row in table.items()})
+    return MappingProxyType({name: material_of(name, _si(row)) for name, row in table.items()})
 
 
-def _material(name: str, row: Mapping[str, float | str]) -> Material:
-    strength, ultimate = row.get("yield_strength_mpa"), row.get("ultimate_strength_mpa")
-    hardness = row.get("surface_hardness")
-    return Material(
-        name=name,
-        elastic_modulus=float(row["elastic_modulus_mpa"]) * _MPA,
-        poisson_ratio=float(row["poisson_ratio"]),
-        density=float(row["density_kg_m3"]),
-        yield_strength=None if strength is None else float(strength) * _MPA,
-        surface_hardness=None if hardness is None else float(hardness),
-        ultimate_strength=None if ultimate is None else float(ultimate) * _MPA,
-        group=None if "group" not in row else str(row["group"]),
-        source=str(row["source"]),
-    )
+def material_of(name: str, values: Mapping[str, Any]) -> Material:
+    """Return a material of its values, its hardness in the scales of flanks in which it is not given, too.
+
+    Args:
+        name: As designs name it.
+        values: Field -> value in SI, with ``hardness_hv``, ``hardness_hb`` or ``hardness_hrc``; None is not known.
+
+    Source: ISO 18265:2013, table A.1, for hardness in other scales.
+
+    >>> round(material_of("mine", {"elastic_modulus": 206e9, "poisson_ratio": 0.3, "density": 7830.0,
+    ...     "hardness_hrc": 60.1}).surface_hardness)
+    665
+    """
+    known = {key: value for key, value in values.items() if value is not None}
+    vickers, brinell, rockwell = (known.pop(scale, None) for scale in _SCALES)
+    if vickers is None and rockwell is not None:
+        vickers = vickers_of_rockwell(rockwell)
+    if vickers is None and brinell is not None:
+        vickers = brinell / BRINELL_PER_VICKERS
+    if brinell is None and vickers is not None:
+        brinell = BRINELL_PER_VICKERS * vickers
+    known |= {key: LifeLine(**known[key]) for key in _LIVES if key in known}
+    return Material(name=name, hardness=vickers, surface_hardness=brinell, **known)
+
+
+def _si(row: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a row of the table by fields: numbers in SI without the unit in their key."""
+    values: dict[str, Any] = {}
+    for key, value in row.items():
+        field, suffix = next(
+            ((key.removesuffix(f"_{suffix}"), suffix) for suffix in _UNITS if key.endswith(f"_{suffix}")), (key, "")
+        )
+        values[field] = float(value) * _UNITS.get(suffix, 1.0) if isinstance(value, int | float) else value
+    return values

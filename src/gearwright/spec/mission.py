@@ -8,7 +8,7 @@ from typing import Literal, cast
 
 from pydantic import Field
 
-from gearwright.catalogue import gear_steel
+from gearwright.catalogue import USUAL_HARDNESS, gear_steel
 from gearwright.errors import DesignError, Problem
 from gearwright.reading import beside
 from gearwright.shipped import find_mission
@@ -117,11 +117,17 @@ class OilRules(Record):
 
 
 class GearLifeRules(Record):
-    """The steel of all gears as ISO 6336 rates it, for the damage of a flight."""
+    """The steel of gears that the design does not rate by ISO 6336, for the damage of a flight."""
 
-    steel: str = Field("nitrided", description="Name in the table of ISO 6336-5")
-    grade: Literal["ML", "MQ", "ME"] = Field("MQ", description="Material quality")
-    hardness_hv: float = Field(700.0, ge=100, le=1000, description="Surface hardness")
+    steel: str | None = Field(
+        None, description="Class in the table of ISO 6336-5; left out: that of the design's material"
+    )
+    grade: Literal["ML", "MQ", "ME"] | None = Field(
+        None, description="Material quality; left out: that of the material, MQ for another class"
+    )
+    hardness_hv: float | None = Field(
+        None, ge=100, le=1000, description="Surface hardness; left out: that of the material, 700 for another class"
+    )
     flank_class: int = Field(5, ge=1, le=11, description="Flank tolerance class of ISO 1328-1")
 
 
@@ -267,8 +273,10 @@ def _intervals(mission: Mission) -> Iterator[Problem]:
 
 
 def _steel(rules: GearLifeRules) -> list[Problem]:
+    if rules.steel is None:
+        return []  # a flight knows the material
     try:
-        gear_steel(rules.steel, rules.grade, rules.hardness_hv)
+        gear_steel(rules.steel, rules.grade or "MQ", rules.hardness_hv or USUAL_HARDNESS)
     except DesignError as error:
         return [
             Problem(f"gears.{STEEL_KEYS.get(problem.path, problem.path)}", problem.message)

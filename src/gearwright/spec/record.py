@@ -125,8 +125,8 @@ def _require(model: type[Record], keys: Mapping[str, tuple[str, float, str]], re
         if info.is_required() and (info.alias or name) not in result:
             options = [key for key, (field_name, _, _) in keys.items() if field_name in (name, info.alias)]
             path = f"{prefix}.{options[0]}" if prefix else options[0]
-            if options[0] != name:
-                result[name] = _STAND_IN
+            if info.annotation is float:
+                result[name] = _stand_in_of(info)
             if not any(problem.path.startswith(f"{prefix}.{name}" if prefix else name) for problem in written.problems):
                 written.problems.append(Problem(path, f"is required; write {' or '.join(options)}"))
 
@@ -149,14 +149,14 @@ def _unknown(key: str, model: type[Record], keys: Mapping[str, object]) -> str:
 def _number(value: object, factor: float, suffix: str, written: Written, location: Location) -> object:
     if isinstance(value, bool) or not isinstance(value, int | float):
         written.report(location, f"{brief(value)} is not a number; give a number in {suffix}")
-        return _STAND_IN
+        return _stand_in_of(written.fields[location])
     try:
         converted = float(value) * factor
     except OverflowError:
         converted = math.inf
     if not math.isfinite(converted):
         written.report(location, f"{brief(value)} is not a finite number; give a finite number in {suffix}")
-        return _STAND_IN
+        return _stand_in_of(written.fields[location])
     return converted
 
 
@@ -257,7 +257,7 @@ def build(model: type[Record], raw: Mapping[str, object]) -> tuple[Record | None
         faults = error.errors(include_url=False)
     for details in faults:
         _add(written, details)
-        _stand_in(table, details["loc"])
+        _stand_in(table, details["loc"], written.fields)
     if written.incomplete:
         return None, written
     try:
@@ -267,11 +267,18 @@ def build(model: type[Record], raw: Mapping[str, object]) -> tuple[Record | None
 
 
 _STAND_IN = 1.0
-"""A quantity that every bound of a required field allows; it never leaves the search for problems."""
+"""A quantity that most fields allow."""
 
 
-def _stand_in(entries: dict[str, Any], location: tuple[int | str, ...]) -> None:
+def _stand_in_of(info: FieldInfo) -> float:
+    """Return a quantity that a field allows; it never leaves the search for problems."""
+    allowed = range_of(info)
+    return _STAND_IN if allowed.holds(_STAND_IN) else 0.5 * (allowed.least + allowed.most)
+
+
+def _stand_in(entries: dict[str, Any], location: tuple[int | str, ...], infos: Mapping[Location, FieldInfo]) -> None:
     """Take the faulty entry out of a table, or put a stand-in where a quantity is required."""
+    info = infos.get(tuple(str(part) for part in location))
     for part in location[:-1]:
         inner = entries.get(str(part))
         if not isinstance(inner, dict):
@@ -279,8 +286,8 @@ def _stand_in(entries: dict[str, Any], location: tuple[int | str, ...]) -> None:
         entries, location = inner, location[1:]
     key = str(location[0])
     value = entries.pop(key, None)
-    if isinstance(value, float):
-        entries[key] = _STAND_IN
+    if isinstance(value, float) or (info is not None and info.annotation is float):
+        entries[key] = _STAND_IN if info is None else _stand_in_of(info)
 
 
 def _add(written: Written, details: Any) -> None:

@@ -43,6 +43,7 @@ helix_angle_deg = 0
 [gears]
 helix_angle_deg = 12
 rating = "iso6336"
+material = "carburised-9310"
 
 [layout.engine]
 length_mm = 190

@@ -31,6 +31,7 @@ pinion = "fast"
 wheel = "slow"
 [gears]
 rating = "iso6336"
+material = "carburised-9310"
 """
 
 

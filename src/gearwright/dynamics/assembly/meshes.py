@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from gearwright.catalogue import materials
 from gearwright.errors import DesignError, Problem
 from gearwright.parts import Material
 from gearwright.parts.gears import BasicRack, CylindricalGear, GearPair
@@ -95,7 +94,7 @@ def _sampled(stated: MeshCurve, harmonics: int) -> StiffnessCurve:
 
 
 def _by_model(sizing: Sizing, mesh: MeshSizing, pair: GearPair, harmonics: int) -> StiffnessCurve:
-    steel = materials()[sizing.design.rules(mesh.stage).material]
+    steel = sizing.design.material(sizing.design.rules(mesh.stage).material)
     match sizing.design.dynamics.mesh_stiffness:
         case "energy":
             return mesh_stiffness_energy(pair, materials=(steel, steel), harmonics=harmonics)

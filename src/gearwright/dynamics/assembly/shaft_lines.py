@@ -6,7 +6,6 @@ from collections.abc import Iterator, Set
 from itertools import pairwise
 from typing import NamedTuple
 
-from gearwright.catalogue import materials
 from gearwright.dynamics.assembly.bodies import Assembly
 from gearwright.identity import Kind, PartId
 from gearwright.parts.shafts import shaft_diameter, torsional_stiffness
@@ -72,6 +71,6 @@ def clutch_line(assembly: Assembly, joint: Joint) -> ShaftLine:
 def _stub_stiffness(assembly: Assembly, torque: float) -> float:
     """Return the stiffness of a machine's own shaft, sized by its torque [N m/rad]."""
     rules = assembly.sizing.design.shafting
-    material = materials()[rules.material or assembly.sizing.design.gears.material]
+    material = assembly.sizing.design.shaft_material
     diameter = shaft_diameter(0.0, torque, (material.yield_strength or 0.0) / rules.safety, bore_ratio=rules.bore_ratio)
     return torsional_stiffness(diameter, rules.end_length, material.shear_modulus, bore=rules.bore_ratio * diameter)

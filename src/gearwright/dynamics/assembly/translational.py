@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from gearwright.catalogue import materials
 from gearwright.dynamics.assembly.bodies import Assembly
 from gearwright.dynamics.assembly.contacts import push_sense
 from gearwright.dynamics.assembly.meshes import gear_of
@@ -95,7 +94,7 @@ def pin_stiffness(sizing: Sizing, stage: str) -> float:
     if stated is not None:
         return stated
     width, diameter = _planet(sizing, stage).face_width, _carrier(sizing, stage).pin_diameter
-    modulus = materials()[sizing.design.rules(stage).material].elastic_modulus
+    modulus = sizing.design.material(sizing.design.rules(stage).material).elastic_modulus
     return 3.0 * modulus * math.pi / 64.0 * diameter**4 / (0.5 * width) ** 3
 
 

@@ -12,7 +12,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.identity import Role
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.spectrum import mesh_spectrum
-from gearwright.parts.iso6336 import LifeCurve, StressBin, bending_life_curve, contact_life_curve, damage_parts
+from gearwright.parts.iso6336 import LifeCurve, StressBin, damage_parts, life_curves
 from gearwright.sizing.rating import Rating, Strain, rating_of, row_ask, steel_of, strains_under
 from gearwright.spec import Design
 from gearwright.spec.design import Iso6336Rules
@@ -109,8 +109,7 @@ def _mesh_damage(flight: Flight, mesh: Mesh) -> list[tuple[float, float]]:
     strains = strains_under(
         rating, ask, loads, speeds=[duty.speed for duty in bins], module=gear.module, face_width=width
     )
-    treatment = steel_of(rating).treatment
-    curves = (contact_life_curve(treatment), bending_life_curve(treatment))
+    curves = life_curves(steel_of(rating))
     damages = []
     for side, relative in enumerate((1.0, gear.teeth / mate.teeth)):
         cycles = [duty.turns * relative * ask.passes[side] for duty in bins]

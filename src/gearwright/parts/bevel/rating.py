@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -18,15 +17,7 @@ from gearwright.parts.bevel.pitting import (
     virtual_force,
 )
 from gearwright.parts.bevel.virtual import HIGH_CROWNING, VirtualPair
-from gearwright.parts.iso6336 import (
-    LifeCurve,
-    LoadFactors,
-    Steels,
-    Treatment,
-    bending_life_curve,
-    contact_life_curve,
-    life_factor,
-)
+from gearwright.parts.iso6336 import LoadFactors, Steels, life_curves, life_factor
 from gearwright.units import Origin, Quantity
 
 _MM, _MICRON = 1e-3, 1e-6
@@ -98,7 +89,7 @@ def rate_bevel(
     loads, dynamic = bevel_load_factors(virtual, duty)
     turns = abs(duty.pinion_speed) * life / (2.0 * math.pi)
     cycles = (turns, turns * pair.teeth[0] / pair.teeth[1])
-    contact, root = _lives(contact_life_curve, steels, cycles), _lives(bending_life_curve, steels, cycles)
+    contact, root = _lives(0, steels, cycles), _lives(1, steels, cycles)
     pitting = bevel_pitting(
         virtual,
         steels,
@@ -119,9 +110,9 @@ def rate_bevel(
     return BevelRating(virtual, force, speed, cycles, dynamic, loads, contact, root, pitting, (first, second))
 
 
-def _lives(curve: Callable[[Treatment], LifeCurve], steels: Steels, cycles: tuple[float, float]) -> tuple[float, float]:
-    """Life factors of pinion and wheel."""
-    first, second = (float(life_factor(curve(steel.treatment), n)) for steel, n in zip(steels, cycles, strict=True))
+def _lives(mode: int, steels: Steels, cycles: tuple[float, float]) -> tuple[float, float]:
+    """Life factors of pinion and wheel, of flanks or of roots."""
+    first, second = (float(life_factor(life_curves(steel)[mode], n)) for steel, n in zip(steels, cycles, strict=True))
     return first, second
 
 

@@ -37,10 +37,11 @@ from gearwright.parts.iso6336.film import (
 )
 from gearwright.parts.iso6336.geometry import MeshGeometry, ToothProportions, Value, as_value, mesh_geometry
 from gearwright.parts.iso6336.life import (
-    LifeCurve,
     bending_life_curve,
     contact_life_curve,
     endurable_cycles,
+    knee_curve,
+    life_curves,
     life_factor,
 )
 from gearwright.parts.iso6336.loads import MeshDuty, MeshQuality, Steels
@@ -57,6 +58,7 @@ from gearwright.parts.iso6336.stiffness import MeshSprings, mesh_springs
 from gearwright.parts.iso6336.strength import (
     STRESS_CORRECTION_TEST_GEAR,
     GearSteel,
+    LifeCurve,
     StrengthLine,
     Treatment,
     allowable_stress,
@@ -103,7 +105,9 @@ __all__ = [
     "endurable_cycles",
     "face_load_factor",
     "helix_factor",
+    "knee_curve",
     "lead_allowance",
+    "life_curves",
     "life_factor",
     "load_sharing_factor",
     "lubricant_factor",

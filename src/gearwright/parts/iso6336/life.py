@@ -3,26 +3,15 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
 from gearwright.parts.iso6336.geometry import Value, as_value
-from gearwright.parts.iso6336.strength import Treatment
+from gearwright.parts.iso6336.strength import GearSteel, LifeCurve, Treatment
 
 STANDARD = 0.85
 """Life factor at 1e10 cycles otherwise [-]."""
-
-
-@dataclass(frozen=True)
-class LifeCurve:
-    """An S-N curve: straight lines in double logarithmic scale between corners."""
-
-    cycles: tuple[float, ...]
-    """Corners N_L [-], increasing."""
-    factors: tuple[float, ...]
-    """Life factors there [-], decreasing."""
 
 
 def _contact_corners(treatment: Treatment, *, some_pitting: bool) -> LifeCurve:
@@ -69,6 +58,35 @@ def bending_life_curve(treatment: Treatment, *, at_1e10: float = STANDARD) -> Li
         Treatment.NITROCARBURISED: (1e3, 1.1),
     }[treatment]
     return LifeCurve((first_corner, 3e6, 1e10), (greatest, 1.0, at_1e10))
+
+
+def life_curves(steel: GearSteel) -> tuple[LifeCurve, LifeCurve]:
+    """Return the S-N curves of flank and root: the steel's own, or those of its treatment.
+
+    Args:
+        steel: Of the gear.
+
+    Source: ISO 6336-2:2019, table 2; ISO 6336-3:2019, table 1; or the steel's own.
+    """
+    contact = contact_life_curve(steel.treatment) if steel.contact_life is None else steel.contact_life
+    return contact, bending_life_curve(steel.treatment) if steel.bending_life is None else steel.bending_life
+
+
+def knee_curve(knee: float, exponent: float, *, greatest: float, at_1e10: float = STANDARD) -> LifeCurve:
+    """Return the S-N curve of a line that is stated by its knee and slope.
+
+    Args:
+        knee: Cycles at which the life factor is 1 [-].
+        exponent: p of N ~ σ^(−p) below the knee [-].
+        greatest: Static life factor [-].
+        at_1e10: Life factor at 1e10 cycles [-].
+
+    Source: ISO 6336-6:2019, clause 5: lines in double logarithmic scale.
+
+    >>> round(knee_curve(5e7, 13.222, greatest=1.6).cycles[0], -3)
+    100000.0
+    """
+    return LifeCurve((knee * greatest**-exponent, knee, 1e10), (greatest, 1.0, at_1e10))
 
 
 def life_factor(curve: LifeCurve, cycles: Value) -> Value:

@@ -8,6 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from gearwright.parts.gears import GearPair
+from gearwright.parts.hardness import BRINELL_PER_VICKERS
 from gearwright.parts.iso6336.bending import (
     BendingRating,
     Edition,
@@ -29,7 +30,7 @@ from gearwright.parts.iso6336.film import (
     work_hardening_factor,
 )
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value, mesh_geometry
-from gearwright.parts.iso6336.life import bending_life_curve, contact_life_curve, life_factor
+from gearwright.parts.iso6336.life import life_curves, life_factor
 from gearwright.parts.iso6336.loads import (
     USUAL,
     MeshDuty,
@@ -44,8 +45,6 @@ from gearwright.parts.iso6336.root import outer_single_contact, root_section
 from gearwright.parts.iso6336.stiffness import MeshSprings, mesh_springs
 from gearwright.parts.stiffness import LINEAR_LOAD, mesh_stiffness_iso6336
 from gearwright.units import Origin, Quantity
-
-_BRINELL_PER_VICKERS = 0.95  # ISO 18265:2013, table A.1, steels up to 400 HV
 
 
 @dataclass(frozen=True)
@@ -167,7 +166,7 @@ def _contact_strengths(
     softer = min(steel.contact_strength for steel in steels)
     first, second = (
         ContactStrengthFactors(
-            life=life_factor(contact_life_curve(steel.treatment), count),
+            life=life_factor(life_curves(steel)[0], count),
             lubricant=lubricant_factor(quality.viscosity, softer),
             speed=speed_factor(speed, softer),
             roughness=roughness_factor(quality.flank_roughness, mesh.relative_curvature, softer),
@@ -183,9 +182,9 @@ def _work_hardening(mesh: MeshGeometry, steels: Steels, gear: int, *, quality: M
     """Z_W of one gear by the Brinell hardness of both."""
     steel, mate = steels[gear], steels[1 - gear]
     return work_hardening_factor(
-        steel.hardness * _BRINELL_PER_VICKERS,
+        steel.hardness * BRINELL_PER_VICKERS,
         (steel.treatment, mate.treatment),
-        mate_hardness=mate.hardness * _BRINELL_PER_VICKERS,
+        mate_hardness=mate.hardness * BRINELL_PER_VICKERS,
         mate_roughness=quality.flank_roughness,
         ratio=np.abs(mesh.ratio),
     )
@@ -197,7 +196,7 @@ def _root_strengths(
     """Y factors of the strength of both gears."""
     first, second = (
         RootStrengthFactors(
-            life=life_factor(bending_life_curve(steel.treatment), count),
+            life=life_factor(life_curves(steel)[1], count),
             notch_sensitivity=notch_sensitivity_factor(root_section(outer_single_contact(mesh, gear)).notch, steel),
             surface=surface_factor(quality.root_roughness, steel.treatment),
             size=bending_size_factor(mesh.module, steel.treatment),

@@ -55,6 +55,16 @@ class StrengthLine:
 
 
 @dataclass(frozen=True)
+class LifeCurve:
+    """An S-N curve: straight lines in double logarithmic scale between corners."""
+
+    cycles: tuple[float, ...]
+    """Corners N_L [-], increasing."""
+    factors: tuple[float, ...]
+    """Life factors there [-], decreasing."""
+
+
+@dataclass(frozen=True)
 class GearSteel:
     """A gear steel ready to be rated."""
 
@@ -80,6 +90,10 @@ class GearSteel:
     """σ_S or R_p0.2 [Pa]; needed for the notch sensitivity of through-hardened steels only."""
     source: str = ""
     """Where the values come from."""
+    contact_life: LifeCurve | None = None
+    """S-N curve of the flank; None: that of the treatment."""
+    bending_life: LifeCurve | None = None
+    """S-N curve of the root; None: that of the treatment."""
 
 
 def allowable_stress(line: StrengthLine, hardness: float) -> float:

@@ -6,7 +6,6 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
-from gearwright.catalogue import materials
 from gearwright.identity import Role
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.dimensions import corner_leader, corner_words, words_corners
@@ -56,7 +55,7 @@ def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, name: str) -> Con
     hub, rules = hub_of(sizing, gear, shaft), sizing.design.rules(gear.stage)
     title = Title(
         sizing.design.name, f"Gear {name.removeprefix('gear-')}", name, "Component drawing",
-        materials()[rules.material].name, f"{gear.mass:.2f}",
+        rules.material, f"{gear.mass:.2f}",
     )  # fmt: skip
     bevel = kind_of(sizing, gear.stage) == "bevel"
     notes = [hub.note, *_notes(sizing, gear, hub), "General surfaces Ra 3.2 (assumed). Dimensions in mm."]

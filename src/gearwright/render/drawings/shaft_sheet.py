@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from gearwright.catalogue import SEAT_SOURCE, materials, shaft_limits
+from gearwright.catalogue import SEAT_SOURCE, shaft_limits
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.dimensions import extent
 from gearwright.render.drawings.sheet.entities import (
@@ -58,7 +58,7 @@ def shaft_content(sizing: Sizing, name: str) -> Content:
         name: Of the shaft.
     """
     body = shaft_body(sizing, name)
-    material = materials()[sizing.design.shafting.material or sizing.design.gears.material]
+    material = sizing.design.shaft_material
     mass = f"{mass_with_gears(sizing, body, name):.2f}"
     title = Title(sizing.design.name, f"Shaft {name}", f"shaft-{name}", "Component drawing", material.name, mass)
     grids = [tooth_grid(sizing, gear_of(sizing, gear), name) for gear in body.gears]

@@ -106,6 +106,7 @@ def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
     if sizing.built_shafts:
         built = ("bearing_sizes", "joints", "steps", "strength", "stiffness")
         yield _chapter("Shafts as built, bearings and joints", tables, *built)
+    yield _chapter("Materials", tables, "materials")
     yield _chapter("Mass and envelope", tables, "mass", "envelope", figures=(mass,))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gearwright.render.tables.checks import JUST_ENOUGH, judged
 from gearwright.render.tables.given import given_by_user, overrides_table
+from gearwright.render.tables.materials import materials_table
 from gearwright.render.tables.mounted import mounted_tables
 from gearwright.render.tables.tables import Mark, Table, table
 from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_parts
@@ -66,6 +67,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "envelope": table("Envelope", [envelope(sizing)], ("width", "height", "length", "volume"),
                           note=_ENVELOPE),
         "overrides": overrides_table(sizing),
+        "materials": materials_table(sizing),
         "carriers": table("Carriers", sizing.carriers,
                           ("stage", "torque", "tangential_force", "centrifugal_force", "radius", "pin_diameter",
                            "plate_thickness", "mass", "inertia"), mark=mark),

@@ -11,6 +11,7 @@ from rich.text import Text
 
 from gearwright.render.tables.factors import factor_tables, rated
 from gearwright.render.tables.grid import Grid
+from gearwright.render.tables.materials import estimated_only
 from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing import flow_tables, tables_of
 from gearwright.render.tables.tables import MARKS, Cell, Column, Table, as_json
@@ -40,6 +41,7 @@ _ORDER = (
     "machines",
     "mass",
     "envelope",
+    "materials",
     "overrides",
 )
 
@@ -53,6 +55,7 @@ def sizing_text(sizing: Sizing, *, trace: Trace | None = None, campbell: Sequenc
         campbell: Critical speeds that are looked at with it.
     """
     tables = tables_of(sizing)
+    tables["materials"] = estimated_only(tables["materials"])
     head = [Text(words) for words in (summary(sizing, trace), *resonance_lines(campbell))]
     parts: list[RenderableType] = [Text(sizing.design.name, style="bold"), *head, Text()]
     parts += [table_text(table) for table in (*flow_tables(sizing), path_table(sizing)) if table.rows]

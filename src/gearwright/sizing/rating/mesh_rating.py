@@ -15,8 +15,7 @@ from gearwright.parts.iso6336 import (
     PairRating,
     StressBin,
     Value,
-    bending_life_curve,
-    contact_life_curve,
+    life_curves,
     rate_mesh,
     spectrum_damage,
 )
@@ -160,8 +159,7 @@ def _rate_bevel(rating: Rating, load: _Load, module: float, face_width: float) -
 
 def _safeties(rated: Sequence[PairRating | BevelRating], rating: Rating) -> list[tuple[float, float]]:
     """Return S_H and S_F of both gears, each by Miner's sum over the cases where there are several."""
-    treatment = steel_of(rating).treatment
-    curves = (contact_life_curve(treatment), bending_life_curve(treatment))
+    curves = life_curves(steel_of(rating))
     safeties = []
     for mode, curve in enumerate(curves):
         gears = [_safety([strain(row, mode, gear) for row in rated], curve) for gear in (0, 1)]

@@ -10,7 +10,6 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.catalogue import materials
 from gearwright.parts import Material, contact_strength
 from gearwright.parts.gears import (
     ContactAngles,
@@ -68,7 +67,7 @@ def rating_of(design: Design, name: str) -> Rating:
     rules, stage = design.rules(name), design.stages[name]
     pair = stage if isinstance(stage, Pair) else None
     helix = 0.0 if pair is None else pair.spiral_angle if pair.kind == "bevel" else rules.helix_angle
-    material = materials()[rules.material]
+    material = design.material(rules.material)
     return Rating(
         rules=rules,
         kind="cylindrical" if pair is None else pair.kind,

@@ -6,12 +6,11 @@ A bevel gear is carried by its mean cone: module m_mn, helix angle β_m, diamete
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.catalogue import gear_steel
+from gearwright.catalogue import rated_steel
 from gearwright.parts.bevel import (
     BOTH_OVERHUNG,
     ONE_OVERHUNG,
@@ -186,22 +185,16 @@ def cylindrical_mesh(
 
 
 def steel_of(rating: Rating) -> GearSteel:
-    """Return the steel of a stage by ISO 6336-5, with the density and stiffness of its material.
+    """Return the steel of a stage as ISO 6336 rates it.
 
     Args:
         rating: Resolved rules.
 
     Raises:
-        DesignError: Unknown steel or grade, or a hardness outside the grade's range.
+        DesignError: Unknown class or grade, or a hardness outside the grade's range.
     """
-    rules, material = rating.rules.iso6336, rating.material
-    steel = gear_steel(rules.steel, rules.grade, rules.hardness_hv, yield_strength=material.yield_strength)
-    return replace(
-        steel,
-        elastic_modulus=material.elastic_modulus,
-        poisson_ratio=material.poisson_ratio,
-        density=material.density,
-    )
+    rules = rating.rules.iso6336
+    return rated_steel(rating.material, rules.steel, rules.grade, hardness=rules.hardness_hv)
 
 
 def quality_of(rating: Rating, *, idlers: tuple[bool, bool], shaft: PinionShaft = CENTRED) -> MeshQuality:

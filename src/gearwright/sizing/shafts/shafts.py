@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.catalogue import materials
 from gearwright.errors import DesignError, Problem
 from gearwright.parts import Material
 from gearwright.parts.shafts import (
@@ -35,7 +34,7 @@ def shaft_material(context: Context) -> Material:
     Args:
         context: What sizing reads.
     """
-    return materials()[context.design.shafting.material or context.design.gears.material]
+    return context.design.shaft_material
 
 
 def size_shafts(

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator
 
-from gearwright.catalogue import materials
 from gearwright.errors import Problem, near
 from gearwright.identity import SIDES
 from gearwright.spec.checks.effect import effect_problems
 from gearwright.spec.checks.gears import gear_problems
+from gearwright.spec.checks.materials import material_problems
 from gearwright.spec.checks.motion import motion_problems
 from gearwright.spec.checks.mounting import mounting_problems
 from gearwright.spec.checks.names import name_problems
 from gearwright.spec.checks.planets import planetary_problems
-from gearwright.spec.design import Design, GearRules, Pair, Planetary
+from gearwright.spec.design import Design
 from gearwright.spec.design.stages import gear_named
 from gearwright.units import text
 
@@ -30,10 +30,10 @@ def reference_problems(design: Design) -> list[Problem]:
     """
     checks = (
         name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, _clutches, _teeth, _layout, _cases,
-        _keep, _materials, _widths, _overrides, _level,
+        _keep, _widths, _overrides, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]
-    more = (gear_problems, effect_problems, motion_problems, mounting_problems)
+    more = (material_problems, gear_problems, effect_problems, motion_problems, mounting_problems)
     return [*problems, *(problem for check in more for problem in check(design))]
 
 
@@ -198,17 +198,6 @@ def _keep(design: Design) -> Iterator[Problem]:
             yield Problem("speeds.keep", f"there is no machine {machine!r}; {near(machine, design.machines)}")
 
 
-def _materials(design: Design) -> Iterator[Problem]:
-    yield from _gear_material("gears.material", design.gears)
-    stages: Mapping[str, Mapping[str, Pair | Planetary]] = {"pairs": design.pairs, "planetaries": design.planetaries}
-    for table, members in stages.items():
-        for name, stage in members.items():
-            if stage.gears is not None and "material" in stage.gears.model_fields_set:
-                yield from _gear_material(f"{table}.{name}.gears.material", stage.gears)
-    if design.shafting.material is not None:
-        yield from _material("shafting.material", design.shafting.material, ("yield_strength",), "shafts")
-
-
 def _overrides(design: Design) -> Iterator[Problem]:
     for path in design.origins:
         if path not in design.overrides:
@@ -227,10 +216,6 @@ def _level(design: Design) -> Iterator[Problem]:
         yield Problem("level", "'built' needs [bearings]; give each shaft two, or write level = \"concept\"")
 
 
-def _gear_material(path: str, rules: GearRules) -> Iterator[Problem]:
-    yield from _material(path, rules.material, ("yield_strength", "surface_hardness"), f"rating {rules.rating!r}")
-
-
 def _widths(design: Design) -> Iterator[Problem]:
     """Find helix angles so small that no face width gives the overlap."""
     rules = {"gears": design.gears} if design.pairs else {}
@@ -245,16 +230,3 @@ def _widths(design: Design) -> Iterator[Problem]:
                 f"{text(rule.helix_angle, 'angle')} needs gears wider than {WIDEST} modules for the overlap ratio"
                 f" {rule.overlap_ratio:g}; use 0, {text(smallest, 'angle')} or more, or give face_width_ratio",
             )
-
-
-def _material(path: str, name: str, needed: Iterable[str], purpose: str) -> Iterator[Problem]:
-    known = materials()
-    if name not in known:
-        yield Problem(path, f"there is no material {name!r}; {near(name, known)}")
-        return
-    missing = [key for key in needed if getattr(known[name], key) is None]
-    if missing:
-        enough = [rich for rich, steel in known.items() if all(getattr(steel, key) is not None for key in needed)]
-        yield Problem(
-            path, f"{name!r} has no {' and no '.join(missing)}, which {purpose} needs; use one of {', '.join(enough)}"
-        )

@@ -1,14 +1,13 @@
-"""What can be wrong with gears beyond their teeth: axes that do not meet squarely, steels that no table has."""
+"""What can be wrong with gears beyond their teeth: axes that do not meet squarely, shared gears, rings."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
 
-from gearwright.catalogue import gear_steel
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem
 from gearwright.identity import SIDES, Role, gear_part
-from gearwright.spec.design import Design, GearRules, Pair
+from gearwright.spec.design import Design, Pair
 
 SQUARE = 0.5 * math.pi
 """Axis angle of face and bevel gears that is understood [rad]."""
@@ -16,12 +15,8 @@ ROUNDING = 1e-6
 """How near to it a written angle must be [rad]."""
 
 
-STEEL_KEYS = {"material": "steel", "grade": "grade", "hardness": "hardness_hv"}
-"""What the table of steels complains of -> key of the design file."""
-
-
 def gear_problems(design: Design) -> Iterator[Problem]:
-    """Yield what is wrong with crossing axes and with the steels of rated gears.
+    """Yield what is wrong with crossing axes, with gears that pairs share and with pinions in rings.
 
     Args:
         design: As typed.
@@ -31,22 +26,6 @@ def gear_problems(design: Design) -> Iterator[Problem]:
         for side in SIDES:
             yield from _shared(name, side, design)
         yield from _inside(name, pair)
-    rated = {"gears": design.gears} if design.gears.rating == "iso6336" else {}
-    for table, stages in (("pairs", design.pairs), ("planetaries", design.planetaries)):
-        for name, stage in stages.items():
-            if stage.gears is not None and "iso6336" in stage.gears.model_fields_set:
-                rated[f"{table}.{name}.gears"] = design.rules(name)
-    for path, rules in rated.items():
-        yield from _steel(f"{path}.iso6336", rules)
-
-
-def _steel(path: str, rules: GearRules) -> Iterator[Problem]:
-    standard = rules.iso6336
-    try:
-        gear_steel(standard.steel, standard.grade, standard.hardness_hv)
-    except DesignError as error:
-        for problem in error.problems:
-            yield Problem(f"{path}.{STEEL_KEYS.get(problem.path, problem.path)}", problem.message)
 
 
 def _shared(name: str, side: Role, design: Design) -> Iterator[Problem]:

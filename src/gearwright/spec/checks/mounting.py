@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from itertools import combinations
 
-from gearwright.catalogue import Bearing, bearings, materials
+from gearwright.catalogue import Bearing, bearings
 from gearwright.errors import Problem, near
 from gearwright.parts.joints import MODULES
 from gearwright.parts.shafts import RELIABILITY_DEVIATES
@@ -183,12 +183,6 @@ def _strength(design: Design) -> Iterator[Problem]:
     if design.bearings and not any(abs(asked - reliability) < WHOLE for reliability in RELIABILITY_DEVIATES):
         allowed = ", ".join(f"{reliability:g}" for reliability in RELIABILITY_DEVIATES)
         yield Problem("shafting.reliability", f"{asked:g} given; allowed: {allowed}")
-    name = design.shafting.material or design.gears.material
-    steel = materials().get(name)
-    if design.bearings and steel is not None and (steel.ultimate_strength is None or steel.group is None):
-        enough = [name for name, material in materials().items() if material.ultimate_strength and material.group]
-        message = f"{name!r} has no tensile strength, which shafts with bearings need; use one of {', '.join(enough)}"
-        yield Problem("shafting.material", message)
 
 
 def _joint(part: str, joint: Joint, design: Design) -> Iterator[Problem]:

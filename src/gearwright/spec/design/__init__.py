@@ -7,6 +7,7 @@ from gearwright.spec.design.design import GROUND, Design
 from gearwright.spec.design.dynamics import DynamicsRules, MeshCurve
 from gearwright.spec.design.gears import GearRules
 from gearwright.spec.design.machines import Drive, Motor, Propeller, Turbine
+from gearwright.spec.design.materials import LifeLineRules, MaterialRules
 from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
 from gearwright.spec.design.overrides import NO_ORIGIN, Overrides
 from gearwright.spec.design.service import Iso6336Rules, Service
@@ -27,6 +28,8 @@ __all__ = [
     "GearRules",
     "Iso6336Rules",
     "Joint",
+    "LifeLineRules",
+    "MaterialRules",
     "MeshCurve",
     "Motor",
     "Overrides",

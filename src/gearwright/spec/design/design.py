@@ -5,14 +5,18 @@ Every default lives with the types of this folder, once. A field that is None is
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Literal
 
 from pydantic import Field
 
+from gearwright.catalogue import material_of, materials
+from gearwright.parts import Material
 from gearwright.spec.bounds import Name
 from gearwright.spec.design.dynamics import DynamicsRules
 from gearwright.spec.design.gears import GearRules, TeethRules
 from gearwright.spec.design.machines import Drive, Motor, Propeller, SpeedRules, Turbine
+from gearwright.spec.design.materials import MaterialRules
 from gearwright.spec.design.mounting import BearingSeat, Joint
 from gearwright.spec.design.service import Service
 from gearwright.spec.design.shafts import CarrierRules, ShaftLayout, ShaftRules, Support
@@ -42,6 +46,9 @@ class Design(Record):
     pairs: dict[str, Pair] = Field(default_factory=dict, description="Gear pairs by name")
     planetaries: dict[str, Planetary] = Field(default_factory=dict, description="Planetary sets by name")
     clutches: dict[str, Clutch] = Field(default_factory=dict, description="Clutches by name")
+    materials: dict[str, MaterialRules] = Field(
+        default_factory=dict, description="Materials of one's own by name, beside those of the catalogue"
+    )
     gears: GearRules = Field(default_factory=GearRules, description="Rules for all gears")
     teeth: TeethRules = Field(default_factory=TeethRules, description="Rules of the search for tooth numbers")
     shafting: ShaftRules = Field(default_factory=ShaftRules, description="Rules for all shafts")
@@ -77,6 +84,25 @@ class Design(Record):
     def stages(self) -> dict[str, Pair | Planetary]:
         """Every pair and planetary set by name."""
         return {**self.pairs, **self.planetaries}
+
+    @property
+    def known_materials(self) -> Mapping[str, Material]:
+        """Every material that the design may name: those of the catalogue and its own."""
+        return {**materials(), **{name: self.material(name) for name in self.materials}}
+
+    def material(self, name: str) -> Material:
+        """Return a material of the design or of the catalogue.
+
+        Args:
+            name: Of one that exists.
+        """
+        own = self.materials.get(name)
+        return materials()[name] if own is None else material_of(name, own.model_dump())
+
+    @property
+    def shaft_material(self) -> Material:
+        """The material of shafts and carriers."""
+        return self.material(self.shafting.material or self.gears.material)
 
     def rules(self, stage: str) -> GearRules:
         """Return the gear rules of a stage: the design's own where the stage says nothing else.

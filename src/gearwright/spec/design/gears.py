@@ -17,7 +17,7 @@ _DEGREE = math.pi / 180.0
 class GearRules(Record):
     """How gears are rated and proportioned; a stage may state its own under ``gears``."""
 
-    material: str = Field("nitriding-steel-785", description="Name in the catalogue of materials")
+    material: str = Field("nitriding-steel-785", description="Name in the catalogue or under [materials]")
     rating: Literal["lewis-hertz", "iso6336"] = Field(
         "lewis-hertz",
         description="First sizing by Lewis and Hertz, or ISO 6336 and ISO 10300 with the rules of iso6336",

@@ -15,9 +15,13 @@ _HOUR = 3600.0
 class Iso6336Rules(Record):
     """How gears are made, of what, and which safeties they owe: ISO 6336 for cylindrical, ISO 10300 for bevel gears."""
 
-    steel: str = Field("case-hardened", description="Name in the table of ISO 6336-5")
-    grade: Literal["ML", "MQ", "ME"] = Field("MQ", description="Material quality of ISO 6336-5")
-    hardness_hv: float = Field(700.0, ge=100, le=1000, description="Surface hardness")
+    steel: str | None = Field(None, description="Class in the table of ISO 6336-5; left out: that of the material")
+    grade: Literal["ML", "MQ", "ME"] | None = Field(
+        None, description="Material quality of ISO 6336-5; left out: that of the material, MQ for another class"
+    )
+    hardness_hv: float | None = Field(
+        None, ge=100, le=1000, description="Surface hardness; left out: that of the material, 700 for another class"
+    )
     pitting_safety: Ratio = Field(1.2, ge=1, le=5, description="Least safety against pitting S_Hmin")
     bending_safety: Ratio = Field(1.6, ge=1, le=5, description="Least safety against tooth root fracture S_Fmin")
     scuffing_safety: Ratio = Field(1.5, ge=1, le=5, description="Least safety against scuffing S_Smin (ISO/TS 6336-21)")

@@ -14,7 +14,9 @@ from gearwright.units import Angle, Inertia, Length, Mass, Ratio, Stiffness, Tor
 class ShaftRules(Record):
     """How shafts are sized."""
 
-    material: str | None = Field(None, description="Name in the catalogue; left out: that of the gears")
+    material: str | None = Field(
+        None, description="Name in the catalogue or under [materials]; left out: that of the gears"
+    )
     safety: Ratio = Field(2.0, ge=1, description="Factor on R_p0.2 against Tresca's stress")
     end_length: Length = Field(0.100, gt=0, description="Length of a shaft that joins a machine to a planetary set")
     middle_length: Length = Field(0.060, gt=0, description="Length of a shaft between planetary sets")

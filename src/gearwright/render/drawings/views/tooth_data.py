@@ -29,6 +29,7 @@ from gearwright.render.drawings.views.teeth import (
     meshes_of,
 )
 from gearwright.sizing import GearSizing, Sizing
+from gearwright.sizing.rating import rating_of, steel_of
 from gearwright.spec import Pair
 
 BALL = 1.75
@@ -174,7 +175,8 @@ def _quality(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
         "R_{z}",
         (f"{1e6 * rules.iso6336.flank_roughness:g} / {1e6 * rules.iso6336.root_roughness:g} µm"),
     )
-    yield "Steel (ISO 6336-5)", "", f"{rules.iso6336.steel} {rules.iso6336.grade}, {rules.iso6336.hardness_hv:g} HV"
+    steel = steel_of(rating_of(sizing.design, gear.stage))
+    yield "Steel (ISO 6336-5)", "", f"{steel.name} {steel.grade}, {steel.hardness:g} HV"
 
 
 def _mates(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:

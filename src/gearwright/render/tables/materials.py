@@ -1,0 +1,119 @@
+"""Every number of a material with its unit, its source, and whether it is estimated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from gearwright.catalogue import rated_steel
+from gearwright.parts import Material
+from gearwright.parts.iso6336 import GearSteel, LifeCurve, life_curves
+from gearwright.render.tables.tables import Mark, Table, table, written
+from gearwright.sizing import Sizing
+from gearwright.sizing.rating import rating_of, steel_of
+from gearwright.units import shown, unit
+
+NUMBERS = {
+    "elastic_modulus": ("Young's modulus E", "stress"),
+    "poisson_ratio": ("Poisson's ratio ν", "ratio"),
+    "density": ("density ρ", "density"),
+    "yield_strength": ("proof stress R_p0.2", "stress"),
+    "ultimate_strength": ("tensile strength R_m", "stress"),
+    "surface_hardness": ("hardness of flanks HB", "number"),
+    "hardness": ("hardness of flanks HV", "number"),
+}
+"""Number of a material -> words with its symbol, and its kind."""
+STRENGTHS = {"contact_strength": "strength of flanks σ_Hlim", "bending_strength": "strength of roots σ_Flim"}
+"""Number of a gear steel -> words with its symbol [stress]."""
+_HARDNESS = "hardness"
+
+
+@dataclass(frozen=True)
+class Property:
+    """One property of one material."""
+
+    material: str
+    property: str
+    """In words, with its symbol."""
+    value: str
+    """In its unit."""
+    unit: str
+    source: str
+    """Where it comes from, or the rule by which it is estimated."""
+    estimated: bool = False
+    """No source gives it."""
+
+
+def properties(material: Material, steel: GearSteel | None) -> Iterator[Property]:
+    """Yield every property of a material that is known.
+
+    Args:
+        material: The material.
+        steel: As its gears are rated; None where they are not.
+    """
+    for key, (words, kind) in NUMBERS.items():
+        value: float | None = getattr(material, key)
+        if value is not None and (steel is not None or key != _HARDNESS):
+            own = _HARDNESS if key == "surface_hardness" and key not in material.sources else key
+            line = Property(material.name, words, written(shown(value, kind)), unit(kind), material.source_of(own))
+            yield replace(line, estimated=own in material.estimated)
+    for key, words in (("group", "group of DIN 743"), ("melting", "melting")):
+        if getattr(material, key) is not None:
+            yield Property(material.name, words, getattr(material, key), "", material.source_of(key))
+    if steel is not None:
+        yield from _rated(material, steel)
+
+
+def _rated(material: Material, steel: GearSteel) -> Iterator[Property]:
+    """Yield strengths and S-N lines."""
+    yield Property(material.name, "class and grade", f"{steel.name} {steel.grade}", "", steel.source)
+    for key, words in STRENGTHS.items():
+        own = steel == rated_steel(material)
+        guessed = own and key in material.estimated
+        source = material.source_of(key) if guessed or (own and getattr(material, key) is not None) else steel.source
+        strength = written(shown(getattr(steel, key), "stress"))
+        yield Property(material.name, words, strength, unit("stress"), source, guessed)
+    standards = ("ISO 6336-2:2019, table 2", "ISO 6336-3:2019, table 1")
+    stated = (steel.contact_life, steel.bending_life)
+    names = ("flanks", "roots")
+    for key, name, curve, own_curve, standard in zip(
+        ("contact_life", "bending_life"), names, life_curves(steel), stated, standards, strict=True
+    ):
+        source = standard if own_curve is None else material.source_of(key)
+        yield Property(material.name, f"S-N line of {name}, N and factor", _line(curve), "", source)
+
+
+def _line(curve: LifeCurve) -> str:
+    """Return the corners of an S-N curve."""
+    return ", ".join(f"{n:.3g} × {factor:.3g}" for n, factor in zip(curve.cycles, curve.factors, strict=True))
+
+
+def materials_table(sizing: Sizing) -> Table:
+    """Return every property of the materials that a design uses.
+
+    Args:
+        sizing: As sized.
+    """
+    used: dict[tuple[str, GearSteel | None], Material] = {}
+    for stage in sizing.design.stages:
+        rating = rating_of(sizing.design, stage)
+        used[rating.material.name, steel_of(rating) if rating.by_standard else None] = rating.material
+    shaft = sizing.design.shaft_material
+    if shaft.name not in {name for name, _ in used}:
+        used[shaft.name, None] = shaft
+    rows = [line for (_, steel), material in used.items() for line in properties(material, steel)]
+    return table("Materials", rows, ("material", "property", "value", "unit", "source"), mark=_mark)
+
+
+def estimated_only(materials: Table) -> Table:
+    """Return the rows of a table of materials that no source gives.
+
+    Args:
+        materials: As `materials_table` makes it.
+    """
+    rows = tuple(row for row in materials.rows if any(cell.mark == "estimated" for cell in row))
+    return replace(materials, title="Materials: what is estimated", rows=rows)
+
+
+def _mark(record: object, field: str) -> Mark:
+    return "estimated" if field == "value" and getattr(record, "estimated", False) else ""
