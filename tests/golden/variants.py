@@ -102,7 +102,12 @@ PLANETARY = (
 rating = "iso6336"
 pressure_angle_deg = 25
 mesh_efficiency = 0.99
-iso6336 = { tolerance_class = 4, standard_modules = false, helix_modification = "none", flank_roughness_um = 2 }
+[gears.iso6336]
+steel = "case-hardened"
+tolerance_class = 4
+standard_modules = false
+helix_modification = "none"
+flank_roughness_um = 2
 [carriers]
 safety = 2.6
 plate_ratio = 0.4
