@@ -22,6 +22,10 @@ LARGEST_FREE_RATIO = 10
 MOST_COMBINATIONS = 1_000_000
 """Largest number of combinations of teeth that are held at once [-]: a million of them took 0.3 GB and 10 s where bevel
 stages are rated by ISO 10300 (12.5 million: 3.7 GB, 125 s)."""
+MOST_TEETH = 1_000_000
+"""Where an absurd ratio stops [-]."""
+ROUNDING = 1e-12
+"""Of a wanted tooth number [-]."""
 LEAST_LEWIS = 12
 """Fewest teeth for which the Lewis form factor is tabulated."""
 LEAST_BEVEL = 8
@@ -158,12 +162,12 @@ def fewest_teeth(rating: Rating) -> int:
     return max(math.ceil(2.0 * math.cos(angle) * (1.0 - rules.profile_shift) / math.sin(transverse) ** 2), LEAST_LEWIS)
 
 
-_MOST = 1_000_000
-
-
 def _whole(wanted: Floats) -> Integers:
-    """Return the tooth number below; at least one tooth, as what an absurd ratio asks is refused later by its rules."""
-    return np.minimum(np.maximum(np.floor(wanted), 1.0), _MOST).astype(np.int64)
+    """Return the tooth number below, of a whole number the one before it, whatever its rounding; at least one tooth.
+
+    What an absurd ratio asks is refused later by its rules.
+    """
+    return np.minimum(np.maximum(np.ceil(wanted * (1.0 - ROUNDING)) - 1.0, 1.0), MOST_TEETH).astype(np.int64)
 
 
 def _neighbours(

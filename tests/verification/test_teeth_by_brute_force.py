@@ -1,0 +1,148 @@
+"""The search for teeth finds what sizing every admissible combination of teeth finds."""
+
+import math
+
+import pytest
+
+from designs import HYBRID, PAIR
+from gearwright.errors import DesignError
+from gearwright.sizing import size
+from gearwright.spec import parse
+
+RATIO = 3.0
+"""Of the pair: 6000 to 2000 rpm."""
+
+
+def pair(*, gears="", teeth="", **given):
+    """Return the sized pair with rules, and teeth where they are given."""
+    lines = "".join(f"{key} = {value}\n" for key, value in given.items())
+    return size(parse(f"{PAIR}{lines}[gears]\n{gears}\n[teeth]\n{teeth}\n"))
+
+
+def lightest_pair(pinions, tolerance, *, hunting=False, gears=""):
+    """Return the least mass of the gears over all pairs of teeth, and the teeth."""
+    masses = {}
+    for pinion in pinions:
+        exact = RATIO * pinion
+        for wheel in (math.ceil(exact) - 1, math.ceil(exact)):
+            fits = abs(wheel / pinion / RATIO - 1.0) <= tolerance
+            if fits and not (hunting and math.gcd(pinion, wheel) > 1):
+                masses[pinion, wheel] = pair(gears=gears, pinion_teeth=pinion, wheel_teeth=wheel).gear_mass
+    return min(masses.values()), min(masses, key=masses.get)
+
+
+@pytest.mark.parametrize(
+    ("gears", "teeth", "pinions", "tolerance"),
+    [
+        ("", "", range(18, 41), 0.025),
+        ("", "pinion_maximum = 23", range(18, 24), 0.025),
+        ("", "pinion_minimum = 21", range(21, 41), 0.025),
+        ("", "hunting = true", range(18, 41), 0.025),
+        ("", "hunting = true\nstage_tolerance = 0.012", range(18, 41), 0.012),
+        ("helix_angle_deg = 20", "", range(15, 41), 0.025),
+        ("profile_shift = 0.2", "", range(14, 41), 0.025),
+        ("pressure_angle_deg = 25", "", range(12, 41), 0.025),
+    ],
+)
+def test_the_lightest_pair_is_chosen(gears, teeth, pinions, tolerance):
+    chosen = pair(gears=gears, teeth=teeth)
+    least, numbers = lightest_pair(pinions, tolerance, hunting="hunting" in teeth, gears=gears)
+    assert chosen.gear_mass == pytest.approx(least, rel=1e-9)
+    assert (chosen.teeth["stage.pinion"], chosen.teeth["stage.wheel"]) == numbers
+
+
+def test_no_pinion_is_undercut():
+    """z_min = 2 cos β (1 − x)/sin² α_t: 17.1 teeth at 20°, 14.3 with β = 20°, 13.7 with x = 0.2, 11.2 at 25°."""
+    angle = math.radians(20.0)
+    transverse = math.atan(math.tan(angle) / math.cos(angle))
+    assert math.ceil(2.0 / math.sin(angle) ** 2) == 18
+    assert math.ceil(2.0 * math.cos(angle) / math.sin(transverse) ** 2) == 15
+    for gears, fewest in (("", 18), ("helix_angle_deg = 20", 15), ("profile_shift = 0.2", 14)):
+        with pytest.raises(DesignError):
+            pair(gears=gears, teeth=f"pinion_maximum = {fewest - 1}")
+        assert pair(gears=gears, teeth=f"pinion_maximum = {fewest}").teeth["stage.pinion"] == fewest
+
+
+SET = """\
+schema = 1
+name = "one set"
+shafts = ["fast", "slow"]
+[turbines.turbine]
+shaft = "fast"
+power_kw = 500
+speed_rpm = 6000
+[propellers.propeller]
+shaft = "slow"
+speed_rpm = {speed}
+diameter_m = 2
+[planetaries.set]
+sun = "{sun}"
+ring = "{ring}"
+carrier = "{carrier}"
+planets = {planets}
+{given}
+"""
+MEMBERS = {
+    "planetary": ("fast", "ground", "slow"),
+    "star": ("fast", "slow", "ground"),
+    "solar": ("ground", "fast", "slow"),
+}
+RATIOS = {"planetary": lambda rho: 1.0 + rho, "star": lambda rho: rho, "solar": lambda rho: 1.0 + 1.0 / rho}
+
+
+def planetary_set(kind, speed, planets, given=""):
+    """Return a sized planetary set of one kind."""
+    sun, ring, carrier = MEMBERS[kind]
+    return size(parse(SET.format(sun=sun, ring=ring, carrier=carrier, speed=speed, planets=planets, given=given)))
+
+
+def stands(sun, planet, planets):
+    """Tell whether equal planets can be put in, and pass each other with 2 m_n between tips of m_n."""
+    whole = (2 * sun + 2 * planet) % planets == 0
+    return whole and (sun + planet) * math.sin(math.pi / planets) > planet + 2.0
+
+
+@pytest.mark.parametrize(
+    ("kind", "speed", "planets"),
+    [("planetary", 1400, 3), ("planetary", 1550, 4), ("star", 1900, 5), ("star", 2300, 3), ("solar", 4300, 5)],
+)
+def test_the_lightest_set_is_chosen(kind, speed, planets):
+    chosen = planetary_set(kind, speed, planets)
+    asked = 6000 / speed
+    masses = {}
+    for sun in range(18, 60):
+        for planet in range(12, 5 * 59):
+            ratio = RATIOS[kind]((sun + 2 * planet) / sun)
+            exact = next(
+                rho for rho in (asked - 1.0, asked, 1.0 / (asked - 1.0)) if abs(RATIOS[kind](rho) - asked) < 1e-9
+            )
+            nearest = abs(planet - (exact - 1.0) / 2.0 * sun) <= 1.0
+            if nearest and stands(sun, planet, planets) and abs(ratio / asked - 1.0) <= 0.025:
+                sized = planetary_set(kind, speed, planets, f"sun_teeth = {sun}\nplanet_teeth = {planet}")
+                masses[sun, planet] = sized.gear_mass
+    assert (chosen.teeth["set.sun"], chosen.teeth["set.planet"]) == min(masses, key=masses.get)
+    assert chosen.gear_mass == pytest.approx(min(masses.values()), rel=1e-9)
+    assert chosen.teeth["set.ring"] == chosen.teeth["set.sun"] + 2 * chosen.teeth["set.planet"]
+
+
+def test_two_given_members_of_a_set_give_the_third():
+    for given in (
+        "sun_teeth = 24\nplanet_teeth = 33",
+        "sun_teeth = 24\nring_teeth = 90",
+        "planet_teeth = 33\nring_teeth = 90",
+    ):
+        teeth = planetary_set("star", 1600, 3, given).teeth
+        assert (teeth["set.sun"], teeth["set.planet"], teeth["set.ring"]) == (24, 33, 90)
+
+
+def test_one_given_gear_of_a_pair_or_a_set_is_kept():
+    assert pair(pinion_teeth=23).teeth["stage.pinion"] == 23
+    assert pair(wheel_teeth=77).teeth["stage.wheel"] == 77
+    assert planetary_set("planetary", 1400, 3, "ring_teeth = 101").teeth["set.ring"] == 101
+    assert planetary_set("planetary", 1400, 3, "planet_teeth = 40").teeth["set.planet"] == 40
+    assert planetary_set("planetary", 1400, 3, "sun_teeth = 31").teeth["set.sun"] == 31
+
+
+def test_a_free_split_is_never_heavier_than_an_equal_one():
+    equal, optimal = (size(parse(f'{HYBRID}[teeth]\nsplit = "{split}"\n')) for split in ("equal", "optimal"))
+    assert optimal.gear_mass < equal.gear_mass
