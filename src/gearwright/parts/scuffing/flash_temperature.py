@@ -201,14 +201,16 @@ def load_sharing(mesh: ScuffingMesh, place: NDArray[np.float64]) -> NDArray[np.f
     Returns:
         X_Γ [-], shape (n,).
 
-    Source: ISO/TS 6336-20:2017, clause 9: eqs 57 to 60 for spur and narrow helical, eq. 76 (1/ε_α) for ε_γ > 2, each
-        with the buttressing factor X_but of helical teeth (eqs 49 to 56).
+    Source: ISO/TS 6336-20:2017, clause 9: eqs 57 to 60 for spur and narrow helical, (Q − 2)/15 and a third more on the
+        way to single contact (AGMA 925-A03 the same for Q = 7: 1/3 to 2/3), eq. 76 (1/ε_α) for ε_γ > 2, each with the
+        buttressing factor X_but of helical teeth (eqs 49 to 56).
     """
     pair = mesh.geometry
     start, single_start, single_end, end = _path_ends(pair)
     base = (max(float(mesh.grade), 7.0) - 2.0) / 15.0
-    rise = base + (1.0 - base) * (place - start) / (single_start - start)
-    fall = base + (1.0 - base) * (end - place) / (end - single_end)
+    # A third of the load comes on the way to B; there the second pair parts and the rest comes at once.
+    rise = np.where(place < single_start, base + (place - start) / (single_start - start) / 3.0, 1.0)
+    fall = np.where(place > single_end, base + (end - place) / (end - single_end) / 3.0, 1.0)
     spur = np.clip(np.minimum(rise, fall), 0.0, 1.0)
     if pair.helix_angle > 0.0 and pair.total_contact_ratio > 2.0:
         spur = np.full_like(place, 1.0 / pair.transverse_contact_ratio)
