@@ -29,12 +29,12 @@ class Mounting:
 
 OPEN_GEARING = Mounting(0.247, 0.0167, -0.765e-4)
 """Open gearing (AGMA 2001-D04, table 2)."""
-COMMERCIAL = Mounting(0.127, 0.0158, -0.930e-4)
-"""Commercial enclosed units."""
+COMMERCIAL = Mounting(0.127, 0.0158, -1.093e-4)
+"""Commercial enclosed units; Shigley, table 14-9, prints −0.930e-4."""
 PRECISION = Mounting(0.0675, 0.0128, -0.926e-4)
 """Precision enclosed units."""
-EXTRA_PRECISION = Mounting(0.0360, 0.0102, -0.822e-4)
-"""Extra-precision enclosed units."""
+EXTRA_PRECISION = Mounting(0.0380, 0.0102, -0.822e-4)
+"""Extra-precision enclosed units; Shigley prints 0.00360."""
 
 
 @dataclass(frozen=True)
