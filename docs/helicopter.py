@@ -198,7 +198,8 @@ def _cone(sizing: Sizing) -> BevelPair:
 def _teeth(sizing: Sizing, stage: str) -> str:
     one, other = (_gear(sizing, f"{stage}.{side}") for side in ("pinion", "wheel"))
     module = _cone(sizing).outer_module if stage == "bevel" else one.module
-    asked = sizing.overrides.get(f"{stage}.face_width", one.face_width)
+    given = sizing.given.get(f"{stage}.face_width")
+    asked = one.face_width if given is None else given.value
     lean = f", spiral {math.degrees(one.helix_angle):.0f}°" if stage == "bevel" and one.helix_angle else ""
     rated = "" if asked == one.face_width else f" (rated at {1e3 * one.face_width:.1f})"
     return f"{one.teeth}/{other.teeth}, {1e3 * module:.2f}, {1e3 * asked:.0f}{rated}{lean}"

@@ -113,12 +113,13 @@ def excerpt(text: str, longest: int = LONGEST_EXCERPT) -> str:
     return printable(text if len(text) <= longest else f"{text[: longest - 3]}...")
 
 
-def near(name: str, allowed: Iterable[str]) -> str:
+def near(name: str, allowed: Iterable[str], shown: Iterable[str] | None = None) -> str:
     """Return a hint for a name that is not known: the nearest one, or all of them.
 
     Args:
         name: What was written.
         allowed: Names that would be accepted.
+        shown: Those of them that are listed where none is near, such as a key with its usual unit; left out: all.
     """
     names: Sequence[str] = sorted(allowed)
     if not names:
@@ -126,6 +127,7 @@ def near(name: str, allowed: Iterable[str]) -> str:
     match = get_close_matches(name[:LONGEST_EXCERPT], names, n=1, cutoff=0.6)
     if match:
         return f"did you mean {match[0]}?"
+    names = names if shown is None else sorted(shown)
     more = f" and {len(names) - MOST_NAMES:,} more" if len(names) > MOST_NAMES else ""
     return f"allowed: {', '.join(names[:MOST_NAMES])}{more}"
 

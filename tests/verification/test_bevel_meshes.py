@@ -13,7 +13,6 @@ from gearwright.sizing import size
 from gearwright.sizing.loads import shaft_loads
 from gearwright.sizing.rating import context_of
 from gearwright.spec import edited, read
-from gearwright.spec.design import Overrides
 
 DESIGN = read(shipped_design("ec120b"))
 SIZING = size(DESIGN)
@@ -21,9 +20,7 @@ SIZING = size(DESIGN)
 
 def loads_on(sizing, shaft):
     """Return the point loads of the bevel gear on a shaft (force y, z; couple; torque; all axial force), rated case."""
-    given = context_of(
-        sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(dict(sizing.design.overrides))
-    )
+    given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, sizing.given)
     plan, axes = sizing.arrangement.plans[shaft], sizing.arrangement.axes
     loads, axial = shaft_loads(given, shaft, plan, axes=axes, gears={gear.name: gear for gear in sizing.gears})
     name = next(each for each in plan.places if each.startswith("bevel."))

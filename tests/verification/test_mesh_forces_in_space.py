@@ -10,7 +10,6 @@ from gearwright.sizing import size
 from gearwright.sizing.loads import shaft_loads
 from gearwright.sizing.rating import context_of
 from gearwright.spec import read
-from gearwright.spec.design import Overrides
 from mounted_designs import PAIR, ROTOR, sized
 
 SIZED = {name: size(read(shipped_design(name))) for name in shipped_designs()}
@@ -38,7 +37,7 @@ def test_the_three_forces_of_a_mesh_make_the_normal_force_of_its_flank(name):
 
 def point_loads(sizing, shaft):
     """Return the point loads and the axial force on a shaft."""
-    given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides({}))
+    given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, sizing.given)
     gears = {gear.name: gear for gear in sizing.gears}
     return shaft_loads(given, shaft, sizing.arrangement.plans[shaft], axes=sizing.arrangement.axes, gears=gears)
 

@@ -15,7 +15,6 @@ from gearwright.sizing.loads import ShaftForces, shaft_forces
 from gearwright.sizing.rating import context_of
 from gearwright.sizing.shafts import Section, Strength, strengths
 from gearwright.spec import parse
-from gearwright.spec.design import Overrides
 from gearwright.units import INCH, POUND_FORCE, RPM
 from mounted_designs import HELICOPTER, PAIR, ROTOR, given, sized
 
@@ -36,7 +35,7 @@ def shaft(sizing, name):
 def _forces(text, name):
     """Return what acts on a shaft."""
     sizing = sized(text)
-    given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides(sizing.design.overrides, {}))
+    given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, sizing.given)
     gears = {gear.name: gear for gear in sizing.gears}
     return shaft_forces(given, name, sizing.arrangement.plans[name], axes=sizing.arrangement.axes, gears=gears)
 

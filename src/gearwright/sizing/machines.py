@@ -50,8 +50,7 @@ def _machine(context: Context, name: str, machine: Turbine | Motor | Propeller) 
 def _mass(context: Context, name: str, machine: Turbine | Motor | Propeller, torque: float) -> float | None:
     if not isinstance(machine, Motor):
         return None
-    mass = machine.mass if machine.mass is not None else _MASS_LAWS[machine.mass_law](torque)
-    return context.overrides.take(f"{name}.mass", "mass", mass)
+    return context.given.get(f"{name}.mass", _MASS_LAWS[machine.mass_law](torque))
 
 
 def _inertia(machine: Turbine | Motor | Propeller, mass: float | None) -> float:

@@ -15,6 +15,7 @@ from gearwright.sizing.arranged import Arrangement
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
 from gearwright.sizing.rating import MeshRating
 from gearwright.spec import Design
+from gearwright.spec.design import Given
 from gearwright.train import PowerFlow, Train
 from gearwright.units import Force, Inertia, Length, Mass, Number, Origin, Power, Quantity, Ratio, Speed, Torque
 
@@ -293,10 +294,8 @@ class Sizing:
     joints: tuple[JointSizing, ...] = ()
     checks: tuple[Check, ...] = ()
     """Every check of gears, shafts, carriers, bearings and joints, the worst first."""
-    overrides: Mapping[str, float] = field(default_factory=dict)
-    """Path -> value that the user gave instead of the computed one [SI]."""
-    origins: Mapping[str, str] = field(default_factory=dict)
-    """Path of an override -> where the user has it from."""
+    given: Mapping[str, Given] = field(default_factory=dict)
+    """Path -> value that the user gave instead of the computed one, such as ``first.module``."""
 
     @property
     def level(self) -> str:
@@ -334,7 +333,8 @@ class Sizing:
     @property
     def mass(self) -> Mass:
         """Mass of gears, shafts and carriers, without motor, housing, bearings and oil; or the user's own [kg]."""
-        return self.overrides.get("gearbox.mass", self.parts_mass)
+        weighed = self.given.get("gearbox.mass")
+        return self.parts_mass if weighed is None else weighed.value
 
     @property
     def parts_mass(self) -> Mass:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gearwright.checks import worst_first
+from gearwright.errors import refuse
 from gearwright.sizing.answers import refuse_no_numbers
 from gearwright.sizing.arrangement import arrange
 from gearwright.sizing.machines import size_machines
@@ -22,7 +23,7 @@ from gearwright.sizing.shafts import (
 from gearwright.sizing.stages import gear_checks, size_gears, size_meshes, stage_sizes
 from gearwright.sizing.teeth import choose_teeth, refuse_contradictions
 from gearwright.spec import Design
-from gearwright.spec.design import Overrides
+from gearwright.spec.design import given_values
 from gearwright.train import Turning, build_train, power_flows, targets
 from gearwright.verbs import verb
 
@@ -38,13 +39,14 @@ def size(design: Design) -> Sizing:
     Raises:
         DesignError: If speeds, teeth or torques cannot be had; with the path and what would do.
     """
+    given = given_values(design)
+    refuse(given.problems)
     train = build_train(design)
     teeth = choose_teeth(design, train, targets(design))
     efficiency = {stage: design.rules(stage).mesh_efficiency for stage in design.stages}
     flows = power_flows(design, Turning(design, train, teeth), efficiency=efficiency)
     refuse_contradictions(design, flows)
-    overrides = Overrides(design.overrides, design.origins)
-    context = context_of(design, train, teeth, flows, overrides)
+    context = context_of(design, train, teeth, flows, given.values)
     demands = demands_of(context)
     sizes = stage_sizes(context, demands)
     gears = size_gears(context, sizes)
@@ -60,7 +62,6 @@ def size(design: Design) -> Sizing:
         *(check for carrier in carriers for check in carrier_checks(carrier)),
         *(check for shaft in built for check in built_checks(shaft, design)),
     ]
-    overrides.take("gearbox.mass", "mass", 0.0)
     sizing = Sizing(
         design=design,
         train=train,
@@ -76,8 +77,6 @@ def size(design: Design) -> Sizing:
         bearings=tuple(bearing for shaft in built for bearing in shaft.bearings),
         joints=tuple(joint for shaft in built for joint in shaft.joints),
         checks=worst_first(checks),
-        overrides=overrides.used,
-        origins=overrides.origins,
+        given=given.values,
     )
-    overrides.require_all_used()
     return refuse_no_numbers(sizing)

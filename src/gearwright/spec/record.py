@@ -136,14 +136,15 @@ def _field(model: type[Record], key: str) -> FieldInfo:
     return next(info for name, info in model.model_fields.items() if key in (name, info.alias))
 
 
-def _unknown(key: str, model: type[Record], keys: Mapping[str, object]) -> str:
+def _unknown(key: str, model: type[Record], keys: Mapping[str, tuple[str, float, str]]) -> str:
     if key in model.model_fields and quantity_of(model.model_fields[key]) is not None:
         units = ", ".join(sorted(name for name in keys if name.startswith(f"{key}_")))
         return f"the unit is missing; write one of {units}"
     lower = {name.lower(): name for name in keys}
     if key.lower() in lower:
         return f"no such field; did you mean {lower[key.lower()]}?"
-    return f"no such field; {near(key, keys)}"
+    usual = {field: name for name, (field, _, _) in reversed(list(keys.items()))}
+    return f"no such field; {near(key, keys, usual.values())}"
 
 
 def _number(value: object, factor: float, suffix: str, written: Written, location: Location) -> object:

@@ -8,13 +8,12 @@ from shaft_designs import INTERNAL, OFF_SET, SINGLE_HELIX, sized
 
 from gearwright.sizing.loads import shaft_loads
 from gearwright.sizing.rating import context_of
-from gearwright.spec.design import Overrides
 
 
 def loads_on(text, shaft):
     """Return point loads, axial forces, plan, axes and the sizing."""
     sizing = sized(text)
-    given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, Overrides({}))
+    given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, sizing.given)
     plan, axes = sizing.arrangement.plans[shaft], sizing.arrangement.axes
     loads, axial = shaft_loads(given, shaft, plan, axes=axes, gears={gear.name: gear for gear in sizing.gears})
     return loads, axial, plan, axes, sizing

@@ -1,10 +1,11 @@
-"""What the search for teeth takes where several choices are as light."""
+"""What the search for teeth takes where several choices are as light, and gears that pairs share."""
 
 import pytest
 
+from designs import PAIR
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.spec import edited, read
+from gearwright.spec import edited, parse, read
 from gearwright.study import for_engine
 from gearwright.units import RPM
 
@@ -17,3 +18,25 @@ def test_of_pairs_that_are_as_light_the_one_of_fewest_teeth_is_taken(scale):
     )
     teeth = size(edited(design, {"motors.electric.power_kw": design.motors["electric"].power * scale / 1e3})).teeth
     assert (teeth["motor-stage.pinion"], teeth["motor-stage.wheel"]) == (15, 15)
+
+
+CHAIN = PAIR.replace('["fast", "slow"]', '["fast", "first", "second", "slow"]').replace(
+    'wheel = "slow"', 'wheel = "first"'
+)
+CHAIN += """\
+[pairs.next]
+pinion = "stage.wheel"
+wheel = "second"
+
+[pairs.last]
+pinion = "next.wheel"
+wheel = "slow"
+"""
+
+
+def test_gears_in_a_chain_of_pairs_have_one_module():
+    """The last pair shares a gear of a pair that shares one itself; gears of two modules do not mesh."""
+    sizing = size(parse(CHAIN))
+    assert len({gear.module for gear in sizing.gears}) == 1
+    given = size(edited(sizing.design, {"pairs.stage.module_mm": 4.0}))
+    assert {gear.module for gear in given.gears} == {0.004}

@@ -321,15 +321,16 @@ def test_speeds_are_kept_of_machines_that_exist():
 def test_an_override_is_positive(line):
     found = problem(PAIR + f"[overrides]\n{line}\n")
     assert (found.path, found.line) == ("overrides.stage.module_mm", 19)
-    assert "give a value greater than 0" in found.message
+    assert "is not allowed; give a value from 0.1 to 100000 mm" in found.message
 
 
 def test_an_override_of_nothing_names_the_nearest():
-    found = problem(PAIR + '[overrides]\n"stage.modul_mm" = 3\n', sized=True)
+    found = problem(PAIR + '[overrides]\n"stage.modul_mm" = 3\n')
     assert found.path == "overrides.stage.modul_mm"
     assert "nothing of this name is computed; did you mean stage.module_mm?" in found.message
 
 
 def test_an_override_is_given_in_one_unit():
-    found = problem(PAIR + '[overrides]\n"stage.module_mm" = 3\n"stage.module_m" = 0.003\n', sized=True)
-    assert "stage.module is given twice" in found.message
+    found = problem(PAIR + '[overrides]\n"stage.module_mm" = 3\n"stage.module_m" = 0.003\n')
+    assert found.path == "overrides.stage.module_m"
+    assert "stage.module is given twice: here, and as overrides.stage.module_mm" in found.message

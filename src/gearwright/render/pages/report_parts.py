@@ -88,7 +88,7 @@ def warnings(sizing: Sizing, trace: Trace | None, campbell: Sequence[SpeedCase] 
         for loop in recirculation(sizing.train, flow)
     ]
     sentences += [
-        f"{path} is given in place of its computed value ({origin})." for path, origin in sizing.origins.items()
+        f"{path} is given in place of its computed value ({entry.origin})." for path, entry in sizing.given.items()
     ]
     if trace is not None:
         sentences += [

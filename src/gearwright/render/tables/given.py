@@ -2,43 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from gearwright.render.tables.tables import Mark, Table, table
 from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
-from gearwright.sizing.teeth import groups_of
-from gearwright.spec.design import NO_ORIGIN, ShaftLayout
+from gearwright.spec.design import NOTHING_GIVEN, module_owners
 
 _LAYOUT = {"stiffness": "torsional_stiffness"}
 """Field of a sized shaft -> its name in the layout, where they differ."""
-
-
-@dataclass(frozen=True)
-class Given:
-    """One override of the design file."""
-
-    entry: str
-    """As written, with its unit."""
-    value: float
-    """In that unit."""
-    origin: str
-    """Where the user has it from."""
 
 
 def given_by_user(sizing: Sizing, record: object, field: str) -> Mark:
     """Return whether a value was computed, given by the user, or estimated.
 
     Args:
-        sizing: With its overrides and its design.
+        sizing: With what is given of it.
         record: One of its records.
         field: Name of the field.
     """
     name, stage = getattr(record, "name", ""), getattr(record, "stage", "")
-    owner = groups_of(sizing.design).get(stage, stage)
+    owner = module_owners(sizing.design).get(stage, stage)
     paths = {f"{name}.{field}", f"{stage}.{field}", f"{stage}.carrier.{field}"}
     if field == "module":
         paths.add(f"{owner}.module")
-    if paths & set(sizing.overrides) or _in_design(sizing, record, field):
+    if paths & set(sizing.given) or _in_design(sizing, record, field):
         return "given"
     if isinstance(record, MachineSizing) and field == "inertia" and not record.inertia_is_given:
         return "estimated"
@@ -48,7 +33,7 @@ def given_by_user(sizing: Sizing, record: object, field: str) -> Mark:
 def _in_design(sizing: Sizing, record: object, field: str) -> bool:
     """Tell whether the design file itself states a value that would else be computed."""
     if isinstance(record, ShaftSizing):
-        layout = sizing.design.layout.get(record.name, ShaftLayout())
+        layout = sizing.design.layout.get(record.name, NOTHING_GIVEN)
         return getattr(layout, _LAYOUT.get(field, field), None) is not None
     if isinstance(record, MachineSizing) and field in ("mass", "inertia"):
         return getattr(sizing.design.machines[record.name], field, None) is not None
@@ -61,6 +46,4 @@ def overrides_table(sizing: Sizing) -> Table:
     Args:
         sizing: As sized.
     """
-    origins = sizing.design.origins
-    rows = [Given(key, value, origins.get(key, NO_ORIGIN)) for key, value in sizing.design.overrides.items()]
-    return table("Given in place of computed values", rows, ("entry", "value", "origin"))
+    return table("Given in place of computed values", list(sizing.given.values()), ("entry", "amount", "origin"))

@@ -182,8 +182,8 @@ def _close(bonds: list[Bond], placed: Mapping[str, complex]) -> None:
         if abs(apart - bond.distance) > TOLERANCE * bond.distance:
             message = (
                 f"the axes of {first!r} and {second!r} stand {1e3 * apart:.4g} mm apart where their other meshes put"
-                f" them, but the gears ask {1e3 * bond.distance:.4g} mm; change an angle in [layout], give a module in"
-                " [overrides] that closes the triangle, or write coaxial_with where two pairs lie on the same axes"
+                f" them, but the gears ask {1e3 * bond.distance:.4g} mm; change an angle in [layout], give a module_mm"
+                " that closes the triangle, or write coaxial_with where two pairs lie on the same axes"
             )
             problems.append(Problem(f"pairs.{bond.stage}", message))
     if problems:

@@ -38,7 +38,7 @@ def plan_of(context: Context, name: str, gears: tuple[GearSizing, ...]) -> Shaft
         for gear in gears
         if name in gear.shafts and gear.role in SIDES
     }
-    length = context.overrides.take(f"{name}.length", "length", layout.length or _length(context.design, name, widths))
+    length = context.given.get(f"{name}.length", _length(context.design, name, widths))
     places = _between_bearings(names, widths, length) if widths else _spread(names, length)
     places |= {part: place.position for part, place in layout.places.items()}
     seat = min(rules.bearing_length, length / 2.0) / 2.0

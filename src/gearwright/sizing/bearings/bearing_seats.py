@@ -9,7 +9,7 @@ centrifugal force of the planet. Shafts that carry torque only have no seat here
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,7 @@ from gearwright.sizing.loads import rotor_side, shaft_loads
 from gearwright.sizing.rating import Context, context_of
 from gearwright.sizing.result import GearSizing, ShaftSizing, Sizing
 from gearwright.spec import GROUND, Design
-from gearwright.spec.design import BearingSeat, Overrides
+from gearwright.spec.design import BearingSeat
 from gearwright.train import INTERNAL, RATED, Mesh, MeshFlow, PowerFlow
 from gearwright.units import Force, Length
 
@@ -90,11 +90,9 @@ def seat_forces(seat: Seat, torques: Array, carrier_speed: Array) -> tuple[Array
 def _unit_loads(sizing: Sizing) -> Context:
     """Return what sizing reads, with a case for each sign of a unit torque on each mesh row, after the rated one."""
     design, train = sizing.design, sizing.train
-    overrides = Overrides(design.overrides, design.origins)
-    context = context_of(design, train, sizing.teeth, sizing.flows, overrides)
     rated = sizing.flows[RATED]
     cases = {f"{sign}{mesh.name}": _unit(sizing, rated, mesh, sign) for mesh in train.meshes for sign in (1, -1)}
-    return replace(context, flows={RATED: rated, **cases})
+    return context_of(design, train, sizing.teeth, {RATED: rated, **cases}, sizing.given)
 
 
 def _unit(sizing: Sizing, rated: PowerFlow, loaded: Mesh, sign: int) -> PowerFlow:

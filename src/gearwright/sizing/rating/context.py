@@ -11,7 +11,7 @@ from gearwright.sizing.rating.modules import modules
 from gearwright.sizing.rating.rules import Ask, Rating, rating_of
 from gearwright.sizing.rating.standard_teeth import stage_width_ratio
 from gearwright.spec import Design
-from gearwright.spec.design import Overrides
+from gearwright.spec.design import Given
 from gearwright.train import INTERNAL, Mesh, PowerFlow, Train
 
 
@@ -38,13 +38,14 @@ class Context:
     """Gear -> tooth number [-]."""
     flows: Mapping[str, PowerFlow]
     """Case -> speeds, torques and powers."""
-    overrides: Overrides
+    given: Mapping[str, float]
+    """Path -> value that the user gives instead of the computed one [SI]."""
     ratings: Mapping[str, Rating]
     """Stage -> resolved rules."""
 
 
 def context_of(
-    design: Design, train: Train, teeth: Mapping[str, int], flows: Mapping[str, PowerFlow], overrides: Overrides
+    design: Design, train: Train, teeth: Mapping[str, int], flows: Mapping[str, PowerFlow], given: Mapping[str, Given]
 ) -> Context:
     """Return what gear sizing reads, with the rules of every stage resolved.
 
@@ -53,10 +54,10 @@ def context_of(
         train: Its graph.
         teeth: Tooth number of every gear.
         flows: Every load case.
-        overrides: The user's values.
+        given: Path -> value that the user gives instead of the computed one.
     """
     ratings = {name: rating_of(design, name) for name in design.stages}
-    return Context(design, train, teeth, flows, overrides, ratings)
+    return Context(design, train, teeth, flows, {path: entry.value for path, entry in given.items()}, ratings)
 
 
 def demands_of(context: Context) -> dict[str, Demand]:

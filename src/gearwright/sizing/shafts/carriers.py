@@ -48,7 +48,7 @@ def size_carriers(
 def _carrier(
     context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float]
 ) -> CarrierSizing:
-    stage, rules, take = context.design.planetaries[name], context.design.carriers, context.overrides.take
+    stage, rules, given = context.design.planetaries[name], context.design.carriers, context.given
     material = shaft_material(context)
     allowable = (material.yield_strength or 0.0) / rules.safety
     sun, planet = (gears[str(gear_part(name, role))] for role in (Role.SUN, Role.PLANET))
@@ -56,10 +56,10 @@ def _carrier(
     loads = _loads(context, name, planet, radius)
     worst = max(loads, key=lambda load: load.pin)
     torque = max(load.torque for load in loads)
-    pin = take(f"{name}.pin_diameter", "length", pin_diameter(worst.pin, planet.face_width, allowable))
+    pin = given.get(f"{name}.pin_diameter", pin_diameter(worst.pin, planet.face_width, allowable))
     hub = diameters.get(stage.carrier, 0.0) if stage.carrier != GROUND else 0.0
     thickness = _thickness(rules.plate_ratio * planet.face_width, torque, hub, allowable=allowable)
-    thickness = take(f"{name}.plate_thickness", "length", thickness)
+    thickness = given.get(f"{name}.plate_thickness", thickness)
     bending = pin_stress(worst.pin, planet.face_width, pin)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
     pins = stage.planets * pin_mass(pin, planet.face_width, material.density)
@@ -80,8 +80,8 @@ def _carrier(
         plate_thickness=thickness,
         plate_stress=shear,
         plate_margin=allowable / 2.0 / shear if shear else None,
-        mass=take(f"{name}.carrier.mass", "mass", pins + plate),
-        inertia=take(f"{name}.carrier.inertia", "inertia", pins * radius**2 + plate * reach**2 / 2.0),
+        mass=given.get(f"{name}.carrier.mass", pins + plate),
+        inertia=given.get(f"{name}.carrier.inertia", pins * radius**2 + plate * reach**2 / 2.0),
     )
 
 

@@ -132,11 +132,7 @@ def _along(torques: Iterable[float]) -> tuple[float, ...]:
 
 def _plain(context: Context, plan: ShaftPlan, load: _Governing, axis: complex, *, name: str) -> ShaftSizing:
     """Return a shaft of one diameter, by Tresca where √(M² + T²) is largest."""
-    rules, layout, take = (
-        context.design.shafting,
-        context.design.layout.get(name, NOTHING_GIVEN),
-        context.overrides.take,
-    )
+    rules, layout = context.design.shafting, context.design.layout.get(name, NOTHING_GIVEN)
     material, length = shaft_material(context), plan.length
     bending, torque = load.bending_moment, load.torque
     allowable = (material.yield_strength or 0.0) / rules.safety
@@ -145,9 +141,9 @@ def _plain(context: Context, plan: ShaftPlan, load: _Governing, axis: complex, *
         needed = shaft_diameter_around(layout.bore, bending, torque, allowable=allowable)
     else:
         needed = shaft_diameter(bending, torque, allowable, bore_ratio=ratio)
-    diameter = take(f"{name}.diameter", "length", layout.diameter or needed)
+    diameter = context.given.get(f"{name}.diameter", needed)
     bore = layout.bore if layout.bore is not None else ratio * diameter
-    mass = take(f"{name}.mass", "mass", shaft_mass(diameter, length, material.density, bore=bore))
+    mass = context.given.get(f"{name}.mass", shaft_mass(diameter, length, material.density, bore=bore))
     stress = shaft_stress(bending, torque, diameter, bore=bore) if diameter else 0.0
     stiffness = torsional_stiffness(diameter, length, material.shear_modulus, bore=bore)
     return ShaftSizing(
@@ -172,18 +168,13 @@ def _plain(context: Context, plan: ShaftPlan, load: _Governing, axis: complex, *
 
 
 def _built(context: Context, forces: ShaftForces, gears: Mapping[str, GearSizing], *, name: str) -> Built:
-    layout = context.design.layout.get(name, NOTHING_GIVEN)
-    core = context.overrides.take(f"{name}.diameter", "length", layout.diameter or 0.0) or None
+    core = context.given.get(f"{name}.diameter")
     return build_shaft(context, name, forces, shaft_material(context), gears=gears, core=core)
 
 
 def _stepped(context: Context, forces: ShaftForces, built: Built, axis: complex, *, name: str) -> ShaftSizing:
     """Return the row of a built shaft: its weakest section, and the mass, inertia and stiffness of its steps."""
-    rules, layout, take = (
-        context.design.shafting,
-        context.design.layout.get(name, NOTHING_GIVEN),
-        context.overrides.take,
-    )
+    rules, layout = context.design.shafting, context.design.layout.get(name, NOTHING_GIVEN)
     material, steps, bore = shaft_material(context), built.shaft.steps, built.shaft.bore
     weak = max(built.shaft.sections, key=lambda section: _tresca(section, bore))
     case, stress = list(context.flows).index(weak.case), _tresca(weak, bore)
@@ -194,7 +185,7 @@ def _stepped(context: Context, forces: ShaftForces, built: Built, axis: complex,
         shaft_mass(diameter, step.end - step.start, material.density, bore=bore)
         for step, diameter in zip(steps, outside, strict=True)
     ]
-    mass = take(f"{name}.mass", "mass", sum(pieces))
+    mass = context.given.get(f"{name}.mass", sum(pieces))
     turning = sum(shaft_inertia(piece, diameter, bore=bore) for piece, diameter in zip(pieces, outside, strict=True))
     compliance = sum(
         1.0 / torsional_stiffness(step.diameter, step.end - step.start, material.shear_modulus, bore=bore)

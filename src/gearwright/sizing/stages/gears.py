@@ -36,7 +36,7 @@ def size_gears(context: Context, sizes: Mapping[str, StageSize]) -> tuple[GearSi
 
 
 def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
-    rating, teeth, take = context.ratings[gear.stage], context.teeth[gear.name], context.overrides.take
+    rating, teeth, given = context.ratings[gear.stage], context.teeth[gear.name], context.given
     module, width = size.module, size.face_width
     diameter = module * teeth / math.cos(rating.helix_angle)
     density = rating.material.density
@@ -46,7 +46,7 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
         mass = ring_mass(diameter, wall, width, density=density)
     else:
         mass = disc_mass(diameter, width, density) * (rating.rules.web_ratio if gear.role is Role.WHEEL else 1.0)
-    mass = take(f"{gear.name}.mass", "mass", mass)
+    mass = given.get(f"{gear.name}.mass", mass)
     inertia = ring_inertia(mass, diameter, wall) if ring else disc_inertia(mass, diameter)
     return GearSizing(
         stage=gear.stage,
@@ -60,7 +60,7 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
         pitch_diameter=diameter,
         rim=wall,
         mass=mass,
-        inertia=take(f"{gear.name}.inertia", "inertia", inertia),
+        inertia=given.get(f"{gear.name}.inertia", inertia),
     )
 
 

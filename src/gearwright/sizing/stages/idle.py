@@ -27,14 +27,14 @@ def refuse_idle_stages(context: Context, needed: Mapping[str, float]) -> None:
         return
     problems = []
     for stage, module in needed.items():
-        given = any(context.overrides.gives(f"{stage}.{field}", "length") for field in ("module", "outer_module"))
-        if given or module > math.cbrt(NOTHING) * largest:
+        is_given = f"{stage}.module" in context.given or f"{stage}.outer_module" in context.given
+        if module > math.cbrt(NOTHING) * largest or is_given:
             continue
         table = "pairs" if stage in context.design.pairs else "planetaries"
-        key = f"{stage}.{'outer_module' if context.ratings[stage].kind == 'bevel' else 'module'}_mm"
+        key = "outer_module_mm" if context.ratings[stage].kind == "bevel" else "module_mm"
         message = (
-            "no load case sends power through these gears, so that strength asks for no module; give one, such as"
-            f' "{key}" = 2 in [overrides], or a case that loads them'
+            "no load case sends power through these gears, so that strength asks for no module; write one here, such as"
+            f" {key} = 2, or a case that loads them"
         )
         problems.append(Problem(f"{table}.{stage}", message))
     if problems:

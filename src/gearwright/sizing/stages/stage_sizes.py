@@ -18,7 +18,7 @@ from gearwright.sizing.rating import (
     width_ratio_of,
 )
 from gearwright.sizing.stages.idle import refuse_idle_stages
-from gearwright.sizing.teeth import groups_of
+from gearwright.spec.design import module_owners
 
 STANDARD_MODULES = (
     1.0, 1.125, 1.25, 1.375, 1.5, 1.75, 2.0, 2.25, 2.5, 2.75, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0, 7.0, 8.0, 9.0, 10.0,
@@ -51,7 +51,7 @@ def stage_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, St
     Raises:
         DesignError: If nothing loads a stage, or its standard does not cover it.
     """
-    group = groups_of(context.design)
+    group = module_owners(context.design)
     needed: dict[str, float] = {}
     for mesh in context.train.meshes:
         owner = group[mesh.stage]
@@ -66,7 +66,7 @@ def _like(context: Context, stage: str, owner: str, size: StageSize) -> StageSiz
     """Return the size of a stage that has its owner's module, and its own face width."""
     if stage == owner:
         return size
-    width = context.overrides.take(f"{stage}.face_width", "length", width_ratio_of(context, stage) * size.module)
+    width = context.given.get(f"{stage}.face_width", width_ratio_of(context, stage) * size.module)
     return StageSize(size.module, width, width)
 
 
@@ -94,10 +94,10 @@ def _teeth(context: Context, stage: str) -> tuple[int, int]:
 
 
 def _size(context: Context, stage: str, needed: float) -> StageSize:
-    rating, take, ratio = context.ratings[stage], context.overrides.take, width_ratio_of(context, stage)
+    rating, given, ratio = context.ratings[stage], context.given, width_ratio_of(context, stage)
     if not rating.by_standard:
-        module = take(f"{stage}.module", "length", needed)
-        width = take(f"{stage}.face_width", "length", ratio * module)
+        module = given.get(f"{stage}.module", needed)
+        width = given.get(f"{stage}.face_width", ratio * module)
         return StageSize(module, width, width)
     needed = _under_spectrum(context, stage, needed, ratio)
     return (
@@ -123,12 +123,12 @@ def _gap(context: Context, stage: str, module: float, width: float) -> float:
 
 def _cylinder(context: Context, stage: str, needed: float, ratio: float) -> StageSize:
     """Return a standard module and the whole millimetres of face width that meet the safeties with it."""
-    rating, take = context.ratings[stage], context.overrides.take
-    module = take(f"{stage}.module", "length", _rounded(context, stage, needed))
+    rating, given = context.ratings[stage], context.given
+    module = given.get(f"{stage}.module", _rounded(context, stage, needed))
     width = ratio * module
     if rating.given_width_ratio is None:
         width = _narrowest(_overlap_width(rating, module), width, lambda tried: _gap(context, stage, module, tried))
-    width = take(f"{stage}.face_width", "length", width)
+    width = given.get(f"{stage}.face_width", width)
     return StageSize(module, width, width)
 
 
@@ -161,9 +161,9 @@ def _rounded(context: Context, stage: str, needed: float) -> float:
 
 def _bevel_size(context: Context, stage: str, needed: float, ratio: float) -> StageSize:
     """Return mean normal module and face width of a bevel stage from its outer module and width, rounded or given."""
-    rating, take, teeth = context.ratings[stage], context.overrides.take, _teeth(context, stage)
+    rating, given, teeth = context.ratings[stage], context.given, _teeth(context, stage)
     outer = bevel_pair(teeth, needed, ratio * needed, rating).outer_module
-    outer = take(f"{stage}.outer_module", "length", _rounded(context, stage, outer))
+    outer = given.get(f"{stage}.outer_module", _rounded(context, stage, outer))
     cone = float(cone_ratio(*teeth)) * outer
     limit = min(WIDEST * cone, WIDEST_MODULES * outer)
     width = ratio * outer / (1.0 / math.cos(rating.helix_angle) + 0.5 * ratio * outer / cone)
@@ -173,6 +173,6 @@ def _bevel_size(context: Context, stage: str, needed: float, ratio: float) -> St
 
     if rating.given_width_ratio is None:
         width = _narrowest(_overlap_width(rating, mean_module(teeth, outer, width, rating)), width, gap)
-    asked = take(f"{stage}.face_width", "length", width)
+    asked = given.get(f"{stage}.face_width", width)
     width = min(asked, limit)
     return StageSize(mean_module(teeth, outer, width, rating), width, asked)

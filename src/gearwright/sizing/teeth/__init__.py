@@ -4,6 +4,6 @@ How large the teeth become is for `stages`.
 """
 
 from gearwright.sizing.teeth.refusal import refuse_contradictions
-from gearwright.sizing.teeth.search import choose_teeth, groups_of
+from gearwright.sizing.teeth.search import choose_teeth
 
-__all__ = ["choose_teeth", "groups_of", "refuse_contradictions"]
+__all__ = ["choose_teeth", "refuse_contradictions"]

@@ -29,6 +29,7 @@ from gearwright.sizing.teeth.candidates import (
 from gearwright.sizing.teeth.front import Floats, Front, Integers, Task
 from gearwright.sizing.teeth.refusal import contradiction, refusal
 from gearwright.spec import GROUND, Design, Pair, Planetary
+from gearwright.spec.design import module_owners
 from gearwright.train import (
     PowerFlow,
     Targets,
@@ -93,19 +94,6 @@ def _nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[
     return power_flows(design, turning), kept
 
 
-def groups_of(design: Design) -> dict[str, str]:
-    """Return stage -> the stage whose module it shares.
-
-    Args:
-        design: With its pairs; a pair that shares a gear has its owner's module.
-    """
-    owner = {name: name for name in design.stages}
-    for name, pair in design.pairs.items():
-        for side in SIDES:
-            owner[name], _ = pair.shared(side) or (owner[name], side)
-    return owner
-
-
 def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapping[str, PowerFlow]) -> Task:
     stage, edge = design.stages[name], nominal.edges.get(name)
     rating = rating_of(design, name)
@@ -121,7 +109,7 @@ def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapp
                 torque = load
                 speed = abs(flow.speeds[mesh.nodes[1 if ring else 0]])
                 rolling = abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])
-    return Task(name, stage, edge, groups_of(design)[name], rating, torque, speed, rolling)
+    return Task(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling)
 
 
 def _ready(task: Task, front: Front) -> bool:

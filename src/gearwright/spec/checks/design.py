@@ -14,7 +14,7 @@ from gearwright.spec.checks.motion import motion_problems
 from gearwright.spec.checks.mounting import mounting_problems
 from gearwright.spec.checks.names import name_problems
 from gearwright.spec.checks.planets import planetary_problems
-from gearwright.spec.design import Design
+from gearwright.spec.design import Design, given_values
 from gearwright.spec.design.stages import gear_named
 from gearwright.units import text
 
@@ -30,7 +30,7 @@ def reference_problems(design: Design) -> list[Problem]:
     """
     checks = (
         name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, _clutches, _teeth, _layout, _cases,
-        _keep, _widths, _overrides, _level,
+        _keep, _widths, _given, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]
     more = (material_problems, gear_problems, effect_problems, motion_problems, mounting_problems)
@@ -169,14 +169,16 @@ def _teeth(design: Design) -> Iterator[Problem]:
 
 
 def _layout(design: Design) -> Iterator[Problem]:
+    given = given_values(design).values
     for name, layout in design.layout.items():
         yield from _shaft(f"layout.{name}", name, design)
         if layout.bore is not None and layout.bore_ratio is not None:
             yield Problem(f"layout.{name}", "bore and bore_ratio are both given; keep one")
-        if layout.bore is not None and layout.diameter is not None and layout.bore >= layout.diameter:
+        diameter = given.get(f"{name}.diameter")
+        if layout.bore is not None and diameter is not None and layout.bore >= diameter.value:
             yield Problem(
                 f"layout.{name}.bore",
-                f"the bore {layout.bore * 1e3:g} mm leaves no wall in a shaft of {layout.diameter * 1e3:g} mm",
+                f"the bore {layout.bore * 1e3:g} mm leaves no wall in a shaft of {diameter.value * 1e3:g} mm",
             )
 
 
@@ -198,13 +200,8 @@ def _keep(design: Design) -> Iterator[Problem]:
             yield Problem("speeds.keep", f"there is no machine {machine!r}; {near(machine, design.machines)}")
 
 
-def _overrides(design: Design) -> Iterator[Problem]:
-    for path in design.origins:
-        if path not in design.overrides:
-            yield Problem(f"origins.{path}", f"nothing of this name is overridden; {near(path, design.overrides)}")
-    for path, value in design.overrides.items():
-        if value <= 0.0:
-            yield Problem(f"overrides.{path}", f"{value:g} is not allowed; give a value greater than 0")
+def _given(design: Design) -> Iterator[Problem]:
+    yield from given_values(design).problems
 
 
 def _level(design: Design) -> Iterator[Problem]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from gearwright.errors import Problem
-from gearwright.spec.design import Design, GearRules, Pair, Planetary
+from gearwright.spec.design import Design, GearRules, Pair, Planetary, given_values
 from gearwright.spec.record import Record
 
 _DECIDED = {
@@ -38,10 +38,11 @@ def effect_problems(design: Design) -> Iterator[Problem]:
     Args:
         design: As typed.
     """
+    given = given_values(design).values
     for table, decided in _DECIDED.items():
         for name, machine in getattr(design, table).items():
             for key, by in decided.items():
-                if {key, by} <= machine.model_fields_set:
+                if key in machine.model_fields_set and (by in machine.model_fields_set or f"{name}.{by}" in given):
                     message = f"it only estimates the {by}, which is given too; keep one of the two"
                     yield Problem(f"{table}.{name}.{key}", message)
     for name, pair in design.pairs.items():

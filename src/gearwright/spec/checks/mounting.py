@@ -9,7 +9,7 @@ from gearwright.catalogue import Bearing, bearings
 from gearwright.errors import Problem, near
 from gearwright.parts.joints import MODULES
 from gearwright.parts.shafts import RELIABILITY_DEVIATES
-from gearwright.spec.design import LOCATES, BearingSeat, Design, Joint
+from gearwright.spec.design import LOCATES, BearingSeat, Design, Given, Joint, given_values
 
 KINDS = {
     "deep-groove": "deep-groove ball",
@@ -32,12 +32,13 @@ def mounting_problems(design: Design) -> Iterator[Problem]:
     Args:
         design: As typed.
     """
+    given = given_values(design).values
     yield from _service(design)
     for name, seat in design.bearings.items():
-        yield from _seat(name, seat, design)
+        yield from _seat(name, seat, design, given)
     for shaft in dict.fromkeys(seat.shaft for seat in design.bearings.values()):
         yield from _held(shaft, design)
-    yield from _as_given(design)
+    yield from _as_given(design, given)
     yield from _strength(design)
     for part, joint in design.joints.items():
         yield from _joint(part, joint, design)
@@ -56,14 +57,14 @@ def _service(design: Design) -> Iterator[Problem]:
         yield Problem("service.mean_load", "it follows from service.shares; keep one of the two")
 
 
-def _seat(name: str, seat: BearingSeat, design: Design) -> Iterator[Problem]:
+def _seat(name: str, seat: BearingSeat, design: Design, given: Mapping[str, Given]) -> Iterator[Problem]:
     path = f"bearings.{name}"
     if seat.shaft not in design.shafts:
         yield Problem(f"{path}.shaft", f"there is no shaft {seat.shaft!r}; {near(seat.shaft, design.shafts)}")
-    layout = design.layout.get(seat.shaft)
-    if layout is not None and layout.length is not None and seat.position > layout.length:
+    length = given.get(f"{seat.shaft}.length")
+    if length is not None and seat.position > length.value:
         message = (
-            f"{1e3 * seat.position:.6g} mm is outside the shaft; allowed: 0 to {1e3 * layout.length:.6g} mm, its length"
+            f"{1e3 * seat.position:.6g} mm is outside the shaft; allowed: 0 to {1e3 * length.value:.6g} mm, its length"
         )
         yield Problem(f"{path}.position", message)
     yield from _tasks(path, seat)
@@ -136,10 +137,10 @@ def _held(shaft: str, design: Design) -> Iterator[Problem]:
             yield Problem(f"layout.{shaft}.{key}", "its bearings stand in [bearings] already; leave this out")
 
 
-def _as_given(design: Design) -> Iterator[Problem]:
+def _as_given(design: Design, given: Mapping[str, Given]) -> Iterator[Problem]:
     """Find shafts that are to be taken as given and of which too little is."""
     for shaft, layout in design.layout.items():
-        if layout.as_given and layout.diameter is None:
+        if layout.as_given and f"{shaft}.diameter" not in given:
             yield Problem(f"layout.{shaft}.diameter_mm", "is required with as_given = true: how thick the shaft is")
         if layout.as_given and not any(seat.shaft == shaft for seat in design.bearings.values()):
             message = f"{shaft!r} has no bearings and is one cylinder in any case; give it [bearings], or leave it out"

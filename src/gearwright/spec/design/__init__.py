@@ -6,12 +6,13 @@ What can be wrong with it beyond its types is in `checks`.
 from gearwright.spec.design.design import GROUND, Design
 from gearwright.spec.design.dynamics import DynamicsRules, MeshCurve
 from gearwright.spec.design.gears import GearRules
+from gearwright.spec.design.given import NO_ORIGIN, Given, given_values
 from gearwright.spec.design.machines import Drive, Motor, Propeller, Turbine
 from gearwright.spec.design.materials import LifeLineRules, MaterialRules
 from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
-from gearwright.spec.design.overrides import NO_ORIGIN, Overrides
 from gearwright.spec.design.service import Iso6336Rules, Service
 from gearwright.spec.design.shafts import NOTHING_GIVEN, ShaftLayout, Support
+from gearwright.spec.design.sharing import module_owners
 from gearwright.spec.design.stages import Clutch, Pair, Planetary
 from gearwright.spec.design.tolerance import PartErrors
 
@@ -26,13 +27,13 @@ __all__ = [
     "Drive",
     "DynamicsRules",
     "GearRules",
+    "Given",
     "Iso6336Rules",
     "Joint",
     "LifeLineRules",
     "MaterialRules",
     "MeshCurve",
     "Motor",
-    "Overrides",
     "Pair",
     "PartErrors",
     "Planetary",
@@ -41,4 +42,6 @@ __all__ = [
     "ShaftLayout",
     "Support",
     "Turbine",
+    "given_values",
+    "module_owners",
 ]

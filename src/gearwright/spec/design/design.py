@@ -23,9 +23,16 @@ from gearwright.spec.design.shafts import CarrierRules, ShaftLayout, ShaftRules,
 from gearwright.spec.design.stages import Clutch, Pair, Planetary
 from gearwright.spec.design.tolerance import PartErrors
 from gearwright.spec.record import Record
+from gearwright.units import Mass
 
 GROUND = "ground"
 """The shaft that stands still."""
+
+
+class Gearbox(Record):
+    """What is known of the gearbox as a whole."""
+
+    mass: Mass | None = Field(None, gt=0, description="Its mass, as weighed; left out: the sum of its parts")
 
 
 class Design(Record):
@@ -51,6 +58,7 @@ class Design(Record):
     )
     gears: GearRules = Field(default_factory=GearRules, description="Rules for all gears")
     teeth: TeethRules = Field(default_factory=TeethRules, description="Rules of the search for tooth numbers")
+    gearbox: Gearbox = Field(default_factory=Gearbox, description="What is known of the gearbox as a whole")
     shafting: ShaftRules = Field(default_factory=ShaftRules, description="Rules for all shafts")
     carriers: CarrierRules = Field(default_factory=CarrierRules, description="Rules for all carriers")
     layout: dict[str, ShaftLayout] = Field(default_factory=dict, description="What is given of single shafts")
@@ -68,11 +76,12 @@ class Design(Record):
     )
     overrides: dict[str, float] = Field(
         default_factory=dict,
-        description='Computed values that are given instead, by dotted path with unit: "first.module_mm" = 3',
+        description='Computed values that are given instead, by dotted path with unit: "first.module_mm" = 3;'
+        " the tables of stages, shafts and motors have keys for them, too",
     )
     origins: dict[str, str] = Field(
         default_factory=dict,
-        description='Where overrides come from, by the same path: "first.module_mm" = "drawing 4711"',
+        description='Where given values come from, by the path of overrides: "first.module_mm" = "drawing 4711"',
     )
 
     @property

@@ -69,6 +69,7 @@ class ShaftLayout(Record):
     )
     bore_ratio: Ratio | None = Field(None, ge=0, lt=0.95, description="Bore over outer diameter")
     bore: Length | None = Field(None, gt=0, description="Bore diameter")
+    mass: Mass | None = Field(None, gt=0, description="Mass without gears; left out: of its cylinders")
     inertia: Inertia | None = Field(None, ge=0, description="Polar inertia without gears; left out: of the cylinder")
     torsional_stiffness: TorsionalStiffness | None = Field(
         None, gt=0, description="Over its whole length; left out: of the cylinder"

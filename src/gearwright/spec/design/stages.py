@@ -11,7 +11,7 @@ from gearwright.identity import SIDES, Role
 from gearwright.spec.design.dynamics import PlanetaryBearings
 from gearwright.spec.design.gears import GearRules
 from gearwright.spec.record import Record
-from gearwright.units import Angle, Force, Length, Ratio, Stiffness
+from gearwright.units import Angle, Force, Inertia, Length, Mass, Ratio, Stiffness
 
 _DEGREE = math.pi / 180.0
 
@@ -77,6 +77,15 @@ class Pair(Record):
     backlash: Length = Field(
         0.0, ge=0, le=0.01, description="Along the line of action; 0: teeth stay in contact both ways"
     )
+    module: Length | None = Field(None, gt=0, description="Normal module m_n; left out: sized")
+    outer_module: Length | None = Field(
+        None, gt=0, description="Outer transverse module m_et of a bevel pair; left out: sized"
+    )
+    face_width: Length | None = Field(None, gt=0, description="Face width b; left out: sized")
+    pinion_mass: Mass | None = Field(None, gt=0, description="Of one pinion; left out: of the disc")
+    pinion_inertia: Inertia | None = Field(None, gt=0, description="Of one pinion; left out: of the disc")
+    wheel_mass: Mass | None = Field(None, gt=0, description="Of one wheel; left out: of the disc")
+    wheel_inertia: Inertia | None = Field(None, gt=0, description="Of one wheel; left out: of the disc")
     coaxial_with: str | None = Field(
         None, description="Pair whose centre distance this one must have, as their shafts lie on the same axes"
     )
@@ -118,6 +127,18 @@ class Planetary(Record):
     backlash: Length = Field(
         0.0, ge=0, le=0.01, description="Of each mesh, along the line of action; 0: contact both ways"
     )
+    module: Length | None = Field(None, gt=0, description="Module m_n; left out: sized")
+    face_width: Length | None = Field(None, gt=0, description="Face width b; left out: sized")
+    sun_mass: Mass | None = Field(None, gt=0, description="Of the sun; left out: of the disc")
+    sun_inertia: Inertia | None = Field(None, gt=0, description="Of the sun; left out: of the disc")
+    planet_mass: Mass | None = Field(None, gt=0, description="Of one planet; left out: of the disc")
+    planet_inertia: Inertia | None = Field(None, gt=0, description="Of one planet; left out: of the disc")
+    ring_mass: Mass | None = Field(None, gt=0, description="Of the ring; left out: of its wall")
+    ring_inertia: Inertia | None = Field(None, gt=0, description="Of the ring; left out: of its wall")
+    pin_diameter: Length | None = Field(None, gt=0, description="Of the planets' pins; left out: sized")
+    plate_thickness: Length | None = Field(None, gt=0, description="Of the carrier's plate; left out: sized")
+    carrier_mass: Mass | None = Field(None, gt=0, description="Of pins and plate; left out: computed")
+    carrier_inertia: Inertia | None = Field(None, gt=0, description="Of pins and plate; left out: computed")
     bearings: PlanetaryBearings = Field(
         default_factory=PlanetaryBearings, description="What holds its members, with dynamics.fidelity translational"
     )
