@@ -10,6 +10,7 @@ from pathlib import Path
 from gearwright.catalogue import materials, rated_steel
 from gearwright.parts import Material
 from gearwright.render.tables.materials import properties
+from gearwright.render.tables.tables import written
 from gearwright.render.words.design_file import design_file_markdown, mission_file_markdown, study_file_markdown
 from gearwright.replays.colibri.page import colibri_markdown
 
@@ -76,8 +77,8 @@ def _origins(material: Material) -> str:
     steel = None if material.steel is None else rated_steel(material)
     lines: dict[str, list[str]] = {}
     for line in properties(material, steel):
-        guess = "estimated: " if line.estimated else ""
-        lines.setdefault(f"{guess}{line.source}", []).append(f"{line.property} {line.value} {line.unit}".rstrip())
+        value = line.value if isinstance(line.value, str) else written(line.value)
+        lines.setdefault(line.source, []).append(f"{line.quantity} {value} {line.unit}".rstrip())
     rows = "".join(f"| {'; '.join(what)} | {source} |\n" for source, what in lines.items())
     return f"\n## {material.name}\n\n{material.source}.\n\n| property | source |\n| --- | --- |\n{rows}"
 

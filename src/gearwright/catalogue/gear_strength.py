@@ -95,7 +95,7 @@ def rated_steel(
     """
     chosen = name or material.steel
     if chosen is None:
-        message = f"{material.name!r} has no class of ISO 6336-5 and so no S-N data; give a steel with it, one of "
+        message = f"{material.name!r} has no class of ISO 6336-5 and so no S-N data; give steel, one of "
         raise DesignError([Problem("material", message + ", ".join(gear_steel_names()))])
     its = chosen == material.steel
     quality, hard = grade or (its and material.grade) or "MQ", hardness or (_flank(material) if its else USUAL_HARDNESS)

@@ -127,7 +127,8 @@ def _require(model: type[Record], keys: Mapping[str, tuple[str, float, str]], re
             path = f"{prefix}.{options[0]}" if prefix else options[0]
             if info.annotation is float:
                 result[name] = _stand_in_of(info)
-            if not any(problem.path.startswith(f"{prefix}.{name}" if prefix else name) for problem in written.problems):
+            start = f"{prefix}.{name}" if prefix else name
+            if not any(problem.path.lower().startswith(start.lower()) for problem in written.problems):
                 written.problems.append(Problem(path, f"is required; write {' or '.join(options)}"))
 
 

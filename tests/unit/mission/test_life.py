@@ -2,11 +2,13 @@
 
 import pytest
 
-from gearwright.errors import SolveError
+from gearwright.errors import DesignError, SolveError
+from gearwright.mission import fly
+from gearwright.mission.lives import gear_damage, size_for_life
 from gearwright.mission.lives import life as life_module
-from gearwright.mission.lives import size_for_life
 from gearwright.shipped import shipped_design, shipped_mission
-from gearwright.spec import read, read_mission
+from gearwright.sizing import size
+from gearwright.spec import edited_mission, parse, read, read_mission
 
 DESIGN = read(shipped_design("in-line-h2"))
 MISSION = read_mission(shipped_mission("thesis"))
@@ -34,3 +36,24 @@ def test_a_life_out_of_reach_is_refused(monkeypatch):
     monkeypatch.setattr(life_module, "MOST_ROUNDS", 2)
     with pytest.raises(SolveError, match="after 2 rounds"):
         size_for_life(DESIGN, MISSION, 1e6)
+
+
+def test_a_life_of_a_material_without_s_n_data_is_refused_with_what_it_lacks_and_what_helps():
+    """Neither the design nor the mission says how its flanks are hardened; the mission may."""
+    text = shipped_design("in-line-h2").read_text(encoding="utf-8").replace('"nitriding-steel-785"', '"mine"')
+    mine = parse(f"{text}\n{MINE}")
+    with pytest.raises(DesignError, match="'mine' has no class of ISO 6336-5 and so no S-N data; give steel, one of"):
+        size_for_life(mine, MISSION, 100.0)
+    told = edited_mission(MISSION, {"gears.steel": "nitrided"})
+    assert gear_damage(fly(size(mine), told)) == gear_damage(fly(size(DESIGN), MISSION))
+
+
+MINE = """
+[materials.mine]
+elastic_modulus_gpa = 210
+poisson_ratio = 0.3
+density_kg_m3 = 7850
+yield_strength_mpa = 785
+hardness_hb = 600
+"""
+"""The material of the shipped design without its class."""

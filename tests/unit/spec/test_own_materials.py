@@ -151,6 +151,13 @@ def test_a_material_that_a_use_cannot_take_is_refused_with_the_near_one_or_what_
     assert (found.path, words in found.message) == (path, True), str(found)
 
 
+def test_a_required_key_in_the_wrong_case_is_told_in_one_place():
+    found = problem(PAIR + MINE.replace("density_kg_m3", "Density_kg_m3"))
+    assert (found.path, found.message) == (
+        "materials.mine.Density_kg_m3", "no such field; did you mean density_kg_m3?",
+    )  # fmt: skip
+
+
 def test_everything_that_is_wrong_with_materials_is_told_at_once():
     wrong = MINE.replace("= 206", "= 2").replace('steel = "case-hardened"', 'steel = "soft"').replace("= 0.3", "= 3")
     found = problems(LEWIS.replace("mine", "mien") + wrong + "[materials.half]\npoisson_ratio = 0.3\n")

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from gearwright.catalogue import rated_steel
 from gearwright.parts import Material
 from gearwright.parts.iso6336 import GearSteel, LifeCurve, life_curves
-from gearwright.render.tables.tables import Mark, Table, table, written
+from gearwright.render.tables.tables import Mark, Table, table
 from gearwright.sizing import Sizing
 from gearwright.sizing.rating import rating_of, steel_of
 from gearwright.units import shown, unit
@@ -25,7 +25,11 @@ NUMBERS = {
 """Number of a material -> words with its symbol, and its kind."""
 STRENGTHS = {"contact_strength": "strength of flanks σ_Hlim", "bending_strength": "strength of roots σ_Flim"}
 """Number of a gear steel -> words with its symbol [stress]."""
+ESTIMATED = "estimated: "
+"""How the source of a number begins that no source gives."""
 _HARDNESS = "hardness"
+_STANDARDS = ("ISO 6336-2:2019, table 2", "ISO 6336-3:2019, table 1")
+"""Of the S-N lines of flanks and roots."""
 
 
 @dataclass(frozen=True)
@@ -33,15 +37,18 @@ class Property:
     """One property of one material."""
 
     material: str
-    property: str
+    quantity: str
     """In words, with its symbol."""
-    value: str
+    value: float | str
     """In its unit."""
     unit: str
     source: str
-    """Where it comes from, or the rule by which it is estimated."""
-    estimated: bool = False
-    """No source gives it."""
+    """Where it comes from, or that it is estimated and by which rule."""
+
+    @property
+    def estimated(self) -> bool:
+        """Whether no source gives it."""
+        return self.source.startswith(ESTIMATED)
 
 
 def properties(material: Material, steel: GearSteel | None) -> Iterator[Property]:
@@ -55,11 +62,10 @@ def properties(material: Material, steel: GearSteel | None) -> Iterator[Property
         value: float | None = getattr(material, key)
         if value is not None and (steel is not None or key != _HARDNESS):
             own = _HARDNESS if key == "surface_hardness" and key not in material.sources else key
-            line = Property(material.name, words, written(shown(value, kind)), unit(kind), material.source_of(own))
-            yield replace(line, estimated=own in material.estimated)
+            yield Property(material.name, words, shown(value, kind), unit(kind), _source(material, own))
     for key, words in (("group", "group of DIN 743"), ("melting", "melting")):
         if getattr(material, key) is not None:
-            yield Property(material.name, words, getattr(material, key), "", material.source_of(key))
+            yield Property(material.name, words, getattr(material, key), "", _source(material, key))
     if steel is not None:
         yield from _rated(material, steel)
 
@@ -67,20 +73,20 @@ def properties(material: Material, steel: GearSteel | None) -> Iterator[Property
 def _rated(material: Material, steel: GearSteel) -> Iterator[Property]:
     """Yield strengths and S-N lines."""
     yield Property(material.name, "class and grade", f"{steel.name} {steel.grade}", "", steel.source)
+    own = material.steel is not None and steel == rated_steel(material)
     for key, words in STRENGTHS.items():
-        own = steel == rated_steel(material)
-        guessed = own and key in material.estimated
-        source = material.source_of(key) if guessed or (own and getattr(material, key) is not None) else steel.source
-        strength = written(shown(getattr(steel, key), "stress"))
-        yield Property(material.name, words, strength, unit("stress"), source, guessed)
-    standards = ("ISO 6336-2:2019, table 2", "ISO 6336-3:2019, table 1")
-    stated = (steel.contact_life, steel.bending_life)
-    names = ("flanks", "roots")
-    for key, name, curve, own_curve, standard in zip(
-        ("contact_life", "bending_life"), names, life_curves(steel), stated, standards, strict=True
-    ):
-        source = standard if own_curve is None else material.source_of(key)
-        yield Property(material.name, f"S-N line of {name}, N and factor", _line(curve), "", source)
+        stated = own and (key in material.estimated or getattr(material, key) is not None)
+        source = _source(material, key) if stated else steel.source
+        yield Property(material.name, words, shown(getattr(steel, key), "stress"), unit("stress"), source)
+    lines = (("contact_life", "flanks", steel.contact_life), ("bending_life", "roots", steel.bending_life))
+    for (key, part, line), curve, standard in zip(lines, life_curves(steel), _STANDARDS, strict=True):
+        source = standard if line is None else _source(material, key)
+        yield Property(material.name, f"S-N line of {part}, N and factor", _line(curve), "", source)
+
+
+def _source(material: Material, key: str) -> str:
+    """Return the source of a property, or that it is estimated and how."""
+    return f"{ESTIMATED if key in material.estimated else ''}{material.source_of(key)}"
 
 
 def _line(curve: LifeCurve) -> str:
@@ -102,7 +108,7 @@ def materials_table(sizing: Sizing) -> Table:
     if shaft.name not in {name for name, _ in used}:
         used[shaft.name, None] = shaft
     rows = [line for (_, steel), material in used.items() for line in properties(material, steel)]
-    return table("Materials", rows, ("material", "property", "value", "unit", "source"), mark=_mark)
+    return table("Materials", rows, ("material", "quantity", "value", "unit", "source"), mark=_mark)
 
 
 def estimated_only(materials: Table) -> Table:
