@@ -117,6 +117,8 @@ def _line(writer: Writer, code: Emitter, j: int, parts: tuple[list[str], ...], o
     deflection, rate = _along(writer, code, line, position), _along(writer, code, line, velocity)
     if line.error:
         deflection, rate = code.subtract(deflection, now[2]), code.subtract(rate, now[3])
+    if line.slips:
+        rate = code.add(rate, code.multiply(writer.number(code, "slip", j), writer.clock(code, 0)))
     contact = deflection
     if line.gap:
         back = code.add(deflection, writer.number(code, "backlash", j))

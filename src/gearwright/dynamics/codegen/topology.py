@@ -32,6 +32,8 @@ class LineShape(NamedTuple):
     """Whether it has backlash."""
     damped: bool
     """Whether it has damping."""
+    slips: bool
+    """Whether it slips in the rigid motion, as a damper may."""
 
 
 class DriveShape(NamedTuple):
@@ -117,6 +119,7 @@ def _line(arrays: Arrays, j: int, number: Ints) -> LineShape:
         error=_tones(arrays.error, j),
         gap=bool(arrays.backlash[j] > 0.0),
         damped=bool(arrays.damping[j] > 0.0),
+        slips=bool(arrays.slip[j] != 0.0),
     )
 
 
@@ -169,6 +172,8 @@ class Layout(NamedTuple):
     """Ω² C."""
     drives: int
     """Table of the drives."""
+    slip: int
+    """σ."""
 
 
 def parameters(arrays: Arrays, h: float) -> tuple[Layout, Floats]:
@@ -194,7 +199,7 @@ def parameter_rows(family: Arrays, h: float) -> tuple[Layout, Floats]:
     weights = np.array([weight_numbers(row)[1] for row in family.line_weight])
     lines = (weights, family.stiffness, family.damping, family.backlash)
     bodies = (1.0 / family.mass, family.mass * family.speed, family.speed)
-    frames = (family.gyroscopic.value, family.centripetal.value, family.drives.table)
+    frames = (family.gyroscopic.value, family.centripetal.value, family.drives.table, family.slip)
     groups = (np.array([[h]]), *lines, *variation, *error, family.tone_rate, *bodies, *family.loads[:3], *frames)
     starts = np.cumsum([0, *(filled(group.shape[1]) for group in groups)]).tolist()
     rows = aligned(max(len(group) for group in groups), starts[-1])

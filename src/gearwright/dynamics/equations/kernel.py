@@ -126,7 +126,7 @@ def apply_lines(arrays: Arrays, now: Instant, state: Floats, slope: Floats, outp
     dissipated, stiffness_power, error_power = 0.0, 0.0, 0.0
     for j in range(len(arrays.stiffness)):
         first, past = arrays.line_start[j], arrays.line_start[j + 1]
-        deflection, rate = -now.error[j], -now.error_rate[j]
+        deflection, rate = -now.error[j], now.factor[0] * arrays.slip[j] - now.error_rate[j]
         for i in range(first, past):
             deflection += arrays.line_weight[i] * state[arrays.line_dof[i]]
             rate += arrays.line_weight[i] * state[size + arrays.line_dof[i]]

@@ -8,7 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import linalg
 
-from gearwright.dynamics.model import Arrays, Floats, Labels, System, finite_numbers, line_matrix, refuse_not_finite
+from gearwright.dynamics.model import (
+    Arrays,
+    Floats,
+    Labels,
+    System,
+    finite_numbers,
+    holding,
+    line_matrix,
+    refuse_not_finite,
+)
 from gearwright.train.null_space import row_and_null_space
 from gearwright.verbs import verb
 
@@ -56,7 +65,7 @@ def split_rigid(arrays: Arrays) -> tuple[Floats, Floats]:
         Shapes (coordinates, rigid) and (coordinates, elastic), both orthonormal in the mass matrix.
     """
     root = np.sqrt(arrays.mass)
-    direction = line_matrix(arrays) / root
+    direction = line_matrix(arrays)[holding(arrays)] / root
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)
     elastic, rigid = row_and_null_space(direction)
     return rigid / root[:, None], elastic / root[:, None]

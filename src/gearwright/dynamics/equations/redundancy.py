@@ -16,10 +16,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gearwright.dynamics.equations.instants import errors_at, stiffness_at
 from gearwright.dynamics.equations.modes import split_rigid, stiffness_matrix
-from gearwright.dynamics.model import Floats, Labels, System, line_matrix
+from gearwright.dynamics.model import Floats, Labels, System, holding, line_matrix
 from gearwright.errors import SolveError
 from gearwright.train.null_space import RANK_TOLERANCE, null_space
 
@@ -67,17 +68,23 @@ def redundancy(system: System, *, stiffness: Floats | None = None) -> Redundancy
     _, elastic = split_rigid(arrays)
     matrix = line_matrix(arrays)
     reduced = elastic.T @ stiffness_matrix(arrays, values) @ elastic
-    perfect = values * (matrix @ (elastic @ np.linalg.solve(reduced, elastic.T @ arrays.loads.constant)))
-    states = _states(matrix / np.sqrt(arrays.mass))
-    flexibility = states.T @ (states / values[:, None])
+    load = arrays.loads.constant - matrix.T @ (arrays.damping * arrays.slip)
+    perfect = values * (matrix @ (elastic @ np.linalg.solve(reduced, elastic.T @ load)))
+    perfect += arrays.damping * arrays.slip
+    held = holding(arrays)  # a damper gives way: it closes no loop
+    states = _states(matrix / np.sqrt(arrays.mass), held)
+    flexibility = states[held].T @ (states[held] / values[held, None])
     gain = -states @ np.linalg.solve(flexibility, states.T)
     return Redundancy(perfect, states, flexibility, gain, arrays.backlash, system.labels)
 
 
-def _states(matrix: Floats) -> Floats:
-    """Return a basis of the forces that balance on every coordinate, Dᵀ s = 0."""
-    length = np.linalg.norm(matrix, axis=1, keepdims=True)
-    return np.asarray(null_space((matrix / length).T) / length)
+def _states(matrix: Floats, held: NDArray[np.bool_]) -> Floats:
+    """Return a basis of the forces of lines that hold, such that they balance on every coordinate, Dᵀ s = 0."""
+    length = np.linalg.norm(matrix[held], axis=1, keepdims=True)
+    basis = null_space((matrix[held] / length).T) / length
+    states = np.zeros((len(held), basis.shape[1]))
+    states[held] = basis
+    return states
 
 
 def line_forces(train: Redundancy, errors: Floats) -> Floats:
@@ -120,9 +127,10 @@ def slow_position(system: System, time: float = 0.0) -> Floats:
     stiffness, errors = stiffness_at(system, instant)[0], errors_at(system, instant)
     force, gap = _settled(redundancy(system, stiffness=stiffness), errors)
     root = np.sqrt(system.arrays.mass)
-    matrix = line_matrix(system.arrays) / root
+    held = holding(system.arrays)
+    matrix = line_matrix(system.arrays)[held] / root
     scale = 1.0 / np.linalg.norm(matrix, axis=1)
-    stretch = force[0] / stiffness - gap[0] + errors[0]
+    stretch = force[0, held] / stiffness[held] - gap[0, held] + errors[0, held]
     return np.asarray(np.linalg.lstsq(scale[:, None] * matrix, scale * stretch, rcond=RANK_TOLERANCE)[0] / root)
 
 

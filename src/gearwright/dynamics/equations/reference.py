@@ -25,7 +25,7 @@ class LineState(NamedTuple):
     deflection: Floats
     """δ [m or rad]."""
     rate: Floats
-    """δ̇ [m/s or rad/s]."""
+    """δ̇ with the slip of dampers [m/s or rad/s]."""
     contact: Floats
     """g(δ): deflection in contact [m or rad]."""
     stiffness: Floats
@@ -69,7 +69,7 @@ def line_state(arrays: Arrays, time: float, position: Floats, velocity: Floats) 
     matrix = line_matrix(arrays)
     error, error_rate = _sums(arrays.error, angle, rate)
     variation, variation_rate = _sums(arrays.variation, angle, rate)
-    deflection, deflection_rate = matrix @ position - error, matrix @ velocity - error_rate
+    deflection, deflection_rate = matrix @ position - error, matrix @ velocity - error_rate + factor * arrays.slip
     contact = dead_zone(deflection, arrays.backlash)
     stiffness = arrays.stiffness * (1.0 + variation)
     force = stiffness * contact + arrays.damping * deflection_rate

@@ -70,13 +70,12 @@ def statics(system: System, *, time: float = 0.0, balance: Balance = "required")
 def _equilibrium(system: System, time: float, balance: Balance) -> Equilibrium:
     arrays = system.arrays
     elastic = split_rigid(arrays)[1]
-    rest = np.zeros(len(arrays.mass))
-    load = external_load(arrays, time, rest)
+    load = steady_load(arrays, time)
     left = unbalanced(system, time=time) if balance == "required" else ""
     if left:
         raise SolveError(f"{left}; balance the loads or add a support")
     position = _settle(arrays, time, elastic, load)
-    return Equilibrium(position, line_state(arrays, time, position, rest).force, system.labels)
+    return Equilibrium(position, line_state(arrays, time, position, np.zeros_like(position)).force, system.labels)
 
 
 def unbalanced(system: System, *, time: float = 0.0) -> str:
@@ -87,7 +86,7 @@ def unbalanced(system: System, *, time: float = 0.0) -> str:
         time: Instant [s].
     """
     arrays = system.arrays
-    load = external_load(arrays, time, np.zeros(len(arrays.mass)))
+    load = steady_load(arrays, time)
     for motion in split_rigid(arrays)[0].T:
         parts = motion * load
         if abs(np.sum(parts)) > BALANCE_TOLERANCE * np.sum(np.abs(parts)):
@@ -98,6 +97,17 @@ def unbalanced(system: System, *, time: float = 0.0) -> str:
             left = np.sum(parts) / scale
             return f"nothing holds the motion ({moving}) and the loads on it do not balance: they leave {left:.4g} N m"
     return ""
+
+
+def steady_load(arrays: Arrays, time: float) -> Floats:
+    """Return what acts on the coordinates in the rigid motion: external loads, and dampers by their slip [N or N m].
+
+    Args:
+        arrays: The system's numbers.
+        time: Instant [s].
+    """
+    slipping = arrays.damping * arrays.slip * speed_factor(arrays.profile, time)[0]
+    return external_load(arrays, time, np.zeros(len(arrays.mass))) - line_matrix(arrays).T @ slipping
 
 
 def _settle(arrays: Arrays, time: float, elastic: Floats, load: Floats) -> Floats:

@@ -55,6 +55,7 @@ from gearwright.dynamics.model.system import (
     System,
     Tone,
     entry_matrix,
+    holding,
     line_matrix,
     top_rate,
 )
@@ -111,6 +112,7 @@ __all__ = [
     "envelope",
     "face_push_direction",
     "finite_numbers",
+    "holding",
     "line_matrix",
     "own_groups",
     "points_of",

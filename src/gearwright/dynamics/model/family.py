@@ -58,7 +58,7 @@ def _structure(family: Arrays) -> Iterator[np.ndarray]:
     loads, weights = family.loads, family.line_weight
     yield from (family.line_start, family.line_dof, np.where(np.abs(weights) == 1.0, weights, 0.0))
     yield np.array([weight_numbers(row)[0] for row in weights])
-    yield from (family.backlash > 0.0, family.damping > 0.0)
+    yield from (family.backlash > 0.0, family.damping > 0.0, family.slip != 0.0)
     ramps = np.any(family.profile.factor != family.profile.factor[:, :1], axis=1, keepdims=True)
     yield from (ramps, ramps & (family.speed != 0.0))
     yield from (loads.constant != 0.0, loads.damping != 0.0, loads.quadratic != 0.0, loads.schedules.dof)

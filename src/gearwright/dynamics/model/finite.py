@@ -47,6 +47,7 @@ def check_finite(system: System) -> None:
         ("load", arrays.loads.constant, labels.coordinates),
         ("stiffness", arrays.stiffness, labels.lines),
         ("damping", arrays.damping, labels.lines),
+        ("slip", arrays.slip, labels.lines),
     ):
         refuse_not_finite(values, parts, what)
 

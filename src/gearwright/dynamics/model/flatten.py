@@ -53,6 +53,7 @@ def flatten(model: Written) -> System:
         line_weight=weight,
         stiffness=np.array([line.stiffness for line in model.lines]),
         damping=np.array([_damping(line, mass, index) for line in model.lines]),
+        slip=_slip(model.lines, index, speed),
         backlash=np.array([line.backlash for line in model.lines], dtype=float),
         variation=_series([[line.variation] if line.variation else [] for line in model.lines], tones),
         error=_series([line.errors for line in model.lines], tones),
@@ -83,19 +84,26 @@ def _damping(line: Line, mass: Floats, index: Mapping[str, int]) -> float:
     return line.damping.damper(line.stiffness, float(mobility))
 
 
+def _slip(lines: Sequence[Line], index: Mapping[str, int], speed: Floats) -> Floats:
+    """Return the steady rate of the deflection of dampers; what has a stiffness has none."""
+    weights = [line.weights.items() if line.kind == "damper" else () for line in lines]
+    return np.array([sum(weight * speed[index[name]] for name, weight in row) for row in weights], dtype=float)
+
+
 def _speeds(model: Written, index: Mapping[str, int]) -> Floats:
-    """Solve for the speeds that are not given: no line may stretch steadily."""
-    matrix = np.zeros((len(model.lines), len(index)))
-    for row, line in enumerate(model.lines):
+    """Solve for the speeds that are not given: no line with a stiffness may stretch steadily."""
+    lines = [line for line in model.lines if line.kind != "damper"]
+    matrix = np.zeros((len(lines), len(index)))
+    for row, line in enumerate(lines):
         for name, weight in line.weights.items():
             matrix[row, index[name]] = weight
     stated = np.array([body.speed is not None for body in model.bodies])
     speed = np.array([body.speed or 0.0 for body in model.bodies])
     scale = np.linalg.norm(matrix, axis=1, keepdims=True)
     unit = matrix / scale
-    if not stated.all() and model.lines:
+    if not stated.all() and lines:
         speed[~stated] = np.linalg.lstsq(unit[:, ~stated], -unit[:, stated] @ speed[stated], rcond=1e-10)[0]
-    if stretching := _stretching(model.lines, unit, speed):
+    if stretching := _stretching(lines, unit, speed):
         raise DesignError(stretching)
     return speed
 
@@ -198,7 +206,7 @@ def _labels(model: Written, tones: _Tones) -> Labels:
 
     def unit(line: Line) -> str:
         # A shaft joins rotations with pure numbers; anything else measures along a direction.
-        angular = line.kind in ("shaft", "support") and all(units[name] == "rad" for name in line.weights)
+        angular = line.kind in ("shaft", "support", "damper") and all(units[name] == "rad" for name in line.weights)
         return "rad" if angular else "m"
 
     recorded = drive_columns(model.drives)

@@ -11,7 +11,7 @@ import numpy as np
 
 from gearwright.dynamics.model.system import NOBODY, Floats, Owner
 
-Kind = Literal["mesh", "shaft", "support", "line"]
+Kind = Literal["mesh", "shaft", "support", "damper", "line"]
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ class Line:
     weights: Mapping[str, float]
     """d: deflection per coordinate, by coordinate name [m/rad for a mesh, - for a shaft or support]."""
     stiffness: float
-    """Mean stiffness [N/m, or N m/rad if the deflection is an angle]."""
+    """Mean stiffness [N/m, or N m/rad if the deflection is an angle]; 0 for a damper, and for nothing else."""
     damping: float | DampingRatio = 0.0
     """c [N s/m or N m s/rad], or a share of the critical damping."""
     backlash: float = 0.0

@@ -113,7 +113,21 @@ class Model:
             damping: c [N m s/rad] or a `DampingRatio`.
             owner: Shaft, machine or clutch.
         """
-        self.lines.append(Line(name, {first: 1.0, second: -1.0}, stiffness, damping, kind="shaft", owner=owner))
+        self.lines.append(Line(name, _between(first, second), stiffness, damping, kind="shaft", owner=owner))
+
+    def damper(self, name: str, first: str, second: str, *, damping: float, owner: Owner = NOBODY) -> None:
+        """Add a viscous damper: its torque is c times the speed at which `first` leads, steady slip with it.
+
+        It holds nothing at rest, so that its bodies may turn at different reference speeds.
+
+        Args:
+            name: Unique name.
+            first: Rotation at one end.
+            second: Rotation at the other.
+            damping: c [N m s/rad].
+            owner: Damper.
+        """
+        self.lines.append(Line(name, _between(first, second), 0.0, damping, kind="damper", owner=owner))
 
     def support(
         self,
@@ -192,3 +206,8 @@ class Model:
             DesignError: With every problem: names, inertias, stiffness, phases, speeds that do not fit together.
         """
         return flatten(Written(self.bodies, self.lines, self.loads, self.pairs, self.profile, self.drives))
+
+
+def _between(first: str, second: str) -> dict[str, float]:
+    """Return the weights of what joins two rotations; none where they are the same one, which `build` refuses."""
+    return {first: 1.0, second: -1.0} if first != second else {first: 0.0}

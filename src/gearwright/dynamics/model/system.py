@@ -1,10 +1,11 @@
 """System: bodies, lines, tones and loads as flat arrays; names and units travel beside them.
 
     δ_j = d_j·q − e_j(φ)                     deflection of line j
-    f_j = k_j(φ) g(δ_j) + c_j δ̇_j            its force
+    f_j = k_j(φ) g(δ_j) + c_j (δ̇_j + s σ_j)  its force
     M q̈ + s G q̇ − s² C q + Σ_j d_j f_j = Q(t, q̇, x) − M Ω ṡ,   ẋ = h(t, q̇, x) of the drives
 
 q is measured from the rigid motion: θ = Ω τ + q with τ = ∫ s dt and s the speed factor (1 at the reference speeds Ω).
+σ_j = d_j·Ω is the slip of a damper in that motion, k_j = 0; what has a stiffness has none.
 A tone is an angle φ = ω τ that is an integer combination of shaft angles; k_j and e_j are Fourier sums over tones.
 """
 
@@ -108,9 +109,11 @@ class Arrays(NamedTuple):
     line_weight: Floats
     """d: deflection per coordinate [m/rad for a mesh, - for a shaft or support], shape (weights,)."""
     stiffness: Floats
-    """Mean stiffness [N/m or N m/rad], shape (lines,)."""
+    """Mean stiffness [N/m or N m/rad], shape (lines,): 0 for a damper."""
     damping: Floats
     """c [N s/m or N m s/rad], shape (lines,)."""
+    slip: Floats
+    """σ: rate of the deflection in the rigid motion at the reference speeds, of dampers [rad/s], shape (lines,)."""
     backlash: Floats
     """B [m or rad], shape (lines,): 0 is a linear line, infinity one that never touches on its back."""
     tone_rate: Floats
@@ -167,7 +170,7 @@ class Labels:
     line_units: tuple[str, ...]
     """Unit of the deflection: ``"m"`` (force in N) or ``"rad"`` (torque in N m)."""
     line_kinds: tuple[str, ...]
-    """``"mesh"``, ``"shaft"``, ``"support"`` or ``"line"``."""
+    """``"mesh"``, ``"shaft"``, ``"support"``, ``"damper"`` or ``"line"``."""
     tones: tuple[Tone, ...]
     """Which angle each tone is."""
     coordinate_owners: tuple[Owner, ...]
@@ -227,6 +230,15 @@ def line_matrix(arrays: Arrays) -> Floats:
     row = np.repeat(np.arange(lines), np.diff(arrays.line_start))
     np.add.at(matrix, (row, arrays.line_dof), arrays.line_weight)
     return matrix
+
+
+def holding(arrays: Arrays) -> NDArray[np.bool_]:
+    """Return which lines hold their bodies together, shape (lines,): all but dampers.
+
+    Args:
+        arrays: The system's numbers.
+    """
+    return np.asarray(arrays.stiffness > 0.0)
 
 
 def entry_matrix(entries: Entries, size: int) -> Floats:

@@ -171,7 +171,9 @@ def _line(line: Line, units: dict[str, str]) -> Iterator[Problem]:
             yield Problem(path, f"no such body: {name}; {near(name, units)}")
     if not any(line.weights.values()) or not all(math.isfinite(weight) for weight in line.weights.values()):
         yield Problem(path, f"weights are {dict(line.weights)}; give at least one, finite and not zero")
-    if not 0.0 < line.stiffness < math.inf:
+    if line.kind == "damper":
+        yield from _damper(path, line)
+    elif not 0.0 < line.stiffness < math.inf:
         yield Problem(path, f"stiffness is {line.stiffness:g}; it must be positive and finite")
     damping = line.damping.value if isinstance(line.damping, DampingRatio) else line.damping
     if not 0.0 <= damping < math.inf:
@@ -182,6 +184,13 @@ def _line(line: Line, units: dict[str, str]) -> Iterator[Problem]:
         yield from _phase(path, series, units)
     if line.variation is not None:
         yield from _variation(path, line.variation)
+
+
+def _damper(path: str, line: Line) -> Iterator[Problem]:
+    if line.stiffness or line.backlash or line.errors or line.variation is not None:
+        yield Problem(path, "a damper has damping only; leave out stiffness, backlash, variation and errors")
+    if not isinstance(line.damping, float | int) or line.damping == 0.0:
+        yield Problem(path, "a damper needs its damping c, positive [N m s/rad]; there is no critical one to share")
 
 
 def _variation(path: str, variation: Periodic) -> Iterator[Problem]:

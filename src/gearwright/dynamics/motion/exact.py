@@ -134,6 +134,7 @@ def _extended(arrays: Arrays) -> tuple[Floats, _Rows]:
     deflection, rate = -error, -error_rate
     deflection[:, :size] += matrix
     rate[:, size : 2 * size] += matrix
+    rate[:, 2 * size] += factor * arrays.slip
     force = arrays.stiffness[:, None] * deflection + arrays.damping[:, None] * rate
     velocity = np.eye(size, width, size)
     load = -arrays.loads.damping[:, None] * velocity

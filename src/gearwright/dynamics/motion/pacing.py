@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gearwright.dynamics.equations import line_state, statics
-from gearwright.dynamics.model import Arrays, Floats, System
+from gearwright.dynamics.model import Arrays, Floats, System, line_matrix
 from gearwright.dynamics.motion.recorder import BLOCK
 from gearwright.dynamics.motion.steppers import blank_record, stepper
 from gearwright.dynamics.motion.stepsize import Accuracy, Pace, accurate_pace, check_step, default_step, excited_step
@@ -54,13 +54,15 @@ def pace_of(system: System, method: str, step: float | Accuracy | None, state: F
 
 
 def _tolerance(system: System, state: Floats) -> float:
-    """Return the tolerance of adaptive steps: a share of the energy that loads, errors and the start hold."""
+    """Return the tolerance of adaptive steps: a share of the energy that loads, errors, slip and the start hold."""
     arrays, size = system.arrays, len(system.arrays.mass)
     position, velocity = state[:size], state[size : 2 * size]
     at_rest = statics(system, balance="accelerate").position
     states = (line_state(arrays, 0.0, where, 0.0 * where) for where in (position, at_rest))
     energy = max(float(np.sum(lines.stiffness * lines.contact**2)) for lines in states)
-    energy = 0.5 * (energy + float(np.sum(arrays.mass * velocity**2)))
+    mobility = np.sum(line_matrix(arrays) ** 2 / arrays.mass, axis=1)
+    slipping = float(np.sum((arrays.profile.factor[0] * arrays.slip) ** 2 / mobility))
+    energy = 0.5 * (energy + float(np.sum(arrays.mass * velocity**2)) + slipping)
     if not energy > 0.0:
         message = "tsit5 measures its error by the energy of loads, errors and start; there is none: use runge-kutta"
         raise DesignError([Problem("method", message)])
