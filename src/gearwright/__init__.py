@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from gearwright.dynamics.assembly import assemble
     from gearwright.errors import DesignError, SolveError
     from gearwright.render.pages.report import report
+    from gearwright.reviews import review
     from gearwright.shipped import shipped_design, shipped_designs
     from gearwright.sizing import size
     from gearwright.spec import parse, read, schema
@@ -36,6 +37,7 @@ _VERBS = {
     "parse": "spec",
     "read": "spec",
     "report": "render.pages.report",
+    "review": "reviews",
     "save": "store",
     "schema": "spec",
     "shipped_design": "shipped",
@@ -57,6 +59,7 @@ __all__ = [
     "parse",
     "read",
     "report",
+    "review",
     "save",
     "schema",
     "shipped_design",

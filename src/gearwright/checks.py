@@ -7,16 +7,31 @@ worst entry and the same verdict.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Annotated
 
+from gearwright.errors import Problem, near
 from gearwright.identity import PartId
 from gearwright.units import Quantity
 
 ROUNDING = 1e-9
 """Of a value over its limit that counts as rounding [-]."""
+NOT_ASSESSED = 6
+"""Group behind all that is assessed, in the order of `worst_first` [-]."""
+BEYOND_SIZING = (
+    "peak bending",
+    "peak contact",
+    "resonance of",
+    "pitting life",
+    "bending life",
+    "bearing life",
+    "bearing static safety",
+    "room for its bearing",
+    "charge",
+)
+"""How the modes begin that only a run or a flight judges: a sizing knows no check of them."""
 
 
 class Status(StrEnum):
@@ -134,8 +149,8 @@ def not_assessed(part: PartId, mode: str, clause: str, why: str) -> Check:
 def worst_first(checks: Iterable[Check]) -> tuple[Check, ...]:
     """Return checks in the order in which an engineer wants to read them.
 
-    What fails comes first, then what passes by its reserve, then what passes and has none, what is not assessed last;
-    waived failures stand before what passes.
+    What fails comes first, by its reserve and then, where no load moves it, by its ratio; waived failures stand before
+    what passes, in the same order; what is not assessed comes last.
 
     Args:
         checks: In any order.
@@ -153,9 +168,50 @@ def worst(checks: Iterable[Check]) -> Check | None:
     return min(assessed, key=_rank, default=None)
 
 
+def accepted(checks: Iterable[Check], waivers: Mapping[str, str]) -> tuple[Check, ...]:
+    """Return checks with the reasons for which a design accepts what fails, in the order of `worst_first`.
+
+    Args:
+        checks: In any order.
+        waivers: Name of a check -> reason.
+    """
+    return worst_first(
+        replace(check, waiver=waivers.get(check.name, "")) if check.status is Status.FAILS else check
+        for check in checks
+    )
+
+
+def unneeded(checks: Iterable[Check], waivers: Mapping[str, str]) -> tuple[str, ...]:
+    """Return the waivers of what is assessed and passes.
+
+    Args:
+        checks: Of the gearbox.
+        waivers: Name of a check -> reason.
+    """
+    assessed = {check.name: False for check in checks if check.status is not Status.NOT_ASSESSED}
+    assessed |= {check.name: True for check in checks if check.status is Status.FAILS}
+    return tuple(name for name in waivers if assessed.get(name) is False)
+
+
+def unknown_waivers(checks: Iterable[Check], waivers: Mapping[str, str], *, left: Iterable[str] = ()) -> list[Problem]:
+    """Return the waivers whose check there is not, each with the nearest.
+
+    Args:
+        checks: Of the gearbox.
+        waivers: Name of a check -> reason.
+        left: How the modes begin that somebody else judges.
+    """
+    names = sorted({check.name for check in checks})
+    return [
+        Problem(f"waivers.{name}", f"there is no such check; {near(name, names)}")
+        for name in waivers
+        if name not in names and not any(f" {mode}" in name for mode in left)
+    ]
+
+
 def _rank(check: Check) -> tuple[int, float, str, str]:
     """Return the place of a check in the list: a group, and what orders it there."""
     if check.ratio is None:
-        return 4, 0.0, str(check.part), check.mode
-    group = 0 if check.fails else 1 if check.waiver else 2 if check.reserve is not None else 3
-    return group, round(check.margin or 0.0, 9), str(check.part), check.what
+        return NOT_ASSESSED, 0.0, str(check.part), check.mode
+    group = 0 if check.fails else 2 if check.waiver else 4
+    return group + (check.reserve is None), round(check.margin or 0.0, 9), str(check.part), check.what

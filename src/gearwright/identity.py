@@ -81,6 +81,10 @@ class PartId(NamedTuple):
         return whole in (self, self._replace(number=None))
 
 
+GEARBOX = PartId(Kind.GEARBOX, "gearbox")
+"""All of it."""
+
+
 def gear_part(stage: str, role: Role, branch: str = "", *, number: int | None = None) -> PartId:
     """Return a gear.
 

@@ -78,6 +78,13 @@ def test_a_failure_without_reserve_is_worse_than_a_reserve_that_passes():
     assert worst([check(1.0, 1.0), near_resonance]) is near_resonance
 
 
+def test_a_distance_does_not_stand_among_factors_on_loads():
+    """7 % of the distance that is asked are no factor of 0.07 on the loads: the stress that fails is told first."""
+    near_resonance, weak = check(0.011, 0.15, exponent=None), check(0.97, 1.0)
+    assert worst_first([near_resonance, weak]) == (weak, near_resonance)
+    assert (near_resonance.margin, weak.margin) == (pytest.approx(0.011 / 0.15), 0.97)
+
+
 def test_a_check_is_named_by_part_and_mode_for_waivers():
     fatigue = Check(PartId(Kind.SHAFT, "mast"), "fatigue", "DIN 743", 1.2, 1.5, symbol="n_f", place="bearing 1a")
     assert fatigue.name == "mast fatigue"

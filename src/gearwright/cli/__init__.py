@@ -20,6 +20,7 @@ from gearwright.cli.ends import BROKEN_PIPE, FAILED, WRONG, ended_well
 from gearwright.cli.mission import fly
 from gearwright.cli.output import STANDARD_OUTPUT, show, tell
 from gearwright.cli.replay import colibri, replay, thesis
+from gearwright.cli.review import review
 from gearwright.cli.runs import cluster, resume, status
 from gearwright.cli.sections import Sections
 from gearwright.cli.sharing import sharing
@@ -30,7 +31,7 @@ from gearwright.cli.windows import window
 from gearwright.version import __version__
 
 COMMANDS = {
-    "Designs": (new, run, check, size, report, draw, schema),
+    "Designs": (new, run, check, size, review, report, draw, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
     "Flights": (fly, window),
     "Studies": (compare, study, status, resume, cluster),

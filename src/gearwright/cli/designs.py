@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -32,13 +34,28 @@ def sized(name: str) -> Sizing:
     Raises:
         DesignError: If the design cannot be read or sized.
     """
-    from gearwright.errors import DesignError
-    from gearwright.shipped import find_design
     from gearwright.sizing import size
-    from gearwright.spec import file_text, placed
 
     design = design_of(name)
-    try:
+    with placed_in(name):
         return size(design)
+
+
+@contextmanager
+def placed_in(name: str) -> Iterator[None]:
+    """Place what is found wrong at its line in the design's file.
+
+    Args:
+        name: Path or name of the design.
+
+    Raises:
+        DesignError: What was raised inside, with lines.
+    """
+    from gearwright.errors import DesignError
+    from gearwright.shipped import find_design
+    from gearwright.spec import file_text, placed
+
+    try:
+        yield
     except DesignError as error:
         raise DesignError(placed(error.problems, file_text(find_design(name))), name) from None

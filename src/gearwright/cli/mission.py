@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearwright.cli.designs import design_of
+from gearwright.cli.designs import sized
 from gearwright.cli.output import show, show_json, tell
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from gearwright.mission import Durability, Flight, LifeSizing
-    from gearwright.spec import Design, Mission
+    from gearwright.sizing import Sizing
+    from gearwright.spec import Mission
 
 
 def fly(
@@ -45,7 +46,7 @@ def fly(
 
     if window and report is None:
         raise DesignError([Problem("--window", "windows are drawn on the page; name its file with --report, too")])
-    flight, parts, life = _flown(design_of(design), mission, life_h=life_h)
+    flight, parts, life = flown(sized(design), mission, life_h=life_h)
     from gearwright.render.words.flight import flight_text
     from gearwright.render.words.flight_data import flight_csv, flight_json
 
@@ -57,10 +58,10 @@ def fly(
         from gearwright.mission.windows import fly_window
         from gearwright.render.pages.flight import flight_page
 
-        flown = [fly_window(flight, name) for name in _windows(flight, window or [])]
-        for dynamic in flown:
+        windows = [fly_window(flight, name) for name in _windows(flight, window or [])]
+        for dynamic in windows:
             dynamic.trace.whole()
-        write_text(report, flight_page(flight, parts, life, windows=flown))
+        write_text(report, flight_page(flight, parts, life, windows=windows))
         tell(f"wrote {report}")
     if csv is not None:
         write_text(csv, flight_csv(flight))
@@ -89,19 +90,27 @@ def mission_of(name: str) -> tuple[Mission, Path]:
     return read_mission(path), path.parent
 
 
-def _flown(design: Design, name: str, *, life_h: float | None) -> tuple[Flight, Durability, LifeSizing | None]:
-    """Return the flight of a named mission; what cannot be flown is placed at its line in the mission's file."""
+def flown(sizing: Sizing, name: str, *, life_h: float | None = None) -> tuple[Flight, Durability, LifeSizing | None]:
+    """Return the flight of a named mission; what cannot be flown is placed at its line in the mission's file.
+
+    Args:
+        sizing: Of the design.
+        name: Of the mission, or its path.
+        life_h: For which the design is strengthened, if it is [h].
+
+    Raises:
+        DesignError: If the mission cannot be read or flown.
+    """
     from gearwright.errors import DesignError
     from gearwright.mission import durability, size_for_life
     from gearwright.mission import fly as flown_by
     from gearwright.shipped import find_mission
-    from gearwright.sizing import size
     from gearwright.spec import file_text, placed
 
     mission, folder = mission_of(name)
     try:
-        life = None if life_h is None else size_for_life(design, mission, life_h, folder=folder)
-        flight = life.flight if life is not None else flown_by(size(design), mission, folder=folder)
+        life = None if life_h is None else size_for_life(sizing.design, mission, life_h, folder=folder)
+        flight = life.flight if life is not None else flown_by(sizing, mission, folder=folder)
         return flight, durability(flight), life
     except DesignError as error:
         if any(problem.path.partition(".")[0] not in type(mission).model_fields for problem in error.problems):

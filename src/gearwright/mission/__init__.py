@@ -5,6 +5,7 @@ from gearwright.mission.fly import fly
 from gearwright.mission.gearbox import Oil, gearbox_of
 from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, Series
 from gearwright.mission.lives.bearings import BearingDamage, BearingLives, bearing_lives
+from gearwright.mission.lives.checks import flight_checks
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.mission.lives.life import LifeSizing, size_for_life
 from gearwright.mission.lives.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
@@ -32,6 +33,7 @@ __all__ = [
     "bearing_lives",
     "bearing_spectra",
     "durability",
+    "flight_checks",
     "flight_series",
     "fly",
     "gear_damage",

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearwright.checks import worst_first
+from gearwright.checks import BEYOND_SIZING, accepted, unknown_waivers
 from gearwright.errors import refuse
 from gearwright.sizing.answers import refuse_no_numbers
 from gearwright.sizing.arrangement import arrange
+from gearwright.sizing.bearings import named_room
 from gearwright.sizing.machines import size_machines
 from gearwright.sizing.rating import context_of, demands_of
 from gearwright.sizing.result import Sizing
@@ -61,7 +62,9 @@ def size(design: Design) -> Sizing:
         *(check for shaft in shafts for check in shaft_checks(shaft)),
         *(check for carrier in carriers for check in carrier_checks(carrier)),
         *(check for shaft in built for check in built_checks(shaft, design)),
+        *named_room(design, gears),
     ]
+    refuse(unknown_waivers(checks, design.waivers, left=BEYOND_SIZING))
     sizing = Sizing(
         design=design,
         train=train,
@@ -76,7 +79,7 @@ def size(design: Design) -> Sizing:
         built_shafts=tuple(shaft.shaft for shaft in built),
         bearings=tuple(bearing for shaft in built for bearing in shaft.bearings),
         joints=tuple(joint for shaft in built for joint in shaft.joints),
-        checks=worst_first(checks),
+        checks=accepted(checks, design.waivers),
         given=given.values,
     )
     return refuse_no_numbers(sizing)

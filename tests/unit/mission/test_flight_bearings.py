@@ -29,7 +29,7 @@ duration_min = 60
 power_kw = 1500
 propeller_speed_rpm = 1212
 """
-OFF_SET = shipped_design("off-set").read_text(encoding="utf-8")
+OFF_SET = shipped_design("off-set").read_text(encoding="utf-8").replace('level = "concept"', "", 1)
 SEATS = """
 [service]
 bearing_life_h = 1000
@@ -194,3 +194,20 @@ def test_the_helicopters_mast_lives_on_tapers_that_take_the_rotors_thrust():
     assert {row.seat for row in bearing_lives(flight).rows} == set(sizing.design.bearings)
     upper = next(duty for seat, duty in seat_duties(flight) if seat.name == "mast-upper")
     assert upper.axial.min() > 16.8e3
+
+
+def test_a_bearing_falls_short_of_a_static_safety_as_of_a_life():
+    """What no size reaches is told, whichever it is; a life alone was looked at once."""
+    asked = STEADY.replace("life_h = 3000", "life_h = 1.5\nstatic_safety = 19")
+    lives = bearing_lives(fly(size(read(shipped_design("in-line"))), parse_mission(asked)))
+    short = [row for row in lives.rows if row.static_safety < 19.0]
+    assert short and all(row.falls_short and row.life > 1.5 for row in short)
+    assert any("comes nearest" in note.replace("\n", " ") for note in lives.notes)
+
+
+@pytest.mark.parametrize("name", ["off-set", "mixed", "in-line", "star"])
+def test_a_chosen_bearing_lives_as_long_as_is_asked_or_is_said_not_to(name):
+    """Under the flight's spectrum, not under the mean of its loads: no part of the life may be missing."""
+    lives = bearing_lives(fly(size(read(shipped_design(name))), read_mission(shipped_mission("regional-250nm"))))
+    assert all(row.life >= row.asked or row.falls_short for row in lives.rows)
+    assert sum("comes nearest" in note for note in lives.notes) == sum(row.falls_short for row in lives.rows)

@@ -4,6 +4,7 @@ Flying itself is in `mission`.
 """
 
 from gearwright.mission.lives.bearings import USUAL_RELIABILITY, BearingDamage, BearingLives, bearing_lives, seat_duties
+from gearwright.mission.lives.checks import flight_checks
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.mission.lives.life import LifeSizing, size_for_life
 from gearwright.mission.lives.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
@@ -22,6 +23,7 @@ __all__ = [
     "bearing_lives",
     "bearing_spectra",
     "durability",
+    "flight_checks",
     "gear_damage",
     "mesh_spectrum",
     "seat_duties",

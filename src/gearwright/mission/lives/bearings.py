@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple, cast
 
 import numpy as np
@@ -43,8 +43,8 @@ USUAL_RELIABILITY = 0.9
 """Of a basic rating life [-]; ISO 281."""
 _LEAST_LOAD = 1.0
 """Force below which a bearing has nothing to bear but rounding and weight [N]."""
-_SHORT = 0.05
-"""Part of the asked life that may be missing: bearings are chosen by the mean of their loads [-]."""
+_NEAR = 0.8
+"""Margin under the mean of the loads from which on a bearing may do under their spectrum [-]."""
 _ROUNDING = 1e-9
 """Axial over the largest radial force below which opposite helices cancel [-]."""
 
@@ -89,11 +89,13 @@ class BearingDamage:
     """Of the flight [h]."""
     asked: float | None
     """Flight hours for which it was chosen; None where the design names it [h]."""
+    asked_static_safety: Ratio | None = None
+    """Static safety for which it was chosen; None where the design names it [-]."""
 
     @property
     def falls_short(self) -> bool:
-        """True where no bearing that fits reaches the asked life, and this one comes nearest."""
-        return self.asked is not None and self.life < self.asked * (1.0 - _SHORT)
+        """True where no bearing that fits reaches what is asked, and this one comes nearest."""
+        return self.life < (self.asked or 0.0) or self.static_safety < (self.asked_static_safety or 0.0)
 
     @property
     def flights(self) -> float:
@@ -162,7 +164,8 @@ def bearing_lives(flight: Flight) -> BearingLives:
     missing = "no bearing is named, and the mission has no [bearings] to choose one"
     notes += [f"{', '.join(opened)}: {missing}"] if opened else []
     notes += [
-        f"{row.seat}: no bearing that fits reaches the asked life; {row.bearing.designation} comes nearest"
+        f"{row.seat}: no bearing that fits reaches the asked life and static safety; {row.bearing.designation} comes"
+        " nearest"
         for row in rows
         if row.falls_short
     ]
@@ -276,7 +279,7 @@ def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: _Named | None) -> 
 
 
 def _chosen(seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
-    """Take the lightest bearing whose life is met by the mean of the loads at the mean speed, or what comes nearest."""
+    """Take the lightest bearing that bears the spectrum, or what comes nearest under the mean of its loads."""
     kind = BearingKind(KINDS[rules.thrust_kind if duty.axial.any() else rules.kind])
     share = _pair_factor(kind, rules.side_by_side)
     radial, axial, speed = _steady(duty, kind)
@@ -289,9 +292,16 @@ def _chosen(seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamag
         limit_factor=float(np.hypot(duty.radial, duty.axial).max()) / math.hypot(radial, axial),
     )
     sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_outer=seat.room)
-    able = (size for size in sizes if min(size.life_margin, size.static_margin) >= 1.0)
-    best = next(able, max(sizes, key=lambda size: min(size.life_margin, size.static_margin))).bearing
-    return _lived(seat, duty, best, side_by_side=rules.side_by_side, reliability=rules.reliability, asked=rules.life)
+    near = (size.bearing for size in sizes if min(size.life_margin, size.static_margin) >= _NEAR)
+    able = (row for fitted in near if not (row := _asked_of(seat, duty, fitted, rules)).falls_short)
+    nearest = max(sizes, key=lambda size: min(size.life_margin, size.static_margin)).bearing
+    return next(able, None) or _asked_of(seat, duty, nearest, rules)
+
+
+def _asked_of(seat: Seat, duty: SeatDuty, fitted: Bearing, rules: BearingLifeRules) -> BearingDamage:
+    """Return the damage of a bearing with what the mission asks of it."""
+    lived = _lived(seat, duty, fitted, side_by_side=rules.side_by_side, reliability=rules.reliability)
+    return replace(lived, asked=rules.life / 3600.0, asked_static_safety=rules.static_safety)
 
 
 def _steady(duty: SeatDuty, kind: BearingKind) -> tuple[float, float, float]:
@@ -308,9 +318,7 @@ def _steady(duty: SeatDuty, kind: BearingKind) -> tuple[float, float, float]:
     return radial, axial, float(turns.sum() / duty.time.sum())
 
 
-def _lived(
-    seat: Seat, duty: SeatDuty, fitted: Bearing, *, side_by_side: int, reliability: float, asked: float | None = None
-) -> BearingDamage:
+def _lived(seat: Seat, duty: SeatDuty, fitted: Bearing, *, side_by_side: int, reliability: float) -> BearingDamage:
     """Return the damage of a bearing, for bearings side by side and a reliability."""
     flown = float(duty.time.sum())
     share = _pair_factor(fitted.kind, side_by_side)
@@ -333,7 +341,7 @@ def _lived(
         static_safety=check.static_safety,
         damage=flown / (check.life * reliability_factor(reliability)),
         hours=flown / 3600.0,
-        asked=None if asked is None else asked / 3600.0,
+        asked=None,
     )
 
 

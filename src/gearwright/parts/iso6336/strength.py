@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import Enum
 from typing import Annotated
@@ -62,6 +63,15 @@ class LifeCurve:
     """Corners N_L [-], increasing."""
     factors: tuple[float, ...]
     """Life factors there [-], decreasing."""
+
+    @property
+    def slope(self) -> float:
+        """Power p of the stress with which a limited life falls [-]: that of the first line of the curve.
+
+        >>> round(LifeCurve((1e5, 5e7), (1.6, 1.0)).slope, 1)  # flanks of case-hardened steel
+        13.2
+        """
+        return math.log(self.cycles[1] / self.cycles[0]) / math.log(self.factors[0] / self.factors[1])
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.checks import Check
-from gearwright.render.tables.tables import written
+from gearwright.render.tables.tables import Table, table, written
 from gearwright.units import Quantity, shown, unit
 
 JUST_ENOUGH = (
@@ -15,6 +15,8 @@ JUST_ENOUGH = (
     " value, of a bearing's life the root of life over limit (p = 3, rollers 10/3). What no load moves, such as room,"
     " passes or fails with its distance. Limits of stresses include the asked factor."
 )
+COLUMNS = ("part", "check", "case", "value", "limit", "unit", "margin", "source")
+"""Of a check that is assessed."""
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,10 @@ class Judged:
     """1 is just enough [-]."""
     source: str
     """Equation or clause."""
+    status: str
+    """passes, fails, waived or not assessed."""
+    why: str
+    """Why it is waived or not assessed."""
 
 
 def judged(checks: Iterable[Check]) -> tuple[Judged, ...]:
@@ -54,8 +60,26 @@ def judged(checks: Iterable[Check]) -> tuple[Judged, ...]:
             unit=unit(check.dimension),
             margin=check.margin,
             source=check.clause,
+            status="waived" if check.waiver else str(check.status),
+            why=check.waiver or check.why,
         )
         for check in checks
+    )
+
+
+def review_tables(checks: Iterable[Check]) -> tuple[Table, ...]:
+    """Return what is assessed, the worst first, what is waived, and what is not assessed, each as a table.
+
+    Args:
+        checks: Of one gearbox, in the order of `worst_first`.
+    """
+    rows = judged(checks)
+    assessed = [row for row in rows if row.margin is not None]
+    waived = [row for row in rows if row.status == "waived"]
+    return (
+        table("Checks, worst first", assessed, ("status", *COLUMNS), note=JUST_ENOUGH),
+        table("Waived by the design", waived, ("part", "check", "why")),
+        table("Not assessed", [row for row in rows if row.margin is None], ("part", "check", "why")),
     )
 
 

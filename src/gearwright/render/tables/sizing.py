@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gearwright.render.tables.checks import JUST_ENOUGH, judged
+from gearwright.render.tables.checks import COLUMNS, JUST_ENOUGH, judged
 from gearwright.render.tables.given import given_by_user, overrides_table
 from gearwright.render.tables.materials import materials_table
 from gearwright.render.tables.mounted import mounted_tables
@@ -45,9 +45,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
 
     return {
         **mounted_tables(sizing),
-        "margins": table("Margins, worst first", judged(sizing.checks),
-                         ("part", "check", "case", "value", "limit", "unit", "margin", "source"),
-                         note=JUST_ENOUGH),
+        "margins": table("Margins, worst first", judged(sizing.checks), COLUMNS, note=JUST_ENOUGH),
         "speeds": table("Speeds that yield", asked_speeds(sizing),
                         ("case", "machine", "asked", "actual", "deviation")),
         "gears": table("Gears", sizing.gears, _gear_fields(sizing), mark=mark),

@@ -43,6 +43,8 @@ NOISE = 1e-9
 """Magnitude, in the unit that is shown, below which a number is rounding."""
 SMALLEST_PLAIN = 1e-3
 """Magnitude below which a number is written with a power of ten."""
+LARGEST_PLAIN = 1e12
+"""Magnitude from which on it is so, too: a life without end, say."""
 
 
 @dataclass(frozen=True)
@@ -192,6 +194,8 @@ def written(number: float, digits: int = 4) -> str:
         return "∞"
     if number < NOISE:
         return "0"
+    if abs(number) >= LARGEST_PLAIN:
+        return f"{number:.{digits - 1}e}"
     if abs(number) >= 10 ** (digits - 1):
         return f"{number:.0f}"
     if abs(number) < SMALLEST_PLAIN:

@@ -5,14 +5,42 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from gearwright.checks import worst
+from gearwright.render.tables.checks import check_sentence
 from gearwright.sizing import Sizing
 
 if TYPE_CHECKING:
     from gearwright.dynamics import Trace
     from gearwright.dynamics.vibration import CriticalSpeed, SpeedCase
+    from gearwright.reviews import Review
 
 ROUNDING = 1e-15
 """Relative residual of an energy book below which nothing but rounding is left [-]."""
+
+
+def headline(review: Review) -> str:
+    """Return the verdict in one sentence that says no more than its worst entry.
+
+    Args:
+        review: Of a design.
+    """
+    first = review.worst
+    said = f"{review.verdict}: the worst is {check_sentence(first)}" if first else "nothing is assessed"
+    counts = {"fail": len(review.failing), "waived": len(review.waived), "not assessed": len(review.open)}
+    return f"{said}; {', '.join(f'{count} {what}' for what, count in counts.items() if count or what == 'fail')}"
+
+
+def sizing_headline(sizing: Sizing) -> str:
+    """Return the worst of what a sizing checks, and who looks at the rest.
+
+    Args:
+        sizing: As sized.
+    """
+    first, count = worst(sizing.checks), len(sizing.checks)
+    entry = check_sentence(first) if first is not None else "none is assessed"
+    failing = sum(check.fails for check in sizing.checks)
+    said = f"{failing} of {count} sizing checks fail" if failing else f"{count} sizing checks pass"
+    return f"{said}, the worst: {entry}; peaks, resonances and lives: gearwright review"
 
 
 def worst_margin(sizing: Sizing, trace: Trace | None = None) -> str:

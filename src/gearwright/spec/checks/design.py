@@ -30,7 +30,7 @@ def reference_problems(design: Design) -> list[Problem]:
     """
     checks = (
         name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, _clutches, _teeth, _layout, _cases,
-        _keep, _widths, _given, _level,
+        _keep, _widths, _given, _waivers, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]
     more = (material_problems, gear_problems, effect_problems, motion_problems, mounting_problems)
@@ -202,6 +202,12 @@ def _keep(design: Design) -> Iterator[Problem]:
 
 def _given(design: Design) -> Iterator[Problem]:
     yield from given_values(design).problems
+
+
+def _waivers(design: Design) -> Iterator[Problem]:
+    for name, reason in design.waivers.items():
+        if not reason.strip():
+            yield Problem(f"waivers.{name}", "has no reason; write why the design accepts that this check fails")
 
 
 def _level(design: Design) -> Iterator[Problem]:

@@ -74,6 +74,10 @@ class Design(Record):
     cases: dict[str, dict[str, Drive]] = Field(
         default_factory=dict, description="Load cases: what each machine does; a machine left out idles"
     )
+    waivers: dict[str, str] = Field(
+        default_factory=dict,
+        description='Checks that may fail, by name, with the reason: "helical.pinion face width" = "drawing 4711"',
+    )
     overrides: dict[str, float] = Field(
         default_factory=dict,
         description='Computed values that are given instead, by dotted path with unit: "first.module_mm" = 3;'

@@ -1,0 +1,47 @@
+"""The command ``review``: every check of a design, and of a mission that it flies.
+
+Imports that cost time stand inside the command, so that ``--help`` stays quick.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from gearwright.cli.designs import placed_in, sized
+from gearwright.cli.options import DesignArgument, JsonOption
+from gearwright.cli.output import show, show_json
+
+if TYPE_CHECKING:
+    from gearwright.reviews import Review
+
+
+def review(
+    design: DesignArgument,
+    mission: Annotated[
+        str | None, typer.Argument(help="Mission file, or the name of a shipped mission", metavar="[MISSION]")
+    ] = None,
+    json: JsonOption = False,
+) -> None:
+    """Judge a design by every check there is, worst first; a failing one ends with exit code 1."""
+    from gearwright.render.words.review import review_json, review_text
+    from gearwright.reviews import Verdict
+
+    reviewed = _reviewed(design, mission)
+    if json:
+        show_json(review_json(reviewed))
+    else:
+        show(review_text(reviewed))
+    if reviewed.verdict is Verdict.FAILS:
+        raise typer.Exit(1)
+
+
+def _reviewed(design: str, mission: str | None) -> Review:
+    from gearwright.cli.mission import flown
+    from gearwright.reviews import review_of
+
+    sizing = sized(design)
+    flight, lives, _ = flown(sizing, mission) if mission is not None else (None, None, None)
+    with placed_in(design):
+        return review_of(sizing, flight, lives)

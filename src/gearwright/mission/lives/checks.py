@@ -1,0 +1,90 @@
+"""What a flight does, held against what is asked: lives of gears and bearings, room for planets' bearings, charge."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gearwright.catalogue import rated_steel
+from gearwright.checks import Check, not_assessed
+from gearwright.identity import GEARBOX, Kind, PartId
+from gearwright.mission.flight import Flight
+from gearwright.mission.lives.bearings import BearingDamage
+from gearwright.mission.lives.damage import PITTING, GearDamage
+from gearwright.mission.lives.verdict import Durability
+from gearwright.parts.bearings import life_exponent
+from gearwright.parts.iso6336 import life_curves
+from gearwright.sizing.bearings import planet_room
+from gearwright.sizing.rating import rating_of
+from gearwright.verbs import verb
+
+HOUR = 3600.0
+"""[s]"""
+
+
+@verb
+def flight_checks(flight: Flight, lives: Durability, *, life: float | None = None) -> tuple[Check, ...]:
+    """Return every judgement of a flight, and what it leaves open.
+
+    Args:
+        flight: As flown.
+        lives: Of its gears and bearings, from `durability`.
+        life: Of gears, where another one is asked than the design's [s].
+    """
+    asked = life or flight.sizing.design.service.life
+    checks = [_gear(flight, gear, asked) for gear in lives.gears]
+    for row in lives.bearings.rows:
+        checks += [*_bearing(flight, row), *_room(flight, row)]
+    return (*checks, *_charge(flight), *_open(lives))
+
+
+def _charge(flight: Flight) -> Iterator[Check]:
+    """Yield the least charge of the battery, where there is one."""
+    if flight.has_battery and flight.mission.battery is not None:
+        least, charge = flight.mission.battery.least_charge, float(flight.history.state_of_charge.min())
+        part, clause = PartId(Kind.BATTERY, "battery"), "least_charge of the mission"
+        yield Check(part, "charge", clause, charge, least, exponent=None)
+
+
+def _gear(flight: Flight, gear: GearDamage, asked: float) -> Check:
+    """Return a gear's life; safeties against stresses count as they are, so its root is that of the S-N curve."""
+    part = flight.sizing.train.gear(gear.gear).part
+    rating = rating_of(flight.sizing.design, part.name)
+    asks = flight.mission.gears if rating.rules.rating == "lewis-hertz" else rating.rules.iso6336
+    steel = rated_steel(rating.material, asks.steel, asks.grade, hardness=asks.hardness_hv)
+    curve = life_curves(steel)[0 if gear.mode == PITTING else 1]
+    mode, clause = f"{gear.mode} life", "Miner, ISO 6336-6"
+    return Check(part, mode, clause, gear.life * HOUR, asked, "life", exponent=curve.slope)
+
+
+def _bearing(flight: Flight, row: BearingDamage) -> Iterator[Check]:
+    """Yield life and static safety, against what chose the bearing, or what the design asks of one that it names."""
+    service = flight.sizing.design.service
+    sized = next((sized for sized in flight.sizing.bearings if sized.name == row.seat), None)
+    life = service.bearing_life if sized is None else sized.wanted_life
+    static = service.static_safety if sized is None else sized.wanted_static_safety
+    life = life if row.asked is None else row.asked * HOUR
+    static = static if row.asked_static_safety is None else row.asked_static_safety
+    part, place, exponent = PartId(Kind.BEARING, row.seat), row.bearing.designation, life_exponent(row.bearing.kind)
+    yield Check(
+        part, "bearing life", "ISO 281:2007, Miner", row.life * HOUR, life, "life",
+        exponent=exponent, symbol="L_10h", place=place,
+    )  # fmt: skip
+    yield Check(part, "bearing static safety", "ISO 76:2006", row.static_safety, static, symbol="s_0", place=place)
+
+
+def _room(flight: Flight, row: BearingDamage) -> Iterator[Check]:
+    """Yield whether a bearing that was chosen for a planet has room in it; sizing has judged those with a name."""
+    planet = next((gear for gear in flight.sizing.gears if gear.name == row.seat), None)
+    if planet is not None and row.asked is not None:
+        yield planet_room(planet, row.bearing, row.count // planet.bodies)
+
+
+def _open(lives: Durability) -> Iterator[Check]:
+    """Yield what of gears, bearings and oil a flight does not rate."""
+    why = "nothing limits it: flow and cooler are taken as large as the heat asks"
+    yield not_assessed(GEARBOX, "oil temperature", "heat balance", why)
+    for note in lives.notes[: len(lives.notes) - len(lives.bearings.notes)]:
+        yield not_assessed(GEARBOX, "gear lives", "Miner, ISO 6336-6", note)
+    for seat in lives.bearings.unrated:
+        why = "no bearing is named that can be rated, and none could be chosen: [bearings] of the design or the mission"
+        yield not_assessed(PartId(Kind.BEARING, seat), "bearing life", "ISO 281:2007", why)

@@ -1,0 +1,87 @@
+"""What shakes a sized gearbox: peaks of a short run at the loads of every case, and resonances near its speeds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gearwright.checks import Check, not_assessed
+from gearwright.dynamics import Outputs, simulate
+from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.vibration import RESONANCE, CriticalSpeed, DynamicLoad, critical_speeds, dynamic_loads
+from gearwright.errors import GearwrightError
+from gearwright.identity import GEARBOX, PartId
+from gearwright.sizing import Sizing
+
+DURATION = 0.2
+"""Of the run whose peaks are looked at [s]: that of ``gearwright run``."""
+START = 0.25
+"""Share of it that is left to the start [-]."""
+
+
+def motion_checks(sizing: Sizing) -> Iterator[Check]:
+    """Yield every mesh at the worst peak of all cases, and of every order that excites one the nearest resonance.
+
+    Args:
+        sizing: As sized.
+    """
+    peaks: dict[tuple[PartId, str], Check] = {}
+    for case in sizing.flows:
+        try:
+            checks = [*_peaks(sizing, case)]
+        except GearwrightError as error:  # the design is good without a run of this case; say why there is none
+            yield not_assessed(GEARBOX, f"peaks in case {case}", "run", " ".join(str(error).split()))
+            continue
+        for check in checks:
+            known = peaks.get((check.part, check.mode))
+            if known is None or (check.margin or 0.0) < (known.margin or 0.0):
+                peaks[check.part, check.mode] = check
+    yield from peaks.values()
+    yield from _resonances(sizing)
+
+
+def _peaks(sizing: Sizing, case: str) -> Iterator[Check]:
+    """Yield what the peaks of a run leave of the margins of every mesh."""
+    trace = simulate(assemble(sizing, case), DURATION, outputs=Outputs(start=START * DURATION))
+    parts = {mesh.name: mesh.part for mesh in sizing.meshes}
+    for load in dynamic_loads(sizing, trace):
+        yield _peak(parts[load.mesh], "peak bending", load, load.bending_margin, 1.0, case)
+        yield _peak(parts[load.mesh], "peak contact", load, load.contact_margin, 2.0, case)
+
+
+def _peak(part: PartId, mode: str, load: DynamicLoad, margin: float, power: float, case: str) -> Check:
+    """Return the peak force beside the one that leaves just enough; contact stress grows with the root of the force."""
+    allowed, clause = load.peak_force * margin**power, f"run of {DURATION:g} s"
+    return Check(part, mode, clause, load.peak_force, allowed, "force", at_most=True, exponent=power, case=case)
+
+
+def _resonances(sizing: Sizing) -> Iterator[Check]:
+    """Yield for every excited order its critical speed nearest to the operating speed."""
+    nearest: dict[tuple[str, str], CriticalSpeed] = {}
+    try:
+        cases = critical_speeds(sizing)
+    except GearwrightError as error:
+        yield not_assessed(GEARBOX, "resonances", "ISO 6336-1, clause 6", " ".join(str(error).split()))
+        return
+    for speeds in cases:
+        for critical in speeds.critical:
+            if critical.excited:
+                known = nearest.get((critical.order, speeds.cases))
+                if known is None or abs(_distance(critical)) < abs(_distance(known)):
+                    nearest[critical.order, speeds.cases] = critical
+    for (order, names), critical in nearest.items():
+        yield _resonance(order, names, critical)
+
+
+def _distance(critical: CriticalSpeed) -> float:
+    """Return the operating speed over the critical one, less 1 [-]."""
+    return 1.0 / (1.0 + critical.margin) - 1.0
+
+
+def _resonance(order: str, names: str, critical: CriticalSpeed) -> Check:
+    distance = _distance(critical)
+    limit = 1.0 - RESONANCE[0] if distance < 0.0 else RESONANCE[1] - 1.0
+    mode = f"resonance of {order.replace('×', 'x')}"  # what a waiver calls it is typed on any keyboard
+    return Check(
+        GEARBOX, mode, "ISO 6336-1:2006, clause 6: N < 0.85 or > 1.15", abs(distance), limit,
+        "percent", exponent=None, place=f"mode {critical.mode}", case=names,
+    )  # fmt: skip

@@ -1,0 +1,46 @@
+"""What nobody assesses of a design, and why: a verdict reaches as far as what was looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gearwright.checks import Check, not_assessed
+from gearwright.identity import GEARBOX, Kind, PartId
+from gearwright.sizing import Sizing
+
+_LIVES = "no mission is given; gearwright review DESIGN MISSION flies one"
+
+
+def open_checks(sizing: Sizing, *, flown: bool) -> Iterator[Check]:
+    """Yield what neither sizing nor motion nor a flight looks at.
+
+    Args:
+        sizing: As sized.
+        flown: True where a mission is flown.
+    """
+    if not flown:
+        yield not_assessed(GEARBOX, "lives of gears and bearings, heat, charge", "mission", _LIVES)
+    built = {shaft.name for shaft in sizing.built_shafts}
+    for shaft in sizing.shafts:
+        if shaft.name not in built:
+            why = "the design gives it no [bearings]: no steps, bearings, joints, slopes, bending modes"
+            yield not_assessed(PartId(Kind.SHAFT, shaft.name), "bearings and joints", "ISO 281, ISO 76", why)
+    for stage in sizing.design.stages:
+        yield from _teeth(sizing, stage)
+    why = "housing, seals, oil system and what heat does to clearances are not modelled"
+    yield not_assessed(GEARBOX, "housing", "", why)
+
+
+def _teeth(sizing: Sizing, stage: str) -> Iterator[Check]:
+    """Yield what is left open of the teeth of a stage."""
+    part, pair = PartId(Kind.STAGE, stage), sizing.design.pairs.get(stage)
+    meshes = [mesh for mesh in sizing.meshes if mesh.stage == stage]
+    parts = {mesh.part for mesh in meshes}
+    scuffing = any(check.mode == "scuffing" for check in sizing.checks if check.part in parts)
+    if pair is not None and pair.kind == "face":
+        yield not_assessed(part, "rating of face gears", "", "no standard rates them; Lewis and Hertz stand in")
+    elif not any(mesh.rating for mesh in meshes):
+        why = 'Lewis and Hertz know static strength only; rating = "iso6336" knows life, scuffing, what can be cut'
+        yield not_assessed(part, "tooth fatigue and scuffing", "ISO 6336", why)
+    elif not scuffing:
+        yield not_assessed(part, "scuffing", "ISO/TS 6336-21", "the method covers external cylindrical pairs only")

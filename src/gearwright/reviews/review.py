@@ -1,0 +1,128 @@
+"""The verb: a design, and perhaps a mission, become one list of checks, worst first, and one verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path
+
+from gearwright.checks import BEYOND_SIZING, Check, Status, accepted, unknown_waivers, unneeded, worst
+from gearwright.errors import refuse
+from gearwright.mission import Durability, Flight, durability, flight_checks, fly
+from gearwright.reviews.motion import motion_checks
+from gearwright.reviews.open import open_checks
+from gearwright.sizing import Named, Sizing, size, total_results
+from gearwright.spec import Design, Mission
+from gearwright.verbs import verb
+
+
+class Verdict(StrEnum):
+    """What a review says of a design as a whole."""
+
+    FAILS = "fails"
+    PASSES_SO_FAR = "passes as far as assessed"
+    PASSES = "passes"
+
+
+@dataclass(frozen=True)
+class Review:
+    """Every check of a design, worst first."""
+
+    design: str
+    """Its name."""
+    mission: str
+    """Name of the mission that was flown; empty without one."""
+    checks: tuple[Check, ...]
+    """Worst first; what is not assessed comes last."""
+    facts: Mapping[str, Named]
+    """What the design amounts to, by name: ``mass``, ``power_density`` …"""
+    unneeded: tuple[str, ...] = ()
+    """Waivers of what passes."""
+
+    @property
+    def worst(self) -> Check | None:
+        """The entry that every page shows; None where nothing is assessed."""
+        return worst(self.checks)
+
+    @property
+    def failing(self) -> tuple[Check, ...]:
+        """What fails and is not waived, worst first."""
+        return tuple(check for check in self.checks if check.fails)
+
+    @property
+    def waived(self) -> tuple[Check, ...]:
+        """What fails and is accepted, with the reason."""
+        return tuple(check for check in self.checks if check.waiver)
+
+    @property
+    def open(self) -> tuple[Check, ...]:
+        """What is not assessed, with the reason."""
+        return tuple(check for check in self.checks if check.status is Status.NOT_ASSESSED)
+
+    @property
+    def verdict(self) -> Verdict:
+        """One word for all of it."""
+        if self.failing:
+            return Verdict.FAILS
+        return Verdict.PASSES_SO_FAR if self.open else Verdict.PASSES
+
+
+@verb
+def review(design: Design, mission: Mission | None = None, *, folder: Path | None = None) -> Review:
+    """Return every check of a design: of its sizing, of its motion in every case, and of a flight if one is given.
+
+    Args:
+        design: As `gearwright.read` gives it.
+        mission: What it flies; left out: lives under a mission are not assessed.
+        folder: Where a propeller map is looked for that is a file.
+
+    Raises:
+        DesignError: If the design cannot be sized, the mission cannot be flown by it, or a waiver names no check.
+    """
+    sizing = size(design)
+    if mission is None:
+        return review_of(sizing)
+    flight = fly(sizing, mission, folder=folder)
+    return review_of(sizing, flight, durability(flight))
+
+
+@verb
+def review_of(
+    sizing: Sizing, flight: Flight | None = None, lives: Durability | None = None, *, life: float | None = None
+) -> Review:
+    """Return the review of what is sized already, and perhaps flown.
+
+    Args:
+        sizing: As sized.
+        flight: Of it.
+        lives: Of the flight.
+        life: Of gears, where another one is asked than the design's [s].
+
+    Raises:
+        DesignError: If a waiver names no check.
+    """
+    design = sizing.design
+    checks = [*sizing.checks, *motion_checks(sizing)]
+    if flight is not None:
+        checks += flight_checks(flight, lives or durability(flight), life=life)
+    checks += open_checks(sizing, flown=flight is not None)
+    refuse(unknown_waivers(checks, design.waivers, left=BEYOND_SIZING if flight is None else ()))
+    return Review(
+        design=design.name,
+        mission=flight.mission.name if flight is not None else "",
+        checks=accepted(checks, design.waivers),
+        facts=total_results(sizing) | _flown(flight),
+        unneeded=unneeded(checks, design.waivers),
+    )
+
+
+def _flown(flight: Flight | None) -> dict[str, Named]:
+    """Return what a flight amounts to, by name."""
+    if flight is None:
+        return {}
+    return {
+        "fuel": Named(flight.fuel, "mass"),
+        "battery_energy": Named(flight.balance.battery, "electric_energy"),
+        "hottest_oil": Named(flight.hottest_oil, "absolute_temperature"),
+    }
