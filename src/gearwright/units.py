@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from types import MappingProxyType, UnionType
 from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin, get_type_hints
 
@@ -125,6 +126,14 @@ class Origin:
     """Author, year, equation or clause."""
 
 
+@dataclass(frozen=True)
+class OriginOf:
+    """Marks a field whose value another record made: its origin is that of the field of the same name there."""
+
+    field: str
+    """Field that holds that record."""
+
+
 Angle = Annotated[float, Quantity("angle")]
 Area = Annotated[float, Quantity("area")]
 Density = Annotated[float, Quantity("density")]
@@ -206,6 +215,8 @@ class Marks(NamedTuple):
     """Key of the units; empty for words and counts."""
     origin: Origin | None
     """Equation and source of a computed field."""
+    made_in: str = ""
+    """Field that holds the record whose field of the same name has the origin."""
 
 
 def marks_in(hint: Any) -> Marks:
@@ -217,7 +228,8 @@ def marks_in(hint: Any) -> Marks:
     inside = get_args(hint) if get_origin(hint) in (Union, UnionType) else ()
     marks = [mark for part in (hint, *inside) for mark in getattr(part, "__metadata__", ())]
     dimension = next((mark.dimension for mark in marks if isinstance(mark, Quantity)), "")
-    return Marks(dimension, next((mark for mark in marks if isinstance(mark, Origin)), None))
+    origin = next((mark for mark in marks if isinstance(mark, Origin)), None)
+    return Marks(dimension, origin, next((mark.field for mark in marks if isinstance(mark, OriginOf)), ""))
 
 
 def marks_of(record: type) -> dict[str, Marks]:
@@ -227,3 +239,32 @@ def marks_of(record: type) -> dict[str, Marks]:
         record: Its class.
     """
     return {name: marks_in(hint) for name, hint in get_type_hints(record, include_extras=True).items()}
+
+
+def marks_at(record: type, name: str) -> Marks:
+    """Return the marks of a field or property of a record.
+
+    Args:
+        record: Its class.
+        name: Of the field or property.
+    """
+    entry = getattr(record, name, None)
+    made = entry.fget if isinstance(entry, property) else getattr(entry, "func", None)
+    return marks_in(_hints(record)[name] if made is None else _hints(made)["return"])
+
+
+@cache
+def _hints(described: Any) -> Mapping[str, Any]:
+    """Return the annotations of a class or a function."""
+    return get_type_hints(described, include_extras=True)
+
+
+def origin_of(record: object, name: str) -> Origin | None:
+    """Return where a value of a record comes from: by the mark of its field, or by the record that made it.
+
+    Args:
+        record: A dataclass.
+        name: Of its field or property.
+    """
+    marks = marks_at(type(record), name)
+    return origin_of(getattr(record, marks.made_in), name) if marks.made_in else marks.origin

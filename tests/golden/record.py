@@ -9,6 +9,7 @@ import json
 import math
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
+from enum import Enum
 from pathlib import Path
 from typing import Any
 
@@ -27,8 +28,8 @@ PARTS = ("gears", "meshes", "shafts", "carriers", "machines", "built_shafts", "b
 
 
 def numbers(value: Any, path: str = "") -> dict[str, float]:
-    """Return every number inside records, mappings and named rows by its dotted path; truth values are left out."""
-    if isinstance(value, bool) or value is None or isinstance(value, str):
+    """Return every number inside records, mappings and named rows by its dotted path; no words, no truth values."""
+    if value is None or isinstance(value, bool | str | Enum):
         return {}
     if isinstance(value, int | float):
         return {path: value} if math.isfinite(value) else {}

@@ -14,13 +14,13 @@ from gearwright.sizing.answers import (
     total_results,
 )
 from gearwright.sizing.arranged import Arrangement, ShaftPlan
+from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
 from gearwright.sizing.pair_data import BevelPairData, CylindricalPairData, pair_data
 from gearwright.sizing.result import (
     CarrierSizing,
     GearSizing,
     MachineSizing,
-    MeshSizing,
     ShaftDiagram,
     ShaftSizing,
     Sizing,

@@ -8,8 +8,9 @@ from typing import Annotated
 from gearwright.identity import Role
 from gearwright.parts.gears import BasicRack, CylindricalGear, span_measurement, spanned_teeth
 from gearwright.parts.iso6336 import MeshGeometry
+from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.rating import bevel_pair, cylindrical_mesh, rating_of
-from gearwright.sizing.result import GearSizing, MeshSizing, Sizing
+from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.units import Origin, Quantity
 
 _ISO = "ISO 21771:2007"

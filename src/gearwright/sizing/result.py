@@ -9,15 +9,26 @@ from functools import cached_property
 from typing import Annotated
 
 from gearwright.checks import Check, worst
-from gearwright.identity import PartId, Role, Row, carrier_part, gear_part, mesh_part
+from gearwright.identity import PartId, Role, carrier_part, gear_part
 from gearwright.parts.bearings import system_life, weibull_slope
 from gearwright.sizing.arranged import Arrangement
+from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
-from gearwright.sizing.rating import MeshRating
 from gearwright.spec import Design
 from gearwright.spec.design import Given
 from gearwright.train import PowerFlow, Train
-from gearwright.units import Force, Inertia, Length, Mass, Number, Origin, Power, Quantity, Ratio, Speed, Torque
+from gearwright.units import (
+    Force,
+    Inertia,
+    Length,
+    Mass,
+    Number,
+    Origin,
+    Power,
+    Quantity,
+    Speed,
+    Torque,
+)
 
 _THESIS = "Pulvirenti 2023"
 
@@ -36,11 +47,15 @@ class GearSizing:
     """Number of equal bodies."""
     teeth: int
     """Tooth number z."""
-    module: Annotated[float, Quantity("length"), Origin("m_n = max(bending, contact)", f"{_THESIS}, eqs 2.1, 2.2")]
+    module: Annotated[
+        float, Quantity("length"), Origin("m_n ≥ max(bending, contact) of its stage's meshes", "rating of the meshes")
+    ]
     """Normal module m_n [m]."""
     helix_angle: Annotated[float, Quantity("angle"), Origin("β", "design")]
     """Helix angle on the pitch cylinder [rad]."""
-    face_width: Annotated[float, Quantity("length"), Origin("b = λ m_n", f"{_THESIS}, eq. 2.3")]
+    face_width: Annotated[
+        float, Quantity("length"), Origin("b = λ m_n, or the least that serves", "rating of the meshes")
+    ]
     """Face width of one body [m]."""
     pitch_diameter: Annotated[float, Quantity("length"), Origin("d = m_n z / cos β", "ISO 21771:2007")]
     """Pitch diameter [m]."""
@@ -70,67 +85,6 @@ class GearSizing:
             shaft: That carries the body.
         """
         return self.part if len(self.shafts) == 1 else gear_part(self.stage, self.role, shaft)
-
-
-@dataclass(frozen=True)
-class MeshSizing:
-    """One row of equal meshes at its worst case."""
-
-    stage: str
-    """Pair or planetary set that it belongs to."""
-    row: Row
-    """Which meshes of the stage it holds."""
-    gears: tuple[str, str]
-    """Names of the two gears."""
-    count: int
-    """Number of equal meshes."""
-    case: str
-    """Load case that governs."""
-    load_factor: Ratio
-    """Mesh load factor K_γ [-]."""
-    tangential_force: Annotated[float, Quantity("force"), Origin("F_t = 2 T K_γ / (N d)", f"{_THESIS}, eq. 2.9")]
-    """Tangential force of one mesh [N]."""
-    radial_force: Annotated[float, Quantity("force"), Origin("F_r = F_t tan α_n / cos β", "ISO 21771:2007")]
-    """Radial force of one mesh [N]; of a bevel mesh on its pinion."""
-    axial_force: Annotated[float, Quantity("force"), Origin("F_a = F_t tan β", "ISO 21771:2007")]
-    """Axial force of one mesh [N]; balanced inside a double-helical gear; of a bevel mesh on its pinion."""
-    pitch_line_velocity: Annotated[float, Quantity("velocity"), Origin("v = (ω − ω_c) d/2", "kinematics")]
-    """Pitch-line velocity relative to the carrier [m/s]."""
-    module_bending: Annotated[
-        float, Quantity("length"), Origin("m_n³ = 2 (T/z) Y cos β / (λ σ)", f"{_THESIS}, eq. 2.1, cube root")
-    ]
-    """Module that bending asks for [m]."""
-    module_contact: Annotated[float, Quantity("length"), Origin("from σ_H = 2.5 HB / S", f"{_THESIS}, eq. 2.2, 0.418")]
-    """Module that contact asks for [m]."""
-    bending_stress: Annotated[float, Quantity("stress"), Origin("σ = F_t / (b m_n Y_L)", "Lewis 1892")]
-    """Lewis bending stress of the weaker gear [Pa]."""
-    bending_margin: Annotated[
-        float, Quantity("ratio"), Origin("R_p0.2 / σ over the asked factor", f"{_THESIS}, eq. 2.1")
-    ]
-    """Allowable over actual bending stress [-]; 1 is just enough."""
-    contact_stress: Annotated[
-        float, Quantity("stress"), Origin("σ_H = 0.418 √(F_t E Σ(1/r) cos β / (b cos α sin α))", f"{_THESIS}, eq. 2.2")
-    ]
-    """Hertz pressure at the pitch point [Pa]."""
-    contact_margin: Annotated[
-        float, Quantity("ratio"), Origin("2.5 HB / σ_H over the asked factor", f"{_THESIS}, eq. 2.2")
-    ]
-    """Allowable over actual contact pressure [-]; 1 is just enough."""
-    rating: MeshRating | None = None
-    """By ISO 6336 or ISO 10300, whose stresses and safeties then stand above; None for Lewis and Hertz."""
-
-    branch: str = ""
-    """Shaft that tells it from the other rows of a pair; empty where the pair has one."""
-
-    @cached_property
-    def part(self) -> PartId:
-        """Who it is."""
-        return mesh_part(self.stage, self.row, self.branch)
-
-    @cached_property
-    def name(self) -> str:
-        """Its label, such as ``first.sun-planet``."""
-        return str(self.part)
 
 
 @dataclass(frozen=True)

@@ -26,9 +26,11 @@ class StageSummary:
     """Meshes that share the torque of its first gear."""
     torque: Annotated[float, Quantity("torque"), Origin("T K_γ / N at its worst case", "power flow")]
     """On pinion or sun, of one mesh [N m]."""
-    module: Annotated[float, Quantity("length"), Origin("m_n = max(bending, contact)", "Pulvirenti 2023, eqs 2.1, 2.2")]
+    module: Annotated[float, Quantity("length"), Origin("m_n ≥ max(bending, contact)", "rating of its meshes")]
     """[m]"""
-    face_width: Annotated[float, Quantity("length"), Origin("b = λ m_n", "Pulvirenti 2023, eq. 2.3")]
+    face_width: Annotated[
+        float, Quantity("length"), Origin("b = λ m_n, or the least that serves", "rating of its meshes")
+    ]
     """[m]"""
     mass: Annotated[float, Quantity("mass"), Origin("its gears", "geometry")]
     """[kg]"""

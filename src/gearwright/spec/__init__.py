@@ -1,7 +1,7 @@
 """What users write: the design file, its types, its reader and its JSON Schema."""
 
 from gearwright.spec.axis import MOST_VALUES, Axis, axis_values, value_at
-from gearwright.spec.bounds import LONGEST_NAME, Range, is_name, quantity_of, range_of
+from gearwright.spec.bounds import LONGEST_NAME, OneOf, Range, is_name, quantity_of, range_of
 from gearwright.spec.design import (
     GROUND,
     Clutch,
@@ -61,6 +61,7 @@ __all__ = [
     "GovernorRules",
     "Mission",
     "Motor",
+    "OneOf",
     "Pair",
     "Phase",
     "Planetary",

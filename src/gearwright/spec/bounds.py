@@ -12,9 +12,9 @@ from functools import cache
 from types import MappingProxyType, UnionType
 from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin
 
-from pydantic import AfterValidator, BaseModel
+from pydantic import AfterValidator, BaseModel, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.fields import FieldInfo
-from pydantic_core import PydanticCustomError
+from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from gearwright.errors import excerpt
 from gearwright.units import SUFFIXES, Quantity
@@ -214,6 +214,29 @@ def a_name(name: str) -> str:
 
 Name = Annotated[str, AfterValidator(a_name)]
 """Type of what is called by a name."""
+
+
+@dataclass(frozen=True, eq=False)
+class OneOf:
+    """Marks a text that is a key of a table, as a ``Literal`` would with the keys written once more."""
+
+    table: Mapping[str, object]
+    """What may be named."""
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Refuse what the table does not have."""
+        return core_schema.no_info_after_validator_function(self._of_table, handler(source))
+
+    def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        """Return what JSON Schema says of it."""
+        return {**handler(core), "enum": list(self.table)}
+
+    def _of_table(self, name: str) -> str:
+        if name not in self.table:
+            *most, last = map(repr, self.table)
+            expected = f"{', '.join(most)} or {last}"
+            raise PydanticCustomError("literal_error", "Input should be {expected}", {"expected": expected})
+        return name
 
 
 def _refuse_beyond(value: float, allowed: Allowed) -> None:

@@ -23,12 +23,12 @@ class DynamicLoad:
     peak_force: Annotated[float, Quantity("force"), Origin("F_t = F cos α_t", "run")]
     """Largest tangential force of one mesh [N]."""
     rated_force: Annotated[
-        float, Quantity("force"), Origin("F_t of the worst case, times K_A K_V where rated", "sizing")
+        float, Quantity("force"), Origin("F_t of the worst case, times the factors for peaks in its rating", "sizing")
     ]
     """Tangential force that the mesh is sized for [N]."""
-    bending_margin: Annotated[float, Quantity("ratio"), Origin("margin · F_t / F_t,max", "Lewis")]
+    bending_margin: Annotated[float, Quantity("ratio"), Origin("margin · F_t / F_t,max", "root stress ∝ force")]
     """Bending margin at the peak [-]."""
-    contact_margin: Annotated[float, Quantity("ratio"), Origin("margin · √(F_t / F_t,max)", "Hertz")]
+    contact_margin: Annotated[float, Quantity("ratio"), Origin("margin · √(F_t / F_t,max)", "flank stress ∝ √force")]
     """Contact margin at the peak [-]."""
 
 
@@ -56,7 +56,7 @@ def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:
     statistics = [trace.force.of(name) for name in lines]
     peak = max(max(abs(float(line["most"].max())), abs(float(line["least"].min()))) for line in statistics)
     mean = max(abs(float(line["mean"].mean())) for line in statistics)
-    force, sized_for = peak * math.cos(transverse) / together, _sized_for(mesh)
+    force, sized_for = peak * math.cos(transverse) / together, mesh.tangential_force * mesh.rating.peaks
     return DynamicLoad(
         mesh=mesh.name,
         peak_over_mean=peak / mean if mean else math.inf,
@@ -65,11 +65,3 @@ def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:
         bending_margin=mesh.bending_margin * sized_for / force,
         contact_margin=mesh.contact_margin * math.sqrt(sized_for / force),
     )
-
-
-def _sized_for(mesh: MeshSizing) -> float:
-    """Return the tangential force of one mesh with the factors for load peaks that its rating has in it [N]."""
-    if mesh.rating is None:
-        return mesh.tangential_force
-    loads = mesh.rating.factors.loads
-    return mesh.tangential_force * float(loads.application) * float(loads.dynamic)

@@ -9,9 +9,10 @@ from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.mission.flight import Flight
 from gearwright.mission.fly import fly
 from gearwright.mission.lives.bearings import BearingLives, bearing_lives
-from gearwright.mission.lives.damage import BENDING, GearDamage, gear_damage, unrated_stages
+from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.sizing import Sizing, size
-from gearwright.spec import Design, GearRules, Mission
+from gearwright.sizing.rating import method_for, rating_of
+from gearwright.spec import Design, GearRules, Mission, Record
 from gearwright.units import Mass
 from gearwright.verbs import verb
 
@@ -68,7 +69,7 @@ def size_for_life(design: Design, mission: Mission, hours: float, *, folder: Pat
         hours: Life that is asked for, of flight hours [h].
         folder: Where a propeller map is looked for that is a file.
 
-    Source: ISO 6336-6:2019, clause 5, Miner's sum 1 at the end of the life.
+    Source: Miner 1945, sum 1 at the end of the life, by the method of each stage as in `gear_damage`.
 
     Raises:
         SolveError: No strengthening reaches the life.
@@ -112,10 +113,17 @@ def strengthened(design: Design, worst: GearDamage) -> Design:
         worst: The gear that fails first.
     """
     stage = worst.gear.partition(".")[0]
-    name = "bending_safety" if worst.mode == BENDING else "contact_safety"
-    rules = design.stages[stage].gears or GearRules()
-    stronger = rules.model_copy(update={name: getattr(design.rules(stage), name) * STRENGTHENING})
+    path = method_for(rating_of(design, stage)).safeties[worst.mode]
+    stronger = _raised(design.stages[stage].gears or GearRules(), design.rules(stage), path)
     table = "pairs" if stage in design.pairs else "planetaries"
     stages = dict(getattr(design, table))
     stages[stage] = stages[stage].model_copy(update={"gears": stronger})
     return design.model_copy(update={table: stages})
+
+
+def _raised(own: Record, rules: Record, path: tuple[str, ...]) -> Record:
+    """Return a stage's own rules with a safety factor above the one that holds for it."""
+    name, *rest = path
+    held = getattr(rules, name)
+    raised = _raised(getattr(own, name), held, tuple(rest)) if rest else held * STRENGTHENING
+    return own.model_copy(update={name: raised})

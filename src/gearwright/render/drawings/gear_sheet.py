@@ -30,6 +30,7 @@ from gearwright.render.drawings.views.teeth import (
     halves_of,
     is_internal,
     kind_of,
+    making_of,
     meshes_of,
 )
 from gearwright.render.drawings.views.tooth_data import cones, tooth_grid
@@ -132,9 +133,9 @@ def _width(axis: Axis, span: tuple[float, float], radius: float) -> Distance:
 
 def _flank(sizing: Sizing, gear: GearSizing, pitch_point: complex) -> Iterator[Entity]:
     """Yield the texture of the flanks on the pitch line, where the rules of the stage give it."""
-    rules = sizing.design.rules(gear.stage)
-    if rules.rating == "iso6336":
-        yield from texture(pitch_point + 4.0, f"Rz {1e6 * rules.iso6336.flank_roughness:g}")
+    roughness = making_of(sizing, gear.stage).roughness
+    if roughness is not None:
+        yield from texture(pitch_point + 4.0, f"Rz {1e6 * roughness[0]:g}")
         yield Path((pitch_point, pitch_point + 6.0), Layer.SYMBOL)
 
 

@@ -96,7 +96,7 @@ def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
     mass = _figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
     yield _chapter("Gears", tables, "gears")
     yield _chapter("Meshes: forces, stresses and margins", tables, "meshes", "rating", figures=(margins,))
-    factors = factor_tables(sizing)
+    factors = tuple(factor_tables(sizing).values())
     if factors:
         yield Section("Rating of the gears", tables=factors)
     caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."

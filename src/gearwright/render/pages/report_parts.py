@@ -11,6 +11,9 @@ from gearwright.render.tables.checks import check_sentence
 from gearwright.render.tables.tables import Table
 from gearwright.render.words.headline import resonances, worst_margin
 from gearwright.sizing import Sizing, asked_speeds
+from gearwright.sizing.rating import method_for, rating_of
+from gearwright.spec import Design
+from gearwright.spec.design import RATINGS
 from gearwright.train import recirculation
 from gearwright.units import text
 
@@ -133,14 +136,13 @@ def assumptions(sizing: Sizing) -> tuple[str, ...]:
         sizing: As sized.
     """
     design = sizing.design
-    rules = [design.rules(stage) for stage in design.stages]
     sentences = ["Mass counts gears, shafts and carriers; not housing, bearings, oil system, accessories, motors."]
     if all(flow.loss <= 1e-9 * max(map(abs, flow.machine_powers.values())) for flow in sizing.flows.values()):
         sentences.append("Power flow without losses in the meshes.")
     if all(mesh.load_factor == 1.0 for mesh in sizing.meshes):
         sentences.append("Parallel meshes share the load equally: K_γ = 1.")
-    sentences.append("Gears are sized without application and dynamic factor (K_A = K_v = 1); see the peaks of a run.")
-    if any(rule.idler_factor == 1.0 for rule in rules) and design.planetaries:
+    sentences += _nominal(design)
+    if any(_keeps_idlers(design, stage) for stage in design.planetaries):
         sentences.append("Planets, loaded on both flanks, keep the full bending allowable; ISO 6336-3 takes 0.7 of it.")
     if all(shaft.bending_moment == 0.0 for shaft in sizing.shafts):
         sentences.append("Shafts carry torsion alone.")
@@ -154,6 +156,21 @@ def assumptions(sizing: Sizing) -> tuple[str, ...]:
     return tuple(sentences)
 
 
+def _nominal(design: Design) -> list[str]:
+    """Return a sentence where the method of some stages has no factors for peaks of the load."""
+    ratings = {stage: rating_of(design, stage) for stage in design.stages}
+    stages = [stage for stage, rating in ratings.items() if not method_for(rating).peaks]
+    if not stages:
+        return []
+    whose = "Gears" if len(stages) == len(ratings) else f"Gears of {', '.join(stages)}"
+    return [f"{whose} are sized without application and dynamic factor (K_A = K_v = 1); see the peaks of a run."]
+
+
+def _keeps_idlers(design: Design, stage: str) -> bool:
+    """Tell whether the method of a stage leaves it to a factor what idlers bear, and none is given."""
+    return "idler_factor" in RATINGS[design.rating(stage)].reads and design.rules(stage).idler_factor == 1.0
+
+
 def formulas(tables: Iterable[Table]) -> tuple[Formula, ...]:
     """Return every equation behind the columns of some tables, once each, in order.
 
@@ -161,11 +178,9 @@ def formulas(tables: Iterable[Table]) -> tuple[Formula, ...]:
         tables: Of the report.
     """
     listed = {
-        (column.header, column.origin.equation): Formula(
-            column.header, column.symbol, column.origin.equation, column.origin.source
-        )
+        (column.header, origin.equation): Formula(column.header, column.symbol, origin.equation, origin.source)
         for table in tables
         for column in table.columns
-        if column.origin
+        for origin in column.listed_origins
     }
     return tuple(listed.values())

@@ -10,7 +10,7 @@ from gearwright.parts import Material
 from gearwright.parts.iso6336 import GearSteel, LifeCurve, life_curves
 from gearwright.render.tables.tables import Mark, Table, table
 from gearwright.sizing import Sizing
-from gearwright.sizing.rating import rating_of, steel_of
+from gearwright.sizing.rating import method_for, rating_of
 from gearwright.units import shown, unit
 
 NUMBERS = {
@@ -103,7 +103,7 @@ def materials_table(sizing: Sizing) -> Table:
     used: dict[tuple[str, GearSteel | None], Material] = {}
     for stage in sizing.design.stages:
         rating = rating_of(sizing.design, stage)
-        used[rating.material.name, steel_of(rating) if rating.by_standard else None] = rating.material
+        used[rating.material.name, method_for(rating).making(rating).iso_steel] = rating.material
     shaft = sizing.design.shaft_material
     if shaft.name not in {name for name, _ in used}:
         used[shaft.name, None] = shaft

@@ -163,11 +163,11 @@ def axis_words(axis: Axis) -> str:
 
 
 def _column(name: str) -> Column:
-    return Column(name, name, "", "", None)
+    return Column(name, name, "", "")
 
 
 def _result_column(name: str, example: Named) -> Column:
-    return Column(name, heading(name), "", "" if isinstance(example.value, str) else example.dimension, None)
+    return Column(name, heading(name), "", "" if isinstance(example.value, str) else example.dimension)
 
 
 def _share(part: float) -> Cell:

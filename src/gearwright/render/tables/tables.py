@@ -9,12 +9,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from types import MappingProxyType
-from typing import Any, Literal, get_type_hints
+from typing import Any, Literal
 
 from gearwright.identity import PartId
-from gearwright.units import SUFFIXES, Origin, marks_in, shown, unit
+from gearwright.units import SUFFIXES, Origin, marks_at, origin_of, shown, unit
 
 Mark = Literal["", "given", "estimated"]
 """Where a value comes from: computed, given by the user in place of the computed one, or estimated."""
@@ -59,8 +58,18 @@ class Column:
     """Of the trade; empty if there is none."""
     dimension: str
     """Key of the units, or empty for words and counts."""
-    origin: Origin | None
-    """Equation and source of a computed field."""
+    origins: tuple[Origin | None, ...] = ()
+    """Equation and source of a computed field, in every row; empty where no value is computed."""
+
+    @property
+    def origin(self) -> Origin | None:
+        """Equation and source where all rows have the same."""
+        return self.origins[0] if len(set(self.origins)) == 1 else None
+
+    @property
+    def listed_origins(self) -> tuple[Origin, ...]:
+        """Every equation and source of the column, once."""
+        return tuple(origin for origin in dict.fromkeys(self.origins) if origin is not None)
 
     @property
     def unit(self) -> str:
@@ -125,7 +134,7 @@ def table(
 
     Args:
         title: In words.
-        records: Frozen records of one type; none at all gives a table without rows and columns.
+        records: Frozen records of one type, or alike in the fields; none at all gives a table without rows and columns.
         fields: Names of the columns, in order.
         mark: Tells where a value comes from.
         note: What the reader must know.
@@ -133,28 +142,22 @@ def table(
     listed = list(records)
     if not listed:
         return Table(title, (), (), note)
-    hints = get_type_hints(type(listed[0]), include_extras=True)
-    hints |= {name: _returned(type(listed[0]), name) for name in fields if name not in hints}
-    columns = tuple(column(name, hints[name]) for name in fields)
+    columns = tuple(column(name, listed) for name in fields)
     rows = tuple(tuple(cell(getattr(record, c.name), c, mark(record, c.name)) for c in columns) for record in listed)
     return Table(title, columns, rows, note)
 
 
-def _returned(record: type, name: str) -> Any:
-    member = getattr(record, name)
-    return get_type_hints(member.func if isinstance(member, cached_property) else member.fget, include_extras=True)[
-        "return"
-    ]
-
-
-def column(name: str, hint: Any) -> Column:
+def column(name: str, records: Sequence[object]) -> Column:
     """Return the column of a field.
 
     Args:
-        name: Of the field.
-        hint: Its annotation with marks.
+        name: Of the field or property.
+        records: One at least.
     """
-    return Column(name, _HEADERS.get(name, name.replace("_", " ")), SYMBOLS.get(name, ""), *marks_in(hint))
+    dimension = marks_at(type(records[0]), name).dimension
+    origins = tuple(origin_of(record, name) for record in records)
+    header, symbol = _HEADERS.get(name, name.replace("_", " ")), SYMBOLS.get(name, "")
+    return Column(name, header, symbol, dimension, origins if any(origins) else ())
 
 
 def cell(value: object, column: Column, mark: Mark = "") -> Cell:
@@ -211,14 +214,19 @@ def as_json(listing: Table) -> dict[str, Any]:
     Args:
         listing: The table.
     """
-    columns = [
-        {"key": c.key, "unit": c.unit, "equation": c.origin.equation, "source": c.origin.source}
-        if c.origin
-        else {"key": c.key, "unit": c.unit}
-        for c in listing.columns
-    ]
+    columns = [{"key": c.key, "unit": c.unit, **_sources(c)} for c in listing.columns]
     rows = [{c.key: _finite(cell.value) for c, cell in zip(listing.columns, row, strict=True)} for row in listing.rows]
     return {"title": listing.title, "columns": columns, "rows": rows}
+
+
+def _sources(column: Column) -> dict[str, Any]:
+    """Return equation and source of a column, or those of each row where methods differ from row to row."""
+    if column.origin is not None:
+        return {"equation": column.origin.equation, "source": column.origin.source}
+    if not column.listed_origins:
+        return {}
+    rows = [(origin.equation, origin.source) if origin else ("", "") for origin in column.origins]
+    return {"equation": [equation for equation, _ in rows], "source": [source for _, source in rows]}
 
 
 def _finite(value: Any) -> Any:

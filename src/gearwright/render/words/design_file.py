@@ -15,7 +15,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from gearwright.render.tables.tables import written
-from gearwright.spec import Mission, Record, Study, quantity_of, range_of
+from gearwright.spec import Mission, OneOf, Record, Study, quantity_of, range_of
 from gearwright.spec.design import Design
 from gearwright.units import SUFFIXES, shown, unit
 
@@ -167,6 +167,7 @@ def _plain(value: float) -> str:
 
 def _allowed(info: FieldInfo) -> Iterator[str]:
     choices = [arg for part in _options(info.annotation) if get_origin(part) is Literal for arg in get_args(part)]
+    choices += [name for mark in info.metadata if isinstance(mark, OneOf) for name in mark.table]
     if choices:
         yield ", ".join(f"`{choice}`" for choice in choices)
     else:

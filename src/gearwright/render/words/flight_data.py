@@ -71,9 +71,9 @@ def flight_json(flight: Flight, parts: Durability, life: LifeSizing | None = Non
 
 def _marked(series: Series) -> dict[str, str]:
     """Return unit, equation and source of a column of the CSV."""
-    dimension, origin = series.marks
+    origin = series.marks.origin
     made = {"equation": origin.equation, "source": origin.source} if origin else {}
-    return {"unit": si_unit(dimension), **made}
+    return {"unit": si_unit(series.marks.dimension), **made}
 
 
 def _spectrum(flight: Flight) -> dict[str, dict[str, list[dict[str, float]]]]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from gearwright.render.tables.factors import factor_tables, rated
+from gearwright.render.tables.factors import factor_tables
 from gearwright.render.tables.grid import Grid
 from gearwright.render.tables.materials import estimated_only
 from gearwright.render.tables.paths import path_table
@@ -64,12 +64,12 @@ def sizing_text(sizing: Sizing, *, trace: Trace | None = None, campbell: Sequenc
 
 
 def factors_text(sizing: Sizing) -> RenderableType:
-    """Return every factor of every mesh that ISO 6336 or ISO 10300 rates.
+    """Return every factor of every mesh whose method has some beside stresses and margins.
 
     Args:
         sizing: As sized.
     """
-    return Group(*map(table_text, factor_tables(sizing)))
+    return Group(*map(table_text, factor_tables(sizing).values()))
 
 
 def sizing_json(sizing: Sizing) -> str:
@@ -80,7 +80,7 @@ def sizing_json(sizing: Sizing) -> str:
     """
     tables = {name: as_json(table) for name, table in tables_of(sizing).items()}
     flows = {case: as_json(table) for case, table in zip(sizing.flows, flow_tables(sizing), strict=True)}
-    factors = {mesh.name: as_json(table) for mesh, table in zip(rated(sizing), factor_tables(sizing), strict=True)}
+    factors = {mesh: as_json(table) for mesh, table in factor_tables(sizing).items()}
     head = {
         "design": sizing.design.name,
         "level": sizing.level,

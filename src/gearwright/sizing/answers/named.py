@@ -8,9 +8,10 @@ from typing import NamedTuple, get_args, get_type_hints
 
 from gearwright.errors import DesignError, Problem, near
 from gearwright.sizing.arrangement import envelope
-from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, MeshSizing, ShaftSizing, Sizing
+from gearwright.sizing.meshed import MeshSizing
+from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, ShaftSizing, Sizing
 from gearwright.train import RATED, PowerFlow
-from gearwright.units import Quantity
+from gearwright.units import Quantity, marks_at
 from gearwright.verbs import verb
 
 TEXT = "text"
@@ -98,7 +99,7 @@ def _parts(sizing: Sizing) -> Iterator[tuple[str, Named]]:
 
 
 def _quantities(kind: type) -> tuple[tuple[str, str], ...]:
-    """Return the fields of a record that are numbers with a dimension, and whole numbers."""
+    """Return the numbers of a record: those with a dimension, whole ones, and those that a record inside made."""
     hints = get_type_hints(kind, include_extras=True)
     values = []
     for field in fields(kind):
@@ -107,7 +108,10 @@ def _quantities(kind: type) -> tuple[tuple[str, str], ...]:
             values.append((field.name, marks[0].dimension))
         elif hints[field.name] is int:
             values.append((field.name, "number"))
-    return tuple(values)
+    handed = [
+        name for name, entry in vars(kind).items() if isinstance(entry, property) and marks_at(kind, name).made_in
+    ]
+    return (*values, *((name, marks_at(kind, name).dimension) for name in handed))
 
 
 _QUANTITIES = {kind: _quantities(kind) for kind in (GearSizing, MeshSizing, ShaftSizing, CarrierSizing, MachineSizing)}

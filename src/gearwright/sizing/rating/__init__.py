@@ -1,12 +1,22 @@
-"""How a stage is rated: its rules resolved, the module that they ask for, and meshes rated by ISO 6336 and ISO 10300.
+"""How a stage is rated: its rules resolved, and methods in one dict, each in a folder of its own with its own record.
 
-The formulas are in `parts`.
+The formulas are in `parts`. `protocol` says what a method does, `methods` has all of them.
 """
 
-from gearwright.sizing.rating.context import Context, Demand, context_of, demands_of, row_ask, width_ratio_of
-from gearwright.sizing.rating.mesh_rating import MeshRating, Strain, rate_row, strains_under, stresses_of
-from gearwright.sizing.rating.modules import modules
-from gearwright.sizing.rating.rules import Ask, Rating, form_factor, rating_of, width_ratio
+from gearwright.sizing.rating.context import (
+    Context,
+    Demand,
+    context_of,
+    demands_of,
+    row_ask,
+    width_ratio_of,
+)
+from gearwright.sizing.rating.factors import Factor, factor_rows
+from gearwright.sizing.rating.lewis_hertz import width_ratio
+from gearwright.sizing.rating.methods import METHODS, method_for, modules, stage_width_ratio
+from gearwright.sizing.rating.protocol import Damage, LoadedMesh, Making, MeshRating, MeshSpectrum, Method, Unloaded
+from gearwright.sizing.rating.rows import rate_row, row_reserve
+from gearwright.sizing.rating.rules import Ask, Rating, rating_of
 from gearwright.sizing.rating.standard_teeth import (
     bevel_pair,
     bevel_push,
@@ -14,34 +24,38 @@ from gearwright.sizing.rating.standard_teeth import (
     cylindrical_mesh,
     fewest_virtual_teeth,
     mean_module,
-    stage_width_ratio,
-    steel_of,
 )
 
 __all__ = [
+    "METHODS",
     "Ask",
     "Context",
+    "Damage",
     "Demand",
+    "Factor",
+    "LoadedMesh",
+    "Making",
     "MeshRating",
+    "MeshSpectrum",
+    "Method",
     "Rating",
-    "Strain",
+    "Unloaded",
     "bevel_pair",
     "bevel_push",
     "cone_ratio",
     "context_of",
     "cylindrical_mesh",
     "demands_of",
+    "factor_rows",
     "fewest_virtual_teeth",
-    "form_factor",
     "mean_module",
+    "method_for",
     "modules",
     "rate_row",
     "rating_of",
     "row_ask",
+    "row_reserve",
     "stage_width_ratio",
-    "steel_of",
-    "strains_under",
-    "stresses_of",
     "width_ratio",
     "width_ratio_of",
 ]

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from gearwright.errors import Problem, refuse
 from gearwright.identity import Role
-from gearwright.sizing.rating.modules import modules
+from gearwright.sizing.rating.methods import modules, stage_width_ratio, uncovered_teeth
 from gearwright.sizing.rating.rules import Ask, Rating, rating_of
-from gearwright.sizing.rating.standard_teeth import stage_width_ratio
 from gearwright.spec import Design
 from gearwright.spec.design import Given
 from gearwright.train import INTERNAL, Mesh, PowerFlow, Train
@@ -65,8 +65,18 @@ def demands_of(context: Context) -> dict[str, Demand]:
 
     Args:
         context: What gear sizing reads.
+
+    Raises:
+        DesignError: Teeth or steels that the method of a stage does not cover; with every stage.
     """
+    refuse(problem for mesh in context.train.meshes for problem in _uncovered(context, mesh))
     return {mesh.name: _demand(context, mesh) for mesh in context.train.meshes}
+
+
+def _uncovered(context: Context, mesh: Mesh) -> Iterator[Problem]:
+    table = "pairs" if mesh.stage in context.design.pairs else "planetaries"
+    first, second = (context.teeth[gear] for gear in mesh.gears)
+    return uncovered_teeth(context.ratings[mesh.stage], (first, second), f"{table}.{mesh.stage}")
 
 
 def worst_case(context: Context, mesh: Mesh) -> tuple[str, float]:
@@ -130,9 +140,6 @@ def width_ratio_of(context: Context, stage: str) -> float:
         context: What gear sizing reads.
         stage: Pair or planetary set.
     """
-    rating = context.ratings[stage]
-    if rating.given_width_ratio is not None:
-        return rating.given_width_ratio
     mesh = next(mesh for mesh in context.train.meshes if mesh.stage == stage)
     small, large = (context.teeth[gear] for gear in mesh.gears)
-    return float(stage_width_ratio(rating, small, large))
+    return float(stage_width_ratio(context.ratings[stage], small, large))

@@ -1,4 +1,4 @@
-"""Gears as ISO 6336 and ISO 10300 see them: geometry, steel, quality and duty from a stage's rules.
+"""The geometry of gears as standards see it, from a stage's rules: cylindrical meshes, bevel pairs by their mean cone.
 
 A bevel gear is carried by its mean cone: module m_mn, helix angle β_m, diameter d_m = m_mn z / cos β_m.
 """
@@ -10,64 +10,24 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.catalogue import rated_steel
-from gearwright.parts.bevel import (
-    BOTH_OVERHUNG,
-    ONE_OVERHUNG,
-    STRADDLE,
-    WIDEST_MODULES,
-    BevelDuty,
-    BevelPair,
-    BevelSurfaces,
-    BevelTooth,
-    bevel_pitch_tolerance,
-    cone_forces,
-)
+from gearwright.parts.bevel import BevelPair, BevelTooth, cone_forces
 from gearwright.parts.gears import least_teeth
-from gearwright.parts.iso6336 import (
-    CENTRED,
-    CORRECTED_AND_CROWNED,
-    CROWNED,
-    UNMODIFIED,
-    GearSteel,
-    MeshDuty,
-    MeshGeometry,
-    MeshQuality,
-    PinionShaft,
-    ToothProportions,
-    Value,
-)
+from gearwright.parts.iso6336 import MeshGeometry, ToothProportions, Value
 from gearwright.sizing.rating.rules import Array, Rating
 
-USUAL_BEVEL_WIDTH = 0.30
-"""Face width of bevel gears over the outer cone distance b/R_e [-] (ISO 23509:2016, annex B)."""
-IDLER_MEAN_STRESS = 0.7
-"""Y_M of gears that are loaded on both flanks [-] (ISO 6336-3:2019, annex B)."""
-_HELIX = {"none": UNMODIFIED, "crowning": CROWNED, "corrected": CORRECTED_AND_CROWNED}
-_MOUNTING = {"straddle": STRADDLE, "one-overhung": ONE_OVERHUNG, "both-overhung": BOTH_OVERHUNG}
-_SQUARE_MM = 1e-6
 
-
-def stage_width_ratio(rating: Rating, small: ArrayLike, large: ArrayLike) -> Array:
-    """Return λ = b/m_n of a stage [-]: given, or the widest that the rules of its rating allow.
+def widest_ratio(rating: Rating, small: Array) -> Array:
+    """Return λ = b/m_n of the widest cylindrical gears that the rules of a stage allow [-].
 
     Args:
-        rating: Resolved rules.
+        rating: Resolved rules of a method with rules on proportions.
         small: Teeth of pinion or sun [-].
-        large: Teeth of wheel or planet [-].
 
-    Source: b ≤ 20 m_n and b ≤ 0.8 d_1 unless the design says otherwise; bevel gears b = min(0.30 R_e, 10 m_et)
-        (ISO 23509:2016, annex B).
+    Source: b ≤ 20 m_n and b ≤ 0.8 d_1 unless the design says otherwise.
     """
-    first, second = np.broadcast_arrays(np.asarray(small, dtype=float), np.asarray(large, dtype=float))
-    if rating.given_width_ratio is not None:
-        return np.full(first.shape, rating.given_width_ratio)
-    if rating.kind == "bevel":
-        cones = cone_ratio(first, second)
-        share = np.minimum(USUAL_BEVEL_WIDTH, WIDEST_MODULES / cones)
-        return np.asarray(share * cones / (math.cos(rating.helix_angle) * (1.0 - 0.5 * share)))
-    rules = rating.rules.iso6336
-    return np.minimum(rules.widest_modules, rules.widest_diameters * first / math.cos(rating.helix_angle))
+    rules = rating.proportions
+    assert rules is not None
+    return np.minimum(rules.widest_modules, rules.widest_diameters * small / math.cos(rating.helix_angle))
 
 
 def cone_ratio(first: ArrayLike, second: ArrayLike) -> Array:
@@ -182,89 +142,3 @@ def cylindrical_mesh(
         pressure_angle=rating.rules.pressure_angle,
         proportions=(ToothProportions(profile_shift=shift), ToothProportions(profile_shift=-shift)),
     )
-
-
-def steel_of(rating: Rating) -> GearSteel:
-    """Return the steel of a stage as ISO 6336 rates it.
-
-    Args:
-        rating: Resolved rules.
-
-    Raises:
-        DesignError: Unknown class or grade, or a hardness outside the grade's range.
-    """
-    rules = rating.rules.iso6336
-    return rated_steel(rating.material, rules.steel, rules.grade, hardness=rules.hardness_hv)
-
-
-def quality_of(rating: Rating, *, idlers: tuple[bool, bool], shaft: PinionShaft = CENTRED) -> MeshQuality:
-    """Return how the flanks of a stage are made and mounted.
-
-    Args:
-        rating: Resolved rules.
-        idlers: Which of the two gears is loaded on both flanks.
-        shaft: Where the pinion sits on its shaft.
-    """
-    rules = rating.rules.iso6336
-    means = [IDLER_MEAN_STRESS if idler else 1.0 for idler in idlers]
-    return MeshQuality(
-        grade=rules.tolerance_class,
-        flank_roughness=rules.flank_roughness,
-        root_roughness=rules.root_roughness,
-        helix=_HELIX[rules.helix_modification],
-        shaft=shaft,
-        viscosity=rules.oil_viscosity * _SQUARE_MM,
-        mean_stresses=(means[0], means[1]),
-    )
-
-
-def duty_of(
-    rating: Rating, torque: ArrayLike, speed: ArrayLike, *, life: ArrayLike, passes: tuple[float, float]
-) -> MeshDuty:
-    """Return what a cylindrical mesh carries.
-
-    Args:
-        rating: Resolved rules.
-        torque: On the first gear, of one mesh, load factor included [N m].
-        speed: Of the first gear against the carrier [rad/s].
-        life: Time under that load [s].
-        passes: Mates that a tooth of each gear meets in a turn [-].
-    """
-    return MeshDuty(
-        np.asarray(torque, dtype=float) / rating.load_factor,
-        np.asarray(speed, dtype=float),
-        np.asarray(life, dtype=float),
-        application_factor=rating.service.application_factor,
-        mesh_load_factor=rating.load_factor,
-        meshes_per_turn=passes,
-    )
-
-
-def bevel_duty(rating: Rating, pair: BevelPair, torque: float, speed: float) -> BevelDuty:
-    """Return what a bevel mesh carries.
-
-    Args:
-        rating: Resolved rules.
-        pair: Its geometry.
-        torque: On the pinion, of one mesh, load factor included [N m].
-        speed: Of the pinion [rad/s].
-    """
-    rules = rating.rules.iso6336
-    return BevelDuty(
-        torque,
-        speed,
-        bevel_pitch_tolerance(pair.mean_diameters[1], pair.mean_module, rules.tolerance_class),
-        application_factor=rating.service.application_factor,
-        mounting=_MOUNTING[rules.mounting],
-        density=rating.material.density,
-    )
-
-
-def bevel_surfaces(rating: Rating) -> BevelSurfaces:
-    """Return flanks, roots and oil of a bevel stage.
-
-    Args:
-        rating: Resolved rules.
-    """
-    rules = rating.rules.iso6336
-    return BevelSurfaces(rules.flank_roughness, rules.root_roughness, rules.oil_viscosity * _SQUARE_MM)

@@ -5,12 +5,21 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from gearwright.checks import Check, stressed
+from gearwright.checks import Check, not_assessed
 from gearwright.identity import Kind, PartId, Role
-from gearwright.parts.bevel import WIDEST, WIDEST_MODULES, BevelRating
+from gearwright.parts.bevel import WIDEST, WIDEST_MODULES
 from gearwright.parts.gears import ISO53_A, least_teeth
-from gearwright.sizing.rating import Context, MeshRating, Rating, cone_ratio, cylindrical_mesh, fewest_virtual_teeth
-from gearwright.sizing.result import GearSizing, MeshSizing
+from gearwright.sizing.meshed import MeshSizing
+from gearwright.sizing.rating import (
+    Context,
+    Rating,
+    Unloaded,
+    cone_ratio,
+    cylindrical_mesh,
+    fewest_virtual_teeth,
+    method_for,
+)
+from gearwright.sizing.result import GearSizing
 from gearwright.sizing.stages.stage_sizes import StageSize
 
 LEAST_CONTACT_RATIO = 1.0
@@ -30,13 +39,10 @@ def gear_checks(
     """
     by_name = {gear.name: gear for gear in gears}
     for mesh in meshes:
-        if mesh.rating is None:
-            yield from _first_strength(mesh)
-        else:
-            pair = (by_name[mesh.gears[0]], by_name[mesh.gears[1]])
-            yield from _strength(mesh, pair, mesh.rating, context.ratings[mesh.stage])
+        parts = (by_name[mesh.gears[0]].part, by_name[mesh.gears[1]].part)
+        yield from _strength(context.ratings[mesh.stage], mesh, parts)
     for stage, size in sizes.items():
-        if context.ratings[stage].by_standard:
+        if context.ratings[stage].proportions is not None:
             row = next(mesh for mesh in context.train.meshes if mesh.stage == stage)
             pair = (by_name[row.gears[0]], by_name[row.gears[1]])
             yield from (_cone if context.ratings[stage].kind == "bevel" else _cylinder)(
@@ -44,34 +50,24 @@ def gear_checks(
             )
 
 
-def _first_strength(mesh: MeshSizing) -> Iterator[Check]:
-    """Yield both stresses of a first sizing."""
-    bending = (mesh.bending_stress, mesh.bending_margin, "Pulvirenti 2023, eq. 2.1")
-    contact = (mesh.contact_stress, mesh.contact_margin, "Pulvirenti 2023, eq. 2.2")
-    for mode, (stress, margin, clause) in {"bending": bending, "contact": contact}.items():
-        yield stressed(mesh.part, mode, clause, stress, margin, case=mesh.case)
-
-
-def _strength(
-    mesh: MeshSizing, pair: tuple[GearSizing, GearSizing], rated: MeshRating, rating: Rating
-) -> Iterator[Check]:
-    rules, bevel = rating.rules.iso6336, isinstance(rated.factors, BevelRating)
-    flank, root = ("ISO 10300-2, eq. 5", "ISO 10300-3, eq. 5") if bevel else ("ISO 6336-2, 5.3", "ISO 6336-3, 5.2")
-    for gear, contact, bending in zip(pair, rated.pitting, rated.bending, strict=True):
-        yield Check(gear.part, "pitting", flank, contact, rules.pitting_safety, symbol="S_H")
-        yield Check(gear.part, "tooth root", root, bending, rules.bending_safety, symbol="S_F")
-    if rated.scuffing is not None:
-        safety = rated.scuffing.safety
-        yield Check(mesh.part, "scuffing", "ISO/TS 6336-21, eq. 14", safety, rules.scuffing_safety, symbol="S_intS")
+def _strength(rating: Rating, mesh: MeshSizing, gears: tuple[PartId, PartId]) -> Iterator[Check]:
+    """Yield what the method of a stage says of a mesh."""
+    method = method_for(rating)
+    if isinstance(mesh.rating, Unloaded):
+        yield not_assessed(mesh.part, "strength", method.edition, "no load case sends power through it")
+    else:
+        yield from method.checks(mesh.rating, mesh.part, gears)
 
 
 def _cylinder(rating: Rating, pair: tuple[GearSizing, GearSizing], size: StageSize) -> Iterator[Check]:
     first, second = pair
     rules, internal = rating.rules, second.role is Role.RING
+    widest = rating.proportions
+    assert widest is not None
     width, pinion = size.face_width, min(pair, key=lambda gear: gear.teeth)
     limits = {
-        f"b ≤ {rules.iso6336.widest_modules:g} m_n, usual": rules.iso6336.widest_modules * size.module,
-        f"b ≤ {rules.iso6336.widest_diameters:g} d_1, usual": rules.iso6336.widest_diameters * first.pitch_diameter,
+        f"b ≤ {widest.widest_modules:g} m_n, usual": widest.widest_modules * size.module,
+        f"b ≤ {widest.widest_diameters:g} d_1, usual": widest.widest_diameters * first.pitch_diameter,
     }
     for clause, largest in limits.items():
         yield Check(first.part, "face width", clause, width, largest, "length", at_most=True, exponent=None)

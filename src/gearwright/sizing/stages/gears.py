@@ -4,22 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from gearwright.identity import Role
-from gearwright.parts.gears import (
-    bending_stress_lewis,
-    contact_stress,
-    disc_inertia,
-    disc_mass,
-    ring_inertia,
-    ring_mass,
-)
-from gearwright.sizing.rating import Context, Demand, MeshRating, Rating, bevel_push, form_factor, rate_row, stresses_of
-from gearwright.sizing.result import GearSizing, MeshSizing
+from gearwright.parts.gears import disc_inertia, disc_mass, ring_inertia, ring_mass
+from gearwright.sizing.meshed import MeshSizing
+from gearwright.sizing.rating import Context, Demand, bevel_push, rate_row
+from gearwright.sizing.result import GearSizing
 from gearwright.sizing.stages.stage_sizes import StageSize
 from gearwright.spec import Design
-from gearwright.train import INTERNAL, Gear, Mesh
+from gearwright.train import Gear, Mesh
 
 _SIGNS = {Role.PINION: 1.0, Role.SUN: 1.0, Role.RING: 1.0, Role.WHEEL: -1.0, Role.PLANET: -1.0}
 """Role -> sense of the stage's profile shift [-]."""
@@ -93,8 +86,6 @@ def _mesh(context: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing], dem
     else:
         axial = force * math.tan(rating.helix_angle)
         radial = force * math.tan(rating.rules.pressure_angle) / math.cos(rating.helix_angle)
-    rated = rate_row(context, mesh, first.module, width) if rating.by_standard else None
-    strength = _first_strength(rating, mesh, pair, force) if rated is None else _rated_strength(rating, rated)
     return MeshSizing(
         stage=mesh.stage,
         row=mesh.row,
@@ -106,52 +97,8 @@ def _mesh(context: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing], dem
         radial_force=radial,
         axial_force=axial,
         pitch_line_velocity=rolling * first.pitch_diameter / 2.0,
-        module_bending=module_bending,
-        module_contact=module_contact,
-        bending_stress=strength.bending,
-        bending_margin=strength.bending_margin,
-        contact_stress=strength.contact,
-        contact_margin=strength.contact_margin,
-        rating=rated,
+        rating=rate_row(context, mesh, first.module, width, asked=(module_bending, module_contact)),
         branch=mesh.branch,
-    )
-
-
-class _Strength(NamedTuple):
-    """The weaker gear of a mesh, in bending and in contact."""
-
-    bending: float
-    bending_margin: float
-    contact: float
-    contact_margin: float
-
-
-def _first_strength(rating: Rating, mesh: Mesh, pair: tuple[GearSizing, GearSizing], force: float) -> _Strength:
-    """Return stresses and margins by Lewis and Hertz."""
-    first, second = pair
-    width, weaker = min(first.face_width, second.face_width), min(first.teeth, second.teeth)
-    bending = bending_stress_lewis(force, width, first.module, form_factor=float(form_factor(weaker, rating)))
-    curvature = 2.0 / first.pitch_diameter + (-2.0 if mesh.sign == INTERNAL else 2.0) / second.pitch_diameter
-    contact = contact_stress(
-        force, width, curvature, angles=rating.angles, elastic_modulus=rating.material.elastic_modulus
-    )
-    allowable = rating.bending_allowable * (
-        rating.rules.idler_factor if Role.PLANET in (first.role, second.role) else 1.0
-    )
-    return _Strength(
-        bending,
-        allowable / bending if bending else math.inf,
-        contact,
-        rating.contact_allowable / contact if contact else math.inf,
-    )
-
-
-def _rated_strength(rating: Rating, rated: MeshRating) -> _Strength:
-    """Return stresses and margins by ISO 6336 or ISO 10300."""
-    contact, bending = stresses_of(rated.factors)
-    rules = rating.rules.iso6336
-    return _Strength(
-        max(bending), min(rated.bending) / rules.bending_safety, max(contact), min(rated.pitting) / rules.pitting_safety
     )
 
 

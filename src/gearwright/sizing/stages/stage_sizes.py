@@ -14,7 +14,7 @@ from gearwright.sizing.rating import (
     bevel_pair,
     cone_ratio,
     mean_module,
-    rate_row,
+    row_reserve,
     width_ratio_of,
 )
 from gearwright.sizing.stages.idle import refuse_idle_stages
@@ -95,7 +95,7 @@ def _teeth(context: Context, stage: str) -> tuple[int, int]:
 
 def _size(context: Context, stage: str, needed: float) -> StageSize:
     rating, given, ratio = context.ratings[stage], context.given, width_ratio_of(context, stage)
-    if not rating.by_standard:
+    if rating.proportions is None:
         module = given.get(f"{stage}.module", needed)
         width = given.get(f"{stage}.face_width", ratio * module)
         return StageSize(module, width, width)
@@ -117,8 +117,8 @@ def _under_spectrum(context: Context, stage: str, module: float, ratio: float) -
 def _gap(context: Context, stage: str, module: float, width: float) -> float:
     """Return by what factor the loads of a stage could grow [-]; 1 where nothing loads it."""
     rows = [mesh for mesh in context.train.meshes if mesh.stage == stage]
-    rated = [rate_row(context, mesh, module, width) for mesh in rows]
-    return min((row.gap(context.ratings[stage]) for row in rated if row is not None), default=1.0)
+    reserves = [row_reserve(context, mesh, module, width) for mesh in rows]
+    return min((reserve for reserve in reserves if reserve is not None), default=1.0)
 
 
 def _cylinder(context: Context, stage: str, needed: float, ratio: float) -> StageSize:
@@ -126,7 +126,7 @@ def _cylinder(context: Context, stage: str, needed: float, ratio: float) -> Stag
     rating, given = context.ratings[stage], context.given
     module = given.get(f"{stage}.module", _rounded(context, stage, needed))
     width = ratio * module
-    if rating.given_width_ratio is None:
+    if rating.width_is_open:
         width = _narrowest(_overlap_width(rating, module), width, lambda tried: _gap(context, stage, module, tried))
     width = given.get(f"{stage}.face_width", width)
     return StageSize(module, width, width)
@@ -154,7 +154,8 @@ def _rounded(context: Context, stage: str, needed: float) -> float:
     """Return the next standard module where the rules ask for one; pairs on common axes keep theirs."""
     tied = {name for name, pair in context.design.pairs.items() if pair.coaxial_with is not None}
     tied |= {pair.coaxial_with for pair in context.design.pairs.values() if pair.coaxial_with is not None}
-    if stage in tied or not context.ratings[stage].rules.iso6336.standard_modules:
+    rules = context.ratings[stage].proportions
+    if stage in tied or rules is None or not rules.standard_modules:
         return needed
     return next((standard * _MM for standard in STANDARD_MODULES if standard * _MM >= needed * (1.0 - 1e-9)), needed)
 
@@ -171,7 +172,7 @@ def _bevel_size(context: Context, stage: str, needed: float, ratio: float) -> St
     def gap(tried: float) -> float:
         return _gap(context, stage, mean_module(teeth, outer, tried, rating), tried)
 
-    if rating.given_width_ratio is None:
+    if rating.width_is_open:
         width = _narrowest(_overlap_width(rating, mean_module(teeth, outer, width, rating)), width, gap)
     asked = given.get(f"{stage}.face_width", width)
     width = min(asked, limit)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from gearwright.errors import Problem
-from gearwright.spec.design import Design, GearRules, Pair, Planetary, given_values
+from gearwright.spec.design import RATINGS, Design, GearRules, Pair, Planetary, given_values
 from gearwright.spec.record import Record
 
 _DECIDED = {
@@ -18,8 +18,6 @@ _DECIDED = {
 }
 """Table -> key that only estimates what another key states."""
 _OF_BEVELS = ("spiral_angle", "pinion_apex", "wheel_apex")
-_OF_LEWIS = ("bending_safety", "contact_safety", "idler_factor", "contact_angles")
-"""Rules of gears that only Lewis and Hertz read."""
 _OF_PAIRS = ("helix_angle", "overlap_ratio", "contact_angles", "web_ratio")
 """Rules of gears that planetary sets, spur and without wheels, do not read."""
 _OF_SETS = ("idler_factor", "rim_thickness_ratio")
@@ -92,15 +90,23 @@ def _stage_rules(
     if written is None:
         return
     yield from _idle(f"{path}.gears", written, foreign, why)
-    if rules.rating == "iso6336":
-        rest = tuple(key for key in _OF_LEWIS if key not in foreign)
-        why = "ISO 6336 does not read it; its safeties stand in gears.iso6336"
-        yield from _idle(f"{path}.gears", written, rest, why)
-    elif "iso6336" in written.model_fields_set:
-        yield Problem(f"{path}.gears.iso6336", _NO_STANDARD)
+    told = {problem.path for problem in _idle(f"{path}.gears", written, foreign, why)}
+    yield from (problem for problem in _unread(f"{path}.gears", written, {rules.rating}) if problem.path not in told)
 
 
-_NO_STANDARD = 'has no effect with Lewis and Hertz; write rating = "iso6336", or leave it out'
+def _unread(path: str, rules: GearRules, methods: set[str]) -> Iterator[Problem]:
+    """Yield the rules that are given and that no method reads by which these gears are rated."""
+    read = {key for method in methods for key in RATINGS[method].reads}
+    titles = " and ".join(RATINGS[method].title for method in sorted(methods))
+    tables = {facts.table: method for method, facts in reversed(RATINGS.items()) if facts.table}
+    where = " and ".join(f"gears.{RATINGS[method].table}" for method in sorted(methods) if RATINGS[method].table)
+    stands = f"; its safeties stand in {where}" if where else ""
+    for key in {key: None for facts in RATINGS.values() for key in facts.reads if key not in read}:
+        if key in tables and key in rules.model_fields_set:
+            message = f'has no effect with {titles}; write rating = "{tables[key]}", or leave it out'
+            yield Problem(f"{path}.{key}", message)
+        else:
+            yield from _idle(path, rules, (key,), f"{titles} does not read it{stands}")
 
 
 def _idle(path: str, record: Record, keys: tuple[str, ...], why: str) -> Iterator[Problem]:
@@ -119,15 +125,13 @@ def _shifted(path: str, rules: GearRules, what: str) -> Iterator[Problem]:
 def _methods(design: Design) -> Iterator[Problem]:
     """Find rules of a method by which no stage is rated."""
     methods = {design.rules(name).rating for name in design.stages}
-    if methods == {"iso6336"}:
-        keys = ("bending_safety", "contact_safety", "idler_factor")
-        yield from _idle("gears", design.gears, keys, "ISO 6336 does not read it; its safeties stand in gears.iso6336")
-    if methods == {"lewis-hertz"}:
-        if "iso6336" in design.gears.model_fields_set:
-            yield Problem("gears.iso6336", _NO_STANDARD)
-        if "service" in design.model_fields_set and not design.bearings:
-            message = 'has no effect without a rated part; write gears.rating = "iso6336", give [bearings], or leave it'
-            yield Problem("service", f"{message} out")
+    if not methods:
+        return
+    yield from _unread("gears", design.gears, methods)
+    lives = any(RATINGS[method].table for method in methods)
+    if "service" in design.model_fields_set and not design.bearings and not lives:
+        message = 'has no effect without a rated part; write gears.rating = "iso6336", give [bearings], or leave it out'
+        yield Problem("service", message)
 
 
 def _joints(design: Design) -> Iterator[Problem]:

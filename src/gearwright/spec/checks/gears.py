@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from gearwright.errors import Problem
 from gearwright.identity import SIDES, Role, gear_part
-from gearwright.spec.design import Design, Pair
+from gearwright.spec.design import RATINGS, Design, Pair, Planetary, method_of, uncovered
 
 SQUARE = 0.5 * math.pi
 """Axis angle of face and bevel gears that is understood [rad]."""
@@ -26,6 +26,18 @@ def gear_problems(design: Design) -> Iterator[Problem]:
         for side in SIDES:
             yield from _shared(name, side, design)
         yield from _inside(name, pair)
+    for table, stages in (("pairs", design.pairs), ("planetaries", design.planetaries)):
+        for name, stage in stages.items():
+            yield from _covered(f"{table}.{name}.gears.rating", stage, design.rules(name).rating)
+
+
+def _covered(path: str, stage: Pair | Planetary, method: str) -> Iterator[Problem]:
+    """Find stages with meshes that their method does not rate, and say which methods do."""
+    if not (kinds := uncovered(method, stage.meshes)):
+        return
+    able = [name for name in RATINGS if not uncovered(name, stage.meshes)]
+    titles = " or ".join(f'"{name}" ({RATINGS[method_of(name, stage.meshes)].title})' for name in able)
+    yield Problem(path, f"{RATINGS[method].title} does not cover {kinds[0]} gears; write rating = {titles}")
 
 
 def _shared(name: str, side: Role, design: Design) -> Iterator[Problem]:
@@ -84,8 +96,6 @@ def _crossing(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
         yield Problem(f"{path}.axis_angle", f"{angle:.6g} deg is not understood; only square axes are, 90")
     if pair.internal or pair.halves > 1:
         yield Problem(path, f"a {pair.kind}-gear pair is neither internal nor double-helical; leave that out")
-    if pair.kind == "bevel" and design.rules(name).rating != "iso6336":
-        yield Problem(f"{path}.gears.rating", 'bevel gears are rated by ISO 10300; write rating = "iso6336"')
     if design.rules(name).helix_angle:
         message = (
             "face gears are spur here; write 0" if pair.kind == "face" else "bevel gears have a spiral_angle; write 0"

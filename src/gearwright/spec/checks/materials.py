@@ -8,7 +8,7 @@ from gearwright.catalogue import gear_steel_names, material_of, materials, rated
 from gearwright.errors import DesignError, Problem, near
 from gearwright.parts import Material
 from gearwright.parts.iso6336 import GearSteel
-from gearwright.spec.design import Design, GearRules, LifeLineRules, MaterialRules
+from gearwright.spec.design import RATINGS, Design, GearRules, LifeLineRules, MaterialRules
 from gearwright.spec.record import keys_of
 
 STEEL_KEYS = {"material": "steel", "grade": "grade", "hardness": "hardness_hv"}
@@ -24,6 +24,8 @@ WRITTEN = {
 _PAIRS = (("contact_strength", "bending_strength"), ("bending_strength", "contact_strength"))
 _OF_CLASS = ("grade", "contact_strength", "bending_strength", "contact_life", "bending_life")
 """Fields that mean something only with a class of ISO 6336-5, which sets the other factors."""
+_ISO = "iso6336"
+"""Table of rules that names a class of ISO 6336-5."""
 _UNTYPED = ("source", "sources", "estimated")
 
 
@@ -135,10 +137,9 @@ def _gears(path: str, rules: GearRules, design: Design) -> Iterator[Problem]:
     if name not in design.known_materials:
         yield Problem(f"{path}.material", f"there is no material {name!r}; {near(name, design.known_materials)}")
         return
-    if rules.rating != "iso6336":
-        yield from _needs(
-            f"{path}.material", name, ("yield_strength", "surface_hardness"), design, f"rating {rules.rating!r}"
-        )
+    method = RATINGS[rules.rating]
+    if method.table != _ISO:
+        yield from _needs(f"{path}.material", name, method.needs, design, f"rating {rules.rating!r}")
         return
     standard = rules.iso6336
     if standard.steel in design.known_materials:

@@ -9,11 +9,13 @@ from gearwright.spec.design.gears import GearRules
 from gearwright.spec.design.given import NO_ORIGIN, Given, given_values
 from gearwright.spec.design.machines import Drive, Motor, Propeller, Turbine
 from gearwright.spec.design.materials import LifeLineRules, MaterialRules
+from gearwright.spec.design.methods import RATINGS, RatingMethod, method_of, uncovered
 from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
-from gearwright.spec.design.service import Iso6336Rules, Service
+from gearwright.spec.design.service import Service
 from gearwright.spec.design.shafts import NOTHING_GIVEN, ShaftLayout, Support
 from gearwright.spec.design.sharing import module_owners
 from gearwright.spec.design.stages import Clutch, Pair, Planetary
+from gearwright.spec.design.standards import Agma2001Rules, Iso6336Rules
 from gearwright.spec.design.tolerance import PartErrors
 
 __all__ = [
@@ -21,6 +23,8 @@ __all__ = [
     "LOCATES",
     "NOTHING_GIVEN",
     "NO_ORIGIN",
+    "RATINGS",
+    "Agma2001Rules",
     "BearingSeat",
     "Clutch",
     "Design",
@@ -38,10 +42,13 @@ __all__ = [
     "PartErrors",
     "Planetary",
     "Propeller",
+    "RatingMethod",
     "Service",
     "ShaftLayout",
     "Support",
     "Turbine",
     "given_values",
+    "method_of",
     "module_owners",
+    "uncovered",
 ]

@@ -17,6 +17,7 @@ from gearwright.spec.design.dynamics import DynamicsRules
 from gearwright.spec.design.gears import GearRules, TeethRules
 from gearwright.spec.design.machines import Drive, Motor, Propeller, SpeedRules, Turbine
 from gearwright.spec.design.materials import MaterialRules
+from gearwright.spec.design.methods import method_of
 from gearwright.spec.design.mounting import BearingSeat, Joint
 from gearwright.spec.design.service import Service
 from gearwright.spec.design.shafts import CarrierRules, ShaftLayout, ShaftRules, Support
@@ -126,9 +127,20 @@ class Design(Record):
         stage_rules = self.stages[stage].gears
         return self.gears if stage_rules is None else _overlaid(self.gears, stage_rules)
 
+    def rating(self, stage: str) -> str:
+        """Return the name of the method that rates a stage, such as ``iso10300`` for bevel gears by ISO standards.
+
+        Args:
+            stage: Name of a pair or planetary set.
+        """
+        return method_of(self.rules(stage).rating, self.stages[stage].meshes)
+
 
 def _overlaid(rules: GearRules, stage_rules: GearRules) -> GearRules:
-    """Return rules with what a stage says of its own, in the table of ISO 6336 too."""
-    update = {name: getattr(stage_rules, name) for name in stage_rules.model_fields_set - {"iso6336"}}
-    deeper = {name: getattr(stage_rules.iso6336, name) for name in stage_rules.iso6336.model_fields_set}
-    return rules.model_copy(update={**update, "iso6336": rules.iso6336.model_copy(update=deeper)})
+    """Return rules with what a stage says of its own, in the tables of its standards too."""
+    update: dict[str, object] = {name: getattr(stage_rules, name) for name in stage_rules.model_fields_set}
+    for name, written in update.items():
+        if isinstance(written, Record):
+            own = {key: getattr(written, key) for key in written.model_fields_set}
+            update[name] = getattr(rules, name).model_copy(update=own)
+    return rules.model_copy(update=update)

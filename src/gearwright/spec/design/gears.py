@@ -7,7 +7,8 @@ from typing import Literal
 
 from pydantic import Field
 
-from gearwright.spec.design.service import Iso6336Rules
+from gearwright.spec.design.methods import RatingName
+from gearwright.spec.design.standards import Iso6336Rules
 from gearwright.spec.record import Record
 from gearwright.units import Angle, Ratio
 
@@ -18,11 +19,13 @@ class GearRules(Record):
     """How gears are rated and proportioned; a stage may state its own under ``gears``."""
 
     material: str = Field("nitriding-steel-785", description="Name in the catalogue or under [materials]")
-    rating: Literal["lewis-hertz", "iso6336"] = Field(
+    rating: RatingName = Field(
         "lewis-hertz",
-        description="First sizing by Lewis and Hertz, or ISO 6336 and ISO 10300 with the rules of iso6336",
+        description="First sizing by Lewis and Hertz; or ISO 6336, with ISO 10300 for bevel gears",
     )
-    iso6336: Iso6336Rules = Field(default_factory=Iso6336Rules, description='Rules with rating = "iso6336"')
+    iso6336: Iso6336Rules = Field(
+        default_factory=Iso6336Rules, description='Rules with rating = "iso6336" or "iso10300"'
+    )
     pressure_angle: Angle = Field(
         20 * _DEGREE, ge=14 * _DEGREE, le=30 * _DEGREE, description="Normal pressure angle α_n"
     )

@@ -10,6 +10,7 @@ from pydantic import Field
 from gearwright.identity import SIDES, Role
 from gearwright.spec.design.dynamics import PlanetaryBearings
 from gearwright.spec.design.gears import GearRules
+from gearwright.spec.design.methods import CYLINDRICAL, INTERNAL
 from gearwright.spec.record import Record
 from gearwright.units import Angle, Force, Inertia, Length, Mass, Ratio, Stiffness
 
@@ -109,6 +110,11 @@ class Pair(Record):
         """
         return gear_named(next(iter(self.named(side)), ""))
 
+    @property
+    def meshes(self) -> tuple[str, ...]:
+        """Kinds of its meshes, as methods of rating cover them."""
+        return (INTERNAL if self.internal and self.kind == CYLINDRICAL else self.kind,)
+
 
 class Planetary(Record):
     """A planetary set: sun, ring, carrier and equal planets; any member may be ``ground``."""
@@ -144,6 +150,11 @@ class Planetary(Record):
     )
     planet_bearing: PlanetBearing | None = Field(None, description="What each planet turns on; left out: not known")
     gears: GearRules | None = Field(None, description="Rules of this set where they differ from [gears]")
+
+    @property
+    def meshes(self) -> tuple[str, ...]:
+        """Kinds of its meshes, as methods of rating cover them: of sun and planet, and of planet and ring."""
+        return CYLINDRICAL, INTERNAL
 
 
 class Clutch(Record):

@@ -10,7 +10,7 @@ from gearwright.parts.bevel import BevelPair, Hand
 from gearwright.parts.gears import BasicRack, CylindricalGear
 from gearwright.sizing import GearSizing, Sizing, profile_shift
 from gearwright.sizing.arrangement import helix_hand
-from gearwright.sizing.rating import rating_of, standard_teeth
+from gearwright.sizing.rating import Making, method_for, rating_of, standard_teeth
 from gearwright.spec import Pair
 from gearwright.train import INTERNAL, RATED, Mesh
 
@@ -34,6 +34,17 @@ def kind_of(sizing: Sizing, stage: str) -> str:
     """
     rules = sizing.design.stages[stage]
     return rules.kind if isinstance(rules, Pair) else "cylindrical"
+
+
+def making_of(sizing: Sizing, stage: str) -> Making:
+    """Return how the gears of a stage are made, as far as its method of rating asks.
+
+    Args:
+        sizing: What was sized.
+        stage: A pair or a planetary set.
+    """
+    rating = rating_of(sizing.design, stage)
+    return method_for(rating).making(rating)
 
 
 def halves_of(gear: GearSizing) -> int:

@@ -26,10 +26,10 @@ from gearwright.render.drawings.views.teeth import (
     hand_of,
     is_internal,
     kind_of,
+    making_of,
     meshes_of,
 )
 from gearwright.sizing import GearSizing, Sizing
-from gearwright.sizing.rating import rating_of, steel_of
 from gearwright.spec import Pair
 
 BALL = 1.75
@@ -106,9 +106,9 @@ def _measurement(sizing: Sizing, gear: GearSizing, teeth: CylindricalGear) -> It
 
 def _allowances(sizing: Sizing, gear: GearSizing, teeth: CylindricalGear) -> tuple[float, float] | None:
     """Return allowances of the span, where the stage has a tolerance class that they are known for."""
-    rules, stage = sizing.design.rules(gear.stage), sizing.design.stages[gear.stage]
-    grade = rules.iso6336.tolerance_class
-    if rules.rating != "iso6336" or not 4 <= grade <= 9:
+    stage = sizing.design.stages[gear.stage]
+    grade = making_of(sizing, gear.stage).iso_class
+    if grade is None or not 4 <= grade <= 9:
         return None
     if not SMALLEST < 2.0 * teeth.pitch_radius <= LARGEST:
         return None
@@ -164,19 +164,14 @@ def _bevel_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
 
 
 def _quality(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
-    rules = sizing.design.rules(gear.stage)
-    if rules.rating != "iso6336":
-        yield "Flank tolerance class", "", "not chosen (Lewis and Hertz)"
-        return
-    standard = "ISO 17485" if kind_of(sizing, gear.stage) == "bevel" else "ISO 1328-1"
-    yield "Flank tolerance class", "", f"{rules.iso6336.tolerance_class} {standard}"
-    yield (
-        "Roughness of flank / root",
-        "R_{z}",
-        (f"{1e6 * rules.iso6336.flank_roughness:g} / {1e6 * rules.iso6336.root_roughness:g} µm"),
-    )
-    steel = steel_of(rating_of(sizing.design, gear.stage))
-    yield "Steel (ISO 6336-5)", "", f"{steel.name} {steel.grade}, {steel.hardness:g} HV"
+    making = making_of(sizing, gear.stage)
+    yield "Flank tolerance class", "", making.accuracy
+    if making.roughness is not None:
+        flank, root = (f"{1e6 * roughness:g}" for roughness in making.roughness)
+        yield "Roughness of flank / root", "R_{z}", f"{flank} / {root} µm"
+    table, steel = making.steel
+    if steel:
+        yield f"Steel ({table})", "", steel
 
 
 def _mates(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:

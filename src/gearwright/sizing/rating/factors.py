@@ -1,0 +1,63 @@
+"""Every quantity of a rating as a row: the fields of its records that say where they come from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields, is_dataclass
+from types import MappingProxyType
+from typing import Any, get_type_hints
+
+from gearwright.units import marks_in
+
+CHAPTERS: Mapping[str, str] = MappingProxyType({
+    "dynamic": "dynamic factor", "face": "face load factor", "transverse": "transverse load factor",
+    "loads": "load factors", "contact_strength": "strength of flanks", "pitting": "pitting",
+    "root_strength": "strength of roots", "bending": "tooth root", "geometry": "pitting", "section": "tooth root",
+    "scuffing": "scuffing",
+})  # fmt: skip
+"""Field that holds records -> chapter of their rows; others stand in the chapter around them."""
+_HIDDEN = ("virtual",)
+"""Fields whose records are geometry, shown elsewhere."""
+
+
+@dataclass(frozen=True)
+class Factor:
+    """A quantity of both gears, or of the mesh."""
+
+    chapter: str
+    quantity: str
+    """In words."""
+    equation: str
+    """Symbol, or the equation that makes it."""
+    values: tuple[Any, ...]
+    """Of first and second gear, or one of the mesh; more are one list [SI]."""
+    dimension: str
+    clause: str
+
+
+def factor_rows(record: object, chapter: str) -> Iterator[Factor]:
+    """Yield a row for every field that says where it comes from, and look inside records and pairs of them.
+
+    Args:
+        record: A dataclass.
+        chapter: Of its rows.
+    """
+    hints = get_type_hints(type(record), include_extras=True)
+    for field in fields(record):  # type: ignore[arg-type]
+        value, hint = getattr(record, field.name), hints[field.name]
+        inner = CHAPTERS.get(field.name, chapter)
+        if is_dataclass(value):
+            yield from factor_rows(value, inner) if field.name not in _HIDDEN else ()
+        elif isinstance(value, tuple) and value and is_dataclass(value[0]):
+            yield from map(_side_by_side, factor_rows(value[0], inner), factor_rows(value[1], inner))
+        elif (origin := marks_in(hint).origin) is not None and value is not None:
+            values = value if isinstance(value, tuple) else (value,)
+            words = field.name.replace("_", " ")
+            yield Factor(chapter, words, origin.equation, values, marks_in(hint).dimension or "number", origin.source)
+
+
+def _side_by_side(first: Factor, second: Factor) -> Factor:
+    """Return one row of the same quantity of both gears."""
+    return Factor(
+        first.chapter, first.quantity, first.equation, (*first.values, *second.values), first.dimension, first.clause
+    )

@@ -1,0 +1,80 @@
+"""What ISO 6336 is told of a stage: steel, quality of flanks and roots, and duty."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from gearwright.catalogue import rated_steel
+from gearwright.parts.iso6336 import (
+    CENTRED,
+    CORRECTED_AND_CROWNED,
+    CROWNED,
+    UNMODIFIED,
+    GearSteel,
+    MeshDuty,
+    MeshQuality,
+    PinionShaft,
+)
+from gearwright.sizing.rating.rules import Rating
+
+IDLER_MEAN_STRESS = 0.7
+"""Y_M of gears that are loaded on both flanks [-] (ISO 6336-3:2019, annex B)."""
+SQUARE_MM = 1e-6
+_HELIX = {"none": UNMODIFIED, "crowning": CROWNED, "corrected": CORRECTED_AND_CROWNED}
+
+
+def steel_of(rating: Rating) -> GearSteel:
+    """Return the steel of a stage as ISO 6336 rates it.
+
+    Args:
+        rating: Resolved rules.
+
+    Raises:
+        DesignError: Unknown class or grade, or a hardness outside the grade's range.
+    """
+    rules = rating.rules.iso6336
+    return rated_steel(rating.material, rules.steel, rules.grade, hardness=rules.hardness_hv)
+
+
+def quality_of(rating: Rating, *, idlers: tuple[bool, bool], shaft: PinionShaft = CENTRED) -> MeshQuality:
+    """Return how the flanks of a stage are made and mounted.
+
+    Args:
+        rating: Resolved rules.
+        idlers: Which of the two gears is loaded on both flanks.
+        shaft: Where the pinion sits on its shaft.
+    """
+    rules = rating.rules.iso6336
+    means = [IDLER_MEAN_STRESS if idler else 1.0 for idler in idlers]
+    return MeshQuality(
+        grade=rules.tolerance_class,
+        flank_roughness=rules.flank_roughness,
+        root_roughness=rules.root_roughness,
+        helix=_HELIX[rules.helix_modification],
+        shaft=shaft,
+        viscosity=rules.oil_viscosity * SQUARE_MM,
+        mean_stresses=(means[0], means[1]),
+    )
+
+
+def duty_of(
+    rating: Rating, torque: ArrayLike, speed: ArrayLike, *, life: ArrayLike, passes: tuple[float, float]
+) -> MeshDuty:
+    """Return what a cylindrical mesh carries.
+
+    Args:
+        rating: Resolved rules.
+        torque: On the first gear, of one mesh, load factor included [N m].
+        speed: Of the first gear against the carrier [rad/s].
+        life: Time under that load [s].
+        passes: Mates that a tooth of each gear meets in a turn [-].
+    """
+    return MeshDuty(
+        np.asarray(torque, dtype=float) / rating.load_factor,
+        np.asarray(speed, dtype=float),
+        np.asarray(life, dtype=float),
+        application_factor=rating.service.application_factor,
+        mesh_load_factor=rating.load_factor,
+        meshes_per_turn=passes,
+    )

@@ -1,0 +1,163 @@
+"""ISO 6336 as a method of rating."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+
+import numpy as np
+
+from gearwright.checks import Check
+from gearwright.errors import Problem
+from gearwright.identity import PartId
+from gearwright.parts.gears import Numbers
+from gearwright.parts.iso6336 import MeshDuty, PairRating, rate_mesh
+from gearwright.sizing.rating.factors import Factor, factor_rows
+from gearwright.sizing.rating.iso6336.inputs import duty_of, quality_of, steel_of
+from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
+from gearwright.sizing.rating.iso6336.record import Iso6336Rating
+from gearwright.sizing.rating.iso6336.scuffing import scuffing_of
+from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
+from gearwright.sizing.rating.rules import Array, Ask, Rating
+from gearwright.sizing.rating.search import module_for
+from gearwright.sizing.rating.standard_teeth import cylindrical_mesh, widest_ratio
+
+SAFETIES: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {"pitting": ("iso6336", "pitting_safety"), "bending": ("iso6336", "bending_safety")}
+)
+"""Mode -> rule of its least safety under [gears]."""
+
+
+class Iso6336:
+    """Spur and helical gears, external and internal."""
+
+    edition = "ISO 6336, method B"
+    peaks = "K_A K_V"
+    safeties = SAFETIES
+
+    def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
+        """Yield nothing: a file's steels are checked as it is read, and teeth as they are searched."""
+        yield from ()
+
+    def width_ratio(self, rating: Rating, small: Array, large: Array) -> Array:
+        """Return λ of the widest gears that are allowed; the face width is narrowed later [-]."""
+        return widest_ratio(rating, small)
+
+    def module(self, ask: Ask, rating: Rating) -> tuple[Numbers, Numbers]:
+        """Return the modules at which S_F = S_Fmin and S_H = S_Hmin [m]."""
+        rules, steel = rating.rules.iso6336, steel_of(rating)
+        torque = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0], dtype=float)
+        quality = quality_of(rating, idlers=ask.idlers)
+
+        def safeties_at(module: Array) -> tuple[Array, Array]:
+            width = module * np.asarray(ask.width_ratio)
+            mesh = cylindrical_mesh(ask.teeth, module, width, rating, internal=ask.internal)
+            duty = duty_of(rating, torque, ask.speed, life=rating.service.life, passes=ask.passes)
+            rated = rate_mesh(mesh, (steel, steel), duty, quality=quality)
+            bending = np.minimum(rated.bending[0].safety, rated.bending[1].safety)
+            return np.asarray(bending), np.asarray(np.minimum(*rated.pitting.safeties))
+
+        return module_for(safeties_at, torque, (rules.bending_safety, rules.pitting_safety))
+
+    def rate(self, mesh: LoadedMesh) -> Iso6336Rating:
+        """Return the factors of the heaviest case, and the safeties under all cases by Miner's sum (ISO 6336-6)."""
+        rating, rules = mesh.rating, mesh.rating.rules.iso6336
+        factors, steel = _rated(mesh, mesh.heaviest), steel_of(rating)
+        alone = mesh.loads == (mesh.heaviest,)
+        every = [factors] if alone else [_rated(mesh, load) for load in mesh.loads]
+        pitting, bending = safeties([strains_of(rated) for rated in every], steel)
+        flanks, roots = strains_of(factors)
+        return Iso6336Rating(
+            case=mesh.heaviest.case,
+            factors=factors,
+            steel=steel,
+            pitting=pitting,
+            bending=bending,
+            scuffing=scuffing_of(mesh, factors),
+            pitting_asked=rules.pitting_safety,
+            bending_asked=rules.bending_safety,
+            scuffing_asked=rules.scuffing_safety,
+            module_bending=mesh.asked[0],
+            module_contact=mesh.asked[1],
+            bending_stress=max(float(root.stress) for root in roots),
+            bending_margin=min(bending) / rules.bending_safety,
+            contact_stress=max(float(flank.stress) for flank in flanks),
+            contact_margin=min(pitting) / rules.pitting_safety,
+            peaks=float(factors.loads.application * factors.loads.dynamic),
+        )
+
+    def reserve(self, rated: Iso6336Rating) -> float:
+        """Return the factor on the loads; the contact stress grows with its root [-]."""
+        return min(rated.bending_margin, rated.contact_margin**2)
+
+    def damage(self, spectrum: MeshSpectrum) -> tuple[Damage, Damage]:
+        """Return Miner's sums by ISO 6336-6, with the stresses of ISO 6336-2 and -3 in each class."""
+        speeds = np.asarray(spectrum.speeds)
+        duty = duty_of(spectrum.rating, spectrum.torques, speeds, life=1.0, passes=spectrum.ask.passes)
+        rated = _rate(spectrum.rating, spectrum.ask, duty, spectrum.module, spectrum.face_width)
+        return damages(strains_of(rated), spectrum, steel_of(spectrum.rating))
+
+    def checks(self, rated: Iso6336Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
+        """Yield both safeties of both gears, and that against scuffing."""
+        for gear, pitting, bending in zip(gears, rated.pitting, rated.bending, strict=True):
+            yield Check(gear, "pitting", "ISO 6336-2, 5.3", pitting, rated.pitting_asked, symbol="S_H")
+            yield Check(gear, "tooth root", "ISO 6336-3, 5.2", bending, rated.bending_asked, symbol="S_F")
+        if (scuffed := rated.scuffing) is not None:
+            clause = "ISO/TS 6336-21, eq. 14"
+            yield Check(mesh, "scuffing", clause, scuffed.safety, rated.scuffing_asked, symbol="S_intS")
+
+    def factors(self, rated: Iso6336Rating) -> Iterator[Factor]:
+        """Yield steel, loads, flanks, roots and scuffing."""
+        yield from factor_rows(rated.steel, "steel")
+        yield from factor_rows(rated.factors, "mesh")
+        if rated.scuffing is not None:
+            yield from factor_rows(rated.scuffing, "scuffing")
+
+    def making(self, rating: Rating) -> Making:
+        """Return flank class, roughness and steel."""
+        return iso_making(rating, "ISO 1328-1", rating.rules.iso6336.tolerance_class)
+
+
+def iso_making(rating: Rating, standard: str, iso_class: int | None) -> Making:
+    """Return how gears are made that standards of ISO rate.
+
+    Args:
+        rating: Resolved rules.
+        standard: Of the tolerance class.
+        iso_class: The class where it is one of ISO 1328-1 [-].
+    """
+    rules = rating.rules.iso6336
+    steel = steel_of(rating)
+    words = f"{steel.name} {steel.grade}, {steel.hardness:g} HV"
+    roughness = (rules.flank_roughness, rules.root_roughness)
+    return Making(f"{rules.tolerance_class} {standard}", iso_class, roughness, ("ISO 6336-5", words), steel)
+
+
+def strains_of(rated: PairRating) -> Strains:
+    """Return stress and limits of flanks and roots of both gears.
+
+    Args:
+        rated: One load or an array of them.
+    """
+    pitting = rated.pitting
+    flanks = [
+        Strain(pitting.stresses[gear], pitting.permissible[gear] / rated.contact_strength[gear].life,
+               pitting.permissible[gear], rated.cycles[gear])
+        for gear in (0, 1)
+    ]  # fmt: skip
+    roots = [
+        Strain(root.stress, root.permissible / strength.life, root.permissible, cycles)
+        for root, strength, cycles in zip(rated.bending, rated.root_strength, rated.cycles, strict=True)
+    ]
+    return (flanks[0], flanks[1]), (roots[0], roots[1])
+
+
+def _rated(mesh: LoadedMesh, load: Load) -> PairRating:
+    duty = duty_of(mesh.rating, load.torque, load.ask.speed, life=load.life, passes=load.ask.passes)
+    return _rate(mesh.rating, load.ask, duty, mesh.module, mesh.face_width)
+
+
+def _rate(rating: Rating, ask: Ask, duty: MeshDuty, module: float, face_width: float) -> PairRating:
+    steel = steel_of(rating)
+    mesh = cylindrical_mesh(ask.teeth, module, face_width, rating, internal=ask.internal)
+    return rate_mesh(mesh, (steel, steel), duty, quality=quality_of(rating, idlers=ask.idlers))

@@ -1,0 +1,83 @@
+"""Stresses of rated gears under many loads, their safeties over a life, and Miner's sums by ISO 6336-6."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.parts.iso6336 import (
+    GearSteel,
+    LifeCurve,
+    StressBin,
+    Value,
+    damage_parts,
+    life_curves,
+    spectrum_damage,
+)
+from gearwright.sizing.rating.protocol import Damage, MeshSpectrum
+
+
+class Strain(NamedTuple):
+    """Stress of one gear and what it bears; numbers, or arrays over loads."""
+
+    stress: Value
+    """σ_H or σ_F [Pa]."""
+    endurance: Value
+    """Its limit at a life factor of 1 [Pa]."""
+    permissible: Value
+    """Its limit after the life of the load [Pa]."""
+    cycles: Value
+    """Load cycles [-]."""
+
+
+Strains = tuple[tuple[Strain, Strain], tuple[Strain, Strain]]
+"""Of the flanks and of the roots, each of both gears."""
+Both = tuple[float, float]
+
+
+def safeties(rated: Sequence[Strains], steel: GearSteel) -> tuple[Both, Both]:
+    """Return S_H and S_F of both gears, each by Miner's sum over the loads where there are several [-].
+
+    Args:
+        rated: Of every load.
+        steel: Of both gears.
+    """
+    (flank, root) = (
+        tuple(_safety([row[mode][gear] for row in rated], curve) for gear in (0, 1))
+        for mode, curve in enumerate(life_curves(steel))
+    )
+    return (flank[0], flank[1]), (root[0], root[1])
+
+
+def damages(strains: Strains, spectrum: MeshSpectrum, steel: GearSteel) -> tuple[Damage, Damage]:
+    """Return Miner's sums of both gears.
+
+    Args:
+        strains: Under the loads of the spectrum, arrays over its classes.
+        spectrum: With the turns of its classes.
+        steel: Of both gears.
+    """
+    first, second = (float(np.asarray(teeth)) for teeth in spectrum.ask.teeth)
+    sums = []
+    for gear, relative in enumerate((1.0, first / second)):
+        cycles = [turns * relative * spectrum.ask.passes[gear] for turns in spectrum.turns]
+        parts = zip(strains, life_curves(steel), strict=True)
+        sums.append(Damage(*(_sum(cycles, pair[gear], curve) for pair, curve in parts)))
+    return sums[0], sums[1]
+
+
+def _safety(strains: list[Strain], curve: LifeCurve) -> float:
+    if len(strains) == 1:
+        return float(strains[0].permissible / strains[0].stress)
+    # Every case has its own film and hence its own limit: stresses are counted in parts of it.
+    bins = [StressBin(float(load.stress / load.endurance), float(load.cycles)) for load in strains]
+    return spectrum_damage(bins, 1.0, curve).safety
+
+
+def _sum(cycles: Sequence[float], strain: Strain, curve: LifeCurve) -> float:
+    """Miner's sum over the classes; the limits differ from class to class by the film factors."""
+    count = len(cycles)
+    rows = zip(cycles, np.broadcast_to(strain.stress, count), np.broadcast_to(strain.endurance, count), strict=True)
+    return sum(damage_parts([StressBin(float(stress), turns)], float(limit), curve)[0] for turns, stress, limit in rows)

@@ -1,0 +1,63 @@
+"""A mesh as ISO 6336 rates it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, ClassVar
+
+from gearwright.parts.iso6336 import GearSteel, PairRating
+from gearwright.parts.scuffing import IntegralTemperature
+from gearwright.units import Origin, Quantity, Ratio
+
+_CONTACT, _ROOT = "ISO 6336-2:2019", "ISO 6336-3:2019"
+
+
+@dataclass(frozen=True)
+class Iso6336Rating:
+    """A rated mesh: the factors of its heaviest case over the whole life, and the safeties under all cases."""
+
+    method: ClassVar[str] = "iso6336"
+    case: str
+    """Heaviest case."""
+    factors: PairRating
+    """In that case, over the whole life."""
+    steel: GearSteel
+    """Of both gears."""
+    pitting: Annotated[
+        tuple[float, float],
+        Quantity("ratio"),
+        Origin("S_H = σ_HG/σ_H; several cases: U(S_H σ_H) = 1", f"{_CONTACT}, 5.3; ISO 6336-6:2019"),
+    ]
+    """S_H of both gears under the cases and their shares of the life [-]."""
+    bending: Annotated[
+        tuple[float, float],
+        Quantity("ratio"),
+        Origin("S_F = σ_FG/σ_F; several cases: U(S_F σ_F) = 1", f"{_ROOT}, 5.2; ISO 6336-6:2019"),
+    ]
+    """S_F of both gears under the cases and their shares of the life [-]."""
+    scuffing: IntegralTemperature | None
+    """In the heaviest case; None for internal gears, which the method does not cover."""
+    pitting_asked: Ratio
+    """S_Hmin [-]."""
+    bending_asked: Ratio
+    """S_Fmin [-]."""
+    scuffing_asked: Ratio
+    """S_Smin [-]."""
+    module_bending: Annotated[float, Quantity("length"), Origin("m_n at which S_F = S_Fmin", f"{_ROOT}, 5.2")]
+    """Module that bending asks for [m]."""
+    module_contact: Annotated[float, Quantity("length"), Origin("m_n at which S_H = S_Hmin", f"{_CONTACT}, 5.3")]
+    """Module that contact asks for [m]."""
+    bending_stress: Annotated[
+        float, Quantity("stress"), Origin("σ_F = σ_F0 K_A K_γ K_V K_Fβ K_Fα, the larger", f"{_ROOT}, 5.2")
+    ]
+    """Root stress of the higher stressed gear in the heaviest case [Pa]."""
+    bending_margin: Annotated[float, Quantity("ratio"), Origin("S_F/S_Fmin, the smaller", f"{_ROOT}, 5.2")]
+    """Safety over the asked one [-]; 1 is just enough."""
+    contact_stress: Annotated[
+        float, Quantity("stress"), Origin("σ_H = Z_B,D σ_H0 √(K_A K_γ K_V K_Hβ K_Hα), the larger", f"{_CONTACT}, 5.3")
+    ]
+    """Contact stress of the higher stressed gear in the heaviest case [Pa]."""
+    contact_margin: Annotated[float, Quantity("ratio"), Origin("S_H/S_Hmin, the smaller", f"{_CONTACT}, 5.3")]
+    """Safety over the asked one [-]; 1 is just enough."""
+    peaks: Annotated[float, Quantity("ratio"), Origin("K_A K_V", "ISO 6336-1:2019, clauses 5 and 6")]
+    """Factor on the nominal force for peaks of the load in the heaviest case [-]."""

@@ -1,0 +1,196 @@
+"""What a method of rating gears does, and what it is asked: the protocol that every method follows.
+
+A method has a folder of its own beside this file, and yields its own record, whose fields carry its equations and
+sources. Nothing outside the folders knows one by name: who needs a method asks `methods.method_for`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Annotated, ClassVar, NamedTuple, Protocol, TypeVar
+
+from gearwright.checks import Check
+from gearwright.errors import Problem
+from gearwright.identity import PartId
+from gearwright.parts.gears import Numbers
+from gearwright.parts.iso6336 import GearSteel
+from gearwright.sizing.rating.factors import Factor
+from gearwright.sizing.rating.rules import Array, Ask, Rating
+from gearwright.spec.mission import GearLifeRules
+from gearwright.units import Origin, Quantity
+
+
+class Load(NamedTuple):
+    """One load case as a mesh feels it."""
+
+    case: str
+    torque: float
+    """On the first gear, of one mesh, load factor included [N m]."""
+    ask: Ask
+    life: float
+    """How long it lasts [s]."""
+
+
+class LoadedMesh(NamedTuple):
+    """A sized mesh with its loads."""
+
+    rating: Rating
+    """Rules of its stage."""
+    module: float
+    """m_n, of bevel gears m_mn [m]."""
+    face_width: float
+    """b [m]."""
+    heaviest: Load
+    """The heaviest case over the whole life."""
+    loads: tuple[Load, ...]
+    """The cases that make up the life; the heaviest alone where the design gives no shares."""
+    asked: tuple[float, float]
+    """Modules that bending and contact ask for [m]."""
+
+
+class MeshSpectrum(NamedTuple):
+    """What a flight asks of a mesh, class by class."""
+
+    rating: Rating
+    """Rules of its stage; K_A is 1."""
+    ask: Ask
+    """Teeth, and what kind of mesh it is."""
+    module: float
+    """m_n, of bevel gears m_mn [m]."""
+    face_width: float
+    """b [m]."""
+    torques: Sequence[float]
+    """On the first gear, of one mesh, load factor included [N m]."""
+    speeds: Sequence[float]
+    """Of the first gear against the carrier [rad/s]."""
+    turns: Sequence[float]
+    """Revolutions of the first gear [-]."""
+    steel: GearLifeRules
+    """Of the mission, for methods that know no life."""
+
+
+class Damage(NamedTuple):
+    """What a spectrum does to one gear."""
+
+    pitting: float
+    """Miner's sum of the flank [-]."""
+    bending: float
+    """Miner's sum of the root [-]."""
+
+
+class Making(NamedTuple):
+    """How gears of a stage are made, as a drawing says it."""
+
+    accuracy: str
+    """Class and its standard."""
+    iso_class: int | None = None
+    """Flank tolerance class of ISO 1328-1, where it is one [-]."""
+    roughness: tuple[float, float] | None = None
+    """R_z of flank and root [m]; None where the method asks for none."""
+    steel: tuple[str, str] = ("", "")
+    """Whose table names it, and the steel."""
+    iso_steel: GearSteel | None = None
+    """Its strength by ISO 6336-5, where that is what the method reads."""
+
+
+class MeshRating(Protocol):
+    """A rated mesh: what every record of a method has, each with its own equations and sources."""
+
+    method: ClassVar[str]
+    """Name of the method whose record it is; empty where nothing loads the mesh."""
+
+    @property
+    def case(self) -> str:
+        """Load case that governs."""
+
+    @property
+    def module_bending(self) -> float:
+        """Module that bending asks for [m]."""
+
+    @property
+    def module_contact(self) -> float:
+        """Module that contact asks for [m]."""
+
+    @property
+    def bending_stress(self) -> float:
+        """Of the higher stressed root [Pa]."""
+
+    @property
+    def bending_margin(self) -> float:
+        """Allowable over actual bending stress, or safety over the asked one [-]; 1 is just enough."""
+
+    @property
+    def contact_stress(self) -> float:
+        """Of the higher stressed flank [Pa]."""
+
+    @property
+    def contact_margin(self) -> float:
+        """Allowable over actual contact stress, or safety over the asked one [-]; 1 is just enough."""
+
+    @property
+    def peaks(self) -> float:
+        """Factor on the tangential force for peaks of the load that the rating has in it [-]."""
+
+
+R = TypeVar("R", bound=MeshRating)
+
+
+class Method(Protocol[R]):
+    """A method of rating gears."""
+
+    edition: str
+    """As tables name it: ``ISO 6336, method B``."""
+    peaks: str
+    """Symbols of its factors for peaks of the load, such as ``K_A K_V``; empty where it has none."""
+    safeties: Mapping[str, tuple[str, ...]]
+    """Mode of failure, ``pitting`` or ``bending`` -> where its asked safety stands under [gears]."""
+
+    def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
+        """Yield what it does not cover beyond what files are checked for: teeth, steel; paths below the rules."""
+
+    def width_ratio(self, rating: Rating, small: Array, large: Array) -> Array:
+        """Return λ = b/m_n where the design gives none [-]."""
+
+    def module(self, ask: Ask, rating: Rating) -> tuple[Numbers, Numbers]:
+        """Return the modules that bending and contact ask of a mesh, or of arrays of choices [m]."""
+
+    def rate(self, mesh: LoadedMesh) -> R:
+        """Return the rating of a mesh."""
+
+    def reserve(self, rated: R) -> float:
+        """Return by what factor the loads could grow until one asked safety is no longer met [-]."""
+
+    def damage(self, spectrum: MeshSpectrum) -> tuple[Damage, Damage]:
+        """Return Miner's sums of both gears."""
+
+    def checks(self, rated: R, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
+        """Yield every judgement on the strength of a mesh and its gears."""
+
+    def factors(self, rated: R) -> Iterator[Factor]:
+        """Yield every factor with its clause, for tables."""
+
+    def making(self, rating: Rating) -> Making:
+        """Return how the gears are made, for drawings."""
+
+
+@dataclass(frozen=True)
+class Unloaded:
+    """A mesh that no case loads: no method has anything to say of it."""
+
+    method: ClassVar[str] = ""
+    case: str
+    module_bending: Annotated[float, Quantity("length"), Origin("0", "no case loads the mesh")] = 0.0
+    """[m]"""
+    module_contact: Annotated[float, Quantity("length"), Origin("0", "no case loads the mesh")] = 0.0
+    """[m]"""
+    bending_stress: Annotated[float, Quantity("stress"), Origin("0", "no case loads the mesh")] = 0.0
+    """[Pa]"""
+    bending_margin: Annotated[float, Quantity("ratio"), Origin("∞", "no case loads the mesh")] = float("inf")
+    """[-]"""
+    contact_stress: Annotated[float, Quantity("stress"), Origin("0", "no case loads the mesh")] = 0.0
+    """[Pa]"""
+    contact_margin: Annotated[float, Quantity("ratio"), Origin("∞", "no case loads the mesh")] = float("inf")
+    """[-]"""
+    peaks: Annotated[float, Quantity("ratio"), Origin("1", "no case loads the mesh")] = 1.0
+    """[-]"""

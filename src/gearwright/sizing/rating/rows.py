@@ -1,0 +1,65 @@
+"""A row of meshes rated by the method of its stage under the load cases of the design."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gearwright.sizing.rating.context import Context, ask_of, worst_case
+from gearwright.sizing.rating.methods import method_for
+from gearwright.sizing.rating.protocol import Load, LoadedMesh, MeshRating, Unloaded
+from gearwright.train import Mesh
+
+_LEAST_TORQUE = 1e-9
+"""Below it a case does no damage [N m]."""
+_NONE_ASKED = (0.0, 0.0)
+
+
+def rate_row(
+    context: Context, mesh: Mesh, module: float, face_width: float, *, asked: tuple[float, float] = _NONE_ASKED
+) -> MeshRating:
+    """Return the rating of one mesh of a row.
+
+    Args:
+        context: What sizing reads.
+        mesh: A row of the train.
+        module: m_n, of bevel gears m_mn [m].
+        face_width: b [m].
+        asked: Modules that bending and contact ask for, for its record [m].
+    """
+    rating, (case, per_tooth) = context.ratings[mesh.stage], worst_case(context, mesh)
+    if per_tooth * context.teeth[mesh.gears[0]] <= _LEAST_TORQUE:
+        return Unloaded(case)
+    heaviest = _load(context, mesh, case, rating.service.life)
+    loads = tuple(load for load in _loads(context, mesh) if load.torque > _LEAST_TORQUE)
+    rated: MeshRating = method_for(rating).rate(LoadedMesh(rating, module, face_width, heaviest, loads, asked))
+    return rated
+
+
+def row_reserve(context: Context, mesh: Mesh, module: float, face_width: float) -> float | None:
+    """Return by what factor the loads of a row could grow [-]; None where nothing loads it.
+
+    Args:
+        context: What sizing reads.
+        mesh: A row of the train.
+        module: m_n, of bevel gears m_mn [m].
+        face_width: b [m].
+    """
+    rated = rate_row(context, mesh, module, face_width)
+    return None if isinstance(rated, Unloaded) else method_for(context.ratings[mesh.stage]).reserve(rated)
+
+
+def _loads(context: Context, mesh: Mesh) -> Iterator[Load]:
+    """Yield the cases that make up the life; where none is said, the heaviest lasts all of it."""
+    service = context.design.service
+    if not service.shares:
+        case, _ = worst_case(context, mesh)
+        yield _load(context, mesh, case, service.life)
+    for case, share in service.shares.items():
+        if share > 0.0:
+            yield _load(context, mesh, case, share * service.life)
+
+
+def _load(context: Context, mesh: Mesh, case: str, life: float) -> Load:
+    multiplier = abs(context.flows[case].meshes[mesh.name].multiplier)
+    per_tooth = multiplier / mesh.count * context.ratings[mesh.stage].load_factor
+    return Load(case, per_tooth * context.teeth[mesh.gears[0]], ask_of(context, mesh, case, per_tooth), life)
