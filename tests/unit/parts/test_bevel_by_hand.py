@@ -46,7 +46,9 @@ STRAIGHT = BevelPair((17, 43), 4e-3, 28e-3, 0.0, math.radians(22.0), math.radian
 LOW = BevelPair((17, 43), 4e-3, 22e-3, math.radians(12.0), math.radians(20.0), math.pi / 2.0, TOOTH)
 SPIRAL = BevelPair((15, 46), 8.5e-3, 51e-3, math.radians(35.0), math.radians(20.0), math.pi / 2.0, TOOTH)
 MIDDLE = BevelPair((17, 43), 4e-3, 29e-3, math.radians(20.0), math.radians(20.0), math.radians(100.0), TOOTH)
-PAIRS = pytest.mark.parametrize("pair", [STRAIGHT, LOW, MIDDLE, SPIRAL], ids=["straight", "low", "middle", "spiral"])
+JUST = replace(MIDDLE, spiral_angle=math.radians(27.0))
+"""Just above an overlap of 1."""
+PAIRS = pytest.mark.parametrize("pair", [STRAIGHT, LOW, MIDDLE, JUST, SPIRAL])
 HARD = GearSteel("hard", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 461e6, 206e9, 0.3)
 OTHER = GearSteel("other", Treatment.NITRIDED, "MQ", 650.0, 1100e6, 400e6, 200e9, 0.29)
 
@@ -322,6 +324,11 @@ def test_bending_is_the_product_of_part_3(pair, gear):
     for given, rough in (({}, 16e-6), ({"roughness": 5e-6}, 5e-6)):
         made = bevel_bending(virtual, gear, OTHER, duty=duty, loads=loads, life=0.9, **given)
         assert (made.nominal_stress, made.stress) == (near(nominal), near(stress))
+        assert (made.section.form, made.load_sharing) == (near(section.form), near(virtual.load_sharing**2))
+        assert (made.contact_ratio, made.spiral) == (
+            near(contact_ratio_factor_bending(virtual)),
+            near(spiral_angle_factor(virtual)),
+        )
         limit = 400e6 * 2.0 * 0.9 * notch_sensitivity_factor(section.notch, OTHER)
         limit *= surface_factor(rough, Treatment.NITRIDED) * bending_size_factor(hand.m_mn, Treatment.NITRIDED)
         assert (made.permissible, made.safety) == (near(limit), near(limit / stress))
@@ -359,6 +366,12 @@ def test_shift_and_pitch_tolerance_are_the_printed_ones():
     assert gleason_profile_shift((15, 45)) == near(2.0 * (0.29 - 0.29 / 9.0))
     assert bevel_pitch_tolerance(0.2, 4e-3, 4) == near(6.8e-6)
     assert bevel_pitch_tolerance(0.2, 4e-3, 7) == near(6.8e-6 * math.sqrt(8.0))
+
+
+def test_spirals_lean_up_to_45_degrees():
+    assert replace(SPIRAL, spiral_angle=math.pi / 4.0).spiral_angle == math.pi / 4.0
+    with pytest.raises(DesignError, match="from 0 to 45"):
+        replace(SPIRAL, spiral_angle=math.radians(46.0))
 
 
 def test_a_pair_is_straight_at_right_angles_if_nothing_else_is_said():

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from gearwright.errors import DesignError
+from gearwright.errors import DesignError, SolveError
 from gearwright.parts.iso6336 import (
     CENTRED,
     CORRECTED_AND_CROWNED,
@@ -249,6 +249,9 @@ def test_damage_adds_up_bin_by_bin():
     assert damage_parts([StressBin(2e9, 1.0)], 1e9, curve) == (math.inf,)
     # At the static value itself 1e5 cycles are endured: fewer leave just the static safety.
     assert spectrum_damage([StressBin(1e9, 10.0)], 1e9, curve).safety == pytest.approx(1.6)
+    for strength in (70.0, 0.006):
+        with pytest.raises(SolveError, match="hundredfold"):
+            spectrum_damage([StressBin(1e9, 1e5)], strength * 1e9, curve)
     for strength in (60.0, 0.0065):
         assert spectrum_damage([StressBin(1e9, 1e5)], strength * 1e9, curve).safety == pytest.approx(1.6 * strength)
 

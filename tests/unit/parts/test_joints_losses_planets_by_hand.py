@@ -182,6 +182,9 @@ def test_friction_is_schlenks():
     expected = 0.048 * (310.0 / (rolling * 11.0)) ** 0.2 * 9.0**-0.05 * 0.7**0.25
     assert mesh_friction(contact, -310e3, -14.0, viscosity=9e-3, roughness=0.7e-6) == near(expected)
     assert mesh_friction(contact, 1e9, 0.01, viscosity=9e-3, roughness=0.7e-6) == HIGHEST_FRICTION == 0.2
+    # At rest the sum of the rolling speeds counts as 1 mm/s.
+    crept = 0.048 * (1e-3 / (1e-3 * 11.0)) ** 0.2 * 9.0**-0.05 * 0.7**0.25
+    assert mesh_friction(contact, 1.0, 0.0, viscosity=9e-3, roughness=0.7e-6) == near(crept)
 
 
 def test_windage_and_churning_are_those_of_their_reports():
@@ -284,9 +287,9 @@ def test_phases_of_a_set_follow_its_teeth(shifts):
 def test_a_phase_of_a_whole_cycle_is_none():
     """Planets that sit at whole teeth of the sun: 24 · 17/102 = 4."""
     sun_mesh, ring_mesh = gears((0.0, 0.0, 0.0))
-    phases = planet_phases(sun_mesh, ring_mesh, [2.0 * PI * k / 6.0 for k in range(6)])
-    assert phases.sun == (0.0,) * 6
-    assert phases.ring == pytest.approx((0.0,) * 6)
+    for start in (0.0, 0.1, 0.7, 2.3):
+        phases = planet_phases(sun_mesh, ring_mesh, [start + 2.0 * PI * k / 6.0 for k in range(6)])
+        assert phases.sun == phases.ring == (0.0,) * 6
 
 
 def test_materials_shear_and_bear_by_two_formulas():

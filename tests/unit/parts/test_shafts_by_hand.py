@@ -200,7 +200,9 @@ DEVIATES = {0.5: 0.0, 0.9: 1.288, 0.95: 1.645, 0.99: 2.326, 0.999: 3.091, 0.9999
 
 @pytest.mark.parametrize("surface", SURFACES)
 @pytest.mark.parametrize("reliability", DEVIATES)
-@pytest.mark.parametrize(("millimetres", "size"), [(30.0, 1.24 * 30.0**-0.107), (80.0, 1.51 * 80.0**-0.157)])
+@pytest.mark.parametrize(
+    ("millimetres", "size"), [(30.0, 1.24 * 30.0**-0.107), (60.0, 1.51 * 60.0**-0.157), (80.0, 1.51 * 80.0**-0.157)]
+)
 def test_marins_factors_are_shigleys(surface, reliability, millimetres, size):
     """k_a = a S_ut^b, k_b to 51 mm and beyond, k_e = 1 − 0.08 z_a, 0.5 S_ut up to 1400 MPa."""
     a, b = SURFACES[surface]
@@ -267,6 +269,13 @@ def test_a_step_of_two_thirds_is_not_yet_slender():
     phi = 1.0 / (4.0 * math.sqrt(16e-3 / r) + 2.0)
     bending = fatigue_notch_factor(shoulder, 500e6).bending
     assert bending == near(stress_concentration(shoulder).bending / (1.0 + math.sqrt(2.3 * (1.0 + phi)) * support))
+
+
+def test_fillets_hold_from_three_hundredths_of_the_step():
+    """DIN 743-2: r/t ≥ 0.03, t = 10 mm: 0.31 mm is rated and 0.29 mm is told what it lacks."""
+    assert stress_concentration(Shoulder(0.04, 0.06, 0.31e-3)).bending > 1.0
+    with pytest.raises(DesignError, match=r"0\.29 mm given; the formulas hold from 0\.3 mm on"):
+        stress_concentration(Shoulder(0.04, 0.06, 0.29e-3))
 
 
 def test_notch_sensitivity_is_neubers():

@@ -109,7 +109,7 @@ def system_life(lives: Sequence[float], slope: float | Sequence[float] = 10.0 / 
     500
     """
     single, slopes = np.broadcast_arrays(np.asarray(lives, dtype=float), np.asarray(slope, dtype=float))
-    life = float(np.sum(single ** -slopes.max()) ** (-1.0 / slopes.max()))
+    life = float(single.min())  # Newton from above, where the sum is at least 1
     for _ in range(100):
         parts = (life / single) ** slopes
         step = math.log(parts.sum()) * parts.sum() / float(parts @ slopes)

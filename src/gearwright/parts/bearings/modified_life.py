@@ -27,8 +27,8 @@ class _Modification(NamedTuple):
 
 _BALL = _Modification(2.5671, (2.2649, 1.9987), 0.83, 1.0 / 3.0, 9.3)
 _ROLLER = _Modification(1.5859, (1.3993, 1.2348), 1.0, 0.4, 9.185)
-_FILM_EXPONENTS = ((0.4, 0.054381), (1.0, 0.19087), (4.0, 0.071739))
-"""Greatest κ of each range and its exponent c (ISO 281:2007, eqs (31)-(36))."""
+_FILM_EXPONENTS = ((0.4, 0.054381), (1.0, 0.19087), (math.inf, 0.071739))
+"""Greatest κ of each range and its exponent c (ISO 281:2007, eqs (31)-(36)); from 4 on κ counts as 4."""
 
 
 class Cleanliness(Enum):
