@@ -101,7 +101,7 @@ def test_a_margin_below_one_is_the_first_thing_that_the_report_says() -> None:
     page = report(sized(MIXED + '[overrides]\n"lay.diameter_mm" = 20\n'))
     warning = page.index("it should be 1 or more")
     assert warning < page.index("<figure")
-    assert "lay.diameter is given in place of its computed value" in page
+    assert "Given in place of computed values (user&#39;s design file): lay.diameter." in page
 
 
 def test_inputs_tell_what_the_file_states_from_what_is_default(in_line_h2) -> None:

@@ -156,6 +156,11 @@ def test_a_pair_without_a_module_of_its_own_says_whose_it_has():
     assert found["pairs.drive.wheel_mass_kg"] == "has no effect: the gear is that of pairs.stage; give it there"
 
 
+def test_no_part_is_called_like_the_whole():
+    """Its mass in [overrides] would be that of the gearbox, too."""
+    assert problem(PAIR.replace('"slow"', '"gearbox"')).path == "shafts"
+
+
 def test_only_a_bevel_pair_has_an_outer_module():
     assert problem(PAIR + "outer_module_mm = 3\n").message == "has no effect: only a bevel pair has one"
     with pytest.raises(DesignError, match="a bevel pair has an outer_module"):

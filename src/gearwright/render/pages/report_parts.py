@@ -90,9 +90,7 @@ def warnings(sizing: Sizing, trace: Trace | None, campbell: Sequence[SpeedCase] 
         for case, flow in sizing.flows.items()
         for loop in recirculation(sizing.train, flow)
     ]
-    sentences += [
-        f"{path} is given in place of its computed value ({entry.origin})." for path, entry in sizing.given.items()
-    ]
+    sentences += _given(sizing)
     if trace is not None:
         sentences += [
             f"{load.mesh}: with the simulated peak force, {load.peak_over_mean:.2f} times the mean, the margins are"
@@ -106,6 +104,14 @@ def warnings(sizing: Sizing, trace: Trace | None, campbell: Sequence[SpeedCase] 
         if trace.error > LARGE_ERROR:
             sentences.append(f"The run's estimated force error is {trace.error:.1%}; take a smaller step.")
     return tuple(sentences)
+
+
+def _given(sizing: Sizing) -> list[str]:
+    """Return one sentence for each origin of values that are given in place of computed ones."""
+    paths: dict[str, list[str]] = {}
+    for path, given in sizing.given.items():
+        paths.setdefault(given.origin, []).append(path)
+    return [f"Given in place of computed values ({origin}): {', '.join(names)}." for origin, names in paths.items()]
 
 
 def _yielded(sizing: Sizing) -> list[str]:

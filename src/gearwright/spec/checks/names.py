@@ -16,6 +16,7 @@ def name_problems(design: Design) -> Iterator[Problem]:
         design: As typed.
     """
     yield from _shafts(design)
+    yield from _whole(design)
     tables = _tables(design)
     for table, names in tables.items():
         for name in names:
@@ -39,6 +40,14 @@ def _shafts(design: Design) -> Iterator[Problem]:
         if name == GROUND:
             yield Problem("shafts", f"{GROUND!r} is the frame and stands still; give the shaft another name")
         seen.add(name)
+
+
+def _whole(design: Design) -> Iterator[Problem]:
+    """Find parts whose mass would be given by the path of the whole gearbox's."""
+    named = [("shafts", name) for name in design.shafts] + [(f"motors.{name}", name) for name in design.motors]
+    for path, name in named:
+        if name == "gearbox":
+            yield Problem(path, f"{name!r} is the whole, whose mass {name}.mass is; give the part another name")
 
 
 def _alike(design: Design, tables: Mapping[str, Mapping[str, object]]) -> Iterator[Problem]:
