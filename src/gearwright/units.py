@@ -96,6 +96,7 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
     "current": ("A", 1.0),
     "voltage": ("V", 1.0),
     "mass_flow": ("kg/h", 1.0 / 3600.0),
+    "oil_flow": ("l/min", 1e-3 / 60.0),
 }
 _SI: Mapping[str, str] = MappingProxyType({
     "angle": "rad", "area": "m²", "density": "kg/m³", "energy": "J", "electric_energy": "J", "force": "N",
@@ -104,8 +105,16 @@ _SI: Mapping[str, str] = MappingProxyType({
     "stiffness": "N/m", "bearing_force": "N", "stress": "Pa", "time": "s", "torque": "N m",
     "torsional_stiffness": "N m/rad", "velocity": "m/s", "volume": "m³", "number": "1", "ratio": "1", "percent": "1",
     "elasticity_factor": "√Pa", "mass_per_length": "kg/m", "temperature": "°C", "absolute_temperature": "K",
-    "current": "A", "voltage": "V", "mass_flow": "kg/s",
+    "current": "A", "voltage": "V", "mass_flow": "kg/s", "oil_flow": "m³/s",
 })  # fmt: skip
+
+_SUFFIX: Mapping[str, str] = MappingProxyType({
+    "electric_energy": "kwh", "specific_power": "kw_kg", "specific_torque": "nm_kg", "percent": "percent",
+    "altitude": "ft", "flight_time": "min", "bearing_force": "kn", "elasticity_factor": "sqrt_mpa",
+    "mass_per_length": "g_mm", "temperature": "degc", "absolute_temperature": "k", "current": "a", "voltage": "v",
+    "mass_flow": "kg_h", "oil_flow": "l_min",
+})  # fmt: skip
+"""Dimension that no file has -> suffix of a key that holds it."""
 
 
 @dataclass(frozen=True)
@@ -165,6 +174,43 @@ def unit(dimension: str) -> str:
         dimension: Such as ``"length"``.
     """
     return _SHOWN[dimension][0]
+
+
+_SYMBOLS: Mapping[str, str] = MappingProxyType({
+    "deg": "°", "mm2": "mm²", "m2": "m²", "kg_m3": "kg/m³", "j": "J", "kj": "kJ", "mj": "MJ", "kwh": "kWh", "n": "N",
+    "kn": "kN", "hz": "Hz", "khz": "kHz", "kg_m2": "kg m²", "um": "µm", "kw": "kW", "w": "W", "mw": "MW",
+    "rad_s": "rad/s", "n_m": "N/m", "n_um": "N/µm", "n_mm": "N/mm", "mpa": "MPa", "pa": "Pa", "gpa": "GPa",
+    "nm": "N m", "knm": "kN m", "lbf_ft": "lbf ft", "nm_rad": "N m/rad", "knm_rad": "kN m/rad", "m_s": "m/s",
+    "km_h": "km/h", "ft_min": "ft/min", "m3": "m³", "mm3": "mm³",
+})  # fmt: skip
+"""Suffix of a key -> symbol of its unit, where they differ."""
+
+
+def suffix_unit(suffix: str) -> str:
+    """Return the unit that a suffix of a key names, as engineers write it.
+
+    Args:
+        suffix: A key of one of the dimensions of `SUFFIXES`.
+
+    >>> suffix_unit("kw"), suffix_unit("kg_m2"), suffix_unit("mm")
+    ('kW', 'kg m²', 'mm')
+    """
+    return _SYMBOLS.get(suffix, suffix)
+
+
+@cache
+def key_suffix(dimension: str) -> str:
+    """Return the suffix of a key that holds a dimension in the unit in which it is shown; empty for what has none.
+
+    Args:
+        dimension: Such as ``"length"``; empty for words and counts.
+
+    >>> key_suffix("length"), key_suffix("specific_power"), key_suffix("ratio")
+    ('mm', 'kw_kg', '')
+    """
+    units = SUFFIXES.get(dimension, {}).items()
+    same = (suffix for suffix, factor in units if math.isclose(factor * shown(1.0, dimension), 1.0))
+    return next(same, _SUFFIX.get(dimension, ""))
 
 
 def shown(value: float, dimension: str) -> float:

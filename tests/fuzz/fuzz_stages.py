@@ -1,6 +1,5 @@
 """The verbs that are fed, and how each answers a fuzzed file: with a result, a refusal, or a finding."""
 
-import json
 import random
 import re
 import signal
@@ -21,8 +20,10 @@ from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.motion import default_step
 from gearwright.errors import DesignError, SolveError
 from gearwright.mission import durability, fly
-from gearwright.render.words.flight_data import flight_json
-from gearwright.render.words.text import modes_json, sizing_json, trace_json
+from gearwright.render.answers.design import size_answer
+from gearwright.render.answers.flight import fly_answer
+from gearwright.render.answers.motion import modes_answer, simulate_answer
+from gearwright.render.answers.plain import plain
 from gearwright.sizing import Sizing, size
 from gearwright.spec import parse, parse_mission, parse_study
 
@@ -76,18 +77,18 @@ def _sized(fuzzed: Case) -> Sizing:
 
 def _size(fuzzed: Case) -> object:
     sizing = _sized(fuzzed)
-    return sizing, _strict(sizing_json(sizing))
+    return sizing, plain(size_answer(sizing))
 
 
 def _modes(fuzzed: Case) -> object:
     found = modes(assemble(_sized(fuzzed)))
-    return found, _strict(modes_json(found))
+    return found, plain(modes_answer(found, "rated"))
 
 
 def _simulate(fuzzed: Case) -> object:
     system = assemble(_sized(fuzzed))
     trace = simulate(system, min(SIMULATED, MOST_STEPS * default_step(system.arrays)))
-    return trace, _strict(trace_json(trace))
+    return trace, plain(simulate_answer(trace, "rated"))
 
 
 def _fly(fuzzed: Case) -> object:
@@ -100,12 +101,7 @@ def _fly(fuzzed: Case) -> object:
         sizing, mission = _sized(fuzzed), parse_mission(coarse(corpus("mission")[name]))
     flight = fly(sizing, mission, folder=_ANYWHERE)
     lives = durability(flight)
-    return flight, lives, _strict(flight_json(flight, lives))
-
-
-def _strict(text: str) -> object:
-    """Return what a JSON text says; there is no NaN and no Infinity in JSON."""
-    return json.loads(text, parse_constant=float)
+    return flight, lives, plain(fly_answer(flight, lives))
 
 
 @cache

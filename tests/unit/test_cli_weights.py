@@ -6,13 +6,12 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from gearwright.cli import design as cli_design
 from gearwright.cli import weights as cli_weights
 from gearwright.errors import DesignError
 
 app = typer.Typer()
 app.command()(cli_weights.engines)
-app.command()(cli_design.mass)
+app.command()(cli_weights.mass)
 
 PW127 = ["mass", "--power-kw", "2051", "--engine-rpm", "20204", "--propeller-rpm", "1212"]
 
@@ -28,12 +27,12 @@ def test_mass_shows_the_methods_side_by_side():
     assert "Taken from here on: 136.5 kg" in result.output
 
 
-def test_mass_writes_report_and_json(tmp_path):
-    page, record = tmp_path / "out.html", tmp_path / "out.json"
-    result = run(*PW127, "--mass-kg", "190", "--origin", "weighed", "--report", str(page), "--json", str(record))
+def test_mass_writes_a_report_and_prints_json(tmp_path, capsys):
+    page = tmp_path / "out.html"
+    result = run(*PW127, "--mass-kg", "190", "--origin", "weighed", "--report", str(page), "--json")
     assert result.exit_code == 0
     assert "Table 1.15" in page.read_text(encoding="utf-8")
-    assert json.loads(record.read_text(encoding="utf-8"))["taken"]["mass_kg"] == 190.0
+    assert json.loads(result.stdout)["result"]["taken"]["mass_kg"] == 190.0
 
 
 def test_a_mass_without_origin_and_an_origin_without_mass_are_refused():
@@ -43,18 +42,18 @@ def test_a_mass_without_origin_and_an_origin_without_mass_are_refused():
         run(*PW127, "--origin", "weighed")
 
 
-def test_the_mass_of_a_design_is_a_row_of_its_own(capsys):
-    found = cli_weights.show_mass(2051.0, 20204.0, 1212.0, bottom_up=150.0)
-    assert found.bottom_up.mass == 150.0
-    assert found.taken.mass != 150.0
-    assert "This design" in capsys.readouterr().out
+def test_the_mass_of_a_design_is_a_row_of_its_own():
+    result = run(*PW127, "--design", "in-line-h2", "--json")
+    found = json.loads(result.stdout)["result"]
+    assert found["bottom_up"]["mass_kg"] == pytest.approx(43.77, abs=0.01)
+    assert found["taken"]["mass_kg"] == pytest.approx(136.5, abs=0.1)
+    assert "This design" in run(*PW127, "--design", "in-line-h2").output
 
 
-def test_engines_filters_and_sorts(tmp_path):
-    rows = tmp_path / "engines.json"
-    result = run("engines", "--manufacturer", "GE", "--kind", "turboprop", "--sort", "power", "--json", str(rows))
+def test_engines_filters_and_sorts():
+    result = run("engines", "--manufacturer", "GE", "--kind", "turboprop", "--sort", "power", "--json")
     assert result.exit_code == 0
-    powers = [one["power_kw"] for one in json.loads(rows.read_text(encoding="utf-8"))]
+    powers = [row["power_kw"] for row in json.loads(result.stdout)["result"]["rows"]]
     assert len(powers) == 27
     assert powers == sorted(powers)
 

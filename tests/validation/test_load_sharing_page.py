@@ -37,13 +37,13 @@ def row(start: str) -> list[str]:
 
 def called(method: str) -> dict[str, object]:
     found = CliRunner().invoke(APP, [SPLIT, "--method", method, "--json"], catch_exceptions=False)
-    return json.loads(found.stdout)
+    return json.loads(found.stdout)["result"]
 
 
 def test_command_prints_the_shares_of_the_table():
     """b₅ and K_γ under all errors at the paper's support, to the digits of the page."""
     dynamics, closed = called("dynamics"), called("quasi-static")
-    least, most = (dynamics["tooth_cycle"][end][0] for end in ("least", "most"))
+    least, most = (2.0 * dynamics["paths"][0][end] for end in ("minimum", "maximum"))
     assert f"{least:.3f}–{most:.3f}" == row("b₅ over a tooth cycle")[1].split(";")[0]
     factors = [f"{each['load_factor']:.3f}" for each in (dynamics, closed)]
     assert factors == row("K_γ of the second stage")[1].split("; ")

@@ -9,28 +9,31 @@ from __future__ import annotations
 
 import errno
 import sys
+from collections.abc import Callable
 from typing import Annotated
 
 import typer
 
-from gearwright.cli.design import check, mass, modes, new, report, run, schema, simulate, size
+from gearwright.cli.design import check, modes, report, simulate, size
 from gearwright.cli.draw import draw
 from gearwright.cli.dynamics import campbell, response, runup, validate
 from gearwright.cli.ends import BROKEN_PIPE, FAILED, WRONG, ended_well
+from gearwright.cli.files import new, schema
 from gearwright.cli.mission import fly
 from gearwright.cli.output import STANDARD_OUTPUT, show, tell
 from gearwright.cli.replay import colibri, replay, thesis
 from gearwright.cli.review import review
+from gearwright.cli.run import run
 from gearwright.cli.runs import cluster, resume, status
 from gearwright.cli.sections import Sections
 from gearwright.cli.sharing import sharing
 from gearwright.cli.streams import flushed, steady_streams
 from gearwright.cli.study import compare, study
-from gearwright.cli.weights import engines
+from gearwright.cli.weights import engines, mass
 from gearwright.cli.windows import window
 from gearwright.version import __version__
 
-COMMANDS = {
+COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
     "Designs": (new, run, check, size, review, report, draw, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
     "Flights": (fly, window),

@@ -1,4 +1,4 @@
-"""Commands of one design: new, check, size, modes, simulate, run, report, mass, schema."""
+"""Commands of one design: check, size, modes, simulate, report."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.designs import sized
 from gearwright.cli.ends import end_interrupted, named_after, save_run
-from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
-from gearwright.cli.output import progress, show, show_json, tell
-from gearwright.cli.weights import show_mass, stated_mass
-from gearwright.writing import make_folder, write_text
+from gearwright.cli.options import CaseOption, DesignArgument, JsonOption, LinesOption
+from gearwright.cli.output import progress, show, tell
+from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from gearwright.dynamics import System, Trace
@@ -28,54 +28,7 @@ StiffnessOption = Annotated[
 DurationOption = Annotated[float, typer.Option(help="Time to simulate [s]", min=0.0)]
 
 
-def new(
-    name: Annotated[str | None, typer.Argument(help="A shipped design, mission or study; left out: list them")] = None,
-    file: Annotated[Path | None, typer.Argument(help="File to write; left out: NAME.toml here")] = None,
-    force: Annotated[bool, typer.Option("--force", help="Replace a file that is there")] = False,
-) -> None:
-    """Write a shipped design, mission or study as a file to start from, or list all of them."""
-    from gearwright.errors import DesignError, Problem
-    from gearwright.shipped import shipped_file
-
-    if name is None:
-        _list()
-        return
-    source = shipped_file(name)
-    text = source.read_text(encoding="utf-8")
-    target = file or Path(f"{name}.toml")
-    if target.exists() and not force:
-        raise DesignError(
-            [Problem("", "the file is there already; give another name, or --force to replace it")], str(target)
-        )
-    write_text(target, text)
-    follows = {"designs": "run", "missions": "fly DESIGN", "studies": "study"}[source.parent.name]
-    show(f"wrote {target}; next: gearwright {follows} {target}")
-
-
-def _list() -> None:
-    """Print every shipped file with its name, under what it is."""
-    from gearwright.shipped import (
-        shipped_design,
-        shipped_designs,
-        shipped_mission,
-        shipped_missions,
-        shipped_studies,
-        shipped_study,
-    )
-    from gearwright.spec import read, read_mission, read_study
-
-    show("designs")
-    for name in shipped_designs():
-        show(f"{name:24} {read(shipped_design(name)).name}")
-    show("\nmissions")
-    for name in shipped_missions():
-        show(f"{name:24} {read_mission(shipped_mission(name)).name}")
-    show("\nstudies")
-    for name in shipped_studies():
-        show(f"{name:24} {read_study(shipped_study(name)).name}")
-
-
-def check(design: DesignArgument) -> None:
+def check(design: DesignArgument, json: JsonOption = False) -> None:
     """Check a design file and say everything that is wrong with it; a margin below 1 ends with exit code 1."""
     from gearwright.dynamics.assembly import assemble
     from gearwright.render.tables.checks import check_sentence
@@ -84,6 +37,13 @@ def check(design: DesignArgument) -> None:
     for case in sizing.flows:  # what the dynamic model would refuse is said here
         assemble(sizing, case)
     weak = [check for check in sizing.checks if check.fails]
+    if json:
+        from gearwright.render.answers.design import check_answer
+
+        show_answer("check", check_answer(sizing), design=sizing.design.name)
+        if weak:
+            raise typer.Exit(1)
+        return
     for check in weak:
         tell(f"{check_sentence(check)}; the margin should be 1 or more")
     if weak:
@@ -99,23 +59,28 @@ def size(
     ] = False,
 ) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
-    from gearwright.render.words.text import factors_text, sizing_json, sizing_text
-
     sizing = sized(design)
     if json:
-        show_json(sizing_json(sizing))
-    else:
-        show(sizing_text(sizing), *([factors_text(sizing)] if factors else []))
+        from gearwright.render.answers.design import size_answer
+
+        show_answer("size", size_answer(sizing), design=sizing.design.name)
+        return
+    from gearwright.render.words.text import factors_text, sizing_text
+
+    show(sizing_text(sizing), *([factors_text(sizing)] if factors else []))
 
 
 def modes(design: DesignArgument, case: CaseOption = None, json: JsonOption = False) -> None:
     """Natural frequencies and mode shapes of a design's drive train."""
     from gearwright.dynamics import modes as find_modes
-    from gearwright.render.words.text import modes_json, modes_text
+    from gearwright.dynamics.assembly import default_case
+    from gearwright.render.answers.motion import modes_answer
+    from gearwright.render.words.text import modes_text
 
-    solved = find_modes(_assemble(sized(design), case))
+    sizing = sized(design)
+    solved = find_modes(_assemble(sizing, case))
     if json:
-        show_json(modes_json(solved))
+        show_answer("modes", modes_answer(solved, case or default_case(sizing)), design=sizing.design.name)
     else:
         show(modes_text(solved))
 
@@ -127,52 +92,25 @@ def simulate(
     stiffness: StiffnessOption = None,
     output: Annotated[Path | None, typer.Option(help="Write the run to this netCDF-4 file")] = None,
     json: JsonOption = False,
+    jsonl: LinesOption = False,
 ) -> None:
     """Simulate a design's drive train in a load case."""
     from gearwright.dynamics.assembly import default_case
-    from gearwright.render.words.text import trace_json, trace_text
-
-    sizing = sized(design)
-    system = _assemble(sizing, case, stiffness)
-    trace = _simulate(system, duration)
-    kept = save_run(output, trace, sizing, case or default_case(sizing)) if output is not None else None
-    if json:
-        show_json(trace_json(trace))
-    else:
-        show(trace_text(trace, sizing))
-    end_interrupted(trace, kept)
-
-
-def run(
-    design: DesignArgument,
-    case: CaseOption = None,
-    duration: DurationOption = 0.2,
-    stiffness: StiffnessOption = None,
-    folder: Annotated[
-        Path | None, typer.Option("--out", help="Folder for the results; left out: NAME-results here")
-    ] = None,
-) -> None:
-    """Do everything: size, find modes, simulate, and write the report and the results."""
-    from gearwright.dynamics import modes as find_modes
-    from gearwright.dynamics.assembly import default_case
-    from gearwright.dynamics.vibration import critical_speeds
-    from gearwright.render.pages.report import report as make_report
-    from gearwright.render.words.text import modes_text, sizing_json, sizing_text, trace_text
+    from gearwright.render.answers.motion import instants, simulate_answer
+    from gearwright.render.words.text import trace_text
 
     sizing = sized(design)
     case = case or default_case(sizing)
     system = _assemble(sizing, case, stiffness)
-    solved = find_modes(system)
-    trace = _simulate(system, duration)
-    campbell = () if trace.interrupted else critical_speeds(sizing)
-    show(sizing_text(sizing, trace=trace, campbell=campbell), modes_text(solved), trace_text(trace, sizing))
-    folder = folder or named_after(design, "results")
-    make_folder(folder)
-    write_text(folder / "sizing.json", sizing_json(sizing) + "\n")
-    end_interrupted(trace, save_run(folder / "run.nc", trace, sizing, case))
-    page = make_report(sizing, modes=solved, trace=trace, case=case, system=system, campbell=campbell)
-    write_text(folder / "report.html", page)
-    show(f"wrote {folder / 'report.html'}, {folder / 'run.nc'} and {folder / 'sizing.json'}")
+    trace = simulated(system, duration)
+    kept = save_run(output, trace, sizing, case) if output is not None else None
+    if jsonl:
+        show_rows("simulate", simulate_answer(trace, case), instants(trace), design=sizing.design.name)
+    elif json:
+        show_answer("simulate", simulate_answer(trace, case), design=sizing.design.name)
+    else:
+        show(trace_text(trace, sizing))
+    end_interrupted(trace, kept)
 
 
 def report(
@@ -205,31 +143,6 @@ def report(
     show(f"wrote {file}")
 
 
-def mass(
-    power_kw: Annotated[float, typer.Option(help="Power at the rating that sizes the gearbox")],
-    engine_rpm: Annotated[float, typer.Option(help="Speed of the input")],
-    propeller_rpm: Annotated[float, typer.Option(help="Speed of the propeller or rotor")],
-    design: Annotated[str | None, typer.Option(help="Design whose parts are summed up beside the statistics")] = None,
-    mass_kg: Annotated[float | None, typer.Option(help="Your own mass; it wins over every estimate")] = None,
-    origin: Annotated[str, typer.Option(help="Where your own mass comes from")] = "",
-    json: Annotated[Path | None, typer.Option(help="Write the comparison as JSON")] = None,
-    report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page")] = None,
-) -> None:
-    """Show what a gearbox weighs by every public method, with the band of the real weights."""
-    bottom_up = sized(design).mass if design is not None else None
-    stated = stated_mass(mass_kg, origin)
-    show_mass(power_kw, engine_rpm, propeller_rpm, bottom_up=bottom_up, stated=stated, json=json, report=report)
-
-
-def schema() -> None:
-    """Print the JSON Schema of the design file, for editors."""
-    import json
-
-    from gearwright.spec import schema as make_schema
-
-    show_json(json.dumps(make_schema(), indent=2, ensure_ascii=False))
-
-
 def _run_of(sizing: Sizing, results: Path) -> StoredRun:
     """Return a stored run, if it is one of this design."""
     from gearwright.errors import DesignError, Problem
@@ -250,7 +163,13 @@ def _assemble(sizing: Sizing, case: str | None, stiffness: Literal["constant", "
     return assemble(sizing, case, stiffness=stiffness)
 
 
-def _simulate(system: System, duration: float) -> Trace:
+def simulated(system: System, duration: float) -> Trace:
+    """Return a run with a bar of progress on a terminal; its last stretch is kept step by step.
+
+    Args:
+        system: From `assemble`.
+        duration: [s].
+    """
     from gearwright.dynamics import Outputs
     from gearwright.dynamics import simulate as run_system
 

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.designs import sized
 from gearwright.cli.ends import named_after
-from gearwright.cli.options import CaseOption, DesignArgument, FigureOption, JsonOption
-from gearwright.cli.output import progress, show, show_json, write_figure
+from gearwright.cli.options import CaseOption, DesignArgument, FigureOption, JsonOption, LinesOption
+from gearwright.cli.output import progress, show, write_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -35,8 +36,15 @@ def campbell(
 
     sizing = sized(design)
     campbells = critical_speeds(sizing, cases=None if case is None else [case])
-    tables = [critical_table(case_speeds) for case_speeds in campbells]
-    _show([*tables, assumption_table(assumptions(sizing, campbells[0].system))], json=json)
+    taken = assumptions(sizing, campbells[0].system)
+    if json:
+        from gearwright.render.answers.vibration import campbell_answer
+
+        show_answer("campbell", campbell_answer(campbells, taken), design=sizing.design.name)
+    else:
+        _show(*map(critical_table, campbells), assumption_table(taken))
+    if json and figure is None:
+        return
     path = figure or named_after(design, "campbell.svg")
     for number, case_speeds in enumerate(campbells, start=1):
         target = path if number == 1 else path.with_stem(f"{path.stem}-{number}")
@@ -54,7 +62,7 @@ def response(
 ) -> None:
     """Show how mesh forces answer to a transmission error of one mesh row, against frequency."""
     from gearwright.dynamics.assembly import assemble
-    from gearwright.dynamics.vibration import answer, first_meshes
+    from gearwright.dynamics.vibration import answer, first_meshes, peaks
     from gearwright.render.figures.dynamics import response_figure
     from gearwright.render.tables.dynamics import peak_table
 
@@ -63,7 +71,13 @@ def response(
     row = mesh or sizing.train.meshes[0].name
     answered = answer(sizing, system, row, error=error_um * 1e-6, top=top_khz * 1e3)
     lines = first_meshes(sizing, system)
-    _show([peak_table(answered, lines)], json=json)
+    if json:
+        from gearwright.render.answers.vibration import ResponseAnswer
+
+        told = ResponseAnswer(row, error_um * 1e-6, tuple(peaks(answered, lines)))
+        show_answer("response", told, design=sizing.design.name)
+    else:
+        _show(peak_table(answered, lines))
     if figure is not None:
         title = f"Answer to a transmission error of {error_um:g} µm in {row}"
         _draw(response_figure(answered, lines, title=title), figure, quiet=json)
@@ -83,7 +97,7 @@ def runup(
     import numpy as np
 
     from gearwright.dynamics.assembly import assemble, default_case
-    from gearwright.dynamics.vibration import first_meshes, run_up
+    from gearwright.dynamics.vibration import first_meshes, loudest_speeds, run_up
     from gearwright.render.figures.maps import waterfall_figure
     from gearwright.render.tables.dynamics import loudest_table
 
@@ -96,7 +110,13 @@ def runup(
     machine = sizing.machines[0]
     speed = abs(sizing.flows[case or default_case(sizing)].speeds[machine.shaft])
     table = loudest_table(swept, speed)
-    _show([table], json=json)
+    if json:
+        from gearwright.render.answers.vibration import RunUpAnswer
+
+        told = RunUpAnswer(machine.shaft, speed, tuple(loudest_speeds(swept, speed)))
+        show_answer("runup", told, design=sizing.design.name)
+    else:
+        _show(table)
     if figure is not None:
         drawn = line or str(table.rows[0][0].value)
         _draw(waterfall_figure(swept, drawn, speed=speed, shaft=machine.shaft), figure, quiet=json)
@@ -105,36 +125,36 @@ def runup(
 def validate(
     pattern: Annotated[str | None, typer.Argument(help="Only cases whose name or source contains this")] = None,
     json: JsonOption = False,
+    jsonl: LinesOption = False,
 ) -> None:
     """Compare gearwright with every published number that it knows: case, source, expected, got, error, verdict."""
     from gearwright.errors import SolveError
-    from gearwright.render.tables.validation import by_source, source_table, validation_table, verdict
+    from gearwright.render.answers.weights import ValidateAnswer
+    from gearwright.render.tables.validation import by_source, source_table, verdict
     from gearwright.validate import Checked, published
+
+    machine = json or jsonl
 
     checked: list[Checked] = []
     for numbers in by_source(published(pattern or "")):
         checked += numbers
-        if not json:
-            _show([source_table(numbers)], json=False)
-    if json:
-        _show([validation_table(checked)], json=True)
+        if not machine:
+            _show(source_table(numbers))
+    missed = sum(not number.holds for number in checked)
+    if jsonl:
+        show_rows("validate", ValidateAnswer(missed, tuple(checked)), checked)
+    elif json:
+        show_answer("validate", ValidateAnswer(missed, tuple(checked)))
     else:
         show(verdict(checked))
-    missed = sum(not number.holds for number in checked)
     if missed:
         raise SolveError(f"{missed} published numbers are missed; the tables say which")
 
 
-def _show(tables: list[Table], *, json: bool) -> None:
-    import json as words
-
-    from gearwright.render.tables.tables import as_json
+def _show(*tables: Table) -> None:
     from gearwright.render.words.text import table_text
 
-    if json:
-        show_json(words.dumps([as_json(table) for table in tables], indent=2, ensure_ascii=False, allow_nan=False))
-    else:
-        show(*map(table_text, tables))
+    show(*map(table_text, tables))
 
 
 def _draw(drawing: Figure, path: Path, *, quiet: bool) -> None:

@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.designs import sized
-from gearwright.cli.output import show, show_json, tell
+from gearwright.cli.options import JsonOption, LinesOption
+from gearwright.cli.output import show, tell
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
@@ -36,7 +38,8 @@ def fly(
         list[str] | None, typer.Option(help="Window of the mission to fly dynamically and draw on the page; or: all")
     ] = None,
     csv: Annotated[Path | None, typer.Option(help="Write the histories as CSV, in SI")] = None,
-    json: Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of words")] = False,
+    json: JsonOption = False,
+    jsonl: LinesOption = False,
 ) -> None:
     """Fly a mission: fuel, charge, heat and the part that fails first; without a design, list the shipped missions."""
     if design is None:
@@ -47,11 +50,15 @@ def fly(
     if window and report is None:
         raise DesignError([Problem("--window", "windows are drawn on the page; name its file with --report, too")])
     flight, parts, life = flown(sized(design), mission, life_h=life_h)
+    from gearwright.render.answers.flight import fly_answer, moments
     from gearwright.render.words.flight import flight_text
-    from gearwright.render.words.flight_data import flight_csv, flight_json
+    from gearwright.render.words.flight_data import flight_csv
 
-    if json:
-        show_json(flight_json(flight, parts, life))
+    name = flight.sizing.design.name
+    if jsonl:
+        show_rows("fly", fly_answer(flight, parts, life), moments(flight), design=name)
+    elif json:
+        show_answer("fly", fly_answer(flight, parts, life), design=name)
     else:
         show(flight_text(flight, parts, life))
     if report is not None:

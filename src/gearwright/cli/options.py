@@ -10,4 +10,7 @@ import typer
 DesignArgument = Annotated[str, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")]
 CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")]
 FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of tables")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object for machines, and write no files")]
+LinesOption = Annotated[
+    bool, typer.Option("--jsonl", help="Print JSON Lines: the answer without its rows, then a line for every row")
+]

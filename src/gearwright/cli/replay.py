@@ -12,10 +12,11 @@ from typing import Annotated
 
 import typer
 
+from gearwright.cli.answers import show_answer
 from gearwright.cli.designs import sized
 from gearwright.cli.ends import ended_well
 from gearwright.cli.options import JsonOption
-from gearwright.cli.output import show, show_json, tell, write_figure
+from gearwright.cli.output import show, tell, write_figure
 from gearwright.cli.sections import Sections
 from gearwright.writing import make_folder, write_bytes, write_text
 
@@ -89,16 +90,16 @@ def colibri(
     json: JsonOption = False,
 ) -> None:
     """Compute every printed number of the EC120B term project, and say which are wrong, why, and what is right."""
-    import json as notation
-
     from gearwright.replays.colibri.page import colibri_markdown, colibri_page
     from gearwright.replays.colibri.replay import replay
-    from gearwright.replays.colibri.words import chosen, counts_text, findings_table, replay_record, replay_tables
+    from gearwright.replays.colibri.words import chosen, counts_text, findings_table, replay_tables
 
     replayed = replay()
     numbers = chosen(replayed, part=part or "", wrong=wrong)
     if json:
-        show_json(notation.dumps(replay_record(numbers, replayed), indent=2, ensure_ascii=False, allow_nan=False))
+        from gearwright.replays.colibri.answer import colibri_answer
+
+        show_answer("replay colibri", colibri_answer(numbers, replayed))
     else:
         findings = [findings_table(replayed.findings)] if part is None else []
         show(replay_tables(numbers, replayed), *findings, counts_text(replayed))

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.answers import show_answer
 from gearwright.cli.designs import placed_in, sized
 from gearwright.cli.options import DesignArgument, JsonOption
-from gearwright.cli.output import show, show_json
+from gearwright.cli.output import show
 
 if TYPE_CHECKING:
     from gearwright.reviews import Review
@@ -25,12 +26,13 @@ def review(
     json: JsonOption = False,
 ) -> None:
     """Judge a design by every check there is, worst first; a failing one ends with exit code 1."""
-    from gearwright.render.words.review import review_json, review_text
+    from gearwright.render.answers.review import review_answer
+    from gearwright.render.words.review import review_text
     from gearwright.reviews import Verdict
 
     reviewed = _reviewed(design, mission)
     if json:
-        show_json(review_json(reviewed))
+        show_answer("review", review_answer(reviewed), design=reviewed.design)
     else:
         show(review_text(reviewed))
     if reviewed.verdict is Verdict.FAILS:

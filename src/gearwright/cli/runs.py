@@ -14,9 +14,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.designs import design_of
 from gearwright.cli.ends import INTERRUPTED
-from gearwright.cli.output import screen, show, show_commands, show_json, tell
+from gearwright.cli.options import JsonOption, LinesOption
+from gearwright.cli.output import screen, show, show_commands, tell
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
@@ -35,7 +37,6 @@ TlsOption = Annotated[
     tuple[Path, Path, Path] | None,
     typer.Option(help="Encrypt and authenticate: files of authority, certificate and key (PEM)", metavar="CA CERT KEY"),
 ]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table")]
 CsvOption = Annotated[Path | None, typer.Option(help="Write the table as CSV")]
 ExportOption = Annotated[Path | None, typer.Option(help="Write the table for other programs (.nc or .parquet)")]
 StudyReportOption = Annotated[Path | None, typer.Option("--report", help="Write one page that says what comes out")]
@@ -63,6 +64,7 @@ def run_shown(
 def status(
     journal: JournalArgument,
     verify: Annotated[bool, typer.Option("--verify", help="Read every row and name what is damaged or edited")] = False,
+    json: JsonOption = False,
 ) -> None:
     """Show how far a study is: also while it runs, from another terminal."""
     from gearwright.study.running import status as look
@@ -71,6 +73,11 @@ def status(
         _verify(journal)
         return
     state = look(journal)
+    if json:
+        from gearwright.render.answers.study import status_answer
+
+        show_answer("status", status_answer(state))
+        return
     known = state.recorded
     show(f"{known.study.name}: {state.done:,} of {known.total:,} cases, {state.failed:,} cannot be had")
     if state.done == known.total:
@@ -115,6 +122,7 @@ def resume(
     export: ExportOption = None,
     report: StudyReportOption = None,
     json: JsonOption = False,
+    jsonl: LinesOption = False,
 ) -> None:
     """Continue a study that was stopped, or show a complete one: no finished case is computed again."""
     from gearwright.study.running import recorded
@@ -128,7 +136,7 @@ def resume(
     count = _workers(workers, known.total)
     with _stopped_cleanly(journal), _watched() as watch:
         table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, start=start_of(cluster, tls))
-    show_table(table, known.study, csv=csv, json=json)
+    show_table("resume", table, known.study, csv=csv, json=json, jsonl=jsonl)
     write_files(known.study, table, known.designs, export=export, report=report)
 
 
@@ -144,12 +152,17 @@ def cluster(
     show_commands(f"once:              {scheduler}\non every machine:  {workers}\nthen:              {start}")
 
 
-def show_table(table: Table, study: Study | None = None, *, csv: Path | None, json: bool) -> None:
+def show_table(
+    command: str, table: Table, study: Study | None = None, *, csv: Path | None, json: bool, jsonl: bool
+) -> None:
     """Print the table of a study (its spread if it is long, then what follows from it) or JSON; write it as CSV."""
-    from gearwright.render.tables.study import study_csv, study_grid, study_json, summary_grid
+    from gearwright.render.answers.study import study_answer, study_rows
+    from gearwright.render.tables.study import study_csv, study_grid, summary_grid
 
-    if json:
-        show_json(study_json(table))
+    if jsonl:
+        show_rows(command, study_answer(table), study_rows(table))
+    elif json:
+        show_answer(command, study_answer(table))
     else:
         show(study_grid(table) if len(table.rows) <= LISTED else summary_grid(table))
         if study is not None and (study.objectives or study.sampling.method != "grid"):

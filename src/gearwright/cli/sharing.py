@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from gearwright.cli.answers import show_answer
 from gearwright.cli.designs import sized
 from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
-from gearwright.cli.output import show, show_json, tell, write_figure
+from gearwright.cli.output import show, tell, write_figure
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
@@ -38,8 +39,9 @@ def sharing(
 ) -> None:
     """Say how parallel paths share their load, what each error does, and which tolerance to tighten."""
     from gearwright.dynamics.sharing import planet_counts, sharing_problem, sharing_study
+    from gearwright.render.answers.vibration import sharing_answer
     from gearwright.render.figures.planets import planets_text
-    from gearwright.render.words.sharing import sharing_json, sharing_text
+    from gearwright.render.words.sharing import sharing_text
 
     share = asked_share(target)
     sizing = sized(design)
@@ -47,7 +49,7 @@ def sharing(
     study = sharing_study(problem, method=method, target=share, percent=percent, seed=seed)
     counts = planet_counts(sizing, problem, seed=seed) if report is not None or not json else None
     if json:
-        show_json(sharing_json(study))
+        show_answer("sharing", sharing_answer(study), design=sizing.design.name)
     else:
         show(sharing_text(study), *([planets_text(counts)] if counts is not None else []))
     if figure is not None:

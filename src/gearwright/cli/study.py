@@ -11,13 +11,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.designs import design_of
-from gearwright.cli.options import FigureOption
+from gearwright.cli.options import FigureOption, JsonOption, LinesOption
 from gearwright.cli.output import show, tell, write_figure
 from gearwright.cli.runs import (
     ClusterOption,
     CsvOption,
     ExportOption,
-    JsonOption,
     StudyReportOption,
     TlsOption,
     WorkersOption,
@@ -54,6 +53,7 @@ def study(
     figure: FigureOption = None,
     report: StudyReportOption = None,
     json: JsonOption = False,
+    jsonl: LinesOption = False,
 ) -> None:
     """Run a study: designs along axes or over samples, one row per variant."""
     from gearwright.shipped import find_study, shipped_studies, shipped_study
@@ -71,7 +71,7 @@ def study(
     table = run_shown(
         read, designs, journal=journal, workers=workers, start=start_of(cluster, tls), origin=str(path.parent)
     )
-    show_table(table, read, csv=csv, json=json)
+    show_table("study", table, read, csv=csv, json=json, jsonl=jsonl)
     if figure is not None:
         _draw(read, table, figure)
     write_files(read, table, designs, export=export, report=report)
@@ -87,6 +87,7 @@ def compare(
     figure: FigureOption = None,
     report: Annotated[Path | None, typer.Option(help="Write the comparison as one self-contained HTML page")] = None,
     json: JsonOption = False,
+    jsonl: LinesOption = False,
 ) -> None:
     """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
     from gearwright.shipped import shipped_study
@@ -108,7 +109,7 @@ def compare(
         for name in read.designs
     }
     table = run(read, fitted)
-    show_table(table, csv=csv, json=json)
+    show_table("compare", table, csv=csv, json=json, jsonl=jsonl)
     if figure is not None:
         _draw(read, table, figure)
     if report is not None:

@@ -11,13 +11,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearwright.cli.output import screen, show
+from gearwright.cli.answers import show_answer, show_rows
+from gearwright.cli.designs import sized
+from gearwright.cli.options import JsonOption, LinesOption
+from gearwright.cli.output import screen, show, tell
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from gearwright.weights import CheckedEngine, Comparison, StatedMass
+    from gearwright.weights import CheckedEngine, StatedMass
 
 _KW = 1e3
 
@@ -41,18 +44,20 @@ class Kind(StrEnum):
 
 
 def engines(
-    series: Annotated[str, typer.Option(help="Part of the series' name, such as PW100.")] = "",
-    manufacturer: Annotated[str, typer.Option(help="Part of the manufacturer's name.")] = "",
-    kind: Annotated[Kind | None, typer.Option(help="Kind of engine.")] = None,
-    model: Annotated[str, typer.Option(help="Part of the model's name.")] = "",
-    min_power_kw: Annotated[float, typer.Option(help="Least take-off power.", min=0.0)] = 0.0,
-    max_power_kw: Annotated[float, typer.Option(help="Greatest take-off power.")] = float("inf"),
-    sort: Annotated[Order, typer.Option(help="Ascending order.")] = Order.TABLE,
-    csv: Annotated[Path | None, typer.Option(help="Write the rows, printed and recomputed, as CSV.")] = None,
-    json: Annotated[Path | None, typer.Option(help="Write the same rows as JSON.")] = None,
+    series: Annotated[str, typer.Option(help="Part of the series' name, such as PW100")] = "",
+    manufacturer: Annotated[str, typer.Option(help="Part of the manufacturer's name")] = "",
+    kind: Annotated[Kind | None, typer.Option(help="Kind of engine")] = None,
+    model: Annotated[str, typer.Option(help="Part of the model's name")] = "",
+    min_power_kw: Annotated[float, typer.Option(help="Minimum take-off power", min=0.0)] = 0.0,
+    max_power_kw: Annotated[float, typer.Option(help="Maximum take-off power")] = float("inf"),
+    sort: Annotated[Order, typer.Option(help="Ascending order")] = Order.TABLE,
+    csv: Annotated[Path | None, typer.Option(help="Write the rows, printed and recomputed, as CSV")] = None,
+    json: JsonOption = False,
+    jsonl: LinesOption = False,
 ) -> None:
     """List the 121 engines of the catalogue with what is printed, and the reason where a number is wrong."""
     from gearwright.catalogue import select
+    from gearwright.render.answers.weights import engines_answer
     from gearwright.render.tables import weights
     from gearwright.render.words import weights_data
     from gearwright.weights import check_engine
@@ -62,12 +67,17 @@ def engines(
     rows = [check_engine(engine) for engine in chosen]
     if sort is not Order.TABLE:
         rows.sort(key=_sort_keys()[sort])
-    show(weights.engine_table(rows, width=screen().width))
-    if any(row.engine.notes for row in rows):
-        show(weights.note_table(rows))
-    for path, write in ((csv, weights_data.to_csv), (json, weights_data.to_json)):
-        if path is not None:
-            _write(path, write(weights_data.engine_rows(rows)))
+    if jsonl:
+        show_rows("engines", engines_answer(rows), engines_answer(rows).rows)
+    elif json:
+        show_answer("engines", engines_answer(rows))
+    else:
+        show(weights.engine_table(rows, width=screen().width))
+        if any(row.engine.notes for row in rows):
+            show(weights.note_table(rows))
+    if csv is not None:
+        write_text(csv, weights_data.to_csv(weights_data.engine_rows(rows)))
+        tell(f"wrote {csv}")
 
 
 def stated_mass(mass_kg: float | None, origin: str) -> StatedMass | None:
@@ -90,42 +100,40 @@ def stated_mass(mass_kg: float | None, origin: str) -> StatedMass | None:
     return None
 
 
-def show_mass(
-    power_kw: float,
-    engine_rpm: float,
-    propeller_rpm: float,
-    *,
-    bottom_up: float | None = None,
-    stated: StatedMass | None = None,
-    json: Path | None = None,
-    report: Path | None = None,
-) -> Comparison:
-    """Print the comparison, write what is asked for, and return it.
-
-    Args:
-        power_kw: [kW].
-        engine_rpm: [rpm].
-        propeller_rpm: [rpm].
-        bottom_up: Sum of the parts of a sized design [kg].
-        stated: The user's own mass.
-        json: Where to write the comparison.
-        report: Where to write the page.
-    """
-    from gearwright.render.tables import weights
-    from gearwright.render.words import weights_data
+def mass(
+    power_kw: Annotated[float, typer.Option(help="Power at the rating that sizes the gearbox")],
+    engine_rpm: Annotated[float, typer.Option(help="Speed of the input")],
+    propeller_rpm: Annotated[float, typer.Option(help="Speed of the propeller or rotor")],
+    design: Annotated[str | None, typer.Option(help="Design whose parts are summed up beside the statistics")] = None,
+    mass_kg: Annotated[float | None, typer.Option(help="Your own mass; it wins over every estimate")] = None,
+    origin: Annotated[str, typer.Option(help="Where your own mass comes from")] = "",
+    report: Annotated[Path | None, typer.Option(help="Write one self-contained HTML page")] = None,
+    json: JsonOption = False,
+) -> None:
+    """Show what a gearbox weighs by every public method, with the band of the real weights."""
     from gearwright.units import RPM
-    from gearwright.weights import Requirement, compare, scores
+    from gearwright.weights import Requirement, compare
 
-    need = Requirement(power_kw * _KW, engine_rpm * RPM, propeller_rpm * RPM)
-    comparison = compare(need, bottom_up=bottom_up, stated=stated)
-    show(weights.comparison_table(comparison, width=screen().width), weights.score_table(scores()))
-    if json is not None:
-        _write(json, weights_data.to_json(weights_data.comparison_record(comparison)))
+    sizing = sized(design) if design is not None else None
+    comparison = compare(
+        Requirement(power_kw * _KW, engine_rpm * RPM, propeller_rpm * RPM),
+        bottom_up=sizing.mass if sizing is not None else None,
+        stated=stated_mass(mass_kg, origin),
+    )
+    if json:
+        from gearwright.render.answers.weights import mass_answer
+
+        show_answer("mass", mass_answer(comparison), design=sizing.design.name if sizing is not None else None)
+    else:
+        from gearwright.render.tables import weights
+        from gearwright.weights import scores
+
+        show(weights.comparison_table(comparison, width=screen().width), weights.score_table(scores()))
     if report is not None:
         from gearwright.render.pages.weights import weights_page
 
-        _write(report, weights_page(comparison))
-    return comparison
+        write_text(report, weights_page(comparison))
+        tell(f"wrote {report}")
 
 
 def _sort_keys() -> dict[Order, Callable[[CheckedEngine], float | str]]:
@@ -138,8 +146,3 @@ def _sort_keys() -> dict[Order, Callable[[CheckedEngine], float | str]]:
         Order.GEARBOX_MASS: lambda row: gearbox_mass(row.engine),
         Order.TORQUE: lambda row: row.engine.power / row.engine.propeller_speed,
     }
-
-
-def _write(path: Path, content: str) -> None:
-    write_text(path, content)
-    show(f"wrote {path}")

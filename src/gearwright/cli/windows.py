@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.design import StiffnessOption
 from gearwright.cli.designs import sized
 from gearwright.cli.ends import end_interrupted, save_run
 from gearwright.cli.mission import mission_of
-from gearwright.cli.options import DesignArgument, FigureOption, JsonOption
-from gearwright.cli.output import show, show_json, tell, write_figure
+from gearwright.cli.options import DesignArgument, FigureOption, JsonOption, LinesOption
+from gearwright.cli.output import show, tell, write_figure
 
 if TYPE_CHECKING:
     from gearwright.spec import Mission
@@ -31,6 +32,7 @@ def window(
     output: Annotated[Path | None, typer.Option(help="Write the run to this netCDF-4 file")] = None,
     figure: FigureOption = None,
     json: JsonOption = False,
+    jsonl: LinesOption = False,
 ) -> None:
     """Fly a window of a mission dynamically: what a change of mode, a gust or a motor cut does to every tooth."""
     flown, folder = mission_of(mission)
@@ -39,7 +41,9 @@ def window(
         return
     from gearwright.mission import fly
     from gearwright.mission.windows import fly_window, window_rules
-    from gearwright.render.words.window import window_json, window_text
+    from gearwright.render.answers.flight import window_answer
+    from gearwright.render.answers.motion import instants
+    from gearwright.render.words.window import window_text
     from gearwright.train import RATED
 
     sizing = sized(design)
@@ -49,8 +53,10 @@ def window(
         rules = rules.model_copy(update={"stiffness": stiffness})
     dynamic = fly_window(flight, name, rules)
     kept = save_run(output, dynamic.trace, sizing, RATED) if output is not None else None
-    if json:
-        show_json(window_json(dynamic))
+    if jsonl:
+        show_rows("window", window_answer(dynamic), instants(dynamic.trace), design=sizing.design.name)
+    elif json:
+        show_answer("window", window_answer(dynamic), design=sizing.design.name)
     else:
         show(window_text(dynamic))
     end_interrupted(dynamic.trace, kept)

@@ -53,7 +53,7 @@ def test_a_study_with_a_journal_is_complete_and_shown_again(folder: Path) -> Non
     assert "Least gearbox: mine.toml at carriers.fill" in (folder / "p.html").read_text(encoding="utf-8")
     assert call("status", journal).splitlines()[-2:] == ["fill: 8 of 8 cases, 0 cannot be had", "complete"]
     again = call("resume", journal, "--workers", 0, "--json", "--export", folder / "t.nc")
-    assert len(json.loads(again[: again.rindex("}") + 1])["rows"]) == 8
+    assert len(json.loads(again[: again.rindex("}") + 1])["result"]["rows"]) == 8
     assert (folder / "t.nc").stat().st_size > 0
 
 

@@ -26,9 +26,11 @@ def test_campbell_prints_critical_speeds_and_assumptions_and_writes_the_figure(t
 
 
 def test_campbell_as_json_has_units_in_its_keys(tmp_path):
-    tables = json.loads(run("campbell", "star", "--json", "--figure", str(tmp_path / "c.svg")))
-    first = tables[0]["rows"][0]
-    assert {"order", "mode", "frequency_hz", "speed_rpm", "margin", "dynamic_force", "verdict"} == set(first)
+    answer = json.loads(run("campbell", "star", "--json", "--figure", str(tmp_path / "c.svg")))
+    first = answer["result"]["cases"][0]["critical_speeds"][0]
+    keys = {"order", "mode", "frequency_hz", "speed_rpm", "margin_percent", "dynamic_force_percent", "verdict"}
+    assert set(first) == keys
+    assert (tmp_path / "c.svg").exists()
 
 
 def test_response_prints_peaks_and_writes_the_figure(tmp_path):
@@ -46,7 +48,7 @@ def test_runup_prints_the_loudest_speeds_and_writes_the_waterfall(tmp_path):
 
 
 def test_validate_prints_case_source_and_verdict_and_chooses_by_words():
-    rows = json.loads(run("validate", "Friswell", "--json"))[0]["rows"]
+    rows = json.loads(run("validate", "Friswell", "--json"))["result"]["rows"]
     assert len(rows) == 9
     assert all(row["holds"] is True and "Friswell" in row["source"] for row in rows)
     assert all(row["error"] * row["expected"] == pytest.approx(row["got"] - row["expected"]) for row in rows)

@@ -1,7 +1,6 @@
 """The command ``fly``, called as its users call it."""
 
 import json
-import math
 
 import pytest
 import typer
@@ -37,28 +36,30 @@ def test_one_command_tells_fuel_charge_heat_and_the_part_that_fails_first(tmp_pa
 
 def test_json_is_for_machines():
     result = run("in-line", "regional-250nm", "--json")
-    assert json.loads(result.stdout)["balance"]["residual"] < 1e-6
+    assert json.loads(result.stdout)["result"]["balance"]["residual"] < 1e-6
 
 
 def test_the_duty_of_every_mesh_shaft_and_bearing_is_part_of_the_json():
     """Classes rise in load and keep the time of the flight; 1e-9 is the rounding of sums."""
-    told = json.loads(run("in-line-h2", "thesis", "--json").stdout)
+    told = json.loads(run("in-line-h2", "thesis", "--json").stdout)["result"]
     spectrum = told["spectrum"]
     assert {"first.sun-planet", "second.sun-planet"} <= set(spectrum["meshes"])
     assert "output" in spectrum["shafts"]
     assert "second.planet" in spectrum["bearings"]
-    for bins in (bins for kind in spectrum.values() for bins in kind.values()):
-        assert sum(each["time"] for each in bins) == pytest.approx(told["duration"], rel=1e-9)
-        loads = [each["load"] for each in bins]
-        assert loads == sorted(loads)
-        assert all(each["turns"] == pytest.approx(each["speed"] * each["time"] / (2 * math.pi)) for each in bins)
+    for kind, spectra in spectrum.items():
+        for bins in spectra.values():
+            assert sum(row["time_s"] for row in bins) == pytest.approx(told["duration_s"], rel=1e-9)
+            loads = [row["force_n" if kind == "bearings" else "torque_nm"] for row in bins]
+            assert loads == sorted(loads)
+            assert all(row["turns"] == pytest.approx(row["speed_rpm"] * row["time_s"] / 60.0) for row in bins)
 
 
 def test_json_has_no_infinity():
     """The second pinion's flanks pass their static limit in hover: its damage is ∞, and it lives no flight."""
     result = run("face-gear-split-torque", "rotor-schedule", "--json")
-    told = json.loads(result.stdout, parse_constant=pytest.fail)
-    assert told["damage"][0] == {"part": "second.pinion", "mode": "pitting", "damage": None, "flights": 0.0}
+    told = json.loads(result.stdout, parse_constant=pytest.fail)["result"]
+    first = {"part": "second.pinion", "mode": "pitting", "damage": None, "flights": 0.0, "life_h": 0.0}
+    assert told["damage"][0] == first
 
 
 def test_a_window_without_a_page_is_refused():

@@ -41,7 +41,7 @@ def test_tolerances_for_a_target_with_a_figure(tmp_path):
 
 
 def test_json_for_machines():
-    content = json.loads(called(SPLIT, "--stage", "first", "--method", "quasi-static", "--json"))
+    content = json.loads(called(SPLIT, "--stage", "first", "--method", "quasi-static", "--json"))["result"]
     assert (content["stage"], content["method"]) == ("first", "quasi-static")
 
 

@@ -36,6 +36,6 @@ def test_a_window_is_flown_saved_and_drawn(tmp_path):
 def test_a_window_is_printed_as_json(tmp_path):
     mission = tmp_path / "mission.toml"
     mission.write_text(shipped_mission("thesis").read_text(encoding="utf-8") + SHORT, encoding="utf-8")
-    found = json.loads(run("in-line-h2", str(mission), "short", "--stiffness", "constant", "--json"))
+    found = json.loads(run("in-line-h2", str(mission), "short", "--stiffness", "constant", "--json"))["result"]
     assert found["limit_cycle"] is None
     assert {row["name"] for row in found["ranges"]} >= {"propeller speed", "output shaft", "second.sun-planet-5"}

@@ -1,6 +1,5 @@
 """Flying: balances, limits, spectra and damage."""
 
-import json
 import math
 
 import numpy as np
@@ -20,8 +19,11 @@ from gearwright.mission import (
     unrated_stages,
 )
 from gearwright.mission.history import MESH_LOSS
+from gearwright.render.answers.described import described
+from gearwright.render.answers.flight import Moment, fly_answer
+from gearwright.render.answers.plain import plain
 from gearwright.render.words.flight import flight_text, verdict_text
-from gearwright.render.words.flight_data import flight_csv, flight_json
+from gearwright.render.words.flight_data import flight_csv
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import parse_mission, read, read_mission
@@ -263,7 +265,7 @@ def test_a_flight_is_told_in_words_numbers_and_histories():
     table = flight_csv(THESIS).splitlines()
     assert len(table) == len(THESIS.phase) + 1
     assert "bearing.second.planet" in table[0]
-    assert '"fuel"' in flight_json(THESIS, parts)
+    assert plain(fly_answer(THESIS, parts))["fuel_kg"] == THESIS.fuel
 
 
 def test_every_recorded_quantity_has_a_unit_and_every_loss_a_source():
@@ -275,9 +277,10 @@ def test_every_recorded_quantity_has_a_unit_and_every_loss_a_source():
     assert units["power.electric"] == "W"
     assert all(series.marks.origin for name, series in recorded.items() if name.endswith("_loss"))
     assert all(len(series.values) == len(THESIS.phase) for series in recorded.values())
-    columns = json.loads(flight_json(THESIS, durability(THESIS)))["columns"]
-    assert set(columns) == set(recorded)
-    assert columns["mesh_loss"] == {"unit": "W", "equation": "P μ H_V", "source": MESH_LOSS.source}
+    definitions = {}
+    described(Moment, definitions)
+    loss = definitions["History"]["properties"]["mesh_loss_kw"]
+    assert (loss["unit"], loss["equation"], loss["source"]) == ("kW", "P μ H_V", MESH_LOSS.source)
 
 
 def test_a_machine_has_a_torque_by_its_power_and_its_speed():

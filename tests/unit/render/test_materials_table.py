@@ -1,14 +1,14 @@
 """What a design's materials are, where each number comes from, and which ones are estimated."""
 
-import json
-
 import pytest
 from rich.console import Console
 
 from designs import PAIR
+from gearwright.render.answers.design import size_answer
+from gearwright.render.answers.plain import plain
 from gearwright.render.pages.report import report
 from gearwright.render.tables.materials import materials_table
-from gearwright.render.words.text import sizing_json, sizing_text
+from gearwright.render.words.text import sizing_text
 from gearwright.sizing import size
 from gearwright.spec import parse
 
@@ -49,8 +49,8 @@ def test_terminal_json_and_report_tell_what_is_estimated(estimated):
     with console.capture() as shown:
         console.print(sizing_text(estimated))
     assert "Materials: what is estimated" in shown.get()
-    told = json.loads(sizing_json(estimated))["materials"]
-    (strength,) = [row for row in told["rows"] if row["quantity"] == "strength of flanks σ_Hlim"]
+    told = plain(size_answer(estimated))["materials"]
+    (strength,) = [row for row in told if row["quantity"] == "strength of flanks σ_Hlim"]
     assert (strength["value"], strength["unit"]) == (1500.0, "MPa")
     assert strength["source"].startswith("estimated: ISO 6336-5:2016")
     page = report(estimated)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import json
 
 import numpy as np
 import pytest
@@ -17,6 +16,8 @@ from gearwright.dynamics.sharing import (
     support_sweep,
 )
 from gearwright.errors import DesignError
+from gearwright.render.answers.plain import plain
+from gearwright.render.answers.vibration import sharing_answer
 from gearwright.render.figures.sharing import (
     allocation_figure,
     displacement_figure,
@@ -29,7 +30,7 @@ from gearwright.render.figures.sharing import (
 )
 from gearwright.render.pages.sharing import sharing_page
 from gearwright.render.style.theme import to_svg
-from gearwright.render.words.sharing import sharing_json, summary
+from gearwright.render.words.sharing import summary
 from gearwright.replays import paper_on
 from gearwright.replays.wang.split_torque import split_torque
 from gearwright.shipped import shipped_design
@@ -64,17 +65,19 @@ def test_shares_that_the_design_states_are_told_from_the_elastic_ones():
     line = "stated in the design and taken by sizing: second.left 60.00%, second.right 40.00%; all below is what"
     assert summary(study)[1].startswith(line)
     assert "without errors: second.left 49.80%" in summary(study)[2]
-    assert json.loads(sharing_json(study))["stated"] == [0.6, 0.4]
-    assert json.loads(sharing_json(studied()))["stated"] is None
+    assert [path.stated for path in sharing_answer(study).paths] == [0.6, 0.4]
+    assert [path.stated for path in sharing_answer(studied()).paths] == [None, None]
+    assert [path.without_errors for path in sharing_answer(study).paths] == pytest.approx([0.498, 0.502], abs=1e-4)
 
 
-def test_json_holds_what_the_tables_show():
-    content = json.loads(sharing_json(studied()))
-    sizes = content["allocation"]["sizes"]
-    assert content["paths"] == ["second.left", "second.right"]
+def test_the_answer_holds_what_the_tables_show():
+    content = plain(sharing_answer(studied()))
+    sizes = {row["error"]: row for row in content["allocation"]["tolerances"]}
+    assert [path["path"] for path in content["paths"]] == ["second.left", "second.right"]
     assert content["allocation"]["reached"] == pytest.approx(0.52, abs=1e-6)
-    assert sizes["left eccentricity"]["given"] == pytest.approx(25e-6)
-    assert sizes["left eccentricity"]["allowed"] < 15e-6
+    assert content["allocation"]["gearboxes_percent"] == pytest.approx(95.0)
+    assert sizes["left eccentricity"]["given_mm"] == pytest.approx(25e-3)
+    assert sizes["left eccentricity"]["allowed_mm"] < 15e-3
     assert content["influences"][0]["effect"] == pytest.approx(0.01054, rel=1e-3)
 
 

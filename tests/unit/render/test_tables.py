@@ -4,8 +4,10 @@ from typing import Annotated
 import pytest
 from drawn_designs import MIXED, sized
 
+from gearwright.render.answers.described import described
+from gearwright.render.answers.plain import plain
 from gearwright.render.tables.sizing import given_by_user, tables_of
-from gearwright.render.tables.tables import as_json, table, written
+from gearwright.render.tables.tables import table, written
 from gearwright.units import Length, Origin, Quantity
 
 
@@ -18,7 +20,7 @@ class Part:
 
 def test_a_column_takes_unit_equation_and_source_from_the_marks_of_its_field() -> None:
     column = table("Parts", [Part("wheel", 0.02)], ("name", "face_width")).columns[1]
-    assert (column.header, column.symbol, column.unit, column.key) == ("face width", "b", "mm", "face_width_mm")
+    assert (column.header, column.symbol, column.unit) == ("face width", "b", "mm")
     assert column.origin == Origin("b = λ m_n", "a book")
 
 
@@ -37,10 +39,12 @@ def test_numbers_have_four_significant_digits(number: float, text: str) -> None:
 
 
 def test_machines_get_every_digit_and_no_infinity() -> None:
-    one = as_json(table("Parts", [Part("wheel", 1 / 30), Part("idle", float("inf"))], ("name", "face_width")))
-    assert one["rows"][0]["face_width_mm"] == pytest.approx(1000 / 30, rel=1e-15)
-    assert one["rows"][1]["face_width_mm"] is None
-    assert one["columns"][1]["source"] == "a book"
+    wheel, idle = plain([Part("wheel", 1 / 30), Part("idle", float("inf"))])
+    assert wheel["face_width_mm"] == pytest.approx(1000 / 30, rel=1e-15)
+    assert idle["face_width_mm"] is None
+    definitions = {}
+    described(Part, definitions)
+    assert definitions["Part"]["properties"]["face_width_mm"]["source"] == "a book"
 
 
 def test_values_that_the_user_gives_are_marked_where_they_act_and_nowhere_else() -> None:

@@ -3,13 +3,14 @@
 import base64
 import csv
 import io
-import json
 import re
 from html.parser import HTMLParser
 
 import pytest
 from rich.console import Console
 
+from gearwright.render.answers.plain import plain
+from gearwright.render.answers.weights import mass_answer
 from gearwright.render.figures.weights import (
     figure_densities,
     figure_mass_over_power,
@@ -92,8 +93,8 @@ def test_the_csv_has_a_row_per_engine_and_keeps_the_printed_digits():
     assert float(rows[1]["turbine_kw_kg_computed"]) == pytest.approx(5.00, abs=0.005)
 
 
-def test_the_json_carries_masses_reasons_and_origin(found):
-    record = json.loads(weights_data.to_json(weights_data.comparison_record(found)))
+def test_the_answer_carries_masses_reasons_and_origin(found):
+    record = plain(mass_answer(found))
     methods = {one["key"]: one for one in record["methods"]}
     assert methods["wate2"]["mass_kg"] is None
     assert "outside" in methods["wate2"]["reason"]

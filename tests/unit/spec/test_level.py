@@ -1,12 +1,10 @@
 """How far a design is worked out: stated in its file, or seen from its bearings."""
 
-import json
-
 import pytest
 
 from designs import PAIR, problem
+from gearwright.render.answers.design import size_answer
 from gearwright.render.pages.report_parts import key_numbers
-from gearwright.render.words.text import sizing_json
 from gearwright.shipped import shipped_design, shipped_designs, shipped_study
 from gearwright.sizing import size
 from gearwright.spec import parse, read, read_study
@@ -42,7 +40,7 @@ def test_a_level_that_there_is_not_is_told_with_those_that_there_are():
 def test_pages_and_data_say_the_level():
     sizing = size(parse(PAIR))
     assert ("level", "concept") in key_numbers(sizing)
-    assert json.loads(sizing_json(sizing))["level"] == "concept"
+    assert size_answer(sizing).level == "concept"
 
 
 @pytest.mark.parametrize("name", [*read_study(shipped_study("architectures")).designs, "face-gear-split-torque"])

@@ -1,70 +1,99 @@
 """The JSON Schema speaks of the same files as the reader."""
 
+import json
 import tomllib
-from typing import Any
 
 import pytest
 
 from designs import HYBRID, PAIR, changed, problems
-from gearwright.shipped import shipped_design, shipped_designs
+from gearwright.errors import DesignError
+from gearwright.shipped import (
+    shipped_design,
+    shipped_designs,
+    shipped_mission,
+    shipped_missions,
+    shipped_studies,
+    shipped_study,
+)
 from gearwright.spec import keys_of, parse, quantity_of, records, schema
 from gearwright.spec.design import Design
+from json_schema import faults
 
 SCHEMA = schema()
-SAYS_NOTHING = ("title", "description", "default", "$schema", "$defs")
-TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "integer": int, "number": (int, float)}
 
 
-def fits(value: Any, part: dict[str, Any]) -> bool:
-    """Tell whether a value keeps the words of JSON Schema that this schema uses; an unknown word is an error."""
-    part = {
-        word: each for word, each in part.items() if word not in ("title", "description", "default", "$schema", "$defs")
-    }
-    return all(_keeps(value, word, wanted, part) for word, wanted in part.items())
-
-
-def _keeps(value: Any, word: str, wanted: Any, part: dict[str, Any]) -> bool:
-    match word:
-        case "$ref":
-            return fits(value, SCHEMA["$defs"][wanted.rpartition("/")[2]])
-        case "type":
-            numeric_bool = isinstance(value, bool) and wanted in ("integer", "number")
-            return value is None if wanted == "null" else isinstance(value, TYPES[wanted]) and not numeric_bool
-        case "anyOf":
-            return any(fits(value, each) for each in wanted)
-        case "oneOf":
-            return sum(fits(value, each) for each in wanted) == 1
-        case "allOf":
-            return all(fits(value, each) for each in wanted)
-        case "not":
-            return not fits(value, wanted)
-        case "required":
-            return all(key in value for key in wanted)
-        case "properties":
-            return all(fits(each, wanted[key]) for key, each in value.items() if key in wanted)
-        case "additionalProperties":
-            others = [each for key, each in value.items() if key not in part.get("properties", {})]
-            return not others if wanted is False else all(fits(each, wanted) for each in others)
-        case "items":
-            return all(fits(each, wanted) for each in value)
-        case "minItems":
-            return len(value) >= wanted
-        case "enum" | "const":
-            return value in wanted if word == "enum" else value == wanted
-        case "minimum" | "maximum" | "exclusiveMinimum" | "exclusiveMaximum":
-            bounds = {
-                "minimum": value >= wanted,
-                "maximum": value <= wanted,
-                "exclusiveMinimum": value > wanted,
-                "exclusiveMaximum": value < wanted,
-            }
-            return bounds[word]
-    raise AssertionError(f"the schema says {word!r}, which this test does not know")
+def fits(value, part):
+    return not faults(value, part)
 
 
 @pytest.mark.parametrize("name", shipped_designs())
 def test_every_shipped_design_fits(name):
     assert fits(tomllib.loads(shipped_design(name).read_text(encoding="utf-8")), SCHEMA)
+
+
+@pytest.mark.parametrize("name", shipped_missions())
+def test_every_shipped_mission_fits(name):
+    assert not faults(tomllib.loads(shipped_mission(name).read_text(encoding="utf-8")), schema("mission"))
+
+
+@pytest.mark.parametrize("name", shipped_studies())
+def test_every_shipped_study_fits(name):
+    assert not faults(tomllib.loads(shipped_study(name).read_text(encoding="utf-8")), schema("study"))
+
+
+@pytest.mark.parametrize("of", ["design", "mission", "study"])
+def test_a_schema_has_a_name_and_asks_for_no_null_which_toml_does_not_have(of):
+    made = schema(of)
+    assert made["$id"] == f"urn:gearwright:file:{of}:1"
+    assert '"null"' not in json.dumps(made)
+
+
+def test_a_file_that_nobody_writes_has_no_schema():
+    with pytest.raises(DesignError, match="did you mean mission"):
+        schema("misson")
+
+
+def misspelt(tables, at=()):
+    """Yield the path of every key of a file."""
+    for key, value in tables.items():
+        yield (*at, key)
+        if isinstance(value, dict):
+            yield from misspelt(value, (*at, key))
+
+
+@pytest.mark.parametrize("of", ["design", "mission", "study"])
+def test_one_misspelt_key_marks_one_place(of):
+    """Where the schema names the keys; names that the user gives may be anything."""
+    text = {"design": PAIR, "mission": shipped_mission("thesis").read_text(encoding="utf-8"),
+            "study": shipped_study("lightest-hybrid").read_text(encoding="utf-8")}[of]  # fmt: skip
+    made, marked = schema(of), 0
+    for path in misspelt(tomllib.loads(text)):
+        tables = tomllib.loads(text)
+        table = tables
+        for name in path[:-1]:
+            table = table[name]
+        table[f"{path[-1]}x"] = table.pop(path[-1])
+        found = faults(tables, made)
+        assert len(found) <= 1, (path, found)
+        if found:
+            assert found == [(".".join(("$", *path[:-1], f"{path[-1]}x")), "additionalProperties")]
+            marked += 1
+    assert marked >= 10
+
+
+def test_one_wrong_value_marks_one_place():
+    for old, new, place in [
+        ('shaft = "fast"', "shaft = 3", "$.turbines.turbine.shaft"),
+        ('pinion = "fast"', "pinion = 3", "$.pairs.stage.pinion"),
+        ("power_kw = 100", 'power_kw = "2,67"', "$.turbines.turbine.power_kw"),
+    ]:
+        assert [at for at, _ in faults(tomllib.loads(changed(PAIR, old, new)), SCHEMA)] == [place]
+
+
+def test_titles_have_units_as_engineers_write_them():
+    entries = SCHEMA["$defs"]["Turbine"]["properties"]
+    assert entries["power_kw"]["title"] == "power [kW]"
+    assert entries["inertia_kg_m2"]["description"].endswith("[kg m²]")
 
 
 @pytest.mark.parametrize(

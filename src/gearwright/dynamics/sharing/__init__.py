@@ -9,7 +9,7 @@ from gearwright.dynamics.sharing.coefficients import (
     tooth_cycle_means,
     tooth_cycle_shares,
 )
-from gearwright.dynamics.sharing.effects_of_errors import clocking_optimum, influences, monte_carlo
+from gearwright.dynamics.sharing.effects_of_errors import Distribution, clocking_optimum, influences, monte_carlo
 from gearwright.dynamics.sharing.elastic import PathShare, elastic_shares, path_shares
 from gearwright.dynamics.sharing.error_sources import (
     as_forces,
@@ -39,6 +39,7 @@ __all__ = [
     "SIDEBANDS",
     "TRANSIENT",
     "Allocation",
+    "Distribution",
     "LoadSharing",
     "PathShare",
     "PlanetCounts",

@@ -36,7 +36,24 @@ def critical_table(speeds: SpeedCase, *, most: int = 25) -> Table:
         speeds: From `critical_speeds`.
         most: Rows at most; what is not excited stands last.
     """
-    rows = [
+    rows = critical_rows(speeds)[:most]
+    left = f" {len(speeds.critical) - most} more are left out." if len(speeds.critical) > most else ""
+    note = (
+        "n: critical speed of the first machine's shaft; f: damped frequency there. Margin: over the operating speed,"
+        " less 1. Dynamic force: estimated amplitude of the worst mesh force at the resonance over its mean, from the"
+        f" stiffness variation and errors of the design.{left}"
+    )
+    fields = ("order", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
+    return table(f"Critical speeds, case {speeds.cases}", rows, fields, note=note)
+
+
+def critical_rows(speeds: SpeedCase) -> tuple[Critical, ...]:
+    """Return the critical speeds of one set of speeds in words, worst first.
+
+    Args:
+        speeds: From `critical_speeds`.
+    """
+    return tuple(
         Critical(
             critical.order,
             critical.mode,
@@ -46,16 +63,8 @@ def critical_table(speeds: SpeedCase, *, most: int = 25) -> Table:
             critical.dynamic_force,
             _verdict(critical),
         )
-        for critical in speeds.critical[:most]
-    ]
-    left = f" {len(speeds.critical) - most} more are left out." if len(speeds.critical) > most else ""
-    note = (
-        "n: critical speed of the first machine's shaft; f: damped frequency there. Margin: over the operating speed,"
-        " less 1. Dynamic force: estimated amplitude of the worst mesh force at the resonance over its mean, from the"
-        f" stiffness variation and errors of the design.{left}"
+        for critical in speeds.critical
     )
-    fields = ("order", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
-    return table(f"Critical speeds, case {speeds.cases}", rows, fields, note=note)
 
 
 def _verdict(critical: CriticalSpeed) -> str:

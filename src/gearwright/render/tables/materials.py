@@ -100,6 +100,16 @@ def materials_table(sizing: Sizing) -> Table:
     Args:
         sizing: As sized.
     """
+    fields = ("material", "quantity", "value", "unit", "source")
+    return table("Materials", material_properties(sizing), fields, mark=_mark)
+
+
+def material_properties(sizing: Sizing) -> tuple[Property, ...]:
+    """Return every property of the materials that a design uses.
+
+    Args:
+        sizing: As sized.
+    """
     used: dict[tuple[str, GearSteel | None], Material] = {}
     for stage in sizing.design.stages:
         rating = rating_of(sizing.design, stage)
@@ -107,8 +117,7 @@ def materials_table(sizing: Sizing) -> Table:
     shaft = sizing.design.shaft_material
     if shaft.name not in {name for name, _ in used}:
         used[shaft.name, None] = shaft
-    rows = [line for (_, steel), material in used.items() for line in properties(material, steel)]
-    return table("Materials", rows, ("material", "quantity", "value", "unit", "source"), mark=_mark)
+    return tuple(line for (_, steel), material in used.items() for line in properties(material, steel))
 
 
 def estimated_only(materials: Table) -> Table:

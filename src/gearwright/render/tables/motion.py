@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -38,9 +39,9 @@ class LineForce:
     name: str
     mean: Force
     """[N]"""
-    least: Force
+    minimum: Force
     """[N]"""
-    most: Force
+    maximum: Force
     """[N]"""
     rms: Force
     """[N]"""
@@ -55,9 +56,9 @@ class LineTorque:
     name: str
     mean: Torque
     """[N m]"""
-    least: Torque
+    minimum: Torque
     """[N m]"""
-    most: Torque
+    maximum: Torque
     """[N m]"""
     rms: Torque
     """[N m]"""
@@ -88,14 +89,24 @@ def mode_table(modes: Modes, *, most: int = 30) -> Table:
         modes: As found.
         most: Modes that are listed at most.
     """
-    rows, first = [], 0
-    for frequency, count in modes.groups():
-        rows.append(_mode(modes, frequency, first, count))
-        first += count
+    rows = mode_rows(modes)
     left = f" {len(rows) - most} higher ones are left out." if len(rows) > most else ""
     note = f"{modes.rigid} rigid. Undamped, at the mean stiffness.{left}"
     fields = ("number", "frequency", "moves_most", "holds_most", "energy")
     return table("Natural frequencies", rows[:most], fields, note=note)
+
+
+def mode_rows(modes: Modes) -> list[Mode]:
+    """Return a row for every natural frequency, the lowest first.
+
+    Args:
+        modes: As found.
+    """
+    rows, first = [], 0
+    for frequency, count in modes.groups():
+        rows.append(_mode(modes, frequency, first, count))
+        first += count
+    return rows
 
 
 def _mode(modes: Modes, frequency: float, first: int, count: int) -> Mode:
@@ -117,20 +128,39 @@ def motion_tables(trace: Trace) -> tuple[Table, ...]:
     """
     if not trace.force.bins:
         return ()
-    forces, torques = [], []
-    for name, unit in zip(trace.labels.lines, trace.labels.line_units, strict=True):
-        mean, least, most, rms = trace.force.whole(name)
-        if unit == "m":
-            forces.append(LineForce(name, mean, least, most, rms, most - least))
-        else:
-            torques.append(LineTorque(name, mean, least, most, rms, most - least))
-    fields = ("name", "mean", "least", "most", "rms", "peak_to_peak")
+    fields = ("name", "mean", "minimum", "maximum", "rms", "peak_to_peak")
     span = f"From every step between {trace.force.edges[0]:.4g} and {trace.force.edges[-1]:.4g} s."
     tables = (
-        table("Forces", forces, fields, note=f"{span} {ALONG}"),
-        table("Shaft torques", torques, fields, note=span),
+        table("Forces", line_forces(trace), fields, note=f"{span} {ALONG}"),
+        table("Shaft torques", line_torques(trace), fields, note=span),
     )
     return tuple(listed for listed in tables if listed.rows)
+
+
+def line_forces(trace: Trace) -> tuple[LineForce, ...]:
+    """Return the statistics of every mesh and support over all bins together; none where there are no bins.
+
+    Args:
+        trace: As simulated.
+    """
+    return tuple(LineForce(*statistics) for statistics in _statistics(trace, "m"))
+
+
+def line_torques(trace: Trace) -> tuple[LineTorque, ...]:
+    """Return the statistics of every shaft over all bins together; none where there are no bins.
+
+    Args:
+        trace: As simulated.
+    """
+    return tuple(LineTorque(*statistics) for statistics in _statistics(trace, "rad"))
+
+
+def _statistics(trace: Trace, deflects_in: str) -> Iterator[tuple[str, float, float, float, float, float]]:
+    """Yield name, mean, minimum, maximum, rms and peak-to-peak of the lines that deflect in m or in rad."""
+    for name, unit in zip(trace.labels.lines, trace.labels.line_units, strict=True):
+        if unit == deflects_in and trace.force.bins:
+            mean, least, most, rms = trace.force.whole(name)
+            yield name, mean, least, most, rms, most - least
 
 
 def energy_table(trace: Trace) -> Table:
@@ -139,6 +169,14 @@ def energy_table(trace: Trace) -> Table:
     Args:
         trace: As simulated.
     """
+    return table("Energy", [energy_book(trace)], ("driven", "braked", "dissipated", "stored", "imbalance"))
+
+
+def energy_book(trace: Trace) -> EnergyBook:
+    """Return where the energy of a run came from and went.
+
+    Args:
+        trace: As simulated.
+    """
     work = trace.work
-    book = EnergyBook(work.driven, work.braked, work.dissipated, work.stored, work.imbalance)
-    return table("Energy", [book], ("driven", "braked", "dissipated", "stored", "imbalance"))
+    return EnergyBook(work.driven, work.braked, work.dissipated, work.stored, work.imbalance)

@@ -25,10 +25,16 @@ def flow_tables(sizing: Sizing) -> tuple[Table, ...]:
     """
     note = "Torque on the shaft; power into the shaft is positive."
     fields = ("shaft", "part", "speed", "torque", "power")
-    return tuple(table(f"Case {case}", _shaft_by_shaft(sizing, case), fields, note=note) for case in sizing.flows)
+    return tuple(table(f"Case {case}", shaft_by_shaft(sizing, case), fields, note=note) for case in sizing.flows)
 
 
-def _shaft_by_shaft(sizing: Sizing, case: str) -> list[Branch]:
+def shaft_by_shaft(sizing: Sizing, case: str) -> list[Branch]:
+    """Return every part on every shaft in a load case, shaft by shaft.
+
+    Args:
+        sizing: As sized.
+        case: Load case.
+    """
     of_case = branches(sizing.train, sizing.flows[case])
     return [branch for shaft in sizing.design.shafts for branch in of_case if branch.shaft == shaft]
 

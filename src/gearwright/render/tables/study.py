@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections import Counter
 from typing import NamedTuple
@@ -186,15 +185,6 @@ def study_records(table: Table) -> list[dict[str, float | int | str | bool | Non
                 record[name] = row.shown(result) if result in table.numbers else row.results[result].value
         records.append({**record, "problem": row.problem})
     return records
-
-
-def study_json(table: Table) -> str:
-    """Return the rows as JSON.
-
-    Args:
-        table: Of the study.
-    """
-    return json.dumps({"study": table.name, "rows": study_records(table)}, indent=2, ensure_ascii=False)
 
 
 def study_csv(table: Table) -> str:

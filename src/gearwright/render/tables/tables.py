@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import Any, Literal
 
 from gearwright.identity import PartId
-from gearwright.units import SUFFIXES, Origin, marks_at, origin_of, shown, unit
+from gearwright.units import Origin, marks_at, origin_of, shown, unit
 
 Mark = Literal["", "given", "estimated"]
 """Where a value comes from: computed, given by the user in place of the computed one, or estimated."""
@@ -75,14 +75,6 @@ class Column:
     def unit(self) -> str:
         """Unit in which the column is shown."""
         return unit(self.dimension) if self.dimension else ""
-
-    @property
-    def key(self) -> str:
-        """Name with the unit, as in design files: ``face_width_mm``."""
-        for suffix, factor in SUFFIXES.get(self.dimension, {}).items():
-            if math.isclose(factor * shown(1.0, self.dimension), 1.0):
-                return f"{self.name}_{suffix}"
-        return self.name
 
 
 @dataclass(frozen=True)
@@ -204,30 +196,3 @@ def written(number: float, digits: int = 4) -> str:
     if abs(number) < SMALLEST_PLAIN:
         return f"{number:.{digits - 1}e}"
     return f"{number:#.{digits}g}".rstrip(".")
-
-
-def as_json(listing: Table) -> dict[str, Any]:
-    """Return a table for machines: columns with unit, equation and source, and rows by key.
-
-    Values have all their digits and the unit that the key names; what is not finite is null.
-
-    Args:
-        listing: The table.
-    """
-    columns = [{"key": c.key, "unit": c.unit, **_sources(c)} for c in listing.columns]
-    rows = [{c.key: _finite(cell.value) for c, cell in zip(listing.columns, row, strict=True)} for row in listing.rows]
-    return {"title": listing.title, "columns": columns, "rows": rows}
-
-
-def _sources(column: Column) -> dict[str, Any]:
-    """Return equation and source of a column, or those of each row where methods differ from row to row."""
-    if column.origin is not None:
-        return {"equation": column.origin.equation, "source": column.origin.source}
-    if not column.listed_origins:
-        return {}
-    rows = [(origin.equation, origin.source) if origin else ("", "") for origin in column.origins]
-    return {"equation": [equation for equation, _ in rows], "source": [source for _, source in rows]}
-
-
-def _finite(value: Any) -> Any:
-    return None if isinstance(value, float) and not math.isfinite(value) else value

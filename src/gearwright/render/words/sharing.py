@@ -1,10 +1,6 @@
-"""The load sharing of a design for the terminal and for machines."""
+"""The load sharing of a design for the terminal."""
 
 from __future__ import annotations
-
-import json
-import math
-from typing import Any
 
 from rich.console import Group, RenderableType
 from rich.text import Text
@@ -99,43 +95,3 @@ def _allocation(allocation: Allocation) -> Grid:
         allowed = _size(row.kind, row.allowed) if row.allowed < row.given else "as given"
         table.add_row(row.error, _size(row.kind, row.given), allowed)
     return table
-
-
-def sharing_json(study: SharingStudy) -> str:
-    """Return the answers as JSON, lengths in m and angles in rad.
-
-    Args:
-        study: From `sharing_study`.
-    """
-    problem, cycle = study.problem, study.sharing.tooth_cycle
-    content: dict[str, Any] = {
-        "stage": problem.stage,
-        "paths": list(problem.lines),
-        "redundancies": problem.train.count,
-        "stated": None if problem.stated is None else list(problem.stated),
-        "without_errors": problem.perfect.tolist(),
-        "method": study.sharing.method,
-        "reason": study.sharing.reason,
-        "tooth_cycle": {"least": cycle.min(axis=0).tolist(), "most": cycle.max(axis=0).tolist()},
-        "load_factor": study.sharing.load_factor,
-        "influences": [
-            {"error": influence.source, "size": influence.size, "turns": influence.turns, "effect": influence.effect}
-            for influence in study.influences
-        ],
-    }
-    if study.distribution is not None:
-        shares = {f"{percent:g}": study.distribution.percentile(percent) for percent in PERCENTILES}
-        content["random"] = {"seed": study.distribution.seed, "share_below": shares}
-    if study.clocking is not None:
-        content["clocking_rad"] = dict(study.clocking.angles)
-        content["clocking_window_rad"] = study.clocking.window if math.isfinite(study.clocking.window) else None
-    if study.allocation is not None:
-        sizes = {row.error: {"given": row.given, "allowed": row.allowed} for row in study.allocation.sizes}
-        allocation = study.allocation
-        content["allocation"] = {
-            "target": allocation.target,
-            "reached": allocation.reached,
-            "cost": allocation.cost,
-            "sizes": sizes,
-        }
-    return json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)

@@ -1,8 +1,7 @@
-"""Words for the terminal, and JSON for machines: the report of a Sizing, the modes, the summary of a Trace."""
+"""Words for the terminal: the report of a Sizing, the modes, the summary of a Trace."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -14,7 +13,7 @@ from gearwright.render.tables.grid import Grid
 from gearwright.render.tables.materials import estimated_only
 from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing import flow_tables, tables_of
-from gearwright.render.tables.tables import MARKS, Cell, Column, Table, as_json
+from gearwright.render.tables.tables import MARKS, Cell, Column, Table
 from gearwright.render.words.headline import resonances, worst_margin
 from gearwright.sizing import Sizing
 from gearwright.units import text
@@ -72,27 +71,6 @@ def factors_text(sizing: Sizing) -> RenderableType:
     return Group(*map(table_text, factor_tables(sizing).values()))
 
 
-def sizing_json(sizing: Sizing) -> str:
-    """Return every table of a sizing as JSON, with units, equations and sources.
-
-    Args:
-        sizing: As sized.
-    """
-    tables = {name: as_json(table) for name, table in tables_of(sizing).items()}
-    flows = {case: as_json(table) for case, table in zip(sizing.flows, flow_tables(sizing), strict=True)}
-    factors = {mesh: as_json(table) for mesh, table in factor_tables(sizing).items()}
-    head = {
-        "design": sizing.design.name,
-        "level": sizing.level,
-        "mass_kg": sizing.mass,
-        "power_density_w_kg": sizing.power_density,
-        "worst_margin": sizing.worst_margin,
-    }
-    return json.dumps(
-        {**head, "cases": flows, **tables, "factors": factors}, indent=2, ensure_ascii=False, allow_nan=False
-    )
-
-
 def resonance_lines(campbell: Sequence[SpeedCase]) -> list[str]:
     """Return a line for each set of speeds that runs in a resonance.
 
@@ -137,17 +115,6 @@ def modes_text(modes: Modes, *, most: int = 30) -> RenderableType:
     return table_text(mode_table(modes, most=most))
 
 
-def modes_json(modes: Modes) -> str:
-    """Return the natural frequencies as JSON.
-
-    Args:
-        modes: As found.
-    """
-    from gearwright.render.tables.motion import mode_table
-
-    return json.dumps(as_json(mode_table(modes, most=len(modes.frequency))), indent=2, ensure_ascii=False)
-
-
 def trace_text(trace: Trace, sizing: Sizing | None = None) -> RenderableType:
     """Return mean, least, greatest, rms and peak-to-peak of every line, and the energy book, for the terminal.
 
@@ -166,19 +133,6 @@ def trace_text(trace: Trace, sizing: Sizing | None = None) -> RenderableType:
     beside = [dynamic_table(sizing, trace)] if sizing is not None and trace.force.bins else []
     tables = (*motion_tables(trace), energy_table(trace), *beside)
     return Group(head, *notes, Text(), *map(table_text, tables))
-
-
-def trace_json(trace: Trace) -> str:
-    """Return the summary of a run as JSON.
-
-    Args:
-        trace: As simulated.
-    """
-    from gearwright.render.tables.motion import energy_table, motion_tables
-
-    tables = {table.title.lower(): as_json(table) for table in (*motion_tables(trace), energy_table(trace))}
-    head = {"method": trace.method, "step_s": trace.step, "duration_s": trace.duration, "error": trace.error}
-    return json.dumps({**head, "notes": list(trace.notes), **tables}, indent=2, ensure_ascii=False, allow_nan=False)
 
 
 def table_text(table: Table) -> RenderableType:

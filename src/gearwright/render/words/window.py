@@ -1,8 +1,7 @@
-"""A dynamic window in words: what every speed, torque, force and the pitch did in it; and as JSON."""
+"""A dynamic window in words: what every speed, torque, force and the pitch did in it."""
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -24,9 +23,9 @@ class Range(NamedTuple):
     """Its unit, as `units` knows it."""
     start: float
     """Mean of the first time bin."""
-    least: float
+    minimum: float
     """Of every step."""
-    most: float
+    maximum: float
     """Of every step."""
     end: float
     """Mean of the last time bin."""
@@ -85,7 +84,7 @@ def window_text(window: DynamicWindow) -> str:
     lines = [
         f"{window.name}: {trace.duration:.4g} s of {rules.phase} from {window.start:.0f} s of the mission; {event}",
         "",
-        f"{'':28} {'start':>11} {'least':>11} {'greatest':>11} {'end':>11}",
+        f"{'':28} {'start':>11} {'minimum':>11} {'maximum':>11} {'end':>11}",
         *(_line(row) for row in ranges(window)),
         "",
         window_verdict(window),
@@ -112,30 +111,4 @@ def window_verdict(window: DynamicWindow) -> str:
     return (
         f"The governor limit-cycles at {cycle.frequency:.3g} Hz with {cycle.amplitude:.3g} rad/s"
         f" ({cycle.amplitude * 30.0 / math.pi:.3g} rpm); lower its gain, or give a faster actuator"
-    )
-
-
-def window_json(window: DynamicWindow) -> str:
-    """Return a window's ranges and verdicts as JSON, in SI.
-
-    Args:
-        window: As flown.
-    """
-    cycle, trace = window.limit_cycle, window.trace
-    return json.dumps(
-        {
-            "window": window.name,
-            "phase": window.rules.phase,
-            "event": window.rules.event,
-            "start": window.start,
-            "duration": trace.duration,
-            "step": trace.step,
-            "error": trace.error,
-            "energy_imbalance": trace.work.imbalance,
-            "limit_cycle": None if cycle is None else cycle._asdict(),
-            "ranges": [row._asdict() for row in ranges(window)],
-            "notes": list(trace.notes),
-        },
-        indent=2,
-        ensure_ascii=False,
     )

@@ -1,10 +1,9 @@
-"""The Colibri replay in words: how its numbers are written, tables for the terminal, and the whole as a record."""
+"""The Colibri replay in words: how its numbers are written, and tables for the terminal."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import groupby
-from typing import Any
 
 from rich.console import Group
 from rich.text import Text
@@ -12,7 +11,6 @@ from rich.text import Text
 from gearwright.render.tables.grid import Grid
 from gearwright.replays.colibri.findings import Finding
 from gearwright.replays.colibri.replay import Outcome, Replay, Replayed
-from gearwright.replays.colibri.steps import Step
 from gearwright.units import shown, text, unit
 
 PARTS = {
@@ -132,50 +130,15 @@ def reason_keys(number: Replayed) -> tuple[str, ...]:
     return (*([number.erratum.key] if number.erratum else []), *number.computed.assumptions)
 
 
-def replay_record(numbers: Sequence[Replayed], replayed: Replay) -> dict[str, Any]:
-    """Return numbers, findings and reasons for machines, numbers in the units of the report.
+def finding_in_unit(finding: Finding) -> tuple[str, float, str, float, str, str, bool]:
+    """Return what a finding says: what, value, sense, limit, the unit of both, source, and whether it holds.
 
     Args:
-        numbers: Which to write.
-        replayed: Of `replay`.
+        finding: With its numbers.
     """
-    return {
-        "counts": {outcome.value: replayed.count(outcome) for outcome in Outcome},
-        "numbers": [_record(number) for number in numbers],
-        "findings": [_finding_record(finding) for finding in replayed.findings],
-        "errata": [{"key": erratum.key, "title": erratum.title, "why": erratum.why} for erratum in replayed.errata],
-        "assumptions": [
-            {"key": assumption.key, "text": assumption.text, "evidence": assumption.evidence}
-            for assumption in replayed.assumptions.values()
-        ],
-    }
-
-
-def _record(number: Replayed) -> dict[str, Any]:
-    def value(step: Step | None) -> float | None:
-        return None if step is None else step.value / number.printed.scale
-
-    return {
-        "key": number.printed.key,
-        "place": number.printed.place,
-        "symbol": number.printed.symbol,
-        "unit": number.printed.unit,
-        "printed": number.printed.printed,
-        "computed": value(number.computed),
-        "how": number.computed.how,
-        "relative_difference": number.relative,
-        "verdict": number.outcome.value,
-        "correct": value(number.correct),
-        "correct_how": number.correct.how if number.correct else None,
-        "reasons": list(reason_keys(number)),
-    }
-
-
-def _finding_record(finding: Finding) -> dict[str, Any]:
     value, name = _in_unit(finding.value, finding)
     limit, _ = _in_unit(finding.limit, finding)
-    sides = {"what": finding.what, "value": value, "sense": finding.sense.value, "limit": limit, "unit": name}
-    return {**sides, "source": finding.source, "holds": finding.holds}
+    return finding.what, value, finding.sense.value, limit, name, finding.source, finding.holds
 
 
 def _table(part: str, rows: Sequence[Replayed]) -> Grid:

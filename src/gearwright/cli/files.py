@@ -1,0 +1,80 @@
+"""The commands ``new`` and ``schema``: files to start from, and what editors and scripts need to know of files."""
+
+from __future__ import annotations
+
+import json as json_text
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from gearwright.cli.answers import ANSWERS, answer_schema, show_answer
+from gearwright.cli.options import JsonOption
+from gearwright.cli.output import show, show_json
+from gearwright.writing import write_text
+
+
+def new(
+    name: Annotated[str | None, typer.Argument(help="A shipped design, mission or study; left out: list them")] = None,
+    file: Annotated[Path | None, typer.Argument(help="File to write; left out: NAME.toml here")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace a file that is there")] = False,
+    json: JsonOption = False,
+) -> None:
+    """Write a shipped design, mission or study as a file to start from, or list all of them."""
+    from gearwright.errors import DesignError, Problem
+    from gearwright.shipped import shipped_file
+
+    if name is None:
+        _list(json=json)
+        return
+    source = shipped_file(name)
+    text = source.read_text(encoding="utf-8")
+    target = file or Path(f"{name}.toml")
+    if target.exists() and not force:
+        raise DesignError(
+            [Problem("", "the file is there already; give another name, or --force to replace it")], str(target)
+        )
+    write_text(target, text)
+    follows = {"designs": "run", "missions": "fly DESIGN", "studies": "study"}[source.parent.name]
+    show(f"wrote {target}; next: gearwright {follows} {target}")
+
+
+def _list(*, json: bool) -> None:
+    """Print every shipped file with its name, under what it is."""
+    from gearwright.render.answers.weights import NewAnswer
+    from gearwright.render.words.shipped import shipped_files
+
+    files = shipped_files()
+    if json:
+        show_answer("new", NewAnswer(files))
+        return
+    for kind, title in (("design", "designs"), ("mission", "\nmissions"), ("study", "\nstudies")):
+        show(title)
+        for file in files:
+            if file.kind == kind:
+                show(f"{file.name:24} {file.title}")
+
+
+class File(StrEnum):
+    """Files that users write."""
+
+    DESIGN = "design"
+    MISSION = "mission"
+    STUDY = "study"
+
+
+def schema(
+    of: Annotated[File, typer.Option(help="File whose keys it describes, for editors")] = File.DESIGN,
+    answer: Annotated[
+        str | None, typer.Option(help="Command whose JSON it describes instead, such as size", metavar="COMMAND")
+    ] = None,
+) -> None:
+    """Print the JSON Schema of a design, mission or study file, or of what a command prints with --json."""
+    from gearwright.errors import DesignError, Problem, near
+    from gearwright.spec import schema as file_schema
+
+    if answer is not None and answer not in ANSWERS:
+        raise DesignError([Problem("--answer", f"{answer!r} prints no JSON; {near(answer, ANSWERS)}")])
+    made = file_schema(of.value) if answer is None else answer_schema(answer)
+    show_json(json_text.dumps(made, indent=2, ensure_ascii=False))

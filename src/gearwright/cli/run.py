@@ -1,0 +1,93 @@
+"""The command ``run``: everything of one design, on one screen and in one folder.
+
+Imports that cost time stand inside the command, so that ``--help`` stays quick.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from gearwright.cli.answers import answer_text, show_answer
+from gearwright.cli.design import DurationOption, StiffnessOption, simulated
+from gearwright.cli.designs import sized
+from gearwright.cli.ends import end_interrupted, named_after, save_run
+from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
+from gearwright.cli.output import show
+from gearwright.writing import make_folder, write_text
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from gearwright.dynamics import Modes, System, Trace
+    from gearwright.dynamics.vibration import SpeedCase
+    from gearwright.sizing import Sizing
+
+
+def run(
+    design: DesignArgument,
+    case: CaseOption = None,
+    duration: DurationOption = 0.2,
+    stiffness: StiffnessOption = None,
+    folder: Annotated[
+        Path | None, typer.Option("--out", help="Folder for the results; left out: NAME-results here")
+    ] = None,
+    full: Annotated[bool, typer.Option("--full", help="Print every table, too")] = False,
+    json: JsonOption = False,
+) -> None:
+    """Do everything: size, find modes, simulate, and write the report and the results."""
+    from gearwright.dynamics import modes as find_modes
+    from gearwright.dynamics.assembly import assemble, default_case
+    from gearwright.dynamics.vibration import critical_speeds
+    from gearwright.render.words.run import run_text, run_verdict
+    from gearwright.reviews import review_of
+
+    sizing = sized(design)
+    case = case or default_case(sizing)
+    system = assemble(sizing, case, stiffness=stiffness)
+    solved, trace = find_modes(system), simulated(system, duration)
+    campbell = () if trace.interrupted else critical_speeds(sizing)
+    reviewed = None if trace.interrupted else review_of(sizing)
+    if json:
+        from gearwright.render.answers.motion import run_answer
+
+        verdict = run_verdict(reviewed, campbell)
+        answer = run_answer(sizing, solved, trace, case=case, verdict=verdict)
+        show_answer("run", answer, design=sizing.design.name)
+    else:
+        show(run_text(sizing, solved, trace, review=reviewed, campbell=campbell))
+        if full:
+            _show_tables(sizing, solved, trace, campbell)
+    if folder is not None or not json:
+        written = _write(folder or named_after(design, "results"), sizing, (solved, trace, system), case, campbell)
+        if not json:
+            show(f"\nwrote {', '.join(map(str, written))}")
+            if not full:
+                show("every table: the report, or --full")
+    end_interrupted(trace, None)
+
+
+def _show_tables(sizing: Sizing, modes: Modes, trace: Trace, campbell: Sequence[SpeedCase]) -> None:
+    from gearwright.render.words.text import modes_text, sizing_text, trace_text
+
+    show("", sizing_text(sizing, trace=trace, campbell=campbell), modes_text(modes), trace_text(trace, sizing))
+
+
+def _write(
+    folder: Path, sizing: Sizing, moved: tuple[Modes, Trace, System], case: str, campbell: Sequence[SpeedCase]
+) -> list[Path]:
+    """Write sizing, run and report; of a run that was interrupted no report."""
+    from gearwright.render.answers.design import size_answer
+    from gearwright.render.pages.report import report as make_report
+
+    modes, trace, system = moved
+    make_folder(folder)
+    numbers = folder / "sizing.json"
+    write_text(numbers, answer_text("size", size_answer(sizing), design=sizing.design.name) + "\n")
+    kept = save_run(folder / "run.nc", trace, sizing, case)
+    end_interrupted(trace, kept)
+    page = make_report(sizing, modes=modes, trace=trace, case=case, system=system, campbell=campbell)
+    write_text(folder / "report.html", page)
+    return [folder / "report.html", kept, numbers]

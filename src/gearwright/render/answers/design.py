@@ -1,0 +1,130 @@
+"""Answers about one design: its sizing, its modes, its motion, and all of them in one run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated
+
+from gearwright.render.tables.checks import Judged, judged
+from gearwright.render.tables.materials import Property, material_properties
+from gearwright.render.tables.sizing import shaft_by_shaft
+from gearwright.sizing import AskedSpeed, MassPart, Sizing, asked_speeds, mass_parts
+from gearwright.sizing.arrangement.envelope import Envelope, envelope
+from gearwright.sizing.meshed import MeshSizing
+from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
+from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, ShaftSizing
+from gearwright.train import Branch
+from gearwright.units import Mass, Power, Quantity
+
+
+@dataclass(frozen=True)
+class GivenEntry:
+    """A value that the user gave in place of a computed one."""
+
+    entry: str
+    """Where it stands in the file, which ends in its unit."""
+    amount: float
+    """In that unit."""
+    origin: str
+    """Where the user has it from."""
+
+
+@dataclass(frozen=True)
+class SizeAnswer:
+    """A sized transmission; equations and sources of its numbers stand in this schema."""
+
+    level: str
+    """How much of the design is looked at: concept or built."""
+    mass: Mass
+    """Of gears, shafts and carriers, without motor, housing, bearings and oil; or the user's own."""
+    gear_mass: Mass
+    shaft_mass: Mass
+    carrier_mass: Mass
+    bearing_mass: Mass
+    """Of the bearings of built shafts; not in the mass."""
+    motor_mass: Mass
+    rated_power: Power
+    power_density: Annotated[float, Quantity("specific_power")]
+    """Rated power over the mass."""
+    worst_margin: Annotated[float | None, Quantity("ratio")]
+    """Smallest factor by which loads may grow; 1 is just enough."""
+    teeth: Mapping[str, int]
+    """Gear -> tooth number."""
+    cases: Mapping[str, tuple[Branch, ...]]
+    """Load case -> every part on every shaft."""
+    margins: tuple[Judged, ...]
+    """Every check, the worst first."""
+    asked_speeds: tuple[AskedSpeed, ...]
+    """Asked speeds that the teeth give only nearly."""
+    gears: tuple[GearSizing, ...]
+    meshes: tuple[MeshSizing, ...]
+    shafts: tuple[ShaftSizing, ...]
+    built_shafts: tuple[BuiltShaft, ...]
+    bearings: tuple[BearingSizing, ...]
+    joints: tuple[JointSizing, ...]
+    carriers: tuple[CarrierSizing, ...]
+    machines: tuple[MachineSizing, ...]
+    masses: tuple[MassPart, ...]
+    """Gears, shafts and carriers, the heaviest first."""
+    envelope: Envelope
+    materials: tuple[Property, ...]
+    """Every property, in the unit beside it, with its source."""
+    given: tuple[GivenEntry, ...]
+    """Values that the user gave in place of computed ones."""
+
+
+def size_answer(sizing: Sizing) -> SizeAnswer:
+    """Return what `gearwright size --json` answers.
+
+    Args:
+        sizing: As sized.
+    """
+    return SizeAnswer(
+        level=sizing.level,
+        mass=sizing.mass,
+        gear_mass=sizing.gear_mass,
+        shaft_mass=sizing.shaft_mass,
+        carrier_mass=sizing.carrier_mass,
+        bearing_mass=sizing.bearing_mass,
+        motor_mass=sizing.motor_mass,
+        rated_power=sizing.rated_power,
+        power_density=sizing.power_density,
+        worst_margin=sizing.worst_margin,
+        teeth=sizing.teeth,
+        cases={case: tuple(shaft_by_shaft(sizing, case)) for case in sizing.flows},
+        margins=judged(sizing.checks),
+        asked_speeds=asked_speeds(sizing),
+        gears=sizing.gears,
+        meshes=sizing.meshes,
+        shafts=sizing.shafts,
+        built_shafts=sizing.built_shafts,
+        bearings=sizing.bearings,
+        joints=sizing.joints,
+        carriers=sizing.carriers,
+        machines=sizing.machines,
+        masses=mass_parts(sizing),
+        envelope=envelope(sizing),
+        materials=material_properties(sizing),
+        given=tuple(GivenEntry(row.entry, row.amount, row.origin) for row in sizing.given.values()),
+    )
+
+
+@dataclass(frozen=True)
+class CheckAnswer:
+    """What is wrong with a design that can be sized."""
+
+    holds: bool
+    """True if no check fails; else the exit code is 1."""
+    failing: tuple[Judged, ...]
+    """Checks that fail, the worst first."""
+
+
+def check_answer(sizing: Sizing) -> CheckAnswer:
+    """Return what `gearwright check --json` answers.
+
+    Args:
+        sizing: As sized.
+    """
+    failing = judged(check for check in sizing.checks if check.fails)
+    return CheckAnswer(not failing, failing)

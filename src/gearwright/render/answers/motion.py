@@ -1,0 +1,135 @@
+"""Answers about motion: natural frequencies, a simulated run and what follows from it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from gearwright.dynamics import Modes, Trace
+from gearwright.render.answers.design import SizeAnswer, size_answer
+from gearwright.render.tables.motion import (
+    EnergyBook,
+    LineForce,
+    LineTorque,
+    Mode,
+    energy_book,
+    line_forces,
+    line_torques,
+    mode_rows,
+)
+from gearwright.sizing import Sizing
+from gearwright.units import Force, Ratio, Time, Torque
+
+
+@dataclass(frozen=True)
+class ModesAnswer:
+    """Natural frequencies of a drive train, undamped, at the mean stiffness."""
+
+    case: str
+    rigid: int
+    """Modes without a frequency: the train turns as a whole."""
+    modes: tuple[Mode, ...]
+
+
+def modes_answer(modes: Modes, case: str) -> ModesAnswer:
+    """Return what `gearwright modes --json` answers.
+
+    Args:
+        modes: As found.
+        case: Load case.
+    """
+    return ModesAnswer(case, modes.rigid, tuple(mode_rows(modes)))
+
+
+@dataclass(frozen=True)
+class SimulateAnswer:
+    """A simulated run: statistics of every step, and where its energy went."""
+
+    case: str
+    method: str
+    """Of integration."""
+    duration: Time
+    step: Time
+    error: Ratio
+    """Estimated, of the forces."""
+    interrupted: bool
+    """True if the run was stopped before its end."""
+    notes: tuple[str, ...]
+    """What to know of the run."""
+    forces: tuple[LineForce, ...]
+    """Of meshes, along the line of action, and of supports."""
+    torques: tuple[LineTorque, ...]
+    """Of shafts."""
+    energy: EnergyBook
+
+
+@dataclass(frozen=True)
+class Instant:
+    """A line of `--jsonl`: one instant of a run."""
+
+    time: Time
+    force: Mapping[str, Force]
+    """Mesh or support -> its force."""
+    torque: Mapping[str, Torque]
+    """Shaft -> its torque."""
+
+
+def simulate_answer(trace: Trace, case: str) -> SimulateAnswer:
+    """Return what `gearwright simulate --json` answers.
+
+    Args:
+        trace: As simulated.
+        case: Load case.
+    """
+    return SimulateAnswer(
+        case=case,
+        method=trace.method,
+        duration=trace.duration,
+        step=trace.step,
+        error=trace.error,
+        interrupted=trace.interrupted,
+        notes=tuple(trace.notes),
+        forces=line_forces(trace),
+        torques=line_torques(trace),
+        energy=energy_book(trace),
+    )
+
+
+def instants(trace: Trace) -> Iterator[Instant]:
+    """Yield what is recorded of a run, instant by instant.
+
+    Args:
+        trace: As simulated.
+    """
+    lines = list(zip(trace.labels.lines, trace.labels.line_units, strict=True))
+    for time, forces in zip(trace.samples.time, trace.samples.line_force, strict=True):
+        of_lines = [(name, unit, float(force)) for (name, unit), force in zip(lines, forces, strict=True)]
+        yield Instant(
+            float(time),
+            {name: force for name, unit, force in of_lines if unit == "m"},
+            {name: force for name, unit, force in of_lines if unit != "m"},
+        )
+
+
+@dataclass(frozen=True)
+class RunAnswer:
+    """Everything of one design: what it weighs, how it vibrates, how it runs."""
+
+    verdict: tuple[str, ...]
+    """In sentences."""
+    size: SizeAnswer
+    modes: ModesAnswer
+    simulate: SimulateAnswer
+
+
+def run_answer(sizing: Sizing, modes: Modes, trace: Trace, *, case: str, verdict: tuple[str, ...]) -> RunAnswer:
+    """Return what `gearwright run --json` answers.
+
+    Args:
+        sizing: As sized.
+        modes: Of its train.
+        trace: A run of it.
+        case: Load case of both.
+        verdict: In sentences.
+    """
+    return RunAnswer(verdict, size_answer(sizing), modes_answer(modes, case), simulate_answer(trace, case))

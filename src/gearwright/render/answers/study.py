@@ -1,0 +1,84 @@
+"""Answers of studies: a row for every variant, and how far a study is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from gearwright.render.answers.plain import named
+from gearwright.study import Table
+from gearwright.study.running.journal import Status
+from gearwright.units import Time
+
+
+@dataclass(frozen=True)
+class StudyRow:
+    """One variant; a line of `--jsonl`."""
+
+    design: str
+    inputs: Mapping[str, float | int | str | bool]
+    """Dotted path, which ends in its unit -> value."""
+    results: Mapping[str, float | str]
+    """Result with its unit -> value, all digits; empty if the variant cannot be had."""
+    problem: str
+    """Why the variant cannot be had; empty if it can."""
+
+
+@dataclass(frozen=True)
+class StudyAnswer:
+    """A study: designs along axes or over samples."""
+
+    name: str
+    description: str
+    failed: int
+    """Variants that cannot be had."""
+    rows: tuple[StudyRow, ...]
+    """In the order of the study."""
+
+
+def study_answer(table: Table) -> StudyAnswer:
+    """Return what `gearwright study --json`, `compare --json` and `resume --json` answer.
+
+    Args:
+        table: Of the study.
+    """
+    return StudyAnswer(table.name, table.description, len(table.failed), tuple(study_rows(table)))
+
+
+def study_rows(table: Table) -> Iterator[StudyRow]:
+    """Yield a study variant by variant.
+
+    Args:
+        table: Of the study.
+    """
+    for row in table.rows:
+        yield StudyRow(row.design, row.inputs, dict(named(row.results)), row.problem)
+
+
+@dataclass(frozen=True)
+class StatusAnswer:
+    """How far a study is."""
+
+    name: str
+    done: int
+    """Finished cases."""
+    total: int
+    failed: int
+    """Finished cases that cannot be had."""
+    running: bool
+    rate: float
+    """Cases a second."""
+    remaining: Time
+    """Estimated; null where nothing runs."""
+
+
+def status_answer(state: Status) -> StatusAnswer:
+    """Return what `gearwright status --json` answers.
+
+    Args:
+        state: From the journal.
+    """
+    known = state.recorded
+    return StatusAnswer(
+        known.study.name, state.done, known.total, state.failed, state.running, state.rate, state.remaining
+    )  # fmt: skip

@@ -1,0 +1,35 @@
+"""What comes with gearwright: every shipped file with its kind, its name and its title."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from gearwright.shipped import (
+    shipped_design,
+    shipped_designs,
+    shipped_mission,
+    shipped_missions,
+    shipped_studies,
+    shipped_study,
+)
+from gearwright.spec import read, read_mission, read_study
+
+
+@dataclass(frozen=True)
+class ShippedFile:
+    """A file that comes with gearwright."""
+
+    kind: Literal["design", "mission", "study"]
+    name: str
+    """For the commands."""
+    title: str
+
+
+def shipped_files() -> tuple[ShippedFile, ...]:
+    """Return designs, missions and studies, each kind by name."""
+    return (
+        *(ShippedFile("design", name, read(shipped_design(name)).name) for name in shipped_designs()),
+        *(ShippedFile("mission", name, read_mission(shipped_mission(name)).name) for name in shipped_missions()),
+        *(ShippedFile("study", name, read_study(shipped_study(name)).name) for name in shipped_studies()),
+    )
