@@ -31,9 +31,14 @@ class Printed:
         return float(self.text)
 
     @property
+    def decimals(self) -> int:
+        """Digits after the point."""
+        return len(self.text.partition(".")[2])
+
+    @property
     def half_digit(self) -> float:
         """Half a unit of the last printed digit, in the unit of the column."""
-        return 0.5 * 10.0 ** -len(self.text.partition(".")[2])
+        return 0.5 * 10.0**-self.decimals
 
     @property
     def bounds(self) -> tuple[float, float]:

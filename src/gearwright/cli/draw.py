@@ -52,7 +52,7 @@ def _sized(name: str) -> Sizing:
     from gearwright.sizing import size
     from gearwright.store import load_run
 
-    return size(load_run(Path(name)).design) if name.endswith(".nc") else sized(name)
+    return size(load_run(Path(name)).design) if Path(name).suffix == ".nc" else sized(name)
 
 
 def _names(what: str | None) -> tuple[str, ...]:

@@ -17,7 +17,7 @@ from gearwright.mission.profile import Moment, moments
 from gearwright.mission.supply import Given, Terms, supply_of
 from gearwright.mission.thrust import Blades, performed, propeller_power
 from gearwright.sizing import Sizing
-from gearwright.spec import NO_MAP, Mission, engine_out, mission_problems
+from gearwright.spec import NO_MAP, Mission, engine_out, is_map_file, mission_problems
 from gearwright.verbs import verb
 
 TRIAL_POWER = 1e5
@@ -107,7 +107,7 @@ def _chart(mission: Mission, folder: Path | None) -> PropellerMap | None:
     name = mission.propeller_map
     if name == NO_MAP:
         return None
-    return read_propeller_map((folder or Path()) / name) if name.endswith(".csv") else propeller_map(name)
+    return read_propeller_map((folder or Path()) / name) if is_map_file(name) else propeller_map(name)
 
 
 def _placed(error: DesignError, moment: Moment) -> DesignError:

@@ -189,3 +189,7 @@ class JointSizing:
     """Of a press fit, as made [m]."""
     rim: Annotated[float | None, Quantity("ratio"), Origin("s_R/h_t, h_t = 2.25 m_n", "ISO 6336-3:2019, Y_B")] = None
     """Metal between hub seat and tooth root over the height of the teeth [-]; None for one piece and for machines."""
+    form: str = ""
+    """Of a key: A with round ends, B with square ones."""
+    module: Length = 0.0
+    """Of a spline [m]; zero for others."""

@@ -21,7 +21,7 @@ from gearwright.verbs import verb
 
 NO_MAP = "none"
 """Name that stands for no propeller map."""
-MAP_FILE = ".csv"
+_MAP_FILE = ".csv"
 """How the name of a map ends that is a file."""
 Kind = Literal["deep-groove", "cylindrical", "taper", "four-point"]
 """Kinds of rolling bearing in the catalogue."""
@@ -211,6 +211,15 @@ def parse_mission(text: str, *, source: str = "", folder: Path | None = None) ->
     return cast(Mission, record)
 
 
+def is_map_file(name: str) -> bool:
+    """Tell whether a propeller map is a file of the user's, not a shipped one.
+
+    Args:
+        name: As a mission or a study gives it.
+    """
+    return name.endswith(_MAP_FILE)
+
+
 def map_problems(name: str, folder: Path) -> tuple[Problem, ...]:
     """Return why a propeller map cannot be had from where it is said to be.
 
@@ -219,7 +228,7 @@ def map_problems(name: str, folder: Path) -> tuple[Problem, ...]:
         folder: Of the mission, in which the file must stand.
     """
     try:
-        if name.endswith(MAP_FILE):
+        if is_map_file(name):
             beside(name, folder, "propeller_map")
     except DesignError as error:
         return error.problems

@@ -12,7 +12,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.reading import beside
 from gearwright.shipped import find_mission, find_study
 from gearwright.spec.axis import Axis, Value, axis_length, axis_problems
-from gearwright.spec.mission import MAP_FILE, Mission, mission_problems, read_mission
+from gearwright.spec.mission import Mission, is_map_file, mission_problems, read_mission
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.units import Time
@@ -259,6 +259,6 @@ def _with_maps(study: Study, folder: Path) -> Study:
 
 
 def _map_from(name: Value, folder: Path, key: str) -> Value:
-    if not isinstance(name, str) or not name.endswith(MAP_FILE):
+    if not isinstance(name, str) or not is_map_file(name):
         return name
     return str(beside(name, folder, key).resolve())

@@ -80,11 +80,11 @@ BEARINGS = (
     *(("2b", "middle", 164, "NU 2212"), ("3a", "mast", 18, "33016"), ("3b", "mast", 222.5, "33118")),
 )
 JOINTS = (
-    ("turbine", "engine", 30, "spline", "DIN 5480 - W 40 x 2 x 18", 40, 32),
+    ("turbine", "engine", 30, "spline", "DIN 5480 - W 40 x 2 x 18", 40, 32, "", 2),
     ("helical.pinion", "engine", 119, "integral", "", 58, 45),
-    ("helical.wheel", "middle", 63, "key", "DIN 6885 - A 20 x 12 x 50", 66, 50),
+    ("helical.wheel", "middle", 63, "key", "DIN 6885 - A 20 x 12 x 50", 66, 50, "A"),
     ("bevel.pinion", "middle", 209, "integral", "", 50, 50),
-    ("bevel.wheel", "mast", 115, "spline", "DIN 5480 - W 100 x 3 x 32", 100, 60),
+    ("bevel.wheel", "mast", 115, "spline", "DIN 5480 - W 100 x 3 x 32", 100, 60, "", 3),
 )
 
 
@@ -97,8 +97,9 @@ def _seated(name, shaft, position, designation):
     return BearingSizing(name, shaft, position / 1e3, bearing(designation), "rated", 1e3, 0.0, 1e3, 1e7, 1e7, 2.0, 1.5)
 
 
-def _joined(part, shaft, position, kind, designation, diameter, length):
-    return JointSizing(part, shaft, position / 1e3, kind, designation, 500.0, diameter / 1e3, length / 1e3, 1e7, 1e8)
+def _joined(part, shaft, position, kind, designation, diameter, length, form="", module=0):
+    sized = (part, shaft, position / 1e3, kind, designation, 500.0, diameter / 1e3, length / 1e3, 1e7, 1e8)
+    return JointSizing(*sized, form=form, module=module / 1e3)
 
 
 def built_sizing():

@@ -59,6 +59,13 @@ def test_values_that_the_user_gives_are_marked_where_they_act_and_nowhere_else()
     assert shafts == {"input": "", "lay": "given", "output": ""}
 
 
+def test_a_carrier_that_is_given_leaves_the_gears_of_its_stage_computed() -> None:
+    sizing = sized(MIXED + '[overrides]\n"second.carrier.mass_kg" = 9\n')
+    marks = {carrier.stage: given_by_user(sizing, carrier, "mass") for carrier in sizing.carriers}
+    assert marks == {"second": "given"}
+    assert {gear.name for gear in sizing.gears if given_by_user(sizing, gear, "mass")} == set()
+
+
 def test_an_inertia_is_marked_as_given_or_as_estimated() -> None:
     sizing = sized(MIXED)
     marks = {machine.name: given_by_user(sizing, machine, "inertia") for machine in sizing.machines}

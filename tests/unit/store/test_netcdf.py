@@ -55,6 +55,17 @@ def test_a_file_carries_units_names_and_the_design(tmp_path, trace, design):
         assert file.attrs["lines"].split("\n") == list(trace.labels.lines)
 
 
+def test_a_run_knows_whose_its_lines_are_also_one_of_a_version_that_did_not_say(tmp_path, trace, design):
+    path = tmp_path / "run.nc"
+    save(StoredRun(design, "cruise", trace), path)
+    assert load(path).trace.labels == trace.labels
+    assert trace.labels.line_owners[0].part is not None
+    with h5netcdf.File(path, "a") as file:
+        for name in ("coordinate_owners", "line_owners", "drive_owners"):
+            del file.attrs[name]
+    assert load(path).trace.labels == trace.labels
+
+
 def test_a_missing_file_is_refused(tmp_path):
     with pytest.raises(DesignError, match="there is no such file"):
         load(tmp_path / "none.nc")

@@ -7,7 +7,7 @@ import numpy as np
 from gearwright.dynamics.equations import line_state, statics
 from gearwright.dynamics.model import Arrays, Floats, System, line_matrix
 from gearwright.dynamics.motion.recorder import BLOCK
-from gearwright.dynamics.motion.steppers import blank_record, stepper
+from gearwright.dynamics.motion.steppers import ADAPTIVE, RUNGE_KUTTA, blank_record, stepper
 from gearwright.dynamics.motion.stepsize import Accuracy, Pace, accurate_pace, check_step, default_step, excited_step
 from gearwright.errors import DesignError, Problem
 
@@ -46,11 +46,11 @@ def pace_of(system: System, method: str, step: float | Accuracy | None, state: F
         return tried
     if step is None:
         step = excited_step(arrays) if method == "implicit" else default_step(arrays)
-    elif method.startswith("runge-kutta"):
+    elif method in RUNGE_KUTTA:
         check_step(arrays, step)
     elif not 0.0 < step < np.inf:
         raise DesignError([Problem("step", f"{step:g} s; it must be positive and finite")])
-    return Pace(step, _tolerance(system, state) if method.startswith("tsit5") else 0.0)
+    return Pace(step, _tolerance(system, state) if method in ADAPTIVE else 0.0)
 
 
 def _tolerance(system: System, state: Floats) -> float:

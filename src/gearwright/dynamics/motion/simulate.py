@@ -13,7 +13,7 @@ from gearwright.dynamics.motion.exact import is_exact
 from gearwright.dynamics.motion.pacing import STRETCH, estimated_error, pace_of
 from gearwright.dynamics.motion.recorder import BLOCK, Outputs, Recorder
 from gearwright.dynamics.motion.sensitivity import PARTED, parting
-from gearwright.dynamics.motion.steppers import METHODS, Stepper, blank_record, stepper
+from gearwright.dynamics.motion.steppers import ADAPTIVE, METHODS, Stepper, blank_record, stepper
 from gearwright.dynamics.motion.stepsize import Accuracy, Pace, check_duration, default_step, excited_step, fastest_rate
 from gearwright.dynamics.motion.touching import slack_lines
 from gearwright.dynamics.motion.trace import Samples, Trace
@@ -97,7 +97,7 @@ def replay(system: System, trace: Trace, start: float, end: float) -> Samples:
     Raises:
         DesignError: If the part lies outside the run, or a run of adaptive steps has lost its tolerance.
     """
-    if trace.method.startswith("tsit5") and not trace.tolerance > 0.0:
+    if trace.method in ADAPTIVE and not trace.tolerance > 0.0:
         message = f"{trace.tolerance:g} √J; a run of {trace.method} can only be repeated at the tolerance that it had"
         raise DesignError([Problem("trace.tolerance", message)])
     steps = round(trace.duration / trace.step)

@@ -31,7 +31,11 @@ from gearwright.dynamics.motion.recorder import BLOCK
 from gearwright.errors import SolveError
 
 Stepper = Callable[[int, Floats, Floats], Floats]
-METHODS = ("exact", "runge-kutta", "runge-kutta generic", "tsit5", "tsit5 generic", "implicit")
+RUNGE_KUTTA = ("runge-kutta", "runge-kutta generic")
+"""Methods of fixed steps that a system's fastest mode limits."""
+ADAPTIVE = ("tsit5", "tsit5 generic")
+"""Methods that choose their own steps."""
+METHODS = ("exact", *RUNGE_KUTTA, *ADAPTIVE, "implicit")
 """Names of the methods; those without ``generic`` run code that is generated for the system's structure."""
 
 
@@ -72,8 +76,8 @@ def stepper(arrays: Arrays, method: str, h: float, *, tolerance: float = 0.0) ->
         h: Step [s]; for adaptive methods the spacing of the record's rows.
         tolerance: Root of the energy that the error of one adaptive step may hold [√J].
     """
-    if method.startswith("tsit5"):
-        return _adaptive(arrays, h, tolerance, generic=method.endswith("generic"))
+    if method in ADAPTIVE:
+        return _adaptive(arrays, h, tolerance, generic=method != ADAPTIVE[0])
     builders = {"exact": _exact, "runge-kutta": _generated, "runge-kutta generic": _generic, "implicit": _implicit}
     return builders[method](arrays, h)
 

@@ -20,6 +20,7 @@ from gearwright.catalogue import (
     with_ratings,
 )
 from gearwright.errors import DesignError, Problem
+from gearwright.identity import Role
 from gearwright.mission.flight import Flight
 from gearwright.parts.bearings import (
     BearingKind,
@@ -236,7 +237,7 @@ def _taper_factors(flight: Flight, names: Iterable[str]) -> dict[str, LoadFactor
 
 def _path(seat: Seat) -> str:
     """Return where the design says what sits there."""
-    return f"bearings.{seat.name}" if seat.given else f"planetaries.{seat.name.removesuffix('.planet')}.planet_bearing"
+    return f"bearings.{seat.name}" if seat.given else f"planetaries.{seat.part.name}.planet_bearing"
 
 
 class _Named(NamedTuple):
@@ -250,9 +251,8 @@ def _named(flight: Flight, seat: Seat) -> _Named | None:
     """Return the bearing that sizing took for a seat of the design, or that a planet names; None if it is open."""
     if seat.given is not None:
         return _Named(next(sized.bearing for sized in flight.sizing.bearings if sized.name == seat.name), 1)
-    stage, _, last = seat.name.rpartition(".")
-    planetary = flight.sizing.design.planetaries.get(stage)
-    asked = planetary.planet_bearing if planetary is not None and last == "planet" else None
+    of_planets = seat.part.role is Role.PLANET
+    asked = flight.sizing.design.planetaries[seat.part.name].planet_bearing if of_planets else None
     if asked is None:
         return None
     named = bearing(asked.designation)

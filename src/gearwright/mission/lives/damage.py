@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from gearwright.errors import DesignError, Problem
-from gearwright.identity import Role
+from gearwright.identity import PartId, Role
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.spectrum import mesh_spectrum
 from gearwright.sizing.rating import Damage, MeshSpectrum, method_for, rating_of, row_ask
 from gearwright.spec import Design
-from gearwright.train import Mesh
+from gearwright.train import Gear, Mesh
 from gearwright.units import Ratio
 from gearwright.verbs import verb
 
@@ -25,14 +25,19 @@ _LEAST_TORQUE = 1e-3
 class GearDamage:
     """One gear and one way to fail."""
 
-    gear: str
-    """Such as ``first.sun``."""
+    part: PartId
+    """Such as the sun of a stage."""
     mode: str
     """``pitting`` or ``bending``."""
     damage: Ratio
     """Miner's sum of one flight [-]."""
     hours: float
     """Of the flight [h]."""
+
+    @property
+    def gear(self) -> str:
+        """Its label, such as ``first.sun``."""
+        return str(self.part)
 
     @property
     def flights(self) -> float:
@@ -73,7 +78,11 @@ def gear_damage(flight: Flight) -> tuple[GearDamage, ...]:
             for mode, damage in zip((PITTING, BENDING), modes, strict=True):
                 sums.setdefault((gear, mode), []).append(damage)
     hours = flight.duration / 3600.0
-    rows = [GearDamage(gear, mode, _joined(flight, gear, parts), hours) for (gear, mode), parts in sums.items()]
+    train = flight.sizing.train
+    rows = [
+        GearDamage(train.gear(gear).part, mode, _joined(train.gear(gear), parts), hours)
+        for (gear, mode), parts in sums.items()
+    ]
     return tuple(sorted(rows, key=lambda row: -row.damage))
 
 
@@ -87,8 +96,8 @@ def unrated_stages(design: Design) -> tuple[str, ...]:
     return tuple(name for name, pair in design.pairs.items() if pair.kind == "face")
 
 
-def _joined(flight: Flight, gear: str, parts: Sequence[float]) -> float:
-    return max(parts) if flight.sizing.train.gear(gear).role is Role.PLANET else sum(parts)
+def _joined(gear: Gear, parts: Sequence[float]) -> float:
+    return max(parts) if gear.role is Role.PLANET else sum(parts)
 
 
 def _mesh_damage(flight: Flight, mesh: Mesh) -> tuple[Damage, Damage]:

@@ -112,7 +112,7 @@ def strengthened(design: Design, worst: GearDamage) -> Design:
         design: As it is.
         worst: The gear that fails first.
     """
-    stage = worst.gear.partition(".")[0]
+    stage = worst.part.name
     path = method_for(rating_of(design, stage)).safeties[worst.mode]
     stronger = _raised(design.stages[stage].gears or GearRules(), design.rules(stage), path)
     table = "pairs" if stage in design.pairs else "planetaries"

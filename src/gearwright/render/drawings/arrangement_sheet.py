@@ -47,7 +47,7 @@ def arrangement_content(sizing: Sizing) -> Content:
     title = Title(sizing.design.name, "General arrangement", NAME, "Assembly drawing", mass=f"{sizing.mass:.1f}")
     return Content(
         NAME, title, lambda scale: _views(sizing, plane, scale), (Grid("Parts; mass of one", rows, heads),),
-        (*plane.notes, *_notes(sizing, plane)), largest_scale=1.0,
+        (*plane.notes, *_notes(sizing, plane)), largest_scale=1.0, kind=NAME,
     )  # fmt: skip
 
 
@@ -102,7 +102,7 @@ def _views(sizing: Sizing, plane: Positions, scale: float) -> Rows:
 
 def _has_end_view(sizing: Sizing, plane: Positions) -> bool:
     parallel = all(pair.kind == "cylindrical" for pair in sizing.design.pairs.values())
-    return parallel and any(note.startswith("Unfolded") for note in plane.notes)
+    return parallel and not plane.exact
 
 
 def _parts(sizing: Sizing, plane: Positions, scale: float) -> tuple[list[Entity], list[Item]]:
@@ -163,7 +163,7 @@ def _distances(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entit
         lines = [plane.shafts[node] for node in mesh.nodes[:2]]
         if kind_of(sizing, mesh.stage) != "cylindrical":
             continue
-        if any(name.startswith(f"Unfolded: {mesh.name} ({mesh.nodes[0]}, {mesh.nodes[1]})") for name in plane.notes):
+        if mesh.name in plane.unfolded:
             continue
         ends = [axis_of(line, scale).at(line.start) for line in lines]
         key = (round(ends[0].imag, 3), round(ends[1].imag, 3))

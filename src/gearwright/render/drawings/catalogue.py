@@ -27,7 +27,7 @@ def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
         DesignError: If there is no sheet of a name.
     """
     every = list(contents(sizing))
-    known = {content.name for content in every} | {content.name.partition("-")[0] for content in every}
+    known = {content.name for content in every} | {content.kind for content in every}
     wrong = [name for name in names if name not in known]
     if wrong:
         raise DesignError([Problem("--what", f"there is no sheet {name!r}; {near(name, known)}") for name in wrong])
@@ -35,9 +35,7 @@ def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
         replace(content, title=replace(content.title, sheet=(k, len(every))))
         for k, content in enumerate(every, start=1)
     ]
-    wanted = [
-        content for content in numbered if not names or {content.name, content.name.partition("-")[0]} & set(names)
-    ]
+    wanted = [content for content in numbered if not names or {content.name, content.kind} & set(names)]
     return [compose(content) for content in wanted]
 
 
@@ -50,8 +48,8 @@ def contents(sizing: Sizing) -> Iterator[Content]:
     yield arrangement_content(sizing)
     yield from (shaft_content(sizing, shaft.name) for shaft in sizing.shafts if shaft.diameter > 0.0)
     for gear in sizing.gears:
-        for name, shaft in gear_sheets(sizing, gear).items():
-            yield gear_content(sizing, gear, shaft, name)
+        for label, shaft in gear_sheets(sizing, gear).items():
+            yield gear_content(sizing, gear, shaft, label)
 
 
 def gear_sheets(sizing: Sizing, gear: GearSizing) -> dict[str, str]:
@@ -69,4 +67,4 @@ def gear_sheets(sizing: Sizing, gear: GearSizing) -> dict[str, str]:
         if shaft not in integral or kind_of(sizing, gear.stage) == "bevel":
             bodies.setdefault((hub_of(sizing, gear, shaft), hand_of(sizing, gear, shaft)), shaft)
     several = len(bodies) > 1
-    return {f"gear-{gear.name}-{shaft}" if several else f"gear-{gear.name}": shaft for shaft in bodies.values()}
+    return {f"{gear.name}-{shaft}" if several else gear.name: shaft for shaft in bodies.values()}

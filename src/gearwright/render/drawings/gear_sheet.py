@@ -44,18 +44,18 @@ ASIDE = 9.0
 """From a part to its nearest dimension line [mm]."""
 
 
-def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, name: str) -> Content:
+def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, label: str) -> Content:
     """Return what the sheet of a gear shows.
 
     Args:
         sizing: What was sized.
         gear: One of its gears.
         shaft: That carries it.
-        name: Of the sheet.
+        label: Of the gear; with its shaft where its bodies differ.
     """
     hub, rules = hub_of(sizing, gear, shaft), sizing.design.rules(gear.stage)
     title = Title(
-        sizing.design.name, f"Gear {name.removeprefix('gear-')}", name, "Component drawing",
+        sizing.design.name, f"Gear {label}", f"gear-{label}", "Component drawing",
         rules.material, f"{gear.mass:.2f}",
     )  # fmt: skip
     bevel = kind_of(sizing, gear.stage) == "bevel"
@@ -67,7 +67,7 @@ def gear_content(sizing: Sizing, gear: GearSizing, shaft: str, name: str) -> Con
         return [[main, *([_hub(hub, axis)] if hub.key is not None else [])]]
 
     grid = tooth_grid(sizing, gear, shaft)
-    return Content(name, title, views, (grid,), tuple(note for note in notes if note))
+    return Content(f"gear-{label}", title, views, (grid,), tuple(note for note in notes if note), kind="gear")
 
 
 def _notes(sizing: Sizing, gear: GearSizing, hub: Hub) -> Iterator[str]:

@@ -64,7 +64,12 @@ def shaft_content(sizing: Sizing, name: str) -> Content:
     grids = [tooth_grid(sizing, gear_of(sizing, gear), name) for gear in body.gears]
     fits = (*_fits(body), *_fillets(body))
     return Content(
-        f"shaft-{name}", title, lambda scale: _views(body, scale), (*grids, *fits), tuple(_notes(sizing, body))
+        f"shaft-{name}",
+        title,
+        lambda scale: _views(body, scale),
+        (*grids, *fits),
+        tuple(_notes(sizing, body)),
+        kind="shaft",
     )
 
 

@@ -123,7 +123,7 @@ def spectrum_figure(trace: Trace, mesh_frequency: Mapping[str, float]) -> Figure
         _draw_spectra(axes, samples, unit)
         axes.yaxis.set_minor_locator(NullLocator())
         axes.set_ylabel(f"amplitude of {_KINDS[unit][1]}")
-        _mark_orders(axes, mesh_frequency, named=axes is grid[0])
+        _mark_orders(axes, trace.labels, mesh_frequency, named=axes is grid[0])
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     grid[0].set_title("Spectrum; dotted: mesh frequency and its multiples", pad=26.0)
     grid[-1].set_xlabel("frequency [kHz]")
@@ -167,11 +167,13 @@ def _draw_spectra(axes: Axes, samples: Samples, unit: str) -> None:
     axes.margins(x=0.0)
 
 
-def _mark_orders(axes: Axes, mesh_frequency: Mapping[str, float], *, named: bool) -> None:
+def _mark_orders(axes: Axes, labels: Labels, mesh_frequency: Mapping[str, float], *, named: bool) -> None:
     """Mark each distinct mesh frequency and its multiples, named above the frame, if asked and with room."""
     end = min(axes.get_xlim()[1], 1.1e-3 * ORDERS * max(mesh_frequency.values(), default=np.inf))
     axes.set_xlim(0.0, end)
-    stages = {round(value, 6): name.partition(".")[0] for name, value in reversed(list(mesh_frequency.items()))}
+    parts = [owner.part._replace(number=None) for owner in labels.line_owners if owner.part is not None]
+    named_rows = {str(part): part.name for part in parts}
+    stages = {round(value, 6): named_rows.get(row, row) for row, value in reversed(list(mesh_frequency.items()))}
     marks = sorted(
         (order * value / 1e3, order, name) for value, name in stages.items() for order in range(1, ORDERS + 1)
     )

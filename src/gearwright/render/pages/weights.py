@@ -143,7 +143,7 @@ def _row(checked: CheckedEngine) -> _Cells:
 
 
 def _cell(check: Check) -> _Cells:
-    digits = 2 if check.printed is None else len(check.printed.text.partition(".")[2]) + 1
+    digits = 2 if check.printed is None else check.printed.decimals + 1
     return {
         "printed": check.printed.text if check.printed else "",
         "computed": "" if check.computed is None else f"{check.computed:.{digits}f}",

@@ -18,9 +18,9 @@ def given_by_user(sizing: Sizing, record: object, field: str) -> Mark:
         record: One of its records.
         field: Name of the field.
     """
-    name, stage = getattr(record, "name", ""), getattr(record, "stage", "")
+    name, stage = getattr(record, "name", "") or str(getattr(record, "part", "")), getattr(record, "stage", "")
     owner = module_owners(sizing.design).get(stage, stage)
-    paths = {f"{name}.{field}", f"{stage}.{field}", f"{stage}.carrier.{field}"}
+    paths = {f"{name}.{field}", f"{stage}.{field}"}
     if field == "module":
         paths.add(f"{owner}.module")
     if paths & set(sizing.given) or _in_design(sizing, record, field):

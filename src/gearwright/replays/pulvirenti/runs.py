@@ -14,6 +14,8 @@ from gearwright.study.running import run
 
 THESIS, NDARC = "thesis", "ndarc"
 """Laws of the motor's mass: the thesis's own, and the one that gearwright takes by default."""
+_HYBRIDS = {"off-set-h1": "h1", "off-set-h2": "h2"}
+"""Design of the study -> hybrid."""
 _LAW, _SPEED = "motors.electric.mass_law", "motors.electric.speed_rpm"
 
 
@@ -82,7 +84,7 @@ def off_set(law: str) -> Mapping[tuple[str, int], Masses]:
     Args:
         law: Of the motor's mass.
     """
-    return {(row.design.removeprefix("off-set-"), _speed(row)): _masses(row) for row in _rows("off-set-hybrids", law)}
+    return {(_HYBRIDS[row.design], _speed(row)): _masses(row) for row in _rows("off-set-hybrids", law)}
 
 
 @cache

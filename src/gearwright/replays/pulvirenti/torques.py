@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
+from gearwright.identity import Role, Row, gear_part, mesh_part
 from gearwright.replays.pulvirenti.runs import Computed, sized
 from gearwright.train import RATED
 
@@ -33,8 +34,8 @@ def _torques(case: str) -> _Torques:
 
 
 def _stage_ratio(stage: str) -> float:
-    teeth = sized(_DESIGN).teeth
-    return 1.0 + teeth[f"{stage}.ring"] / teeth[f"{stage}.sun"]
+    sun, ring = (sized(_DESIGN).teeth[str(gear_part(stage, role))] for role in (Role.SUN, Role.RING))
+    return 1.0 + ring / sun
 
 
 def _motor_over_turbine() -> Computed:
@@ -60,8 +61,8 @@ def _propeller_over_turbine() -> Computed:
 def _force(stage: str, case: str) -> float:
     """Return the tangential force of one sun-planet mesh [N]."""
     sizing = sized(_DESIGN)
-    row = next(mesh for mesh in sizing.train.meshes if mesh.name == f"{stage}.sun-planet")
-    module = next(gear.module for gear in sizing.gears if gear.name == f"{stage}.sun")
+    row = next(mesh for mesh in sizing.train.meshes if mesh.part == mesh_part(stage, Row.SUN_PLANET))
+    module = next(gear.module for gear in sizing.gears if gear.part == gear_part(stage, Role.SUN))
     return 2.0 * abs(sizing.flows[case].meshes[row.name].multiplier) / (module * row.count)
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from gearwright.identity import Role, gear_part
 from gearwright.spec import Design, Pair
 from gearwright.verbs import verb
 
@@ -32,14 +33,15 @@ class SplitTorque(NamedTuple):
     def gears(self) -> tuple[str, ...]:
         """Bodies of gears 1 to 6."""
         left, right = self.paths
-        return (
-            f"{self.face}.pinion",
-            f"{self.face}.wheel.{left}",
-            f"{self.face}.wheel.{right}",
-            f"{self.joining}.pinion.{left}",
-            f"{self.joining}.pinion.{right}",
-            f"{self.joining}.wheel",
+        gears = (
+            gear_part(self.face, Role.PINION),
+            gear_part(self.face, Role.WHEEL, left),
+            gear_part(self.face, Role.WHEEL, right),
+            gear_part(self.joining, Role.PINION, left),
+            gear_part(self.joining, Role.PINION, right),
+            gear_part(self.joining, Role.WHEEL),
         )
+        return tuple(map(str, gears))
 
     @property
     def shafts(self) -> tuple[str, ...]:

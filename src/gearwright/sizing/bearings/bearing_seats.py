@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.identity import Role, gear_part
+from gearwright.identity import Kind, PartId, Role, gear_part
 from gearwright.parts.shafts import PointLoads, bearing_reactions
 from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.loads import rotor_side, shaft_loads
@@ -34,8 +34,8 @@ ENDS = ("first", "second")
 class Seat:
     """One bearing seat, or several equal ones."""
 
-    name: str
-    """As the design calls it; else ``SHAFT.first``, ``SHAFT.second``, or ``STAGE.planet``."""
+    part: PartId
+    """Bearing by the design's name, first or second of a shaft, or of the planets of a stage."""
     count: int
     """Equal seats: planets of a set [-]."""
     nodes: tuple[str, str]
@@ -59,6 +59,11 @@ class Seat:
     """Sense along x in which a rotor's thrust pulls the shaft; 0 without a rotor [-]."""
     given: BearingSeat | None = None
     """What the design says of it; planets and the two usual bearings of a shaft have none."""
+
+    @property
+    def name(self) -> str:
+        """Its label: as the design calls it; else ``SHAFT.first``, ``SHAFT.second``, or ``STAGE.planet``."""
+        return str(self.part)
 
 
 def bearing_seats(sizing: Sizing) -> tuple[Seat, ...]:
@@ -108,19 +113,19 @@ def _shaft_seats(
     context: Context, sizing: Sizing, shaft: ShaftSizing, gears: Mapping[str, GearSizing]
 ) -> Iterator[Seat]:
     plan = sizing.arrangement.plans[shaft.name]
-    seats: dict[str, BearingSeat | None] = {**plan.seats}
-    if not seats and not shaft.bearings:
+    if not plan.seats and not shaft.bearings:
         return
     loads, axial = shaft_loads(context, shaft.name, plan, axes=sizing.arrangement.axes, gears=gears)
     forces = bearing_reactions(loads, plan.bearings)[1:]
     across, side = _rotor(sizing.design, shaft.name, plan)
+    parts: dict[PartId, BearingSeat | None] = {PartId(Kind.BEARING, name): seat for name, seat in plan.seats.items()}
     k = 0
-    for name, written in (seats or {f"{shaft.name}.{end}": None for end in ENDS}).items():
+    for part, written in (parts or {PartId(Kind.BEARING, shaft.name, branch=end): None for end in ENDS}).items():
         bears = written is None or written.radial
         radial = forces[:, :, k] if bears else np.zeros((len(forces), 2))
         force = np.hstack([radial, axial[1:, None]])
         yield Seat(
-            name=name,
+            part=part,
             count=1,
             nodes=(shaft.name, GROUND),
             bore=shaft.diameter,
@@ -154,7 +159,7 @@ def _planet_seats(sizing: Sizing, gears: Mapping[str, GearSizing]) -> Iterator[S
             if mesh.stage == carrier.stage and mesh.sign != INTERNAL:
                 force[k, 0] = 2.0 * (rules.mesh_load_factor or 1.0) / (0.5 * gears[mesh.gears[0]].pitch_diameter)
         yield Seat(
-            name=planet.name,
+            part=planet.part._replace(kind=Kind.BEARING),
             count=planet.bodies,
             nodes=(carrier.shaft, planet.name),
             bore=carrier.pin_diameter,

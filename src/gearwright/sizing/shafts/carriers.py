@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from gearwright.identity import Role, gear_part
+from gearwright.identity import Role, carrier_part, gear_part
 from gearwright.parts.planetary import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import CarrierSizing, GearSizing, ShaftSizing
@@ -62,6 +62,7 @@ def _carrier(
     thickness = given.get(f"{name}.plate_thickness", thickness)
     bending = pin_stress(worst.pin, planet.face_width, pin)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
+    part = carrier_part(name)
     pins = stage.planets * pin_mass(pin, planet.face_width, material.density)
     reach = radius + pin / 2.0
     plate = plate_mass(reach, thickness, material.density, fill=rules.fill)
@@ -80,8 +81,8 @@ def _carrier(
         plate_thickness=thickness,
         plate_stress=shear,
         plate_margin=allowable / 2.0 / shear if shear else None,
-        mass=given.get(f"{name}.carrier.mass", pins + plate),
-        inertia=given.get(f"{name}.carrier.inertia", pins * radius**2 + plate * reach**2 / 2.0),
+        mass=given.get(f"{part}.mass", pins + plate),
+        inertia=given.get(f"{part}.inertia", pins * radius**2 + plate * reach**2 / 2.0),
     )
 
 

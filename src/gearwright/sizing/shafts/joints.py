@@ -180,7 +180,8 @@ def _key(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSiz
     flank = length - ends
     pressure = key_pressure(seat.torque, diameter, key.section, bearing_length=flank) if flank > 0.0 else math.inf
     name = _key_name(key, joint.form, length)
-    return _sized(joint, seat, name, diameter, length=length, pressure=pressure, allowed=allowed)
+    sized = _sized(joint, seat, name, diameter, length=length, pressure=pressure, allowed=allowed)
+    return replace(sized, form=joint.form)
 
 
 def _key_name(key: StandardKey, form: str, length: float) -> str:
@@ -201,7 +202,9 @@ def _spline(joint: Joint, seat: Seat, diameter: float, steel: Material) -> Joint
     teeth, allowed = _teeth(joint, diameter), joint.pressure or SPLINE_PRESSURE
     length = joint.length or _spline_length(teeth, seat, allowed)
     pressure = spline_pressure(seat.torque, teeth, length) if length else 0.0
-    return _sized(joint, seat, _spline_name(teeth), diameter, length=length, pressure=pressure, allowed=allowed)
+    name = _spline_name(teeth)
+    sized = _sized(joint, seat, name, diameter, length=length, pressure=pressure, allowed=allowed)
+    return replace(sized, module=teeth.module)
 
 
 def _teeth(joint: Joint, diameter: float) -> Spline:

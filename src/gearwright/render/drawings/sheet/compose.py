@@ -35,6 +35,8 @@ class Content:
     notes: tuple[str, ...] = ()
     largest_scale: float = field(default=2.0)
     """[-]"""
+    kind: str = ""
+    """What it shows: ``arrangement``, ``shaft`` or ``gear``."""
 
 
 def compose(content: Content) -> Sheet:

@@ -91,7 +91,11 @@ def _track(points: Iterable[complex], height: float) -> str:
 
 
 def _point(point: complex, height: float) -> str:
-    return f"{_short(point.real)} {_short(height - point.imag)}"
+    return " ".join(_coordinates(point, height))
+
+
+def _coordinates(point: complex, height: float) -> tuple[str, str]:
+    return _short(point.real), _short(height - point.imag)
 
 
 def _short(value: float) -> str:
@@ -100,7 +104,7 @@ def _short(value: float) -> str:
 
 def _arc(arc: Arc, height: float) -> str:
     if arc.whole:
-        x, y = _point(arc.centre, height).split()
+        x, y = _coordinates(arc.centre, height)
         return f'<circle cx="{x}" cy="{y}" r="{_short(arc.radius)}"/>'
     start, end = (arc.centre + cmath.rect(arc.radius, angle) for angle in (arc.start, arc.end))
     large = int(arc.end - arc.start > math.pi)
@@ -109,7 +113,7 @@ def _arc(arc: Arc, height: float) -> str:
 
 
 def _words(words: Words, height: float) -> str:
-    x, y = _point(words.at, height).split()
+    x, y = _coordinates(words.at, height)
     turn = f' transform="rotate({_short(-math.degrees(words.turn))} {x} {y})"' if words.turn else ""
     anchor = f' text-anchor="{_ANCHOR[words.align]}"' if words.align != "left" else ""
     size = words.height / CAPITALS

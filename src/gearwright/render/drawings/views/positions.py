@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 
 from gearwright.identity import Kind, Role
 from gearwright.render.drawings.views.shaft_parts import MM
@@ -54,8 +54,12 @@ class Positions:
     shafts: Mapping[str, Lying]
     places: Mapping[str, Mapping[str, float]]
     """Shaft -> gear, carrier, machine or clutch -> middle of its width [mm from the first end]."""
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[str, ...] = ()
     """What the plane does not show as it is."""
+    unfolded: tuple[str, ...] = ()
+    """Mesh rows that are not at their true distance in the plane."""
+    exact: bool = True
+    """False where some centre distance is not true in the plane."""
 
 
 def positions(sizing: Sizing) -> Positions:
@@ -82,7 +86,14 @@ def _as_sized(sizing: Sizing) -> Positions:
             known, new = mesh.nodes[side], mesh.nodes[1 - side]
             at, new_at = places[known][mesh.gears[side]], places[new][mesh.gears[1 - side]]
             shafts[new] = _beside(sizing, _Join(mesh, side, shafts[known], at, new_at, lengths[new]), shafts)
-    return Positions(shafts, places, tuple(_untrue(sizing, meshes, shafts, places)))
+    plane = Positions(shafts, places)
+    unfolded = tuple(mesh for mesh in meshes if _is_unfolded(sizing, mesh, plane))
+    notes = [
+        f"Unfolded: {mesh.name} ({mesh.nodes[0]}, {mesh.nodes[1]}) is not at its true distance in this plane."
+        for mesh in unfolded
+    ]
+    notes += _apart(sizing, meshes, plane)
+    return replace(plane, notes=tuple(notes), unfolded=tuple(mesh.name for mesh in unfolded), exact=not unfolded)
 
 
 @dataclass(frozen=True)
@@ -175,21 +186,26 @@ def _face(sizing: Sizing, join: _Join, *, first: bool) -> Lying:
     return join.lay(join.lying.at(join.at + pinion, wheel) - along * join.new_at, along)
 
 
-def _untrue(
-    sizing: Sizing, meshes: list[Mesh], shafts: Mapping[str, Lying], places: Mapping[str, Mapping[str, float]]
-) -> Iterator[str]:
-    """Yield a note for every mesh that the plane does not show where it is."""
+def _between(mesh: Mesh, plane: Positions) -> complex:
+    """Return the way from gear a to gear b of a mesh, along and across its axes [mm]."""
+    ends = zip(mesh.nodes, mesh.gears, strict=False)
+    first, second = (plane.shafts[node].at(plane.places[node][gear]) for node, gear in ends)
+    return (second - first) * plane.shafts[mesh.nodes[0]].along.conjugate()
+
+
+def _is_unfolded(sizing: Sizing, mesh: Mesh, plane: Positions) -> bool:
+    """Tell whether a mesh is not at its true distance in the plane."""
+    if kind_of(sizing, mesh.stage) != "cylindrical":
+        return False
+    return abs(abs(_between(mesh, plane).imag) - centre_distance(sizing, mesh)) > TRUE
+
+
+def _apart(sizing: Sizing, meshes: list[Mesh], plane: Positions) -> Iterator[str]:
+    """Yield a note for every mesh whose gears do not stand beside each other."""
     for mesh in meshes:
-        if kind_of(sizing, mesh.stage) != "cylindrical":
-            continue
-        first, second = (
-            shafts[node].at(places[node][gear]) for node, gear in zip(mesh.nodes, mesh.gears, strict=False)
-        )
-        between = (second - first) * shafts[mesh.nodes[0]].along.conjugate()
-        if abs(abs(between.imag) - centre_distance(sizing, mesh)) > TRUE:
-            yield f"Unfolded: {mesh.name} ({mesh.nodes[0]}, {mesh.nodes[1]}) is not at its true distance in this plane."
-        if abs(between.real) > TRUE:
-            yield f"The sizing puts the gears of {mesh.name} {abs(between.real):.1f} mm apart along their axes."
+        apart = abs(_between(mesh, plane).real)
+        if kind_of(sizing, mesh.stage) == "cylindrical" and apart > TRUE:
+            yield f"The sizing puts the gears of {mesh.name} {apart:.1f} mm apart along their axes."
 
 
 def _in_columns(sizing: Sizing) -> Positions:
@@ -215,7 +231,7 @@ def _in_columns(sizing: Sizing) -> Positions:
     notes = ["Places along the axes are not sized where planetary sets or clutches join shafts: drawn side by side."]
     if not layout.exact:
         notes.append("Unfolded: parallel paths meet again, so that not every centre distance is true in this plane.")
-    return Positions(shafts, dict.fromkeys(shafts, named), tuple(notes))
+    return Positions(shafts, dict.fromkeys(shafts, named), tuple(notes), exact=layout.exact)
 
 
 def _column_ends(sizing: Sizing, shaft: str, middle: Mapping[str, float]) -> Iterator[tuple[float, float]]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import dataclass, replace
 
 from gearwright.catalogue import key_for_shaft, seat_tolerance
@@ -58,11 +57,8 @@ class Slot:
     """Of the shaft [mm]."""
     section: KeySection
     designation: str
-
-    @property
-    def form(self) -> str:
-        """A with round ends, B with square ones."""
-        return "B" if self.designation.startswith("DIN 6885 - B") else "A"
+    form: str
+    """A with round ends, B with square ones."""
 
 
 @dataclass(frozen=True)
@@ -251,7 +247,7 @@ def _slot(joint: JointSizing) -> Slot:
     section = key_for_shaft(joint.diameter).section
     half = MM * joint.length / 2.0
     middle = MM * joint.position
-    return Slot(middle - half, middle + half, MM * joint.diameter, section, joint.designation)
+    return Slot(middle - half, middle + half, MM * joint.diameter, section, joint.designation, joint.form)
 
 
 def _toothing(joint: JointSizing) -> Toothing:
@@ -260,10 +256,9 @@ def _toothing(joint: JointSizing) -> Toothing:
 
 
 def spline_of(joint: JointSizing) -> Spline:
-    """Return the splines that a joint's designation names.
+    """Return the splines of a joint.
 
     Args:
         joint: A splined one, such as ``DIN 5480 - W 25 x 1.25 x 18``.
     """
-    reference_diameter, module, *_ = re.findall(r"[\d.]+", joint.designation.partition(" W ")[2])
-    return spline(float(reference_diameter) / MM, float(module) / MM)
+    return spline(joint.diameter, joint.module)

@@ -121,7 +121,7 @@ def _bands(axes: Axes, window: DynamicWindow, stages: Sequence[str]) -> None:
     force = window.trace.force
     middle = 0.5 * (force.edges[1:] + force.edges[:-1])
     for place, stage in enumerate(stages):
-        band, colour = force.of(f"{stage}.sun-planet-1"), theme.CYCLE[place]
+        band, colour = force.of(str(mesh_part(stage, Row.SUN_PLANET, number=1))), theme.CYCLE[place]
         axes.fill_between(middle, band["least"] / 1e3, band["most"] / 1e3, color=colour, alpha=0.3, lw=0.0)
         axes.plot(middle, band["mean"] / 1e3, color=colour, lw=0.9)
     axes.set_ylabel("[kN]")

@@ -1,0 +1,97 @@
+"""A label is made from fields and never taken apart: who needs a stage, a row or a number has it as a field."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2] / "src" / "gearwright"
+MODULES = {str(path.relative_to(ROOT)): path for path in sorted(ROOT.rglob("*.py"))}
+TAKING_APART = {"startswith", "endswith", "partition", "rpartition", "split", "rsplit", "removeprefix", "removesuffix"}
+"""Methods with which a text is taken apart."""
+ALLOWED = {
+    # The reader of files: what users write, and tables of data.
+    "spec/": "design, mission and study files: paths, units in keys, names of shared gears",
+    "catalogue/": "columns and printed digits of data files",
+    "store/": "files of runs and values",
+    "cli/": "arguments of commands, and text on the screen",
+    "study/cases/": "paths and names of results that a study asks for",
+    "replays/colibri/printed.py": "keys and digits of the report's own table",
+    "replays/colibri/page.py": "indices of printed symbols",
+    "replays/colibri/words.py": "headings of the report",
+    "replays/pulvirenti/masses.py": "a maker's family of engines",
+    "validate/cases.py": "author of a source",
+    # Layout of text, markup.
+    "render/tables/csv_text.py": "what a spreadsheet takes for a formula",
+    "render/tables/grid.py": "lines and words of a cell",
+    "render/tables/materials.py": "words of a source",
+    "render/tables/study.py": "numbers in the words of a refusal",
+    "reviews/motion.py": "lines of a message",
+    "render/schematic/schematic.py": "lines of a caption",
+    "render/style/": "lines of a text, markup of SVG and templates",
+    "render/words/design_file.py": "docstrings of records",
+    "render/words/inputs.py": "paths of a design file",
+    "render/pages/flight.py": "paths of a mission file",
+    "render/pages/report.py": "anchors of a page",
+    "render/drawings/sheet/": "lines and subscripts of a text",
+    # Names of fields, files, modules, addresses.
+    "sizing/answers/gate.py": "names of fields",
+    "dynamics/code_cache.py": "name of a Python module",
+    "dynamics/codegen/march.py": "a list of registers",
+    "study/running/": "statements of SQL, names of loggers, addresses",
+}
+"""Room or module -> what text it takes apart, which is no label."""
+NAMED_BY_HAND = re.compile(r"\.(sun|planet|ring|pinion|wheel|carrier)\b|sun-planet|planet-ring")
+"""A piece of a label that `identity` makes."""
+
+
+def taken_apart(tree):
+    """Return the calls of a module that take a text apart, and its use of regular expressions."""
+    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)]
+    found = [ast.unparse(call) for call in calls if call.func.attr in TAKING_APART and not is_of_arrays(call)]
+    imports = [node for node in ast.walk(tree) if isinstance(node, ast.Import)]
+    return found + [ast.unparse(node) for node in imports if any(alias.name == "re" for alias in node.names)]
+
+
+def is_of_arrays(call):
+    """Tell whether a call is one of numpy's."""
+    return isinstance(call.func.value, ast.Name) and call.func.value.id == "np"
+
+
+def made_by_hand(tree):
+    """Return the pieces of f-strings of a module that are pieces of a label."""
+    joined = [node for node in ast.walk(tree) if isinstance(node, ast.JoinedStr)]
+    pieces = [piece.value for node in joined for piece in node.values if isinstance(piece, ast.Constant)]
+    return [piece for piece in pieces if NAMED_BY_HAND.search(piece)]
+
+
+def parsed(path):
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_no_label_is_taken_apart(name):
+    if not name.startswith(tuple(ALLOWED)):
+        assert taken_apart(parsed(MODULES[name])) == []
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_labels_of_gears_meshes_and_carriers_are_made_in_one_place(name):
+    if not name.startswith(("identity.py", "spec/")):
+        assert made_by_hand(parsed(MODULES[name])) == []
+
+
+@pytest.mark.parametrize("room", ALLOWED)
+def test_what_is_allowed_is_needed(room):
+    assert any(taken_apart(parsed(path)) for name, path in MODULES.items() if name.startswith(room))
+
+
+@pytest.mark.parametrize("text", ['name.partition(".")', 'line.startswith(f"{row}-")', "label.split()[0]", "import re"])
+def test_taking_apart_is_seen(text):
+    assert taken_apart(ast.parse(text))
+
+
+def test_a_label_by_hand_is_seen():
+    assert made_by_hand(ast.parse('teeth[f"{stage}.sun"]')) and made_by_hand(ast.parse('f"{stage}.sun-planet-{k}"'))
+    assert not made_by_hand(ast.parse('f"{path}.wheel_teeth"'))
