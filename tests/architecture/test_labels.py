@@ -30,6 +30,7 @@ ALLOWED = {
     "reviews/motion.py": "lines of a message",
     "render/schematic/schematic.py": "lines of a caption",
     "render/style/": "lines of a text, markup of SVG and templates",
+    "render/answers/": "docstrings and names of fields",
     "render/words/design_file.py": "docstrings of records",
     "render/words/inputs.py": "paths of a design file",
     "render/pages/flight.py": "paths of a mission file",
