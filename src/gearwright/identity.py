@@ -22,6 +22,7 @@ class Kind(StrEnum):
     BEARING = "bearing"
     JOINT = "joint"
     CLUTCH = "clutch"
+    DAMPER = "damper"
     MACHINE = "machine"
     BATTERY = "battery"
 

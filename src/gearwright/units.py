@@ -52,6 +52,7 @@ SUFFIXES: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "stress": {"mpa": 1e6, "pa": 1.0, "gpa": 1e9, "psi": POUND_FORCE / INCH**2},
         "time": {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0},
         "torque": {"nm": 1.0, "knm": 1e3, "lbf_ft": POUND_FORCE * FOOT},
+        "torsional_damping": {"nm_s_rad": 1.0},
         "torsional_stiffness": {"nm_rad": 1.0, "knm_rad": 1e3},
         "velocity": {"m_s": 1.0, "km_h": 1.0 / 3.6, "kt": KNOT, "ft_min": FOOT / 60.0},
         "volume": {"m3": 1.0, "l": 1e-3, "mm3": 1e-9},
@@ -80,6 +81,7 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
     "stress": ("MPa", 1e6),
     "time": ("s", 1.0),
     "torque": ("N m", 1.0),
+    "torsional_damping": ("N m s/rad", 1.0),
     "torsional_stiffness": ("kN m/rad", 1e3),
     "velocity": ("m/s", 1.0),
     "volume": ("l", 1e-3),
@@ -103,7 +105,8 @@ _SI: Mapping[str, str] = MappingProxyType({
     "frequency": "Hz", "inertia": "kg m²", "length": "m", "altitude": "m", "life": "s", "flight_time": "s",
     "mass": "kg", "power": "W", "specific_power": "W/kg", "specific_torque": "N m/kg", "slope": "rad", "speed": "rad/s",
     "stiffness": "N/m", "bearing_force": "N", "stress": "Pa", "time": "s", "torque": "N m",
-    "torsional_stiffness": "N m/rad", "velocity": "m/s", "volume": "m³", "number": "1", "ratio": "1", "percent": "1",
+    "torsional_damping": "N m s/rad", "torsional_stiffness": "N m/rad", "velocity": "m/s", "volume": "m³",
+    "number": "1", "ratio": "1", "percent": "1",
     "elasticity_factor": "√Pa", "mass_per_length": "kg/m", "temperature": "°C", "absolute_temperature": "K",
     "current": "A", "voltage": "V", "mass_flow": "kg/s", "oil_flow": "m³/s",
 })  # fmt: skip
@@ -162,6 +165,7 @@ Stiffness = Annotated[float, Quantity("stiffness")]
 Stress = Annotated[float, Quantity("stress")]
 Time = Annotated[float, Quantity("time")]
 Torque = Annotated[float, Quantity("torque")]
+TorsionalDamping = Annotated[float, Quantity("torsional_damping")]
 TorsionalStiffness = Annotated[float, Quantity("torsional_stiffness")]
 Velocity = Annotated[float, Quantity("velocity")]
 Volume = Annotated[float, Quantity("volume")]

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gearwright.errors import by_name
+from gearwright.errors import DesignError, Problem, by_name
 from gearwright.identity import Role
 from gearwright.parts.losses import (
     OIL_DENSITY,
@@ -125,6 +125,7 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
         oil: Its oil.
     """
     by_name(propeller, sizing.design.propellers, "propeller")
+    _refuse_slip(sizing)
     gears = {gear.name: gear for gear in sizing.gears}
     pairs = [(gears[mesh.gears[0]], gears[mesh.gears[1]]) for mesh in sizing.train.meshes]
     return Gearbox(
@@ -140,6 +141,14 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
         turning=Turning(sizing.design, sizing.train, sizing.teeth),
         seats=bearing_seats(sizing),
     )
+
+
+def _refuse_slip(sizing: Sizing) -> None:
+    """Refuse dampers that slip: an operating point is scaled with its power, which their heat does not follow."""
+    slipping = [name for name, damper in sizing.flows["rated"].dampers.items() if damper.slip]
+    message = "its shafts turn at different speeds, and a mission does not fly with its heat; leave it out, or join"
+    if slipping:
+        raise DesignError([Problem(f"dampers.{name}", f"{message} shafts that turn alike") for name in slipping])
 
 
 def _contact(design: Design, pair: tuple[GearSizing, GearSizing], sign: int) -> ToothContact:
@@ -220,9 +229,9 @@ def transmitted(sizing: Sizing, flow: PowerFlow) -> Array:
                 total[column[node]] += abs(torque)
     for name, torque in flow.machine_torques.items():
         total[column[sizing.train.machines[name]]] += abs(torque)
-    for joint in sizing.train.joints:
-        for node in (joint.driving, joint.driven):
-            total[column[node]] += abs(flow.joints.get(joint.name, 0.0))
+    for link in sizing.train.links:
+        for node in (link.driving, link.driven):
+            total[column[node]] += abs(flow.given(link.name))
     return 0.5 * total
 
 

@@ -5,6 +5,7 @@ from gearwright.spec.bounds import LONGEST_NAME, OneOf, Range, is_name, quantity
 from gearwright.spec.design import (
     GROUND,
     Clutch,
+    Damper,
     Design,
     Drive,
     GearRules,
@@ -55,6 +56,7 @@ __all__ = [
     "BatteryRules",
     "BearingLifeRules",
     "Clutch",
+    "Damper",
     "Design",
     "Drive",
     "Flown",

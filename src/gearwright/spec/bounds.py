@@ -37,6 +37,7 @@ SIZES: Mapping[str, tuple[float, float, float]] = MappingProxyType({
     "stress": (1.0, 1e4, 1e11),
     "time": (1e-9, 1e-6, 1e11),
     "torque": (1e-6, 1e-3, 1e9),
+    "torsional_damping": (1e-9, 1e-6, 1e9),
     "torsional_stiffness": (1e-3, 1e-2, 1e13),
     "velocity": (1e-6, 1e-6, 1e3),
     "volume": (1e-12, 1e-9, 1e6),

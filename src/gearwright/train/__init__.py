@@ -3,7 +3,7 @@
 from gearwright.train.branches import Attachment, Branch, attachments, branches
 from gearwright.train.edges import Edge, members_of, willis_ratio, willis_speed
 from gearwright.train.flow import RATED, MeshFlow, PowerFlow, power_flow, power_flows
-from gearwright.train.graph import EXTERNAL, INTERNAL, Gear, Joint, Mesh, Train, build_train, gear_of, gears_of
+from gearwright.train.graph import EXTERNAL, INTERNAL, Damper, Gear, Joint, Mesh, Train, build_train, gear_of, gears_of
 from gearwright.train.memory import remembered
 from gearwright.train.recirculation import recirculation
 from gearwright.train.targets import Targets, targets
@@ -15,6 +15,7 @@ __all__ = [
     "RATED",
     "Attachment",
     "Branch",
+    "Damper",
     "Edge",
     "Gear",
     "Joint",

@@ -1,4 +1,4 @@
-"""Branches of the power flow: what each machine, gear, carrier and clutch gives to the shaft that it sits on."""
+"""Branches of the power flow: what each machine, gear, carrier, clutch and damper gives to its shaft."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ class Branch:
     shaft: str
     """Shaft, or ``ground``."""
     part: PartId
-    """Machine, clutch, or member of a stage such as ``first.sun``, ``first.carrier``."""
+    """Machine, clutch, damper, or member of a stage such as ``first.sun``, ``first.carrier``."""
     stage: str
-    """Pair or planetary set; empty for machines and clutches."""
+    """Pair or planetary set; empty for what is in no stage."""
     speed: Speed
     """Of the shaft [rad/s]."""
     torque: Torque
@@ -38,11 +38,11 @@ class Attachment:
     shaft: str
     part: PartId
     stage: str
-    """Of which it is a member there, also of a gear that another pair owns; empty for machines and clutches."""
+    """Of which it is a member there, also of a gear that another pair owns; empty for what is in no stage."""
 
     @property
     def member(self) -> Role | Kind:
-        """What it is there: role of a gear, or carrier, machine, clutch."""
+        """What it is there: role of a gear, or carrier, machine, clutch, damper."""
         return self.part.role if isinstance(self.part.role, Role) else self.part.kind
 
 
@@ -70,12 +70,13 @@ def attachments(train: Train) -> tuple[Attachment, ...]:
         for mesh in train.meshes
         if mesh.row is Row.SUN_PLANET
     ]
-    clutches = [
-        Attachment(shaft, PartId(Kind.CLUTCH, joint.name), "")
-        for joint in train.joints
-        for shaft in (joint.driving, joint.driven)
+    links = [
+        Attachment(shaft, PartId(kind, link.name), "")
+        for kind, group in ((Kind.CLUTCH, train.joints), (Kind.DAMPER, train.dampers))
+        for link in group
+        for shaft in (link.driving, link.driven)
     ]
-    return tuple(dict.fromkeys([*machines, *gears, *shared, *carriers, *clutches]))
+    return tuple(dict.fromkeys([*machines, *gears, *shared, *carriers, *links]))
 
 
 def branches(train: Train, flow: PowerFlow) -> tuple[Branch, ...]:
@@ -101,10 +102,10 @@ def _torque(attachment: Attachment, train: Train, flow: PowerFlow) -> float:
     part = attachment.part
     if part.kind is Kind.MACHINE:
         return flow.machine_torques[part.name]
-    if part.kind is Kind.CLUTCH:
-        joint = next(joint for joint in train.joints if joint.name == part.name)
-        torque = flow.joints.get(part.name, 0.0)
-        return torque if attachment.shaft == joint.driven else -torque
+    if part.kind in (Kind.CLUTCH, Kind.DAMPER):
+        link = next(link for link in train.links if link.name == part.name)
+        torque = flow.given(part.name)
+        return torque if attachment.shaft == link.driven else -torque
     return sum(_on_member(attachment, mesh, flow) for mesh in train.meshes if mesh.stage == attachment.stage)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.spec import GROUND, Design, Drive, Pair
-from gearwright.train.graph import Joint, Mesh, Train
+from gearwright.train.graph import Damper, Joint, Mesh, Train
 from gearwright.train.kinematics import Array, Yielded
 from gearwright.train.statics import MAX_REVERSALS, Sharing, balance, lossy, solve_torques
 from gearwright.train.turning import Turn, Turning, asked_speeds, drives_of
@@ -37,6 +37,21 @@ class MeshFlow:
 
 
 @dataclass(frozen=True)
+class Dragged:
+    """What a damper carries."""
+
+    torque: float
+    """That it gives to its driven shaft [N m]."""
+    slip: float
+    """Speed of its driving shaft over the driven one [rad/s]."""
+
+    @property
+    def loss(self) -> float:
+        """Heat [W]."""
+        return self.torque * self.slip
+
+
+@dataclass(frozen=True)
 class PowerFlow:
     """A balanced load case."""
 
@@ -51,13 +66,23 @@ class PowerFlow:
     """Mesh row -> what it carries."""
     joints: Mapping[str, float] = field(default_factory=dict)
     """Engaged clutch -> torque that it gives to its driven shaft [N m]; an open one is not in it."""
+    dampers: Mapping[str, Dragged] = field(default_factory=dict)
+    """Damper -> what it carries."""
     yielded: tuple[Yielded, ...] = ()
     """Machines whose asked speed the teeth give only nearly."""
 
     @property
     def loss(self) -> float:
-        """Power lost in all meshes [W]."""
-        return sum(mesh.loss for mesh in self.meshes.values())
+        """Power lost in all meshes and dampers [W]."""
+        return sum(mesh.loss for mesh in self.meshes.values()) + sum(damper.loss for damper in self.dampers.values())
+
+    def given(self, link: str) -> float:
+        """Return the torque that a clutch or damper gives to its driven shaft [N m]; zero of an open clutch.
+
+        Args:
+            link: Its name.
+        """
+        return self.dampers[link].torque if link in self.dampers else self.joints.get(link, 0.0)
 
     @property
     def residual(self) -> float:
@@ -168,6 +193,10 @@ def _balance(
     applied = np.zeros(len(train.nodes))
     for name, torque in machine_torques.items():
         applied[train.column[train.machines[name]]] += torque
+    for damper in train.dampers:
+        torque = _dragged(train, damper, speeds).torque
+        applied[train.column[damper.driven]] += torque
+        applied[train.column[damper.driving]] -= torque
     taking = [train.column[train.machines[name]] for name in balancing]
     sharing = _sharing(design, train)
     effective, known, direction = matrix, turn.balance(taking), np.zeros(0)
@@ -305,8 +334,16 @@ def _collect(train: Train, case: str, turn: Turn, balanced: _Balanced, joints: l
         machine_powers={name: torque * speed[train.machines[name]] for name, torque in torques.items()},
         meshes=meshes,
         joints={joint.name: -carried[start + k] for k, joint in enumerate(joints)},
+        dampers={damper.name: _dragged(train, damper, turn.speeds) for damper in train.dampers},
         yielded=turn.yielded,
     )
+
+
+def _dragged(train: Train, damper: Damper, speeds: Array) -> Dragged:
+    """Return what a damper carries; a slip that is rounding of the speeds is none."""
+    slip = float(speeds[train.column[damper.driving]] - speeds[train.column[damper.driven]])
+    slip = slip if abs(slip) > STANDSTILL * float(np.abs(speeds).max(initial=0.0)) else 0.0
+    return Dragged(damper.damping * slip, slip)
 
 
 def _mesh_flow(

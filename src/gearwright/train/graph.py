@@ -13,6 +13,7 @@ from functools import cached_property
 
 from gearwright.identity import SIDES, PartId, Role, Row, gear_part, mesh_part
 from gearwright.spec import GROUND, Design, Pair, Planetary
+from gearwright.units import TorsionalDamping
 
 EXTERNAL, INTERNAL = -1, 1
 
@@ -82,6 +83,17 @@ class Joint:
 
 
 @dataclass(frozen=True)
+class Damper:
+    """A viscous damper between two shafts: it binds no speed, and gives its driven shaft c (ω_driving − ω_driven)."""
+
+    name: str
+    driving: str
+    driven: str
+    damping: TorsionalDamping
+    """c [N m s/rad]."""
+
+
+@dataclass(frozen=True)
 class Train:
     """The graph of a design, without tooth numbers."""
 
@@ -93,8 +105,15 @@ class Train:
     """Every mesh row."""
     joints: tuple[Joint, ...]
     """Every clutch that is not open."""
+    dampers: tuple[Damper, ...]
+    """Every viscous damper."""
     machines: Mapping[str, str]
     """Machine -> shaft."""
+
+    @property
+    def links(self) -> tuple[Joint | Damper, ...]:
+        """Everything that joins two shafts of one axis."""
+        return (*self.joints, *self.dampers)
 
     @cached_property
     def column(self) -> Mapping[str, int]:
@@ -159,7 +178,10 @@ def build_train(design: Design) -> Train:
         if clutch.kind != "open"
     )
     machines = {name: machine.shaft for name, machine in design.machines.items()}
-    return Train((*design.shafts, *planets), tuple(gears), tuple(meshes), joints, machines)
+    dampers = tuple(
+        Damper(name, damper.driving, damper.driven, damper.damping) for name, damper in design.dampers.items()
+    )
+    return Train((*design.shafts, *planets), tuple(gears), tuple(meshes), joints, dampers, machines)
 
 
 def _planetary_gears(stage: str, planetary: Planetary) -> list[Gear]:

@@ -52,11 +52,10 @@ def _edges(train: Train, flow: PowerFlow) -> dict[str, dict[str, float]]:
             if node != GROUND and node not in train.planet_nodes:
                 key = (f"stage {mesh.stage}", node)
                 powers[key] = powers.get(key, 0.0) + torque * flow.speeds[node]
-    for joint in train.joints:
-        if joint.name in flow.joints:
-            power = flow.joints[joint.name] * flow.speeds[joint.driven]
-            powers[(f"clutch {joint.name}", joint.driven)] = power
-            powers[(f"clutch {joint.name}", joint.driving)] = -power
+    for link in train.links:
+        torque = flow.given(link.name)
+        powers[(f"link {link.name}", link.driven)] = torque * flow.speeds[link.driven]
+        powers[(f"link {link.name}", link.driving)] = -torque * flow.speeds[link.driving]
     supplied = sum(power for power in flow.machine_powers.values() if power > 0.0)
     edges: dict[str, dict[str, float]] = {}
     for (stage, shaft), power in powers.items():

@@ -1,8 +1,8 @@
 """Assemble: a sizing and one of its load cases become a System of absolute rotations.
 
-Every gear, carrier and machine is a body; shafts, clutches and meshes are lines. Planets are bodies of their own, with
-the relative mesh phases that their places give. Lines are signed so that what carries power in the case carries it with
-a positive force.
+Every gear, carrier and machine is a body; shafts, clutches, dampers and meshes are lines. Planets are bodies of their
+own, with the relative mesh phases that their places give. Lines are signed so that what carries power in the case
+carries it with a positive force.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from gearwright.dynamics.assembly.bodies import Assembly, add_bodies
 from gearwright.dynamics.assembly.contacts import contacts_of
 from gearwright.dynamics.assembly.errors import add_errors
 from gearwright.dynamics.assembly.mesh_lines import add_mesh_row
-from gearwright.dynamics.assembly.shaft_lines import clutch_line, shaft_lines
+from gearwright.dynamics.assembly.shaft_lines import clutch_line, link_ends, shaft_lines
 from gearwright.dynamics.assembly.supports import add_supports
 from gearwright.dynamics.assembly.translational import add_moving_set, with_preload
 from gearwright.dynamics.model import (
@@ -28,7 +28,7 @@ from gearwright.dynamics.model import (
     points_of,
 )
 from gearwright.errors import by_name
-from gearwright.identity import Kind
+from gearwright.identity import Kind, PartId
 from gearwright.sizing import Sizing
 from gearwright.train import RATED
 from gearwright.verbs import verb
@@ -82,6 +82,9 @@ def assemble(
         model.shaft(
             line.name, line.first, line.second, stiffness=line.stiffness, damping=damping, owner=Owner(line.part)
         )
+    for damper in sizing.train.dampers:
+        owner = Owner(PartId(Kind.DAMPER, damper.name))
+        model.damper(f"{damper.name} damper", *link_ends(assembly, damper), damping=damper.damping, owner=owner)
     for mesh in sizing.train.meshes:
         if mesh.stage not in assembly.moving:
             add_mesh_row(assembly, mesh)

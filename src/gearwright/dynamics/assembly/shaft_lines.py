@@ -9,7 +9,7 @@ from typing import NamedTuple
 from gearwright.dynamics.assembly.bodies import Assembly
 from gearwright.identity import Kind, PartId
 from gearwright.parts.shafts import shaft_diameter, torsional_stiffness
-from gearwright.train import Joint
+from gearwright.train import Damper, Joint
 
 
 class ShaftLine(NamedTuple):
@@ -64,8 +64,17 @@ def clutch_line(assembly: Assembly, joint: Joint) -> ShaftLine:
         joint: The clutch.
     """
     stiffness = min(shaft.stiffness for shaft in assembly.sizing.shafts if shaft.name in (joint.driving, joint.driven))
-    first, second = assembly.members[joint.driving][-1], assembly.members[joint.driven][0]
-    return ShaftLine(f"{joint.name} clutch", PartId(Kind.CLUTCH, joint.name), first, second, stiffness)
+    return ShaftLine(f"{joint.name} clutch", PartId(Kind.CLUTCH, joint.name), *link_ends(assembly, joint), stiffness)
+
+
+def link_ends(assembly: Assembly, link: Joint | Damper) -> tuple[str, str]:
+    """Return the bodies that a clutch or damper joins.
+
+    Args:
+        assembly: With all bodies.
+        link: What joins two shafts.
+    """
+    return assembly.members[link.driving][-1], assembly.members[link.driven][0]
 
 
 def _stub_stiffness(assembly: Assembly, torque: float) -> float:

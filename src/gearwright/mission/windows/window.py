@@ -11,7 +11,7 @@ import numpy as np
 from gearwright.dynamics import Outputs, System, Trace, simulate
 from gearwright.dynamics.assembly import Driving, assemble
 from gearwright.dynamics.equations import statics
-from gearwright.dynamics.model import TORQUE, Floats, MachineDrive, PropellerDrive, line_matrix, top_rate
+from gearwright.dynamics.model import TORQUE, Floats, MachineDrive, PropellerDrive, holding, line_matrix, top_rate
 from gearwright.dynamics.motion import fastest_rate, followed, with_profile
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import Governor, GovernorState, LimitCycle, angle_for_power, blade_angles, limit_cycle
@@ -250,7 +250,7 @@ def _start(system: System, back: Background, rules: WindowRules) -> tuple[Floats
 
 def _joined(system: System, first: int) -> Floats:
     """Return the coordinates that lines join with one, as a mask."""
-    matrix = line_matrix(system.arrays) != 0.0
+    matrix = line_matrix(system.arrays)[holding(system.arrays)] != 0.0
     joined = np.zeros(matrix.shape[1], bool)
     joined[first] = True
     while True:

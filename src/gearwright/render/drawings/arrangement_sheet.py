@@ -118,8 +118,8 @@ def _parts(sizing: Sizing, plane: Positions, scale: float) -> tuple[list[Entity]
 
 
 def _machines(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entity]:
-    """Yield the name of every machine and clutch where it joins its shaft."""
-    seats = dict(sizing.train.machines) | {joint.name: joint.driving for joint in sizing.train.joints}
+    """Yield the name of every machine, clutch and damper where it joins its shaft."""
+    seats = dict(sizing.train.machines) | {link.name: link.driving for link in sizing.train.links}
     for name, shaft in seats.items():
         lying, x = plane.shafts[shaft], plane.places[shaft][name]
         axis = axis_of(lying, scale)

@@ -44,6 +44,8 @@ def draw_train(
     for joint in train.joints:
         at = (layout.places[joint.name].x, layout.heights[joint.driving])
         glyphs.clutch(axes, at, overrunning=joint.overrunning, open_now=joint.name in open_clutches)
+    for damper in train.dampers:
+        glyphs.damper(axes, (layout.places[damper.name].x, layout.heights[damper.driving]))
 
 
 def _planetary(name: str, train: Train, layout: Layout, seats: Collection[Attachment]) -> glyphs.PlanetaryShape:

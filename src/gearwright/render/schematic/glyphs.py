@@ -233,6 +233,18 @@ def clutch(axes: Axes, at: tuple[float, float], *, overrunning: bool, open_now: 
         axes.add_patch(Polygon([(x - 1.5, y + 5.0), (x - 1.5, y + 8.0), (x + 2.0, y + 6.5)], fc=theme.INK, zorder=5))
 
 
+def damper(axes: Axes, at: tuple[float, float]) -> None:
+    """Draw a viscous damper: a piston in an open cylinder.
+
+    Args:
+        axes: In mm of paper.
+        at: Its middle (x, y) [mm].
+    """
+    x, y = at
+    line(axes, [(x + 2.0, y + 3.0), (x - 1.6, y + 3.0), (x - 1.6, y - 3.0), (x + 2.0, y - 3.0)], BOLD)
+    line(axes, [(x + 0.8, y - 2.0), (x + 0.8, y + 2.0)], BOLD)
+
+
 def tinted(colour: str, strength: float = 0.42) -> tuple[float, float, float]:
     """Return a colour mixed with white.
 

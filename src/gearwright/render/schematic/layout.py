@@ -151,9 +151,13 @@ def _is_shaft(node: str, train: Train) -> bool:
 
 
 def _coaxial(train: Train, seats: Sequence[Attachment]) -> list[str]:
-    """Return the planetary sets and clutches."""
+    """Return the planetary sets, clutches and dampers."""
     sets = {gear.stage for gear in train.gears if gear.role is Role.PLANET}
-    return list(dict.fromkeys(element(seat) for seat in seats if seat.stage in sets or seat.member is Kind.CLUTCH))
+    return list(
+        dict.fromkeys(
+            element(seat) for seat in seats if seat.stage in sets or seat.member in (Kind.CLUTCH, Kind.DAMPER)
+        )
+    )
 
 
 def centre_distance(mesh: Mesh, outlines: Mapping[str, Outline]) -> float:

@@ -1,9 +1,9 @@
 """Where the axes of the shafts stand in the cross-section, so that every mesh force has a direction.
 
-A place is a complex number y + i z [m], seen along x. Shafts joined by a planetary set or a clutch share an axis. The
-first shaft of the design stands at the origin. A shaft in mesh with one that is placed stands at their centre distance
-from it, in the direction of its ``angle``. Where none is given, the shafts around one gear are evenly spaced; two
-stand opposite each other, so that their forces on that gear cancel (Pulvirenti 2023, eq. 2.9).
+A place is a complex number y + i z [m], seen along x. Shafts joined by a planetary set, clutch or damper share an axis.
+The first shaft of the design stands at the origin. A shaft in mesh with one that is placed stands at their centre
+distance from it, in the direction of its ``angle``. Where none is given, the shafts around one gear are evenly spaced;
+two stand opposite each other, so that their forces on that gear cancel (Pulvirenti 2023, eq. 2.9).
 
 Two layshafts between several gears (the input's, the output's, a motor's) make triangles: they stand opposite each
 other about the gear with the shortest centre distance a_min, and another gear with centre distance a has its axis at
@@ -69,7 +69,7 @@ def _coaxial(design: Design) -> dict[str, str]:
     """Return shaft -> the first shaft on the same axis."""
     axis = {name: name for name in design.shafts}
     groups = [(stage.sun, stage.ring, stage.carrier) for stage in design.planetaries.values()]
-    for group in (*groups, *((clutch.driving, clutch.driven) for clutch in design.clutches.values())):
+    for group in (*groups, *((link.driving, link.driven) for link in design.links.values())):
         joined = {axis[name] for name in group if name in axis}
         first = min(joined, key=design.shafts.index)
         axis = {name: first if root in joined else root for name, root in axis.items()}

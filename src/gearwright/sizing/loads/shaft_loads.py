@@ -74,7 +74,7 @@ def shaft_loads(
 
 
 def pure_torques(context: Context, name: str, plan: ShaftPlan) -> Iterator[tuple[float, list[float]]]:
-    """Yield what loads a shaft by torque only: machines, clutches, members of planetary sets.
+    """Yield what loads a shaft by torque only: machines, clutches, dampers, members of planetary sets.
 
     Args:
         context: What sizing reads.
@@ -88,10 +88,10 @@ def pure_torques(context: Context, name: str, plan: ShaftPlan) -> Iterator[tuple
     for machine, shaft in train.machines.items():
         if shaft == name:
             yield plan.places[machine], [flow.machine_torques.get(machine, 0.0) for flow in flows]
-    for joint in train.joints:
-        if name in (joint.driving, joint.driven):
-            sign = 1.0 if name == joint.driven else -1.0
-            yield plan.places[joint.name], [sign * flow.joints.get(joint.name, 0.0) for flow in flows]
+    for link in train.links:
+        if name in (link.driving, link.driven):
+            sign = 1.0 if name == link.driven else -1.0
+            yield plan.places[link.name], [sign * flow.given(link.name) for flow in flows]
     for mesh in train.meshes:
         if mesh.stage in context.design.planetaries and name in mesh.nodes:
             side = mesh.nodes.index(name)

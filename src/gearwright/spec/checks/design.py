@@ -14,7 +14,7 @@ from gearwright.spec.checks.motion import motion_problems
 from gearwright.spec.checks.mounting import mounting_problems
 from gearwright.spec.checks.names import name_problems
 from gearwright.spec.checks.planets import planetary_problems
-from gearwright.spec.design import Design, given_values
+from gearwright.spec.design import Damper, Design, given_values
 from gearwright.spec.design.stages import gear_named
 from gearwright.units import text
 
@@ -29,7 +29,7 @@ def reference_problems(design: Design) -> list[Problem]:
         design: As typed; its references are not resolved yet.
     """
     checks = (
-        name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, _clutches, _teeth, _layout, _cases,
+        name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, _links, _teeth, _layout, _cases,
         _keep, _widths, _given, _waivers, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]
@@ -50,8 +50,8 @@ def _used_shafts(design: Design) -> set[str]:
         used |= {name for side in SIDES for name in pair.named(side)}
     for planetary in design.planetaries.values():
         used |= {planetary.sun, planetary.ring, planetary.carrier}
-    for clutch in design.clutches.values():
-        used |= {clutch.driving, clutch.driven}
+    for link in design.links.values():
+        used |= {link.driving, link.driven}
     return used
 
 
@@ -148,14 +148,14 @@ def _gear_reference(path: str, name: str, pair_name: str, design: Design) -> Ite
         yield Problem(path, f"{name!r} is itself a shared gear; name the pair that owns it")
 
 
-def _clutches(design: Design) -> Iterator[Problem]:
-    for name, clutch in design.clutches.items():
+def _links(design: Design) -> Iterator[Problem]:
+    for name, link in design.links.items():
+        table, kind = ("dampers", "damper") if isinstance(link, Damper) else ("clutches", "clutch")
         for side in ("driving", "driven"):
-            yield from _shaft(f"clutches.{name}.{side}", getattr(clutch, side), design)
-        if clutch.driving == clutch.driven:
-            yield Problem(
-                f"clutches.{name}.driven", f"{clutch.driven!r} drives already; a clutch joins two different shafts"
-            )
+            yield from _shaft(f"{table}.{name}.{side}", getattr(link, side), design)
+        if link.driving == link.driven:
+            message = f"{link.driven!r} drives already; a {kind} joins two different shafts"
+            yield Problem(f"{table}.{name}.driven", message)
 
 
 def _teeth(design: Design) -> Iterator[Problem]:

@@ -28,7 +28,8 @@ def name_problems(design: Design) -> Iterator[Problem]:
 def _tables(design: Design) -> dict[str, Mapping[str, object]]:
     return {
         "turbines": design.turbines, "motors": design.motors, "propellers": design.propellers, "pairs": design.pairs,
-        "planetaries": design.planetaries, "clutches": design.clutches, "cases": design.cases,
+        "planetaries": design.planetaries, "clutches": design.clutches, "dampers": design.dampers,
+        "cases": design.cases,
     }  # fmt: skip
 
 
@@ -64,6 +65,10 @@ def _alike(design: Design, tables: Mapping[str, Mapping[str, object]]) -> Iterat
     lines = {f"{name} shaft": f"the shaft of {name!r}" for name in owners}
     lines |= {f"{name} hub": f"the hub of {name!r}" for name in design.shafts}
     lines |= {f"{name} clutch": f"the clutch {name!r}" for name in design.clutches}
+    lines |= {f"{name} damper": f"the damper {name!r}" for name in design.dampers}
+    for name in design.dampers:
+        if name in design.clutches:
+            yield Problem(f"dampers.{name}", "clutches has one of this name already; give the damper another")
     stages: dict[str, str] = {}
     for table in ("pairs", "planetaries"):
         for name in tables[table]:

@@ -14,7 +14,7 @@ from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
 from gearwright.spec.design.service import Service
 from gearwright.spec.design.shafts import NOTHING_GIVEN, ShaftLayout, Support
 from gearwright.spec.design.sharing import module_owners
-from gearwright.spec.design.stages import Clutch, Pair, Planetary
+from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary
 from gearwright.spec.design.standards import Agma2001Rules, Iso6336Rules
 from gearwright.spec.design.tolerance import PartErrors
 
@@ -27,6 +27,7 @@ __all__ = [
     "Agma2001Rules",
     "BearingSeat",
     "Clutch",
+    "Damper",
     "Design",
     "Drive",
     "DynamicsRules",

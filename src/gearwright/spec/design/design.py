@@ -21,7 +21,7 @@ from gearwright.spec.design.methods import method_of
 from gearwright.spec.design.mounting import BearingSeat, Joint
 from gearwright.spec.design.service import Service
 from gearwright.spec.design.shafts import CarrierRules, ShaftLayout, ShaftRules, Support
-from gearwright.spec.design.stages import Clutch, Pair, Planetary
+from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary
 from gearwright.spec.design.tolerance import PartErrors
 from gearwright.spec.record import Record
 from gearwright.units import Mass
@@ -54,6 +54,7 @@ class Design(Record):
     pairs: dict[str, Pair] = Field(default_factory=dict, description="Gear pairs by name")
     planetaries: dict[str, Planetary] = Field(default_factory=dict, description="Planetary sets by name")
     clutches: dict[str, Clutch] = Field(default_factory=dict, description="Clutches by name")
+    dampers: dict[str, Damper] = Field(default_factory=dict, description="Viscous dampers between shafts by name")
     materials: dict[str, MaterialRules] = Field(
         default_factory=dict, description="Materials of one's own by name, beside those of the catalogue"
     )
@@ -93,6 +94,11 @@ class Design(Record):
     def machines(self) -> dict[str, Turbine | Motor | Propeller]:
         """Every machine by name."""
         return {**self.turbines, **self.motors, **self.propellers}
+
+    @property
+    def links(self) -> dict[str, Clutch | Damper]:
+        """Everything that joins two shafts of one axis, by name."""
+        return {**self.clutches, **self.dampers}
 
     @property
     def stages(self) -> dict[str, Pair | Planetary]:

@@ -1,4 +1,4 @@
-"""What joins shafts: gear pairs, planetary sets and clutches."""
+"""What joins shafts: gear pairs, planetary sets, clutches and dampers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from gearwright.spec.design.dynamics import PlanetaryBearings
 from gearwright.spec.design.gears import GearRules
 from gearwright.spec.design.methods import CYLINDRICAL, INTERNAL
 from gearwright.spec.record import Record
-from gearwright.units import Angle, Force, Inertia, Length, Mass, Ratio, Stiffness
+from gearwright.units import Angle, Force, Inertia, Length, Mass, Ratio, Stiffness, TorsionalDamping
 
 _DEGREE = math.pi / 180.0
 
@@ -165,3 +165,11 @@ class Clutch(Record):
     kind: Literal["overrunning", "engaged", "open"] = Field(
         "overrunning", description="overrunning transmits only from driving to driven and opens otherwise"
     )
+
+
+class Damper(Record):
+    """A viscous damper between two shafts: it gives the driven one a torque of c times the speed that it lags by."""
+
+    driving: str = Field(description="Shaft at one end")
+    driven: str = Field(description="Shaft at the other end")
+    damping: TorsionalDamping = Field(gt=0.0, description="Torque over difference of speeds, c")

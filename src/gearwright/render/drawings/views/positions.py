@@ -68,7 +68,7 @@ def positions(sizing: Sizing) -> Positions:
     Args:
         sizing: What was sized.
     """
-    return _in_columns(sizing) if sizing.design.planetaries or sizing.design.clutches else _as_sized(sizing)
+    return _in_columns(sizing) if sizing.design.planetaries or sizing.design.links else _as_sized(sizing)
 
 
 def _as_sized(sizing: Sizing) -> Positions:
