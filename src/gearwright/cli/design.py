@@ -55,7 +55,7 @@ def size(
     design: DesignArgument,
     json: JsonOption = False,
     factors: Annotated[
-        bool, typer.Option("--factors", help="Print every factor of the gears that ISO 6336 or ISO 10300 rates")
+        bool, typer.Option("--factors", help="Print every factor of gears that a standard rates")
     ] = False,
 ) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from gearwright.errors import Problem
 from gearwright.parts.gears import Numbers
+from gearwright.sizing.rating.agma2001 import Agma2001
 from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.sizing.rating.iso10300 import Iso10300
 from gearwright.sizing.rating.lewis_hertz import LewisHertz
@@ -23,6 +24,7 @@ METHODS: dict[str, Method[Any]] = {
     "lewis-hertz": LewisHertz(),
     "iso6336": Iso6336(),
     "iso10300": Iso10300(),
+    "agma2001": Agma2001(),
 }
 """Name -> method."""
 

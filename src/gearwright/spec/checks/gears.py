@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from gearwright.errors import Problem
+from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role, gear_part
+from gearwright.parts.agma2001 import AgmaSteel, agma_strength
 from gearwright.spec.design import RATINGS, Design, Pair, Planetary, method_of, uncovered
 
 SQUARE = 0.5 * math.pi
@@ -29,6 +30,24 @@ def gear_problems(design: Design) -> Iterator[Problem]:
     for table, stages in (("pairs", design.pairs), ("planetaries", design.planetaries)):
         for name, stage in stages.items():
             yield from _covered(f"{table}.{name}.gears.rating", stage, design.rules(name).rating)
+    yield from _agma_steels(design)
+
+
+def _agma_steels(design: Design) -> Iterator[Problem]:
+    """Find steels and grades that the tables of AGMA 2001 do not have, once where they are written."""
+    rules = {}
+    for table, stages in (("pairs", design.pairs), ("planetaries", design.planetaries)):
+        for name, stage in stages.items():
+            own = stage.gears is not None and "agma2001" in stage.gears.model_fields_set
+            if RATINGS[design.rules(name).rating].table == "agma2001":
+                rules[f"{table}.{name}.gears" if own else "gears"] = design.rules(name).agma2001
+    for path, steel in rules.items():
+        try:
+            agma_strength(AgmaSteel(steel.steel), steel.grade, steel.hardness_hb)
+        except DesignError as error:
+            for problem in error.problems:
+                key = "hardness_hb" if problem.path == "hardness" else problem.path
+                yield Problem(f"{path}.agma2001.{key}", problem.message)
 
 
 def _covered(path: str, stage: Pair | Planetary, method: str) -> Iterator[Problem]:

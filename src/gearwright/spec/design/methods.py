@@ -44,6 +44,7 @@ RATINGS: dict[str, RatingMethod] = {
         "ISO 6336", frozenset({CYLINDRICAL, INTERNAL, FACE}), ("iso6336",), table="iso6336", instead={BEVEL: "iso10300"}
     ),
     "iso10300": RatingMethod("ISO 10300", frozenset({BEVEL}), ("iso6336",), table="iso6336"),
+    "agma2001": RatingMethod("AGMA 2001", frozenset({CYLINDRICAL}), ("agma2001",), table="agma2001"),
 }
 """Name in files -> method. The one place where the names stand."""
 
