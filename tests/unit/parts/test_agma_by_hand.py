@@ -49,7 +49,7 @@ PI = math.pi
 
 
 def near(value):
-    return pytest.approx(value, rel=1e-9)
+    return pytest.approx(value, rel=1e-9, abs=0.0)
 
 
 def test_dynamics_size_and_rim_follow_their_formulas():

@@ -60,7 +60,7 @@ CONE = BearingGeometry(TAPER, 17, 9e-3, 60e-3, 0.25, 16e-3, rows=2)
 
 
 def near(value):
-    return pytest.approx(value, rel=1e-10)
+    return pytest.approx(value, rel=1e-10, abs=0.0)
 
 
 def test_ratios_of_a_bearing_are_those_of_its_drawing():

@@ -54,7 +54,7 @@ OTHER = GearSteel("other", Treatment.NITRIDED, "MQ", 650.0, 1100e6, 400e6, 200e9
 
 
 def near(value):
-    return pytest.approx(value, rel=1e-9)
+    return pytest.approx(value, rel=1e-9, abs=0.0)
 
 
 @dataclass(frozen=True)

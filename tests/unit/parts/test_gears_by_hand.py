@@ -55,7 +55,7 @@ BIG = CylindricalGear(52, 3e-3, 22e-3, BETA, 0.11, RACK, -0.02)
 
 
 def near(value):
-    return pytest.approx(value, rel=1e-10)
+    return pytest.approx(value, rel=1e-10, abs=0.0)
 
 
 def inv(angle):
@@ -171,6 +171,8 @@ def test_the_path_ends_where_the_involute_does():
 
 
 def test_gears_that_do_not_match_are_refused():
+    with pytest.raises(DesignError, match="below π/3"):
+        CylindricalGear(20, 3e-3, 20e-3, math.radians(61.0))
     plain = CylindricalGear(20, 3e-3, 20e-3)
     for driver, driven, match in (
         (CylindricalGear(-60, 3e-3, 20e-3), plain, "must be external"),
@@ -187,7 +189,9 @@ def test_gears_that_do_not_match_are_refused():
     assert GearPair(plain, CylindricalGear(-21, 3e-3, 20e-3, tip_alteration=-0.9)).side == -1
 
 
-@pytest.mark.parametrize(("teeth", "shift", "beta"), [(27, 0.23, BETA), (20, 0.0, 0.0), (31, -0.1, 0.2), (9, 0.5, 0.0)])
+@pytest.mark.parametrize(
+    ("teeth", "shift", "beta"), [(27, 0.23, BETA), (20, 0.0, 0.0), (31, -0.1, 0.2), (9, 0.5, 0.0), (70, 0.1, 0.6)]
+)
 def test_span_and_spanned_teeth(teeth, shift, beta):
     """W_k = (k − 1) p_bn + s_bn; the k whose half span comes nearest to the cylinder of d + 2 x m."""
     gear = CylindricalGear(teeth, 3e-3, 25e-3, beta, shift, RACK)

@@ -75,7 +75,7 @@ RING = MeshGeometry((25, -83), 2.5e-3, 30e-3, 73.7e-3, (34.6e-3, 102.9e-3), math
 
 
 def near(value):
-    return pytest.approx(value, rel=1e-10)
+    return pytest.approx(value, rel=1e-10, abs=0.0)
 
 
 @pytest.mark.parametrize(("strength", "c_l", "c_v", "c_r"), [

@@ -84,7 +84,7 @@ close = pytest.approx
 
 
 def near(*values):
-    return close(values if len(values) > 1 else values[0], rel=1e-10)
+    return close(values if len(values) > 1 else values[0], rel=1e-10, abs=0.0)
 
 
 @PAIRS

@@ -64,7 +64,7 @@ PI = math.pi
 
 
 def near(value):
-    return pytest.approx(value, rel=1e-10)
+    return pytest.approx(value, rel=1e-10, abs=0.0)
 
 
 KEY = KeySection(14e-3, 9e-3, 5.5e-3, 3.8e-3)

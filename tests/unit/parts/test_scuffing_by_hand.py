@@ -57,7 +57,7 @@ def mesh_of(pair, **values):
 
 
 def near(value):
-    return pytest.approx(value, rel=1e-9)
+    return pytest.approx(value, rel=1e-9, abs=0.0)
 
 
 def radii(pair, place):

@@ -51,7 +51,7 @@ PI = math.pi
 
 
 def near(value):
-    return pytest.approx(value, rel=1e-10)
+    return pytest.approx(value, rel=1e-10, abs=0.0)
 
 
 def test_a_hollow_shaft_is_stressed_by_its_moment_of_resistance():

@@ -42,7 +42,7 @@ LIGHT = Material("light", 110e9, 0.33, 4430.0)
 
 
 def near(value):
-    return pytest.approx(value, rel=1e-10)
+    return pytest.approx(value, rel=1e-10, abs=0.0)
 
 
 def pair(first, second, *, helix=0.0, shifts=(0.2, 0.1), rack=ISO53_A, other=None):
@@ -136,6 +136,10 @@ def test_a_curve_is_its_fourier_series():
     with pytest.raises(DesignError, match="must be positive"):
         StiffnessCurve(1.0, (0.0,) * 4 + (1.2,), (0.0,) * 5)
     assert StiffnessCurve(1.0, (0.0,) * 4 + (0.99,), (0.0,) * 5).mean == 1.0
+    # A dip at 0.5 rad alone.
+    dip = [tuple(-0.3 * wave(0.5 * n) for n in (1, 2, 3, 4)) for wave in (math.cos, math.sin)]
+    with pytest.raises(DesignError, match=r"at mesh phase 0\.4|at mesh phase 0\.5"):
+        StiffnessCurve(1.0, *dip)
 
 
 @pytest.mark.parametrize("closed", [True, False])
@@ -315,9 +319,13 @@ def test_a_tooth_bends_shears_and_shortens_as_a_cantilever(teeth, offset):
     moment = math.cos(angle) * (height - x) - math.sin(angle) * half
     step, shear = height / 40000, 110e9 / (2.0 * 1.33)
     made = tooth_compliance(form, np.array([radius]), material=LIGHT)
-    assert made.bending[0] == pytest.approx(12.0 * (moment**2 / width**3).sum() * step / 110e9, rel=3e-4)
-    assert made.shear[0] == pytest.approx(1.2 * math.cos(angle) ** 2 * (1.0 / width).sum() * step / shear, rel=3e-4)
-    assert made.compression[0] == pytest.approx(math.sin(angle) ** 2 * (1.0 / width).sum() * step / 110e9, rel=3e-4)
+    assert made.bending[0] == pytest.approx(12.0 * (moment**2 / width**3).sum() * step / 110e9, rel=3e-4, abs=0.0)
+    assert made.shear[0] == pytest.approx(
+        1.2 * math.cos(angle) ** 2 * (1.0 / width).sum() * step / shear, rel=3e-4, abs=0.0
+    )
+    assert made.compression[0] == pytest.approx(
+        math.sin(angle) ** 2 * (1.0 / width).sum() * step / 110e9, rel=3e-4, abs=0.0
+    )
     assert made.total[0] == near(made.bending[0] + made.shear[0] + made.compression[0] + made.foundation[0])
 
 

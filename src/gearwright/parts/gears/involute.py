@@ -37,9 +37,9 @@ def involute_angle(value: float) -> float:
         value: inv α [-], not negative.
 
     Returns:
-        α [rad], exact to rounding (Newton's iteration from an explicit start).
+        α [rad], exact to rounding (Newton's iteration from an upper bound).
 
-    Source: the inverse of ISO 21771:2007's inv α = α³/3 + 2α⁵/15 + …, whose first terms give the start.
+    Source: the inverse of ISO 21771:2007's inv α = α³/3 + 2α⁵/15 + …, whose first term gives the start.
 
     >>> round(math.degrees(involute_angle(0.014904)), 3)
     20.0
@@ -50,9 +50,8 @@ def involute_angle(value: float) -> float:
         )
     if value == 0.0:
         return 0.0
-    q = (3.0 * value) ** (1.0 / 3.0)
-    # The series runs out beyond α ≈ 60°; there tan α ≈ inv α + π/2 is the better start.
-    angle = q * (1.0 - q * q * 2.0 / 15.0) if value < 0.6 else math.atan(value + 1.2)
+    # Both are above the root, as tan α > α + α³/3 and α < π/2; from there Newton's steps only come nearer.
+    angle = min((3.0 * value) ** (1.0 / 3.0), math.atan(value + 0.5 * math.pi))
     for _ in range(20):
         tangent = math.tan(angle)
         step = (tangent - angle - value) / tangent**2
