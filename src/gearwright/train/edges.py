@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.identity import SIDES
+from gearwright.identity import SIDES, Kind, Role
 from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.graph import shafts_of
 from gearwright.train.kinematics import Array
@@ -22,15 +22,15 @@ class Edge:
     """Shafts of the pinions, or of the sun (of the ring where the sun stands still)."""
     slow: tuple[str, ...]
     """Shafts of the wheels, or the other turning member's."""
-    grounded: str
-    """``ring``, ``carrier``, ``sun``; or ``axes`` for a pair."""
+    grounded: Role | Kind | None
+    """Member of a planetary set that stands still; None for a pair, whose axes do."""
 
     def ratio(self, tooth_ratio: float) -> float:
         """Return the speed ratio of a tooth ratio z_2/z_1 or z_r/z_s [-]."""
         match self.grounded:
-            case "ring":
+            case Role.RING:
                 return 1.0 + tooth_ratio
-            case "sun":
+            case Role.SUN:
                 return 1.0 + 1.0 / tooth_ratio
             case _:
                 return tooth_ratio
@@ -38,9 +38,9 @@ class Edge:
     def tooth_ratio(self, ratio: float) -> float:
         """Return the tooth ratio of a speed ratio [-]."""
         match self.grounded:
-            case "ring":
+            case Role.RING:
                 return ratio - 1.0
-            case "sun":
+            case Role.SUN:
                 return 1.0 / (ratio - 1.0)
             case _:
                 return ratio
@@ -56,13 +56,13 @@ def edge_of(name: str, design: Design) -> Edge | None:
     stage = design.stages[name]
     if isinstance(stage, Pair):
         pinions, wheels = (shafts_of(side, stage, design) for side in SIDES)
-        return Edge(name, tuple(pinions), tuple(wheels), "axes")
+        return Edge(name, tuple(pinions), tuple(wheels), None)
     if stage.ring == GROUND:
-        return Edge(name, (stage.sun,), (stage.carrier,), "ring")
+        return Edge(name, (stage.sun,), (stage.carrier,), Role.RING)
     if stage.carrier == GROUND:
-        return Edge(name, (stage.sun,), (stage.ring,), "carrier")
+        return Edge(name, (stage.sun,), (stage.ring,), Kind.CARRIER)
     if stage.sun == GROUND:
-        return Edge(name, (stage.ring,), (stage.carrier,), "sun")
+        return Edge(name, (stage.ring,), (stage.carrier,), Role.SUN)
     return None
 
 

@@ -99,7 +99,7 @@ def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapp
     rating = rating_of(design, name)
     # The reference gear sits on the edge's fast shaft: the ring where the sun stands still, else sun or pinion.
     meshes = [mesh for mesh in train.meshes if mesh.stage == name]
-    ring = edge is not None and edge.grounded == "sun"
+    ring = edge is not None and edge.grounded is Role.SUN
     own_rows = meshes[1:] if ring else (meshes[:1] if isinstance(stage, Planetary) else meshes)
     torque, speed, rolling = 0.0, 1.0, 1.0
     for flow in flows.values():
@@ -231,7 +231,7 @@ def _weigh(front: Front, task: Task, small: Integers, large: Integers) -> Front:
     """Add a stage's teeth, module and bodies to the front."""
     stage, rating = task.stage, task.rating
     names, discs = _bodies(task, small, large)
-    reference = small + 2 * large if task.edge is not None and task.edge.grounded == "sun" else small
+    reference = small + 2 * large if task.edge is not None and task.edge.grounded is Role.SUN else small
     speed = front.speeds[task.edge.fast[0]] if task.edge is not None else np.full(len(small), task.speed)
     per_tooth = task.torque * task.speed / speed / reference
     width_ratio = stage_width_ratio(rating, small, large)
