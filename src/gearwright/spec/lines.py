@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-_HEADER = re.compile(r"^\s*\[{1,2}([^\[\]]+)\]{1,2}\s*(?:#.*)?$")
-_KEY = re.compile(r"""^\s*((?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+)(?:\s*\.\s*(?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+))*)\s*=""")
+HEADER = re.compile(r"^\s*\[{1,2}([^\[\]]+)\]{1,2}\s*(?:#.*)?$")
+KEY = re.compile(r"""^\s*((?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+)(?:\s*\.\s*(?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+))*)\s*=""")
 _PART = re.compile(r"""\s*(?:"([^"]*)"|'([^']*)'|([^.\s"']+))\s*(?:\.|$)""")
 _MULTILINE = ('"""', "'''")
 
@@ -22,12 +22,12 @@ def key_lines(text: str) -> dict[str, int]:
         if closing:
             closing = "" if closing in line else closing
             continue
-        header, key = _HEADER.match(line), _KEY.match(line)
+        header, key = HEADER.match(line), KEY.match(line)
         if header and not key:
-            table = _dotted(header[1])
+            table = dotted(header[1])
             lines.setdefault(table, number)
         elif key:
-            path = _dotted(key[1])
+            path = dotted(key[1])
             lines.setdefault(f"{table}.{path}" if table else path, number)
             closing = next((mark for mark in _MULTILINE if line.count(mark) == 1), "")
     return lines
@@ -47,5 +47,10 @@ def line_of(path: str, lines: dict[str, int]) -> int | None:
     return None
 
 
-def _dotted(key: str) -> str:
+def dotted(key: str) -> str:
+    """Return a key of TOML, whose parts may stand in quotes, as a dotted path.
+
+    Args:
+        key: As written.
+    """
     return ".".join("".join(match) for match in _PART.findall(key))

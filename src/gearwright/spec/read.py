@@ -15,6 +15,7 @@ from gearwright.spec.curves import with_curves
 from gearwright.spec.design import Design
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.record import Location, build
+from gearwright.spec.slips import slip
 from gearwright.verbs import verb
 
 _MISSING = "there is no such file; `gearwright new` lists the shipped designs, `fly` missions, `study` studies"
@@ -78,6 +79,9 @@ def toml_tables(text: str, source: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # ValueError also for whole numbers of thousands of digits
+        found = slip(text, str(error))
+        if found is not None:
+            raise DesignError([found], source) from None
         reason = "its brackets nest too deeply" if isinstance(error, RecursionError) else excerpt(str(error), _REASON)
         raise DesignError(
             [Problem("", f"this is not TOML: {reason}; a line reads  key = value  or  [table]")], source

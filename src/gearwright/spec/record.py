@@ -144,8 +144,29 @@ def _unknown(key: str, model: type[Record], keys: Mapping[str, tuple[str, float,
     lower = {name.lower(): name for name in keys}
     if key.lower() in lower:
         return f"no such field; did you mean {lower[key.lower()]}?"
+    foreign = _foreign(key, model, keys)
+    if foreign:
+        return foreign
     usual = {field: name for name, (field, _, _) in reversed(list(keys.items()))}
     return f"no such field; {near(key, keys, usual.values())}"
+
+
+_FOREIGN: Mapping[str, str] = MappingProxyType({
+    "ps": "1 PS (metric horsepower) = 0.7355 kW", "cv": "1 CV (metric horsepower) = 0.7355 kW", "cm": "1 cm = 10 mm",
+    "bar": "1 bar = 0.1 MPa", "ksi": "1 ksi = 6.895 MPa", "kgf": "1 kgf = 9.807 N", "dan": "1 daN = 10 N",
+    "kgfm": "1 kgf m = 9.807 N m", "mph": "1 mph = 1.609 km/h", "rps": "1 rps = 60 rpm",
+})  # fmt: skip
+"""Suffix of a unit that no key has -> what it is in one that keys have."""
+
+
+def _foreign(key: str, model: type[Record], keys: Mapping[str, tuple[str, float, str]]) -> str:
+    """Return what to do about a unit that is known to people alone; empty where the key is no such quantity."""
+    name, _, suffix = key.rpartition("_")
+    info = model.model_fields.get(name)
+    if suffix.lower() not in _FOREIGN or info is None or quantity_of(info) is None:
+        return ""
+    units = ", ".join(written for written, (field_name, _, _) in keys.items() if field_name == name)
+    return f"this unit is not known: {_FOREIGN[suffix.lower()]}; write one of {units}"
 
 
 def _number(value: object, factor: float, suffix: str, written: Written, location: Location) -> object:

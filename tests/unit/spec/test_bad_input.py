@@ -334,3 +334,30 @@ def test_an_override_is_given_in_one_unit():
     found = problem(PAIR + '[overrides]\n"stage.module_mm" = 3\n"stage.module_m" = 0.003\n')
     assert found.path == "overrides.stage.module_m"
     assert "stage.module is given twice: here, and as overrides.stage.module_mm" in found.message
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("power_kw = 100", "power_kw = 2,67", "line 7: turbines.turbine.power_kw: numbers have a decimal point, not a"
+         " comma; write 2.67"),
+        ("[turbines.turbine]", '[pairs.stage]\npinion = "fast"\n[turbines.turbine]', "pairs.stage"),
+        ("power_kw = 100", "power_kw = 100\npower_kw = 101", "turbines.turbine.power_kw: is given in line"),
+        ("power_kw = 100", "power_ps = 136", "power_ps: this unit is not known: 1 PS (metric horsepower) = 0.7355 kW;"
+         " write one of power_kw, power_w, power_mw, power_hp"),
+    ],
+)  # fmt: skip
+def test_slips_of_the_hand_are_told_in_words_of_people(old, new, said):
+    """Not in those of TOML's reader, and no nearest name that is another unit."""
+    with pytest.raises(DesignError) as refused:
+        parse(changed(PAIR, old, new))
+    told = str(refused.value)
+    assert said in told
+    assert "did you mean" not in told
+    assert "not TOML" not in told
+
+
+def test_a_table_that_stands_twice_is_named_with_both_lines():
+    with pytest.raises(DesignError) as refused:
+        parse(f'{PAIR}\n[pairs.stage]\npinion = "fast"\n')
+    assert "the table [pairs.stage] stands in line" in str(refused.value)
