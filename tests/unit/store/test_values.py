@@ -20,6 +20,7 @@ from gearwright.errors import DesignError
 from gearwright.identity import Kind, PartId, Role
 from gearwright.mission import bearing_lives, durability, fly, gear_damage, phase_summaries
 from gearwright.parts.iso6336 import StressBin
+from gearwright.reviews import review
 from gearwright.shipped import shipped_mission
 from gearwright.spec import parse_study, read_mission
 from gearwright.store.tree import decoded, encoded
@@ -112,6 +113,11 @@ def test_the_table_of_a_study_comes_back_equal(tmp_path):
     table = run(study, {name: gw.read(gw.shipped_design(name)) for name in study.designs})
     assert same(kept(table, tmp_path), table)
     assert same(kept(study, tmp_path), study)
+
+
+def test_a_review_comes_back_equal_though_it_stands_above_the_store(tmp_path):
+    verdict = review(gw.read(gw.shipped_design("in-line")))
+    assert kept(verdict, tmp_path) == verdict
 
 
 def test_several_values_stand_in_one_file(tmp_path):
