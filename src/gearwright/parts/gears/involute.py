@@ -51,7 +51,7 @@ def involute_angle(value: float) -> float:
     if value == 0.0:
         return 0.0
     # Both are above the root, as tan α > α + α³/3 and α < π/2; from there Newton's steps only come nearer.
-    angle = min((3.0 * value) ** (1.0 / 3.0), math.atan(value + 0.5 * math.pi))
+    angle: float = min((3.0 * value) ** (1.0 / 3.0), math.atan(value + 0.5 * math.pi))
     for _ in range(20):
         tangent = math.tan(angle)
         step = (tangent - angle - value) / tangent**2
