@@ -40,7 +40,9 @@ from gearwright.parts.iso6336 import (
     endurable_cycles,
     face_load_factor,
     helix_factor,
+    knee_curve,
     lead_allowance,
+    life_curves,
     life_factor,
     load_sharing_factor,
     lubricant_factor,
@@ -224,6 +226,18 @@ def test_lives_are_straight_between_the_printed_corners(made, corners):
             assert endurable_cycles(curve, (f_1 * f_2) ** 0.5) == near(middle)
 
 
+def test_a_steel_has_the_curves_of_its_treatment_or_its_own():
+    """N ~ σ^−p below the knee: 1.5^−9 of it at the static factor; the slope is p again."""
+    own = knee_curve(4e7, 9.0, greatest=1.5, at_1e10=0.9)
+    assert own.cycles == (near(4e7 * 1.5**-9.0), 4e7, 1e10) and own.factors == (1.5, 1.0, 0.9)
+    assert own.slope == near(9.0)
+    assert knee_curve(4e7, 9.0, greatest=1.5).factors[-1] == 0.85
+    assert life_curves(SOFT) == (contact_life_curve(V), bending_life_curve(V))
+    assert life_curves(replace(SOFT, contact_life=own)) == (own, bending_life_curve(V))
+    assert life_curves(replace(SOFT, bending_life=own)) == (contact_life_curve(V), own)
+    assert life_factor(own, 4e7 / 1.2**9) == near(1.2)
+
+
 def test_beyond_its_corners_a_curve_goes_on_or_ends():
     """The last slope goes on; a flat end is an endurance limit; above the static value nothing is endured."""
     falling, flat = contact_life_curve(EH), contact_life_curve(EH, at_1e10=1.0)
@@ -324,7 +338,7 @@ def test_of_the_two_pairs_above_one_is_slender_and_one_is_held_at_three():
 
 
 @pytest.mark.parametrize("deviation", [0.5e-6, 9e-6, 14e-6, 60e-6])
-@pytest.mark.parametrize(("alpha", "total"), [(1.6, 1.6), (1.6, 2.7), (1.2, 1.9)])
+@pytest.mark.parametrize(("alpha", "total"), [(1.6, 1.6), (1.6, 2.7), (1.2, 1.9), (1.3, 2.2)])
 def test_the_transverse_load_factor_is_that_of_clause_8(deviation, alpha, total):
     """K = ε_γ/2 (0.9 + 0.4 q) up to ε_γ = 2, 0.9 + 0.4 √(2(ε_γ − 1)/ε_γ) q beyond; between 1 and the two limits."""
     mesh = SimpleNamespace(total_contact_ratio=total, transverse_contact_ratio=alpha)

@@ -1,11 +1,13 @@
 """Joints, losses and planetary sets by the formulas of their sources, written out once more."""
 
 import math
+from itertools import pairwise
 
 import pytest
 
 from gearwright.errors import DesignError
 from gearwright.parts.gears import CylindricalGear, GearPair
+from gearwright.parts.hardness import BRINELL_PER_VICKERS, vickers_of_rockwell
 from gearwright.parts.joints import (
     MODULES,
     FitPart,
@@ -290,6 +292,29 @@ def test_a_phase_of_a_whole_cycle_is_none():
     for start in (0.0, 0.1, 0.7, 2.3):
         phases = planet_phases(sun_mesh, ring_mesh, [start + 2.0 * PI * k / 6.0 for k in range(6)])
         assert phases.sun == phases.ring == (0.0,) * 6
+
+
+ISO18265 = {
+    240: 20.3, 250: 22.2, 260: 24.0, 270: 25.6, 280: 27.1, 290: 28.5, 300: 29.8, 310: 31.0, 320: 32.2, 330: 33.3,
+    340: 34.4, 350: 35.5, 360: 36.6, 370: 37.7, 380: 38.8, 390: 39.8, 400: 40.8, 410: 41.8, 420: 42.7, 430: 43.6,
+    440: 44.5, 450: 45.3, 460: 46.1, 470: 46.9, 480: 47.7, 490: 48.4, 500: 49.1, 510: 49.8, 520: 50.5, 530: 51.1,
+    540: 51.7, 550: 52.3, 560: 53.0, 570: 53.6, 580: 54.1, 590: 54.7, 600: 55.2, 610: 55.7, 620: 56.3, 630: 56.8,
+    640: 57.3, 650: 57.8, 660: 58.3, 670: 58.8, 680: 59.2, 690: 59.7, 700: 60.1, 720: 61.0, 740: 61.8, 760: 62.5,
+    780: 63.3, 800: 64.0, 820: 64.7, 840: 65.3, 860: 65.9, 880: 66.4, 900: 67.0, 920: 67.5, 940: 68.0,
+}  # fmt: skip
+"""ISO 18265:2013, table A.1: HRC over HV."""
+
+
+def test_rockwell_is_turned_into_vickers_by_the_table():
+    """Row by row and half way between; 0.95 HB per HV."""
+    for vickers, rockwell in ISO18265.items():
+        assert vickers_of_rockwell(rockwell) == near(vickers)
+    for (v_1, r_1), (v_2, r_2) in pairwise(ISO18265.items()):
+        assert vickers_of_rockwell((r_1 + r_2) / 2.0) == near((v_1 + v_2) / 2.0)
+    assert BRINELL_PER_VICKERS == 0.95
+    for outside in (20.2, 68.1):
+        with pytest.raises(ValueError, match=r"converts 20\.3 to 68"):
+            vickers_of_rockwell(outside)
 
 
 def test_materials_shear_and_bear_by_two_formulas():
