@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from gearwright.cli.answers import show_answer, show_rows
-from gearwright.cli.designs import sized
+from gearwright.cli.designs import reviewed, sized
 from gearwright.cli.ends import end_interrupted, named_after, save_run
 from gearwright.cli.options import CaseOption, DesignArgument, JsonOption, LinesOption
 from gearwright.cli.output import progress, show, tell
@@ -30,8 +30,10 @@ DurationOption = Annotated[float, typer.Option(help="Time to simulate [s]", min=
 
 def check(design: DesignArgument, json: JsonOption = False) -> None:
     """Check a design file and say everything that is wrong with it; a margin below 1 ends with exit code 1."""
+    from gearwright.checks import unneeded
     from gearwright.dynamics.assembly import assemble
     from gearwright.render.tables.checks import check_sentence
+    from gearwright.render.words.headline import sizing_headline, unneeded_text
 
     sizing = sized(design)
     for case in sizing.flows:  # what the dynamic model would refuse is said here
@@ -46,9 +48,15 @@ def check(design: DesignArgument, json: JsonOption = False) -> None:
         return
     for check in weak:
         tell(f"{check_sentence(check)}; the margin should be 1 or more")
+    for check in sizing.checks:
+        if check.waiver:
+            tell(f"{check_sentence(check)}; waived: {check.waiver}")
+    for name in unneeded(sizing.checks, sizing.design.waivers):
+        tell(unneeded_text(name))
     if weak:
         raise typer.Exit(1)
     show(f"{sizing.design.name}: no problems; {len(sizing.gears)} kinds of gears, {len(sizing.shafts)} shafts")
+    show(sizing_headline(sizing))
 
 
 def size(
@@ -137,6 +145,7 @@ def report(
         case=case,
         system=system,
         campbell=critical_speeds(sizing),
+        review=reviewed(sizing, design),
     )
     file = file or named_after(design, "report.html")
     write_text(file, page)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from gearwright.reviews import Review
     from gearwright.sizing import Sizing
     from gearwright.spec import Design
 
@@ -39,6 +40,22 @@ def sized(name: str) -> Sizing:
     design = design_of(name)
     with placed_in(name):
         return size(design)
+
+
+def reviewed(sizing: Sizing, name: str) -> Review:
+    """Return the review of a sizing; a waiver of no check is placed at its line in the design's file.
+
+    Args:
+        sizing: Of the design.
+        name: Path or name of the design.
+
+    Raises:
+        DesignError: If a waiver names no check.
+    """
+    from gearwright.reviews import review_of
+
+    with placed_in(name):
+        return review_of(sizing)
 
 
 @contextmanager

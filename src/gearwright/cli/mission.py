@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.answers import show_answer, show_rows
-from gearwright.cli.designs import sized
+from gearwright.cli.designs import placed_in, sized
 from gearwright.cli.options import JsonOption, LinesOption
 from gearwright.cli.output import show, tell
 from gearwright.writing import write_text
@@ -46,10 +46,13 @@ def fly(
         _list()
         return
     from gearwright.errors import DesignError, Problem
+    from gearwright.reviews import review_of
 
     if window and report is None:
         raise DesignError([Problem("--window", "windows are drawn on the page; name its file with --report, too")])
     flight, parts, life = flown(sized(design), mission, life_h=life_h)
+    with placed_in(design):
+        review = review_of(flight.sizing, flight, parts, life=None if life_h is None else 3600.0 * life_h)
     from gearwright.render.answers.flight import fly_answer, moments
     from gearwright.render.words.flight import flight_text
     from gearwright.render.words.flight_data import flight_csv
@@ -60,7 +63,7 @@ def fly(
     elif json:
         show_answer("fly", fly_answer(flight, parts, life), design=name)
     else:
-        show(flight_text(flight, parts, life))
+        show(flight_text(flight, parts, review, life=life))
     if report is not None:
         from gearwright.mission.windows import fly_window
         from gearwright.render.pages.flight import flight_page
@@ -68,7 +71,7 @@ def fly(
         windows = [fly_window(flight, name) for name in _windows(flight, window or [])]
         for dynamic in windows:
             dynamic.trace.whole()
-        write_text(report, flight_page(flight, parts, life, windows=windows))
+        write_text(report, flight_page(flight, parts, review, life=life, windows=windows))
         tell(f"wrote {report}")
     if csv is not None:
         write_text(csv, flight_csv(flight))

@@ -6,13 +6,13 @@ Imports that cost time stand inside the command, so that ``--help`` stays quick.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
 from gearwright.cli.answers import answer_text, show_answer
 from gearwright.cli.design import DurationOption, StiffnessOption, simulated
-from gearwright.cli.designs import sized
+from gearwright.cli.designs import reviewed, sized
 from gearwright.cli.ends import end_interrupted, named_after, save_run
 from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
 from gearwright.cli.output import show
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from gearwright.dynamics import Modes, System, Trace
     from gearwright.dynamics.vibration import SpeedCase
+    from gearwright.reviews import Review
     from gearwright.sizing import Sizing
 
 
@@ -42,26 +43,25 @@ def run(
     from gearwright.dynamics.assembly import assemble, default_case
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.render.words.run import run_text, run_verdict
-    from gearwright.reviews import review_of
 
     sizing = sized(design)
     case = case or default_case(sizing)
     system = assemble(sizing, case, stiffness=stiffness)
     solved, trace = find_modes(system), simulated(system, duration)
     campbell = () if trace.interrupted else critical_speeds(sizing)
-    reviewed = None if trace.interrupted else review_of(sizing)
+    review = None if trace.interrupted else reviewed(sizing, design)
     if json:
         from gearwright.render.answers.motion import run_answer
 
-        verdict = run_verdict(reviewed, campbell)
-        answer = run_answer(sizing, solved, trace, case=case, verdict=verdict)
+        answer = run_answer(sizing, solved, trace, case=case, verdict=run_verdict(sizing, review))
         show_answer("run", answer, design=sizing.design.name)
     else:
-        show(run_text(sizing, solved, trace, review=reviewed, campbell=campbell))
+        show(run_text(sizing, solved, trace, review=review, campbell=campbell))
         if full:
-            _show_tables(sizing, solved, trace, campbell)
+            _show_tables(sizing, solved, trace, review)
     if folder is not None or not json:
-        written = _write(folder or named_after(design, "results"), sizing, (solved, trace, system), case, campbell)
+        drawn = Drawn(solved, trace, system, case, campbell, review)
+        written = _write(folder or named_after(design, "results"), sizing, drawn)
         if not json:
             show(f"\nwrote {', '.join(map(str, written))}")
             if not full:
@@ -69,25 +69,33 @@ def run(
     end_interrupted(trace, None)
 
 
-def _show_tables(sizing: Sizing, modes: Modes, trace: Trace, campbell: Sequence[SpeedCase]) -> None:
+def _show_tables(sizing: Sizing, modes: Modes, trace: Trace, review: Review | None) -> None:
     from gearwright.render.words.text import modes_text, sizing_text, trace_text
 
-    show("", sizing_text(sizing, trace=trace, campbell=campbell), modes_text(modes), trace_text(trace, sizing))
+    show("", sizing_text(sizing, review), modes_text(modes), trace_text(trace, sizing))
 
 
-def _write(
-    folder: Path, sizing: Sizing, moved: tuple[Modes, Trace, System], case: str, campbell: Sequence[SpeedCase]
-) -> list[Path]:
+class Drawn(NamedTuple):
+    """What the report shows beside the sizing."""
+
+    modes: Modes
+    trace: Trace
+    system: System
+    case: str
+    campbell: Sequence[SpeedCase]
+    review: Review | None
+
+
+def _write(folder: Path, sizing: Sizing, drawn: Drawn) -> list[Path]:
     """Write sizing, run and report; of a run that was interrupted no report."""
     from gearwright.render.answers.design import size_answer
     from gearwright.render.pages.report import report as make_report
 
-    modes, trace, system = moved
     make_folder(folder)
     numbers = folder / "sizing.json"
     write_text(numbers, answer_text("size", size_answer(sizing), design=sizing.design.name) + "\n")
-    kept = save_run(folder / "run.nc", trace, sizing, case)
-    end_interrupted(trace, kept)
-    page = make_report(sizing, modes=modes, trace=trace, case=case, system=system, campbell=campbell)
+    kept = save_run(folder / "run.nc", drawn.trace, sizing, drawn.case)
+    end_interrupted(drawn.trace, kept)
+    page = make_report(sizing, **drawn._asdict())
     write_text(folder / "report.html", page)
     return [folder / "report.html", kept, numbers]

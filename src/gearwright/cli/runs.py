@@ -137,6 +137,8 @@ def resume(
     with _stopped_cleanly(journal), _watched() as watch:
         table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, start=start_of(cluster, tls))
     show_table("resume", table, known.study, csv=csv, json=json, jsonl=jsonl)
+    if not (json or jsonl):
+        show_reviews(known.study, table, known.designs)
     write_files(known.study, table, known.designs, export=export, report=report)
 
 
@@ -180,6 +182,23 @@ def _show_answer(study: Study, table: Table) -> None:
     if len(study.objectives) > 1 and verdict(study, table) is None:
         show(study_grid(front_table(study, table)))
     show(*answer(study, table))
+
+
+def show_reviews(study: Study, table: Table, designs: Mapping[str, Design]) -> None:
+    """Print the verdict of the designs with which a study ends.
+
+    Args:
+        study: As run.
+        table: Its rows.
+        designs: Name -> design.
+    """
+    from gearwright.render.words.headline import headline
+    from gearwright.render.words.study import chosen
+    from gearwright.study.answers import verdict
+    from gearwright.study.cases import reviewed
+
+    for caption, row in chosen(study, table, verdict(study, table)):
+        show(f"{caption}: {headline(reviewed(study, designs[row.design], row.inputs)[1])}.")
 
 
 def refuse_files(csv: Path | None, export: Path | None, *others: Path | None) -> None:

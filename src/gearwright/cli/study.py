@@ -22,6 +22,7 @@ from gearwright.cli.runs import (
     WorkersOption,
     refuse_files,
     run_shown,
+    show_reviews,
     show_table,
     start_of,
     write_files,
@@ -72,6 +73,8 @@ def study(
         read, designs, journal=journal, workers=workers, start=start_of(cluster, tls), origin=str(path.parent)
     )
     show_table("study", table, read, csv=csv, json=json, jsonl=jsonl)
+    if not (json or jsonl):
+        show_reviews(read, table, designs)
     if figure is not None:
         _draw(read, table, figure)
     write_files(read, table, designs, export=export, report=report)
@@ -118,11 +121,13 @@ def compare(
 
 def _write_comparison(path: Path, table: Table, designs: dict[str, Design], changes: dict[str, Value]) -> None:
     from gearwright.render.pages.comparison import comparison
+    from gearwright.reviews import review_of
     from gearwright.sizing import size
     from gearwright.spec import edited
 
     sizings = {row.design: size(edited(designs[row.design], changes)) for row in table.rows if not row.problem}
-    write_text(path, comparison(table, sizings))
+    reviews = {name: review_of(sizing) for name, sizing in sizings.items()}
+    write_text(path, comparison(table, sizings, reviews))
     tell(f"wrote {path}")
 
 

@@ -24,6 +24,7 @@ from gearwright.render.answers.flight import Moment, fly_answer
 from gearwright.render.answers.plain import plain
 from gearwright.render.words.flight import flight_text, verdict_text
 from gearwright.render.words.flight_data import flight_csv
+from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import parse_mission, read, read_mission
@@ -259,7 +260,7 @@ def test_the_worst_gear_comes_first():
 
 def test_a_flight_is_told_in_words_numbers_and_histories():
     parts = durability(THESIS)
-    told = flight_text(THESIS, parts)
+    told = flight_text(THESIS, parts, review_of(THESIS.sizing, THESIS, parts))
     assert f"First to fail: {parts.parts[0].name}" in told
     assert all(row.name in told for row in phase_summaries(THESIS))
     table = flight_csv(THESIS).splitlines()

@@ -8,12 +8,15 @@ from gearwright.mission import Balance, durability, fly, size_for_life
 from gearwright.render.figures.flight import apart
 from gearwright.render.figures.sankey import energies
 from gearwright.render.pages.flight import flight_page
+from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import parse_mission, read, read_mission
 
 FLIGHT = fly(size(read(shipped_design("in-line-h2"))), read_mission(shipped_mission("thesis")))
-PAGE = flight_page(FLIGHT, durability(FLIGHT))
+LIVES = durability(FLIGHT)
+REVIEW = review_of(FLIGHT.sizing, FLIGHT, LIVES)
+PAGE = flight_page(FLIGHT, LIVES, REVIEW)
 
 
 def test_the_page_asks_nothing_of_any_other_place():
@@ -27,7 +30,7 @@ def test_the_page_answers_what_a_reader_asks_first():
 
 
 def test_the_page_is_the_same_each_time():
-    assert flight_page(FLIGHT, durability(FLIGHT)) == PAGE
+    assert flight_page(FLIGHT, LIVES, REVIEW) == PAGE
 
 
 def test_every_id_is_there_once():
@@ -40,14 +43,16 @@ def test_every_id_is_there_once():
 )
 def test_flights_without_motor_or_without_propeller_map_have_a_page(design, mission):
     flight = fly(size(read(shipped_design(design))), read_mission(shipped_mission(mission)))
-    page = flight_page(flight, durability(flight))
+    page = flight_page(flight, durability(flight), review_of(flight.sizing, flight))
     assert "heat of the turbines" in page
     assert "state of charge" not in page
 
 
 def test_a_life_shows_what_it_costs():
     life = size_for_life(read(shipped_design("in-line-h2")), read_mission(shipped_mission("thesis")), 2000.0)
-    assert "What a life costs" in flight_page(life.flight, durability(life.flight), life)
+    assert "What a life costs" in flight_page(
+        life.flight, durability(life.flight), review_of(life.sizing, life.flight), life=life
+    )
 
 
 def test_what_flows_into_the_sankey_flows_out():
@@ -75,7 +80,7 @@ def test_a_flight_that_only_charges_has_a_page(tmp_path):
         f"[phases.down]\n{words}\npropeller_speed_rpm = 1212"
     )
     flight = fly(FLIGHT.sizing, mission, folder=tmp_path)
-    page = flight_page(flight, durability(flight))
+    page = flight_page(flight, durability(flight), review_of(flight.sizing, flight))
     assert "from the air" in page
     assert "charge of the battery" in page
 

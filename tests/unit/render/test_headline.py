@@ -1,48 +1,128 @@
-"""The headline tells the worst of all that a page shows."""
+"""The same gearbox has the same worst entry on every page that looks at the same; who looks at less says so."""
 
-from dataclasses import replace
+import html
+import io
+import re
 
 import pytest
+from rich.console import Console
 
-from gearwright.dynamics import Outputs, simulate
-from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.vibration import critical_speeds
+from gearwright.checks import Check, Status
+from gearwright.identity import Kind, PartId
+from gearwright.mission import durability, fly
+from gearwright.render.figures.sizing import margin_figure
+from gearwright.render.pages.comparison import comparison
+from gearwright.render.pages.flight import flight_page
 from gearwright.render.pages.report import report
-from gearwright.render.tables.dynamic_load import dynamic_loads
-from gearwright.render.words.headline import energy_text, resonances, worst_margin
-from gearwright.render.words.text import summary
+from gearwright.render.pages.report_parts import warnings
+from gearwright.render.pages.study import study_page
+from gearwright.render.words.flight import flight_text
+from gearwright.render.words.headline import energy_text, headline, sizing_headline
+from gearwright.render.words.review import review_text
+from gearwright.reviews import Review, review_of
+from gearwright.shipped import shipped_design, shipped_mission
+from gearwright.sizing import size
+from gearwright.spec import parse, parse_study, read, read_mission
+from gearwright.study import run
+
+DESIGN = read(shipped_design("in-line-h2"))
+SIZING = size(DESIGN)
+FLIGHT = fly(SIZING, read_mission(shipped_mission("thesis")))
+LIVES = durability(FLIGHT)
+GROUND, FLOWN = review_of(SIZING), review_of(SIZING, FLIGHT, LIVES)
+STUDY = parse_study(
+    'schema = 1\nname = "one"\ndesigns = ["in-line-h2"]\nresults = ["review.worst", "review.margin", "review.verdict",'
+    ' "mass", "worst_margin"]\n[objectives]\nmass = "least"\n'
+)
+TABLE = run(STUDY, {"in-line-h2": DESIGN})
 
 
-@pytest.fixture(scope="module")
-def trace(in_line_h2):
-    return simulate(assemble(in_line_h2, stiffness="varying"), 0.002, outputs=Outputs(start=0.0005))
+def plain(shown):
+    """Return what a terminal of great width shows."""
+    console = Console(file=io.StringIO(), width=400)
+    console.print(shown)
+    return console.file.getvalue()
 
 
-def test_peaks_below_the_rated_margin_are_the_headline(in_line_h2, trace) -> None:
-    peak = min(min(load.bending_margin, load.contact_margin) for load in dynamic_loads(in_line_h2, trace))
-    assert peak < in_line_h2.worst_margin
-    assert f"worst margin {peak:.3f} (" in summary(in_line_h2, trace)
-    assert "1.000 at the rated loads" in worst_margin(in_line_h2, trace)
-    assert f"<dd>{peak:.3f} (" in report(in_line_h2, trace=trace)
+def said(page):
+    """Return a page without its marks."""
+    return html.unescape(re.sub(r"<[^>]+>", "", page))
 
 
-def test_without_a_run_the_headline_is_the_rated_margin(in_line_h2) -> None:
-    assert worst_margin(in_line_h2) == "1.000"
+def shows(page, reviewed):
+    """Whether a page has the headline of a review, folded as it may be."""
+    return " ".join(headline(reviewed).split()) in " ".join(said(page).split())
 
 
-def test_a_resonance_is_in_the_numbers_and_the_warnings_of_the_page(in_line_h2) -> None:
-    """One excited critical speed 1.11 % above the operating speed, and one that is not excited."""
-    case = critical_speeds(in_line_h2, cases=["cruise"])[0]
-    first = replace(case.critical[0], margin=0.0111, dynamic_force=0.5)
-    silent = replace(first, margin=0.001, dynamic_force=0.0)
-    near = replace(case, critical=(first, silent))
-    (words,) = resonances([near])
-    assert "1.11% above the operating speed (case cruise)" in words
-    assert "more" not in words
-    assert resonances([replace(case, critical=(silent,))]) == ()
-    assert report(in_line_h2, campbell=[near]).count("1.11% above the operating speed") >= 2
+PAGES = {
+    "review": lambda: plain(review_text(GROUND)),
+    "report": lambda: report(SIZING, review=GROUND),
+    "comparison": lambda: comparison(TABLE, {"in-line-h2": SIZING}, {"in-line-h2": GROUND}),
+    "study page": lambda: study_page(STUDY, TABLE, {"in-line-h2": DESIGN}),
+}
+FLOWN_PAGES = {
+    "review": lambda: plain(review_text(FLOWN)),
+    "fly": lambda: flight_text(FLIGHT, LIVES, FLOWN),
+    "flight page": lambda: flight_page(FLIGHT, LIVES, FLOWN),
+}
 
 
-def test_an_energy_book_that_closes_says_so() -> None:
+@pytest.mark.parametrize("page", PAGES)
+def test_pages_without_a_mission_show_the_worst_entry_of_the_review(page):
+    assert shows(PAGES[page](), GROUND)
+    assert "worst margin 1.000" not in said(PAGES[page]())
+
+
+@pytest.mark.parametrize("page", FLOWN_PAGES)
+def test_pages_of_a_flight_show_the_worst_entry_of_the_flown_review(page):
+    assert shows(FLOWN_PAGES[page](), FLOWN)
+    assert not shows(FLOWN_PAGES[page](), GROUND)
+
+
+def test_a_study_gives_the_worst_entry_by_name():
+    (row,) = TABLE.rows
+    assert row.results["review.worst"].value == GROUND.worst.name
+    assert row.results["review.margin"].value == GROUND.worst.margin
+    assert row.results["review.verdict"].value == str(GROUND.verdict)
+
+
+def test_a_sizing_says_what_it_did_not_look_at():
+    told = sizing_headline(SIZING)
+    assert told.startswith("15 sizing checks pass, the worst: ")
+    assert told.endswith("peaks, resonances and lives: gearwright review")
+    assert " ".join(told.split()) in " ".join(said(report(SIZING)).split())
+
+
+def test_a_headline_counts_what_fails_what_is_waived_and_what_is_open():
+    part = PartId(Kind.SHAFT, "mast")
+    checks = (Check(part, "slope", "table", 0.9, 1.0), Check(part, "fatigue", "law", 0.5, 1.0, waiver="an old shaft"))
+    reviewed = Review("one", "", checks, {})
+    assert headline(reviewed) == (
+        "fails: the worst is mast: slope 0.9000, limit 1.000 (table): margin 0.900; 1 fail, 1 waived"
+    )
+    assert headline(Review("one", "", (), {})).startswith("nothing is assessed")
+
+
+def test_a_waived_failure_is_shown_as_such_with_its_reason():
+    text = shipped_design("in-line-h2").read_text(encoding="utf-8")
+    text += '[waivers]\n"gearbox resonance of second mesh x 2" = "measured: silent"\n"input Tresca" = "thick"\n'
+    sizing = size(parse(text))
+    reviewed = review_of(sizing)
+    (found,) = reviewed.waived
+    assert found.status is Status.FAILS
+    for page in (plain(review_text(reviewed)), said(report(sizing, review=reviewed))):
+        assert "measured: silent" in page
+        assert "The waiver of input Tresca is not needed: it passes" in page
+    assert any("waived: measured: silent" in words for words in warnings(sizing, None, reviewed))
+
+
+def test_a_waived_failure_is_no_longer_too_small_in_the_figure():
+    thin = shipped_design("in-line-h2").read_text(encoding="utf-8") + '[overrides]\n"input.diameter_mm" = 20\n'
+    for text, words in ((thin, "too small"), (thin + '[waivers]\n"input Tresca" = "as drawn"\n', "waived")):
+        labels = [label.get_text() for label in margin_figure(size(parse(text))).axes[0].texts]
+        assert sum(label.endswith(words) for label in labels) == 1
+
+
+def test_an_energy_book_that_closes_says_so():
     assert energy_text(0.0) == "to rounding"
     assert energy_text(3.2e-7) == "within 3.2e-07"

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from gearwright.checks import ROUNDING, Status
+from gearwright.checks import ROUNDING
 from gearwright.identity import Kind
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
@@ -80,10 +80,10 @@ def margin_figure(sizing: Sizing) -> Figure:
     colours = [_CHECK_COLOURS.get(check.mode) or _PART_COLOURS.get(check.part.kind, theme.BLUE) for check in checks]
     axes.barh(range(len(checks)), shown, color=colours, height=0.72)
     for place, (check, margin, length) in enumerate(zip(checks, margins, shown, strict=True)):
-        fails = check.status is Status.FAILS
-        colour = theme.ORANGE if fails else theme.INK
+        colour = theme.ORANGE if check.fails else theme.INK
+        told = "  too small" if check.fails else "  waived" if check.waiver else ""
         number = f"{margin:.3f}" if math.isfinite(margin) else "no load"
-        axes.annotate(f"{number}  too small" if fails else number, (length, place), (3, 0), fontsize=7.5,
+        axes.annotate(f"{number}{told}", (length, place), (3, 0), fontsize=7.5,
                       textcoords="offset points", va="center", color=colour)  # fmt: skip
     axes.set_yticks(range(len(checks)), [f"{check.part}, {check.what}" for check in checks])
     axes.axvline(1.0, color=theme.ORANGE, lw=1.2)

@@ -19,7 +19,7 @@ FEW_CURVES = 3
 """Curves up to which every optimum is written beside its ring."""
 _STACK = ("gear_mass", "shaft_mass", "carrier_mass", "motor_mass")
 _STACK_COLOURS = dict(zip(_STACK, (theme.BLUE, theme.GREEN, theme.AMBER, theme.ORANGE), strict=True))
-_HEAVIER_IS_BETTER = ("power_density", "total_power_density", "worst_margin")
+_HEAVIER_IS_BETTER = ("power_density", "total_power_density", "worst_margin", "review.margin")
 
 
 def study_figure(table: Table, objectives: Mapping[str, str] | None = None) -> Figure:
@@ -120,7 +120,7 @@ def comparison_figure(table: Table) -> Figure:
     Args:
         table: With the results ``gear_mass``, ``shaft_mass``, ``carrier_mass`` and ``motor_mass``, or some of them.
     """
-    parts = [part for part in _STACK if part in table.results] or list(table.results[:1])
+    parts = [part for part in _STACK if part in table.results] or list(table.numbers[:1])
     rows = sorted(table.good, key=lambda row: sum(row.number(part) for part in parts))
     figure = theme.sheet(180.0, 26.0 + 7.0 * len(rows))
     axes = figure.add_subplot()

@@ -12,6 +12,8 @@ from gearwright.render.schematic.schematic import power_flow_figure
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
 from gearwright.render.tables.tables import MARKS, table
+from gearwright.render.words.headline import headline
+from gearwright.reviews import Review
 from gearwright.sizing import Sizing, StageSummary, stage_summaries
 from gearwright.sizing.arrangement import envelope
 from gearwright.study import Table
@@ -45,20 +47,25 @@ class DesignView:
     """[m]"""
     length: Annotated[float, Quantity("length"), Origin("longest axis", "layout")]
     """[m]"""
-    margin: Annotated[float, Quantity("ratio"), Origin("smallest of all checks", "sizing")]
+    verdict: str
+    """Of its review."""
+    worst: str
+    """Worst check."""
+    margin: Annotated[float | None, Quantity("ratio"), Origin("of the worst check", "review")]
     """[-]"""
 
 
-def comparison(variants: Table, sizings: Mapping[str, Sizing]) -> str:
+def comparison(variants: Table, sizings: Mapping[str, Sizing], reviews: Mapping[str, Review]) -> str:
     """Return several sizings side by side as one self-contained HTML page; the same input gives the same bytes.
 
     Args:
         variants: Table of the study that compares them.
         sizings: Design -> what was sized, of the rows that did not fail.
+        reviews: Design -> every check of it.
     """
     ranked = dict(sorted(sizings.items(), key=lambda variant: variant[1].mass + variant[1].motor_mass))
     masses = Figure(theme.to_svg(comparison_figure(variants), "masses"), "Masses, lightest first.")
-    designs = [_whole(name, sizing) for name, sizing in ranked.items()]
+    designs = [_whole(name, sizing, reviews[name]) for name, sizing in ranked.items()]
     wholes = table("Designs, lightest first", designs, tuple(field.name for field in fields(DesignView)))
     rows = [stage for name, sizing in ranked.items() for stage in stage_summaries(sizing, name)]
     stages = table("Stages", rows, tuple(field.name for field in fields(StageSummary)))
@@ -66,20 +73,21 @@ def comparison(variants: Table, sizings: Mapping[str, Sizing]) -> str:
     sections = [
         Section("Masses", tables=(wholes,), figures=(masses,), notes=failed),
         Section("Why they rank so", tables=(stages,), notes=(_WHY,)),
-        *(_flow(name, sizing) for name, sizing in ranked.items()),
+        *(_flow(name, sizing, reviews[name]) for name, sizing in ranked.items()),
     ]
     return environment().get_template("comparison.html.j2").render(
         title=variants.name, description=variants.description, sections=sections, marks=MARKS, version=__version__
     )  # fmt: skip
 
 
-def _flow(name: str, sizing: Sizing) -> Section:
+def _flow(name: str, sizing: Sizing, review: Review) -> Section:
     caption = "Power flow at rated power: bands as wide as the power, in the colour of its source."
-    return Section(sizing.design.name, figures=(Figure(theme.to_svg(power_flow_figure(sizing, RATED), name), caption),))
+    figure = Figure(theme.to_svg(power_flow_figure(sizing, RATED), name), caption)
+    return Section(sizing.design.name, figures=(figure,), notes=(f"{headline(review)}.",))
 
 
-def _whole(name: str, sizing: Sizing) -> DesignView:
-    box = envelope(sizing)
+def _whole(name: str, sizing: Sizing, review: Review) -> DesignView:
+    box, first = envelope(sizing), review.worst
     return DesignView(
         name,
         sizing.power_density,
@@ -88,5 +96,7 @@ def _whole(name: str, sizing: Sizing) -> DesignView:
         box.width,
         box.height,
         box.length,
-        sizing.worst_margin,
+        str(review.verdict),
+        "" if first is None else first.name,
+        None if first is None else first.margin,
     )

@@ -15,12 +15,14 @@ from gearwright.render.figures.window import window_figure
 from gearwright.render.pages.report_parts import Figure, Section, formulas
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
+from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.flight import asked_table, bearing_table, life_table, loss_table, mode_table, phase_table
 from gearwright.render.tables.tables import MARKS
 from gearwright.render.words.flight import count_text, life_text, verdict_text
-from gearwright.render.words.headline import energy_text
+from gearwright.render.words.headline import energy_text, headline
 from gearwright.render.words.inputs import entries
 from gearwright.render.words.window import window_verdict
+from gearwright.reviews import Review
 from gearwright.units import CELSIUS, KNOT, KWH
 from gearwright.version import __version__
 
@@ -41,17 +43,23 @@ BASIS = (
 
 
 def flight_page(
-    flight: Flight, parts: Durability, life: LifeSizing | None = None, *, windows: Sequence[DynamicWindow] = ()
+    flight: Flight,
+    parts: Durability,
+    review: Review,
+    *,
+    life: LifeSizing | None = None,
+    windows: Sequence[DynamicWindow] = (),
 ) -> str:
     """Return the page; it makes no request to anywhere, and the same input gives the same bytes.
 
     Args:
         flight: As flown.
         parts: Lives of its gears and bearings.
+        review: Of the gearbox that flew.
         life: How the design was strengthened, if it was.
         windows: Of its mission, as flown dynamically.
     """
-    sections = [_verdict(flight, parts, life), *_way(flight), *_effects(flight, parts)]
+    sections = [_verdict(flight, parts, review, life), *_way(flight), *_effects(flight, parts)]
     if life is not None:
         drawn = _figure(
             mass_of_life_figure(life), "mass", "Round by round: the stage that fails first is strengthened."
@@ -61,7 +69,7 @@ def flight_page(
         sections.append(_windows(flight, windows))
     tables = [table for section in sections for table in section.tables]
     return environment().get_template("flight_page.html.j2").render(
-        design=flight.sizing.design, mission=flight.mission, numbers=_numbers(flight, parts), sections=sections,
+        design=flight.sizing.design, mission=flight.mission, numbers=_numbers(flight, parts, review), sections=sections,
         entries=[entry for entry in entries(flight.mission) if not entry.path.startswith("phases.")],
         basis=BASIS, formulas=formulas(tables), marks=MARKS, version=__version__,
     )  # fmt: skip
@@ -71,8 +79,9 @@ def _figure(drawn: Drawing, name: str, caption: str) -> Figure:
     return Figure(theme.to_svg(drawn, name), caption)
 
 
-def _numbers(flight: Flight, parts: Durability) -> Iterator[tuple[str, str]]:
+def _numbers(flight: Flight, parts: Durability, review: Review) -> Iterator[tuple[str, str]]:
     balance, first = flight.balance, next(iter(parts.parts), None)
+    yield "verdict", headline(review)
     yield "flown", f"{flight.duration / _HOUR:.2f} h"
     yield "fuel", f"{flight.fuel:.0f} kg"
     if flight.has_battery:
@@ -95,14 +104,15 @@ def _windows(flight: Flight, flown: Sequence[DynamicWindow]) -> Section:
     return Section("Dynamic windows", figures=figures, notes=(note,))
 
 
-def _verdict(flight: Flight, parts: Durability, life: LifeSizing | None) -> Section:
+def _verdict(flight: Flight, parts: Durability, review: Review, life: LifeSizing | None) -> Section:
     gear = next((row for row in parts.parts if not row.is_bearing and row.damage), None)
     notes = [f"{verdict_text(parts)}."]
     if gear is not None and gear is not parts.parts[0]:
         words = f"First gear to fail: {gear.name}, {gear.mode}, after {count_text(gear.flights)} flights"
         notes.append(f"{words} or {count_text(gear.life)} h.")
     notes += [*_took(flight), *([f"{life_text(life)}."] if life is not None else [])]
-    return Section("Verdict", notes=tuple(notes))
+    tables = tuple(table for table in review_tables(review.checks) if table.rows)
+    return Section("Verdict", tables=tables, notes=tuple(notes))
 
 
 def _took(flight: Flight) -> Iterator[str]:

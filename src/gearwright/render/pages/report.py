@@ -17,6 +17,7 @@ from gearwright.render.pages.report_parts import Figure, Section, assumptions, f
 from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
+from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.dynamic_load import dynamic_table
 from gearwright.render.tables.factors import factor_tables
 from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
@@ -24,6 +25,7 @@ from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing import flow_tables, tables_of
 from gearwright.render.tables.tables import MARKS, Table
 from gearwright.render.words.inputs import entries
+from gearwright.reviews import Review
 from gearwright.sizing import Sizing
 from gearwright.verbs import verb
 from gearwright.version import __version__
@@ -38,6 +40,7 @@ def report(
     case: str | None = None,
     system: System | None = None,
     campbell: Sequence[SpeedCase] = (),
+    review: Review | None = None,
 ) -> str:
     """Return the report of a sizing as one self-contained HTML page; the same input gives the same bytes.
 
@@ -48,11 +51,12 @@ def report(
         case: Load case of the summary, of modes and run; left out: the design's first one, or ``rated``.
         system: Assembled for that case; with it mode shapes are drawn on the train and the model's assumptions listed.
         campbell: Critical speeds, if they are to be in it.
+        review: Every check, from `gw.review`; left out: the page shows those of sizing alone, and says so.
     """
     case = case or default_case(sizing)
     tables = tables_of(sizing)
     sections = [
-        Section("Summary", tables=(tables["margins"],), figures=(_flow(sizing, case),)),
+        Section("Summary", tables=_judged(tables["margins"], review), figures=(_flow(sizing, case),)),
         _power(sizing, tables["speeds"], case),
         *_parts(sizing, tables),
         *([_modes(modes, drawn=system is not None)] if modes else []),
@@ -62,16 +66,21 @@ def report(
         sections += dynamics_sections(sizing, system, case=case, modes=modes, trace=trace, campbell=campbell)
     return environment().get_template("report.html.j2").render(
         design=sizing.design,
-        numbers=key_numbers(sizing, trace, campbell),
+        numbers=key_numbers(sizing, review),
         sections=sections,
         entries=entries(sizing.design),
         overrides=tables["overrides"],
-        warnings=warnings(sizing, trace, campbell),
+        warnings=warnings(sizing, trace, review),
         assumptions=assumptions(sizing),
         formulas=formulas(table for section in sections for table in section.tables),
         marks=MARKS,
         version=__version__,
     )  # fmt: skip
+
+
+def _judged(margins: Table, review: Review | None) -> tuple[Table, ...]:
+    """Return the margins of sizing, or in their place all that a review judges, and what it leaves open."""
+    return (margins,) if review is None else _filled(*review_tables(review.checks))
 
 
 def _figure(drawing: Drawing, name: str, caption: str) -> Figure:
@@ -92,7 +101,7 @@ def _power(sizing: Sizing, speeds: Table, shown: str) -> Section:
 
 
 def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
-    margins = _figure(margin_figure(sizing), "margins", "Margins of all kinds of checks, worst first.")
+    margins = _figure(margin_figure(sizing), "margins", "Margins of all that sizing checks, worst first.")
     mass = _figure(mass_figure(sizing), "mass", "Mass of every part, heaviest first.")
     yield _chapter("Gears", tables, "gears")
     yield _chapter("Meshes: forces, stresses and margins", tables, "meshes", "rating", figures=(margins,))

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from gearwright.dynamics import Trace
-from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
+from gearwright.dynamics.vibration import dynamic_loads
 from gearwright.render.tables.checks import check_sentence
 from gearwright.render.tables.tables import Table
-from gearwright.render.words.headline import resonances, worst_margin
+from gearwright.render.words.headline import headline, sizing_headline, unneeded_text
+from gearwright.reviews import Review
 from gearwright.sizing import Sizing, asked_speeds
 from gearwright.sizing.rating import method_for, rating_of
 from gearwright.spec import Design
@@ -49,15 +50,12 @@ class Formula:
     source: str
 
 
-def key_numbers(
-    sizing: Sizing, trace: Trace | None = None, campbell: Sequence[SpeedCase] = ()
-) -> tuple[tuple[str, str], ...]:
-    """Return what a reader asks first: name and value, the worst of all that the page shows.
+def key_numbers(sizing: Sizing, review: Review | None = None) -> tuple[tuple[str, str], ...]:
+    """Return what a reader asks first: name and value.
 
     Args:
         sizing: As sized.
-        trace: As simulated, if it was.
-        campbell: Critical speeds, if they are shown.
+        review: Of it; left out: the page says that it knows the checks of sizing alone.
     """
     rated = sizing.flows["rated"]
     taken = [name for name, power in rated.machine_powers.items() if power < 0.0]
@@ -68,22 +66,24 @@ def key_numbers(
         ("output torque", text(torque, "torque")),
         ("mass of the train", text(sizing.mass, "mass")),
         ("power density", text(sizing.power_density, "specific_power")),
-        ("worst margin", worst_margin(sizing, trace)),
-        *(("in resonance", words) for words in resonances(campbell)),
+        ("verdict", sizing_headline(sizing) if review is None else headline(review)),
     ]
     return tuple(numbers + ([("motors", text(sizing.motor_mass, "mass"))] if sizing.motor_mass else []))
 
 
-def warnings(sizing: Sizing, trace: Trace | None, campbell: Sequence[SpeedCase] = ()) -> tuple[str, ...]:
+def warnings(sizing: Sizing, trace: Trace | None, review: Review | None = None) -> tuple[str, ...]:
     """Return what is not as asked.
 
     Args:
         sizing: As sized.
         trace: As simulated, if it was.
-        campbell: Critical speeds, if they are shown.
+        review: Of it, if it is shown.
     """
-    sentences = [f"{check_sentence(check)}; it should be 1 or more." for check in sizing.checks if check.fails]
-    sentences += [f"In resonance: {words}." for words in resonances(campbell)]
+    checks = sizing.checks if review is None else review.checks
+    sentences = [f"{check_sentence(check)}; it should be 1 or more." for check in checks if check.fails]
+    sentences += [f"{check_sentence(check)}; waived: {check.waiver}." for check in checks if check.waiver]
+    if review is not None:
+        sentences += [f"{unneeded_text(name)}." for name in review.unneeded]
     sentences += _yielded(sizing)
     sentences += [
         f"{text(loop.power, 'power')} circulate in case {case}: {', '.join(loop.path)}."

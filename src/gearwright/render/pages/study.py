@@ -24,23 +24,21 @@ from gearwright.render.tables.study import heading
 from gearwright.render.tables.study_lists import (
     front_list,
     inputs_table,
-    letter,
     spread_table,
     standings_table,
     values_table,
 )
 from gearwright.render.tables.tables import MARKS
-from gearwright.render.words.study import SAMPLED, answer, at, key_numbers
+from gearwright.render.words.headline import headline
+from gearwright.render.words.study import SAMPLED, answer, chosen, key_numbers
 from gearwright.spec import Design, Study
-from gearwright.study import Row, Table
+from gearwright.study import Table
 from gearwright.study.answers import Verdict, front_table, pareto_front, sensitivity, varies, verdict
-from gearwright.study.cases import sized
+from gearwright.study.cases import reviewed
 from gearwright.version import __version__
 
 FEW = 60
 """Cases up to which every one is drawn; the spread says more about more of them."""
-DRAWN = 3
-"""Designs of a front that are drawn: its ends and the one between them."""
 
 
 def study_page(study: Study, table: Table, designs: Mapping[str, Design]) -> str:
@@ -134,27 +132,13 @@ def _shapes(study: Study, table: Table) -> list[Figure]:
 
 def _drawn(study: Study, table: Table, designs: Mapping[str, Design], outcome: Verdict | None) -> Iterator[Section]:
     """Yield the chosen designs as schematics: the winner and the next, or the ends and the middle of a front."""
-    chosen = dict(_chosen(study, table, outcome))
-    figures = [
-        Figure(theme.to_svg(schematic_figure(sized(study, designs[row.design], row.inputs)), f"drawn{k}"), caption)
-        for k, (caption, row) in enumerate(chosen.items())
-    ]
+    figures, notes = [], []
+    for k, (caption, row) in enumerate(chosen(study, table, outcome)):
+        sizing, review = reviewed(study, designs[row.design], row.inputs)
+        figures.append(Figure(theme.to_svg(schematic_figure(sizing), f"drawn{k}"), caption))
+        notes.append(f"{caption}: {headline(review)}.")
     if figures:
-        yield Section("The chosen designs", figures=tuple(figures))
-
-
-def _chosen(study: Study, table: Table, outcome: Verdict | None) -> Iterator[tuple[str, Row]]:
-    """Yield caption and case of what is drawn."""
-    if outcome is not None:
-        for place, standing in enumerate(outcome.standings[:2]):
-            row = next((row for row in table.good if row.design == standing.design), None)
-            if row is not None:
-                yield f"{'The winner' if place == 0 else 'The next'}, {row.design}, in the first case of the study", row
-    elif study.objectives:
-        rows = front_table(study, table).rows
-        for k in sorted({0, len(rows) // 2, len(rows) - 1})[:DRAWN]:
-            name = f"{letter(k)}: " if len(rows) > 1 else ""
-            yield f"{name}{rows[k].design}{at(table, rows[k])}", rows[k]
+        yield Section("The chosen designs", figures=tuple(figures), notes=tuple(notes))
 
 
 def _made(study: Study) -> Section:

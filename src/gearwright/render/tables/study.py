@@ -15,6 +15,8 @@ from gearwright.study.answers import quantiles
 _WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
           "motor_mass": "motors", "total_mass": "gearbox + motors", "total_power_density": "power density with motors",
           "envelope.volume": "envelope",
+          "worst_margin": "worst margin of sizing", "review.margin": "worst margin", "review.worst": "worst check",
+          "review.verdict": "verdict", "review.failing": "failing checks",
           "modes.lowest_critical_speed": "lowest critical speed", "modes.critical_margin": "margin of critical speeds",
           "fly.fuel": "fuel", "fly.efficiency": "efficiency in flight", "fly.life": "life", "fly.flights": "flights",
           "fly.governing": "fails first", "fly.battery_energy": "battery energy",

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from gearwright.mission import Durability, Flight, LifeSizing, PartLife, PhaseSummary, phase_summaries
-from gearwright.render.words.headline import energy_text
+from gearwright.render.words.headline import energy_text, headline
+from gearwright.reviews import Review
 from gearwright.units import CELSIUS, KWH
 
 _LITRE_PER_MINUTE = 1e-3 / 60.0
@@ -15,15 +16,17 @@ _MOST_LIFE = 1e6
 """Flights and hours above this many are shown as such."""
 
 
-def flight_text(flight: Flight, parts: Durability, life: LifeSizing | None = None) -> str:
+def flight_text(flight: Flight, parts: Durability, review: Review, *, life: LifeSizing | None = None) -> str:
     """Return what a flight took and did, of one gearbox, as lines of text.
 
     Args:
         flight: As flown.
         parts: Lives of its gears and bearings.
+        review: Of the gearbox that flew.
         life: How the design was strengthened, if it was.
     """
-    lines = [f"{flight.mission.name}, flown by {flight.sizing.design.name}", "", _heading()]
+    head = f"{flight.mission.name}, flown by {flight.sizing.design.name}"
+    lines = [head, f"{headline(review)}.", "", _heading()]
     lines += [_phase(row) for row in phase_summaries(flight)]
     lines += ["", *_totals(flight), "", *_damage(parts.parts), *_bearings(parts)]
     lines += [f"Note: {note}" for note in parts.notes]

@@ -6,7 +6,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.render.tables.checks import review_tables
-from gearwright.render.words.headline import headline
+from gearwright.render.words.headline import headline, unneeded_text
 from gearwright.render.words.text import table_text
 from gearwright.reviews import Review
 
@@ -18,7 +18,7 @@ def review_text(review: Review) -> RenderableType:
         review: Of a design.
     """
     flown = f", flying {review.mission}" if review.mission else ""
-    notes = [f"The waiver of {name} is not needed: it passes." for name in review.unneeded]
+    notes = [f"{unneeded_text(name)}." for name in review.unneeded]
     parts: list[RenderableType] = [Text(f"{review.design}{flown}", style="bold"), Text(f"{headline(review)}."), Text()]
     parts += [table_text(table) for table in review_tables(review.checks) if table.rows]
     return Group(*parts, *map(Text, notes))

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
 from gearwright.render.tables.tables import written
-from gearwright.render.words.headline import energy_text, headline, resonances
+from gearwright.render.words.headline import energy_text, headline, sizing_headline
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing
 from gearwright.sizing.arrangement.envelope import envelope
@@ -30,20 +30,20 @@ def run_text(
         review: Of the design; None where the run was interrupted.
         campbell: Critical speeds that were looked at.
     """
-    numbers = (*_sized(sizing), *_moved(sizing, modes, trace, campbell))
+    numbers = (*_sized(sizing), *_moved(modes, trace, campbell), *_peaks(sizing, trace))
     lines = [f"{name:{LABEL}} {value}" for name, value in numbers]
-    return "\n".join([sizing.design.name, "", *run_verdict(review, campbell), "", *lines])
+    return "\n".join([sizing.design.name, "", *run_verdict(sizing, review), "", *lines])
 
 
-def run_verdict(review: Review | None, campbell: Sequence[SpeedCase] = ()) -> tuple[str, ...]:
-    """Return in sentences whether everything holds: the worst check first, then resonances.
+def run_verdict(sizing: Sizing, review: Review | None) -> tuple[str, ...]:
+    """Return in a sentence whether everything holds, with the worst check.
 
     Args:
-        review: Of the design; None where the run was interrupted.
-        campbell: Critical speeds that were looked at.
+        sizing: As sized.
+        review: Of the design; None where the run was interrupted: sizing then speaks for itself.
     """
-    said = [f"{headline(review)[:1].upper()}{headline(review)[1:]}."] if review is not None else []
-    return (*said, *(f"In resonance: {words}." for words in resonances(campbell)))
+    said = sizing_headline(sizing) if review is None else headline(review)
+    return (f"{said[:1].upper()}{said[1:]}.",)
 
 
 def _sized(sizing: Sizing) -> Iterator[tuple[str, str]]:
@@ -59,10 +59,7 @@ def _sized(sizing: Sizing) -> Iterator[tuple[str, str]]:
     yield "envelope", f"{sides} mm, without housing"
 
 
-def _moved(
-    sizing: Sizing, modes: Modes, trace: Trace, campbell: Sequence[SpeedCase]
-) -> Iterator[tuple[str, str]]:  # fmt: skip
-    yield "minimum margin", f"{sizing.worst_margin:.3f} at the rated loads"
+def _moved(modes: Modes, trace: Trace, campbell: Sequence[SpeedCase]) -> Iterator[tuple[str, str]]:
     lowest = next((float(frequency) for frequency, _ in modes.groups() if frequency > 0.0), None)
     if lowest is not None:
         yield "lowest frequency", f"{text(lowest, 'frequency')}, of {len(modes.frequency) - modes.rigid} modes"
@@ -70,8 +67,11 @@ def _moved(
     if excited:
         near = min(excited, key=lambda critical: abs(critical.margin))
         yield "nearest resonance", f"{near.margin:+.1%} of the speed: {near.order} meets mode {near.mode}"
+    yield "energy book", f"closes {energy_text(trace.work.imbalance)} over {trace.duration:.4g} s"
+
+
+def _peaks(sizing: Sizing, trace: Trace) -> Iterator[tuple[str, str]]:
     loads = dynamic_loads(sizing, trace)
     if loads:
         peak = max(loads, key=lambda load: load.peak_over_mean)
         yield "peak over mean", f"{written(peak.peak_over_mean, 3)} in the teeth of {peak.mesh}"
-    yield "energy book", f"closes {energy_text(trace.work.imbalance)} over {trace.duration:.4g} s"

@@ -8,6 +8,7 @@ import numpy as np
 
 from gearwright.errors import SolveError
 from gearwright.render.tables.study import FLAT, heading, numeric_axis, percent, reasons
+from gearwright.render.tables.study_lists import letter
 from gearwright.render.tables.tables import written
 from gearwright.spec import Study
 from gearwright.study import Row, Table
@@ -15,6 +16,7 @@ from gearwright.study.answers import (
     Verdict,
     bound,
     confidence,
+    front_table,
     kept,
     quantiles,
     scenarios,
@@ -23,6 +25,8 @@ from gearwright.study.answers import (
     violations,
 )
 
+DRAWN = 3
+"""Designs of a front that are shown: its ends and the one between them."""
 SAMPLED = ("random", "sobol", "latin-hypercube")
 """Methods whose cases are samples of what is not known, not choices."""
 
@@ -231,3 +235,23 @@ def value(table: Table, row: Row, name: str) -> str:
         name: Of the result.
     """
     return f"{written(row.shown(name))} {table.unit(name)}".rstrip()
+
+
+def chosen(study: Study, table: Table, outcome: Verdict | None) -> Iterator[tuple[str, Row]]:
+    """Yield caption and case of the designs that a study ends with: winner and next, or ends and middle of a front.
+
+    Args:
+        study: As run.
+        table: Its rows.
+        outcome: Who wins, of a study with scenarios.
+    """
+    if outcome is not None:
+        for place, standing in enumerate(outcome.standings[:2]):
+            row = next((row for row in table.good if row.design == standing.design), None)
+            if row is not None:
+                yield f"{'The winner' if place == 0 else 'The next'}, {row.design}, in the first case of the study", row
+    elif study.objectives:
+        rows = front_table(study, table).rows
+        for k in sorted({0, len(rows) // 2, len(rows) - 1})[:DRAWN]:
+            name = f"{letter(k)}: " if len(rows) > 1 else ""
+            yield f"{name}{rows[k].design}{at(table, rows[k])}", rows[k]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rich.console import Group, RenderableType
@@ -14,13 +13,13 @@ from gearwright.render.tables.materials import estimated_only
 from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing import flow_tables, tables_of
 from gearwright.render.tables.tables import MARKS, Cell, Column, Table
-from gearwright.render.words.headline import resonances, worst_margin
+from gearwright.render.words.headline import headline, sizing_headline
 from gearwright.sizing import Sizing
 from gearwright.units import text
 
 if TYPE_CHECKING:
     from gearwright.dynamics import Modes, Trace
-    from gearwright.dynamics.vibration import SpeedCase
+    from gearwright.reviews import Review
 
 _ORDER = (
     "margins",
@@ -45,17 +44,17 @@ _ORDER = (
 )
 
 
-def sizing_text(sizing: Sizing, *, trace: Trace | None = None, campbell: Sequence[SpeedCase] = ()) -> RenderableType:
+def sizing_text(sizing: Sizing, review: Review | None = None) -> RenderableType:
     """Return the report of a sizing for the terminal.
 
     Args:
         sizing: As sized.
-        trace: A run that is shown with it.
-        campbell: Critical speeds that are looked at with it.
+        review: Of it; left out: the checks of sizing alone are told, and who looks at the rest.
     """
     tables = tables_of(sizing)
     tables["materials"] = estimated_only(tables["materials"])
-    head = [Text(words) for words in (summary(sizing, trace), *resonance_lines(campbell))]
+    verdict = sizing_headline(sizing) if review is None else headline(review)
+    head = [Text(words) for words in (summary(sizing), f"{verdict}.")]
     parts: list[RenderableType] = [Text(sizing.design.name, style="bold"), *head, Text()]
     parts += [table_text(table) for table in (*flow_tables(sizing), path_table(sizing)) if table.rows]
     parts += [table_text(tables[name]) for name in _ORDER if tables[name].rows]
@@ -71,21 +70,11 @@ def factors_text(sizing: Sizing) -> RenderableType:
     return Group(*map(table_text, factor_tables(sizing).values()))
 
 
-def resonance_lines(campbell: Sequence[SpeedCase]) -> list[str]:
-    """Return a line for each set of speeds that runs in a resonance.
-
-    Args:
-        campbell: Critical speeds.
-    """
-    return [f"In resonance: {words}." for words in resonances(campbell)]
-
-
-def summary(sizing: Sizing, trace: Trace | None = None) -> str:
-    """Return mass, power density and the worst margin of all that is shown in one or two sentences.
+def summary(sizing: Sizing) -> str:
+    """Return mass and power density in one or two sentences.
 
     Args:
         sizing: As sized.
-        trace: A run that is shown with it.
     """
     parts = ", ".join(
         f"{what} {text(mass, 'mass')}"
@@ -97,10 +86,7 @@ def summary(sizing: Sizing, trace: Trace | None = None) -> str:
     )
     bearings = f" Bearings {text(sizing.bearing_mass, 'mass')}." if sizing.bearings else ""
     motors = f" Motors {text(sizing.motor_mass, 'mass')}." if sizing.motor_mass else ""
-    return (
-        f"{text(sizing.mass, 'mass')} ({parts}), {text(sizing.power_density, 'specific_power')},"
-        f" worst margin {worst_margin(sizing, trace)}.{bearings}{motors}"
-    )
+    return f"{text(sizing.mass, 'mass')} ({parts}), {text(sizing.power_density, 'specific_power')}.{bearings}{motors}"
 
 
 def modes_text(modes: Modes, *, most: int = 30) -> RenderableType:

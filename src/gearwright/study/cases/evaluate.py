@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from gearwright.errors import DesignError, GearwrightError, Problem
 from gearwright.sizing import TEXT, Named, Sizing, named_results, pick, size, total_results
@@ -10,6 +11,10 @@ from gearwright.spec import MISSION_PATH, Design, Mission, Study, edited, edited
 from gearwright.spec.axis import Value
 from gearwright.study.answers import Row
 from gearwright.study.cases.sampling import Case
+
+if TYPE_CHECKING:
+    from gearwright.mission import Flight
+    from gearwright.reviews import Review
 
 
 def evaluate(study: Study, design: Design, case: Case) -> Row:
@@ -56,35 +61,79 @@ def sized(study: Study, design: Design, inputs: Mapping[str, Value]) -> Sizing:
         SolveError: If the life is out of reach.
     """
     if study.fly.life is not None:
-        return _flown(study, design, inputs)[0]
+        return _flight(study, design, inputs)[0]
     return size(edited(design, split({**study.changes, **inputs})[0]))
 
 
-def _flown(study: Study, design: Design, inputs: Mapping[str, Value]) -> tuple[Sizing, dict[str, Named]]:
-    """Return the sizing of a case, and the results of its flight."""
-    from gearwright.study.cases.flight import flight_results, flown  # what flies is loaded for those who ask for it
+def reviewed(study: Study, design: Design, inputs: Mapping[str, Value]) -> tuple[Sizing, Review]:
+    """Return the sizing of a case and every check of it, with those of its flight where the study flies.
+
+    Args:
+        study: With its changes.
+        design: Where the case starts.
+        inputs: Of the case.
+
+    Raises:
+        DesignError: If it cannot be had.
+        SolveError: If the life is out of reach.
+    """
+    from gearwright.reviews import review_of
+
+    if study.flies:
+        sizing, flight = _flight(study, design, inputs)
+        return sizing, review_of(sizing, flight, life=study.fly.life)
+    sizing = sized(study, design, inputs)
+    return sizing, review_of(sizing)
+
+
+def _flight(study: Study, design: Design, inputs: Mapping[str, Value]) -> tuple[Sizing, Flight]:
+    """Return the sizing of a case and its flight."""
+    from gearwright.study.cases.flight import flown  # what flies is loaded for those who ask for it
 
     design_changes, mission_changes = split({**study.changes, **inputs})
     if study.mission is None:
         raise DesignError([Problem("fly.mission", "this study has no mission; it names one under [fly]")])
-    sizing, flight = flown(edited(design, design_changes), edited_mission(study.mission, mission_changes), study.fly)
-    return sizing, flight_results(flight, study.asked)
+    return flown(edited(design, design_changes), edited_mission(study.mission, mission_changes), study.fly)
+
+
+def _flown(study: Study, design: Design, inputs: Mapping[str, Value]) -> tuple[Sizing, dict[str, Named]]:
+    """Return the sizing of a case, and the results of its flight."""
+    from gearwright.study.cases.flight import flight_results
+
+    sizing, flight = _flight(study, design, inputs)
+    results = flight_results(flight, study.asked)
+    if _asks(study, "review"):
+        from gearwright.study.cases.reviewed import review_results
+
+        results |= review_results(sizing, flight, life=study.fly.life)
+    return sizing, results
+
+
+def _asks(study: Study, verb: str) -> bool:
+    """Return whether a study asks for a result of a verb."""
+    return any(name.partition(".")[0] == verb for name in study.asked)
 
 
 def _results(study: Study, design: Design, inputs: Mapping[str, Value]) -> dict[str, Named]:
     """Return the results of every verb that a name asks for."""
     asked = study.asked
-    verbs = {name.partition(".")[0] for name in asked}
     sizing, flights = _flown(study, design, inputs) if study.flies else (sized(study, design, inputs), {})
     results = total_results(sizing)
     if not results.keys() >= set(asked):
         results = named_results(sizing)
-    if verbs & {"modes", "simulate"}:  # the compiled kernel takes a second to load: only for those who ask for it
-        from gearwright.study.cases.motion import modal_results, simulated_results
-    if "modes" in verbs:
+    # The compiled kernel takes a second to load: only for those who ask for it.
+    if _asks(study, "modes"):
+        from gearwright.study.cases.motion import modal_results
+
         results |= modal_results(sizing)
-    if "simulate" in verbs:
+    if _asks(study, "simulate"):
+        from gearwright.study.cases.motion import simulated_results
+
         results |= simulated_results(sizing, study.simulate)
+    if _asks(study, "review") and not study.flies:
+        from gearwright.study.cases.reviewed import review_results
+
+        results |= review_results(sizing)
     return results | flights
 
 
