@@ -1,7 +1,7 @@
 """gearwright designs aircraft transmissions and shows how they behave.
 
 >>> import gearwright as gw
->>> design = gw.read(gw.shipped_design("in-line-h2"))
+>>> design = gw.read("in-line-h2")
 >>> sizing = gw.size(design)
 >>> round(sizing.gear_mass, 1)
 34.0
@@ -15,57 +15,165 @@ from typing import TYPE_CHECKING
 from gearwright.version import __version__ as __version__
 
 if TYPE_CHECKING:
-    from gearwright.dynamics import Model, Outputs, modes, simulate
+    from gearwright.dynamics import (
+        Model,
+        Outputs,
+        campbell,
+        frequency_response,
+        modes,
+        periodic,
+        simulate,
+        simulate_many,
+        speed_map,
+        statics,
+        waterfall,
+    )
     from gearwright.dynamics.assembly import assemble
-    from gearwright.errors import DesignError, SolveError
+    from gearwright.dynamics.sharing import sharing
+    from gearwright.dynamics.vibration import answer as response
+    from gearwright.dynamics.vibration import critical_speeds
+    from gearwright.dynamics.vibration import run_up as runup
+    from gearwright.errors import DesignError, Problem, SolveError
+    from gearwright.mission import durability, fly, size_for_life
+    from gearwright.mission.windows import fly_window as window
+    from gearwright.render.drawings.catalogue import sheets as draw
     from gearwright.render.pages.report import report
+    from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
     from gearwright.reviews import review
-    from gearwright.shipped import shipped_design, shipped_designs
-    from gearwright.sizing import size
-    from gearwright.spec import parse, read, schema
+    from gearwright.shipped import (
+        shipped_design,
+        shipped_designs,
+        shipped_mission,
+        shipped_missions,
+        shipped_studies,
+        shipped_study,
+    )
+    from gearwright.sizing import named_results, size
+    from gearwright.spec import edited, edited_mission, parse, read, read_mission, read_study, schema
     from gearwright.store import StoredRun, load, save
+    from gearwright.study import compare, for_engine
+    from gearwright.study import run as study
+    from gearwright.validate import validate
+    from gearwright.weights import engines, mass
 
 _VERBS = {
     "DesignError": "errors",
     "Model": "dynamics",
     "Outputs": "dynamics",
+    "Problem": "errors",
     "SolveError": "errors",
     "StoredRun": "store",
     "assemble": "dynamics.assembly",
+    "campbell": "dynamics",
+    "compare": "study",
+    "critical_speeds": "dynamics.vibration",
+    "draw": "render.drawings.catalogue",
+    "durability": "mission",
+    "edited": "spec",
+    "edited_mission": "spec",
+    "engines": "weights",
+    "fly": "mission",
+    "for_engine": "study",
+    "frequency_response": "dynamics",
     "load": "store",
+    "mass": "weights",
     "modes": "dynamics",
+    "named_results": "sizing",
     "parse": "spec",
+    "periodic": "dynamics",
+    "power_flow_figure": "render.schematic.schematic",
     "read": "spec",
+    "read_mission": "spec",
+    "read_study": "spec",
     "report": "render.pages.report",
+    "response": "dynamics.vibration",
     "review": "reviews",
+    "runup": "dynamics.vibration",
     "save": "store",
     "schema": "spec",
+    "schematic_figure": "render.schematic.schematic",
+    "sharing": "dynamics.sharing",
     "shipped_design": "shipped",
     "shipped_designs": "shipped",
+    "shipped_mission": "shipped",
+    "shipped_missions": "shipped",
+    "shipped_studies": "shipped",
+    "shipped_study": "shipped",
     "simulate": "dynamics",
+    "simulate_many": "dynamics",
     "size": "sizing",
+    "size_for_life": "mission",
+    "speed_map": "dynamics",
+    "statics": "dynamics",
+    "study": "study",
+    "validate": "validate",
+    "waterfall": "dynamics",
+    "window": "mission.windows",
 }
 """Public name -> module; loaded on first use, so that ``gearwright --help`` stays quick."""
+
+_CALLED = {
+    "draw": "sheets",
+    "response": "answer",
+    "runup": "run_up",
+    "study": "run",
+    "window": "fly_window",
+}
+"""Public name -> what it is called in its module, where it is another."""
 
 __all__ = [
     "DesignError",
     "Model",
     "Outputs",
+    "Problem",
     "SolveError",
     "StoredRun",
     "assemble",
+    "campbell",
+    "compare",
+    "critical_speeds",
+    "draw",
+    "durability",
+    "edited",
+    "edited_mission",
+    "engines",
+    "fly",
+    "for_engine",
+    "frequency_response",
     "load",
+    "mass",
     "modes",
+    "named_results",
     "parse",
+    "periodic",
+    "power_flow_figure",
     "read",
+    "read_mission",
+    "read_study",
     "report",
+    "response",
     "review",
+    "runup",
     "save",
     "schema",
+    "schematic_figure",
+    "sharing",
     "shipped_design",
     "shipped_designs",
+    "shipped_mission",
+    "shipped_missions",
+    "shipped_studies",
+    "shipped_study",
     "simulate",
+    "simulate_many",
     "size",
+    "size_for_life",
+    "speed_map",
+    "statics",
+    "study",
+    "validate",
+    "waterfall",
+    "window",
 ]
 
 
@@ -73,5 +181,10 @@ def __getattr__(name: str) -> object:
     """Load a public verb on its first use."""
     if name not in _VERBS:
         raise AttributeError(f"module 'gearwright' has no attribute {name!r}")
-    value: object = getattr(import_module(f"gearwright.{_VERBS[name]}"), name)
+    value: object = getattr(import_module(f"gearwright.{_VERBS[name]}"), _CALLED.get(name, name))
     return value
+
+
+def __dir__() -> list[str]:
+    """List the verbs, also those that are not loaded yet, so that an editor completes them."""
+    return sorted([*__all__, "__version__"])

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import functools
 import inspect
+import sys
 import types
 import typing
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -21,26 +22,28 @@ _R = TypeVar("_R")
 
 MAKES: Mapping[str, str] = types.MappingProxyType(
     {
-        "Campbell": "gearwright.dynamics.vibration.campbell(system, factors)",
+        "Campbell": "gw.campbell(system, factors)",
+        "Checked": "gw.validate()",
+        "Comparison": "gw.mass(power, engine_speed, propeller_speed)",
         "Design": "gw.read(path or shipped name)",
-        "Durability": "gearwright.mission.durability(flight)",
-        "DynamicWindow": "fly_window(flight, name)",
-        "Flight": "gearwright.mission.fly(sizing, mission)",
-        "Mission": "read_mission(path)",
+        "Durability": "gw.durability(flight)",
+        "DynamicWindow": "gw.window(flight, name)",
+        "Flight": "gw.fly(sizing, mission)",
+        "Mission": "gw.read_mission(path or shipped name)",
         "Model": "gw.Model()",
         "Modes": "gw.modes(system)",
         "Outputs": "gw.Outputs(...)",
         "Review": "gw.review(design)",
-        "Response": "gearwright.dynamics.frequency_response(system, frequency)",
-        "RunUp": "run_up(sizing, system, factors, lines=...)",
+        "Response": "gw.frequency_response(system, frequency)",
+        "RunUp": "gw.runup(sizing, system, factors)",
         "Samples": "trace.samples, of a trace from gw.simulate(system, duration)",
-        "SharingProblem": "sharing_problem(sizing, stage)",
-        "SharingStudy": "sharing_study(problem)",
+        "SharingProblem": "gearwright.dynamics.sharing.sharing_problem(sizing, stage)",
+        "SharingStudy": "gw.sharing(sizing, stage)",
         "Sizing": "gw.size(design)",
-        "SpeedMap": "gearwright.dynamics.vibration.speed_map(system, factors, settle=..., duration=...)",
-        "Study": "read_study(path)",
+        "SpeedMap": "gw.speed_map(system, factors, settle=..., duration=...)",
+        "Study": "gw.read_study(path or shipped name)",
         "System": "gw.assemble(sizing, case)",
-        "Table": "gearwright.study.running.run(study, designs)",
+        "Table": "gw.study(study)",
         "Trace": "gw.simulate(system, duration)",
     }
 )
@@ -93,6 +96,18 @@ def check_fields(record: object) -> None:
     ]
     if problems:
         raise DesignError(problems, type(record).__name__)
+
+
+def callable_layer(name: str, called: Callable[..., object]) -> None:
+    """Let a layer be called as the verb that has its name: ``gw.study(study)`` beside ``gw.study.Table``.
+
+    Args:
+        name: Of the layer's module.
+        called: The verb.
+    """
+    module: Any = sys.modules[name]
+    module.__class__ = type("Layer", (types.ModuleType,), {"__call__": staticmethod(called)})
+    module.__signature__ = inspect.signature(called)
 
 
 @functools.cache

@@ -103,7 +103,10 @@ def test_every_argument_of_a_wrong_type_is_named(name, argument):
         (lambda: gw.assemble(sizing().design), r"of type Design; give a Sizing, from gw.size\(design\)"),
         (lambda: gw.report(trace()), r"of type Trace; give a Sizing, from gw.size\(design\)"),
         (lambda: gw.read(sizing()), r"of type Sizing; give a text or a path"),
-        (lambda: fly(sizing(), "thesis"), r"'thesis' is of type str; give a Mission, from read_mission\(path\)"),
+        (
+            lambda: fly(sizing(), "thesis"),
+            r"'thesis' is of type str; give a Mission, from gw.read_mission\(path or shipped name\)",
+        ),
         (lambda: gw.simulate(system(), "0.01"), r"duration: '0.01' is of type str; give a number"),
         (lambda: gw.Outputs(samples="many"), r"samples: 'many' is of type str; give a whole number"),
         (lambda: dynamics.simulate_many([sizing()], 0.01), r"give a sequence, each member a System"),
@@ -169,6 +172,12 @@ UNKNOWN = {
     "edited_mission changes": lambda: edited_mission(read_mission("thesis"), {"phases.cruis.duration_s": 1.0}),
     "elastic_shares case": lambda: elastic_shares(sizing("off-set"), "rate"),
     "find_mission name": lambda: find_mission("thesi"),
+    "answer row": lambda: gw.response(sizing(), system(), "first.sun-plane"),
+    "compare changes": lambda: gw.compare({"mine": sizing().design}, changes={"gears.profile_shif": 0.1}),
+    "engines kind": lambda: gw.engines(kind="turbojet"),
+    "engines manufacturer": lambda: gw.engines(manufacturer="pratts"),
+    "engines model": lambda: gw.engines(model="127Z"),
+    "engines series": lambda: gw.engines(series="PW1000"),
     "find_study name": lambda: find_study("motor-spee"),
     "fly_window name": lambda: fly_window(flight(), "cruis"),
     "frequency_response errors": lambda: dynamics.frequency_response(system(), [9.0], errors={"first": 1e-6}),
@@ -191,7 +200,11 @@ UNKNOWN = {
     "shaft_spectrum shaft": lambda: shaft_spectrum(flight(), "outpu"),
     "sharing_problem case": lambda: sharing_problem(sizing(), case="rate"),
     "sharing_problem stage": lambda: sharing_problem(sizing(), "firs"),
+    "sharing case": lambda: gw.sharing(sizing(), case="rate"),
+    "sharing method": lambda: gw.sharing(sizing("face-gear-split-torque"), method="quasi"),
+    "sharing stage": lambda: gw.sharing(sizing(), "firs"),
     "sharing_study method": lambda: sharing_study(split(), method="quasi"),
+    "sheets names": lambda: gw.draw(sizing(), ["shaf"]),
     "shipped_file name": lambda: shipped_file("thesi"),
     "shipped_mission name": lambda: shipped_mission("thesi"),
     "shipped_study name": lambda: shipped_study("motor-spee"),
@@ -202,6 +215,7 @@ UNKNOWN = {
     "transmission_error_figure lines": lambda: transmission_error_figure(
         trace().samples, ["first.sun"], mesh_frequency=1e3
     ),
+    "validate pattern": lambda: gw.validate("planetary sat"),
     "waterfall_figure line": lambda: waterfall_figure(
         run_up_of(["first.sun-planet-1"]), "first.sun", speed=1.0, shaft="sun"
     ),
@@ -217,7 +231,7 @@ FREE = {
 
 @pytest.mark.parametrize("what", UNKNOWN)
 def test_an_unknown_name_gets_the_nearest_or_all(what):
-    with pytest.raises(DesignError, match=r"did you mean|allowed: |add \[supports"):
+    with pytest.raises(DesignError, match=r"did you mean|allowed: |add \[supports|series: |sources: "):
         UNKNOWN[what]()
 
 

@@ -13,7 +13,8 @@ from gearwright.validate import (
     shafts,
     torsional,
 )
-from gearwright.validate.case import Case
+from gearwright.validate.case import Case, Checked, check
+from gearwright.verbs import verb
 
 ALL = (
     *planetary_sets.CASES,
@@ -43,3 +44,20 @@ def published(pattern: str = "") -> tuple[Case, ...]:
         names = ", ".join(dict.fromkeys(case.source.partition(",")[0] for case in ALL))
         raise DesignError([Problem("pattern", f"no case or source contains {pattern!r}; sources: {names}")])
     return cases
+
+
+@verb
+def validate(pattern: str = "") -> tuple[Checked, ...]:
+    """Return every published number of some cases beside what gearwright finds; this computes them.
+
+    Args:
+        pattern: Words of a case or its source, in any case of letters; empty: all.
+
+    Raises:
+        DesignError: If no case or source contains them.
+
+    >>> first = validate("planetary set, N = 3")[0]
+    >>> first.expected, round(first.got, 1), first.unit, first.holds
+    (1475.7, 1475.7, 'Hz', True)
+    """
+    return tuple(number for case in published(pattern) for number in check(case))

@@ -3,6 +3,7 @@
 The mass that follows from a design's own parts is `sizing`'s.
 """
 
+from gearwright.weights.asked import engines, mass
 from gearwright.weights.comparison import Comparison, StatedMass, compare
 from gearwright.weights.engine_check import (
     COLUMNS,
@@ -50,12 +51,14 @@ __all__ = [
     "checked_engines",
     "compare",
     "corners",
+    "engines",
     "estimate",
     "from_beta",
     "gearbox_mass",
     "left_out_scatter",
     "lightest_planet",
     "log_line",
+    "mass",
     "mass_afdd00",
     "mass_afdd83",
     "mass_brown",

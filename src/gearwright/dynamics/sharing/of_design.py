@@ -182,6 +182,35 @@ def sharing_study(
     )
 
 
+@verb
+def sharing(
+    sizing: Sizing,
+    stage: str | None = None,
+    *,
+    case: str | None = None,
+    method: Method = "auto",
+    target: float | None = None,
+    percent: float = 95.0,
+    seed: int = 1,
+) -> SharingStudy:
+    """Return how a stage of a sizing shares its load, as `sharing_study` does of its `sharing_problem`.
+
+    Args:
+        sizing: What was sized.
+        stage: With parallel meshes; left out: the last one.
+        case: Load case; left out: the usual one.
+        method: Of the sharing with the errors as given.
+        target: Share of the most loaded path that is asked for [-]; left out: no allocation.
+        percent: Percentage of gearboxes that must keep the target.
+        seed: Of the random numbers.
+
+    Raises:
+        DesignError: If no stage has parallel meshes, or a target cannot be reached.
+    """
+    problem = sharing_problem(sizing, stage, case=case)
+    return sharing_study(problem, method=method, target=target, percent=percent, seed=seed)
+
+
 @dataclass(frozen=True, eq=False)
 class SupportSweep:
     """Sharing and displacement against the stiffness of one shaft's support."""

@@ -15,6 +15,7 @@ from gearwright.dynamics.vibration.critical_speeds import OrderName, order_name
 from gearwright.dynamics.vibration.sequences import positive_numbers
 from gearwright.dynamics.vibration.spectra import tone_amplitudes
 from gearwright.dynamics.vibration.speed_map import at_speed
+from gearwright.dynamics.vibration.transmission import first_meshes
 from gearwright.errors import DesignError, Problem
 from gearwright.sizing import Sizing
 from gearwright.units import Force, Speed
@@ -66,7 +67,7 @@ def run_up(
     system: System,
     factors: Sequence[float] | Floats,
     *,
-    lines: Sequence[str],
+    lines: Sequence[str] | None = None,
     settle: float = 0.05,
     window: float = 0.05,
     progress: Callable[[float], None] | None = None,
@@ -77,7 +78,7 @@ def run_up(
         sizing: Names the orders.
         system: Assembled from it; its loads are kept at every speed.
         factors: Rising speeds over the operating speed [-], positive.
-        lines: Whose forces are kept.
+        lines: Whose forces are kept; left out: of every mesh row, of a planetary set that of its first planet.
         settle: Time before the window, for the transient to decay [s].
         window: Time that is kept at every step: 1 over the resolution of the spectra [s].
         progress: Called with the fraction done.
@@ -88,6 +89,7 @@ def run_up(
     speeds = positive_numbers(factors, "factors").tolist()
     if not (settle >= 0.0 and 0.0 < window < math.inf):
         raise DesignError([Problem("window", f"{window:g} s after {settle:g} s; the window must be positive")])
+    lines = first_meshes(sizing, system) if lines is None else lines
     for line in lines:
         index_of(line, system.labels.lines, "line")
     step = min(default_step(at_speed(system, factor).arrays) for factor in (speeds[0], speeds[-1]))

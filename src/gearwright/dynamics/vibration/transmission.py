@@ -13,6 +13,7 @@ from gearwright.errors import DesignError, Problem, near
 from gearwright.identity import Row, mesh_part
 from gearwright.parts.planetary import even_positions, planet_phases
 from gearwright.sizing import Sizing
+from gearwright.verbs import verb
 
 POINTS = 2000
 """Frequencies of a response."""
@@ -20,7 +21,8 @@ RANGE = 1000.0
 """Highest over lowest frequency of a response [-]."""
 
 
-def answer(sizing: Sizing, system: System, row: str, *, error: float, top: float) -> Response:
+@verb
+def answer(sizing: Sizing, system: System, row: str, *, error: float = 1e-6, top: float = 1e4) -> Response:
     """Return the forces that a harmonic transmission error of a mesh row causes, against its frequency.
 
     Args:

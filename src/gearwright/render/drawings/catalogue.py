@@ -14,8 +14,10 @@ from gearwright.render.drawings.sheet.sheets import Sheet
 from gearwright.render.drawings.views.gear_parts import hub_of
 from gearwright.render.drawings.views.teeth import hand_of, kind_of
 from gearwright.sizing import GearSizing, Sizing
+from gearwright.verbs import verb
 
 
+@verb
 def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
     """Return the sheets of a sizing.
 

@@ -4,6 +4,7 @@ A single case is computed in `cases`.
 """
 
 from gearwright.study.running.cluster import Cluster, commands
+from gearwright.study.running.compare import compare
 from gearwright.study.running.journal import begin, opened, recorded, rows_of, status, verify
 from gearwright.study.running.made_with import changes_of, made_with
 from gearwright.study.running.run import run, table_of
@@ -18,6 +19,7 @@ __all__ = [
     "begin",
     "changes_of",
     "commands",
+    "compare",
     "generations",
     "local",
     "made_with",

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
 
 from gearwright.errors import DesignError, Problem
-from gearwright.spec import Design, Study, case_count
+from gearwright.shipped import find_design
+from gearwright.spec import Design, Study, case_count, read
 from gearwright.study.answers import Row, Table
 from gearwright.study.cases import Case, cases, evaluate
 from gearwright.study.running.search import generations
@@ -13,18 +15,27 @@ from gearwright.verbs import verb
 
 
 @verb
-def run(study: Study, designs: Mapping[str, Design], *, progress: Callable[[float], None] | None = None) -> Table:
+def run(
+    study: Study,
+    designs: Mapping[str, Design] | None = None,
+    *,
+    folder: Path | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Table:
     """Return the table of a study, computed in this process.
 
     Args:
         study: Axes, changes and results.
-        designs: Name -> design, for every name in the study.
+        designs: Name -> design, for every name in the study; left out: read by their names.
+        folder: Of the study, where files that it names are; left out: where the program runs.
         progress: Called with the fraction done, from 0 to 1.
 
     Raises:
         DesignError: If there are too many cases, or all of them fail. A variant that fails is a row with its reason.
     """
     count, rows = case_count(study), list[Row]()
+    if designs is None:
+        designs = {name: read(find_design(name, folder)) for name in study.designs}
 
     def computed(case: Case) -> Row:
         rows.append(evaluate(study, designs[case.design], case))
