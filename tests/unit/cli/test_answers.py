@@ -162,7 +162,7 @@ def test_the_schema_of_an_answer_says_what_every_key_means_and_where_it_comes_fr
     assert schema["$id"] == schema_id("size")
     module = schema["$defs"]["GearSizing"]["properties"]["module_mm"]
     assert (module["unit"], module["description"]) == ("mm", "Normal module m_n.")
-    assert schema["$defs"]["GearSizing"]["properties"]["face_width_mm"]["source"].startswith("Pulvirenti 2023")
+    assert schema["$defs"]["GearSizing"]["properties"]["pitch_diameter_mm"]["source"] == "ISO 21771:2007"
 
 
 def test_a_command_without_json_has_no_schema_and_the_nearest_is_named(call):
