@@ -60,12 +60,22 @@ class GearSizing:
     pitch_diameter: Annotated[float, Quantity("length"), Origin("d = m_n z / cos β", "ISO 21771:2007")]
     """Pitch diameter [m]."""
     rim: Annotated[
-        float, Quantity("length"), Origin("3.95 m_n outside the pitch circle", "AGMA 2001-D04, backup ratio 1.2")
+        float,
+        Quantity("length"),
+        Origin("s = k m_n outside the pitch circle, k of the rules", "3.95: AGMA 2001-D04, backup ratio 1.2"),
     ]
     """Wall of a ring outside its pitch circle [m]; zero for discs."""
-    mass: Annotated[float, Quantity("mass"), Origin("m = π r² b ρ", f"{_THESIS}, eq. 3.3; 2.18 corrected")]
+    mass: Annotated[
+        float,
+        Quantity("mass"),
+        Origin(
+            "m = π r² b ρ, wheels times their web ratio; rings π ((r + s)² − r²) b ρ", f"{_THESIS}, eq. 3.3; annulus"
+        ),
+    ]
     """Mass of one body [kg]."""
-    inertia: Annotated[float, Quantity("inertia"), Origin("I = m d²/8", f"{_THESIS}, eq. 3.6")]
+    inertia: Annotated[
+        float, Quantity("inertia"), Origin("I = m d²/8; rings m (r² + (r + s)²)/2", f"{_THESIS}, eq. 3.6; annulus")
+    ]
     """Polar inertia of one body about its own axis [kg m²]."""
 
     @cached_property

@@ -1,6 +1,5 @@
 """Methods of rating side by side: one dict, the same names in files, and a new one is a record and a line."""
 
-import json
 import math
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -12,8 +11,11 @@ from gearwright.checks import Check, Status
 from gearwright.errors import DesignError, Problem
 from gearwright.mission import fly, gear_damage
 from gearwright.mission.lives.life import STRENGTHENING, strengthened
+from gearwright.render.answers.described import described
+from gearwright.render.answers.design import SizeAnswer, size_answer
+from gearwright.render.answers.plain import plain
 from gearwright.render.pages.report import report
-from gearwright.render.words.text import sizing_json
+from gearwright.render.tables.sizing import tables_of
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import named_results, size
 from gearwright.sizing.rating import METHODS, Damage, Factor, Making, rating_of
@@ -65,7 +67,7 @@ class Dummy:
         needed = (2.0 * ask.per_tooth * lean / (ask.width_ratio * 400e6)) ** (1.0 / 3.0)
         return needed, 0.0 * needed
 
-    def rate(self, mesh):
+    def rate(self, mesh) -> DummyRating:
         lean = math.cos(mesh.rating.helix_angle)
         force = 2.0 * mesh.heaviest.torque * lean / (mesh.module * mesh.heaviest.ask.teeth[0])
         stress = force / (mesh.face_width * mesh.module)
@@ -87,6 +89,10 @@ class Dummy:
         return Making("by eye")
 
 
+def stress_column(sizing):
+    return next(column for column in tables_of(sizing)["rating"].columns if column.name == "bending_stress")
+
+
 def test_a_new_method_is_a_record_and_a_line(monkeypatch):
     """It sizes gears to its stress, and stands in checks, results, JSON and on the page with its own sources."""
     monkeypatch.setitem(METHODS, "dummy", Dummy())
@@ -98,9 +104,12 @@ def test_a_new_method_is_a_record_and_a_line(monkeypatch):
         assert mesh.bending_stress == pytest.approx(400e6, rel=1e-9)
         assert named_results(sizing)[f"meshes.{mesh.name}.module_bending"].value == mesh.module_bending > 0.0
     assert {"dummy, eq. 3"} == {check.clause for check in sizing.checks if check.mode == "dummy bending"}
-    written = json.loads(sizing_json(sizing))
-    columns = {column["key"]: column for column in written["rating"]["columns"]}
-    assert columns["bending_stress_mpa"]["source"] == "dummy, eq. 2"
+    written = plain(size_answer(sizing))["meshes"][0]["rating"]
+    assert written["method"] == "dummy" and written["bending_stress_mpa"] == pytest.approx(400.0, rel=1e-9)
+    definitions = {}
+    described(SizeAnswer, definitions)
+    assert definitions["DummyRating"]["properties"]["bending_stress_mpa"]["source"] == "dummy, eq. 2"
+    assert {origin.source for origin in stress_column(sizing).origins} == {"dummy, eq. 2"}
     page = report(sizing)
     assert "dummy, annex D" in page and "Dummy, 2nd edition" in page
     assert "Lewis 1892" not in page and "eq. 2.1<" not in page and "ISO 6336-3:2019" not in page
@@ -231,5 +240,5 @@ def test_nominal_loads_are_said_where_they_are_true():
     first = size(edited(OFF_SET, {"pairs.first.gears.rating": "agma2001"}))
     assert {type(mesh.rating) for mesh in first.meshes} == {Agma2001Rating, LewisHertzRating}
     assert f"Gears of second are sized {sentence}" in report(first)
-    columns = {column["key"]: column for column in json.loads(sizing_json(first))["rating"]["columns"]}
-    assert columns["bending_stress_mpa"]["source"] == ["ANSI/AGMA 2001-D04, eq. 10"] * 2 + ["Lewis 1892"] * 2
+    sources = [origin.source for origin in stress_column(first).origins]
+    assert sources == ["ANSI/AGMA 2001-D04, eq. 10"] * 2 + ["Lewis 1892"] * 2
