@@ -91,7 +91,7 @@ def outer_single_contact(mesh: MeshGeometry, gear: int) -> LoadedTooth:
     base = np.abs(z_n) * np.cos(mesh.pressure_angle)
     ratio = mesh.transverse_contact_ratio / np.cos(mesh.base_helix_angle) ** 2
     reach = np.sqrt(0.25 * (tip**2 - base**2)) - sign * np.pi * np.cos(mesh.pressure_angle) * (ratio - 1.0)
-    diameter = 2.0 * sign * np.sqrt(reach**2 + 0.25 * base**2)
+    diameter = np.copysign(2.0 * np.sqrt(reach**2 + 0.25 * base**2), sign)
     return LoadedTooth(z_n, diameter, mesh.pressure_angle, mesh.proportions[gear])
 
 

@@ -55,5 +55,5 @@ def most_planets(sun_teeth: int, planet_teeth: int) -> int:
     sine = (planet_teeth + ADDENDUMS) / (sun_teeth + planet_teeth)
     if sine >= 1.0:
         return 1
-    count = math.floor(math.pi / math.asin(sine))
+    count = int(math.pi / math.asin(sine))
     return count if bool(neighbours_clear(sun_teeth, planet_teeth, count)) else count - 1

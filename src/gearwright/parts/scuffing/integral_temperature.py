@@ -113,7 +113,7 @@ def contact_ratio_factor_integral(first: float, second: float) -> float:
     squares = (first**2, second**2)
     if total < 1.0:
         value = squares[0] + squares[1]
-    elif total < 2.0 and first < 1.0 and second < 1.0:
+    elif first < 1.0 and second < 1.0:
         value = 0.70 * (squares[0] + squares[1]) - 0.22 * total + 0.52 - 0.60 * first * second
     elif total < 2.0:
         (a, b) = (first, second) if first >= second else (second, first)
