@@ -46,7 +46,6 @@ app = typer.Typer(
     cls=Sections,
     help="Design aircraft transmissions and see how they behave.",
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.completion import designs
 from gearwright.cli.ends import named_after
 from gearwright.cli.output import show, tell
 from gearwright.writing import make_folder, write_text
@@ -21,7 +22,10 @@ FORMATS = ("svg", "dxf")
 
 def draw(
     design: Annotated[
-        str, typer.Argument(help="Design file, name of a shipped design, or a run (*.nc)", metavar="DESIGN")
+        str,
+        typer.Argument(
+            help="Design file, name of a shipped design, or a run (*.nc)", metavar="DESIGN", autocompletion=designs
+        ),
     ],
     folder: Annotated[Path | None, typer.Option("--out", help="Folder; left out: NAME-drawings here")] = None,
     what: Annotated[

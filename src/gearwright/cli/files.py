@@ -10,13 +10,20 @@ from typing import Annotated
 import typer
 
 from gearwright.cli.answers import ANSWERS, answer_schema, show_answer
+from gearwright.cli.completion import shipped
 from gearwright.cli.options import JsonOption
 from gearwright.cli.output import show, show_json
 from gearwright.writing import write_text
 
 
 def new(
-    name: Annotated[str | None, typer.Argument(help="A shipped design, mission or study; left out: list them")] = None,
+    name: Annotated[
+        str | None,
+        typer.Argument(
+            help="A shipped design, mission or study; left out: list them",
+            autocompletion=shipped,
+        ),
+    ] = None,
     file: Annotated[Path | None, typer.Argument(help="File to write; left out: NAME.toml here")] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace a file that is there")] = False,
     json: JsonOption = False,

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.answers import show_answer, show_rows
+from gearwright.cli.completion import designs
 from gearwright.cli.designs import placed_in, sized
-from gearwright.cli.options import JsonOption, LinesOption
+from gearwright.cli.options import JsonOption, LinesOption, MissionArgument
 from gearwright.cli.output import show, tell
 from gearwright.writing import write_text
 
@@ -24,9 +25,14 @@ if TYPE_CHECKING:
 
 def fly(
     design: Annotated[
-        str | None, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")
+        str | None,
+        typer.Argument(
+            help="Design file, or the name of a shipped design",
+            metavar="DESIGN",
+            autocompletion=designs,
+        ),
     ] = None,
-    mission: Annotated[str, typer.Argument(help="Mission file, or the name of a shipped mission")] = "thesis",
+    mission: MissionArgument = "thesis",
     life_h: Annotated[
         float | None,
         typer.Option(

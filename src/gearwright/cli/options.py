@@ -7,7 +7,23 @@ from typing import Annotated
 
 import typer
 
-DesignArgument = Annotated[str, typer.Argument(help="Design file, or the name of a shipped design", metavar="DESIGN")]
+from gearwright.cli.completion import designs, missions
+
+DesignArgument = Annotated[
+    str,
+    typer.Argument(
+        help="Design file, or the name of a shipped design",
+        metavar="DESIGN",
+        autocompletion=designs,
+    ),
+]
+MissionArgument = Annotated[
+    str,
+    typer.Argument(
+        help="Mission file, or the name of a shipped mission",
+        autocompletion=missions,
+    ),
+]
 CaseOption = Annotated[str | None, typer.Option(help="Load case; left out: the design's first one, or 'rated'")]
 FigureOption = Annotated[Path | None, typer.Option(help="Write the figure (.svg or .png)")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON object for machines, and write no files")]

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.answers import show_answer
+from gearwright.cli.completion import missions
 from gearwright.cli.designs import placed_in, sized
 from gearwright.cli.options import DesignArgument, JsonOption
 from gearwright.cli.output import show
@@ -21,7 +22,10 @@ if TYPE_CHECKING:
 def review(
     design: DesignArgument,
     mission: Annotated[
-        str | None, typer.Argument(help="Mission file, or the name of a shipped mission", metavar="[MISSION]")
+        str | None,
+        typer.Argument(
+            help="Mission file, or the name of a shipped mission", metavar="[MISSION]", autocompletion=missions
+        ),
     ] = None,
     json: JsonOption = False,
 ) -> None:

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gearwright.cli.completion import designs as designs_named
+from gearwright.cli.completion import studies
 from gearwright.cli.designs import design_of
 from gearwright.cli.options import FigureOption, JsonOption, LinesOption
 from gearwright.cli.output import show, tell, write_figure
@@ -42,7 +44,11 @@ SetOption = Annotated[
 
 def study(
     name: Annotated[
-        str | None, typer.Argument(help="Study file, or name of a shipped study; left out: list them")
+        str | None,
+        typer.Argument(
+            help="Study file, or name of a shipped study; left out: list them",
+            autocompletion=studies,
+        ),
     ] = None,
     changes: SetOption = None,
     journal: JournalOption = None,
@@ -81,7 +87,13 @@ def study(
 
 
 def compare(
-    designs: Annotated[list[str] | None, typer.Argument(help="Designs; left out: the thesis's ten")] = None,
+    designs: Annotated[
+        list[str] | None,
+        typer.Argument(
+            help="Designs; left out: the thesis's ten",
+            autocompletion=designs_named,
+        ),
+    ] = None,
     power_kw: Annotated[float | None, typer.Option(help="Rated power of all machines together", min=0.0)] = None,
     engine_rpm: Annotated[float | None, typer.Option(help="Speed of the turbine", min=0.0)] = None,
     propeller_rpm: Annotated[float | None, typer.Option(help="Speed of the propeller", min=0.0)] = None,

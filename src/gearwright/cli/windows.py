@@ -15,7 +15,7 @@ from gearwright.cli.design import StiffnessOption
 from gearwright.cli.designs import sized
 from gearwright.cli.ends import end_interrupted, save_run
 from gearwright.cli.mission import mission_of
-from gearwright.cli.options import DesignArgument, FigureOption, JsonOption, LinesOption
+from gearwright.cli.options import DesignArgument, FigureOption, JsonOption, LinesOption, MissionArgument
 from gearwright.cli.output import show, tell, write_figure
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 def window(
     design: DesignArgument,
-    mission: Annotated[str, typer.Argument(help="Mission file, or the name of a shipped mission")] = "thesis",
+    mission: MissionArgument = "thesis",
     name: Annotated[
         str | None, typer.Argument(help="Window of the mission; left out: list them", metavar="WINDOW")
     ] = None,
