@@ -108,6 +108,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "reference/study-file.md": study_file_markdown,
     "reference/materials.md": materials_markdown,
     "theory/colibri.md": colibri_markdown,
+    "reference/commands.md": beside("commands"),
     "how-to/helicopter.md": beside("helicopter"),
     "validation.md": beside("checked"),
 }

@@ -16,6 +16,14 @@ from gearwright.cli.output import show, show_json
 from gearwright.writing import write_text
 
 
+class File(StrEnum):
+    """Files that users write."""
+
+    DESIGN = "design"
+    MISSION = "mission"
+    STUDY = "study"
+
+
 def new(
     name: Annotated[
         str | None,
@@ -42,9 +50,19 @@ def new(
         raise DesignError(
             [Problem("", "the file is there already; give another name, or --force to replace it")], str(target)
         )
-    write_text(target, text)
+    kind = {"designs": File.DESIGN, "missions": File.MISSION, "studies": File.STUDY}[source.parent.name]
+    beside = target.with_name(f"gearwright-{kind.value}.schema.json")
+    write_text(target, f"#:schema ./{beside.name}\n{text}")
+    write_text(beside, _schema_text(kind))
     follows = {"designs": "run", "missions": "fly DESIGN", "studies": "study"}[source.parent.name]
     show(f"wrote {target}; next: gearwright {follows} {target}")
+
+
+def _schema_text(kind: File) -> str:
+    """Return the schema of a file, which lies beside it so that editors find it without a network."""
+    from gearwright.spec import schema as file_schema
+
+    return json_text.dumps(file_schema(kind.value), indent=1, ensure_ascii=False) + "\n"
 
 
 def _list(*, json: bool) -> None:
@@ -61,14 +79,6 @@ def _list(*, json: bool) -> None:
         for file in files:
             if file.kind == kind:
                 show(f"{file.name:24} {file.title}")
-
-
-class File(StrEnum):
-    """Files that users write."""
-
-    DESIGN = "design"
-    MISSION = "mission"
-    STUDY = "study"
 
 
 def schema(

@@ -144,13 +144,13 @@ def resume(
 
 def cluster(
     host: Annotated[str, typer.Option(help="Name or address of the machine of the scheduler")] = "127.0.0.1",
-    processes: Annotated[int, typer.Option(help="Workers on one machine: its cores", min=1)] = os.cpu_count() or 1,
+    processes: Annotated[int | None, typer.Option(help="Workers on one machine; left out: its cores", min=1)] = None,
     tls: TlsOption = None,
 ) -> None:
     """Print the commands that start a Dask cluster for studies; each machine needs the extra `cluster`."""
     from gearwright.study.running import commands
 
-    scheduler, workers, start = commands(host, processes, tls)
+    scheduler, workers, start = commands(host, processes or os.cpu_count() or 1, tls)
     show_commands(f"once:              {scheduler}\non every machine:  {workers}\nthen:              {start}")
 
 

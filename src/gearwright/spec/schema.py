@@ -44,7 +44,7 @@ def schema(of: str = "design") -> dict[str, Any]:
         table = document if model is top else definitions[model.__name__]
         _expand(table, model)
     head = {"$schema": DIALECT, "$id": schema_id(of), "title": f"gearwright {of}"}
-    told: dict[str, Any] = {**document, **head}
+    told: dict[str, Any] = {**head, **{word: part for word, part in document.items() if word not in head}}
     return {word: _plain(part) for word, part in told.items()}
 
 
