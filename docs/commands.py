@@ -11,11 +11,11 @@ from gearwright.cli.replay import COMMANDS as REPLAYS
 
 _HEAD = """# The command line
 
-Every command with its arguments and options; `gearwright COMMAND --help` says the same. What is printed for machines and what the exit codes
-mean: [use it in scripts](../how-to/scripts.md). This page is made from the commands.
+Every command with its arguments and options; `gearwright COMMAND --help` says the same. What is printed for machines
+and what the exit codes mean: [use it in scripts](../how-to/scripts.md). This page is made from the commands.
 
-`gearwright --install-completion` lets the shell complete commands, options, shipped designs, missions and studies, and files;
-`--show-completion` prints what it would install.
+`gearwright --install-completion` lets the shell complete commands, options, shipped designs, missions and studies, and
+files; `--show-completion` prints what it would install.
 """
 _COLUMNS = "| | default | meaning |\n| --- | --- | --- |\n"
 
@@ -31,11 +31,8 @@ def commands_markdown() -> str:
 
 
 def _command(name: str, command: Callable[..., None]) -> str:
-    rows = list(_rows(command))
     words = " ".join((inspect.getdoc(command) or "").split())
-    return (
-        f"\n### `gearwright {name}`\n\n{words}\n\n{_COLUMNS}{''.join(rows)}" if rows else f"\n### `{name}`\n\n{words}\n"
-    )
+    return f"\n### `gearwright {name}`\n\n{words}\n\n{_COLUMNS}{''.join(_rows(command))}"
 
 
 def _rows(command: Callable[..., None]) -> Iterator[str]:

@@ -109,19 +109,26 @@ def test_version(call):
     assert call("--version").out.strip() == f"gearwright {__version__}"
 
 
+def headed(kind, path):
+    """Return what `new` writes: the line for editors, which names the schema beside it, and the shipped file."""
+    return f"#:schema ./gearwright-{kind}.schema.json\n".encode() + path.read_bytes()
+
+
 def test_new_lists_and_copies_and_does_not_overwrite(call, tmp_path):
     listed = call("new")
     assert all(name in listed.out for name in shipped_designs())
     assert call("new", "in-line").code == DONE
     target = tmp_path / "in-line.toml"
-    assert target.read_bytes() == shipped_design("in-line").read_bytes()
+    assert target.read_bytes() == headed("design", shipped_design("in-line"))
+    beside = json.loads((tmp_path / "gearwright-design.schema.json").read_text(encoding="utf-8"))
+    assert beside["$id"] == "urn:gearwright:file:design:1"
     target.write_text("mine", encoding="utf-8")
     refused = call("new", "in-line")
     assert refused.code == WRONG
     assert "the file is there already" in refused.err
     assert target.read_text(encoding="utf-8") == "mine"
     assert call("new", "in-line", "--force").code == DONE
-    assert target.read_bytes() == shipped_design("in-line").read_bytes()
+    assert target.read_bytes() == headed("design", shipped_design("in-line"))
 
 
 def test_new_lists_and_copies_missions_and_studies_too(call, tmp_path):
@@ -132,9 +139,9 @@ def test_new_lists_and_copies_missions_and_studies_too(call, tmp_path):
     assert [line.split()[0] for line in listed if " " in line] == names
     assert len(set(names)) == len(names)
     assert "next: gearwright fly DESIGN thesis.toml" in call("new", "thesis").out
-    assert (tmp_path / "thesis.toml").read_bytes() == shipped_mission("thesis").read_bytes()
+    assert (tmp_path / "thesis.toml").read_bytes() == headed("mission", shipped_mission("thesis"))
     assert "next: gearwright study motor-speed.toml" in call("new", "motor-speed").out
-    assert (tmp_path / "motor-speed.toml").read_bytes() == shipped_study("motor-speed").read_bytes()
+    assert (tmp_path / "motor-speed.toml").read_bytes() == headed("study", shipped_study("motor-speed"))
     assert "did you mean thesis?" in call("new", "thesiss").err
 
 
