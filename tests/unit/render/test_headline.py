@@ -126,3 +126,10 @@ def test_a_waived_failure_is_no_longer_too_small_in_the_figure():
 def test_an_energy_book_that_closes_says_so():
     assert energy_text(0.0) == "to rounding"
     assert energy_text(3.2e-7) == "within 3.2e-07"
+
+
+def test_the_review_of_a_case_can_still_be_asked_after_a_study_had_results_of_reviews():
+    """A module loaded on the way, named as the function, once took its place."""
+    from gearwright.study import cases
+
+    assert TABLE.rows[0].results["review.worst"].value == cases.reviewed(STUDY, DESIGN, {})[1].worst.name

@@ -103,7 +103,7 @@ def _flown(study: Study, design: Design, inputs: Mapping[str, Value]) -> tuple[S
     sizing, flight = _flight(study, design, inputs)
     results = flight_results(flight, study.asked)
     if _asks(study, "review"):
-        from gearwright.study.cases.reviewed import review_results
+        from gearwright.study.cases.verdicts import review_results
 
         results |= review_results(sizing, flight, life=study.fly.life)
     return sizing, results
@@ -131,7 +131,7 @@ def _results(study: Study, design: Design, inputs: Mapping[str, Value]) -> dict[
 
         results |= simulated_results(sizing, study.simulate)
     if _asks(study, "review") and not study.flies:
-        from gearwright.study.cases.reviewed import review_results
+        from gearwright.study.cases.verdicts import review_results
 
         results |= review_results(sizing)
     return results | flights
