@@ -147,7 +147,7 @@ def test_running_in_of_hard_flanks_is_held_at_3_and_6_micrometres():
 def test_bevel_gears_are_as_wide_as_annex_b_allows(teeth_):
     """b = 0.30 R_e, or 10 m_et where that is less, R_e of the very pair that the width makes: rounding only."""
     rating = rating_of(HELICOPTER, "bevel")
-    free = replace(rating, given_width_ratio=None)
+    free = replace(rating, rules=rating.rules.model_copy(update={"face_width_ratio": None}))
     width = float(stage_width_ratio(free, *teeth_)) * 3e-3
     pair = bevel_pair(teeth_, 3e-3, width, free)
     radius = 0.5 * pair.outer_module * math.hypot(*teeth_)

@@ -52,7 +52,7 @@ class DummyRating:
 class Dummy:
     """The whole of a new method."""
 
-    edition, peaks = "Dummy, 2nd edition", ""
+    edition, peaks, life_source = "Dummy, 2nd edition", "", "dummy, annex L"
     safeties = MappingProxyType({"pitting": ("contact_safety",), "bending": ("bending_safety",)})
 
     def refuse(self, rating, teeth):
@@ -75,6 +75,9 @@ class Dummy:
 
     def reserve(self, rated):
         return rated.bending_margin
+
+    def life_slope(self, rating, mode, steel):
+        return 10.0
 
     def damage(self, spectrum):
         return Damage(0.0, 0.25), Damage(0.0, 0.125)
@@ -242,3 +245,13 @@ def test_nominal_loads_are_said_where_they_are_true():
     assert f"Gears of second are sized {sentence}" in report(first)
     sources = [origin.source for origin in stress_column(first).origins]
     assert sources == ["ANSI/AGMA 2001-D04, eq. 10"] * 2 + ["Lewis 1892"] * 2
+
+
+def test_a_life_falls_with_the_slope_of_its_own_method():
+    """Z_N and Y_N of carburised steel below their corners, AGMA 2001-D04, clause 17."""
+    rating, method = rating_of(AGMA.design, "first"), METHODS["agma2001"]
+    steel = read_mission(shipped_mission("regional-250nm")).gears
+    assert method.life_slope(rating, "pitting", steel) == pytest.approx(1.0 / 0.056, rel=1e-12)
+    assert method.life_slope(rating, "bending", steel) == pytest.approx(1.0 / 0.1192, rel=1e-12)
+    first = rating_of(OFF_SET, "first")
+    assert METHODS["lewis-hertz"].life_slope(first, "pitting", steel) != method.life_slope(rating, "pitting", steel)

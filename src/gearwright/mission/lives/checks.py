@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gearwright.catalogue import rated_steel
 from gearwright.checks import Check, not_assessed
 from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.bearings import BearingDamage
-from gearwright.mission.lives.damage import PITTING, GearDamage
+from gearwright.mission.lives.damage import GearDamage
 from gearwright.mission.lives.verdict import Durability
 from gearwright.parts.bearings import life_exponent
-from gearwright.parts.iso6336 import life_curves
 from gearwright.sizing.bearings import planet_room
-from gearwright.sizing.rating import rating_of
+from gearwright.sizing.rating import method_for, rating_of
 from gearwright.verbs import verb
 
 HOUR = 3600.0
@@ -49,11 +47,9 @@ def _gear(flight: Flight, gear: GearDamage, asked: float) -> Check:
     """Return a gear's life; safeties against stresses count as they are, so its root is that of the S-N curve."""
     part = flight.sizing.train.gear(gear.gear).part
     rating = rating_of(flight.sizing.design, part.name)
-    asks = flight.mission.gears if rating.rules.rating == "lewis-hertz" else rating.rules.iso6336
-    steel = rated_steel(rating.material, asks.steel, asks.grade, hardness=asks.hardness_hv)
-    curve = life_curves(steel)[0 if gear.mode == PITTING else 1]
-    mode, clause = f"{gear.mode} life", "Miner, ISO 6336-6"
-    return Check(part, mode, clause, gear.life * HOUR, asked, "life", exponent=curve.slope)
+    method = method_for(rating)
+    slope = method.life_slope(rating, gear.mode, flight.mission.gears)
+    return Check(part, f"{gear.mode} life", method.life_source, gear.life * HOUR, asked, "life", exponent=slope)
 
 
 def _bearing(flight: Flight, row: BearingDamage) -> Iterator[Check]:

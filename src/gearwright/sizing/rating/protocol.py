@@ -143,6 +143,8 @@ class Method(Protocol[R]):
     """As tables name it: ``ISO 6336, method B``."""
     peaks: str
     """Symbols of its factors for peaks of the load, such as ``K_A K_V``; empty where it has none."""
+    life_source: str
+    """By which lives are summed."""
     safeties: Mapping[str, tuple[str, ...]]
     """Mode of failure, ``pitting`` or ``bending`` -> where its asked safety stands under [gears]."""
 
@@ -163,6 +165,9 @@ class Method(Protocol[R]):
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[Damage, Damage]:
         """Return Miner's sums of both gears."""
+
+    def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
+        """Return p of N ~ σ^(−p) below the knee of flanks (``pitting``) or roots (``bending``) [-]."""
 
     def checks(self, rated: R, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
         """Yield every judgement on the strength of a mesh and its gears."""

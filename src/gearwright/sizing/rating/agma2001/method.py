@@ -27,6 +27,7 @@ from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, 
 from gearwright.sizing.rating.rules import Array, Ask, Rating
 from gearwright.sizing.rating.search import module_for
 from gearwright.sizing.rating.standard_teeth import widest_ratio
+from gearwright.spec.mission import GearLifeRules
 
 
 class Agma2001:
@@ -34,6 +35,7 @@ class Agma2001:
 
     edition = "ANSI/AGMA 2001-D04"
     peaks = "K_o K_v"
+    life_source = "Miner, AGMA 2001-D04, clause 17"
     safeties: Mapping[str, tuple[str, ...]] = MappingProxyType(
         {"pitting": ("agma2001", "pitting_safety"), "bending": ("agma2001", "bending_safety")}
     )
@@ -105,6 +107,11 @@ class Agma2001:
                 Damage(*(miner_sum(curve, _over(rated, gear, contact=mode).tolist(), cycles) for mode, curve in modes))
             )
         return sums[0], sums[1]
+
+    def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
+        """Return 1/e of the stress cycle factor below its corner [-]."""
+        making = making_of(rating)
+        return 1.0 / (making.contact_curve if mode == "pitting" else making.bending_curve).low[1]
 
     def checks(self, rated: Agma2001Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
         """Yield both safeties of both gears, and whether the curve of K_v holds at this velocity."""

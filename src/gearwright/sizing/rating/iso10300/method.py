@@ -14,7 +14,7 @@ from gearwright.parts.bevel import WIDEST_MODULES, BevelRating, rate_bevel
 from gearwright.parts.gears import Numbers
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.iso6336 import steel_of
-from gearwright.sizing.rating.iso6336.method import SAFETIES, iso_making
+from gearwright.sizing.rating.iso6336.method import SAFETIES, iso_making, life_slope
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
 from gearwright.sizing.rating.iso10300.inputs import bevel_duty, bevel_surfaces
 from gearwright.sizing.rating.iso10300.module import bevel_modules
@@ -22,6 +22,7 @@ from gearwright.sizing.rating.iso10300.record import Iso10300Rating
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Array, Ask, Rating
 from gearwright.sizing.rating.standard_teeth import bevel_pair, cone_ratio
+from gearwright.spec.mission import GearLifeRules
 
 USUAL_BEVEL_WIDTH = 0.30
 """Face width of bevel gears over the outer cone distance b/R_e [-] (ISO 23509:2016, annex B)."""
@@ -32,6 +33,7 @@ class Iso10300:
 
     edition = "ISO 10300, method B1"
     peaks = "K_A K_V"
+    life_source = "Miner, ISO 6336-6"
     safeties = SAFETIES
 
     def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
@@ -91,6 +93,10 @@ class Iso10300:
         ]  # fmt: skip
         strains = [_strains(rated) for rated in every]
         return damages(_stacked(strains), spectrum, steel_of(spectrum.rating))
+
+    def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
+        """Return p of the S-N curve of the steel [-]."""
+        return life_slope(rating, mode)
 
     def checks(self, rated: Iso10300Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
         """Yield both safeties of both gears."""

@@ -11,7 +11,7 @@ from gearwright.checks import Check
 from gearwright.errors import Problem
 from gearwright.identity import PartId
 from gearwright.parts.gears import Numbers
-from gearwright.parts.iso6336 import MeshDuty, PairRating, rate_mesh
+from gearwright.parts.iso6336 import MeshDuty, PairRating, life_curves, rate_mesh
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.iso6336.inputs import duty_of, quality_of, steel_of
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
@@ -21,6 +21,7 @@ from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, 
 from gearwright.sizing.rating.rules import Array, Ask, Rating
 from gearwright.sizing.rating.search import module_for
 from gearwright.sizing.rating.standard_teeth import cylindrical_mesh, widest_ratio
+from gearwright.spec.mission import GearLifeRules
 
 SAFETIES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {"pitting": ("iso6336", "pitting_safety"), "bending": ("iso6336", "bending_safety")}
@@ -33,6 +34,7 @@ class Iso6336:
 
     edition = "ISO 6336, method B"
     peaks = "K_A K_V"
+    life_source = "Miner, ISO 6336-6"
     safeties = SAFETIES
 
     def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
@@ -97,6 +99,10 @@ class Iso6336:
         rated = _rate(spectrum.rating, spectrum.ask, duty, spectrum.module, spectrum.face_width)
         return damages(strains_of(rated), spectrum, steel_of(spectrum.rating))
 
+    def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
+        """Return p of the S-N curve of the steel [-]."""
+        return life_slope(rating, mode)
+
     def checks(self, rated: Iso6336Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
         """Yield both safeties of both gears, and that against scuffing."""
         for gear, pitting, bending in zip(gears, rated.pitting, rated.bending, strict=True):
@@ -116,6 +122,16 @@ class Iso6336:
     def making(self, rating: Rating) -> Making:
         """Return flank class, roughness and steel."""
         return iso_making(rating, "ISO 1328-1", rating.rules.iso6336.tolerance_class)
+
+
+def life_slope(rating: Rating, mode: str) -> float:
+    """Return p of N ~ σ^(−p) below the knee of the S-N curve of a stage's steel [-].
+
+    Args:
+        rating: Resolved rules.
+        mode: ``pitting`` or ``bending``.
+    """
+    return float(life_curves(steel_of(rating))[0 if mode == "pitting" else 1].slope)
 
 
 def iso_making(rating: Rating, standard: str, iso_class: int | None) -> Making:

@@ -20,6 +20,7 @@ from gearwright.sizing.rating.lewis_hertz.record import LewisHertzRating
 from gearwright.sizing.rating.protocol import Damage, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Array, Ask, Rating
 from gearwright.spec.design import Iso6336Rules
+from gearwright.spec.mission import GearLifeRules
 
 _OIL_VISCOSITY = 100.0
 """ν_40 where no standard rates the gears [mm²/s]: the film factor Z_L is 1 there."""
@@ -30,6 +31,7 @@ class LewisHertz:
 
     edition = "Lewis and Hertz"
     peaks = ""
+    life_source = "Miner, ISO 6336-6"
     safeties: Mapping[str, tuple[str, ...]] = MappingProxyType(
         {"pitting": ("contact_safety",), "bending": ("bending_safety",)}
     )
@@ -79,17 +81,11 @@ class LewisHertz:
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[Damage, Damage]:
         """Return Miner's sums by ISO 6336 with the mission's steel: Lewis and Hertz know no life."""
-        steel = spectrum.steel
-        rules = Iso6336Rules(
-            steel=steel.steel,
-            grade=steel.grade,
-            hardness_hv=steel.hardness_hv,
-            tolerance_class=steel.flank_class,
-            helix_modification="none",
-            oil_viscosity=_OIL_VISCOSITY,
-        )
-        rating = replace(spectrum.rating, rules=spectrum.rating.rules.model_copy(update={"iso6336": rules}))
-        return Iso6336().damage(spectrum._replace(rating=rating))
+        return Iso6336().damage(spectrum._replace(rating=_by_iso(spectrum.rating, spectrum.steel)))
+
+    def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
+        """Return p of the S-N curve of the mission's steel [-]."""
+        return Iso6336().life_slope(_by_iso(rating, steel), mode, steel)
 
     def checks(self, rated: LewisHertzRating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
         """Yield both stresses."""
@@ -105,3 +101,16 @@ class LewisHertz:
     def making(self, rating: Rating) -> Making:
         """Return that no accuracy is chosen."""
         return Making("not chosen (Lewis and Hertz)")
+
+
+def _by_iso(rating: Rating, steel: GearLifeRules) -> Rating:
+    """Return the rules of a stage as ISO 6336 rates it with the mission's steel."""
+    rules = Iso6336Rules(
+        steel=steel.steel,
+        grade=steel.grade,
+        hardness_hv=steel.hardness_hv,
+        tolerance_class=steel.flank_class,
+        helix_modification="none",
+        oil_viscosity=_OIL_VISCOSITY,
+    )
+    return replace(rating, rules=rating.rules.model_copy(update={"iso6336": rules}))
