@@ -32,6 +32,8 @@ COMMANDS = (
     Command("size hybrid.toml"),
     Command("size rated.toml --factors"),
     Command("size pair.toml --json", machine=True),
+    Command("engines --series PW100 --jsonl", machine=True),
+    Command("new --json", machine=True),
     Command("modes hybrid.toml"),
     Command("simulate hybrid.toml --duration 0.001 --stiffness constant"),
     Command("run pair.toml --duration 0.001 --stiffness constant"),

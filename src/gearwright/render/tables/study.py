@@ -21,7 +21,7 @@ _WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carr
           "fly.fuel": "fuel", "fly.efficiency": "efficiency in flight", "fly.life": "life", "fly.flights": "flights",
           "fly.governing": "fails first", "fly.battery_energy": "battery energy",
           "fly.electric_share": "electric share", "fly.charge": "charge at the end",
-          "fly.least_charge": "least charge"}  # fmt: skip
+          "fly.least_charge": "minimum charge"}  # fmt: skip
 
 
 FLAT = 0.03
@@ -110,7 +110,7 @@ def summary_grid(table: Table) -> Grid:
     title = f"{table.name}: {len(table.rows):,} cases, {len(table.failed):,} cannot be had"
     caption = "\n".join(reasons(table)) if table.failed else ""
     grid = Grid(title, caption=caption)
-    for name in ("result", "", "least", "5 %", "median", "95 %", "most"):
+    for name in ("result", "", "minimum", "5 %", "median", "95 %", "maximum"):
         grid.add_column(name, justify="left" if name in ("result", "") else "right")
     for line in spread(table):
         grid.add_row(heading(line.result), line.unit, *line.values)

@@ -117,7 +117,7 @@ def spread_table(rows: Rows, *, sampled: bool) -> Table:
         rows: Cases of a study.
         sampled: Whether they are samples, which a bound needs.
     """
-    names = ["result", "unit", "least", "5 %", "median", "95 %", "most"]
+    names = ["result", "unit", "minimum", "5 %", "median", "95 %", "maximum"]
     columns = [_column(name) for name in (names + (["95 % are above", "95 % are below"] if sampled else []))]
     lines = []
     for line in spread(rows):
