@@ -115,6 +115,9 @@ def test_splines_are_those_of_din_5480():
     with pytest.raises(DesignError, match="6 are needed"):
         spline(0.0065, 1e-3)
     assert spline(0.007, 1e-3).teeth == 6
+    # 22 would need x = −0.06 and 20 needs 0.49 where 21 has −0.01: the odd one is left.
+    assert spline(0.02298, 1e-3).teeth == 21
+    assert spline(0.02208, 1e-3).teeth == 21
 
 
 def test_the_shift_of_a_spline_stays_within_its_range():
