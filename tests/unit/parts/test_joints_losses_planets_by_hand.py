@@ -285,7 +285,7 @@ def test_phases_of_a_set_follow_its_teeth(shifts):
         assert math.remainder(sun + 24.0 * k / 102.0, 1.0) == pytest.approx(0.0, abs=1e-9)
         assert math.remainder(ring - 78.0 * k / 102.0 - shift, 1.0) == pytest.approx(0.0, abs=1e-9)
         assert 0.0 <= sun < 1.0 and 0.0 <= ring < 1.0
-    with pytest.raises(DesignError, match="whole multiples of 360°/102"):
+    with pytest.raises(DesignError, match=r"positions\.1: .* whole multiples of 360°/102"):
         planet_phases(sun_mesh, ring_mesh, [0.0, 2.0 * PI * 25.001 / 102.0])
 
 
