@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from gearwright.mission import durability, fly, size_for_life
     from gearwright.mission.windows import fly_window as window
     from gearwright.render.drawings.catalogue import sheets as draw
+    from gearwright.render.pages.notebook import figure
     from gearwright.render.pages.report import report
     from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
     from gearwright.reviews import review
@@ -72,6 +73,7 @@ _VERBS = {
     "edited": "spec",
     "edited_mission": "spec",
     "engines": "weights",
+    "figure": "render.pages.notebook",
     "fly": "mission",
     "for_engine": "study",
     "frequency_response": "dynamics",
@@ -137,6 +139,7 @@ __all__ = [
     "edited",
     "edited_mission",
     "engines",
+    "figure",
     "fly",
     "for_engine",
     "frequency_response",

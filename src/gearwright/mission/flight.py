@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,9 +26,10 @@ from gearwright.mission.history import (
     Series,
     marked_series,
 )
+from gearwright.showing import Shown, frame
 from gearwright.sizing import Sizing
 from gearwright.spec import GROUND, Mission
-from gearwright.units import Energy, Length, Mass, Origin, Quantity, Ratio, Time, marks_of
+from gearwright.units import Energy, Length, Mass, Origin, Quantity, Ratio, Time, marks_of, si_unit
 from gearwright.verbs import verb
 
 
@@ -77,8 +78,8 @@ class Balance:
         return self.fuel + sum(max(energy, 0.0) for energy in (self.battery, -self.stored, -self.propeller))
 
 
-@dataclass(frozen=True)
-class Flight:
+@dataclass(frozen=True, repr=False)
+class Flight(Shown):
     """Histories of one gearbox over a mission; every array has one value per interval, shape (n,)."""
 
     mission: Mission
@@ -147,6 +148,13 @@ class Flight:
         taken, given = self.passed()
         weights = self.history.duration if counted is None else np.where(counted, self.history.duration, 0.0)
         return float((given * weights).sum() / (taken * weights).sum())
+
+    def to_dataframe(self) -> Any:
+        """Return a pandas ``DataFrame``: everything recorded, in SI, over time; units in ``attrs["units"]``."""
+        series: dict[str, tuple[Iterable[Any], str]] = {
+            entry.name: (entry.values, si_unit(entry.marks.dimension)) for entry in flight_series(self)
+        }
+        return frame({"phase": (self.phase, ""), **series}, "time")
 
     def passed(self) -> tuple[Array, Array]:
         """Return what the gearbox takes and gives in every interval [W]; a propeller that the air drives gives."""

@@ -12,6 +12,7 @@ from gearwright.errors import refuse
 from gearwright.mission import Durability, Flight, durability, flight_checks, fly
 from gearwright.reviews.motion import motion_checks
 from gearwright.reviews.open import open_checks
+from gearwright.showing import Shown
 from gearwright.sizing import Named, Sizing, size, total_results
 from gearwright.spec import Design, Mission
 from gearwright.verbs import verb
@@ -25,8 +26,8 @@ class Verdict(StrEnum):
     PASSES = "passes"
 
 
-@dataclass(frozen=True)
-class Review:
+@dataclass(frozen=True, repr=False)
+class Review(Shown):
     """Every check of a design, worst first."""
 
     design: str

@@ -11,6 +11,7 @@ from typing import Annotated
 from gearwright.checks import Check, worst
 from gearwright.identity import PartId, Role, carrier_part, gear_part
 from gearwright.parts.bearings import system_life, weibull_slope
+from gearwright.showing import Shown
 from gearwright.sizing.arranged import Arrangement
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
@@ -235,8 +236,8 @@ class MachineSizing:
     """True if the design gives it, False if it is estimated."""
 
 
-@dataclass(frozen=True)
-class Sizing:
+@dataclass(frozen=True, repr=False)
+class Sizing(Shown):
     """A sized transmission."""
 
     design: Design

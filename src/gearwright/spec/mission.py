@@ -12,6 +12,7 @@ from gearwright.catalogue import USUAL_HARDNESS, gear_steel
 from gearwright.errors import DesignError, Problem
 from gearwright.reading import beside
 from gearwright.shipped import find_mission
+from gearwright.showing import Shown
 from gearwright.spec.checks import STEEL_KEYS
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
@@ -142,7 +143,7 @@ class BearingLifeRules(Record):
     reliability: Ratio = Field(0.9, ge=0.9, le=0.999, description="Part of the bearings that reach the life")
 
 
-class Mission(Record):
+class Mission(Shown, Record):
     """A mission as its user wrote it."""
 
     schema_version: Literal[1] = Field(1, alias="schema", description="Version of this file format")

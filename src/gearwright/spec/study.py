@@ -11,6 +11,7 @@ from pydantic import Field
 from gearwright.errors import DesignError, Problem
 from gearwright.reading import beside
 from gearwright.shipped import find_mission, find_study
+from gearwright.showing import Shown
 from gearwright.spec.axis import Axis, Value, axis_length, axis_problems
 from gearwright.spec.mission import Mission, is_map_file, mission_problems, read_mission
 from gearwright.spec.read import file_text, placed, toml_tables
@@ -60,7 +61,7 @@ class Flown(Record):
     )
 
 
-class Study(Record):
+class Study(Shown, Record):
     """Designs varied along axes, with results by name."""
 
     schema_version: Literal[1] = Field(1, alias="schema", description="Version of this file format")

@@ -20,6 +20,7 @@ from gearwright.dynamics.model import Tone
 from gearwright.dynamics.motion import Checkpoints, Orders
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.reading import refuse_irregular
+from gearwright.showing import Shown
 from gearwright.spec import Design
 from gearwright.store.image import new_netcdf
 from gearwright.store.owners import found_owners, read_owners, written_owners
@@ -52,8 +53,8 @@ _OWNERS = ("coordinate_owners", "line_owners", "drive_owners")
 _SCALARS = ("method", "step", "duration", "error", "tolerance")
 
 
-@dataclass(frozen=True, eq=False)
-class StoredRun:
+@dataclass(frozen=True, eq=False, repr=False)
+class StoredRun(Shown):
     """What a file holds."""
 
     design: Design

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from gearwright.catalogue import Engine, nearest
 from gearwright.errors import Problem, refuse
+from gearwright.showing import Shown
 from gearwright.units import Mass
 from gearwright.weights.method import Estimate, estimate
 from gearwright.weights.methods import methods
@@ -37,8 +38,8 @@ class StatedMass:
         refuse(problems)
 
 
-@dataclass(frozen=True)
-class Comparison:
+@dataclass(frozen=True, repr=False)
+class Comparison(Shown):
     """What is known about the mass of a gearbox before it is designed, and after if there is a design."""
 
     requirement: Requirement

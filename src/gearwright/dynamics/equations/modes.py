@@ -18,6 +18,7 @@ from gearwright.dynamics.model import (
     line_matrix,
     refuse_not_finite,
 )
+from gearwright.showing import Shown
 from gearwright.train.null_space import row_and_null_space
 from gearwright.verbs import verb
 
@@ -25,8 +26,8 @@ REPEATED = 1e-6
 """Relative distance under which two natural frequencies count as one [-]."""
 
 
-@dataclass(frozen=True, eq=False)
-class Modes:
+@dataclass(frozen=True, eq=False, repr=False)
+class Modes(Shown):
     """Natural modes, rigid ones first, then by rising frequency."""
 
     frequency: Floats

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.identity import PartId
+from gearwright.showing import Shown
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -202,8 +203,8 @@ class Labels:
         return tuple(self.lines[place] for place in self.places_of(part))
 
 
-@dataclass(frozen=True, eq=False)
-class System:
+@dataclass(frozen=True, eq=False, repr=False)
+class System(Shown):
     """A drive train as the solvers see it."""
 
     arrays: Arrays

@@ -38,6 +38,7 @@ from gearwright.dynamics.motion.recorder import RUNAWAY
 from gearwright.dynamics.motion.stepsize import STABLE, check_duration, check_step, default_step, fastest_rate
 from gearwright.dynamics.motion.trace import index_of
 from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.showing import Shown
 from gearwright.verbs import verb
 
 LANES = 8
@@ -46,8 +47,8 @@ STEPS = 1024
 """Steps between two settings of the clock: long enough that threads seldom wait for each other to leave Python."""
 
 
-@dataclass(frozen=True, eq=False)
-class Ensemble:
+@dataclass(frozen=True, eq=False, repr=False)
+class Ensemble(Shown):
     """Line forces of many trajectories, from every step after the transient; shape (trajectories, lines) each."""
 
     mean: Floats

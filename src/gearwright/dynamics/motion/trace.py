@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.dynamics.equations import Work
 from gearwright.dynamics.model import Floats, Ints, Labels, System, Tone
+from gearwright.dynamics.motion.labelled import dataset, line_columns
 from gearwright.errors import DesignError, Problem, near
+from gearwright.showing import Shown, frame
 
 
 def index_of(name: str, names: Sequence[str], what: str) -> int:
@@ -40,8 +42,8 @@ def line_numbers(system: System, names: Sequence[str]) -> Ints:
     return np.array([index_of(name, system.labels.lines, "line") for name in names], dtype=np.int64)
 
 
-@dataclass(frozen=True, eq=False)
-class Samples:
+@dataclass(frozen=True, eq=False, repr=False)
+class Samples(Shown):
     """The state at some instants."""
 
     time: Floats
@@ -83,6 +85,14 @@ class Samples:
         """
         return self.line_deflection[:, index_of(line, self.labels.lines, "line")]
 
+    def to_xarray(self) -> Any:
+        """Return an xarray ``Dataset``: force [N] by ``line``, torque [N m] by ``shaft``, and all else."""
+        return dataset(self)
+
+    def to_dataframe(self) -> Any:
+        """Return a pandas ``DataFrame``: the load of every line over time, units in ``attrs["units"]``."""
+        return frame(line_columns(self), "time")
+
     def motion(self, coordinate: str) -> Floats:
         """Return a coordinate, measured from the rigid motion [rad or m], shape (instants,).
 
@@ -102,8 +112,8 @@ class Extent(NamedTuple):
     """Root mean square of the value itself."""
 
 
-@dataclass(frozen=True, eq=False)
-class Statistics:
+@dataclass(frozen=True, eq=False, repr=False)
+class Statistics(Shown):
     """Mean, least, greatest and root mean square of one quantity in each time bin, from every step of the run."""
 
     names: tuple[str, ...]
@@ -146,8 +156,8 @@ class Statistics:
                       float(np.sqrt(weights @ of["rms"] ** 2)))  # fmt: skip
 
 
-@dataclass(frozen=True, eq=False)
-class Orders:
+@dataclass(frozen=True, eq=False, repr=False)
+class Orders(Shown):
     """Complex amplitudes of line forces at every turning tone: the real part times e^(iφ) is the tone's share."""
 
     names: tuple[str, ...]
@@ -168,8 +178,8 @@ class Orders:
         return self.amplitude[:, index_of(line, self.names, "line")]
 
 
-@dataclass(frozen=True, eq=False)
-class Checkpoints:
+@dataclass(frozen=True, eq=False, repr=False)
+class Checkpoints(Shown):
     """States from which any part of the run can be repeated bit for bit."""
 
     step: Ints
@@ -178,8 +188,8 @@ class Checkpoints:
     """q, q̇ and works, shape (checkpoints, states)."""
 
 
-@dataclass(frozen=True, eq=False)
-class Trace:
+@dataclass(frozen=True, eq=False, repr=False)
+class Trace(Shown):
     """A simulated stretch of time."""
 
     method: str
@@ -216,6 +226,14 @@ class Trace:
     """Of what is recorded of drives; None without drives."""
     interrupted: bool = False
     """Whether the user stopped the run before its end."""
+
+    def to_xarray(self) -> Any:
+        """Return the samples of the whole run as an xarray ``Dataset``, as `Samples.to_xarray`."""
+        return self.samples.to_xarray()
+
+    def to_dataframe(self) -> Any:
+        """Return the samples of the whole run as a pandas ``DataFrame``, as `Samples.to_dataframe`."""
+        return self.samples.to_dataframe()
 
     def whole(self) -> Trace:
         """Return the run, for what needs all of it.

@@ -25,6 +25,7 @@ from gearwright.dynamics.sharing.solutions import LoadSharing, Method, load_shar
 from gearwright.dynamics.sharing.tolerance_allocation import Allocation, allocate
 from gearwright.errors import DesignError, Problem, by_name, near
 from gearwright.identity import Kind, Row, mesh_part
+from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.spec import Pair, Planetary
 from gearwright.verbs import verb
@@ -33,8 +34,8 @@ DETERMINATE = 1e-9
 """Force for each unit of error over the stiffness of a line below which equilibrium alone shares the load [-]."""
 
 
-@dataclass(frozen=True, eq=False)
-class SharingProblem:
+@dataclass(frozen=True, eq=False, repr=False)
+class SharingProblem(Shown):
     """Parallel meshes of a design with all that decides their sharing."""
 
     stage: str
@@ -129,8 +130,8 @@ def one_sided(system: System) -> System:
     return replace(system, arrays=system.arrays._replace(backlash=free))
 
 
-@dataclass(frozen=True, eq=False)
-class SharingStudy:
+@dataclass(frozen=True, eq=False, repr=False)
+class SharingStudy(Shown):
     """Answers about the load sharing of one stage."""
 
     problem: SharingProblem
@@ -211,8 +212,8 @@ def sharing(
     return sharing_study(problem, method=method, target=target, percent=percent, seed=seed)
 
 
-@dataclass(frozen=True, eq=False)
-class SupportSweep:
+@dataclass(frozen=True, eq=False, repr=False)
+class SupportSweep(Shown):
     """Sharing and displacement against the stiffness of one shaft's support."""
 
     shaft: str

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from gearwright.dynamics.equations import Complexes, DampedModes, damped_modes, 
 from gearwright.dynamics.model import Floats, System, Tone, finite_numbers, refuse_not_finite
 from gearwright.dynamics.vibration.sequences import numbers
 from gearwright.errors import DesignError, Problem
+from gearwright.showing import Shown, frame
 from gearwright.verbs import verb
 
 
@@ -38,8 +40,8 @@ class Crossing:
     """[Hz]."""
 
 
-@dataclass(frozen=True, eq=False)
-class Campbell:
+@dataclass(frozen=True, eq=False, repr=False)
+class Campbell(Shown):
     """Natural frequencies followed over speed by their shapes."""
 
     factor: Floats
@@ -52,6 +54,11 @@ class Campbell:
     """What excites."""
     crossings: tuple[Crossing, ...]
     """Every meeting within the range of speeds, by rising speed."""
+
+    def to_dataframe(self) -> Any:
+        """Return a pandas ``DataFrame``: natural frequencies [Hz] over the speed factor [-], a column for each mode."""
+        modes = {f"mode {number}": (column, "Hz") for number, column in enumerate(self.frequency.T, start=1)}
+        return frame({"factor": (self.factor, "1"), **modes}, "factor")
 
     def margins(self, factor: float = 1.0) -> list[tuple[float, Order, int]]:
         """Return for each mode its nearest order at one speed: (relative distance, order, mode), nearest first.

@@ -18,6 +18,7 @@ from gearwright.dynamics.model import Floats, Ints, System, Tone, line_matrix
 from gearwright.dynamics.vibration.campbell import Campbell, Crossing, campbell
 from gearwright.errors import by_name
 from gearwright.identity import PartId, Role, gear_part
+from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.units import Frequency, Ratio, Speed
 from gearwright.verbs import verb
@@ -71,8 +72,8 @@ class CriticalSpeed:
         return RESONANCE[0] <= 1.0 / (1.0 + self.margin) <= RESONANCE[1]
 
 
-@dataclass(frozen=True, eq=False)
-class SpeedCase:
+@dataclass(frozen=True, eq=False, repr=False)
+class SpeedCase(Shown):
     """Load cases of one set of speeds, their Campbell diagram and their critical speeds, worst first."""
 
     cases: str

@@ -11,12 +11,13 @@ from gearwright.dynamics.equations import Complexes, linear
 from gearwright.dynamics.model import Arrays, Floats, Labels, System, finite_numbers, line_matrix, refuse_not_finite
 from gearwright.dynamics.motion import index_of
 from gearwright.dynamics.vibration.sequences import positive_numbers
+from gearwright.showing import Shown
 from gearwright.units import Force, Frequency
 from gearwright.verbs import verb
 
 
-@dataclass(frozen=True, eq=False)
-class Response:
+@dataclass(frozen=True, eq=False, repr=False)
+class Response(Shown):
     """Complex amplitudes against frequency: the real part times e^(iωt) is the motion."""
 
     frequency: Floats

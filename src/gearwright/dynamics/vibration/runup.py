@@ -17,13 +17,14 @@ from gearwright.dynamics.vibration.spectra import tone_amplitudes
 from gearwright.dynamics.vibration.speed_map import at_speed
 from gearwright.dynamics.vibration.transmission import first_meshes
 from gearwright.errors import DesignError, Problem
+from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.units import Force, Speed
 from gearwright.verbs import verb
 
 
-@dataclass(frozen=True, eq=False)
-class RunUp:
+@dataclass(frozen=True, eq=False, repr=False)
+class RunUp(Shown):
     """Line forces in steady running at many speeds."""
 
     factor: Floats

@@ -10,11 +10,12 @@ from gearwright.dynamics.equations import Complexes, speed_factors
 from gearwright.dynamics.model import Floats, System, Tone
 from gearwright.dynamics.motion import Samples
 from gearwright.errors import DesignError, Problem
+from gearwright.showing import Shown
 from gearwright.verbs import verb
 
 
-@dataclass(frozen=True, eq=False)
-class Waterfall:
+@dataclass(frozen=True, eq=False, repr=False)
+class Waterfall(Shown):
     """Amplitude spectra of successive stretches of time."""
 
     time: Floats

@@ -10,11 +10,12 @@ import numpy as np
 from gearwright.dynamics.model import Floats, System, check_finite
 from gearwright.dynamics.motion import Ensemble, default_step, simulate_many
 from gearwright.dynamics.vibration.sequences import positive_numbers
+from gearwright.showing import Shown
 from gearwright.verbs import verb
 
 
-@dataclass(frozen=True, eq=False)
-class SpeedMap:
+@dataclass(frozen=True, eq=False, repr=False)
+class SpeedMap(Shown):
     """Line forces against speed."""
 
     factor: Floats

@@ -17,6 +17,7 @@ from gearwright.dynamics.equations import Complexes, split_rigid, statics
 from gearwright.dynamics.model import Arrays, Floats, System
 from gearwright.dynamics.motion import Outputs, Samples, default_step, simulate, simulate_many
 from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.showing import Shown
 from gearwright.verbs import verb
 
 CLOSED = 1e-9
@@ -29,8 +30,8 @@ LARGEST_DENOMINATOR = 10_000
 """Teeth: ratios of tones are fractions of whole numbers no larger."""
 
 
-@dataclass(frozen=True, eq=False)
-class Orbit:
+@dataclass(frozen=True, eq=False, repr=False)
+class Orbit(Shown):
     """A periodic motion, measured from the rigid one."""
 
     period: float

@@ -10,6 +10,7 @@ from gearwright.mission.flight import Flight
 from gearwright.mission.fly import fly
 from gearwright.mission.lives.bearings import BearingLives, bearing_lives
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
+from gearwright.showing import Shown
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.rating import method_for, rating_of
 from gearwright.spec import Design, GearRules, Mission, Record
@@ -22,8 +23,8 @@ MOST_ROUNDS = 200
 """Rounds after which a target counts as out of reach [-]."""
 
 
-@dataclass(frozen=True)
-class LifeSizing:
+@dataclass(frozen=True, repr=False)
+class LifeSizing(Shown):
     """A design strengthened until it lives."""
 
     sizing: Sizing

@@ -8,6 +8,7 @@ from gearwright.errors import DesignError
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.bearings import FATIGUE, BearingLives, bearing_lives
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
+from gearwright.showing import Shown
 from gearwright.units import Ratio
 from gearwright.verbs import verb
 
@@ -41,8 +42,8 @@ class PartLife:
         return f"bearing of {self.part}" if self.is_bearing else self.part
 
 
-@dataclass(frozen=True)
-class Durability:
+@dataclass(frozen=True, repr=False)
+class Durability(Shown):
     """Lives of all parts over a flight."""
 
     gears: tuple[GearDamage, ...]

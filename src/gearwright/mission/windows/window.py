@@ -18,6 +18,7 @@ from gearwright.machines import Governor, GovernorState, LimitCycle, angle_for_p
 from gearwright.mission.flight import Flight
 from gearwright.mission.windows.background import Background, Curve, background
 from gearwright.mission.windows.events import changed, value_at
+from gearwright.showing import Shown
 from gearwright.spec import GovernorRules, WindowRules
 from gearwright.train import RATED
 from gearwright.verbs import verb
@@ -36,8 +37,8 @@ NEVER_SLIPS = 1e12
 """Capacity of an overrunning clutch in the sense in which it holds [N m]."""
 
 
-@dataclass(frozen=True, eq=False)
-class DynamicWindow:
+@dataclass(frozen=True, eq=False, repr=False)
+class DynamicWindow(Shown):
     """A window as it was flown."""
 
     name: str

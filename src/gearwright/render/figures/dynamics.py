@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import cycle
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from gearwright.dynamics.vibration import RESONANCE, CriticalSpeed, Order, Response, SpeedCase, order_name
+from gearwright.dynamics.vibration import RESONANCE, Campbell, CriticalSpeed, Order, Response, SpeedCase, order_name
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.sizing import Sizing
@@ -34,6 +35,28 @@ def campbell_figure(sizing: Sizing, speeds: SpeedCase) -> Figure:
     diagram, margins = figure.subplots(2, 1, height_ratios=(85.0, 12.0 + 5.0 * max(len(near), 1)))
     _draw_campbell(diagram, sizing, speeds)
     _draw_margins(margins, near)
+    return figure
+
+
+@theme.styled
+def diagram_figure(campbell: Campbell) -> Figure:
+    """Return a Campbell diagram without its sizing: frequencies and orders against speed, crossings as dots.
+
+    Args:
+        campbell: From `campbell`.
+    """
+    figure = theme.sheet(WIDTH, 105.0)
+    axes = figure.subplots()
+    end, top = campbell.factor[-1], 1.05 * float(np.max(campbell.frequency))
+    axes.plot(campbell.factor, campbell.frequency, color=theme.MUTED, lw=0.8)
+    axes.plot([], [], color=theme.MUTED, lw=0.8, label="natural frequency")
+    for colour, order in zip(cycle(theme.CYCLE), campbell.orders, strict=False):
+        axes.plot([0.0, end], [0.0, order.frequency * end], color=colour, lw=0.9, label=str(order.tone))
+    crossings = campbell.crossings
+    axes.scatter([at.factor for at in crossings], [at.frequency for at in crossings], s=9.0, color=theme.ORANGE, lw=0.0)
+    axes.axvline(1.0, color=theme.INK, lw=0.9)
+    axes.set(xlim=(0.0, end), ylim=(0.0, top), xlabel="speed over operating speed [-]", ylabel="frequency [Hz]")
+    axes.legend(loc="upper left", bbox_to_anchor=(0.0, -0.17), ncols=3, borderaxespad=0.0, fontsize=6.5)
     return figure
 
 

@@ -12,6 +12,7 @@ from pydantic import Field
 
 from gearwright.catalogue import material_of, materials
 from gearwright.parts import Material
+from gearwright.showing import Shown
 from gearwright.spec.bounds import Name
 from gearwright.spec.design.dynamics import DynamicsRules
 from gearwright.spec.design.gears import GearRules, TeethRules
@@ -36,7 +37,7 @@ class Gearbox(Record):
     mass: Mass | None = Field(None, gt=0, description="Its mass, as weighed; left out: the sum of its parts")
 
 
-class Design(Record):
+class Design(Shown, Record):
     """A transmission as its user wrote it."""
 
     schema_version: Literal[1] = Field(1, alias="schema", description="Version of this file format")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.errors import DesignError, Problem, near
+from gearwright.showing import Shown, frame
 from gearwright.sizing import TEXT, Named
 from gearwright.units import shown, unit
 
@@ -53,8 +54,8 @@ class Row:
         return shown(self.number(result), self.results[result].dimension)
 
 
-@dataclass(frozen=True)
-class Table:
+@dataclass(frozen=True, repr=False)
+class Table(Shown):
     """The rows of a study."""
 
     name: str
@@ -104,6 +105,12 @@ class Table:
             result: Its name.
         """
         return unit(self.good[0].results[result].dimension) if result in self.numbers else ""
+
+    def to_dataframe(self) -> Any:
+        """Return a pandas ``DataFrame``: a row for each variant, as shown and exported; units in ``attrs["units"]``."""
+        from gearwright.study.answers.export import columns  # export's tables are these
+
+        return frame(columns(self), "")
 
     @property
     def failed(self) -> tuple[Row, ...]:

@@ -1,0 +1,147 @@
+"""A value in a few lines, as a prompt shows it: what it is, its key numbers with units, what to do next."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import fields, is_dataclass
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from gearwright.units import text
+
+FIRST = 6
+"""Names, rows or frequencies that are written out."""
+LONGEST = 100
+"""Characters of a name that are written out."""
+
+
+def short(value: Any) -> str:
+    """Return a value in a few lines.
+
+    Args:
+        value: Of any verb; one without lines of its own shows its plain fields.
+    """
+    kind = type(value).__name__
+    return "\n".join(_LINES.get(kind, _plain)(value))
+
+
+def _plain(value: Any) -> Iterator[str]:
+    """Yield the fields of any record: plain values as they are, of the others their kind and size."""
+    names = [field.name for field in fields(value)] if is_dataclass(value) else list(type(value).model_fields)
+    told = [f"{name} {_field(getattr(value, name))}" for name in names]
+    yield f"{type(value).__name__}: {', '.join(told)}"
+
+
+def _field(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, str):
+        return repr(str(value)[:LONGEST])
+    if value is None or isinstance(value, int):
+        return str(value)
+    if isinstance(value, np.ndarray):
+        return f"[{' × '.join(map(str, value.shape))}]"
+    return f"({len(value)})" if hasattr(value, "__len__") else f"({type(value).__name__})"
+
+
+def _listed(names: Any) -> str:
+    """Return the first names, and how many more there are."""
+    known = list(names)
+    more = f" and {len(known) - FIRST} more" if len(known) > FIRST else ""
+    return f"{', '.join(map(str, known[:FIRST]))}{more}"
+
+
+def _design(design: Any) -> Iterator[str]:
+    yield f"Design {design.name[:LONGEST]!r}: shafts {_listed(design.shafts)}; stages {_listed(design.stages)}"
+    powers = {name: text(machine.power, "power") for name, machine in (design.turbines | design.motors).items()}
+    yield f"machines {_listed(f'{name} {power}' for name, power in powers.items())}"
+    yield "next: gw.size(design), gw.review(design), gw.edited(design, {path: value})"
+
+
+def _sizing(sizing: Any) -> Iterator[str]:
+    yield (
+        f"Sizing {sizing.design.name[:LONGEST]!r}: {text(sizing.mass, 'mass')} without housing, "
+        f"{text(sizing.rated_power, 'power')} rated, worst margin {sizing.worst_margin:.3f}"
+    )
+    yield f"teeth {_listed(f'{gear} {teeth}' for gear, teeth in sizing.teeth.items())}; cases {_listed(sizing.flows)}"
+    yield "next: gw.review(sizing.design), gw.assemble(sizing, case), gw.fly(sizing, mission), gw.report(sizing)"
+
+
+def _system(system: Any) -> Iterator[str]:
+    yield str(system)
+    yield "next: gw.modes(system), gw.campbell(system, factors), gw.simulate(system, duration)"
+
+
+def _modes(modes: Any) -> Iterator[str]:
+    groups = [f"{frequency:.1f}" + (f" (×{count})" if count > 1 else "") for frequency, count in modes.groups()]
+    yield f"Modes: {len(modes.frequency)}, {modes.rigid} rigid; natural frequencies {_listed(groups[:])} Hz"
+    yield "next: modes.frequency, modes.shapes, modes.line_energy, gw.campbell(system, factors)"
+
+
+def _trace(trace: Any) -> Iterator[str]:
+    stopped = ", interrupted" if trace.interrupted else ""
+    yield f"Trace: {trace.duration:g} s by {trace.method}, step {trace.step:.3g} s, error {trace.error:.1e}{stopped}"
+    yield f"lines {_listed(trace.labels.lines)}"
+    yield from (note[: 2 * LONGEST] for note in trace.notes[:2])
+    yield "next: trace.force.of(line), trace.samples.force(line), trace.to_xarray(), gw.save(trace, 'run.nc')"
+
+
+def _samples(samples: Any) -> Iterator[str]:
+    time, labels = samples.time, samples.labels
+    span = f", {time[0]:g} to {time[-1]:g} s" if len(time) else ""
+    yield f"Samples: {len(time)} instants{span}; {len(labels.coordinates)} coordinates; lines {_listed(labels.lines)}"
+
+
+def _campbell(campbell: Any) -> Iterator[str]:
+    factor = campbell.factor
+    yield (
+        f"Campbell: {campbell.frequency.shape[1]} modes at {len(factor)} speeds, {factor[0]:g} to {factor[-1]:g} of "
+        f"the operating ones; {len(campbell.orders)} orders, {len(campbell.crossings)} crossings"
+    )
+    yield f"first crossings at {_listed(f'{crossing.factor:.3f}' for crossing in campbell.crossings)} of the speed"
+    yield "next: campbell.crossings, campbell.margins(), campbell.to_dataframe(), gw.figure(campbell)"
+
+
+def _speed_case(case: Any) -> Iterator[str]:
+    yield f"SpeedCase {case.cases}: {len(case.critical)} critical speeds, the worst first"
+    for critical in case.critical[:3]:
+        yield f"{critical.order}, mode {critical.mode}: {critical.frequency:.1f} Hz, margin {critical.margin:+.1%}"
+    yield "next: case.critical, case.campbell, gw.simulate(case.system, duration)"
+
+
+def _flight(flight: Any) -> Iterator[str]:
+    yield (
+        f"Flight of {flight.mission.name[:LONGEST]!r}: {flight.duration / 60.0:.1f} min, "
+        f"{flight.distance / 1e3:.1f} km, fuel {flight.fuel:.2f} kg, gearbox efficiency {flight.efficiency():.4f}"
+    )
+    yield f"phases {_listed(flight.mission.phases)}; windows {_listed(flight.mission.windows) or 'none'}"
+    yield "next: gw.durability(flight), gw.window(flight, name), flight.to_dataframe()"
+
+
+def _review(review: Any) -> Iterator[str]:
+    yield f"Review {review.design[:LONGEST]!r}: {review.verdict}; {len(review.checks)} checks"
+    yield f"{len(review.failing)} fail, {len(review.waived)} waived, {len(review.open)} not assessed"
+    if review.worst is not None:
+        yield f"worst: {review.worst.name}, margin {review.worst.margin:.3f}"
+    yield "next: review.failing, review.open, review.checks"
+
+
+def _table(table: Any) -> Iterator[str]:
+    counts = f"{len(table.rows)} rows, {len(table.failed)} failed"
+    yield f"Table {table.name[:LONGEST]!r}: {counts}; varies {_listed(table.free) or 'the design'}"
+    for name in table.numbers[:FIRST]:
+        values = [row.shown(name) for row in table.good]
+        yield f"{name} {min(values):.4g} to {max(values):.4g} {table.unit(name)}".rstrip()
+    yield "next: table.column(result), table.to_dataframe(), gw.figure(table)"
+
+
+_LINES: Mapping[str, Callable[[Any], Iterator[str]]] = MappingProxyType(
+    {
+        "Campbell": _campbell, "Design": _design, "Flight": _flight, "Modes": _modes, "Review": _review,
+        "Samples": _samples, "Sizing": _sizing, "SpeedCase": _speed_case, "System": _system, "Table": _table,
+        "Trace": _trace,
+    }
+)  # fmt: skip
+"""Type -> its lines; by name, so that a design is shown without loading dynamics."""
