@@ -196,6 +196,7 @@ UNKNOWN = {
     "read_study path": lambda: read_study("motor-spee"),
     "response_figure lines": lambda: response_figure(response(), ["first.sun"], title="errors"),
     "run_up lines": lambda: run_up_of(["first.sun"]),
+    "schema of": lambda: gw.schema("desig"),
     "shaft_displacement shaft": lambda: shaft_displacement(split(), "inpu", np.zeros((1, len(split().lines)))),
     "shaft_spectrum shaft": lambda: shaft_spectrum(flight(), "outpu"),
     "sharing_problem case": lambda: sharing_problem(sizing(), case="rate"),
