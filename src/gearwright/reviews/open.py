@@ -39,7 +39,7 @@ def _teeth(sizing: Sizing, stage: str) -> Iterator[Check]:
     scuffing = any(check.mode == "scuffing" for check in sizing.checks if check.part in parts)
     if pair is not None and pair.kind == "face":
         yield not_assessed(part, "rating of face gears", "", "no standard rates them; Lewis and Hertz stand in")
-    elif not any(mesh.rating for mesh in meshes):
+    elif sizing.design.rules(stage).rating == "lewis-hertz":
         why = 'Lewis and Hertz know static strength only; rating = "iso6336" knows life, scuffing, what can be cut'
         yield not_assessed(part, "tooth fatigue and scuffing", "ISO 6336", why)
     elif not scuffing:
