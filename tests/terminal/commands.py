@@ -37,6 +37,7 @@ COMMANDS = (
     Command("modes hybrid.toml"),
     Command("simulate hybrid.toml --duration 0.001 --stiffness constant"),
     Command("run pair.toml --duration 0.001 --stiffness constant"),
+    Command("review ec120b"),
     Command("report pair.toml"),
     Command("draw pair.toml --what arrangement --format svg"),
     Command("schema", machine=True),
