@@ -7,6 +7,7 @@ import json
 import math
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import fuzz_stages
@@ -45,8 +46,8 @@ def test_what_is_no_number_in_a_result_is_found():
     assert not list(unsound(sizing))
     gear = sizing.gears[0]
     for wrong, told in ((math.nan, "gears[].mass is nan"), (math.inf, "mass is inf"), (0.0, "mass is not positive")):
-        broken = type(gear)(**{**vars(gear), "mass": wrong})
-        places = list(unsound(type(sizing)(**{**vars(sizing), "gears": (broken,)})))
+        broken = replace(gear, mass=wrong)
+        places = list(unsound(replace(sizing, gears=(broken,))))
         assert any(told in place for place in places), wrong
 
 

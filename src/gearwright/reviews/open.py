@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from gearwright.checks import Check, not_assessed
 from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.sizing import Sizing
+from gearwright.spec.design import RATINGS
 
 _LIVES = "no mission is given; gearwright review DESIGN MISSION flies one"
 
@@ -39,8 +40,8 @@ def _teeth(sizing: Sizing, stage: str) -> Iterator[Check]:
     scuffing = any(check.mode == "scuffing" for check in sizing.checks if check.part in parts)
     if pair is not None and pair.kind == "face":
         yield not_assessed(part, "rating of face gears", "", "no standard rates them; Lewis and Hertz stand in")
-    elif sizing.design.rules(stage).rating == "lewis-hertz":
-        why = 'Lewis and Hertz know static strength only; rating = "iso6336" knows life, scuffing, what can be cut'
+    elif not (method := RATINGS[sizing.design.rules(stage).rating]).fatigue:
+        why = f'{method.title}: static strength only; rating = "iso6336" knows life, scuffing, what can be cut'
         yield not_assessed(part, "tooth fatigue and scuffing", "ISO 6336", why)
     elif not scuffing:
         yield not_assessed(part, "scuffing", "ISO/TS 6336-21", "the method covers external cylindrical pairs only")

@@ -39,9 +39,20 @@ def test_a_shell_is_offered_commands_shipped_names_and_files(tmp_path, words, ex
     assert offered(tmp_path, *words) == expected
 
 
-@pytest.mark.parametrize("shell", ["bash", "zsh", "fish", "powershell"])
-def test_the_script_of_a_shell_is_shown(shell):
+@pytest.mark.parametrize(
+    ("shell", "speaks"),
+    [
+        ("bash", "complete -o default -F"),
+        ("zsh", "#compdef gearwright"),
+        ("fish", "complete --command gearwright"),
+        ("powershell", "Register-ArgumentCompleter"),
+    ],
+)
+def test_the_script_of_a_shell_is_shown(shell, speaks):
+    """By its name: which shell calls is found from the parents of a process, which a test may not have."""
     script = "import sys; sys.argv = ['gearwright', '--show-completion', %r]; from gearwright.cli import main; main()"
-    done = subprocess.run([sys.executable, "-c", script % shell], capture_output=True, text=True, check=False)
+    env = {**os.environ, "_TYPER_COMPLETE_TEST_DISABLE_SHELL_DETECTION": "1"}
+    done = subprocess.run([sys.executable, "-c", script % shell], env=env, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
+    assert speaks in done.stdout
     assert "_GEARWRIGHT_COMPLETE" in done.stdout

@@ -31,6 +31,8 @@ class RatingMethod:
     """Table of rules under [gears] in which its safeties stand; empty where they stand in [gears] itself."""
     instead: Mapping[str, str] = field(default_factory=dict)
     """Kind of mesh -> sister standard that rates it with the same table."""
+    fatigue: bool = True
+    """Whether its safeties are against fatigue, over the load cycles of the life."""
 
 
 RATINGS: dict[str, RatingMethod] = {
@@ -39,6 +41,7 @@ RATINGS: dict[str, RatingMethod] = {
         frozenset({CYLINDRICAL, INTERNAL, FACE}),
         ("bending_safety", "contact_safety", "idler_factor", "contact_angles"),
         needs=("yield_strength", "surface_hardness"),
+        fatigue=False,
     ),
     "iso6336": RatingMethod(
         "ISO 6336", frozenset({CYLINDRICAL, INTERNAL, FACE}), ("iso6336",), table="iso6336", instead={BEVEL: "iso10300"}
