@@ -162,7 +162,6 @@ UNKNOWN = {
     "gw.assemble stiffness": lambda: gw.assemble(sizing(), stiffness="constan"),
     "gw.read path": lambda: gw.read("in-lin"),
     "gw.report case": lambda: gw.report(sizing(), case="rate"),
-    "gw.schema of": lambda: gw.schema("desig"),
     "gw.save case": lambda: gw.save(gw.StoredRun(sizing().design, "rate", trace()), "never.nc"),
     "gw.shipped_design name": lambda: gw.shipped_design("in-lin"),
     "gw.simulate method": lambda: gw.simulate(system(), 0.001, method="runge"),
