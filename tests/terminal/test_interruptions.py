@@ -12,7 +12,7 @@ from commands import furnish
 from gearwright.store import load
 
 START = "from gearwright.cli import main; main()"
-LONG = "500"
+LONG = "5000"
 """Time to simulate, far more than the test waits for [s]."""
 
 
