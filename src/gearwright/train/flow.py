@@ -12,7 +12,8 @@ from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.spec import GROUND, Design, Drive, Pair
 from gearwright.train.graph import Damper, Joint, Mesh, Train
 from gearwright.train.kinematics import Array, Yielded
-from gearwright.train.statics import MAX_REVERSALS, Sharing, balance, lossy, solve_torques
+from gearwright.train.statics import MAX_REVERSALS, Sharing, balance, solve_torques
+from gearwright.train.tooth_losses import direction_of, rolling, with_losses
 from gearwright.train.turning import Turn, Turning, asked_speeds, drives_of
 
 RATED = "rated"
@@ -208,10 +209,10 @@ def _balance(
         if all(value == 1.0 for value in efficiency.values()):
             break
         noise = 1e-9 * float(np.abs(applied * speeds).max(initial=0.0))
-        previous, direction = direction, _direction(multipliers * _rolling(train, matrix, speeds), noise)
+        previous, direction = direction, direction_of(multipliers * rolling(train, matrix, speeds), noise)
         if np.array_equal(previous, direction):
             break
-        effective = _with_losses(train, matrix, direction, efficiency)
+        effective = with_losses(train, matrix, direction, efficiency)
         known = balance(effective, taking)
     else:
         raise SolveError(
@@ -220,11 +221,6 @@ def _balance(
         )
     machine_torques.update(zip(balancing, rest.tolist(), strict=True))
     return _Balanced(machine_torques, multipliers, effective)
-
-
-def _direction(power: Array, noise: float) -> Array:
-    """Return the sense of each row's tooth power, +1 from a to b; rounding noise of an idle row counts as +1."""
-    return np.where(power < -noise, -1.0, 1.0)
 
 
 def _machine_torques(
@@ -268,38 +264,6 @@ def _sharing(design: Design, train: Train) -> list[Sharing]:
 
 def _shares(pair: Pair, count: int) -> tuple[float, ...]:
     return tuple(pair.share) if pair.share is not None else (1.0 / count,) * count
-
-
-def _rolling(train: Train, matrix: Array, speeds: Array) -> Array:
-    """Return z_a (ω_a − ω_c) of every mesh row [rad/s]; zero for clutches."""
-    value = {**dict(zip(train.nodes, speeds, strict=True)), GROUND: 0.0}
-    rolling = np.zeros(len(matrix))
-    for k, mesh in enumerate(train.meshes):
-        first, _, carrier = mesh.nodes
-        rolling[k] = _teeth_of(train, matrix, k) * (value[first] - value[carrier])
-    return -rolling
-
-
-def _teeth_of(train: Train, matrix: Array, row: int) -> float:
-    """Return z_a of a mesh row from the matrix, also where gear a is on the ground."""
-    first, second, carrier = train.meshes[row].nodes
-    entry = {node: matrix[row, train.column[node]] for node in (first, second, carrier) if node != GROUND}
-    return float(entry[first] if first in entry else -entry[second] - entry[carrier])
-
-
-def _with_losses(train: Train, matrix: Array, direction: Array, efficiency: Mapping[str, float]) -> Array:
-    """Return the torque matrix of meshes whose driving side is known."""
-    kept = np.ones(len(matrix))
-    kept[: len(train.meshes)] = [efficiency.get(mesh.stage, 1.0) for mesh in train.meshes]
-    # The ground gets a column here: a ring that stands still is driven too, and its losses load the carrier.
-    grounded = np.hstack([matrix, -matrix.sum(axis=1, keepdims=True)])
-    column = {node: k for k, node in enumerate((*train.nodes, GROUND))}
-    driving, driven = np.zeros_like(grounded), np.zeros_like(grounded)
-    for k, mesh in enumerate(train.meshes):
-        ends = mesh.nodes[:2] if direction[k] > 0.0 else mesh.nodes[1::-1]
-        for node, part in zip(ends, (driving, driven), strict=True):
-            part[k, column[node]] = grounded[k, column[node]]
-    return lossy(grounded, driving, driven, kept)[:, :-1]
 
 
 def _unbalanced(train: Train, balancing: list[str], case: str) -> DesignError:
