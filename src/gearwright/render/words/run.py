@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
 from gearwright.render.tables.tables import written
@@ -20,8 +24,8 @@ LABEL = 20
 
 def run_text(
     sizing: Sizing, modes: Modes, trace: Trace, *, review: Review | None = None, campbell: Sequence[SpeedCase] = ()
-) -> str:
-    """Return the verdict and the key numbers of a run as lines.
+) -> RenderableType:
+    """Return the verdict and the key numbers of a run, one below the other.
 
     Args:
         sizing: As sized.
@@ -31,8 +35,12 @@ def run_text(
         campbell: Critical speeds that were looked at.
     """
     numbers = (*_sized(sizing), *_moved(modes, trace, campbell), *_peaks(sizing, trace))
-    lines = [f"{name:{LABEL}} {value}" for name, value in numbers]
-    return "\n".join([sizing.design.name, "", *run_verdict(sizing, review), "", *lines])
+    grid = Table.grid(padding=(0, 1))
+    grid.add_column(no_wrap=True, min_width=LABEL)
+    grid.add_column()
+    for name, value in numbers:
+        grid.add_row(name, value)
+    return Group(Text("\n".join([sizing.design.name, "", *run_verdict(sizing, review), ""])), grid)
 
 
 def run_verdict(sizing: Sizing, review: Review | None) -> tuple[str, ...]:
