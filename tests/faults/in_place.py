@@ -87,7 +87,7 @@ class _Loop:
     def run(self, tests: Sequence[str]) -> str:
         """Return the first test that is red."""
         items = [self.items[test] for test in tests if test in self.items]
-        for item, after in zip(items, [*items[1:], None], strict=True):
+        for item, after in zip(items, [*items[1:], None], strict=False):
             item.config.hook.pytest_runtest_protocol(item=item, nextitem=after)
             if self.red:
                 return self.red

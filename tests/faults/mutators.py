@@ -224,7 +224,8 @@ def _call(node: ast.Call) -> Iterator[tuple[str, ast.expr]]:
     first, second = (*node.args, None, None)[:2]
     if name in NAMES:
         other = NAMES[name]
-        new = ast.Attribute(called.value, other, ast.Load()) if isinstance(called, ast.Attribute) else ast.Name(other)
+        load = ast.Load()
+        new = ast.Attribute(called.value, other, load) if isinstance(called, ast.Attribute) else ast.Name(other, load)
         yield "choice", ast.Call(new, node.args, node.keywords)
     elif _differ(first, second) and name not in ALIKE:
         yield "swap", ast.Call(called, [second, first, *node.args[2:]], node.keywords)

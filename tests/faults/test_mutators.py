@@ -29,6 +29,12 @@ def test_every_kind_of_fault_is_found_once_where_it_can_be():
     assert sum(kind == "choice" for _, kind, _ in changes) == 2
 
 
+def test_every_fault_can_be_compiled():
+    """A fault that cannot be would end its process and look as if a test had noticed it."""
+    for fault in faults_of("m", SOURCE):
+        assert compile(fault.tree(SOURCE), "m", "exec")
+
+
 def test_texts_errors_and_annotations_are_left_alone():
     texts = " ".join(fault.change for fault in faults_of("m", SOURCE))
     assert "1.0 ->" not in texts and "2.0 ->" not in texts and "3.0 ->" not in texts

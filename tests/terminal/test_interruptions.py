@@ -11,8 +11,14 @@ from commands import furnish
 
 from gearwright.store import load
 
-START = "from gearwright.cli import main; main()"
-LONG = "5000"
+START = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from gearwright.cli import main
+main()
+"""
+"""Listens to Ctrl-C also where the tests run in the background of a shell, which ignores it for its children."""
+LONG = "500"
 """Time to simulate, far more than the test waits for [s]."""
 
 
