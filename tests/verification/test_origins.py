@@ -293,3 +293,96 @@ def test_printed_equations_of_gears_give_the_printed_numbers(name):
                 continue
             found = OF_GEARS[origin.equation](gear, rules)
             assert getattr(gear, field.name) == pytest.approx(found, rel=1e-9), f"{gear.name}.{field.name}"
+
+
+def walls(shaft):
+    """Return d⁴ − d_i⁴ [m⁴]."""
+    return shaft.diameter**4 - shaft.bore**4
+
+
+def allowable(sizing, rules):
+    return sizing.design.shaft_material.yield_strength / rules.safety
+
+
+def tresca(shaft):
+    bending = 32.0 * shaft.bending_moment * shaft.diameter / (math.pi * walls(shaft))
+    return math.hypot(bending, 2.0 * 16.0 * shaft.torque * shaft.diameter / (math.pi * walls(shaft)))
+
+
+def cylinder(sizing, shaft):
+    return math.pi / 4.0 * (shaft.diameter**2 - shaft.bore**2) * shaft.length * sizing.design.shaft_material.density
+
+
+OF_SHAFTS = {
+    "√(σ_b² + 4 τ²)": lambda sizing, shaft: tresca(shaft),
+    "R_p0.2 / S over the stress": lambda sizing, shaft: over(
+        allowable(sizing, sizing.design.shafting), shaft.stress),
+    "K = π G (d⁴ − d_i⁴) / (32 L), steps in series": lambda sizing, shaft: (
+        math.pi * sizing.design.shaft_material.shear_modulus * walls(shaft) / (32.0 * shaft.length)),
+    "cylinders": cylinder,
+    "cylinder": lambda sizing, shaft: shaft.mass * (shaft.diameter**2 + shaft.bore**2) / 8.0,
+}  # fmt: skip
+EQUILIBRIUM = ("T(x) = Σ T_k left of x", "M = √(M_y² + M_z²)", "Σ F_t tan β of single helices")
+"""What no single number of a shaft gives; tests/unit/sizing/test_shafts.py holds it."""
+
+
+@pytest.mark.parametrize("name", DESIGNS)
+def test_printed_equations_of_shafts_give_the_printed_numbers(name):
+    """Of one diameter; those in bearings have their own, section by section, and are held by tests of built shafts."""
+    sizing = sized(name)
+    built = {shaft.name for shaft in sizing.built_shafts}
+    for shaft in sizing.shafts:
+        for field in fields(shaft):
+            origin = marks_at(type(shaft), field.name).origin
+            key = {"stiffness": "torsional_stiffness"}.get(field.name, field.name)
+            written = getattr(sizing.design.layout.get(shaft.name), key, None)
+            given = written is not None or f"{shaft.name}.{field.name}" in sizing.given
+            if origin is None or origin.equation in EQUILIBRIUM or shaft.name in built or given:
+                continue
+            if field.name == "diameter":
+                assert shaft.stress <= allowable(sizing, sizing.design.shafting) * (1.0 + 1e-9)
+                continue
+            found = OF_SHAFTS[origin.equation](sizing, shaft)
+            assert getattr(shaft, field.name) == pytest.approx(found, rel=1e-9), f"{shaft.name}.{field.name}"
+
+
+def of_carriers(sizing, carrier):
+    """Return equation -> value for one carrier."""
+    gears = {gear.name: gear for gear in sizing.gears}
+    sun, planet = gears[f"{carrier.stage}.sun"], gears[f"{carrier.stage}.planet"]
+    stage, rules, steel = sizing.design.planetaries[carrier.stage], sizing.design.carriers, sizing.design.shaft_material
+    factor = rating_of(sizing.design, carrier.stage).load_factor
+    speed = sizing.flows[carrier.case].speeds[stage.carrier]
+    torque = abs(sum(sizing.flows[carrier.case].meshes[row.name].torques[2]
+                     for row in sizing.train.meshes if row.stage == carrier.stage))  # fmt: skip
+    arm, d = carrier.pin_force * planet.face_width / 2.0, carrier.pin_diameter
+    hub = next((shaft.diameter for shaft in sizing.shafts if shaft.name == carrier.shaft), 0.0)
+    shear = 2.0 * carrier.torque / (math.pi * hub**2 * carrier.plate_thickness) if hub else 0.0
+    least = rules.plate_ratio * planet.face_width
+    needed = 2.0 * carrier.torque / (math.pi * hub**2) / (allowable(sizing, rules) / 2.0) if hub else 0.0
+    return {
+        "F_t = T_c K_γ / (N r_c)": torque * factor / (stage.planets * carrier.radius),
+        "F_c = m_p r_c ω_c²": planet.mass * carrier.radius * speed**2,
+        "F = √(F_t² + F_c²)": math.hypot(carrier.tangential_force, carrier.centrifugal_force),
+        "r_c = m (z_s + z_p)/2": sun.module * (sun.teeth + planet.teeth) / 2.0,
+        "d³ = 32 (F b/2) / (π σ)": (32.0 * arm / (math.pi * allowable(sizing, rules))) ** (1.0 / 3.0),
+        "σ = 32 (F b/2) / (π d³)": 32.0 * arm / (math.pi * d**3),
+        "R_p0.2 / S over the stress": over(steel.yield_strength / rules.safety, carrier.pin_stress),
+        "share of b, or by τ = 2 T_c/(π d² t)": max(least, needed),
+        "τ = 2 T_c / (π d² t)": shear,
+        "R_p0.2 / (2 S) over the stress": over(allowable(sizing, rules) / 2.0, shear) if hub else None,
+    }
+
+
+@pytest.mark.parametrize("name", DESIGNS)
+def test_printed_equations_of_carriers_give_the_printed_numbers(name):
+    sizing = sized(name)
+    for carrier in sizing.carriers:
+        equations = of_carriers(sizing, carrier)
+        for field in fields(carrier):
+            origin = marks_at(type(carrier), field.name).origin
+            if origin is None or origin.equation == "pins and plate" or f"{carrier.stage}.{field.name}" in sizing.given:
+                continue
+            found = equations[origin.equation]
+            value = getattr(carrier, field.name)
+            assert value == (None if found is None else pytest.approx(found, rel=1e-9)), f"{carrier.stage}.{field.name}"

@@ -158,7 +158,11 @@ class ShaftSizing:
     """Of a built shaft without what lies inside its gears, which count as solid [kg]."""
     inertia: Annotated[float, Quantity("inertia"), Origin("cylinder", "geometry")]
     """[kg m²]"""
-    stiffness: Annotated[float, Quantity("torsional_stiffness"), Origin("K = π G d⁴ / (32 L)", f"{_THESIS}, eq. 3.12")]
+    stiffness: Annotated[
+        float,
+        Quantity("torsional_stiffness"),
+        Origin("K = π G (d⁴ − d_i⁴) / (32 L), steps in series", f"{_THESIS}, eq. 3.12, with a bore"),
+    ]
     """Torsional stiffness over the whole length [N m/rad]."""
     axis: tuple[Length, Length]
     """Where its axis stands in the cross-section, y and z [m]."""
