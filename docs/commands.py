@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, get_args, get_origin, get_type_hints
 
 from gearwright.cli import COMMANDS
-from gearwright.cli.replay import COMMANDS as REPLAYS
+from gearwright.cli.commands.replay import COMMANDS as REPLAYS
 
 _HEAD = """# The command line
 

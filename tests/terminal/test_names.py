@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from designs import PAIR, changed
-from gearwright.cli.streams import clean, clean_json
+from gearwright.cli.terminal.streams import clean, clean_json
 
 EVIL = "\x1b[31mred\x1b]0;title\x07"
 
@@ -75,7 +75,7 @@ def test_commands_print_through_one_place_alone():
     """What goes past it is neither cleaned nor folded, and dies of letters that a stream lacks."""
     import gearwright.cli
 
-    for path in Path(gearwright.cli.__file__).parent.glob("*.py"):
+    for path in Path(gearwright.cli.__file__).parent.rglob("*.py"):
         text = path.read_text(encoding="utf-8")
         assert "typer.echo" not in text, path.name
         assert path.name == "output.py" or not re.search(r"\bprint\(|\bConsole\(\)", text), path.name

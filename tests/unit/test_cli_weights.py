@@ -6,7 +6,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from gearwright.cli import weights as cli_weights
+from gearwright.cli.commands import weights as cli_weights
 from gearwright.errors import DesignError
 
 app = typer.Typer()

@@ -9,7 +9,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from gearwright.cli.sharing import sharing
+from gearwright.cli.commands.sharing import sharing
 from gearwright.replays.wang.claims import split_torque_claims
 from gearwright.replays.wang.split_torque import split_torque
 from gearwright.shipped import shipped_design

@@ -14,23 +14,23 @@ from typing import Annotated
 
 import typer
 
-from gearwright.cli.design import check, modes, report, simulate, size
-from gearwright.cli.draw import draw
-from gearwright.cli.dynamics import campbell, response, runup, validate
+from gearwright.cli.commands.design import check, modes, report, simulate, size
+from gearwright.cli.commands.draw import draw
+from gearwright.cli.commands.dynamics import campbell, response, runup, validate
+from gearwright.cli.commands.files import new, schema
+from gearwright.cli.commands.mission import fly
+from gearwright.cli.commands.replay import colibri, replay, thesis
+from gearwright.cli.commands.review import review
+from gearwright.cli.commands.run import run
+from gearwright.cli.commands.runs import cluster, resume, status
+from gearwright.cli.commands.sharing import sharing
+from gearwright.cli.commands.study import compare, study
+from gearwright.cli.commands.weights import engines, mass
+from gearwright.cli.commands.windows import window
 from gearwright.cli.ends import BROKEN_PIPE, FAILED, WRONG, ended_well
-from gearwright.cli.files import new, schema
-from gearwright.cli.mission import fly
-from gearwright.cli.output import STANDARD_OUTPUT, show, tell
-from gearwright.cli.replay import colibri, replay, thesis
-from gearwright.cli.review import review
-from gearwright.cli.run import run
-from gearwright.cli.runs import cluster, resume, status
-from gearwright.cli.sections import Sections
-from gearwright.cli.sharing import sharing
-from gearwright.cli.streams import flushed, steady_streams
-from gearwright.cli.study import compare, study
-from gearwright.cli.weights import engines, mass
-from gearwright.cli.windows import window
+from gearwright.cli.terminal.output import STANDARD_OUTPUT, show, tell
+from gearwright.cli.terminal.sections import Sections
+from gearwright.cli.terminal.streams import flushed, steady_streams
 from gearwright.version import __version__
 
 COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {

@@ -12,7 +12,7 @@ from importlib import import_module
 from types import MappingProxyType
 from typing import Any
 
-from gearwright.cli.output import show_json
+from gearwright.cli.terminal.output import show_json
 from gearwright.version import __version__
 
 _ROOM = "gearwright.render.answers."

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, ParamSpec
 
 import typer
 
-from gearwright.cli.output import tell
+from gearwright.cli.terminal.output import tell
 
 if TYPE_CHECKING:
     from gearwright.dynamics import Trace

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-import gearwright.cli.runs as runs
+import gearwright.cli.commands.runs as runs
 from gearwright.cli import app
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design

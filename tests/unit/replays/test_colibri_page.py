@@ -8,7 +8,7 @@ import typer
 from rich.console import Console
 from typer.testing import CliRunner
 
-from gearwright.cli.replay import Part, colibri
+from gearwright.cli.commands.replay import Part, colibri
 from gearwright.replays.colibri.page import colibri_page, indexed
 from gearwright.replays.colibri.printed import printed_numbers
 from gearwright.replays.colibri.replay import replay

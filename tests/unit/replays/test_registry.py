@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import gearwright.replays
-from gearwright.cli.replay import COMMANDS
+from gearwright.cli.commands.replay import COMMANDS
 from gearwright.replays import REPLAYS, Replay, paper_on, register
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size

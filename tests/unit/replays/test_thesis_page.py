@@ -6,7 +6,7 @@ from pathlib import Path
 import typer
 from typer.testing import CliRunner
 
-from gearwright.cli.replay import thesis
+from gearwright.cli.commands.replay import thesis
 from gearwright.replays.pulvirenti.errata import errata, printed_claims
 from gearwright.replays.pulvirenti.page import thesis_markdown, thesis_page
 from html_checks import stands_alone

@@ -18,7 +18,7 @@ from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.designs import design_of
 from gearwright.cli.ends import INTERRUPTED
 from gearwright.cli.options import JsonOption, LinesOption
-from gearwright.cli.output import screen, show, show_commands, tell
+from gearwright.cli.terminal.output import screen, show, show_commands, tell
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:

@@ -10,12 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearwright.cli.completion import designs as designs_named
-from gearwright.cli.completion import studies
-from gearwright.cli.designs import design_of
-from gearwright.cli.options import FigureOption, JsonOption, LinesOption
-from gearwright.cli.output import show, tell, write_figure
-from gearwright.cli.runs import (
+from gearwright.cli.commands.runs import (
     ClusterOption,
     CsvOption,
     ExportOption,
@@ -29,6 +24,11 @@ from gearwright.cli.runs import (
     start_of,
     write_files,
 )
+from gearwright.cli.completion import designs as designs_named
+from gearwright.cli.completion import studies
+from gearwright.cli.designs import design_of
+from gearwright.cli.options import FigureOption, JsonOption, LinesOption
+from gearwright.cli.terminal.output import show, tell, write_figure
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:

@@ -16,8 +16,8 @@ from gearwright.cli.answers import show_answer
 from gearwright.cli.designs import sized
 from gearwright.cli.ends import ended_well
 from gearwright.cli.options import JsonOption
-from gearwright.cli.output import show, tell, write_figure
-from gearwright.cli.sections import Sections
+from gearwright.cli.terminal.output import show, tell, write_figure
+from gearwright.cli.terminal.sections import Sections
 from gearwright.writing import make_folder, write_bytes, write_text
 
 PAGE_RESOLUTION = 110.0

@@ -14,7 +14,7 @@ from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.designs import sized
 from gearwright.cli.ends import named_after
 from gearwright.cli.options import CaseOption, DesignArgument, FigureOption, JsonOption, LinesOption
-from gearwright.cli.output import progress, show, write_figure
+from gearwright.cli.terminal.output import progress, show, write_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -14,7 +14,7 @@ import typer
 from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.designs import sized
 from gearwright.cli.options import JsonOption, LinesOption
-from gearwright.cli.output import screen, show, tell
+from gearwright.cli.terminal.output import screen, show, tell
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from gearwright.cli.answers import show_answer, show_rows
-from gearwright.cli.design import StiffnessOption
+from gearwright.cli.commands.design import StiffnessOption
+from gearwright.cli.commands.mission import mission_of
 from gearwright.cli.designs import sized
 from gearwright.cli.ends import end_interrupted, save_run
-from gearwright.cli.mission import mission_of
 from gearwright.cli.options import DesignArgument, FigureOption, JsonOption, LinesOption, MissionArgument
-from gearwright.cli.output import show, tell, write_figure
+from gearwright.cli.terminal.output import show, tell, write_figure
 
 if TYPE_CHECKING:
     from gearwright.spec import Mission

@@ -14,7 +14,7 @@ from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.completion import designs
 from gearwright.cli.designs import placed_in, sized
 from gearwright.cli.options import JsonOption, LinesOption, MissionArgument
-from gearwright.cli.output import show, tell
+from gearwright.cli.terminal.output import show, tell
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from gearwright.cli.answers import show_answer
 from gearwright.cli.completion import missions
 from gearwright.cli.designs import placed_in, sized
 from gearwright.cli.options import DesignArgument, JsonOption
-from gearwright.cli.output import show
+from gearwright.cli.terminal.output import show
 
 if TYPE_CHECKING:
     from gearwright.reviews import Review
@@ -44,7 +44,7 @@ def review(
 
 
 def _reviewed(design: str, mission: str | None) -> Review:
-    from gearwright.cli.mission import flown
+    from gearwright.cli.commands.mission import flown
     from gearwright.reviews import review_of
 
     sizing = sized(design)

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import typer
 
 from gearwright.cli.answers import answer_text, show_answer
-from gearwright.cli.design import DurationOption, StiffnessOption, simulated
+from gearwright.cli.commands.design import DurationOption, StiffnessOption, simulated
 from gearwright.cli.designs import reviewed, sized
 from gearwright.cli.ends import end_interrupted, named_after, save_run
 from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
-from gearwright.cli.output import show
+from gearwright.cli.terminal.output import show
 from gearwright.writing import make_folder, write_text
 
 if TYPE_CHECKING:

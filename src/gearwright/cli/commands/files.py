@@ -12,7 +12,7 @@ import typer
 from gearwright.cli.answers import ANSWERS, answer_schema, show_answer
 from gearwright.cli.completion import shipped
 from gearwright.cli.options import JsonOption
-from gearwright.cli.output import show, show_json
+from gearwright.cli.terminal.output import show, show_json
 from gearwright.writing import write_text
 
 

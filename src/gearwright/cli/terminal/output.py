@@ -13,14 +13,14 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gearwright.cli.streams import clean_json
+from gearwright.cli.terminal.streams import clean_json
 from gearwright.writing import write_bytes, write_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from rich.console import RenderableType
 
-    from gearwright.cli.screen import Screen
+    from gearwright.cli.terminal.screen import Screen
 
 UNFOLDED = 100_000
 """Width of what is no terminal: no line is folded there [characters]."""
@@ -61,7 +61,7 @@ def tell(words: str) -> None:
 
 def screen(*, error: bool = False) -> Screen:
     """Return the console of one of the streams."""
-    from gearwright.cli.screen import Screen
+    from gearwright.cli.terminal.screen import Screen
 
     stream = sys.stderr if error else sys.stdout
     return Screen(file=stream, width=_width(error=error), markup=False, emoji=False, highlight=False)

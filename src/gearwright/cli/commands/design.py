@@ -11,7 +11,7 @@ from gearwright.cli.answers import show_answer, show_rows
 from gearwright.cli.designs import reviewed, sized
 from gearwright.cli.ends import end_interrupted, named_after, save_run
 from gearwright.cli.options import CaseOption, DesignArgument, JsonOption, LinesOption
-from gearwright.cli.output import progress, show, tell
+from gearwright.cli.terminal.output import progress, show, tell
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:

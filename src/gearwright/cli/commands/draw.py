@@ -10,7 +10,7 @@ import typer
 
 from gearwright.cli.completion import designs
 from gearwright.cli.ends import named_after
-from gearwright.cli.output import show, tell
+from gearwright.cli.terminal.output import show, tell
 from gearwright.writing import make_folder, write_text
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ import typer
 from gearwright.cli.answers import show_answer
 from gearwright.cli.designs import sized
 from gearwright.cli.options import CaseOption, DesignArgument, JsonOption
-from gearwright.cli.output import show, tell, write_figure
+from gearwright.cli.terminal.output import show, tell, write_figure
 from gearwright.writing import write_text
 
 if TYPE_CHECKING:
