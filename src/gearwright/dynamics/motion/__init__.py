@@ -4,13 +4,30 @@ Spectra, steady states and maps over speed are in `vibration`.
 """
 
 from gearwright.dynamics.motion.ensemble import Ensemble, simulate_many
-from gearwright.dynamics.motion.recorder import CHECKPOINTS, Outputs, summary_of
+from gearwright.dynamics.motion.record import (
+    CHECKPOINTS,
+    Checkpoints,
+    Orders,
+    Outputs,
+    Samples,
+    Statistics,
+    Trace,
+    index_of,
+    line_numbers,
+    summary_of,
+)
 from gearwright.dynamics.motion.rigid_pass import followed, with_profile
 from gearwright.dynamics.motion.simulate import replay, simulate
-from gearwright.dynamics.motion.steppers import blank_record, blank_summary, stepper
-from gearwright.dynamics.motion.stepsize import STABLE, Accuracy, default_step, fastest_rate
+from gearwright.dynamics.motion.steps import (
+    STABLE,
+    Accuracy,
+    blank_record,
+    blank_summary,
+    default_step,
+    fastest_rate,
+    stepper,
+)
 from gearwright.dynamics.motion.touching import check_shared_load, slack_lines
-from gearwright.dynamics.motion.trace import Checkpoints, Orders, Samples, Statistics, Trace, index_of, line_numbers
 
 __all__ = [
     "CHECKPOINTS",

@@ -34,9 +34,8 @@ from gearwright.dynamics.model import (
     refuse_not_finite,
     stacked,
 )
-from gearwright.dynamics.motion.recorder import RUNAWAY
-from gearwright.dynamics.motion.stepsize import STABLE, check_duration, check_step, default_step, fastest_rate
-from gearwright.dynamics.motion.trace import index_of
+from gearwright.dynamics.motion.record import RUNAWAY, index_of
+from gearwright.dynamics.motion.steps import STABLE, check_duration, check_step, default_step, fastest_rate
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.showing import Shown
 from gearwright.verbs import verb

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from gearwright.dynamics.model import Arrays, Floats
-from gearwright.dynamics.motion.recorder import BLOCK
-from gearwright.dynamics.motion.steppers import Stepper, blank_record
+from gearwright.dynamics.motion.record import BLOCK
+from gearwright.dynamics.motion.steps import Stepper, blank_record
 
 NUDGE = 1e-9
 """Displacement of the twin's lines over their largest deflection [-]."""

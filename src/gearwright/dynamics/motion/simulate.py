@@ -9,14 +9,26 @@ import numpy as np
 
 from gearwright.dynamics.equations import WORKS, Work, statics, stored_energy, unbalanced
 from gearwright.dynamics.model import Arrays, Floats, System, check_finite, refuse_not_finite
-from gearwright.dynamics.motion.exact import is_exact
-from gearwright.dynamics.motion.pacing import STRETCH, estimated_error, pace_of
-from gearwright.dynamics.motion.recorder import BLOCK, Outputs, Recorder
+from gearwright.dynamics.motion.record import BLOCK, Outputs, Recorder, Samples, Trace
 from gearwright.dynamics.motion.sensitivity import PARTED, parting
-from gearwright.dynamics.motion.steppers import ADAPTIVE, METHODS, Stepper, blank_record, stepper
-from gearwright.dynamics.motion.stepsize import Accuracy, Pace, check_duration, default_step, excited_step, fastest_rate
+from gearwright.dynamics.motion.steps import (
+    ADAPTIVE,
+    METHODS,
+    STRETCH,
+    Accuracy,
+    Pace,
+    Stepper,
+    blank_record,
+    check_duration,
+    default_step,
+    estimated_error,
+    excited_step,
+    fastest_rate,
+    is_exact,
+    pace_of,
+    stepper,
+)
 from gearwright.dynamics.motion.touching import slack_lines
-from gearwright.dynamics.motion.trace import Samples, Trace
 from gearwright.errors import DesignError, Problem, near
 from gearwright.verbs import verb
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from gearwright.dynamics.equations import errors_at, line_forces, redundancy
 from gearwright.dynamics.model import Floats, System, line_matrix
-from gearwright.dynamics.motion.trace import line_numbers
+from gearwright.dynamics.motion.record import line_numbers
 from gearwright.errors import DesignError, Problem
 
 NOTHING = 1e-9

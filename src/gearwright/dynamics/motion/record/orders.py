@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.dynamics.equations import speed_factors
 from gearwright.dynamics.model import Floats, Ints, System
-from gearwright.dynamics.motion.trace import Orders, index_of
+from gearwright.dynamics.motion.record.trace import Orders, index_of
 
 ALIKE = 1e-10
 """Share of the largest eigenvalue below which tones cannot be told apart in a bin; they share the amplitude [-]."""

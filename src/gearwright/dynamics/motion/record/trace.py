@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from gearwright.dynamics.equations import Work
 from gearwright.dynamics.model import Floats, Ints, Labels, System, Tone
-from gearwright.dynamics.motion.labelled import dataset, line_columns
+from gearwright.dynamics.motion.record.labelled import dataset, line_columns
 from gearwright.errors import DesignError, Problem, near
 from gearwright.showing import Shown, frame
 

@@ -26,8 +26,8 @@ from gearwright.dynamics.codegen import (
 )
 from gearwright.dynamics.equations import linear
 from gearwright.dynamics.model import Arrays, Floats
-from gearwright.dynamics.motion import exact
-from gearwright.dynamics.motion.recorder import BLOCK
+from gearwright.dynamics.motion.record import BLOCK
+from gearwright.dynamics.motion.steps import exact
 from gearwright.errors import SolveError
 
 Stepper = Callable[[int, Floats, Floats], Floats]
@@ -111,7 +111,7 @@ def _generic(arrays: Arrays, h: float) -> Stepper:
 
 def _adaptive(arrays: Arrays, h: float, tolerance: float, *, generic: bool) -> Stepper:
     from gearwright.dynamics.equations import kernel
-    from gearwright.dynamics.motion import tsit5
+    from gearwright.dynamics.motion.steps import tsit5
 
     shape = topology(arrays)
     layout, numbers = parameters(arrays, h)
@@ -131,7 +131,7 @@ def _adaptive(arrays: Arrays, h: float, tolerance: float, *, generic: bool) -> S
 
 def _implicit(arrays: Arrays, h: float) -> Stepper:
     from gearwright.dynamics.equations import kernel
-    from gearwright.dynamics.motion import implicit
+    from gearwright.dynamics.motion.steps import implicit
 
     now, damping = kernel.empty_instant(arrays), linear(arrays, float(arrays.profile.factor[0])).damping
     width = record_width(topology(arrays))

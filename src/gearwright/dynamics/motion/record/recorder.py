@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.dynamics.model import OUTSIDE_MAP, PITCH, SPEED, Floats, Ints, Owner, System
-from gearwright.dynamics.motion.orders import OrderSums
-from gearwright.dynamics.motion.trace import Checkpoints, Samples, Statistics
+from gearwright.dynamics.motion.record.orders import OrderSums
+from gearwright.dynamics.motion.record.trace import Checkpoints, Samples, Statistics
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.verbs import check_fields
 

@@ -6,9 +6,16 @@ import numpy as np
 
 from gearwright.dynamics.equations import line_state, statics
 from gearwright.dynamics.model import Arrays, Floats, System, line_matrix
-from gearwright.dynamics.motion.recorder import BLOCK
-from gearwright.dynamics.motion.steppers import ADAPTIVE, RUNGE_KUTTA, blank_record, stepper
-from gearwright.dynamics.motion.stepsize import Accuracy, Pace, accurate_pace, check_step, default_step, excited_step
+from gearwright.dynamics.motion.record import BLOCK
+from gearwright.dynamics.motion.steps.steppers import ADAPTIVE, RUNGE_KUTTA, blank_record, stepper
+from gearwright.dynamics.motion.steps.stepsize import (
+    Accuracy,
+    Pace,
+    accurate_pace,
+    check_step,
+    default_step,
+    excited_step,
+)
 from gearwright.errors import DesignError, Problem
 
 ATTEMPTS = 4

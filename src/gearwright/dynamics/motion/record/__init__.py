@@ -1,0 +1,31 @@
+"""What is kept of a run, and the trace that is left: samples, statistics, orders, checkpoints, columns with names.
+
+It takes no step; files of runs are written by `store`.
+"""
+
+from gearwright.dynamics.motion.record.recorder import BLOCK, CHECKPOINTS, RUNAWAY, Outputs, Recorder, summary_of
+from gearwright.dynamics.motion.record.trace import (
+    Checkpoints,
+    Orders,
+    Samples,
+    Statistics,
+    Trace,
+    index_of,
+    line_numbers,
+)
+
+__all__ = [
+    "BLOCK",
+    "CHECKPOINTS",
+    "RUNAWAY",
+    "Checkpoints",
+    "Orders",
+    "Outputs",
+    "Recorder",
+    "Samples",
+    "Statistics",
+    "Trace",
+    "index_of",
+    "line_numbers",
+    "summary_of",
+]

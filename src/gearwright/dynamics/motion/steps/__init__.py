@@ -1,0 +1,39 @@
+"""One step after another: how large, and by which scheme (exact, explicit, adaptive, implicit).
+
+What is kept of them is in `record`; whole runs are in `motion` itself.
+"""
+
+from gearwright.dynamics.motion.steps.exact import is_exact
+from gearwright.dynamics.motion.steps.pacing import STRETCH, estimated_error, pace_of
+from gearwright.dynamics.motion.steps.steppers import ADAPTIVE, METHODS, Stepper, blank_record, blank_summary, stepper
+from gearwright.dynamics.motion.steps.stepsize import (
+    STABLE,
+    Accuracy,
+    Pace,
+    check_duration,
+    check_step,
+    default_step,
+    excited_step,
+    fastest_rate,
+)
+
+__all__ = [
+    "ADAPTIVE",
+    "METHODS",
+    "STABLE",
+    "STRETCH",
+    "Accuracy",
+    "Pace",
+    "Stepper",
+    "blank_record",
+    "blank_summary",
+    "check_duration",
+    "check_step",
+    "default_step",
+    "estimated_error",
+    "excited_step",
+    "fastest_rate",
+    "is_exact",
+    "pace_of",
+    "stepper",
+]
