@@ -13,7 +13,7 @@ from gearwright.render.drawings.catalogue import sheets
 from gearwright.render.drawings.sheet.svg import sheet_svg
 from gearwright.render.figures.sankey import sankey_figure
 from gearwright.render.figures.sizing import margin_figure, mass_figure
-from gearwright.render.figures.study import study_figure
+from gearwright.render.figures.study.lines import study_figure
 from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
 from gearwright.render.style.theme import to_svg
 from gearwright.shipped import shipped_mission, shipped_study

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from gearwright.catalogue import materials, rated_steel
 from gearwright.parts import Material
-from gearwright.render.tables.materials import properties
-from gearwright.render.tables.tables import written
+from gearwright.render.grid.table import written
+from gearwright.render.tables.sizing.materials import properties
 from gearwright.render.words.design_file import design_file_markdown, mission_file_markdown, study_file_markdown
 from gearwright.replays.colibri.page import colibri_markdown
 

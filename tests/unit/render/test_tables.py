@@ -6,8 +6,8 @@ from drawn_designs import MIXED, sized
 
 from gearwright.render.answers.described import described
 from gearwright.render.answers.plain import plain
-from gearwright.render.tables.sizing import given_by_user, tables_of
-from gearwright.render.tables.tables import table, written
+from gearwright.render.grid.table import table, written
+from gearwright.render.tables.sizing.overview import given_by_user, tables_of
 from gearwright.units import Length, Origin, Quantity
 
 

@@ -10,8 +10,8 @@ from typer.testing import CliRunner
 
 from gearwright.cli.commands.replay import Part, colibri
 from gearwright.replays.colibri.page import colibri_page, indexed
-from gearwright.replays.colibri.printed import printed_numbers
 from gearwright.replays.colibri.replay import replay
+from gearwright.replays.colibri.report.printed import printed_numbers
 from gearwright.replays.colibri.words import PARTS, chosen, findings_table, replay_tables
 from html_checks import stands_alone
 

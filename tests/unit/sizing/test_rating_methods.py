@@ -15,7 +15,7 @@ from gearwright.render.answers.described import described
 from gearwright.render.answers.design import SizeAnswer, size_answer
 from gearwright.render.answers.plain import plain
 from gearwright.render.pages.report import report
-from gearwright.render.tables.sizing import tables_of
+from gearwright.render.tables.sizing.overview import tables_of
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import named_results, size
 from gearwright.sizing.rating import METHODS, Damage, Factor, Making, rating_of

@@ -11,7 +11,7 @@ import pytest
 import xarray
 
 from gearwright.errors import DesignError
-from gearwright.render.tables.study import study_csv
+from gearwright.render.tables.study.variants import study_csv
 from gearwright.sizing import TEXT, Named
 from gearwright.study import Row, Table
 from gearwright.study.answers import columns, export, refuse_export, write_table

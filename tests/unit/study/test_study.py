@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.render.tables.study import study_csv, study_records
+from gearwright.render.tables.study.variants import study_csv, study_records
 from gearwright.shipped import shipped_design, shipped_studies, shipped_study
 from gearwright.sizing import named_results, size
 from gearwright.spec import Study, axis_values, case_count, edited, read, read_study

@@ -19,7 +19,7 @@ from gearwright.cli.terminal.output import progress, show, write_figure
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from gearwright.render.tables.tables import Table
+    from gearwright.render.grid.table import Table
 
 
 def campbell(

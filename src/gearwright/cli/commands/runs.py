@@ -159,7 +159,7 @@ def show_table(
 ) -> None:
     """Print the table of a study (its spread if it is long, then what follows from it) or JSON; write it as CSV."""
     from gearwright.render.answers.study import study_answer, study_rows
-    from gearwright.render.tables.study import study_csv, study_grid, summary_grid
+    from gearwright.render.tables.study.variants import study_csv, study_grid, summary_grid
 
     if jsonl:
         show_rows(command, study_answer(table), study_rows(table))
@@ -175,7 +175,7 @@ def show_table(
 
 def _show_answer(study: Study, table: Table) -> None:
     """Print the front of several objectives, and in sentences what wins, by how much, and how sure that is."""
-    from gearwright.render.tables.study import study_grid
+    from gearwright.render.tables.study.variants import study_grid
     from gearwright.render.words.study import answer
     from gearwright.study.answers import front_table, verdict
 

@@ -144,7 +144,7 @@ def _write_comparison(path: Path, table: Table, designs: dict[str, Design], chan
 
 
 def _draw(study: Study, table: Table, path: Path) -> None:
-    from gearwright.render.figures.study_spread import figure_of
+    from gearwright.render.figures.study.spread import figure_of
 
     write_figure(figure_of(study, table), path)
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.render.tables.checks import Judged, judged
-from gearwright.render.tables.materials import Property, material_properties
-from gearwright.render.tables.sizing import shaft_by_shaft
+from gearwright.render.tables.sizing.materials import Property, material_properties
+from gearwright.render.tables.sizing.overview import shaft_by_shaft
 from gearwright.sizing import AskedSpeed, MassPart, Sizing, asked_speeds, mass_parts
 from gearwright.sizing.arrangement.envelope import Envelope, envelope
 from gearwright.sizing.meshed import MeshSizing

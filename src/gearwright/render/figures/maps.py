@@ -10,9 +10,9 @@ from matplotlib.figure import Figure
 from gearwright.dynamics.model import Floats
 from gearwright.dynamics.motion import index_of
 from gearwright.dynamics.vibration import RunUp
+from gearwright.render.grid.table import written
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
-from gearwright.render.tables.tables import written
 from gearwright.units import RPM
 
 DECADES = 3.0

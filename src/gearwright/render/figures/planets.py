@@ -11,7 +11,7 @@ from rich.text import Text
 from gearwright.catalogue import load_factor_tables, load_factors
 from gearwright.dynamics.sharing import PlanetCounts
 from gearwright.render.figures.sharing import load_factor_figure
-from gearwright.render.tables.grid import Grid
+from gearwright.render.grid.grid import Grid
 
 PERCENT = 95.0
 """Percentage of random sets that stay below the factor that is shown."""

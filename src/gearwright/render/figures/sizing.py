@@ -13,7 +13,7 @@ from gearwright.checks import ROUNDING
 from gearwright.identity import Kind
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
-from gearwright.render.tables.sizing import NOT_IN_THE_MASS
+from gearwright.render.tables.sizing.overview import NOT_IN_THE_MASS
 from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, mass_parts
 
 Floats = NDArray[np.float64]

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Annotated
 
-from gearwright.render.figures.study import comparison_figure
+from gearwright.render.figures.study.lines import comparison_figure
+from gearwright.render.grid.table import MARKS, table
 from gearwright.render.pages.report_parts import Figure, Section
 from gearwright.render.schematic.schematic import power_flow_figure
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
-from gearwright.render.tables.tables import MARKS, table
 from gearwright.render.words.headline import headline
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing, StageSummary, stage_summaries

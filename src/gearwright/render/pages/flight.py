@@ -12,12 +12,12 @@ from gearwright.render.figures.flight import heat_figure, power_figure, profile_
 from gearwright.render.figures.lives import life_figure, mass_of_life_figure, spectrum_figure
 from gearwright.render.figures.sankey import sankey_figure
 from gearwright.render.figures.window import window_figure
+from gearwright.render.grid.table import MARKS
 from gearwright.render.pages.report_parts import Figure, Section, formulas
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
 from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.flight import asked_table, bearing_table, life_table, loss_table, mode_table, phase_table
-from gearwright.render.tables.tables import MARKS
 from gearwright.render.words.flight import count_text, life_text, verdict_text
 from gearwright.render.words.headline import energy_text, headline
 from gearwright.render.words.inputs import entries

@@ -10,9 +10,9 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from gearwright.errors import DesignError, Problem
+from gearwright.render.grid.table import MARKS, Table
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
-from gearwright.render.tables.tables import MARKS, Table
 from gearwright.render.words.short import short
 
 _TABLE = '{% import "macros.html.j2" as macros with context %}{{ macros.show(table) }}'
@@ -84,7 +84,7 @@ def _flight(value: Any) -> Figure:
 
 
 def _study(value: Any) -> Figure:
-    from gearwright.render.figures.study import study_figure
+    from gearwright.render.figures.study.lines import study_figure
 
     return study_figure(value)
 
@@ -120,7 +120,7 @@ def _check_tables(value: Any) -> tuple[Table, ...]:
 
 
 def _gear_tables(value: Any) -> tuple[Table, ...]:
-    from gearwright.render.tables.sizing import tables_of
+    from gearwright.render.tables.sizing.overview import tables_of
 
     return (tables_of(value)["gears"],)
 

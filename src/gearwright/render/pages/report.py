@@ -12,6 +12,7 @@ from gearwright.dynamics.assembly import default_case
 from gearwright.dynamics.vibration import SpeedCase
 from gearwright.render.figures.motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
 from gearwright.render.figures.sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
+from gearwright.render.grid.table import MARKS, Table
 from gearwright.render.pages.dynamics_sections import dynamics_sections
 from gearwright.render.pages.report_parts import Figure, Section, assumptions, formulas, key_numbers, warnings
 from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
@@ -19,11 +20,10 @@ from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
 from gearwright.render.tables.checks import review_tables
 from gearwright.render.tables.dynamic_load import dynamic_table
-from gearwright.render.tables.factors import factor_tables
 from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
 from gearwright.render.tables.paths import path_table
-from gearwright.render.tables.sizing import flow_tables, tables_of
-from gearwright.render.tables.tables import MARKS, Table
+from gearwright.render.tables.sizing.factors import factor_tables
+from gearwright.render.tables.sizing.overview import flow_tables, tables_of
 from gearwright.render.words.inputs import entries
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from gearwright.dynamics import Trace
 from gearwright.dynamics.vibration import dynamic_loads
+from gearwright.render.grid.table import Table
 from gearwright.render.tables.checks import check_sentence
-from gearwright.render.tables.tables import Table
 from gearwright.render.words.headline import headline, sizing_headline, unneeded_text
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing, asked_speeds

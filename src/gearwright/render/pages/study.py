@@ -7,28 +7,22 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from gearwright.errors import SolveError
-from gearwright.render.figures.study import study_figure
-from gearwright.render.figures.study_spread import (
+from gearwright.render.figures.study.lines import study_figure
+from gearwright.render.figures.study.spread import (
     contour_figure,
     distribution_figure,
     parallel_figure,
     pareto_figure,
     tornado_figure,
 )
-from gearwright.render.figures.study_trade import trade_figure, weights_figure
+from gearwright.render.figures.study.trade import trade_figure, weights_figure
+from gearwright.render.grid.table import MARKS
 from gearwright.render.pages.report_parts import Figure, Section
 from gearwright.render.schematic.schematic import schematic_figure
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
-from gearwright.render.tables.study import heading
-from gearwright.render.tables.study_lists import (
-    front_list,
-    inputs_table,
-    spread_table,
-    standings_table,
-    values_table,
-)
-from gearwright.render.tables.tables import MARKS
+from gearwright.render.tables.study.lists import front_list, inputs_table, spread_table, standings_table, values_table
+from gearwright.render.tables.study.variants import heading
 from gearwright.render.words.headline import headline
 from gearwright.render.words.study import SAMPLED, answer, chosen, key_numbers
 from gearwright.spec import Design, Study

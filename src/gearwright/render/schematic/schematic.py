@@ -9,6 +9,7 @@ from matplotlib.patches import Rectangle
 
 from gearwright.errors import by_name
 from gearwright.identity import Kind, Role
+from gearwright.render.grid.table import written
 from gearwright.render.schematic.bands import Pen, band_scale, draw_bands, half_width, source_colours, spots
 from gearwright.render.schematic.drawing import draw_train, gear_sides
 from gearwright.render.schematic.glyphs import tinted
@@ -16,7 +17,6 @@ from gearwright.render.schematic.layout import Layout, lay_out
 from gearwright.render.schematic.power import NOTHING, Feed, Stretch, trace_power
 from gearwright.render.style import theme
 from gearwright.render.style.labels import Board, text_width
-from gearwright.render.tables.tables import written
 from gearwright.sizing import Sizing
 from gearwright.train import PowerFlow, Train
 from gearwright.units import shown, text

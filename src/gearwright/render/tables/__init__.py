@@ -1,4 +1,4 @@
-"""Tables of results: one mechanism for terminal, page and machine, and what each result shows in it.
+"""Tables of results: what each of them shows, on a terminal, on a page and to machines.
 
-Sentences are in `words`, drawings of numbers in `figures`.
+Tables as such are in `grid`, sentences in `words`, drawings of numbers in `figures`.
 """

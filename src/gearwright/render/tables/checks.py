@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.checks import Check
-from gearwright.render.tables.tables import Table, table, written
+from gearwright.render.grid.table import Table, table, written
 from gearwright.units import Quantity, shown, unit
 
 JUST_ENOUGH = (

@@ -6,7 +6,7 @@ from dataclasses import fields
 
 from gearwright.dynamics import Trace
 from gearwright.dynamics.vibration import DynamicLoad, dynamic_loads
-from gearwright.render.tables.tables import Table, table
+from gearwright.render.grid.table import Table, table
 from gearwright.sizing import Sizing
 from gearwright.sizing.rating import METHODS
 

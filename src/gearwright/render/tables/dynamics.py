@@ -8,7 +8,7 @@ from typing import Annotated
 
 from gearwright.dynamics.assembly import Assumption
 from gearwright.dynamics.vibration import CriticalSpeed, Response, RunUp, SpeedCase, loudest_speeds, peaks
-from gearwright.render.tables.tables import Table, table
+from gearwright.render.grid.table import Table, table
 from gearwright.units import Frequency, Origin, Quantity, Speed
 
 

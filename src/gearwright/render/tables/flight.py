@@ -11,7 +11,7 @@ import numpy as np
 
 from gearwright.mission import Balance, BearingDamage, Durability, Flight, PhaseSummary, phase_summaries
 from gearwright.mission.lives import ENDLESS, USUAL_RELIABILITY
-from gearwright.render.tables.tables import Table, table
+from gearwright.render.grid.table import Table, table
 from gearwright.spec import Phase
 from gearwright.units import CELSIUS, FOOT, KNOT, Mass, Number, Origin, Power, Quantity, marks_of
 

@@ -9,7 +9,7 @@ from typing import Annotated
 import numpy as np
 
 from gearwright.dynamics import Modes, Trace
-from gearwright.render.tables.tables import Table, table
+from gearwright.render.grid.table import Table, table
 from gearwright.units import Energy, Force, Frequency, Origin, Quantity, Torque
 
 ALONG = "Mesh forces act along the line of action; F_t = F cos α_t."

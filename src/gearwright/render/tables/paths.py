@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import fields
 
-from gearwright.render.tables.tables import Table, table
+from gearwright.render.grid.table import Table, table
 from gearwright.sizing import Sizing
 
 TITLE = "Parallel paths"

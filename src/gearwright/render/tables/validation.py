@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import groupby
 
-from gearwright.render.tables.tables import Cell, Table, table
+from gearwright.render.grid.table import Cell, Table, table
 from gearwright.validate import Case, Checked, check
 
 FIELDS = ("case", "source", "expected", "got", "unit", "error", "holds", "reason")

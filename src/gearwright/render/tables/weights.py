@@ -8,7 +8,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.catalogue import Engine
-from gearwright.render.tables.grid import Grid
+from gearwright.render.grid.grid import Grid
 from gearwright.units import RPM, text
 from gearwright.weights import (
     COLUMNS,

@@ -14,7 +14,7 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from gearwright.render.tables.tables import written
+from gearwright.render.grid.table import written
 from gearwright.spec import Mission, OneOf, Record, Study, quantity_of, range_of
 from gearwright.spec.design import Design
 from gearwright.units import SUFFIXES, shown, unit

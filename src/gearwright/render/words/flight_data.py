@@ -7,7 +7,7 @@ from gearwright.mission import (
     flight_series,
 )
 from gearwright.mission.lives import seat_duties
-from gearwright.render.tables.csv_text import csv_text
+from gearwright.render.grid.csv_text import csv_text
 
 
 def flight_csv(flight: Flight) -> str:

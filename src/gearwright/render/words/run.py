@@ -10,7 +10,7 @@ from rich.text import Text
 
 from gearwright.dynamics import Modes, Trace
 from gearwright.dynamics.vibration import SpeedCase, dynamic_loads
-from gearwright.render.tables.tables import written
+from gearwright.render.grid.table import written
 from gearwright.render.words.headline import energy_text, headline, sizing_headline
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing

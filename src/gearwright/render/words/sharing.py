@@ -6,7 +6,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from gearwright.dynamics.sharing import Allocation, SharingStudy
-from gearwright.render.tables.grid import Grid
+from gearwright.render.grid.grid import Grid
 
 PERCENTILES = (50.0, 95.0, 99.0)
 _UNITS = {"clocking": ("mrad", 1e-3)}

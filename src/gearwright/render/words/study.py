@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from gearwright.errors import SolveError
-from gearwright.render.tables.study import FLAT, heading, numeric_axis, percent, reasons
-from gearwright.render.tables.study_lists import letter
-from gearwright.render.tables.tables import written
+from gearwright.render.grid.table import written
+from gearwright.render.tables.study.lists import letter
+from gearwright.render.tables.study.variants import FLAT, heading, numeric_axis, percent, reasons
 from gearwright.spec import Study
 from gearwright.study import Row, Table
 from gearwright.study.answers import (

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from gearwright.render.tables.factors import factor_tables
-from gearwright.render.tables.grid import Grid
-from gearwright.render.tables.materials import estimated_only
+from gearwright.render.grid.grid import Grid
+from gearwright.render.grid.table import MARKS, Cell, Column, Table
 from gearwright.render.tables.paths import path_table
-from gearwright.render.tables.sizing import flow_tables, tables_of
-from gearwright.render.tables.tables import MARKS, Cell, Column, Table
+from gearwright.render.tables.sizing.factors import factor_tables
+from gearwright.render.tables.sizing.materials import estimated_only
+from gearwright.render.tables.sizing.overview import flow_tables, tables_of
 from gearwright.render.words.headline import headline, sizing_headline
 from gearwright.sizing import Sizing
 from gearwright.units import text

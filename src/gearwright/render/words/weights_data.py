@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from gearwright.render.tables.csv_text import csv_text
+from gearwright.render.grid.csv_text import csv_text
 from gearwright.units import RPM
 from gearwright.weights import COLUMNS, CheckedEngine, gearbox_mass
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from gearwright.replays.colibri.replay import Outcome, Replay, Replayed
-from gearwright.replays.colibri.steps import Step
+from gearwright.replays.colibri.report.steps import Step
 from gearwright.replays.colibri.words import finding_in_unit, reason_keys
 
 

@@ -11,8 +11,8 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from gearwright.replays.colibri import words
-from gearwright.replays.colibri.printed import SOURCE
 from gearwright.replays.colibri.replay import Outcome, replay
+from gearwright.replays.colibri.report.printed import SOURCE
 from gearwright.version import __version__
 
 _INDEX = re.compile(r"_([A-Za-z0-9αβ]+)")

@@ -7,11 +7,8 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cache
 
-from gearwright.replays.colibri.chain import executed
-from gearwright.replays.colibri.correct import correct_values
-from gearwright.replays.colibri.facts import colibri_facts
-from gearwright.replays.colibri.findings import Finding, findings
-from gearwright.replays.colibri.printed import (
+from gearwright.replays.colibri.report.chain import executed
+from gearwright.replays.colibri.report.printed import (
     Assumption,
     ColibriErratum,
     PrintedNumber,
@@ -19,7 +16,10 @@ from gearwright.replays.colibri.printed import (
     colibri_errata,
     printed_numbers,
 )
-from gearwright.replays.colibri.steps import Step
+from gearwright.replays.colibri.report.steps import Step
+from gearwright.replays.colibri.verdicts.correct import correct_values
+from gearwright.replays.colibri.verdicts.facts import colibri_facts
+from gearwright.replays.colibri.verdicts.findings import Finding, findings
 
 
 class Outcome(StrEnum):

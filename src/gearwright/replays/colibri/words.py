@@ -8,9 +8,9 @@ from itertools import groupby
 from rich.console import Group
 from rich.text import Text
 
-from gearwright.render.tables.grid import Grid
-from gearwright.replays.colibri.findings import Finding
+from gearwright.render.grid.grid import Grid
 from gearwright.replays.colibri.replay import Outcome, Replay, Replayed
+from gearwright.replays.colibri.verdicts.findings import Finding
 from gearwright.units import shown, text, unit
 
 PARTS = {

@@ -9,8 +9,8 @@ from functools import cache
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from rich.text import Text
 
-from gearwright.render.tables.grid import Grid
-from gearwright.render.tables.tables import written
+from gearwright.render.grid.grid import Grid
+from gearwright.render.grid.table import written
 from gearwright.replays.pulvirenti.claims import Claim, claims
 from gearwright.replays.pulvirenti.errata import Erratum, errata
 from gearwright.replays.verdict import Verdict

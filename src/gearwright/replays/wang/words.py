@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from rich.console import RenderableType
 
+from gearwright.render.grid.table import table
 from gearwright.render.pages.sharing import ClaimRow
-from gearwright.render.tables.tables import table
 from gearwright.render.words.text import table_text
 
 

@@ -6,10 +6,16 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from types import MappingProxyType
 
-from gearwright.replays.colibri.bearings import bearings, keys
-from gearwright.replays.colibri.gears import bevel_pinion, bevel_wheel, helical_pinion, helical_wheel, requirement
-from gearwright.replays.colibri.shafts import diameters, reactions, rotor_shaft, straight_shafts
-from gearwright.replays.colibri.steps import Step, Steps, stated_steps
+from gearwright.replays.colibri.report.bearings import bearings, keys
+from gearwright.replays.colibri.report.gears import (
+    bevel_pinion,
+    bevel_wheel,
+    helical_pinion,
+    helical_wheel,
+    requirement,
+)
+from gearwright.replays.colibri.report.shafts import diameters, reactions, rotor_shaft, straight_shafts
+from gearwright.replays.colibri.report.steps import Step, Steps, stated_steps
 
 _PARTS: tuple[Callable[[Steps], Mapping[str, Step]], ...] = (
     requirement, helical_pinion, helical_wheel, bevel_pinion, bevel_wheel, straight_shafts, rotor_shaft, reactions,

@@ -10,11 +10,11 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from gearwright.render.figures.study import axis_label, study_figure
-from gearwright.render.figures.study_trade import draw_ranges, trade_figure
+from gearwright.render.figures.study.lines import axis_label, study_figure
+from gearwright.render.figures.study.trade import draw_ranges, trade_figure
 from gearwright.render.style import theme
-from gearwright.render.tables.study import heading, percent
-from gearwright.render.tables.study_lists import letter
+from gearwright.render.tables.study.lists import letter
+from gearwright.render.tables.study.variants import heading, percent
 from gearwright.spec import Study
 from gearwright.study import Row, Table
 from gearwright.study.answers import Influence, pareto_front, varies, verdict

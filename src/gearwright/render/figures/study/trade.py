@@ -10,9 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from gearwright.render.grid.table import written
 from gearwright.render.style import theme
-from gearwright.render.tables.study import heading, percent
-from gearwright.render.tables.tables import written
+from gearwright.render.tables.study.variants import heading, percent
 from gearwright.spec import Study
 from gearwright.study import Table
 from gearwright.study.answers import Floats, Standing, Verdict

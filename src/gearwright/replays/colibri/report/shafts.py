@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.parts.shafts import PointLoads, bearing_reactions, diagram, shaft_diameter, supported
-from gearwright.replays.colibri.formulas import ReportForces, bevel_forces_colibri, helical_forces_colibri
-from gearwright.replays.colibri.steps import Known, Step, Steps, of_part, typed
+from gearwright.replays.colibri.report.formulas import ReportForces, bevel_forces_colibri, helical_forces_colibri
+from gearwright.replays.colibri.report.steps import Known, Step, Steps, of_part, typed
 
 STRAIGHT = ("shaft-1", "shaft-2")
 """Shafts whose gear stands between the bearings."""

@@ -8,14 +8,14 @@ from dataclasses import replace
 
 from gearwright.catalogue import bearings, key_for_shaft
 from gearwright.parts.bearings import BearingKind
-from gearwright.replays.colibri.bearings import axial_share, relative_axial, thrust
-from gearwright.replays.colibri.bevel import bevel_pair, bevel_safeties, mean_cone_forces, module_for
-from gearwright.replays.colibri.chain import executed
-from gearwright.replays.colibri.correct import SHAFTS, bearings_of_size, true_factors, twisted_diameter
-from gearwright.replays.colibri.findings import bearing_life, flank_pressure
-from gearwright.replays.colibri.formulas import Reading, ReportForces, ReportGear, pitting_module
-from gearwright.replays.colibri.shafts import hanging_shaft, straight_shaft
-from gearwright.replays.colibri.steps import Known
+from gearwright.replays.colibri.report.bearings import axial_share, relative_axial, thrust
+from gearwright.replays.colibri.report.chain import executed
+from gearwright.replays.colibri.report.formulas import Reading, ReportForces, ReportGear, pitting_module
+from gearwright.replays.colibri.report.shafts import hanging_shaft, straight_shaft
+from gearwright.replays.colibri.report.steps import Known
+from gearwright.replays.colibri.verdicts.bevel import bevel_pair, bevel_safeties, mean_cone_forces, module_for
+from gearwright.replays.colibri.verdicts.correct import SHAFTS, bearings_of_size, true_factors, twisted_diameter
+from gearwright.replays.colibri.verdicts.findings import bearing_life, flank_pressure
 from gearwright.units import shown
 
 _HOUR = 3600.0

@@ -6,9 +6,9 @@ import re
 from collections import Counter
 from typing import NamedTuple
 
-from gearwright.render.tables.csv_text import csv_text
-from gearwright.render.tables.grid import Grid
-from gearwright.render.tables.tables import written
+from gearwright.render.grid.csv_text import csv_text
+from gearwright.render.grid.grid import Grid
+from gearwright.render.grid.table import written
 from gearwright.study import Row, Table
 from gearwright.study.answers import quantiles
 

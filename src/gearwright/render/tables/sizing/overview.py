@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from gearwright.render.grid.table import Mark, Table, table
 from gearwright.render.tables.checks import COLUMNS, JUST_ENOUGH, judged
-from gearwright.render.tables.given import given_by_user, overrides_table
-from gearwright.render.tables.materials import materials_table
-from gearwright.render.tables.mounted import mounted_tables
-from gearwright.render.tables.tables import Mark, Table, table
+from gearwright.render.tables.sizing.given import given_by_user, overrides_table
+from gearwright.render.tables.sizing.materials import materials_table
+from gearwright.render.tables.sizing.mounted import mounted_tables
 from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_parts
 from gearwright.sizing.arrangement import envelope
 from gearwright.train import Branch, branches

@@ -15,11 +15,11 @@ from gearwright.catalogue import bearings as catalogue_bearings
 from gearwright.parts.bearings import ISO_R281_1962, BearingKind, LoadFactors, deep_groove_factors, equivalent_load
 from gearwright.parts.joints import key_length
 from gearwright.parts.shafts import SectionLoad, section_stress
-from gearwright.replays.colibri.bearings import radial_force, relative_axial, thrust
-from gearwright.replays.colibri.bevel import bevel_pair, form_factor, mean_cone_forces, module_for
-from gearwright.replays.colibri.chain import executed
-from gearwright.replays.colibri.shafts import hanging_shaft
-from gearwright.replays.colibri.steps import Known, Step, of_part
+from gearwright.replays.colibri.report.bearings import radial_force, relative_axial, thrust
+from gearwright.replays.colibri.report.chain import executed
+from gearwright.replays.colibri.report.shafts import hanging_shaft
+from gearwright.replays.colibri.report.steps import Known, Step, of_part
+from gearwright.replays.colibri.verdicts.bevel import bevel_pair, form_factor, mean_cone_forces, module_for
 
 SHAFTS = ("shaft-1", "shaft-2", "rotor-shaft")
 KEY_PRESSURE = 150e6

@@ -6,8 +6,8 @@ import math
 
 from gearwright.parts.bearings import ISO_R281_1962, LoadFactors, deep_groove_factors
 from gearwright.parts.joints import KeySection
-from gearwright.replays.colibri.shaft_formulas import report_bearing_load, report_key_length
-from gearwright.replays.colibri.steps import Known, Step, Steps, of_part, typed
+from gearwright.replays.colibri.report.shaft_formulas import report_bearing_load, report_key_length
+from gearwright.replays.colibri.report.steps import Known, Step, Steps, of_part, typed
 
 _SHAFTS = ("shaft-1", "shaft-2", "rotor-shaft")
 _TABLE = "ISO/R 281 at F_a/C_0"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from gearwright.render.tables.tables import Table, table
+from gearwright.render.grid.table import Table, table
 from gearwright.sizing import BuiltShaft, Sizing
 from gearwright.units import Length, Slope, Speed, text
 

@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from gearwright.render.style import theme
-from gearwright.render.tables.study import FLAT, heading, numeric_axis, percent
+from gearwright.render.tables.study.variants import FLAT, heading, numeric_axis, percent
 from gearwright.study import Row, Table
 
 FEW_CURVES = 3

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from gearwright.replays.colibri.formulas import (
+from gearwright.replays.colibri.report.formulas import (
     Reading,
     ReportGear,
     form_factor_colibri,
@@ -18,8 +18,8 @@ from gearwright.replays.colibri.formulas import (
     report_width,
     settled_dynamic_factor,
 )
-from gearwright.replays.colibri.shaft_formulas import report_torque
-from gearwright.replays.colibri.steps import Known, Step, Steps, of_part, typed
+from gearwright.replays.colibri.report.shaft_formulas import report_torque
+from gearwright.replays.colibri.report.steps import Known, Step, Steps, of_part, typed
 
 POWER = 322e3
 """Power of the engine [W]: the report does not state it (H1)."""

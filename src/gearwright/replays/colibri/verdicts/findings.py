@@ -9,11 +9,17 @@ from gearwright.catalogue import key_for_shaft
 from gearwright.parts.bearings import BearingKind, basic_life, life_time, system_life
 from gearwright.parts.gears import CylindricalGear
 from gearwright.parts.joints import key_pressure
-from gearwright.replays.colibri.bearings import key_section
-from gearwright.replays.colibri.bevel import CONTACT_SAFETY, ROOT_SAFETY, bevel_pair, bevel_safeties
-from gearwright.replays.colibri.chain import executed
-from gearwright.replays.colibri.correct import KEY_PRESSURE, SHAFTS, bearings_of_size, true_load, twisted_diameter
-from gearwright.replays.colibri.steps import Known
+from gearwright.replays.colibri.report.bearings import key_section
+from gearwright.replays.colibri.report.chain import executed
+from gearwright.replays.colibri.report.steps import Known
+from gearwright.replays.colibri.verdicts.bevel import CONTACT_SAFETY, ROOT_SAFETY, bevel_pair, bevel_safeties
+from gearwright.replays.colibri.verdicts.correct import (
+    KEY_PRESSURE,
+    SHAFTS,
+    bearings_of_size,
+    true_load,
+    twisted_diameter,
+)
 
 _NAMES = {"shaft-1": "shaft 1", "shaft-2": "shaft 2", "rotor-shaft": "rotor shaft"}
 _SPEEDS = {"shaft-1": "helical-pinion", "shaft-2": "bevel-pinion", "rotor-shaft": "bevel-wheel"}

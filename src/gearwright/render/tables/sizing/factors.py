@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.render.tables.tables import Table, table, written
+from gearwright.render.grid.table import Table, table, written
 from gearwright.sizing import MeshSizing, Sizing, pair_data
 from gearwright.sizing.rating import METHODS, Factor, factor_rows
 from gearwright.units import shown, unit

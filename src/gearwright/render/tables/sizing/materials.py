@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from gearwright.catalogue import rated_steel
 from gearwright.parts import Material
 from gearwright.parts.iso6336 import GearSteel, LifeCurve, life_curves
-from gearwright.render.tables.tables import Mark, Table, table
+from gearwright.render.grid.table import Mark, Table, table
 from gearwright.sizing import Sizing
 from gearwright.sizing.rating import method_for, rating_of
 from gearwright.units import shown, unit

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gearwright.render.tables.tables import Mark, Table, table
+from gearwright.render.grid.table import Mark, Table, table
 from gearwright.sizing import MachineSizing, ShaftSizing, Sizing
 from gearwright.spec.design import NOTHING_GIVEN, module_owners
 

@@ -22,7 +22,7 @@ from gearwright.parts.bevel import (
     bevel_pitting,
 )
 from gearwright.parts.iso6336 import LoadedTooth, ToothProportions, root_section
-from gearwright.replays.colibri.chain import executed
+from gearwright.replays.colibri.report.chain import executed
 
 CONTACT_SAFETY, ROOT_SAFETY = 1.2, 1.6
 """S_H and S_F that a gear of an aircraft is given here [-]."""

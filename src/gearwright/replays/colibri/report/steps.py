@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple, TypeAlias
 
-from gearwright.replays.colibri.printed import printed_numbers
+from gearwright.replays.colibri.report.printed import printed_numbers
 
 
 class Step(NamedTuple):

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gearwright.render.tables.study import heading, percent, spread
-from gearwright.render.tables.tables import Cell, Column, Table, written
+from gearwright.render.grid.table import Cell, Column, Table, written
+from gearwright.render.tables.study.variants import heading, percent, spread
 from gearwright.sizing import Named
 from gearwright.spec import Axis, Study
 from gearwright.study import Row
