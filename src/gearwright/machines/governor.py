@@ -6,9 +6,8 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from gearwright.arrays import Floats
 
 
 class Governor(NamedTuple):
@@ -93,8 +92,8 @@ class LimitCycle(NamedTuple):
 
 
 def marched(
-    rates: Callable[[Array], Array], start: tuple[float, ...], *, duration: float, step: float
-) -> tuple[Array, Array]:
+    rates: Callable[[Floats], Floats], start: tuple[float, ...], *, duration: float, step: float
+) -> tuple[Floats, Floats]:
     """Return time and states of a governed propeller, by the Runge-Kutta method of fourth order.
 
     Args:
@@ -119,7 +118,7 @@ def marched(
     return np.linspace(0.0, duration, count + 1), states
 
 
-def limit_cycle(time: Array, speed: Array) -> LimitCycle | None:
+def limit_cycle(time: Floats, speed: Floats) -> LimitCycle | None:
     """Return the oscillation that is left in the second half of a response, or None where it dies out.
 
     Args:

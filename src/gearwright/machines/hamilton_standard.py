@@ -12,12 +12,11 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import SolveError
 
-Array = NDArray[np.float64]
-Rows = tuple[Array, ...]
+Rows = tuple[Floats, ...]
 
 STATIC_FADE = 0.5
 """Advance ratio at which the static tip Mach number no longer counts [-]: the next chart's advance ratio."""
@@ -30,9 +29,9 @@ SMALL_THRUST = "compressibility at small thrust"
 class Charts(NamedTuple):
     """The charts of NASA CR-114399 as arrays; the first index is the blade count, the second the advance ratio."""
 
-    blade_counts: Array
+    blade_counts: Floats
     """Shape (4,) [-]."""
-    advance_ratio: Array
+    advance_ratio: Floats
     """J of the charts, shape (7,) [-]."""
     blade_angle: Rows
     """β at three quarters of the radius, one row per J [deg]."""
@@ -40,27 +39,27 @@ class Charts(NamedTuple):
     """C_P over the blade angles, by blade count and J [-]."""
     thrust: tuple[Rows, ...]
     """C_T over the blade angles, by blade count and J [-]."""
-    activity_factor: Array
+    activity_factor: Floats
     """Shape (6,) [-]."""
-    activity_power: Array
+    activity_power: Floats
     """Factor on C_P at J = 0 and from J = 0.5 on, shape (2, 6) [-]."""
-    activity_thrust: Array
+    activity_thrust: Floats
     """Factor on C_T, likewise, shape (2, 6) [-]."""
-    number_power: tuple[Array, Array]
+    number_power: tuple[Floats, Floats]
     """Effective C_P (14,) and the blade-number factor (4, 14) [-]."""
-    number_thrust: tuple[Array, Array]
+    number_thrust: tuple[Floats, Floats]
     """Effective C_T (14,) and the blade-number factor (4, 14) [-]."""
-    lift: Array
+    lift: Floats
     """Integrated design lift coefficients of the lift tables, shape (6,) [-]."""
     lift_power: tuple[Rows, Rows]
     """C_P and its factor by lift coefficient [-]."""
     lift_thrust: tuple[Rows, Rows]
     """C_T and its factor by lift coefficient [-]."""
-    lift_scale: Array
+    lift_scale: Floats
     """Scale of C_P and of C_T in the lift tables at the charts' J, shape (2, 7) [-]."""
-    critical_mach: tuple[Array, Array, Array]
+    critical_mach: tuple[Floats, Floats, Floats]
     """J (11,), critical flight Mach number by lift and J (6, 11), static critical tip Mach number by lift (6,) [-]."""
-    compressibility: tuple[Array, Array, Array]
+    compressibility: tuple[Floats, Floats, Floats]
     """Excess Mach number (9,), effective C_T (12,) and the thrust factor (9, 12) [-]."""
 
 
@@ -154,7 +153,7 @@ class Look:
     held: set[str] = field(default_factory=set)
     """Names of the tables that were left; a table that is flat at its end is not left there."""
 
-    def at(self, x: float, table: tuple[Array, Array], name: str) -> float:
+    def at(self, x: float, table: tuple[Floats, Floats], name: str) -> float:
         """Return y(x): the mean of two parabolas, weighted linearly between the two middle points.
 
         Args:
@@ -174,7 +173,7 @@ class Look:
         left = _parabola(inside, xs[k - 1 : k + 2], ys[k - 1 : k + 2])
         return (1.0 - weight) * left + weight * _parabola(inside, xs[k : k + 3], ys[k : k + 3])
 
-    def over(self, nodes: Array, x: float, values: Sequence[float]) -> float:
+    def over(self, nodes: Floats, x: float, values: Sequence[float]) -> float:
         """Return the value at a point from those at the nodes around it.
 
         Args:
@@ -274,12 +273,12 @@ class Look:
         x = effective * self._number_thrust(count, effective) * scale
         return self._by_lift(x, self.charts.lift_thrust, "lift thrust")
 
-    def _at_lift(self, table: Array) -> Array:
+    def _at_lift(self, table: Floats) -> Floats:
         lift = self.blades.design_lift
         return np.array([self.at(lift, (self.charts.lift, column), "design lift") for column in table.T])
 
 
-def _around(nodes: Array, x: float) -> range:
+def _around(nodes: Floats, x: float) -> range:
     """The nodes that count at a point: itself, or the three or four around it."""
     k = int(np.searchsorted(nodes, x, side="right")) - 1
     if k >= 0 and nodes[k] == x:
@@ -287,13 +286,13 @@ def _around(nodes: Array, x: float) -> range:
     return range(max(k - 1, 0), min(k + 3, len(nodes)))
 
 
-def _rising(chart: tuple[Array, Array]) -> tuple[Array, Array]:
+def _rising(chart: tuple[Floats, Floats]) -> tuple[Floats, Floats]:
     """The chart from its smallest C_P on: below it the blade angle over C_P is not unique."""
     low = int(np.argmin(chart[0]))
     return chart[0][low:], chart[1][low:]
 
 
-def _parabola(x: float, xs: Array, ys: Array) -> float:
+def _parabola(x: float, xs: Floats, ys: Floats) -> float:
     a, b, c = xs
     return float(
         ys[0] * (x - b) * (x - c) / ((a - b) * (a - c))

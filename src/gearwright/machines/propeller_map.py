@@ -5,11 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats, Ints
 from gearwright.errors import DesignError, Problem
-
-Array = NDArray[np.float64]
 
 INSIDE, OUTSIDE = 0, 1
 """Status of a look-up."""
@@ -18,17 +16,17 @@ INSIDE, OUTSIDE = 0, 1
 class PropellerMap(NamedTuple):
     """C_P and C_T on a grid; a compiled kernel reads the same record."""
 
-    advance_ratio: Array
+    advance_ratio: Floats
     """J = V/(n D), rising, shape (n,) [-]."""
-    blade_angle: Array
+    blade_angle: Floats
     """β, rising, shape (m,) [rad]."""
-    power: Array
+    power: Floats
     """C_P = P/(ρ n³ D⁵), shape (n, m) [-]; what lies outside `first` and `last` is never read."""
-    thrust: Array
+    thrust: Floats
     """C_T = T/(ρ n² D⁴), shape (n, m) [-]."""
-    first: NDArray[np.int64]
+    first: Ints
     """Index of the smallest blade angle that is given at each J, shape (n,) [-]."""
-    last: NDArray[np.int64]
+    last: Ints
     """Index of the largest one, shape (n,) [-]."""
 
 
@@ -136,7 +134,7 @@ def angle_for_thrust(chart: PropellerMap, advance_ratio: float, thrust: float) -
     return _inverted(chart, advance_ratio, thrust, table=chart.thrust, name="thrust coefficient")
 
 
-def _inverted(chart: PropellerMap, advance_ratio: float, value: float, *, table: Array, name: str) -> float:
+def _inverted(chart: PropellerMap, advance_ratio: float, value: float, *, table: Floats, name: str) -> float:
     angles, row = _row(chart, advance_ratio, table)
     # Beyond the first fall the blade stalls, and an angle there is not what a governor would find.
     falls = np.flatnonzero(np.diff(row) <= 0.0)
@@ -146,7 +144,7 @@ def _inverted(chart: PropellerMap, advance_ratio: float, value: float, *, table:
     return float(np.interp(value, row[:end], angles[:end]))
 
 
-def _row(chart: PropellerMap, advance_ratio: float, table: Array) -> tuple[Array, Array]:
+def _row(chart: PropellerMap, advance_ratio: float, table: Floats) -> tuple[Floats, Floats]:
     """Return blade angles and values at an advance ratio between two rows of the map."""
     ratio = chart.advance_ratio
     if not ratio[0] <= advance_ratio <= ratio[-1]:

@@ -7,11 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import stored_energy
 from gearwright.mission.flight import Balance, Flight, fuel_energy
 from gearwright.mission.gearbox import Drag, Gearbox, Point
-from gearwright.mission.history import Array, History, MachineHistory, MeshHistory, NodeHistory, stacked
+from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, stacked
 from gearwright.mission.profile import Moment
 from gearwright.mission.supply import Drawn, Supply
 from gearwright.mission.thrust import Blades, Performance
@@ -142,7 +143,7 @@ def _meshes(gearbox: Gearbox, intervals: Sequence[Interval]) -> dict[str, MeshHi
     return {mesh.name: MeshHistory(torque, force) for mesh, torque, force in rows}
 
 
-def _cooler(mission: Mission, history: History[Array], oil_outlet: Array) -> float:
+def _cooler(mission: Mission, history: History[Floats], oil_outlet: Floats) -> float:
     """The largest conductance that any interval needs [W/K]."""
     oil, air = 0.5 * (mission.oil.inlet_temperature_k + oil_outlet), history.air_temperature
     if float((oil - air).min()) < _LEAST_COOLING:
@@ -155,10 +156,10 @@ def _cooler(mission: Mission, history: History[Array], oil_outlet: Array) -> flo
     return max(cooler_conductance(float(power), float(warm), float(cold)) for power, warm, cold in rows)
 
 
-def _balance(flown: Flown, history: History[Array]) -> Balance:
+def _balance(flown: Flown, history: History[Floats]) -> Balance:
     gearbox, _, mission, supply = flown
 
-    def total(power: Array) -> float:
+    def total(power: Floats) -> float:
         return float((power * history.duration).sum())
 
     first = next(iter(mission.phases.values())).propeller_speed

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Bools, Floats
 from gearwright.machines import HEATING_VALUE, PropellerMap
 from gearwright.mission.history import (
     BATTERY_LOSS,
@@ -18,7 +18,6 @@ from gearwright.mission.history import (
     MOTOR_LOSS,
     TURBINE_HEAT,
     WINDAGE_LOSS,
-    Array,
     History,
     MachineHistory,
     MeshHistory,
@@ -86,9 +85,9 @@ class Flight(Shown):
     sizing: Sizing
     phase: tuple[str, ...]
     """Phase of each interval."""
-    history: History[Array]
+    history: History[Floats]
     """Air, propeller, machines, battery and losses."""
-    oil_outlet: Annotated[Array, Quantity("absolute_temperature"), Origin("T_in + ΔT P/P_max", "heat balance")]
+    oil_outlet: Annotated[Floats, Quantity("absolute_temperature"), Origin("T_in + ΔT P/P_max", "heat balance")]
     """Of the oil behind the gearbox [K]."""
     nodes: Mapping[str, NodeHistory]
     """Shaft, or planets of a stage -> speed and torque."""
@@ -131,7 +130,7 @@ class Flight(Shown):
         """True where a battery flies: the mission has one, and the design a motor."""
         return self.mission.battery is not None and bool(self.sizing.design.motors)
 
-    def speed(self, node: str) -> Array:
+    def speed(self, node: str) -> Floats:
         """Return the speed of a node of the train, also of the ground, per interval [rad/s].
 
         Args:
@@ -139,7 +138,7 @@ class Flight(Shown):
         """
         return self.nodes[node].speed if node != GROUND else np.zeros(len(self.phase))
 
-    def efficiency(self, counted: NDArray[np.bool_] | None = None) -> Ratio:
+    def efficiency(self, counted: Bools | None = None) -> Ratio:
         """Return the efficiency of the gearbox over some intervals [-]; left out: over all of them.
 
         Args:
@@ -156,7 +155,7 @@ class Flight(Shown):
         }
         return frame({"phase": (self.phase, ""), **series}, "time")
 
-    def passed(self) -> tuple[Array, Array]:
+    def passed(self) -> tuple[Floats, Floats]:
         """Return what the gearbox takes and gives in every interval [W]; a propeller that the air drives gives."""
         work, loss = self.history.propeller_power, self.history.gearbox_heat
         return np.maximum(work + loss, -work), np.maximum(np.maximum(work, -work - loss), 0.0)
@@ -192,10 +191,10 @@ def phase_summaries(flight: Flight) -> tuple[PhaseSummary, ...]:
     return tuple(_summary(flight, name, names == name) for name in flight.mission.phases)
 
 
-def _summary(flight: Flight, name: str, within: NDArray[np.bool_]) -> PhaseSummary:
+def _summary(flight: Flight, name: str, within: Bools) -> PhaseSummary:
     history = flight.history
 
-    def total(power: Array) -> float:
+    def total(power: Floats) -> float:
         return float((power * history.duration)[within].sum())
 
     return PhaseSummary(

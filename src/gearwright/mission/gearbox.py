@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.identity import Role
 from gearwright.parts.losses import (
@@ -29,7 +29,6 @@ from gearwright.spec import GROUND, Design, Drive
 from gearwright.train import INTERNAL, PowerFlow, Turning, power_flow
 from gearwright.verbs import verb
 
-Array = NDArray[np.float64]
 _CASE = "mission"
 
 
@@ -58,15 +57,15 @@ class Drag(NamedTuple):
 class Point(NamedTuple):
     """One operating point of the gearbox."""
 
-    speeds: Array
+    speeds: Floats
     """Of the train's nodes, shape (nodes,) [rad/s]."""
-    shaft_torques: Array
+    shaft_torques: Floats
     """Transmitted by each node: half the sum of what acts on it, shape (nodes,) [N m]."""
-    machine_powers: Array
+    machine_powers: Floats
     """Into the train without drag, shape (machines,) [W]."""
-    mesh_torques: Array
+    mesh_torques: Floats
     """On gear a of one single mesh of each row, shape (meshes,) [N m]."""
-    mesh_losses: Array
+    mesh_losses: Floats
     """Of all equal meshes of a row, shape (meshes,) [W]."""
 
     @property
@@ -98,9 +97,9 @@ class Gearbox:
     oil: Oil
     contacts: tuple[ToothContact, ...]
     """Of each mesh row."""
-    radii: Array
+    radii: Floats
     """Pitch radius of gear a of each mesh row, shape (meshes,) [m]."""
-    widths: Array
+    widths: Floats
     """Narrower face of each mesh row, shape (meshes,) [m]."""
     inertia: float
     """Of everything that turns, at the propeller [kg m²]."""
@@ -214,7 +213,7 @@ def _point(gearbox: Gearbox, flow: PowerFlow) -> Point:
     )
 
 
-def transmitted(sizing: Sizing, flow: PowerFlow) -> Array:
+def transmitted(sizing: Sizing, flow: PowerFlow) -> Floats:
     """Return what each node of the train transmits: half the sum of the torques on it, shape (nodes,) [N m].
 
     Args:

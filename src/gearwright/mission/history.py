@@ -11,11 +11,10 @@ from dataclasses import dataclass, fields
 from typing import Annotated, Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.units import Marks, Origin, Quantity, marks_of
 
-Array = NDArray[np.float64]
 T = TypeVar("T")
 
 MESH_LOSS = Origin("P μ H_V", "Ohlendorf 1958; Schlenk 1994; ISO/TR 14179-2")
@@ -82,13 +81,13 @@ class History(Generic[T]):
 class MachineHistory:
     """A machine, with drag and spin-up."""
 
-    power: Annotated[Array, Quantity("power")]
+    power: Annotated[Floats, Quantity("power")]
     """Into the train."""
-    speed: Annotated[Array, Quantity("speed")]
+    speed: Annotated[Floats, Quantity("speed")]
     """Of its shaft, signed."""
 
     @property
-    def torque(self) -> Array:
+    def torque(self) -> Floats:
         """On its shaft [N m]."""
         return self.power / self.speed
 
@@ -97,8 +96,8 @@ class MachineHistory:
 class NodeHistory:
     """A shaft, or the planets of a stage."""
 
-    speed: Annotated[Array, Quantity("speed")]
-    torque: Annotated[Array, Quantity("torque"), Origin("½ Σ |T|", "power flow")]
+    speed: Annotated[Floats, Quantity("speed")]
+    torque: Annotated[Floats, Quantity("torque"), Origin("½ Σ |T|", "power flow")]
     """That it transmits."""
 
 
@@ -106,9 +105,9 @@ class NodeHistory:
 class MeshHistory:
     """One single mesh of a row."""
 
-    torque: Annotated[Array, Quantity("torque"), Origin("z λ", "power flow")]
+    torque: Annotated[Floats, Quantity("torque"), Origin("z λ", "power flow")]
     """On gear a."""
-    force: Annotated[Array, Quantity("force"), Origin("T/r", "power flow")]
+    force: Annotated[Floats, Quantity("force"), Origin("T/r", "power flow")]
     """Tangential, signed as its torque."""
 
 
@@ -117,13 +116,13 @@ class Series(NamedTuple):
 
     name: str
     """Such as ``propeller_power``."""
-    values: Array
+    values: Floats
     """One per interval, in SI."""
     marks: Marks
     """Dimension and origin."""
 
 
-def stacked(history: Sequence[History[float]]) -> History[Array]:
+def stacked(history: Sequence[History[float]]) -> History[Floats]:
     """Return the histories of intervals as arrays.
 
     Args:
@@ -134,7 +133,7 @@ def stacked(history: Sequence[History[float]]) -> History[Array]:
     return History(**arrays)
 
 
-def marked_series(history: History[Array]) -> Iterator[Series]:
+def marked_series(history: History[Floats]) -> Iterator[Series]:
     """Yield every quantity that is recorded, with its marks.
 
     Args:

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.identity import SIDES, Kind, Role
 from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.graph import shafts_of
-from gearwright.train.kinematics import Array
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ def members_of(stage: Planetary) -> tuple[str, str, str]:
     return stage.sun, stage.ring, stage.carrier
 
 
-def willis_ratio(stage: Planetary, speeds: Mapping[str, Array]) -> Array:
+def willis_ratio(stage: Planetary, speeds: Mapping[str, Floats]) -> Floats:
     """Return z_r/z_s that lets the members turn at given speeds [-].
 
     Args:
@@ -118,7 +118,7 @@ def willis_ratio(stage: Planetary, speeds: Mapping[str, Array]) -> Array:
         return np.asarray((sun - carrier) / (carrier - ring))
 
 
-def willis_speed(stage: Planetary, member: str, ratio: Array, speeds: Mapping[str, Array]) -> Array:
+def willis_speed(stage: Planetary, member: str, ratio: Floats, speeds: Mapping[str, Floats]) -> Floats:
     """Return the speed of one member from those of the other two, without its sense [rad/s].
 
     Args:

@@ -8,10 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.spec import GROUND, Design, Drive, Pair
 from gearwright.train.graph import Damper, Joint, Mesh, Train
-from gearwright.train.kinematics import Array, Yielded
+from gearwright.train.kinematics import Yielded
 from gearwright.train.statics import MAX_REVERSALS, Sharing, balance, solve_torques
 from gearwright.train.tooth_losses import direction_of, rolling, with_losses
 from gearwright.train.turning import Turn, Turning, asked_speeds, drives_of
@@ -166,7 +167,7 @@ def _asked(design: Design, turning: Turning, drives: Mapping[str, Drive], joints
     return {**{name: 0.0 if name in idle else speed for name, speed in asked.items()}, **dict.fromkeys(idle, 0.0)}
 
 
-def _overruns(joint: Joint, multiplier: float, train: Train, speeds: Array) -> bool:
+def _overruns(joint: Joint, multiplier: float, train: Train, speeds: Floats) -> bool:
     """Tell whether an overrunning clutch has nothing to transmit, or would have to pull its driving shaft."""
     if not joint.overrunning:
         return False
@@ -179,9 +180,9 @@ class _Balanced(NamedTuple):
 
     machine_torques: dict[str, float]
     """Machine -> torque on its shaft [N m]."""
-    multipliers: Array
+    multipliers: Floats
     """Torque per tooth of every mesh row, then torque of every engaged clutch [N m]."""
-    effective: Array
+    effective: Floats
     """(rows, nodes): torque on a node per multiplier [-], losses included."""
 
 
@@ -224,7 +225,7 @@ def _balance(
 
 
 def _machine_torques(
-    design: Design, train: Train, speeds: Array, drives: Mapping[str, Drive], case: str
+    design: Design, train: Train, speeds: Floats, drives: Mapping[str, Drive], case: str
 ) -> tuple[dict[str, float], list[str]]:
     """Return the torques that the case states, and the machines that balance the rest."""
     stated: dict[str, float] = {}
@@ -303,7 +304,7 @@ def _collect(train: Train, case: str, turn: Turn, balanced: _Balanced, joints: l
     )
 
 
-def _dragged(train: Train, damper: Damper, speeds: Array) -> Dragged:
+def _dragged(train: Train, damper: Damper, speeds: Floats) -> Dragged:
     """Return what a damper carries; a slip that is rounding of the speeds is none."""
     slip = float(speeds[train.column[damper.driving]] - speeds[train.column[damper.driven]])
     slip = slip if abs(slip) > STANDSTILL * float(np.abs(speeds).max(initial=0.0)) else 0.0

@@ -7,15 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import GROUND
 from gearwright.train.graph import Joint, Train
 from gearwright.train.memory import remembered
 from gearwright.train.null_space import RANK_TOLERANCE, null_space
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -34,7 +32,7 @@ class Yielded:
         return (self.actual - self.asked) / self.asked
 
 
-def rows(train: Train, teeth: Mapping[str, float], joints: Sequence[Joint]) -> Array:
+def rows(train: Train, teeth: Mapping[str, float], joints: Sequence[Joint]) -> Floats:
     """Return the kinematic matrix A, one row per mesh, then one per engaged clutch.
 
     Args:
@@ -58,7 +56,7 @@ def rows(train: Train, teeth: Mapping[str, float], joints: Sequence[Joint]) -> A
     return matrix
 
 
-def solve_speeds(train: Train, matrix: Array, asked: Mapping[str, float]) -> tuple[Array, list[Yielded]]:
+def solve_speeds(train: Train, matrix: Floats, asked: Mapping[str, float]) -> tuple[Floats, list[Yielded]]:
     """Return the speed of every node and the machines whose speed had to yield.
 
     Args:
@@ -92,7 +90,7 @@ def solve_speeds(train: Train, matrix: Array, asked: Mapping[str, float]) -> tup
             kept.append(machine)
     if len(kept) < freedoms:
         raise _free(train, free, np.array(motions), len(kept))
-    omega: Array = free @ _amounts(motions, speeds) if kept else np.zeros(len(train.nodes))
+    omega: Floats = free @ _amounts(motions, speeds) if kept else np.zeros(len(train.nodes))
     yielded = [
         Yielded(machine, abs(speed), abs(float(omega[train.column[train.machines[machine]]])))
         for machine, speed in asked.items()
@@ -101,7 +99,7 @@ def solve_speeds(train: Train, matrix: Array, asked: Mapping[str, float]) -> tup
     return omega, yielded
 
 
-def _amounts(motions: list[list[float]], speeds: list[float]) -> Array:
+def _amounts(motions: list[list[float]], speeds: list[float]) -> Floats:
     """Return how much of each free motion gives the kept speeds; most trains have one freedom."""
     if len(speeds) == 1:
         return np.array([speeds[0] / motions[0][0]])
@@ -109,12 +107,12 @@ def _amounts(motions: list[list[float]], speeds: list[float]) -> Array:
 
 
 @remembered
-def _motions(matrix: Array) -> Array:
+def _motions(matrix: Floats) -> Floats:
     """Return an orthonormal basis (nodes, freedoms) of the motions that the rows allow."""
     return null_space(matrix / np.maximum(np.linalg.norm(matrix, axis=1, keepdims=True), 1e-300))
 
 
-def _locked(train: Train, matrix: Array, machine: str) -> DesignError:
+def _locked(train: Train, matrix: Floats, machine: str) -> DesignError:
     """Say which rows lock a machine's shaft: those without one of which it would turn."""
     shaft = train.machines[machine]
     node = train.column[shaft]
@@ -129,7 +127,7 @@ def _locked(train: Train, matrix: Array, machine: str) -> DesignError:
     return DesignError([Problem(f"shafts.{shaft}", message)])
 
 
-def _free(train: Train, free: Array, motions: Array, kept: int) -> DesignError:
+def _free(train: Train, free: Floats, motions: Floats, kept: int) -> DesignError:
     """Name the shafts whose speed nothing determines."""
     remaining = free @ null_space(motions) if len(motions) else free
     loose = [name for name, motion in zip(train.nodes, remaining, strict=True) if np.linalg.norm(motion) > 1e-6]

@@ -7,15 +7,15 @@ from functools import lru_cache, wraps
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Result = TypeVar("Result", Array, tuple[Array, Array, Array, Array])
+from gearwright.arrays import Floats
+
+Result = TypeVar("Result", Floats, tuple[Floats, Floats, Floats, Floats])
 KEPT = 1024
 """Latest matrices of which the result is kept: some 1 MB."""
 
 
-def remembered(function: Callable[[Array], Result]) -> Callable[[Array], Result]:
+def remembered(function: Callable[[Floats], Result]) -> Callable[[Floats], Result]:
     """Return a function of one matrix that keeps its latest results, which are not to be written to.
 
     Args:
@@ -30,7 +30,7 @@ def remembered(function: Callable[[Array], Result]) -> Callable[[Array], Result]
         return result
 
     @wraps(function)
-    def looked_up(matrix: Array) -> Result:
+    def looked_up(matrix: Floats) -> Result:
         return kept(matrix.tobytes(), matrix.shape)
 
     return looked_up

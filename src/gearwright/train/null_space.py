@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from gearwright.arrays import Floats
+
 RANK_TOLERANCE = 1e-10
 """Singular value over the largest below which a direction counts as free [-]."""
 
 
-def null_space(matrix: Array) -> Array:
+def null_space(matrix: Floats) -> Floats:
     """Return an orthonormal basis (columns, dimensions) of what the rows take to zero.
 
     Args:
@@ -21,7 +21,7 @@ def null_space(matrix: Array) -> Array:
     return row_and_null_space(matrix)[1]
 
 
-def row_and_null_space(matrix: Array) -> tuple[Array, Array]:
+def row_and_null_space(matrix: Floats) -> tuple[Floats, Floats]:
     """Return orthonormal bases (columns, dimensions) of what the rows feel, and of what they take to zero.
 
     Args:

@@ -11,12 +11,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.train.memory import remembered
 from gearwright.train.null_space import null_space
 
-Array = NDArray[np.float64]
 BALANCE_TOLERANCE = 1e-9
 """Largest torque left over, as a part of the largest applied, in a train that can balance."""
 LARGEST_INVERSE = 1e6
@@ -40,19 +39,19 @@ class Sharing:
 class Balance(NamedTuple):
     """The equations of a train's torques, ready to be solved for one load after the other."""
 
-    system: Array
+    system: Floats
     """(nodes, unknowns): torque on each node per unit of each unknown."""
-    scaled: Array
+    scaled: Floats
     """The same with columns of unit length, which lets powers close to rounding."""
-    scale: Array
+    scale: Floats
     """(unknowns,) Lengths of the columns."""
-    inverse: Array
+    inverse: Floats
     """(unknowns, nodes) Of `scaled`, in the least-squares sense."""
-    free: Array
+    free: Floats
     """(unknowns, freedoms) Basis of what balances by itself."""
 
 
-def balance(matrix: Array, balancing: Sequence[int]) -> Balance:
+def balance(matrix: Floats, balancing: Sequence[int]) -> Balance:
     """Return the equations T + Aᵀ λ = 0.
 
     Args:
@@ -67,7 +66,7 @@ def balance(matrix: Array, balancing: Sequence[int]) -> Balance:
     return Balance(system, *_prepared(system))
 
 
-def solve_torques(known: Balance, applied: Array, *, sharing: Sequence[Sharing] = ()) -> Array | None:
+def solve_torques(known: Balance, applied: Floats, *, sharing: Sequence[Sharing] = ()) -> Floats | None:
     """Return the multipliers of the rows, then the torques of the balancing machines.
 
     Args:
@@ -79,7 +78,7 @@ def solve_torques(known: Balance, applied: Array, *, sharing: Sequence[Sharing] 
         λ of every row [N m per tooth] and torque of every machine [N m], or None where no torques balance.
     """
     first = known.inverse @ applied
-    solution: Array = (known.inverse @ (known.scaled @ first - applied) - first) / known.scale
+    solution: Floats = (known.inverse @ (known.scaled @ first - applied) - first) / known.scale
     left = abs(known.system @ solution + applied).max(initial=0.0)
     if left > BALANCE_TOLERANCE * max(abs(applied).max(initial=0.0), 1e-30):
         return None
@@ -87,7 +86,7 @@ def solve_torques(known: Balance, applied: Array, *, sharing: Sequence[Sharing] 
 
 
 @remembered
-def _prepared(system: Array) -> tuple[Array, Array, Array, Array]:
+def _prepared(system: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     """Return the columns of a system scaled to unit length, their lengths, the inverse, and the freedoms."""
     scale = np.maximum(np.linalg.norm(system, axis=0), 1e-300)
     scaled = system / scale
@@ -101,7 +100,7 @@ def _prepared(system: Array) -> tuple[Array, Array, Array, Array]:
     return scaled, scale, inverse, np.zeros((system.shape[1], 0)) if determined else null_space(system)
 
 
-def _inverse(matrix: Array) -> Array | None:
+def _inverse(matrix: Floats) -> Floats | None:
     """Return the inverse of a square matrix that is far from singular, or None."""
     if matrix.shape[0] != matrix.shape[1]:
         return None
@@ -112,7 +111,7 @@ def _inverse(matrix: Array) -> Array | None:
     return inverse if abs(inverse).max() < LARGEST_INVERSE else None
 
 
-def _share(solution: Array, free: Array, sharing: Sequence[Sharing]) -> Array:
+def _share(solution: Floats, free: Floats, sharing: Sequence[Sharing]) -> Floats:
     """Move along the torques that balance by themselves until the shares hold: stated ones first, then equal ones."""
     for stated in (True, False):
         equations = [row for group in sharing if group.stated is stated for row in _equal(group, len(solution))]
@@ -125,7 +124,7 @@ def _share(solution: Array, free: Array, sharing: Sequence[Sharing]) -> Array:
     return solution
 
 
-def _equal(group: Sharing, size: int) -> list[Array]:
+def _equal(group: Sharing, size: int) -> list[Floats]:
     """Return the equations λ_i / share_i = λ_0 / share_0 of a group."""
     equations = []
     for row, share in zip(group.rows[1:], group.share[1:], strict=True):
@@ -135,7 +134,7 @@ def _equal(group: Sharing, size: int) -> list[Array]:
     return equations
 
 
-def lossy(matrix: Array, driving: Array, driven: Array, efficiency: Array) -> Array:
+def lossy(matrix: Floats, driving: Floats, driven: Floats, efficiency: Floats) -> Floats:
     """Return the torque matrix with tooth losses: the driven gear receives η times what the driving one gives.
 
     Args:
@@ -151,5 +150,5 @@ def lossy(matrix: Array, driving: Array, driven: Array, efficiency: Array) -> Ar
     loss = (1.0 - efficiency)[:, None]
     drop = driven * loss
     on_carrier = np.where(carrier != 0.0, 1.0, 0.0) * drop.sum(axis=1, keepdims=True)
-    result: Array = matrix - drop + on_carrier
+    result: Floats = matrix - drop + on_carrier
     return result

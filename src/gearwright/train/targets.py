@@ -12,10 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of, members_of, willis_ratio, willis_speed
-from gearwright.train.kinematics import Array
 from gearwright.train.memory import remembered
 from gearwright.train.null_space import null_space
 from gearwright.train.turning import asked_speeds
@@ -160,7 +160,7 @@ def _edge_ratio(stage: Pair | Planetary, edge: Edge, fixed: float | None) -> tup
     return (fixed, _GIVEN) if fixed is not None else (1.0, _EQUAL)
 
 
-def _require_connected(matrix: Array, design: Design) -> None:
+def _require_connected(matrix: Floats, design: Design) -> None:
     """Raise where a shaft's speed has no equation that leads to a machine."""
     swing = _undetermined(matrix)
     loose = [name for k, name in enumerate(design.shafts) if swing[k] > 1e-8]
@@ -173,7 +173,7 @@ def _require_connected(matrix: Array, design: Design) -> None:
 
 
 @remembered
-def _undetermined(matrix: Array) -> Array:
+def _undetermined(matrix: Floats) -> Floats:
     """Return how far each unknown may move without any equation noticing, of a motion of unit length."""
     free = null_space(matrix / np.maximum(np.abs(matrix).max(axis=1, keepdims=True), 1e-300))
     return np.asarray(np.abs(free).max(axis=1, initial=0.0))

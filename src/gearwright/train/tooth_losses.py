@@ -6,13 +6,13 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.spec import GROUND
 from gearwright.train.graph import Train
-from gearwright.train.kinematics import Array
 from gearwright.train.statics import lossy
 
 
-def direction_of(power: Array, noise: float) -> Array:
+def direction_of(power: Floats, noise: float) -> Floats:
     """Return the sense of each row's tooth power, +1 from a to b; rounding noise of an idle row counts as +1.
 
     Args:
@@ -22,7 +22,7 @@ def direction_of(power: Array, noise: float) -> Array:
     return np.where(power < -noise, -1.0, 1.0)
 
 
-def rolling(train: Train, matrix: Array, speeds: Array) -> Array:
+def rolling(train: Train, matrix: Floats, speeds: Floats) -> Floats:
     """Return z_a (ω_a − ω_c) of every mesh row [rad/s], shape (rows,); zero for clutches.
 
     Args:
@@ -38,14 +38,14 @@ def rolling(train: Train, matrix: Array, speeds: Array) -> Array:
     return -relative
 
 
-def _teeth_of(train: Train, matrix: Array, row: int) -> float:
+def _teeth_of(train: Train, matrix: Floats, row: int) -> float:
     """Return z_a of a mesh row from the matrix, also where gear a is on the ground."""
     first, second, carrier = train.meshes[row].nodes
     entry = {node: matrix[row, train.column[node]] for node in (first, second, carrier) if node != GROUND}
     return float(entry[first] if first in entry else -entry[second] - entry[carrier])
 
 
-def with_losses(train: Train, matrix: Array, direction: Array, efficiency: Mapping[str, float]) -> Array:
+def with_losses(train: Train, matrix: Floats, direction: Floats, efficiency: Mapping[str, float]) -> Floats:
     """Return the torque matrix of meshes whose driving side is known, shape (rows, nodes).
 
     Args:

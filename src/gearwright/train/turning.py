@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from gearwright.arrays import Floats
 from gearwright.spec import Design, Drive
 from gearwright.train.graph import Joint, Train
-from gearwright.train.kinematics import Array, Yielded, rows, solve_speeds
+from gearwright.train.kinematics import Yielded, rows, solve_speeds
 from gearwright.train.statics import Balance, balance
 
 
@@ -15,9 +16,9 @@ from gearwright.train.statics import Balance, balance
 class Turn:
     """One way in which a train turns."""
 
-    matrix: Array
+    matrix: Floats
     """From `rows`."""
-    speeds: Array
+    speeds: Floats
     """Of every node [rad/s]."""
     yielded: tuple[Yielded, ...]
     """Machines whose asked speed the teeth give only nearly."""

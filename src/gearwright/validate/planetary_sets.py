@@ -9,17 +9,9 @@ from functools import partial
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations import modes, statics
-from gearwright.dynamics.model import (
-    Floats,
-    Member,
-    Model,
-    PlanetarySet,
-    PlanetError,
-    System,
-    add_planetary,
-    rotational,
-)
+from gearwright.dynamics.model import Member, Model, PlanetarySet, PlanetError, System, add_planetary, rotational
 from gearwright.dynamics.vibration import load_shares, mode_families
 from gearwright.parts.planetary import even_positions
 from gearwright.parts.stiffness import StiffnessCurve

@@ -8,8 +8,8 @@ from typing import Any
 import llvmlite.binding as llvm
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.codegen.emit import CHUNK
-from gearwright.dynamics.model import Floats
 
 
 def aligned(*shape: int) -> Floats:

@@ -8,11 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.codegen.assembler import aligned
 from gearwright.dynamics.codegen.topology import topology
 from gearwright.dynamics.codegen.writer import table_width, wave_width
 from gearwright.dynamics.equations import speed_factors
-from gearwright.dynamics.model import Arrays, Floats
+from gearwright.dynamics.model import Arrays
 
 Clock = Callable[[int, int], tuple[Floats, Floats]]
 """(first step, steps) returns the table, a row for each half step, and by how much its tones are to be turned.

@@ -7,11 +7,11 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import Any, NamedTuple
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.codegen.assembler import address, machine_code
 from gearwright.dynamics.codegen.march import assembly
 from gearwright.dynamics.codegen.topology import Layout, Topology
 from gearwright.dynamics.codegen.writer import Writer
-from gearwright.dynamics.model import Floats
 
 Advance = Callable[[int, Floats, Floats, Floats, Floats, Floats, Floats], None]
 """(steps, parameters, each lane's own, clock table, turn of its tones, state, output): carries the state on in place.

@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.codegen.assembler import address, aligned, machine_code
 from gearwright.dynamics.codegen.emit import CHUNK, VECTOR
-from gearwright.dynamics.model import Floats
 
 Run = Callable[[Floats, Floats], None]
 """(eight states, record): fills the record's rows, a whole number of times eight."""

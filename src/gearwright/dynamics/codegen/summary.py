@@ -6,9 +6,9 @@ import ctypes
 from collections.abc import Callable
 from functools import lru_cache
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.codegen.assembler import address, machine_code
 from gearwright.dynamics.codegen.emit import CHUNK, VECTOR
-from gearwright.dynamics.model import Floats
 
 STRIP = 4
 """Vectors of columns whose four statistics fit into the registers together."""

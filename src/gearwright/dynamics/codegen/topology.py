@@ -10,9 +10,10 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.codegen.assembler import aligned
 from gearwright.dynamics.codegen.emit import CHUNK
-from gearwright.dynamics.model import Arrays, Drives, Entries, Floats, Ints, Series, stacked, weight_numbers
+from gearwright.dynamics.model import Arrays, Drives, Entries, Series, stacked, weight_numbers
 
 
 class LineShape(NamedTuple):

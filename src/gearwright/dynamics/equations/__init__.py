@@ -6,7 +6,7 @@ Compiled code for speed is in `codegen`, motion in `motion`.
 from gearwright.dynamics.equations.drive_laws import apply_drives, drive_columns
 from gearwright.dynamics.equations.energy import WORKS, Work, stored_energy
 from gearwright.dynamics.equations.instants import errors_at, speed_factors, stiffness_at
-from gearwright.dynamics.equations.linear import Complexes, DampedModes, damped_modes, linear, state_matrix
+from gearwright.dynamics.equations.linear import DampedModes, damped_modes, linear, state_matrix
 from gearwright.dynamics.equations.modes import Modes, modes, split_rigid
 from gearwright.dynamics.equations.redundancy import Redundancy, line_forces, redundancy, slow_position
 from gearwright.dynamics.equations.reference import acceleration, dead_zone, line_state
@@ -15,7 +15,6 @@ from gearwright.dynamics.equations.statics import Equilibrium, statics, unbalanc
 
 __all__ = [
     "WORKS",
-    "Complexes",
     "DampedModes",
     "Equilibrium",
     "Modes",

@@ -9,8 +9,9 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.code_cache import compiled
-from gearwright.dynamics.model import HEADER, MACHINE, OUTPUTS, PROPELLER, Floats
+from gearwright.dynamics.model import HEADER, MACHINE, OUTPUTS, PROPELLER
 from gearwright.machines import Governor, GovernorState, governor_rates
 
 _governor_rates = njit(error_model="numpy")(governor_rates)

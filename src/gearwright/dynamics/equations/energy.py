@@ -7,8 +7,9 @@ from typing import Annotated
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations.reference import line_state, speed_factor
-from gearwright.dynamics.model import Arrays, Floats
+from gearwright.dynamics.model import Arrays
 from gearwright.units import Energy, Origin, Quantity
 
 WORKS = 6

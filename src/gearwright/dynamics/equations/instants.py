@@ -6,7 +6,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from gearwright.dynamics.model import Arrays, Floats, Profile, Series, System
+from gearwright.arrays import Floats
+from gearwright.dynamics.model import Arrays, Profile, Series, System
 
 
 def speed_factors(profile: Profile, time: Floats) -> tuple[Floats, Floats, Floats]:

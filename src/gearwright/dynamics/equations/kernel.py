@@ -10,10 +10,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.equations.drive_laws import apply_drives
 from gearwright.dynamics.equations.energy import WORKS
-from gearwright.dynamics.model import Arrays, Floats, Profile, Schedules, Series
+from gearwright.dynamics.model import Arrays, Profile, Schedules, Series
 
 
 class Instant(NamedTuple):

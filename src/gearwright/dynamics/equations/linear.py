@@ -5,12 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Complexes, Floats
 from gearwright.dynamics.equations.modes import stiffness_matrix
-from gearwright.dynamics.model import Arrays, Floats, entry_matrix, line_matrix
-
-Complexes = NDArray[np.complex128]
+from gearwright.dynamics.model import Arrays, entry_matrix, line_matrix
 
 
 class Linear(NamedTuple):

@@ -8,16 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import linalg
 
-from gearwright.dynamics.model import (
-    Arrays,
-    Floats,
-    Labels,
-    System,
-    finite_numbers,
-    holding,
-    line_matrix,
-    refuse_not_finite,
-)
+from gearwright.arrays import Floats
+from gearwright.dynamics.model import Arrays, Labels, System, finite_numbers, holding, line_matrix, refuse_not_finite
 from gearwright.showing import Shown
 from gearwright.train.null_space import row_and_null_space
 from gearwright.verbs import verb

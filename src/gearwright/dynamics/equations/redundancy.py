@@ -16,11 +16,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Bools, Floats
 from gearwright.dynamics.equations.instants import errors_at, stiffness_at
 from gearwright.dynamics.equations.modes import split_rigid, stiffness_matrix
-from gearwright.dynamics.model import Floats, Labels, System, holding, line_matrix
+from gearwright.dynamics.model import Labels, System, holding, line_matrix
 from gearwright.errors import SolveError
 from gearwright.train.null_space import RANK_TOLERANCE, null_space
 
@@ -78,7 +78,7 @@ def redundancy(system: System, *, stiffness: Floats | None = None) -> Redundancy
     return Redundancy(perfect, states, flexibility, gain, arrays.backlash, system.labels)
 
 
-def _states(matrix: Floats, held: NDArray[np.bool_]) -> Floats:
+def _states(matrix: Floats, held: Bools) -> Floats:
     """Return a basis of the forces of lines that hold, such that they balance on every coordinate, Dᵀ s = 0."""
     length = np.linalg.norm(matrix[held], axis=1, keepdims=True)
     basis = null_space((matrix[held] / length).T) / length

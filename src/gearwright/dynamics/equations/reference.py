@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.model import (
     Acting,
     Arrays,
-    Floats,
     Profile,
     Schedules,
     Series,

@@ -13,9 +13,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.dynamics.equations.linear import Complexes, linear
+from gearwright.arrays import Complexes, Floats
+from gearwright.dynamics.equations.linear import linear
 from gearwright.dynamics.equations.modes import split_rigid
-from gearwright.dynamics.model import Arrays, Floats, Series, System, line_matrix
+from gearwright.dynamics.model import Arrays, Series, System, line_matrix
 from gearwright.errors import DesignError, Problem
 
 SAME = 1e-9

@@ -6,13 +6,12 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Bools, Floats
 from gearwright.dynamics.equations.modes import split_rigid
 from gearwright.dynamics.equations.reference import dead_zone, external_load, line_state, speed_factor
 from gearwright.dynamics.model import (
     Arrays,
-    Floats,
     Labels,
     System,
     entry_matrix,
@@ -134,7 +133,7 @@ def _settle(arrays: Arrays, time: float, elastic: Floats, load: Floats) -> Float
     raise SolveError(f"contact did not settle in {CONTACT_ROUNDS} rounds at {time:g} s; lines open and close in turn")
 
 
-def _touching(deflection: Floats, backlash: Floats) -> NDArray[np.bool_]:
+def _touching(deflection: Floats, backlash: Floats) -> Bools:
     """Return which lines carry: linear ones always, others outside their gap."""
     return np.asarray((backlash == 0.0) | (deflection >= 0.0) | (deflection < -backlash))
 

@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.dynamics.model.system import Drives, Floats, Owner, Schedules
+from gearwright.arrays import Floats
+from gearwright.dynamics.model.system import Drives, Owner, Schedules
 from gearwright.identity import Kind, PartId
 from gearwright.machines import Governor, GovernorState, PropellerMap, governor_rates, look_up
 

@@ -7,7 +7,8 @@ from typing import cast
 
 import numpy as np
 
-from gearwright.dynamics.model.system import Arrays, Floats, Ints
+from gearwright.arrays import Floats, Ints
+from gearwright.dynamics.model.system import Arrays
 from gearwright.errors import DesignError, Problem
 
 DIFFERS = "its structure differs from the first one's: lines, backlash or none, tones, kinds of loads"

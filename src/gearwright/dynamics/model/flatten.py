@@ -7,21 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.model.drives import drive_columns, encoded
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
-from gearwright.dynamics.model.system import (
-    Arrays,
-    Entries,
-    Floats,
-    Ints,
-    Labels,
-    Loads,
-    Profile,
-    Schedules,
-    Series,
-    System,
-    Tone,
-)
+from gearwright.dynamics.model.system import Arrays, Entries, Labels, Loads, Profile, Schedules, Series, System, Tone
 from gearwright.dynamics.model.written import Load, Pair, Written, problems
 from gearwright.errors import DesignError, Problem
 

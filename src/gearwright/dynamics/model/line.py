@@ -9,7 +9,8 @@ from typing import Literal
 
 import numpy as np
 
-from gearwright.dynamics.model.system import NOBODY, Floats, Owner
+from gearwright.arrays import Floats
+from gearwright.dynamics.model.system import NOBODY, Owner
 
 Kind = Literal["mesh", "shaft", "support", "damper", "line"]
 

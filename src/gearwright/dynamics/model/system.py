@@ -15,13 +15,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Bools, Floats, Ints
 from gearwright.identity import PartId
 from gearwright.showing import Shown
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 class Series(NamedTuple):
@@ -233,7 +230,7 @@ def line_matrix(arrays: Arrays) -> Floats:
     return matrix
 
 
-def holding(arrays: Arrays) -> NDArray[np.bool_]:
+def holding(arrays: Arrays) -> Bools:
     """Return which lines hold their bodies together, shape (lines,): all but dampers.
 
     Args:

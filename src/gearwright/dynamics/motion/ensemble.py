@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.codegen import (
     Compiled,
     Topology,
@@ -24,7 +25,6 @@ from gearwright.dynamics.codegen import (
 from gearwright.dynamics.equations import WORKS, statics
 from gearwright.dynamics.model import (
     Arrays,
-    Floats,
     Labels,
     System,
     check_finite,

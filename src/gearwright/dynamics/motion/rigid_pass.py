@@ -13,10 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.codegen import drive_width, topology
 from gearwright.dynamics.equations import WORKS, kernel, split_rigid
-from gearwright.dynamics.model import Arrays, Floats, System, profile_of
+from gearwright.dynamics.model import Arrays, System, profile_of
 
 STEP = 1e-3
 """Step of the rigid pass [s]: actuators of propellers are slower by far."""

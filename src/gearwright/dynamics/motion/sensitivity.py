@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearwright.dynamics.model import Arrays, Floats
+from gearwright.arrays import Floats
+from gearwright.dynamics.model import Arrays
 from gearwright.dynamics.motion.record import BLOCK
 from gearwright.dynamics.motion.steps import Stepper, blank_record
 

@@ -7,8 +7,9 @@ from typing import Literal
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations import WORKS, Work, statics, stored_energy, unbalanced
-from gearwright.dynamics.model import Arrays, Floats, System, check_finite, refuse_not_finite
+from gearwright.dynamics.model import Arrays, System, check_finite, refuse_not_finite
 from gearwright.dynamics.motion.record import BLOCK, Outputs, Recorder, Samples, Trace
 from gearwright.dynamics.motion.sensitivity import PARTED, parting
 from gearwright.dynamics.motion.steps import (

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations import errors_at, line_forces, redundancy
-from gearwright.dynamics.model import Floats, System, line_matrix
+from gearwright.dynamics.model import System, line_matrix
 from gearwright.dynamics.motion.record import line_numbers
 from gearwright.errors import DesignError, Problem
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations import dead_zone, stiffness_at
-from gearwright.dynamics.model import Floats, System
+from gearwright.dynamics.model import System
 from gearwright.dynamics.motion import Samples
 from gearwright.errors import DesignError, Problem
 

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.equations import Redundancy
-from gearwright.dynamics.model import Contact, Floats, Ints, System
+from gearwright.dynamics.model import Contact, System
 from gearwright.dynamics.sharing.error_sources import ErrorSource, as_forces, peak_shares, random_sets, unit_source
 from gearwright.errors import DesignError, Problem
 

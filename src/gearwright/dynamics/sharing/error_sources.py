@@ -11,8 +11,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gearwright.dynamics.equations import Complexes, Redundancy
-from gearwright.dynamics.model import Contact, Floats, Ints, Series, System, contact_errors
+from gearwright.arrays import Complexes, Floats, Ints
+from gearwright.dynamics.equations import Redundancy
+from gearwright.dynamics.model import Contact, Series, System, contact_errors
 from gearwright.dynamics.motion import index_of
 from gearwright.errors import SolveError
 from gearwright.spec.design import PartErrors

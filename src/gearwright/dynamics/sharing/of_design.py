@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.assembly import assemble, contacts_of, default_case
 from gearwright.dynamics.equations import Redundancy, errors_at, line_forces, redundancy
-from gearwright.dynamics.model import Contact, Floats, Ints, System
+from gearwright.dynamics.model import Contact, System
 from gearwright.dynamics.motion import line_numbers
 from gearwright.dynamics.sharing.coefficients import share_coefficients
 from gearwright.dynamics.sharing.effects_of_errors import (

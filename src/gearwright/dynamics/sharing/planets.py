@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Bools, Floats
 from gearwright.dynamics.equations import line_forces, redundancy
-from gearwright.dynamics.model import Floats, Model, PlanetarySet, PlanetError, System, add_planetary
+from gearwright.dynamics.model import Model, PlanetarySet, PlanetError, System, add_planetary
 from gearwright.identity import Row, mesh_part
 from gearwright.parts.planetary import even_positions
 
@@ -101,7 +101,7 @@ def _factors(planetary: PlanetarySet, tolerances: PlanetTolerances, *, force: fl
     return np.asarray(number * np.max(pressed, axis=1) / np.sum(pressed, axis=1))
 
 
-def _is_mesh(system: System) -> NDArray[np.bool_]:
+def _is_mesh(system: System) -> Bools:
     return np.array([kind == "mesh" for kind in system.labels.line_kinds])
 
 

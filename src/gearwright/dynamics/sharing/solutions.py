@@ -16,8 +16,9 @@ from typing import Literal
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations import errors_at, line_forces, redundancy, slow_position, steady_forces
-from gearwright.dynamics.model import Floats, System, top_rate
+from gearwright.dynamics.model import System, top_rate
 from gearwright.dynamics.motion import Outputs, check_shared_load, default_step, line_numbers, simulate
 from gearwright.dynamics.sharing.coefficients import elastic_forces, share_coefficients, tooth_cycle_shares
 from gearwright.verbs import verb

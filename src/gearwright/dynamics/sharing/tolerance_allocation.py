@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.equations import Redundancy
-from gearwright.dynamics.model import Floats, Ints
 from gearwright.dynamics.sharing.effects_of_errors import effect_gains, random_peaks
 from gearwright.dynamics.sharing.error_sources import ErrorSource
 from gearwright.errors import DesignError, Problem

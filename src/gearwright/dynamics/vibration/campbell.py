@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.dynamics.equations import Complexes, DampedModes, damped_modes, linear
-from gearwright.dynamics.model import Floats, System, Tone, finite_numbers, refuse_not_finite
+from gearwright.arrays import Complexes, Floats
+from gearwright.dynamics.equations import DampedModes, damped_modes, linear
+from gearwright.dynamics.model import System, Tone, finite_numbers, refuse_not_finite
 from gearwright.dynamics.vibration.sequences import numbers
 from gearwright.errors import DesignError, Problem
 from gearwright.showing import Shown, frame
@@ -96,7 +97,7 @@ def campbell(system: System, factors: Sequence[float] | Floats) -> Campbell:
     if len(speeds) < 2 or np.any(np.diff(speeds) <= 0.0):
         raise DesignError([Problem("factors", f"give at least two rising speeds; given {speeds.tolist()}")])
     with finite_numbers(system):
-        table = np.array(_tracked(system, speeds))
+        table = np.array(_tracked(system, speeds), dtype=np.complex128)
     modes = [f"mode {number}" for number in range(1, 1 + table.shape[1])]
     refuse_not_finite(table, modes, "frequency")
     frequency, orders = table.imag / (2.0 * np.pi), tuple(_orders(system))

@@ -12,9 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Complexes, Floats, Ints
 from gearwright.dynamics.assembly import assemble, bodies_of
-from gearwright.dynamics.equations import Complexes, DampedModes, damped_modes, linear, statics
-from gearwright.dynamics.model import Floats, Ints, System, Tone, line_matrix
+from gearwright.dynamics.equations import DampedModes, damped_modes, linear, statics
+from gearwright.dynamics.model import System, Tone, line_matrix
 from gearwright.dynamics.vibration.campbell import Campbell, Crossing, campbell
 from gearwright.errors import by_name
 from gearwright.identity import PartId, Role, gear_part

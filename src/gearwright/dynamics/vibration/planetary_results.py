@@ -7,8 +7,9 @@ from typing import Literal
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations import Modes
-from gearwright.dynamics.model import PIN, Floats, Labels, Owner, System
+from gearwright.dynamics.model import PIN, Labels, Owner, System
 from gearwright.errors import DesignError, Problem, near
 from gearwright.identity import MEMBERS, Role, Row, gear_part, member_part, mesh_part
 

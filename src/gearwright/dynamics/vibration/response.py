@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.dynamics.equations import Complexes, linear
-from gearwright.dynamics.model import Arrays, Floats, Labels, System, finite_numbers, line_matrix, refuse_not_finite
+from gearwright.arrays import Complexes, Floats
+from gearwright.dynamics.equations import linear
+from gearwright.dynamics.model import Arrays, Labels, System, finite_numbers, line_matrix, refuse_not_finite
 from gearwright.dynamics.motion import index_of
 from gearwright.dynamics.vibration.sequences import positive_numbers
 from gearwright.showing import Shown

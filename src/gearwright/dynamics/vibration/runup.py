@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.dynamics.model import Floats, System
+from gearwright.arrays import Floats
+from gearwright.dynamics.model import System
 from gearwright.dynamics.motion import Outputs, Samples, default_step, index_of, simulate
 from gearwright.dynamics.vibration.critical_speeds import OrderName, order_name
 from gearwright.dynamics.vibration.sequences import positive_numbers

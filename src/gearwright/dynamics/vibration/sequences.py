@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gearwright.dynamics.model import Floats
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 
 LONGEST = 60

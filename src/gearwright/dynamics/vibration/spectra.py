@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.dynamics.equations import Complexes, speed_factors
-from gearwright.dynamics.model import Floats, System, Tone
+from gearwright.arrays import Complexes, Floats
+from gearwright.dynamics.equations import speed_factors
+from gearwright.dynamics.model import System, Tone
 from gearwright.dynamics.motion import Samples
 from gearwright.errors import DesignError, Problem
 from gearwright.showing import Shown

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gearwright.dynamics.model import Floats, System, check_finite
+from gearwright.arrays import Floats
+from gearwright.dynamics.model import System, check_finite
 from gearwright.dynamics.motion import Ensemble, default_step, simulate_many
 from gearwright.dynamics.vibration.sequences import positive_numbers
 from gearwright.showing import Shown

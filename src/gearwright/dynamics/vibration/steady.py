@@ -13,8 +13,9 @@ from math import gcd, lcm
 
 import numpy as np
 
-from gearwright.dynamics.equations import Complexes, split_rigid, statics
-from gearwright.dynamics.model import Arrays, Floats, System
+from gearwright.arrays import Complexes, Floats
+from gearwright.dynamics.equations import split_rigid, statics
+from gearwright.dynamics.model import Arrays, System
 from gearwright.dynamics.motion import Outputs, Samples, default_step, simulate, simulate_many
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.showing import Shown

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.catalogue import (
     Bearing,
     BearingDuty,
@@ -37,7 +37,6 @@ from gearwright.spec.checks import KINDS
 from gearwright.units import Force, Mass, Ratio, Speed
 from gearwright.verbs import verb
 
-Array = NDArray[np.float64]
 FATIGUE = "rolling fatigue"
 """How bearings fail here."""
 USUAL_RELIABILITY = 0.9
@@ -53,17 +52,17 @@ _ROUNDING = 1e-9
 class SeatDuty(NamedTuple):
     """What one seat bears over a flight; every array has one value per interval."""
 
-    radial: Array
+    radial: Floats
     """[N]"""
-    axial: Array
+    axial: Floats
     """[N]"""
-    speed: Array
+    speed: Floats
     """Of one ring against the other, without sign [rad/s]."""
-    time: Array
+    time: Floats
     """Duration [s]."""
 
     @property
-    def turns(self) -> Array:
+    def turns(self) -> Floats:
         """Revolutions of each interval [-]."""
         return self.speed * self.time / (2.0 * math.pi)
 
@@ -185,7 +184,7 @@ def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:
     seats = {seat.name: seat for seat in bearing_seats(flight.sizing)}
     torques = np.stack([flight.meshes[mesh.name].torque for mesh in flight.sizing.train.meshes], axis=-1)
     forces = {name: seat_forces(seat, torques, flight.speed(seat.carrier)) for name, seat in seats.items()}
-    axial: dict[str, Array] = {}
+    axial: dict[str, Floats] = {}
     for shaft in dict.fromkeys(seat.nodes[0] for seat in seats.values()):
         on_shaft = {name: seat for name, seat in seats.items() if seat.nodes[0] == shaft}
         axial |= _located(flight, shaft, on_shaft, forces)
@@ -197,8 +196,8 @@ def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:
 
 
 def _located(
-    flight: Flight, shaft: str, seats: Mapping[str, Seat], forces: Mapping[str, tuple[Array, Array]]
-) -> dict[str, Array]:
+    flight: Flight, shaft: str, seats: Mapping[str, Seat], forces: Mapping[str, tuple[Floats, Floats]]
+) -> dict[str, Floats]:
     """Return the axial force in every bearing of one shaft, without sign."""
     radial = {name: forces[name][0] for name in seats}
     first = next(iter(seats))
@@ -218,7 +217,7 @@ def _located(
     return {name: np.abs(along) if name == lightest_loaded else np.zeros_like(along) for name in seats}
 
 
-def _thrust(flight: Flight) -> Array:
+def _thrust(flight: Flight) -> Floats:
     """Return the propeller's thrust, by the map where there is one, else as the design says [N]."""
     if flight.history.thrust is not None:
         return flight.history.thrust

@@ -5,14 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import by_name
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.bearings import seat_duties
 from gearwright.verbs import verb
 
-Array = NDArray[np.float64]
 CLASSES = 40
 """Load classes between nothing and the greatest load [-]."""
 
@@ -69,7 +68,7 @@ def bearing_spectra(flight: Flight, *, classes: int = CLASSES) -> dict[str, tupl
     return {seat.name: _binned(flight, duty.radial, duty.speed, classes) for seat, duty in seat_duties(flight)}
 
 
-def _binned(flight: Flight, load_of: Array, speed: Array, classes: int) -> tuple[DutyBin, ...]:
+def _binned(flight: Flight, load_of: Floats, speed: Floats, classes: int) -> tuple[DutyBin, ...]:
     """Sum what falls into each class of equal width; empty classes are left out."""
     load, turning, time = np.abs(load_of), np.abs(speed), flight.history.duration
     turns = turning * time / (2.0 * np.pi)

@@ -9,9 +9,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Gearbox, Oil, Point, drag, efficiencies, gearbox_of, operate
-from gearwright.mission.history import Array, History
+from gearwright.mission.history import History
 from gearwright.mission.supply import Supply, supply_of
 from gearwright.spec import Phase, WindowRules
 
@@ -119,7 +120,7 @@ def _knots(flight: Flight, stages: Mapping[int, Stage], start: float, over: floa
     return knots
 
 
-def _speed_curve(history: History[Array], seen: NDArray[np.intp], start: float) -> Curve:
+def _speed_curve(history: History[Floats], seen: NDArray[np.intp], start: float) -> Curve:
     """Return the set speed at the edges of intervals."""
     length, speed, gain = history.duration, history.propeller_speed, history.propeller_gain
     edges = [(float(history.time[k] - 0.5 * length[k]) - start, float(speed[k] - 0.5 * gain[k])) for k in seen]

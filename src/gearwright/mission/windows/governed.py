@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import (
     INSIDE,
@@ -24,7 +25,6 @@ from gearwright.machines import (
     marched,
 )
 from gearwright.mission.flight import Flight
-from gearwright.mission.history import Array
 from gearwright.verbs import verb
 
 _NUDGE = 5e-3
@@ -72,13 +72,13 @@ class Trim(NamedTuple):
 class Window:
     """Histories of a governed propeller, shape (steps + 1,)."""
 
-    time: Array
+    time: Floats
     """[s]"""
-    speed: Array
+    speed: Floats
     """Of the propeller [rad/s]."""
-    pitch: Array
+    pitch: Floats
     """[rad]"""
-    torque: Array
+    torque: Floats
     """Of the propeller [N m]."""
     limit_cycle: LimitCycle | None
     """What the governor sustains; None where it comes to rest."""
@@ -156,7 +156,7 @@ def governed_window(
     drive = trim.torque(trim.speed, trim.pitch) * (1.0 + torque_step)
     target = trim.speed + speed_step
 
-    def rates(state: Array) -> Array:
+    def rates(state: Floats) -> Floats:
         speed, pitch, pitch_rate, error_sum = (float(value) for value in state)
         moved = governor_rates(governor, GovernorState(pitch, pitch_rate, error_sum), target - speed)
         return np.array([(drive - trim.torque(speed, pitch)) / trim.inertia, *moved])

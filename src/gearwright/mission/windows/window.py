@@ -8,10 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics import Outputs, System, Trace, simulate
 from gearwright.dynamics.assembly import Driving, assemble
 from gearwright.dynamics.equations import statics
-from gearwright.dynamics.model import TORQUE, Floats, MachineDrive, PropellerDrive, holding, line_matrix, top_rate
+from gearwright.dynamics.model import TORQUE, MachineDrive, PropellerDrive, holding, line_matrix, top_rate
 from gearwright.dynamics.motion import fastest_rate, followed, with_profile
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import Governor, GovernorState, LimitCycle, angle_for_power, blade_angles, limit_cycle

@@ -11,13 +11,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import Problem, SolveError, refuse
 from gearwright.parts.bearings.contact import ball_contacts, load_deflection_constant
 from gearwright.parts.bearings.rolling_bearing import BearingGeometry
-
-Array = NDArray[np.float64]
 
 STEEL_MODULUS, STEEL_POISSON = 210e9, 0.3
 """Elastic constants of bearing steel [Pa, -]."""
@@ -77,16 +75,16 @@ class LoadDistribution(NamedTuple):
 
     motion: RingMotion
     """Where the inner ring stands [m, rad]."""
-    force: Array
+    force: Floats
     """Load of every ball Q_j [N], (Z,)."""
-    contact_angle: Array
+    contact_angle: Floats
     """Contact angle of every ball α_j [rad], (Z,)."""
 
 
 class _Balls(NamedTuple):
     """A bearing as its equilibrium sees it; lengths in units of A, the distance of the groove centres."""
 
-    angle: Array
+    angle: Floats
     radial: float
     """A cos α_0 over A: what the clearance leaves of it [-]."""
     tilt_arm: float
@@ -129,7 +127,7 @@ def load_distribution(geometry: BearingGeometry, load: RingLoad, *, clearance: f
     return LoadDistribution(motion, balls.stiffness * squeeze**1.5, np.arctan2(axial, radial))
 
 
-def _equilibrium(balls: _Balls, wanted: Array) -> Array:
+def _equilibrium(balls: _Balls, wanted: Floats) -> Floats:
     """Return the motion that balances the load, or the best found.
 
     Clearance leaves the balls free, so that nothing holds the ring at first. Weak springs to the housing do, and are
@@ -146,7 +144,7 @@ def _equilibrium(balls: _Balls, wanted: Array) -> Array:
     return motion
 
 
-def _settled(motion: Array, balls: _Balls, wanted: Array, *, springs: Array) -> Array:
+def _settled(motion: Floats, balls: _Balls, wanted: Floats, *, springs: Floats) -> Floats:
     """Return a motion after Newton steps, each taken only as far as it lessens what is left over."""
     residual, slope = _unbalance(motion, balls, wanted)
     residual, slope = residual + springs @ motion, slope + springs
@@ -199,7 +197,7 @@ def _balls(geometry: BearingGeometry, clearance: float) -> _Balls:
     )
 
 
-def _squeeze(motion: Array, balls: _Balls) -> tuple[Array, Array, Array]:
+def _squeeze(motion: Floats, balls: _Balls) -> tuple[Floats, Floats, Floats]:
     """Return the approach of every ball and the two legs of its groove centres' distance, all over A."""
     cosine, sine = np.cos(balls.angle), np.sin(balls.angle)
     radial = balls.radial + motion[0] * cosine + motion[1] * sine
@@ -207,7 +205,7 @@ def _squeeze(motion: Array, balls: _Balls) -> tuple[Array, Array, Array]:
     return np.maximum(np.hypot(radial, axial) - 1.0, 0.0), radial, axial
 
 
-def _unbalance(motion: Array, balls: _Balls, wanted: Array) -> tuple[Array, Array]:
+def _unbalance(motion: Floats, balls: _Balls, wanted: Floats) -> tuple[Floats, Floats]:
     """Return what the balls bear less the load, over the load, and its derivatives."""
     squeeze, radial, axial = _squeeze(motion, balls)
     length = np.hypot(radial, axial)

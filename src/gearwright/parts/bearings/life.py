@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.bearings.rolling_bearing import BearingGeometry, BearingKind
 
@@ -119,7 +119,7 @@ def system_life(lives: Sequence[float], slope: float | Sequence[float] = 10.0 / 
     return life
 
 
-def basic_reference_life(geometry: BearingGeometry, rating: float, force: NDArray[np.float64]) -> float:
+def basic_reference_life(geometry: BearingGeometry, rating: float, force: Floats) -> float:
     """Return the basic reference rating life L_10r under a given share of the balls [10⁶ turns of the inner ring].
 
     Args:

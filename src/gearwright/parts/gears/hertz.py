@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.parts.gears.involute import base_helix_angle, transverse_pressure_angle
 
-Array = NDArray[np.float64]
 Numbers = float | NDArray[Any]
 """One number or many; plain numbers are computed as they are, which is quicker."""
 
@@ -84,7 +84,7 @@ def contact_stress(
 def module_hertz(
     torque_per_tooth: Numbers, curvature: Numbers, width_ratio: Numbers, *, allowable: float,
     elastic_modulus: float, angles: ContactAngles, helix_angle: float = 0.0,
-) -> Array:  # fmt: skip
+) -> Floats:  # fmt: skip
     """Return the smallest normal module whose flanks bear contact [m].
 
     Args:

@@ -8,7 +8,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gearwright.parts.gears.hertz import Array, Numbers
+from gearwright.arrays import Floats
+from gearwright.parts.gears.hertz import Numbers
 
 # Lewis form factor Y of 20° full-depth teeth, Shigley's Mechanical Engineering Design, 9th ed., table 14-2.
 _TEETH = (12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 24, 26, 28, 30, 34, 38, 43, 50, 60, 75, 100, 150, 300, 400)
@@ -18,11 +19,11 @@ FEWEST_TEETH = _TEETH[0]
 
 
 @cache
-def _table() -> tuple[Array, Array]:
+def _table() -> tuple[Floats, Floats]:
     return np.array(_TEETH, dtype=float), np.array(_FACTORS)
 
 
-def lewis_form_factor(virtual_teeth: ArrayLike) -> Array:
+def lewis_form_factor(virtual_teeth: ArrayLike) -> Floats:
     """Return the Lewis form factor Y of 20° full-depth teeth [-].
 
     Args:
@@ -50,7 +51,7 @@ def module_lewis(
     *,
     allowable: float,
     helix_angle: float = 0.0,
-) -> Array:
+) -> Floats:
     """Return the smallest normal module whose teeth bear bending [m].
 
     Args:

@@ -8,16 +8,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.gears.cylindrical_gear import CylindricalGear
 from gearwright.parts.gears.involute import involute, least_profile_shift, virtual_teeth
-
-Array: TypeAlias = NDArray[np.float64]
 
 _POINTS = 400  # of the outline, half on the fillet: bending compliance to 1e-4 against 1600 points
 
@@ -36,9 +33,9 @@ class ToothForm:
     """Half angle of the tooth at the base circle, ψ_b [rad] (extrapolated for internal teeth)."""
     root_half_angle: float
     """Half angle where the fillet meets the root circle, θ_f [rad]."""
-    height: Array
+    height: Floats
     """Heights of the outline above the root chord [m], shape (n,), increasing."""
-    half_thickness: Array
+    half_thickness: Floats
     """Half thickness of the tooth at these heights [m], shape (n,)."""
 
     @property
@@ -66,7 +63,7 @@ def tooth_form(gear: CylindricalGear) -> ToothForm:
     return _external(gear, teeth) if gear.side > 0 else _internal(gear, teeth)
 
 
-def load_point(form: ToothForm, radius: Array) -> tuple[Array, Array, Array]:
+def load_point(form: ToothForm, radius: Floats) -> tuple[Floats, Floats, Floats]:
     """Return where and how a normal force acts on the tooth when it touches at given radii.
 
     Args:
@@ -105,7 +102,7 @@ def _external(gear: CylindricalGear, teeth: float) -> ToothForm:
     )
 
 
-def _trochoid(gear: CylindricalGear, teeth: float) -> tuple[Array, Array]:
+def _trochoid(gear: CylindricalGear, teeth: float) -> tuple[Floats, Floats]:
     """Radii [m] and half angles [rad] of the fillet that the rack's rounded tip envelops, from the root upwards."""
     rack, pitch = gear.rack, 0.5 * teeth * gear.module
     tangent, sine = math.tan(rack.pressure_angle), math.sin(rack.pressure_angle)
@@ -155,7 +152,7 @@ def _internal(gear: CylindricalGear, teeth: float) -> ToothForm:
     )
 
 
-def _form(side: int, base: float, base_half: float, *, radius: Array, half_angle: Array) -> ToothForm:
+def _form(side: int, base: float, base_half: float, *, radius: Floats, half_angle: Floats) -> ToothForm:
     """Turn polar points, from the root circle to the tip, into the record."""
     if half_angle[-1] <= 0.0:
         raise DesignError(
@@ -184,7 +181,7 @@ def _base(gear: CylindricalGear, teeth: float) -> tuple[float, float]:
     return 0.5 * teeth * gear.module * math.cos(angle), at_pitch + gear.side * involute(angle)
 
 
-def _involutes(cosine: Array) -> Array:
+def _involutes(cosine: Floats) -> Floats:
     """Involute function of the angles with given cosines, elementwise."""
     angle = np.arccos(np.minimum(1.0, cosine))
     return np.asarray(np.tan(angle) - angle)

@@ -11,12 +11,12 @@ from functools import cached_property
 from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import Problem, refuse
 from gearwright.parts.gears import GearPair
 
-Value: TypeAlias = float | NDArray[np.float64]
+Value: TypeAlias = float | Floats
 """A number, or an array of them over variants."""
 
 

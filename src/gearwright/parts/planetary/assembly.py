@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from gearwright.arrays import Bools
 
 ADDENDUMS = 2
 """Tip circles of neighbouring planets stand two modules outside the pitch circle's diameter."""
 
 
-def assembles(sun_teeth: ArrayLike, ring_teeth: ArrayLike, planets: int) -> NDArray[np.bool_]:
+def assembles(sun_teeth: ArrayLike, ring_teeth: ArrayLike, planets: int) -> Bools:
     """Tell whether equally spaced planets can be assembled.
 
     Args:
@@ -24,7 +26,7 @@ def assembles(sun_teeth: ArrayLike, ring_teeth: ArrayLike, planets: int) -> NDAr
     return np.asarray((np.asarray(sun_teeth) + np.asarray(ring_teeth)) % planets == 0)
 
 
-def neighbours_clear(sun_teeth: ArrayLike, planet_teeth: ArrayLike, planets: int) -> NDArray[np.bool_]:
+def neighbours_clear(sun_teeth: ArrayLike, planet_teeth: ArrayLike, planets: int) -> Bools:
     """Tell whether the tips of neighbouring planets stay clear of each other.
 
     Args:

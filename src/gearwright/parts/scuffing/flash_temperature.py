@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import Problem, refuse
 from gearwright.parts.iso6336 import MeshGeometry, Value
 from gearwright.units import Origin, Quantity
@@ -97,9 +97,9 @@ class FlashTemperature:
     """Mean coefficient of friction μ_m [-]."""
     thermo_elastic: Annotated[float, Quantity("number"), Origin("X_M", f"{_SOURCE}, eq. A.13")]
     """Thermo-elastic factor X_M [K N^−¾ s^½ m^−½ mm]; 50 for steel."""
-    place: NDArray[np.float64]
+    place: Floats
     """Parameter Γ along the path of contact [-], shape (n,); 0 at the pitch point."""
-    flash: NDArray[np.float64]
+    flash: Floats
     """Flash temperature there [K], shape (n,)."""
     bulk: Annotated[float, Quantity("number"), Origin("ϑ_M = ϑ_oil + 0.47 X_S ϑ_flm", f"{_SOURCE}, eq. 22")]
     """Bulk temperature ϑ_M [°C]."""
@@ -191,7 +191,7 @@ def flash_temperature(mesh: ScuffingMesh, oil: Oil) -> FlashTemperature:
     return FlashTemperature(friction, elastic, place, flash, bulk, contact, limit, safety)
 
 
-def load_sharing(mesh: ScuffingMesh, place: NDArray[np.float64]) -> NDArray[np.float64]:
+def load_sharing(mesh: ScuffingMesh, place: Floats) -> Floats:
     """Return the load sharing factor X_Γ along the path of contact.
 
     Args:
@@ -217,7 +217,7 @@ def load_sharing(mesh: ScuffingMesh, place: NDArray[np.float64]) -> NDArray[np.f
     return spur * _buttressing(pair, place, (start, end))
 
 
-def approach_factor(mesh: ScuffingMesh, place: NDArray[np.float64]) -> NDArray[np.float64]:
+def approach_factor(mesh: ScuffingMesh, place: Floats) -> Floats:
     """Return the approach factor X_J of a driving pinion: shocks where the wheel's tip enters unrelieved.
 
     Args:
@@ -247,7 +247,7 @@ def _relative_radius(pair: MeshGeometry, place: float) -> Value:
     return first * second / (first + second)
 
 
-def _buttressing(pair: MeshGeometry, place: NDArray[np.float64], ends: tuple[float, float]) -> NDArray[np.float64]:
+def _buttressing(pair: MeshGeometry, place: Floats, ends: tuple[float, float]) -> Floats:
     """X_but: the ends of helical teeth stiffen the entry and exit."""
     width = 0.2 * float(np.sin(pair.base_helix_angle))
     if width < 1e-9:

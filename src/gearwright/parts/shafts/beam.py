@@ -13,40 +13,39 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
-
-Array = NDArray[np.float64]
 
 
 class PointLoads(NamedTuple):
     """What acts on a shaft at points."""
 
-    position: Array
+    position: Floats
     """x of every load [m], (n,)."""
-    force: Array
+    force: Floats
     """Transverse forces [N], (..., n)."""
-    couple: Array
+    couple: Floats
     """Bending couples, such as an axial force times its lever [N m], (..., n)."""
-    torque: Array
+    torque: Floats
     """Torques about the shaft's axis [N m], (..., n)."""
 
 
 class Diagram(NamedTuple):
     """Shear, bending and torsion just left and just right of every load; straight lines lie between."""
 
-    position: Array
+    position: Floats
     """x, each one twice [m], (2 n,)."""
-    shear: Array
+    shear: Floats
     """[N], (..., 2 n)."""
-    bending: Array
+    bending: Floats
     """[N m], (..., 2 n)."""
-    torsion: Array
+    torsion: Floats
     """[N m], (..., 2 n)."""
 
 
-def bearing_reactions(loads: PointLoads, bearings: ArrayLike) -> Array:
+def bearing_reactions(loads: PointLoads, bearings: ArrayLike) -> Floats:
     """Return the forces of two bearings on a shaft [N], (..., 2).
 
     Args:
@@ -68,7 +67,7 @@ def bearing_reactions(loads: PointLoads, bearings: ArrayLike) -> Array:
     return np.stack([-loads.force.sum(axis=-1) - right, right], axis=-1)
 
 
-def _two(bearings: Array) -> tuple[float, float]:
+def _two(bearings: Floats) -> tuple[float, float]:
     if bearings.size != 2:
         message = (
             f"{bearings.size} given; two bearings hold a shaft: with fewer it falls, with more statics is not enough"
@@ -107,7 +106,7 @@ def supported(loads: PointLoads, bearings: ArrayLike, *, length: float) -> Point
     )
 
 
-def _padded(values: Array) -> Array:
+def _padded(values: Floats) -> Floats:
     """Return values with zeros for the two bearings."""
     return np.concatenate([values, np.zeros((*values.shape[:-1], 2))], axis=-1)
 
@@ -138,5 +137,5 @@ def diagram(loads: PointLoads) -> Diagram:
     return Diagram(stations, _both_sides(shear - force, shear), _both_sides(bending + couple, bending), twisted)
 
 
-def _both_sides(left: Array, right: Array) -> Array:
+def _both_sides(left: Floats, right: Floats) -> Floats:
     return np.stack([left, right], axis=-1).reshape(*left.shape[:-1], -1)

@@ -5,15 +5,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.shafts.deflection import Sections
 
-Array = NDArray[np.float64]
 
-
-def critical_speed(coefficients: Array, masses: ArrayLike) -> float:
+def critical_speed(coefficients: Floats, masses: ArrayLike) -> float:
     """Return the first critical speed of masses on a shaft without gyroscopic effect [rad/s].
 
     Args:
@@ -29,7 +28,7 @@ def critical_speed(coefficients: Array, masses: ArrayLike) -> float:
     return float(1.0 / math.sqrt(np.linalg.eigvalsh(roots[:, None] * coefficients * roots)[-1]))
 
 
-def lumped_shaft(sections: Sections, density: float, *, pieces: int = 40) -> tuple[Array, Array]:
+def lumped_shaft(sections: Sections, density: float, *, pieces: int = 40) -> tuple[Floats, Floats]:
     """Return a shaft's own mass as points: places [m] and masses [kg], each (pieces,).
 
     Args:

@@ -6,37 +6,36 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.shafts.beam import Diagram, PointLoads, diagram, supported
-
-Array = NDArray[np.float64]
 
 
 class Sections(NamedTuple):
     """A shaft of n cylinders, end to end."""
 
-    edges: Array
+    edges: Floats
     """x where cylinders begin and end [m], (n + 1,)."""
-    diameter: Array
+    diameter: Floats
     """[m], (n,)."""
-    bore: Array
+    bore: Floats
     """[m], (n,)."""
 
 
 class BentLine(NamedTuple):
     """A bent shaft between and beyond its bearings."""
 
-    position: Array
+    position: Floats
     """x of the stations [m], (k,)."""
-    deflection: Array
+    deflection: Floats
     """[m], (..., k)."""
-    slope: Array
+    slope: Floats
     """[rad], (..., k)."""
 
 
-def flexural_rigidity(sections: Sections, position: Array, elastic_modulus: float) -> Array:
+def flexural_rigidity(sections: Sections, position: Floats, elastic_modulus: float) -> Floats:
     """Return E I of the cylinder in which each place stands [N m²], as position.
 
     Args:
@@ -86,7 +85,7 @@ def bent_line(drawn: Diagram, sections: Sections, bearings: ArrayLike, *, elasti
     return BentLine(places, deflection - chord, slope - tilt[..., None])
 
 
-def _check_inside(sections: Sections, places: Array) -> None:
+def _check_inside(sections: Sections, places: Floats) -> None:
     first, last = sections.edges[0], sections.edges[-1]
     outside = places[(places < first - 1e-12) | (places > last + 1e-12)]
     if outside.size:
@@ -94,19 +93,19 @@ def _check_inside(sections: Sections, places: Array) -> None:
         raise DesignError([Problem("loads", message)])
 
 
-def _moments(drawn: Diagram, places: Array) -> Array:
+def _moments(drawn: Diagram, places: Floats) -> Floats:
     """Return the bending moment at places, zero beyond the outermost loads, in every plane."""
     flat = drawn.bending.reshape(-1, drawn.bending.shape[-1])
     rows = [np.interp(places, drawn.position, row, left=0.0, right=0.0) for row in flat]
     return np.stack(rows).reshape(*drawn.bending.shape[:-1], len(places))
 
 
-def _summed(pieces: Array) -> Array:
+def _summed(pieces: Floats) -> Floats:
     """Return running sums that begin at zero."""
     return np.concatenate([np.zeros((*pieces.shape[:-1], 1)), np.cumsum(pieces, axis=-1)], axis=-1)
 
 
-def influence(sections: Sections, bearings: ArrayLike, places: ArrayLike, *, elastic_modulus: float) -> Array:
+def influence(sections: Sections, bearings: ArrayLike, places: ArrayLike, *, elastic_modulus: float) -> Floats:
     """Return the deflection at every place for a force of 1 N at every other [m/N], (n, n), symmetric.
 
     Args:

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, refuse
-
-Array: TypeAlias = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -45,7 +44,7 @@ class StiffnessCurve:
             raise DesignError([Problem("stiffness", message)])
 
 
-def stiffness_at(curve: StiffnessCurve, phase: ArrayLike) -> Array:
+def stiffness_at(curve: StiffnessCurve, phase: ArrayLike) -> Floats:
     """Return the stiffness at given mesh phases.
 
     Args:
@@ -114,7 +113,7 @@ def _lowest(curve: StiffnessCurve) -> tuple[float, float]:
     return float(stiffness[lowest]), float(phase[lowest])
 
 
-def _sample_problems(x: Array, y: Array) -> list[Problem]:
+def _sample_problems(x: Floats, y: Floats) -> list[Problem]:
     """What is wrong with a user's points."""
     if x.ndim != 1 or x.shape != y.shape or x.size < 3:
         return [

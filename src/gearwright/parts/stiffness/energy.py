@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.gears import CylindricalGear, GearPair, contact_radii, tooth_form, virtual_teeth
 from gearwright.parts.material import Material
@@ -22,7 +22,6 @@ from gearwright.parts.stiffness.curve import StiffnessCurve
 from gearwright.parts.stiffness.passing_pairs import pair_curve, summed_pairs
 from gearwright.parts.stiffness.tooth_compliance import ToothCompliance, tooth_compliance
 
-Array: TypeAlias = NDArray[np.float64]
 Bores: TypeAlias = tuple[float | None, float | None]
 
 
@@ -30,7 +29,7 @@ Bores: TypeAlias = tuple[float | None, float | None]
 class PairStiffness:
     """What gives where, when one tooth pair passes through its path of contact."""
 
-    distance: Array
+    distance: Floats
     """Distance from the pitch point towards the driver's tip [m], shape (n,)."""
     driver: ToothCompliance
     """Compliance of the driver's tooth."""
@@ -40,7 +39,7 @@ class PairStiffness:
     """Hertzian compliance of the contact line [m²/N]."""
 
     @property
-    def stiffness(self) -> Array:
+    def stiffness(self) -> Floats:
         """Stiffness per unit length of contact along the flank's normal [N/m²], shape (n,)."""
         return 1.0 / (self.driver.total + self.driven.total + self.contact)
 
@@ -61,7 +60,7 @@ def contact_compliance(first: Material, second: Material) -> float:
 
 
 def pair_stiffness(
-    pair: GearPair, distance: Array, *, materials: tuple[Material, Material], bore_radii: Bores = (None, None)
+    pair: GearPair, distance: Floats, *, materials: tuple[Material, Material], bore_radii: Bores = (None, None)
 ) -> PairStiffness:
     """Return the stiffness of one tooth pair at given places of its path of contact.
 
@@ -114,8 +113,8 @@ def mesh_stiffness_energy(
 
 
 def mesh_cycle_energy(
-    pair: GearPair, phase: Array, *, materials: tuple[Material, Material], bore_radii: Bores = (None, None)
-) -> Array:
+    pair: GearPair, phase: Floats, *, materials: tuple[Material, Material], bore_radii: Bores = (None, None)
+) -> Floats:
     """Return the stiffness of a spur mesh at given mesh phases with its jumps, as a figure shows it.
 
     Args:
@@ -139,11 +138,13 @@ def _ends(pair: GearPair) -> tuple[float, float]:
     return -pair.approach / pair.driver.base_pitch, pair.recess / pair.driver.base_pitch
 
 
-def _passing_pair(pair: GearPair, materials: tuple[Material, Material], bore_radii: Bores) -> Callable[[Array], Array]:
+def _passing_pair(
+    pair: GearPair, materials: tuple[Material, Material], bore_radii: Bores
+) -> Callable[[Floats], Floats]:
     """Stiffness of one pair [N/m] as a function of its place in base pitches, along the transverse line of action."""
     width = pair.face_width * math.cos(pair.driver.base_helix_angle)
 
-    def stiffness(place: Array) -> Array:
+    def stiffness(place: Floats) -> Floats:
         distance = place * pair.driver.base_pitch
         return width * pair_stiffness(pair, distance, materials=materials, bore_radii=bore_radii).stiffness
 
@@ -151,7 +152,7 @@ def _passing_pair(pair: GearPair, materials: tuple[Material, Material], bore_rad
 
 
 def _gear_compliance(
-    gear: CylindricalGear, radius: Array, *, material: Material, bore_radius: float | None
+    gear: CylindricalGear, radius: Floats, *, material: Material, bore_radius: float | None
 ) -> ToothCompliance:
     """Compliance of a gear's tooth; transverse radii go to the equivalent spur gear at equal height above its pitch."""
     virtual = virtual_teeth(abs(gear.teeth), gear.rack.pressure_angle, gear.helix_angle)

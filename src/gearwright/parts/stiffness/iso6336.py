@@ -10,14 +10,13 @@ from dataclasses import dataclass
 from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.parts.gears import BasicRack, GearPair, virtual_teeth
 from gearwright.parts.stiffness.curve import StiffnessCurve
 from gearwright.parts.stiffness.passing_pairs import rectangular_curve
 
-Floats = NDArray[np.float64]
 _C = (0.04723, 0.15551, 0.25791, -0.00635, -0.11654, -0.00193, -0.24188, 0.00529, 0.00182)
 """Coefficients C_1 to C_9 of the least flexibility q′ in mm µm/N (ISO 6336-1:2006, clause 9, method B)."""
 _UNIT = 1e9  # N/(mm µm) in N/m²

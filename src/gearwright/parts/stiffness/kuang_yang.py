@@ -6,17 +6,15 @@ They are here to be compared with; `mesh_stiffness_iso6336` is the default.
 from __future__ import annotations
 
 import math
-from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.parts.gears import CylindricalGear, GearPair, contact_radii
 from gearwright.parts.stiffness.curve import StiffnessCurve
 from gearwright.parts.stiffness.passing_pairs import pair_curve
-
-Array: TypeAlias = NDArray[np.float64]
 
 KUANG_YANG_TEETH = (12, 50)
 """Numbers of teeth for which the cubics are trusted [-]: A_0 falls 19 % from z = 40 to 80; real teeth get stiffer."""
@@ -30,7 +28,7 @@ _CUBICS = (
 _UNIT = 1e9  # N/(µm mm) in N/m²
 
 
-def tooth_stiffness_kuang_yang(teeth: int, radius_offset: ArrayLike, profile_shift: float = 0.0) -> Array:
+def tooth_stiffness_kuang_yang(teeth: int, radius_offset: ArrayLike, profile_shift: float = 0.0) -> Floats:
     """Return the stiffness of one tooth of a steel spur gear per unit face width.
 
     Args:
@@ -83,7 +81,7 @@ def mesh_stiffness_kuang_yang(pair: GearPair, *, harmonics: int = 8) -> Stiffnes
         )
     pitch = pair.driver.base_pitch
 
-    def single(place: Array) -> Array:
+    def single(place: Floats) -> Floats:
         radii = np.array([contact_radii(pair, float(s) * pitch) for s in place]).T
         first, second = (_tooth(gear, r) for gear, r in zip((pair.driver, pair.driven), radii, strict=True))
         return pair.face_width * first * second / (first + second)
@@ -112,6 +110,6 @@ def cut_square_wave(mean: float) -> StiffnessCurve:
     return StiffnessCurve(mean, (0.0,) * 5, sine, "Pulvirenti 2023, eq. (3.35)")
 
 
-def _tooth(gear: CylindricalGear, radius: Array) -> Array:
+def _tooth(gear: CylindricalGear, radius: Floats) -> Floats:
     """Stiffness of a gear's tooth at given radii [N/m²]."""
     return tooth_stiffness_kuang_yang(gear.teeth, (radius - gear.pitch_radius) / gear.module, gear.profile_shift)

@@ -7,19 +7,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.stiffness.curve import StiffnessCurve, curve_of
 
-Array: TypeAlias = NDArray[np.float64]
-
 
 def pair_curve(
-    ends: tuple[float, float], stiffness: Callable[[Array], Array], *, overlap: float, harmonics: int, source: str
+    ends: tuple[float, float], stiffness: Callable[[Floats], Floats], *, overlap: float, harmonics: int, source: str
 ) -> StiffnessCurve:
     """Return the mesh stiffness that passing tooth pairs add up to.
 
@@ -48,7 +46,7 @@ def pair_curve(
     return curve_of(coefficients, source)
 
 
-def summed_pairs(ends: tuple[float, float], stiffness: Callable[[Array], Array], phase: ArrayLike) -> Array:
+def summed_pairs(ends: tuple[float, float], stiffness: Callable[[Floats], Floats], phase: ArrayLike) -> Floats:
     """Return the stiffness of passing spur tooth pairs at given mesh phases, jumps and all, without a Fourier series.
 
     Args:

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import Problem, refuse
 from gearwright.parts.gears import ToothForm, load_point
 from gearwright.parts.material import Material
-
-Array: TypeAlias = NDArray[np.float64]
 
 SHEAR_FACTOR = 1.2
 """Shear coefficient of a rectangular section [-] (Tian 2004)."""
@@ -34,23 +31,23 @@ _BODY = np.array(
 class ToothCompliance:
     """Deflection of one tooth per unit normal force and unit length of contact, at given contact points."""
 
-    bending: Array
+    bending: Floats
     """Bending of the cantilever [m²/N], shape (n,)."""
-    shear: Array
+    shear: Floats
     """Shear [m²/N], shape (n,)."""
-    compression: Array
+    compression: Floats
     """Compression along the tooth's centre line [m²/N], shape (n,)."""
-    foundation: Array
+    foundation: Floats
     """Tilt and shift of the tooth's root in the gear body [m²/N], shape (n,)."""
 
     @property
-    def total(self) -> Array:
+    def total(self) -> Floats:
         """Sum [m²/N], shape (n,)."""
         return self.bending + self.shear + self.compression + self.foundation
 
 
 def tooth_compliance(
-    form: ToothForm, radius: Array, *, material: Material, bore_radius: float | None = None
+    form: ToothForm, radius: Floats, *, material: Material, bore_radius: float | None = None
 ) -> ToothCompliance:
     """Return the compliance of one tooth loaded at given radii.
 
@@ -83,7 +80,7 @@ def tooth_compliance(
     )
 
 
-def half_plane_foundation(form: ToothForm, radius: Array, *, material: Material) -> Array:
+def half_plane_foundation(form: ToothForm, radius: Floats, *, material: Material) -> Floats:
     """Return the compliance of a tooth's root in a half plane: external gears with a thick body, and rings.
 
     Args:
@@ -104,7 +101,7 @@ def half_plane_foundation(form: ToothForm, radius: Array, *, material: Material)
     return np.asarray(np.cos(angle) ** 2 / material.elastic_modulus * terms)
 
 
-def held_body_foundation(form: ToothForm, radius: Array, *, material: Material, bore_radius: float) -> Array:
+def held_body_foundation(form: ToothForm, radius: Floats, *, material: Material, bore_radius: float) -> Floats:
     """Return the compliance of a tooth's root in a disc that is held at its bore, the disc's twist included.
 
     Args:
@@ -137,7 +134,7 @@ def held_body_foundation(form: ToothForm, radius: Array, *, material: Material, 
     return np.asarray(np.cos(angle) ** 2 / material.elastic_modulus * bracket)
 
 
-def _lever(form: ToothForm, radius: Array) -> tuple[Array, Array]:
+def _lever(form: ToothForm, radius: Floats) -> tuple[Floats, Floats]:
     """Height above the root circle where the force crosses the tooth's centre line [m], and the force's angle [rad]."""
     height, half, angle = load_point(form, radius)
     rise = form.side * form.root_radius * (1.0 - math.cos(form.root_half_angle))

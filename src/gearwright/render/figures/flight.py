@@ -9,14 +9,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.mission import Flight
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.units import CELSIUS, FOOT, KNOT, RPM
 
-Array = NDArray[np.float64]
 MODE_COLOURS = {
     "conventional": theme.BLUE, "hybrid": theme.PURPLE, "electric": theme.ORANGE, "rated": theme.GREEN,
 }  # fmt: skip
@@ -111,7 +110,7 @@ def _strip(axes: Axes, parts: Sequence[Stretch], end: float) -> None:
     axes.axis("off")
 
 
-def _minutes(flight: Flight) -> Array:
+def _minutes(flight: Flight) -> Floats:
     return flight.history.time / _MINUTE
 
 
@@ -181,7 +180,7 @@ def power_figure(flight: Flight) -> Figure:
     return figure
 
 
-def _machines(flight: Flight) -> Iterator[tuple[str, Array, str]]:
+def _machines(flight: Flight) -> Iterator[tuple[str, Floats, str]]:
     design = flight.sizing.design
     shades = {"turbine": (theme.BLUE, theme.SKY), "motor": (theme.ORANGE, theme.AMBER)}
     counts = {"turbine": 0, "motor": 0}
@@ -213,7 +212,7 @@ def stores_figure(flight: Flight) -> Figure:
     return figure
 
 
-def _charge(flight: Flight, time: Array, panels: Sequence[Axes]) -> None:
+def _charge(flight: Flight, time: Floats, panels: Sequence[Axes]) -> None:
     rules, history = flight.mission.battery, flight.history
     if rules is None:
         return

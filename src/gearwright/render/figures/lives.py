@@ -7,18 +7,17 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.mission import Durability, Flight, LifeSizing
 from gearwright.mission.lives import seat_duties
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 
-Array = NDArray[np.float64]
 MODE_COLOURS = {"bending": theme.BLUE, "pitting": theme.SKY, "rolling fatigue": theme.AMBER}
 """Colour of each way to fail."""
 _KILO = 1e3
-Duty = tuple[str, Array, Array]
+Duty = tuple[str, Floats, Floats]
 """Name, loads and turns of all intervals."""
 
 
@@ -55,7 +54,7 @@ def _spectrum(axes: Axes, duties: Iterable[Duty]) -> None:
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=2, fontsize=6.5)
 
 
-def _turns(flight: Flight, speed: Array) -> Array:
+def _turns(flight: Flight, speed: Floats) -> Floats:
     return np.abs(speed) * flight.history.duration / (2.0 * np.pi)
 
 

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
-from gearwright.dynamics.model import Floats
+from gearwright.arrays import Floats
 from gearwright.dynamics.motion import index_of
 from gearwright.dynamics.vibration import RunUp
 from gearwright.render.grid.table import written

@@ -9,8 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, NullLocator
 
+from gearwright.arrays import Floats
 from gearwright.dynamics import Labels, Modes, Samples, Trace
-from gearwright.dynamics.model import Floats, Owner
+from gearwright.dynamics.model import Owner
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH

@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations import errors_at, line_forces
-from gearwright.dynamics.model import Floats
 from gearwright.dynamics.sharing import (
     Allocation,
     LoadSharing,

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.checks import ROUNDING
 from gearwright.identity import Kind
 from gearwright.render.style import theme
@@ -16,7 +16,6 @@ from gearwright.render.style.theme import WIDTH
 from gearwright.render.tables.sizing.overview import NOT_IN_THE_MASS
 from gearwright.sizing import ShaftDiagram, ShaftSizing, Sizing, mass_parts
 
-Floats = NDArray[np.float64]
 _GROUP_COLOURS = {"gears": theme.BLUE, "carriers": theme.AMBER, "shafts": theme.GREEN}
 _ROW = 5.2
 """Height of one bar [mm]."""

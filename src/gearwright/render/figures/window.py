@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from gearwright.arrays import Floats
 from gearwright.dynamics import Trace
-from gearwright.dynamics.model import Floats
 from gearwright.dynamics.motion import Samples
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.figures.motion import families

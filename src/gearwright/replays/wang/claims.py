@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations import steady_forces
-from gearwright.dynamics.model import Floats
 from gearwright.dynamics.sharing import (
     SIDEBANDS,
     LoadSharing,

@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.bearings import LoadFactors, taper_pair_thrusts
 from gearwright.spec import Design
 from gearwright.spec.design import LOCATES, BearingSeat
 from gearwright.units import text
 
-Array = NDArray[np.float64]
 _NOTHING = 1e-9
 """Axial over radial force below which it is rounding [-]."""
 
@@ -42,12 +41,12 @@ def radial_places(seats: Mapping[str, BearingSeat]) -> tuple[float, float] | Non
 def axial_forces(
     shaft: str,
     seats: Mapping[str, BearingSeat],
-    axial: Array,
+    axial: Floats,
     *,
-    radial: Mapping[str, Array],
+    radial: Mapping[str, Floats],
     factors: Mapping[str, LoadFactors],
     cases: tuple[str, ...],
-) -> dict[str, Array]:
+) -> dict[str, Floats]:
     """Return the axial force in every bearing of a shaft [N], (cases,) each.
 
     A force goes to the bearing that locates the shaft towards it. Two taper bearings take what `taper_pair_thrusts`
@@ -81,7 +80,7 @@ def axial_forces(
     return taken
 
 
-def _taker(shaft: str, seats: Mapping[str, BearingSeat], sign: int, pushed: Array, cases: tuple[str, ...]) -> str:
+def _taker(shaft: str, seats: Mapping[str, BearingSeat], sign: int, pushed: Floats, cases: tuple[str, ...]) -> str:
     """Return the bearing that takes an axial force of one sign, or say what is missing."""
     for name, seat in seats.items():
         if sign in LOCATES[seat.locates]:

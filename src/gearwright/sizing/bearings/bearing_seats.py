@@ -12,8 +12,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.identity import Kind, PartId, Role, gear_part
 from gearwright.parts.shafts import PointLoads, bearing_reactions
 from gearwright.sizing.arranged import ShaftPlan
@@ -25,7 +25,6 @@ from gearwright.spec.design import BearingSeat
 from gearwright.train import INTERNAL, RATED, Mesh, MeshFlow, PowerFlow
 from gearwright.units import Force, Length
 
-Array = NDArray[np.float64]
 ENDS = ("first", "second")
 """The two bearings of a shaft that the design leaves open, from its first end."""
 
@@ -44,10 +43,10 @@ class Seat:
     """Diameter of shaft or pin [m]."""
     room: Length
     """Largest outside diameter: inside the rim of a planet; ∞ in the housing [m]."""
-    forward: Array
+    forward: Floats
     """Force of the meshes along y and z on the bearing, or tangential and radial on a pin, and along x on the whole
     shaft, for a torque of 1 N m on gear a of one single mesh of each row, shape (meshes, 3) [N/(N m)]."""
-    backward: Array
+    backward: Floats
     """The same for a torque of −1 N m."""
     swung: float = 0.0
     """Mass of a planet times the radius of its path [kg m]."""
@@ -77,7 +76,7 @@ def bearing_seats(sizing: Sizing) -> tuple[Seat, ...]:
     return (*shafts, *_planet_seats(sizing, gears))
 
 
-def seat_forces(seat: Seat, torques: Array, carrier_speed: Array) -> tuple[Array, Array]:
+def seat_forces(seat: Seat, torques: Floats, carrier_speed: Floats) -> tuple[Floats, Floats]:
     """Return the radial force on one seat and the meshes' force along its shaft [N], of the shape of the torques' rows.
 
     Args:
@@ -139,7 +138,7 @@ def _shaft_seats(
         k += bears
 
 
-def _rotor(design: Design, shaft: str, plan: ShaftPlan) -> tuple[Array, float]:
+def _rotor(design: Design, shaft: str, plan: ShaftPlan) -> tuple[Floats, float]:
     """Return what a rotor's force and moment put on both radial bearings [N], and the sense of its thrust."""
     for name, rotor in design.propellers.items():
         if rotor.shaft == shaft:

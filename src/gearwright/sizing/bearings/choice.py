@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.catalogue import (
     Bearing,
     BearingCheck,
@@ -29,7 +29,6 @@ from gearwright.spec.checks import APART, KINDS
 from gearwright.spec.design import BearingSeat
 from gearwright.train import RATED
 
-Array = NDArray[np.float64]
 TYPICAL_TAPER = LoadFactors(0.4, 0.4, 1.5)
 """e, X, Y of taper bearings before one is chosen: α = 15° [-]."""
 MAKER = "maker's rating, given by the user"
@@ -41,9 +40,9 @@ class Seating:
 
     seats: Mapping[str, BearingSeat]
     """In order along the shaft."""
-    radial: Mapping[str, Array]
+    radial: Mapping[str, Floats]
     """Bearing -> radial force of every case [N]."""
-    axial: Mapping[str, Array]
+    axial: Mapping[str, Floats]
     """Bearing -> axial force of every case, induced thrust included [N]."""
     duties: Mapping[str, BearingSpectrum]
     """Bearing -> what it bears."""
@@ -116,7 +115,7 @@ def seating(context: Context, shaft: str, forces: ShaftForces, chosen: Mapping[s
     return Seating(seats, radial, axial, duties, sizes)
 
 
-def _duty(context: Context, shaft: str, seat: BearingSeat, radial: Array, axial: Array) -> BearingSpectrum:
+def _duty(context: Context, shaft: str, seat: BearingSeat, radial: Floats, axial: Floats) -> BearingSpectrum:
     """Return what a bearing bears in every case; without shares all of its life is spent in the rated one."""
     service = context.design.service
     shares = service.shares or {RATED: 1.0}

@@ -13,8 +13,8 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.parts.shafts import Diagram, PointLoads, diagram, supported
 from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.loads.shaft_loads import shaft_loads
@@ -22,7 +22,6 @@ from gearwright.sizing.rating import Context
 from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram
 from gearwright.spec import Propeller
 
-Array = NDArray[np.float64]
 _ROUNDING = 1e-6
 """Moment over the largest one below which it is rounding [-]."""
 _BESIDE = 1e-9
@@ -44,22 +43,22 @@ class ShaftForces(NamedTuple):
     whole: PointLoads
     """Loads in balance; where anything bends the shaft, the two last ones are the reactions of its bearings."""
     drawn: Diagram
-    axial: Array
+    axial: Floats
     """Force along the shaft that its bearings take, positive towards its second end [N], (cases,)."""
     bends: bool
     apart: tuple[Part, ...] = ()
     """Where rotors bend the shaft: the meshes alone, and each rotor alone, which may point anywhere."""
 
-    def radial(self) -> Array:
+    def radial(self) -> Floats:
         """Return the forces of both radial bearings [N], (cases, 2 planes, 2); zero where nothing bends."""
         return self.whole.force[..., -2:] if self.bends else np.zeros((len(self.axial), 2, 2))
 
-    def largest_radial(self) -> Array:
+    def largest_radial(self) -> Floats:
         """Return what both radial bearings must bear [N], (cases, 2): rotors point where they load each one most."""
         parts = [part.loads.force[..., -2:] for part in self.apart] or [self.radial()]
         return np.asarray(np.sum([np.hypot(part[:, 0], part[:, 1]) for part in parts], axis=0))
 
-    def moments(self, positions: Array) -> tuple[Array, Array]:
+    def moments(self, positions: Floats) -> tuple[Floats, Floats]:
         """Return bending moment and torque at sections, the larger of both sides [N m], each (cases, n).
 
         Args:
@@ -96,12 +95,12 @@ class ShaftForces(NamedTuple):
         )
 
 
-def _cleaned(values: Array) -> Array:
+def _cleaned(values: Floats) -> Floats:
     """Return values without what the width of `_BESIDE` and rounding leave at free ends."""
     return np.where(values > _ROUNDING * values.max(initial=0.0), values, 0.0)
 
 
-def _at(drawn: Diagram, positions: Array) -> tuple[Array, Array]:
+def _at(drawn: Diagram, positions: Floats) -> tuple[Floats, Floats]:
     """Return bending moment of both planes together, and torque, at places between the stations."""
     right = np.clip(np.searchsorted(drawn.position, positions), 1, len(drawn.position) - 1)
     left, inside = right - 1, (positions >= drawn.position[0]) & (positions <= drawn.position[-1])

@@ -13,11 +13,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Complexes, Floats
 from gearwright.identity import carrier_part
 from gearwright.parts.shafts import PointLoads
 from gearwright.sizing.arranged import ShaftPlan
@@ -26,18 +26,15 @@ from gearwright.sizing.rating import Context, bevel_push
 from gearwright.sizing.result import GearSizing
 from gearwright.train import INTERNAL, RATED, Mesh
 
-Array = NDArray[np.float64]
-Complexes = NDArray[np.complexfloating[Any, Any]]
-
 
 class _Load(NamedTuple):
     """What a mesh puts on a shaft over all cases; transverse values are complex, y + i z."""
 
     position: float
-    torque: Array
+    torque: Floats
     force: Complexes
     couple: Complexes
-    axial: Array
+    axial: Floats
 
     def part(self, position: float, share: float) -> _Load:
         """Return a share of the load at another place."""
@@ -46,7 +43,7 @@ class _Load(NamedTuple):
 
 def shaft_loads(
     context: Context, name: str, plan: ShaftPlan, *, axes: Mapping[str, complex], gears: Mapping[str, GearSizing]
-) -> tuple[PointLoads, Array]:
+) -> tuple[PointLoads, Floats]:
     """Return the point loads on a shaft, bearings left out, and the axial force of each case [N].
 
     Args:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from gearwright.arrays import Floats
 from gearwright.errors import Problem
 from gearwright.parts.gears import Numbers
 from gearwright.sizing.rating.agma2001 import Agma2001
@@ -18,7 +19,7 @@ from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.sizing.rating.iso10300 import Iso10300
 from gearwright.sizing.rating.lewis_hertz import LewisHertz
 from gearwright.sizing.rating.protocol import Method
-from gearwright.sizing.rating.rules import Array, Ask, Rating
+from gearwright.sizing.rating.rules import Ask, Rating
 
 METHODS: dict[str, Method[Any]] = {
     "lewis-hertz": LewisHertz(),
@@ -48,7 +49,7 @@ def modules(ask: Ask, rating: Rating) -> tuple[Numbers, Numbers]:
     return method_for(rating).module(ask, rating)
 
 
-def stage_width_ratio(rating: Rating, small: ArrayLike, large: ArrayLike) -> Array:
+def stage_width_ratio(rating: Rating, small: ArrayLike, large: ArrayLike) -> Floats:
     """Return λ = b/m_n of a stage [-]: given, or what its method takes.
 
     Args:

@@ -10,13 +10,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar, NamedTuple, Protocol, TypeVar
 
+from gearwright.arrays import Floats
 from gearwright.checks import Check
 from gearwright.errors import Problem
 from gearwright.identity import PartId
 from gearwright.parts.gears import Numbers
 from gearwright.parts.iso6336 import GearSteel
 from gearwright.sizing.rating.factors import Factor
-from gearwright.sizing.rating.rules import Array, Ask, Rating
+from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.spec.mission import GearLifeRules
 from gearwright.units import Origin, Quantity
 
@@ -151,7 +152,7 @@ class Method(Protocol[R]):
     def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
         """Yield what it does not cover beyond what files are checked for: teeth, steel; paths below the rules."""
 
-    def width_ratio(self, rating: Rating, small: Array, large: Array) -> Array:
+    def width_ratio(self, rating: Rating, small: Floats, large: Floats) -> Floats:
         """Return λ = b/m_n where the design gives none [-]."""
 
     def module(self, ask: Ask, rating: Rating) -> tuple[Numbers, Numbers]:

@@ -5,15 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, NamedTuple, Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
 from gearwright.parts import Material
 from gearwright.parts.gears import Numbers
 from gearwright.spec import Design, GearRules, Pair
 from gearwright.spec.design import RATINGS, Service
-
-Array = NDArray[np.float64]
 
 
 class Proportions(Protocol):

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from gearwright.sizing.rating.rules import Array
+from gearwright.arrays import Floats
 
 _STEPS = 4
 """Corrections of the module; each closes the gap to the asked safety to a tenth or better."""
@@ -17,8 +17,8 @@ _LEAST_TORQUE = 1e-9
 
 
 def module_for(
-    safeties: Callable[[Array], tuple[Array, Array]], torque: Array, asked: tuple[float, float]
-) -> tuple[Array, Array]:
+    safeties: Callable[[Floats], tuple[Floats, Floats]], torque: Floats, asked: tuple[float, float]
+) -> tuple[Floats, Floats]:
     """Return the modules at which the asked safeties are met in bending and contact [m].
 
     Args:

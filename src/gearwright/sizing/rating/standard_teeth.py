@@ -10,13 +10,14 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from gearwright.arrays import Floats
 from gearwright.parts.bevel import BevelPair, BevelTooth, cone_forces
 from gearwright.parts.gears import least_teeth
 from gearwright.parts.iso6336 import MeshGeometry, ToothProportions, Value
-from gearwright.sizing.rating.rules import Array, Rating
+from gearwright.sizing.rating.rules import Rating
 
 
-def widest_ratio(rating: Rating, small: Array) -> Array:
+def widest_ratio(rating: Rating, small: Floats) -> Floats:
     """Return λ = b/m_n of the widest cylindrical gears that the rules of a stage allow [-].
 
     Args:
@@ -30,7 +31,7 @@ def widest_ratio(rating: Rating, small: Array) -> Array:
     return np.minimum(rules.widest_modules, rules.widest_diameters * small / math.cos(rating.helix_angle))
 
 
-def cone_ratio(first: ArrayLike, second: ArrayLike) -> Array:
+def cone_ratio(first: ArrayLike, second: ArrayLike) -> Floats:
     """Return R_e/m_et of a bevel pair on square axes [-].
 
     Args:

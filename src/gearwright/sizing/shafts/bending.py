@@ -7,15 +7,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.parts import Material
 from gearwright.parts.shafts import BentLine, Sections, bent_line, critical_speed, influence, lumped_shaft
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.shafts.stretches import Stretch
 from gearwright.spec.design import BearingSeat
 
-Array = NDArray[np.float64]
 GEAR_SLOPE = 0.5e-3
 """Largest slope of a shaft under a gear that is not crowned [rad] (Shigley, table 7-2)."""
 BEARING_SLOPES = {"deep-groove": 3e-3, "cylindrical": 1.2e-3, "taper": 1.2e-3}
@@ -49,7 +48,7 @@ class Bent:
         """
         return 0.0 if self.line is None else self._largest(self.line.deflection, place)
 
-    def _largest(self, values: Array, place: float) -> float:
+    def _largest(self, values: Floats, place: float) -> float:
         assert self.line is not None
         rows = [[np.interp(place, self.line.position, plane) for plane in case] for case in values]
         return float(max(math.hypot(*row) for row in rows))

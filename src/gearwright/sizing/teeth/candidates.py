@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.parts.planetary import assembles, neighbours_clear
 from gearwright.sizing.rating import Rating, fewest_virtual_teeth
-from gearwright.sizing.teeth.front import Floats, Front, Integers, Task
+from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Pair, Planetary
 from gearwright.train import gears_of
 
@@ -62,7 +62,7 @@ def given_teeth(design: Design) -> dict[str, int]:
 
 def candidates(
     front: Front, task: Task, design: Design, target: Floats, *, reach: int = NEAREST
-) -> tuple[Integers, Integers, Integers]:
+) -> tuple[Ints, Ints, Ints]:
     """Return the choice in the front that each candidate extends, and the teeth of pinion and wheel, or sun and planet.
 
     Args:
@@ -108,12 +108,12 @@ def _refuse_many(task: Task, count: int) -> None:
         raise DesignError([Problem(f"{table}.{task.name}", message)])
 
 
-def _virtual_pinion(small: Integers, large: Integers) -> Floats:
+def _virtual_pinion(small: Ints, large: Ints) -> Floats:
     """Return the virtual tooth number of the pinion of a bevel pair on square axes, z_1/cos δ_1 [-]."""
     return np.asarray(small * np.hypot(small, large) / large)
 
 
-def all_candidates(task: Task, design: Design) -> tuple[Integers, Integers, Integers]:
+def all_candidates(task: Task, design: Design) -> tuple[Ints, Ints, Ints]:
     """Return every tooth number that a stage of free ratio may have, from a front of one choice.
 
     Args:
@@ -162,7 +162,7 @@ def fewest_teeth(rating: Rating) -> int:
     return max(math.ceil(2.0 * math.cos(angle) * (1.0 - rules.profile_shift) / math.sin(transverse) ** 2), LEAST_LEWIS)
 
 
-def _whole(wanted: Floats) -> Integers:
+def _whole(wanted: Floats) -> Ints:
     """Return the tooth number below, of a whole number the one before it, whatever its rounding; at least one tooth.
 
     What an absurd ratio asks is refused later by its rules.
@@ -170,9 +170,7 @@ def _whole(wanted: Floats) -> Integers:
     return np.minimum(np.maximum(np.ceil(wanted * (1.0 - ROUNDING)) - 1.0, 1.0), MOST_TEETH).astype(np.int64)
 
 
-def _neighbours(
-    wanted: Floats, small: Integers, large_teeth: int | None, reach: int
-) -> tuple[Integers, Integers, Integers]:
+def _neighbours(wanted: Floats, small: Ints, large_teeth: int | None, reach: int) -> tuple[Ints, Ints, Ints]:
     """Return every choice of the front with every small gear and the integers around the wanted large one."""
     low = _whole(wanted)[:, :, None]
     large = (
@@ -184,9 +182,7 @@ def _neighbours(
     return parent, np.broadcast_to(small[:, None], large.shape).ravel(), large.ravel()
 
 
-def _around(
-    wanted: Floats, large: Integers, small_teeth: int | None, reach: int
-) -> tuple[Integers, Integers, Integers]:
+def _around(wanted: Floats, large: Ints, small_teeth: int | None, reach: int) -> tuple[Ints, Ints, Ints]:
     """Return the integers around the wanted gear that meshes with one that is chosen already."""
     low = _whole(wanted)[:, None]
     small = (
@@ -198,7 +194,7 @@ def _around(
     return parent.ravel(), teeth.ravel(), shared.ravel()
 
 
-def admissible(task: Task, design: Design, small: Integers, large: Integers) -> NDArray[np.bool_]:
+def admissible(task: Task, design: Design, small: Ints, large: Ints) -> Bools:
     """Tell which tooth numbers can be made and put together.
 
     Args:

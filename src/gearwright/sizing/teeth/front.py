@@ -6,21 +6,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Bools, Floats, Ints
 from gearwright.sizing.rating import Rating
 from gearwright.spec import Pair, Planetary
 from gearwright.train import Edge
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
 class Front:
     """All partial choices: every array has one entry per choice."""
 
-    teeth: Mapping[str, Integers]
+    teeth: Mapping[str, Ints]
     """Gear -> tooth numbers."""
     speeds: Mapping[str, Floats]
     """Shaft -> speed that the teeth give [rad/s]."""
@@ -35,7 +32,7 @@ class Front:
         parts = [self.cubes[group] * self.volumes[group] for group in self.cubes]
         return np.sum(parts, axis=0) if parts else np.zeros(1)
 
-    def take(self, index: Integers | NDArray[np.bool_]) -> Front:
+    def take(self, index: Ints | Bools) -> Front:
         """Return the choices of an index, repeated where it repeats them, or those that are marked."""
         picked = [
             {name: value[index] for name, value in part.items()} for part in (self.speeds, self.cubes, self.volumes)

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role
 from gearwright.sizing.rating import Ask, modules, rating_of, stage_width_ratio
@@ -26,7 +26,7 @@ from gearwright.sizing.teeth.candidates import (
     given_teeth,
     is_given,
 )
-from gearwright.sizing.teeth.front import Floats, Front, Integers, Task
+from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.refusal import contradiction, refusal
 from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.spec.design import module_owners
@@ -176,7 +176,7 @@ def _is_open(front: Front, task: Task, design: Design) -> bool:
     return len(next(iter(front.speeds.values()))) == 1 and not known & set(far)
 
 
-def _near(task: Task, design: Design, actual: Floats, asked: Floats) -> NDArray[np.bool_]:
+def _near(task: Task, design: Design, actual: Floats, asked: Floats) -> Bools:
     """Tell which tooth ratios are within the tolerance; given teeth are as they are."""
     if is_given(task.stage):
         return np.ones(len(actual), dtype=bool)
@@ -216,7 +216,7 @@ def _new_speeds(front: Front, task: Task, ratio: Floats) -> dict[str, Floats]:
     return {shaft: speed for shaft, speed in reached.items() if shaft not in known}
 
 
-def _speeds_hold(task: Task, design: Design, speeds: Mapping[str, Floats], count: int) -> NDArray[np.bool_]:
+def _speeds_hold(task: Task, design: Design, speeds: Mapping[str, Floats], count: int) -> Bools:
     """Tell which choices keep the machines' speeds within the tolerance; given teeth are as they are."""
     good = np.ones(count, dtype=bool)
     if is_given(task.stage):
@@ -227,7 +227,7 @@ def _speeds_hold(task: Task, design: Design, speeds: Mapping[str, Floats], count
     return good
 
 
-def _weigh(front: Front, task: Task, small: Integers, large: Integers) -> Front:
+def _weigh(front: Front, task: Task, small: Ints, large: Ints) -> Front:
     """Add a stage's teeth, module and bodies to the front."""
     stage, rating = task.stage, task.rating
     names, discs = _bodies(task, small, large)
@@ -254,7 +254,7 @@ def _weigh(front: Front, task: Task, small: Integers, large: Integers) -> Front:
     return Front({**front.teeth, **names}, front.speeds, cubes, volumes)
 
 
-def _bodies(task: Task, small: Integers, large: Integers) -> tuple[dict[str, Integers], Floats]:
+def _bodies(task: Task, small: Ints, large: Ints) -> tuple[dict[str, Ints], Floats]:
     """Return the stage's gears and the mass of its own bodies over b m_n² [kg/m³]."""
     stage, rating = task.stage, task.rating
     disc = math.pi / 4.0 * rating.material.density / math.cos(rating.helix_angle) ** 2

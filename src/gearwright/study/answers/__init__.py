@@ -4,13 +4,12 @@ How rows come about is in `cases` and `running`.
 """
 
 from gearwright.study.answers.export import columns, refuse_export, write_table
-from gearwright.study.answers.pareto import Floats, front_table, pareto_front, ranks, violations, wanted
+from gearwright.study.answers.pareto import front_table, pareto_front, ranks, violations, wanted
 from gearwright.study.answers.sensitivity import Influence, sensitivity, varies
 from gearwright.study.answers.table import Row, Table, quantiles
 from gearwright.study.answers.verdict import Standing, Verdict, bound, confidence, kept, scenarios, verdict
 
 __all__ = [
-    "Floats",
     "Influence",
     "Row",
     "Standing",

@@ -6,13 +6,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import Study
 from gearwright.study.answers.table import Row, Table
 
-Floats = NDArray[np.float64]
 FAILED = 1e30
 """Objective and violation of a design that cannot be had: worse than any that can."""
 
@@ -93,7 +92,7 @@ def _violation(study: Study, row: Row) -> float:
     return total
 
 
-def ranks(values: Floats, broken: Floats) -> NDArray[np.int64]:
+def ranks(values: Floats, broken: Floats) -> Ints:
     """Return the front that each row belongs to [-]: 0 is beaten by none, 1 only by rows of 0, and so on.
 
     Args:
@@ -110,7 +109,7 @@ def ranks(values: Floats, broken: Floats) -> NDArray[np.int64]:
     return rank
 
 
-def _unbeaten(values: Floats, broken: Floats) -> NDArray[np.bool_]:
+def _unbeaten(values: Floats, broken: Floats) -> Bools:
     """Tell which rows no other one beats; each found row strikes out all that it beats at once."""
     best = np.ones(len(values), dtype=bool)
     for k in range(len(values)):

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, near
 from gearwright.showing import Shown, frame
 from gearwright.sizing import TEXT, Named
@@ -118,7 +118,7 @@ class Table(Shown):
         return tuple(row for row in self.rows if row.problem)
 
 
-def quantiles(values: Sequence[float] | NDArray[np.float64], parts: Sequence[float]) -> list[float]:
+def quantiles(values: Sequence[float] | Floats, parts: Sequence[float]) -> list[float]:
     """Return the values below which parts of all lie; between an endless one and another nothing is interpolated.
 
     Args:

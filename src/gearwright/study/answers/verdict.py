@@ -13,10 +13,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats, Ints
 from gearwright.spec import Study
-from gearwright.study.answers.pareto import FAILED, Floats, ranks, violations, wanted
+from gearwright.study.answers.pareto import FAILED, ranks, violations, wanted
 from gearwright.study.answers.table import Row, Table
 
 WEIGHTS = 2000
@@ -116,10 +116,10 @@ def _places(values: Floats) -> Floats:
     return places
 
 
-def _firsts(means: Floats) -> NDArray[np.int64]:
+def _firsts(means: Floats) -> Ints:
     """Return in how many scenarios each design has the best mean place; a tie goes to none of its designs."""
     best = means == means.min(axis=1, keepdims=True)
-    alone: NDArray[np.int64] = (best & (best.sum(axis=1, keepdims=True) == 1)).sum(axis=0)
+    alone: Ints = (best & (best.sum(axis=1, keepdims=True) == 1)).sum(axis=0)
     return alone
 
 

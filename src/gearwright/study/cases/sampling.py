@@ -12,12 +12,10 @@ from itertools import product
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats
 from gearwright.spec import Study, axis_values, case_count, value_at
 from gearwright.spec.axis import Value
-
-Floats = NDArray[np.float64]
 
 
 class Case(NamedTuple):

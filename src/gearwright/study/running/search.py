@@ -9,17 +9,16 @@ from __future__ import annotations
 from collections.abc import Generator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Floats, Ints
 from gearwright.spec import Study, case_count, value_at
-from gearwright.study.answers import Floats, Row, ranks, violations, wanted
+from gearwright.study.answers import Row, ranks, violations, wanted
 from gearwright.study.cases import Case
 
 CROSSOVER = 0.9
 """Probability that two parents are mixed [-] (Deb et al. 2002, section V)."""
 SPREAD_OF_CHILDREN, SPREAD_OF_MUTATION = 15.0, 20.0
 """Distribution indices of crossover and mutation [-]; the paper takes 20 for both, 15 looks a little further."""
-Integers = NDArray[np.int64]
 
 
 def generations(study: Study) -> Generator[list[Case], list[Row], None]:
@@ -59,7 +58,7 @@ def _case(study: Study, number: int, gene: Floats) -> Case:
     return Case(number, design, inputs)
 
 
-def _crowding(values: Floats, rank: Integers) -> Floats:
+def _crowding(values: Floats, rank: Ints) -> Floats:
     """Return the crowding distance of every row within its rank [-]; the ends of a front are infinitely far apart."""
     distance = np.zeros(len(values))
     for front in np.unique(rank):
@@ -74,7 +73,7 @@ def _crowding(values: Floats, rank: Integers) -> Floats:
     return distance
 
 
-def _children(parents: Floats, rank: Integers, crowd: Floats, generator: np.random.Generator) -> Floats:
+def _children(parents: Floats, rank: Ints, crowd: Floats, generator: np.random.Generator) -> Floats:
     """Return as many children as parents: tournaments, crossover, mutation."""
     size = len(parents)
     pairs = generator.integers(size, size=(size + size % 2, 2))

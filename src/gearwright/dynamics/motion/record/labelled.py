@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from gearwright.dynamics.model import Floats, Labels
+from gearwright.arrays import Floats
+from gearwright.dynamics.model import Labels
 from gearwright.showing import extra
 
 LINES = {"m": ("line", ("force", "N"), ("deflection", "m")), "rad": ("shaft", ("torque", "N m"), ("twist", "rad"))}

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.equations import speed_factors
-from gearwright.dynamics.model import Floats, Ints, System
+from gearwright.dynamics.model import System
 from gearwright.dynamics.motion.record.trace import Orders, index_of
 
 ALIKE = 1e-10

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gearwright.dynamics.model import OUTSIDE_MAP, PITCH, SPEED, Floats, Ints, Owner, System
+from gearwright.arrays import Floats, Ints
+from gearwright.dynamics.model import OUTSIDE_MAP, PITCH, SPEED, Owner, System
 from gearwright.dynamics.motion.record.orders import OrderSums
 from gearwright.dynamics.motion.record.trace import Checkpoints, Samples, Statistics
 from gearwright.errors import DesignError, Problem, SolveError

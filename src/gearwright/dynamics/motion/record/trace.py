@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gearwright.arrays import Complexes, Floats, Ints
 from gearwright.dynamics.equations import Work
-from gearwright.dynamics.model import Floats, Ints, Labels, System, Tone
+from gearwright.dynamics.model import Labels, System, Tone
 from gearwright.dynamics.motion.record.labelled import dataset, line_columns
 from gearwright.errors import DesignError, Problem, near
 from gearwright.showing import Shown, frame
@@ -166,10 +166,10 @@ class Orders(Shown):
     """Which angle each tone is."""
     edges: Floats
     """Bin edges [s], shape (bins + 1,)."""
-    amplitude: NDArray[np.complex128]
+    amplitude: Complexes
     """Peak amplitudes [N or N m], shape (bins, lines, tones)."""
 
-    def of(self, line: str) -> NDArray[np.complex128]:
+    def of(self, line: str) -> Complexes:
         """Return the amplitudes of one line's force [N or N m], shape (bins, tones).
 
         Args:

@@ -11,7 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy import linalg
 
-from gearwright.dynamics.model import Arrays, Floats, Ints, entry_matrix, line_matrix
+from gearwright.arrays import Floats, Ints
+from gearwright.dynamics.model import Arrays, entry_matrix, line_matrix
 
 
 class Propagator(NamedTuple):

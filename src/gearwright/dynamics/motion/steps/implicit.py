@@ -10,9 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.equations import kernel
-from gearwright.dynamics.model import Arrays, Floats
+from gearwright.dynamics.model import Arrays
 
 RADIUS = 0.8
 """ρ∞: what is left of an unresolved vibration after each step [-]."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations import line_state, statics
-from gearwright.dynamics.model import Arrays, Floats, System, line_matrix
+from gearwright.dynamics.model import Arrays, System, line_matrix
 from gearwright.dynamics.motion.record import BLOCK
 from gearwright.dynamics.motion.steps.steppers import ADAPTIVE, RUNGE_KUTTA, blank_record, stepper
 from gearwright.dynamics.motion.steps.stepsize import (

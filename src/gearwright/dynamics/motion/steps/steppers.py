@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.codegen import (
     SIDE,
     Size,
@@ -25,7 +26,7 @@ from gearwright.dynamics.codegen import (
     topology,
 )
 from gearwright.dynamics.equations import linear
-from gearwright.dynamics.model import Arrays, Floats
+from gearwright.dynamics.model import Arrays
 from gearwright.dynamics.motion.record import BLOCK
 from gearwright.dynamics.motion.steps import exact
 from gearwright.errors import SolveError

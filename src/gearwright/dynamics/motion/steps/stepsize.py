@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.dynamics.model import CLUTCH, Arrays, Floats, entry_matrix, line_matrix, top_rate
+from gearwright.arrays import Floats
+from gearwright.dynamics.model import CLUTCH, Arrays, entry_matrix, line_matrix, top_rate
 from gearwright.errors import DesignError, Problem
 
 STABLE = 2.78

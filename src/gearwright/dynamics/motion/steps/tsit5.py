@@ -16,9 +16,10 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic
 
+from gearwright.arrays import Floats
 from gearwright.dynamics.code_cache import compiled
 from gearwright.dynamics.equations import drive_columns, kernel
-from gearwright.dynamics.model import Arrays, Floats, Profile, line_matrix
+from gearwright.dynamics.model import Arrays, Profile, line_matrix
 
 NODES = np.array([0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0])
 STAGES = np.zeros((7, 7))

@@ -8,7 +8,6 @@ from itertools import product
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from gearwright.render.figures.study.lines import axis_label, study_figure
 from gearwright.render.figures.study.trade import draw_ranges, trade_figure
@@ -20,7 +19,6 @@ from gearwright.study import Row, Table
 from gearwright.study.answers import Influence, pareto_front, varies, verdict
 from gearwright.study.answers.sensitivity import CONFIDENCE
 
-Floats = NDArray[np.float64]
 MOST_BINS, FEW_DESIGNS = 40, 4
 """Bars of a distribution; designs up to which bars are told apart."""
 _MARKS = "os^v"

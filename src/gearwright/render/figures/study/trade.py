@@ -10,12 +10,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from gearwright.arrays import Floats
 from gearwright.render.grid.table import written
 from gearwright.render.style import theme
 from gearwright.render.tables.study.variants import heading, percent
 from gearwright.spec import Study
 from gearwright.study import Table
-from gearwright.study.answers import Floats, Standing, Verdict
+from gearwright.study.answers import Standing, Verdict
 
 RANGE = (0.05, 0.5, 0.95)
 """Quantiles of a bar's ends and its dot [-]."""

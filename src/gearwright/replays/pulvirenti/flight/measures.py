@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.dynamics import Samples
-from gearwright.dynamics.model import Floats
 from gearwright.identity import Row, mesh_part
 from gearwright.mission.windows import DynamicWindow
 

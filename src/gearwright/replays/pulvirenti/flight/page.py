@@ -10,8 +10,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from gearwright.arrays import Floats
 from gearwright.dynamics import Samples
-from gearwright.dynamics.model import Floats
 from gearwright.identity import Row, mesh_part
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.style import theme

@@ -7,6 +7,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.checks import Check
 from gearwright.errors import Problem
 from gearwright.identity import PartId
@@ -24,7 +25,7 @@ from gearwright.sizing.rating.agma2001.inputs import hobbed_pair, making_of
 from gearwright.sizing.rating.agma2001.record import Agma2001Rating
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
-from gearwright.sizing.rating.rules import Array, Ask, Rating
+from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import module_for
 from gearwright.sizing.rating.standard_teeth import widest_ratio
 from gearwright.spec.mission import GearLifeRules
@@ -46,7 +47,7 @@ class Agma2001:
             message = f"{teeth[0]} teeth drive or meet {teeth[1]}; AGMA 2001 calls the smaller gear pinion, name it so"
             yield Problem("pinion", message)
 
-    def width_ratio(self, rating: Rating, small: Array, large: Array) -> Array:
+    def width_ratio(self, rating: Rating, small: Floats, large: Floats) -> Floats:
         """Return λ of the widest gears that are allowed; the face width is narrowed later [-]."""
         return widest_ratio(rating, small)
 
@@ -57,7 +58,7 @@ class Agma2001:
         pair = hobbed_pair(ask, ask.width_ratio, rating)
         duty = _duty(rating, ask, torque, ask.speed, rating.service.life)
 
-        def safeties_at(module: Array) -> tuple[Array, Array]:
+        def safeties_at(module: Floats) -> tuple[Floats, Floats]:
             one, other = rate_agma(pair, module, duty, making).gears
             bending = np.minimum(one.bending_safety, other.bending_safety)
             return np.asarray(bending), np.asarray(np.minimum(one.contact_safety, other.contact_safety))
@@ -143,7 +144,7 @@ def _rated(mesh: LoadedMesh, load: Load, making: AgmaMaking) -> AgmaPairRating:
     return rate_agma(pair, mesh.module, _duty(mesh.rating, load.ask, load.torque, load.ask.speed, load.life), making)
 
 
-def _over(rated: AgmaPairRating, gear: int, *, contact: bool) -> Array:
+def _over(rated: AgmaPairRating, gear: int, *, contact: bool) -> Floats:
     """Return the stresses of one gear over their limit at a stress cycle factor of 1 [-]."""
     one = rated.gears[gear]
     if contact:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.checks import Check
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import PartId
@@ -20,7 +21,7 @@ from gearwright.sizing.rating.iso10300.inputs import bevel_duty, bevel_surfaces
 from gearwright.sizing.rating.iso10300.module import bevel_modules
 from gearwright.sizing.rating.iso10300.record import Iso10300Rating
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
-from gearwright.sizing.rating.rules import Array, Ask, Rating
+from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.standard_teeth import bevel_pair, cone_ratio
 from gearwright.spec.mission import GearLifeRules
 
@@ -43,7 +44,7 @@ class Iso10300:
         except DesignError as error:
             yield from error.problems
 
-    def width_ratio(self, rating: Rating, small: Array, large: Array) -> Array:
+    def width_ratio(self, rating: Rating, small: Floats, large: Floats) -> Floats:
         """Return λ of b = min(0.30 R_e, 10 m_et), ISO 23509:2016, annex B [-]."""
         cones = cone_ratio(small, large)
         share = np.minimum(USUAL_BEVEL_WIDTH, WIDEST_MODULES / cones)

@@ -6,11 +6,12 @@ import math
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.parts.bevel import rate_bevel
 from gearwright.parts.iso6336 import GearSteel
 from gearwright.sizing.rating.iso6336.inputs import steel_of
 from gearwright.sizing.rating.iso10300.inputs import bevel_duty, bevel_surfaces
-from gearwright.sizing.rating.rules import Array, Ask, Rating
+from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.standard_teeth import bevel_pair
 
 _STEPS = 4
@@ -21,7 +22,7 @@ _LEAST_TORQUE = 1e-9
 """Below it a mesh asks for no module [N m]."""
 
 
-def bevel_modules(ask: Ask, rating: Rating) -> tuple[Array, Array]:
+def bevel_modules(ask: Ask, rating: Rating) -> tuple[Floats, Floats]:
     """Return the modules at which S_F = S_Fmin and S_H = S_Hmin [m].
 
     There is one search for each pair of tooth numbers, scaled by m³ ∝ T to its loads.

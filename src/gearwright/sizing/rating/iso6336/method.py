@@ -7,6 +7,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.checks import Check
 from gearwright.errors import Problem
 from gearwright.identity import PartId
@@ -18,7 +19,7 @@ from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, saf
 from gearwright.sizing.rating.iso6336.record import Iso6336Rating
 from gearwright.sizing.rating.iso6336.scuffing import scuffing_of
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
-from gearwright.sizing.rating.rules import Array, Ask, Rating
+from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import module_for
 from gearwright.sizing.rating.standard_teeth import cylindrical_mesh, widest_ratio
 from gearwright.spec.mission import GearLifeRules
@@ -41,7 +42,7 @@ class Iso6336:
         """Yield nothing: a file's steels are checked as it is read, and teeth as they are searched."""
         yield from ()
 
-    def width_ratio(self, rating: Rating, small: Array, large: Array) -> Array:
+    def width_ratio(self, rating: Rating, small: Floats, large: Floats) -> Floats:
         """Return λ of the widest gears that are allowed; the face width is narrowed later [-]."""
         return widest_ratio(rating, small)
 
@@ -51,7 +52,7 @@ class Iso6336:
         torque = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0], dtype=float)
         quality = quality_of(rating, idlers=ask.idlers)
 
-        def safeties_at(module: Array) -> tuple[Array, Array]:
+        def safeties_at(module: Floats) -> tuple[Floats, Floats]:
             width = module * np.asarray(ask.width_ratio)
             mesh = cylindrical_mesh(ask.teeth, module, width, rating, internal=ask.internal)
             duty = duty_of(rating, torque, ask.speed, life=rating.service.life, passes=ask.passes)

@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.checks import Check, stressed
 from gearwright.errors import Problem
 from gearwright.identity import PartId
@@ -18,7 +19,7 @@ from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.sizing.rating.lewis_hertz import strength
 from gearwright.sizing.rating.lewis_hertz.record import LewisHertzRating
 from gearwright.sizing.rating.protocol import Damage, LoadedMesh, Making, MeshSpectrum
-from gearwright.sizing.rating.rules import Array, Ask, Rating
+from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.spec.design import Iso6336Rules
 from gearwright.spec.mission import GearLifeRules
 
@@ -40,7 +41,7 @@ class LewisHertz:
         """Yield nothing: whatever the search for teeth finds is covered."""
         yield from ()
 
-    def width_ratio(self, rating: Rating, small: Array, large: Array) -> Array:
+    def width_ratio(self, rating: Rating, small: Floats, large: Floats) -> Floats:
         """Return λ of the overlap ratio, or that of spur gears [-]."""
         return np.full(small.shape, strength.width_ratio(rating.rules, rating.helix_angle))
 

@@ -7,6 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from gearwright.arrays import Floats
 from gearwright.parts import contact_strength
 from gearwright.parts.gears import (
     ContactAngles,
@@ -17,7 +18,7 @@ from gearwright.parts.gears import (
     module_lewis,
     virtual_teeth,
 )
-from gearwright.sizing.rating.rules import Array, Ask, Rating
+from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.spec import GearRules
 
 SPUR_WIDTH_RATIO = 10.0
@@ -86,7 +87,7 @@ def _form_factor(teeth: float, helix: float, pressure_angle: float) -> float:
     return float(lewis_form_factor(virtual_teeth(teeth, pressure_angle, helix)))
 
 
-def first_modules(ask: Ask, rating: Rating) -> tuple[Array, Array]:
+def first_modules(ask: Ask, rating: Rating) -> tuple[Floats, Floats]:
     """Return the modules that Lewis's bending and Hertz's contact ask of a mesh [m].
 
     Args:
