@@ -29,13 +29,16 @@ from children import Trial
 from concerned import Calls, source_of, targets
 from hypothesis import settings
 from in_place import noticed_in_place
-from mutators import Fault, faults_of
+from mutators import APART, Fault, faults_of
 
 
 def draw(modules: Sequence[str], count: int, seed: int) -> list[Fault]:
-    """Return faults drawn with equal chances from all that there are, guards left out."""
-    faults = [fault for module in modules for fault in faults_of(module, source_of(module)) if fault.kind != "guard"]
+    """Return faults drawn with equal chances from all that there are, but for those that are counted apart."""
+    every = [fault for module in modules for fault in faults_of(module, source_of(module))]
+    faults = [fault for fault in every if fault.kind not in APART]
     print(f"{len(faults)} faults in {len(modules)} modules", flush=True)
+    for kind, count in Counter(fault.kind for fault in every if fault.kind in APART).items():
+        print(f"  apart: {count} of {kind}", flush=True)
     return random.Random(seed).sample(faults, min(count, len(faults)))
 
 

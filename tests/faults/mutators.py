@@ -1,7 +1,8 @@
 """Every single fault of a module: a constant, a sign, an operator, an exponent, a comparison, a choice, a swap.
 
 What cannot change a number is left alone: docstrings and texts, annotations, descriptions of fields, errors. A
-condition that only refuses is a `guard`: its faults are counted apart.
+condition that only refuses is a `guard`, one that only chooses between two sentences a choice of `words`: their faults
+are counted apart.
 """
 
 from __future__ import annotations
@@ -38,6 +39,8 @@ ALIKE = ("zip", "where", "hypot", "isinstance", "getattr", "setattr", "isclose",
 """Calls whose arguments may not be swapped, or may be without a difference."""
 NAMES = {"min": "max", "max": "min", "sin": "cos", "cos": "sin", "minimum": "maximum", "maximum": "minimum"}
 NAMES |= {"ceil": "floor", "floor": "ceil", "any": "all", "all": "any"}
+APART = ("guard", "words")
+"""Kinds that are not drawn."""
 TEXTS = ("Field", "Problem", "Quantity", "Origin", "Path", "field", "DesignError", "SolveError")
 """Calls whose arguments are words, bounds of what is allowed, or messages."""
 
@@ -55,7 +58,7 @@ class Fault:
     line: int
     """In the file, from 1."""
     kind: str
-    """Such as ``constant``; ``guard`` for what only refuses."""
+    """Such as ``constant``; ``guard`` for what only refuses, ``words`` for what only chooses a sentence."""
     change: str
     """Old and new text."""
     path: Path
@@ -83,7 +86,8 @@ class _Place:
     node: ast.AST
     function: str
     name: str
-    guard: bool
+    apart: str
+    """Kind of a place whose faults are counted apart, or nothing."""
 
 
 def faults_of(module: str, source: str) -> Iterator[Fault]:
@@ -94,17 +98,18 @@ def faults_of(module: str, source: str) -> Iterator[Fault]:
         source: Its text.
     """
     tree = ast.parse(source)
-    for place in _places(tree, (), "<module>", "", False):
+    for place in _places(tree, (), "<module>", "", ""):
         for kind, new in _replacements(place.node, _exponent(tree, place)):
             change, line = f"{ast.unparse(place.node)} -> {ast.unparse(new)}", getattr(place.node, "lineno", 0)
-            own = "guard" if place.guard else kind
-            yield Fault(module, place.function, place.name, line, own, change, place.path, new)
+            yield Fault(module, place.function, place.name, line, place.apart or kind, change, place.path, new)
 
 
-def _places(node: ast.AST, path: Path, function: str, name: str, guard: bool) -> Iterator[_Place]:
+def _places(node: ast.AST, path: Path, function: str, name: str, apart: str) -> Iterator[_Place]:
     """Yield the nodes below one that may be faulty, with the function around them."""
+    if isinstance(node, ast.IfExp) and _sentence(node.body) and _sentence(node.orelse):
+        apart = apart or "words"
     if isinstance(node, ast.expr):
-        yield _Place(path, node, function, name, guard)
+        yield _Place(path, node, function, name, apart)
     inside = function
     if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
         inside = node.name if function == "<module>" else f"{function}.{node.name}"
@@ -113,8 +118,8 @@ def _places(node: ast.AST, path: Path, function: str, name: str, guard: bool) ->
     for field, value in ast.iter_fields(node):
         for index, child in enumerate(value) if isinstance(value, list) else ((None, value),):
             if isinstance(child, ast.AST) and not _silent(node, field, child):
-                at_guard = guard or (field == "test" and isinstance(node, ast.If) and _refuses(node))
-                yield from _places(child, (*path, (field, index)), inside, name, at_guard)
+                guard = field == "test" and isinstance(node, ast.If) and _refuses(node)
+                yield from _places(child, (*path, (field, index)), inside, name, "guard" if guard else apart)
 
 
 def _silent(parent: ast.AST, field: str, child: ast.AST) -> bool:
@@ -134,6 +139,14 @@ def _silent(parent: ast.AST, field: str, child: ast.AST) -> bool:
         return called in TEXTS or called.endswith(("Error", "problem", "refused"))
     # A type's alias: one name, subscripted or joined by bars, that stands alone.
     return isinstance(parent, ast.Assign) and isinstance(child, ast.Subscript) and ast.unparse(child)[0].isupper()
+
+
+def _sentence(node: ast.expr) -> bool:
+    """Tell whether an expression is text of several words, or none; a single word may be a key."""
+    if not _text(node):
+        return False
+    words = [part.value for part in ast.walk(node) if isinstance(part, ast.Constant)]
+    return words == [""] or any(isinstance(word, str) and " " in word.strip() for word in words)
 
 
 def _refuses(node: ast.If) -> bool:

@@ -54,3 +54,11 @@ def test_a_fault_changes_what_the_module_computes_and_nothing_else():
         "2 -> 3": (24.0, 4.0),
         "x + x -> x - x": (12.0, 0.0),
     }
+
+
+def test_a_choice_of_sentences_is_counted_apart_and_a_choice_of_words_is_not():
+    source = 'def f(x):\n    return ("add one to it" if x > 1.0 else ""), ("planet" if x > 2.0 else "sun")\n'
+    kinds = {fault.change: fault.kind for fault in faults_of("m", source)}
+    assert kinds["x > 1.0 -> x < 1.0"] == kinds["1.0 -> 1.25"] == "words"
+    assert kinds["x > 2.0 -> x < 2.0"] == "comparison" and kinds["2.0 -> 2.5"] == "constant"
+    assert sum(kind == "choice" for kind in kinds.values()) == 1
