@@ -1,0 +1,141 @@
+"""Modules and face widths of stages: the list of ISO 54, the least width in whole millimetres, pairs on common axes."""
+
+import math
+
+import pytest
+
+from designs import PAIR
+from gearwright.sizing import size
+from gearwright.sizing.stages import STANDARD_MODULES
+from gearwright.spec import edited, parse
+from mounted_designs import HELICOPTER
+
+SERIES_I = (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25, 32, 40, 50)
+SERIES_II = (1.125, 1.375, 1.75, 2.25, 2.75, 3.5, 4.5, 5.5, 7, 9, 11, 14, 18, 22, 28, 36, 45)
+"""ISO 54:1996, table 1, without 6.5 mm, which the standard asks to avoid."""
+ISO = PAIR + 'pinion_teeth = 23\nwheel_teeth = 69\n[gears]\nrating = "iso6336"\nmaterial = "carburised-9310"\n'
+
+
+def test_standard_modules_are_both_series_of_iso_54():
+    assert sorted(SERIES_I + SERIES_II) == list(STANDARD_MODULES)
+
+
+def stage(sizing, name):
+    """Return module and face width of a stage [m], and the least safety of its meshes over the asked one."""
+    gear = next(gear for gear in sizing.gears if gear.stage == name)
+    margins = [min(mesh.rating.bending_margin, mesh.rating.contact_margin) for mesh in sizing.meshes]
+    return gear.module, gear.face_width, min(margins)
+
+
+@pytest.mark.parametrize(("helix", "power"), [(0, 100), (0, 400), (15, 100), (15, 900), (25, 30)])
+def test_module_is_the_least_standard_one_and_the_width_the_least_whole_millimetre(helix, power):
+    """One standard module less fails with the widest face that is allowed: 20 m_n and 0.8 d_1; so does 1 mm less."""
+    text = ISO.replace("power_kw = 100", f"power_kw = {power}") + f"helix_angle_deg = {helix}\n"
+    module, width, margin = stage(size(parse(text)), "stage")
+    place = list(STANDARD_MODULES).index(pytest.approx(1e3 * module))
+    assert margin >= 1.0 - 1e-9
+    assert 1e3 * width == pytest.approx(round(1e3 * width))
+    widest = min(20.0, 0.8 * 23 / math.cos(math.radians(helix)))
+    assert width <= widest * module + 1e-9
+
+    def tried(module_mm, width_mm):
+        given = f'[overrides]\n"stage.module_mm" = {module_mm}\n"stage.face_width_mm" = {width_mm}\n'
+        return stage(size(parse(text + given)), "stage")[2]
+
+    thinner = STANDARD_MODULES[place - 1]
+    assert tried(thinner, widest * thinner) < 1.0
+    overlap = 1.15 * math.pi * 1e3 * module
+    asked = overlap / math.sin(math.radians(helix)) if helix else 1e3 * module
+    narrowest = math.ceil(min(asked, widest * 1e3 * module) - 1e-9)
+    least = tried(1e3 * module, 1e3 * width - 1.0) < 1.0
+    assert least or round(1e3 * width) == narrowest
+
+
+def test_a_light_helical_pair_is_as_wide_as_its_overlap_asks():
+    """ε_β = b sin β/(π m_n): the width that gives the asked overlap ratio, in whole millimetres."""
+    text = ISO.replace("power_kw = 100", "power_kw = 10") + "helix_angle_deg = 30\noverlap_ratio = {}\n"
+    for overlap in (1.0, 1.4):
+        sizing = size(parse(text.format(overlap) + "[gears.iso6336]\nwidest_diameters = 3\n"))
+        module, width, margin = stage(sizing, "stage")
+        asked = overlap * math.pi * module / math.sin(math.radians(30.0))
+        strong = size(edited(sizing.design, {"overrides.stage.face_width_mm": 1e3 * asked}))
+        assert width >= asked - 1e-9 and margin >= 1.0 - 1e-9
+        if stage(strong, "stage")[2] >= 1.0:
+            assert width == pytest.approx(math.ceil(1e3 * asked - 1e-9) / 1e3)
+
+
+def test_without_standard_modules_the_safety_is_just_met_with_the_widest_face():
+    text = ISO + "[gears.iso6336]\nstandard_modules = false\nwidest_modules = 9\nwidest_diameters = 0.6\n"
+    sizing = size(parse(text))
+    module, width, margin = stage(sizing, "stage")
+    assert width <= min(9.0, 0.6 * 23) * module + 1e-9
+    assert width > min(9.0, 0.6 * 23) * module - 1e-3 and margin == pytest.approx(1.0, abs=5e-3)
+
+
+def test_pairs_on_common_axes_have_the_distance_of_the_one_that_needs_more():
+    text = PAIR.replace('["fast", "slow"]', '["fast", "slow", "back"]')
+    text = text.replace('shaft = "slow"\nspeed_rpm = 2000', 'shaft = "back"\nspeed_rpm = 700')
+    text += "pinion_teeth = 23\nwheel_teeth = 69\n"
+    text += '[pairs.next]\npinion = "slow"\nwheel = "back"\npinion_teeth = 25\nwheel_teeth = 71\n'
+    alone = size(parse(text))
+    tied = size(parse(text + 'coaxial_with = "stage"\n'))
+    need = {gear.stage: gear.module for gear in alone.gears}
+    have = {gear.stage: gear.module for gear in tied.gears}
+    distance = max(need["stage"] * 92 / 2.0, need["next"] * 96 / 2.0)
+    assert have["stage"] * 92 / 2.0 == pytest.approx(distance)
+    assert have["next"] * 96 / 2.0 == pytest.approx(distance)
+
+
+BEVEL = (
+    PAIR
+    + """kind = "bevel"
+axis_angle_deg = 90
+spiral_angle_deg = 30
+pinion_teeth = {}
+wheel_teeth = {}
+[gears]
+rating = "iso6336"
+material = "carburised-9310"
+"""
+)
+
+
+@pytest.mark.parametrize("asked", [20.0, 66.0, 99.0])
+@pytest.mark.parametrize("teeth", [(17, 51), (22, 66)])
+def test_a_bevel_pair_is_not_wider_than_a_third_of_its_cone_or_ten_modules(teeth, asked):
+    """R_e = m_et √(z_1² + z_2²)/2; m_mn = cos β_m (m_et − b/(2 R_e/m_et)) (ISO 23509)."""
+    given = f'[overrides]\n"stage.outer_module_mm" = 6\n"stage.face_width_mm" = {asked}\n'
+    sizing = size(parse(BEVEL.format(*teeth) + given))
+    cone = math.hypot(*teeth) / 2.0
+    widest = 6.0 * min(cone / 3.0, 10.0)
+    assert (widest == 60.0) == (teeth == (22, 66))
+    width = min(asked, widest)
+    mean = math.cos(math.radians(30.0)) * (6.0 - width / (2.0 * cone))
+    for gear in sizing.gears:
+        assert 1e3 * gear.face_width == pytest.approx(width)
+        assert 1e3 * gear.module == pytest.approx(mean)
+    check = next(check for check in sizing.checks if check.name == "stage.pinion face width")
+    assert 1e3 * check.value == pytest.approx(asked)
+    assert 1e3 * check.limit == pytest.approx(widest)
+
+
+def test_an_open_bevel_width_is_the_least_whole_millimetre():
+    text = HELICOPTER.replace('"bevel.outer_module_mm" = 8.5\n"bevel.face_width_mm" = 51\n', "")
+    sizing = size(parse(text))
+    gear = next(gear for gear in sizing.gears if gear.name == "bevel.pinion")
+
+    def margin(sized):
+        mesh = next(mesh for mesh in sized.meshes if mesh.stage == "bevel")
+        return min(mesh.rating.bending_margin, mesh.rating.contact_margin)
+
+    cone = math.hypot(17, 43) / 2.0
+    outer = gear.module / math.cos(math.radians(35.0)) + gear.face_width / (2.0 * cone)
+    assert 1e3 * outer in [pytest.approx(module) for module in STANDARD_MODULES]
+    width = 1e3 * gear.face_width
+    assert width == pytest.approx(round(width)) and margin(sizing) >= 1.0 - 1e-9
+    given = {"overrides.bevel.outer_module_mm": 1e3 * outer, "overrides.bevel.face_width_mm": width - 1.0}
+    assert margin(size(edited(sizing.design, given))) < 1.0
+    lower = max(module for module in STANDARD_MODULES if module < 1e3 * outer - 1e-6)
+    widest = min(cone / 3.0, 10.0) * lower
+    given = {"overrides.bevel.outer_module_mm": lower, "overrides.bevel.face_width_mm": widest}
+    assert margin(size(edited(sizing.design, given))) < 1.0
