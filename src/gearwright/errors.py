@@ -60,14 +60,15 @@ class DesignError(GearwrightError):
         return f"{head}{count} problem{'s' if count != 1 else ''}\n" + "\n".join(lines)
 
 
-def refuse(problems: Iterable[Problem]) -> None:
+def refuse(problems: Iterable[Problem], source: str = "") -> None:
     """Raise a `DesignError` of all problems, where there are any.
 
     Args:
         problems: What is wrong.
+        source: Name of the file, or of what was called.
     """
     if listed := tuple(problems):
-        raise DesignError(listed)
+        raise DesignError(listed, source)
 
 
 class SolveError(GearwrightError):

@@ -15,7 +15,7 @@ from numbers import Integral, Number, Real
 from pathlib import Path
 from typing import Annotated, Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin
 
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import Problem, near, refuse
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
@@ -73,8 +73,7 @@ def verb(function: Callable[_P, _R]) -> Callable[_P, _R]:
             for name, hint in _hints(function).items()
             if name in arguments and not _fits(value := arguments[name], hint)
         ]
-        if problems:
-            raise DesignError(problems, function.__name__)
+        refuse(problems, function.__name__)
         return function(*args, **kwargs)
 
     return checked
@@ -94,8 +93,7 @@ def check_fields(record: object) -> None:
     problems = [
         Problem(name, _sentence(value, hint)) for name, hint in hints if not _fits(value := getattr(record, name), hint)
     ]
-    if problems:
-        raise DesignError(problems, type(record).__name__)
+    refuse(problems, type(record).__name__)
 
 
 def callable_layer(name: str, called: Callable[..., object]) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from gearwright.catalogue import propeller_map, read_propeller_map
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.machines import PropellerMap
 from gearwright.mission.collect import Flown, Interval, Lost, collect, recorded
 from gearwright.mission.flight import Flight
@@ -65,8 +65,7 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     Valid for: steady flight; a propeller map of one's own has the compressibility that it was measured with.
     """
     problems = mission_problems(mission)
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
     oil = Oil(mission.oil.inlet_temperature_k, mission.oil.roughness, _dipping(sizing, mission))
     gearbox = gearbox_of(sizing, _only_propeller(sizing), oil)
     blades = Blades(

@@ -8,7 +8,7 @@ from typing import Any, TypeVar, Union, get_args, get_origin
 
 from pydantic import ValidationError
 
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import Design
 from gearwright.spec.mission import Mission, mission_problems
@@ -51,8 +51,7 @@ def edited_mission(mission: Mission, changes: Mapping[str, Value]) -> Mission:
 def _edited(record: R, changes: Mapping[str, Value], problems_of: Callable[[R], list[Problem]]) -> R:
     data, kind = _opened(record), type(record)
     problems = [problem for path, value in changes.items() if (problem := _set(kind, data, path, value)) is not None]
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
     try:
         changed = kind.model_validate(data)
     except ValidationError as error:
@@ -63,8 +62,7 @@ def _edited(record: R, changes: Mapping[str, Value], problems_of: Callable[[R], 
             for error in error.errors(include_url=False)
         ) from None
     problems = problems_of(changed)
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
     return changed
 
 

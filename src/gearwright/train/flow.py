@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.errors import DesignError, Problem, SolveError, refuse
 from gearwright.spec import GROUND, Design, Drive, Pair
 from gearwright.train.graph import Damper, Joint, Mesh, Train
 from gearwright.train.kinematics import Yielded
@@ -249,8 +249,7 @@ def _machine_torques(
             )
         else:
             stated[name] = drive.power / speed if drive.power else 0.0
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
     return stated, balancing
 
 

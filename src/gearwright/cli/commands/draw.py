@@ -64,12 +64,11 @@ def _names(what: str | None) -> tuple[str, ...]:
 
 
 def _formats(written: str) -> tuple[str, ...]:
-    from gearwright.errors import DesignError, Problem, near
+    from gearwright.errors import Problem, near, refuse
 
     formats = tuple(dict.fromkeys(name.strip() for name in written.split(",")))
     wrong = [name for name in formats if name not in FORMATS]
-    if wrong:
-        raise DesignError([Problem("--format", f"{name!r} is not drawn; {near(name, FORMATS)}") for name in wrong])
+    refuse(Problem("--format", f"{name!r} is not drawn; {near(name, FORMATS)}") for name in wrong)
     if "dxf" in formats and find_spec("ezdxf") is None and len(formats) > 1:
         tell("DXF is not written: it needs the package ezdxf, which is not here; pip install ezdxf")
         return tuple(name for name in formats if name != "dxf")

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from gearwright.dynamics.model import Contact, Line, Model, contact_errors
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import Problem, near, refuse
 from gearwright.spec import GROUND
 from gearwright.spec.design import PartErrors
 
@@ -23,15 +23,11 @@ def add_errors(model: Model, contacts: tuple[Contact, ...], parts: Mapping[str, 
     Raises:
         DesignError: If a part does not exist, or a clocking angle at which teeth do not go together.
     """
-    problems = list(_unknown(contacts, parts))
-    if problems:
-        raise DesignError(problems)
+    refuse(_unknown(contacts, parts))
     by_line = {contact.line: contact for contact in contacts}
-    problems = [
+    refuse(
         problem for line in model.lines if line.name in by_line for problem in _jams(line, by_line[line.name], parts)
-    ]
-    if problems:
-        raise DesignError(problems)
+    )
     for number, line in enumerate(model.lines):
         if line.name in by_line:
             model.lines[number] = replace(line, errors=(*line.errors, *contact_errors(by_line[line.name], parts)))

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from gearwright.dynamics.assembly.meshes import gear_of
 from gearwright.dynamics.model import AXES, Contact, DampingRatio, Line, Model, Owner, shift_weights
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.identity import Kind, PartId, Role, carrier_part, gear_part
 from gearwright.sizing import Sizing
 from gearwright.train import PowerFlow
@@ -66,8 +66,7 @@ def _frames(sizing: Sizing, contacts: tuple[Contact, ...], flow: PowerFlow) -> d
         for shaft, carrier in carriers.items()
         if len(carrier) > 1
     ]
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
     speeds = {
         str(carrier_part(name)): flow.speeds[planetary.carrier] for name, planetary in sizing.design.planetaries.items()
     }

@@ -12,7 +12,7 @@ from gearwright.dynamics.model.drives import drive_columns, encoded
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.system import Arrays, Entries, Labels, Loads, Profile, Schedules, Series, System, Tone
 from gearwright.dynamics.model.written import Load, Pair, Written, problems
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, refuse
 
 SPEED_TOLERANCE = 1e-6
 """Largest stretch rate of a line at the reference speeds over the sum of its parts [-]: room for rounded radii."""
@@ -27,8 +27,7 @@ def flatten(model: Written) -> System:
     Raises:
         DesignError: With every problem found.
     """
-    if wrong := problems(model):
-        raise DesignError(wrong)
+    refuse(problems(model))
     index = {body.name: number for number, body in enumerate(model.bodies)}
     mass = np.array([body.mass for body in model.bodies])
     start, dof, weight = _weights(model.lines, index)

@@ -19,7 +19,7 @@ from gearwright.dynamics.model.model import Model
 from gearwright.dynamics.model.planetary_set import Member, PlanetarySet, PlanetError, set_problems
 from gearwright.dynamics.model.system import Owner
 from gearwright.dynamics.model.written import Body
-from gearwright.errors import DesignError
+from gearwright.errors import refuse
 from gearwright.identity import Kind, PartId, Role, Row, gear_part, member_part, mesh_part
 from gearwright.parts.stiffness import StiffnessCurve
 
@@ -45,8 +45,7 @@ def add_planetary(
     Raises:
         DesignError: With everything that is missing.
     """
-    if problems := list(set_problems(planetary, speeds or {})):
-        raise DesignError(problems)
+    refuse(set_problems(planetary, speeds or {}))
     writer = _Writer(model, planetary, name, speeds or {})
     carried = len(planetary.positions) * planetary.planet.mass if math.isinf(planetary.planet.support) else 0.0
     _central(writer, Role.SUN, planetary.sun)

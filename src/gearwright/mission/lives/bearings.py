@@ -19,7 +19,7 @@ from gearwright.catalogue import (
     fitting_bearings,
     with_ratings,
 )
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.identity import Role
 from gearwright.mission.flight import Flight
 from gearwright.parts.bearings import (
@@ -158,8 +158,7 @@ def bearing_lives(flight: Flight) -> BearingLives:
                 problems += [Problem(_path(seat), problem.message) for problem in error.problems if named]
                 notes += [f"{seat.name}: {problem.message}" for problem in error.problems if not named]
                 failed.append(seat.name)
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
     notes += [f"{', '.join(idle)}: nothing to rate, as the forces of the meshes cancel"] if idle else []
     missing = "no bearing is named, and the mission has no [bearings] to choose one"
     notes += [f"{', '.join(opened)}: {missing}"] if opened else []

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import Problem, near, refuse
 from gearwright.render.drawings.arrangement_sheet import arrangement_content
 from gearwright.render.drawings.gear_sheet import gear_content
 from gearwright.render.drawings.shaft_sheet import shaft_content
@@ -30,9 +30,7 @@ def sheets(sizing: Sizing, names: Collection[str] = ()) -> list[Sheet]:
     """
     every = list(contents(sizing))
     known = {content.name for content in every} | {content.kind for content in every}
-    wrong = [name for name in names if name not in known]
-    if wrong:
-        raise DesignError([Problem("--what", f"there is no sheet {name!r}; {near(name, known)}") for name in wrong])
+    refuse(Problem("--what", f"there is no sheet {name!r}; {near(name, known)}") for name in names if name not in known)
     numbered = [
         replace(content, title=replace(content.title, sheet=(k, len(every))))
         for k, content in enumerate(every, start=1)

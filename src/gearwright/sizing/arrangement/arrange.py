@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.sizing.arranged import Arrangement, ShaftPlan
 from gearwright.sizing.arrangement.axes import axes_of
 from gearwright.sizing.arrangement.layout import plan_of
@@ -28,6 +28,5 @@ def arrange(context: Context, gears: tuple[GearSizing, ...]) -> Arrangement:
             plans[name] = plan_of(context, name, gears)
         except DesignError as error:
             problems += error.problems
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
     return Arrangement(axes, plans)

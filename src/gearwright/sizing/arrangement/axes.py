@@ -20,7 +20,7 @@ import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.spec.design import Design
@@ -186,5 +186,4 @@ def _close(bonds: list[Bond], placed: Mapping[str, complex]) -> None:
                 " that closes the triangle, or write coaxial_with where two pairs lie on the same axes"
             )
             problems.append(Problem(f"pairs.{bond.stage}", message))
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import Problem, near, refuse
 from gearwright.identity import SIDES, carrier_part
 from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.arrangement.seats import radial_places, seats_of
@@ -112,8 +112,7 @@ def _check(name: str, layout: ShaftLayout, plan: ShaftPlan, *, names: list[str],
     if plan.bearings[0] == plan.bearings[1]:
         message = f"both bearings stand at {1e3 * plan.bearings[0]:.6g} mm; give two different places"
         problems.append(Problem(f"{path}.second_bearing_mm", message))
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
 
 
 def _outside(position: float, allowed: str) -> str:

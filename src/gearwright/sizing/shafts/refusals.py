@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.sizing.result import ShaftSizing
 from gearwright.units import text
 
@@ -36,8 +36,7 @@ def refuse_idle_shafts(shafts: Iterable[ShaftSizing]) -> None:
         for shaft in sized
         if load[shaft.name] <= NOTHING * largest and shaft.diameter <= math.cbrt(NOTHING) * thickest
     ]
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
 
 
 def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
@@ -58,5 +57,4 @@ def refuse_bores(shafts: Iterable[ShaftSizing]) -> None:
         for shaft in shafts
         if shaft.diameter and shaft.bore > MOST_HOLLOW * shaft.diameter
     ]
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.sizing.shafts.stretches import Item, Stretch
 from gearwright.spec.checks import MOST_HOLLOW
 
@@ -32,8 +32,7 @@ def refuse_overlaps(items: Sequence[Item], length: float) -> None:
     over = last.end - length
     if over > _OVERLAP:
         problems.append(Problem(_path(last), _close(last, "the second end", over, last.middle - over)))
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
 
 
 def refuse_thin(shaft: str, stretches: Sequence[Stretch], *, bore: float) -> None:

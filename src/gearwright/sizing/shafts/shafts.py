@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.parts import Material
 from gearwright.parts.shafts import (
     shaft_diameter,
@@ -71,8 +71,7 @@ def size_shafts(
             problems += error.problems
             continue
         shafts.append(_stepped(context, forces, built[-1], axes[name], name=name))
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
     return tuple(shafts), tuple(built)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import Problem, refuse
 from gearwright.sizing.rating import Context
 
 NOTHING = 1e-9
@@ -37,5 +37,4 @@ def refuse_idle_stages(context: Context, needed: Mapping[str, float]) -> None:
             f" {key} = 2, or a case that loads them"
         )
         problems.append(Problem(f"{table}.{stage}", message))
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)

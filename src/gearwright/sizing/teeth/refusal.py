@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, refuse
 from gearwright.parts.planetary import assembles, neighbours_clear
 from gearwright.spec import Design, Pair, Planetary
 from gearwright.spec.checks import table_of
@@ -82,8 +82,7 @@ def refuse_contradictions(design: Design, flows: Mapping[str, PowerFlow]) -> Non
                     " allow more in teeth.speed_tolerance"
                 )
                 problems.setdefault(path, Problem(path, message))
-    if problems:
-        raise DesignError(problems.values())
+    refuse(problems.values())
 
 
 def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float) -> Problem:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from gearwright.errors import DesignError, GearwrightError, Problem
+from gearwright.errors import DesignError, GearwrightError, Problem, refuse
 from gearwright.sizing import TEXT, Named, Sizing, named_results, pick, size, total_results
 from gearwright.spec import MISSION_PATH, Design, Mission, Study, edited, edited_mission, path_problem, value_at
 from gearwright.spec.axis import Value
@@ -152,8 +152,7 @@ def refuse_unknown_paths(study: Study, designs: Mapping[str, Design]) -> None:
     problems = [unknown[0] for unknown in problems_by_path if all(unknown) and unknown[0] is not None]
     problems += [problem for path in mission_paths if (problem := _mission_problem(study.mission, path)) is not None]
     problems = problems or _result_problems(study, designs)
-    if problems:
-        raise DesignError(problems, study.name)
+    refuse(problems, study.name)
 
 
 def _result_problems(study: Study, designs: Mapping[str, Design]) -> list[Problem]:

@@ -20,7 +20,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from gearwright.errors import DesignError, Problem, SolveError, install
+from gearwright.errors import DesignError, Problem, SolveError, install, refuse
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Row
 from gearwright.study.cases import Case, evaluate
@@ -144,8 +144,7 @@ def _refuse_files(address: str, tls: Tls | None) -> None:
         problems.append(
             Problem("--cluster", f"{address}: an address that begins with tls:// goes with --tls CA CERT KEY")
         )
-    if problems:
-        raise DesignError(problems)
+    refuse(problems)
 
 
 class _Tasks:

@@ -8,7 +8,7 @@ from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass
 from pathlib import Path
 
-from gearwright.errors import DesignError, Problem, SolveError
+from gearwright.errors import Problem, SolveError, refuse
 from gearwright.spec import Design, Study, case_count
 from gearwright.study.answers import Row, Table
 from gearwright.study.cases import Case, refuse_unknown_paths
@@ -118,8 +118,7 @@ def refuse_changes(journal: Path, known: Recorded, designs: Mapping[str, Design]
         Problem(name, f"the study was begun with {begun}, this is {now}; results may differ: {fix}")
         for name, begun, now in changes_of(known.made_with, made_with())
     ]
-    if problems:
-        raise DesignError(problems, str(journal))
+    refuse(problems, str(journal))
 
 
 def _run(book: Journal, study: Study, workers: int, watch: Watch | None, compute: Compute) -> Table:
