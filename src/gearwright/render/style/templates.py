@@ -12,17 +12,27 @@ _SUBSCRIPT = re.compile(r"_([A-Za-z0-9α-ω.]*[A-Za-z0-9α-ω])")
 
 
 @cache
-def environment() -> Environment:
-    """Return where the templates are, with the filters that they use."""
+def environment(package: str = "gearwright.render") -> Environment:
+    """Return where the templates of a package are, with the filter that all of them use.
+
+    Args:
+        package: The one beside whose modules the folder ``templates`` is.
+    """
     templates = Environment(
-        loader=PackageLoader("gearwright.render"),
-        autoescape=True,
+        loader=PackageLoader(package),
+        autoescape=_is_html,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
+        keep_trailing_newline=True,
     )
     templates.filters["symbols"] = symbols
     return templates
+
+
+def _is_html(template: str | None) -> bool:
+    """Tell whether a template is HTML; Markdown is left as it is."""
+    return template is None or ".html" in template
 
 
 def symbols(words: str) -> Markup:

@@ -7,9 +7,10 @@ import re
 from functools import cache
 from itertools import groupby
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
+from jinja2 import Environment
 from markupsafe import Markup
 
+from gearwright.render.style.templates import environment
 from gearwright.replays.colibri import words
 from gearwright.replays.colibri.replay import Outcome, replay
 from gearwright.replays.colibri.report.printed import SOURCE
@@ -70,15 +71,8 @@ def _rendered(template: str) -> str:
 
 @cache
 def _environment() -> Environment:
-    environment = Environment(
-        loader=PackageLoader("gearwright.replays.colibri"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
-    environment.filters |= {
+    pages = environment("gearwright.replays.colibri")
+    pages.filters |= {
         "indexed": indexed,
         "class": _CLASSES.__getitem__,
         "computed": words.computed_text,
@@ -86,4 +80,4 @@ def _environment() -> Environment:
         "correct": words.correct_text,
         "cells": words.finding_cells,
     }
-    return environment
+    return pages

@@ -6,11 +6,12 @@ import math
 from collections.abc import Sequence
 from functools import cache
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
+from jinja2 import Environment
 from rich.text import Text
 
 from gearwright.render.grid.grid import Grid
 from gearwright.render.grid.table import written
+from gearwright.render.style.templates import environment
 from gearwright.replays.pulvirenti.claims import Claim, claims
 from gearwright.replays.pulvirenti.errata import Erratum, errata
 from gearwright.replays.verdict import Verdict
@@ -110,14 +111,6 @@ def _rendered(template: str) -> str:
 
 @cache
 def _environment() -> Environment:
-    loader = PackageLoader("gearwright.replays.pulvirenti")
-    environment = Environment(
-        loader=loader, autoescape=_escapes, undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True
-    )
-    environment.filters |= {"computed": computed_text, "covered": covered_text, "sign": _SIGNS.__getitem__}
-    return environment
-
-
-def _escapes(template: str | None) -> bool:
-    """Tell whether a template is HTML; Markdown is left as it is."""
-    return template is not None and ".html" in template
+    pages = environment("gearwright.replays.pulvirenti")
+    pages.filters |= {"computed": computed_text, "covered": covered_text, "sign": _SIGNS.__getitem__}
+    return pages
