@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from types import MappingProxyType
-from typing import Any, ClassVar, get_args, get_origin
+from typing import Any, ClassVar, NamedTuple, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, ValidationError, ValidationInfo, field_validator
 from pydantic.fields import FieldInfo
@@ -61,24 +61,38 @@ class Written:
         self.problems.append(Problem(self.keys.get(location, ".".join(location)), message))
 
 
+class Key(NamedTuple):
+    """What a key of a table stands for."""
+
+    field: str
+    """Name in the record."""
+    factor: float
+    """To SI [-]."""
+    suffix: str
+    """Of the unit; empty for what has none."""
+
+
+Keys = Mapping[str, Key]
+
+
 @cache
-def keys_of(model: type[Record]) -> Mapping[str, tuple[str, float, str]]:
+def keys_of(model: type[Record]) -> Keys:
     """Return the keys that a table of this record may have.
 
     Args:
         model: The record's type.
 
     Returns:
-        Key -> (field, factor to SI, suffix); the suffix is empty for what has no unit.
+        As written -> what it stands for.
     """
-    keys: dict[str, tuple[str, float, str]] = {}
+    keys: dict[str, Key] = {}
     for name, info in model.model_fields.items():
         quantity = quantity_of(info)
         if quantity is None:
-            keys[info.alias or name] = (info.alias or name, 1.0, "")
+            keys[info.alias or name] = Key(info.alias or name, 1.0, "")
             continue
         for suffix, factor in SUFFIXES[quantity.dimension].items():
-            keys[f"{name}_{suffix}"] = (name, factor, suffix)
+            keys[f"{name}_{suffix}"] = Key(name, factor, suffix)
     return MappingProxyType(keys)
 
 
@@ -118,12 +132,12 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
     return result
 
 
-def _require(model: type[Record], keys: Mapping[str, tuple[str, float, str]], result: dict[str, object],
+def _require(model: type[Record], keys: Keys, result: dict[str, object],
              written: Written, prefix: str) -> None:  # fmt: skip
     """Note every required field that the table lacks."""
     for name, info in model.model_fields.items():
         if info.is_required() and (info.alias or name) not in result:
-            options = [key for key, (field_name, _, _) in keys.items() if field_name in (name, info.alias)]
+            options = [key for key, meant in keys.items() if meant.field in (name, info.alias)]
             path = f"{prefix}.{options[0]}" if prefix else options[0]
             if info.annotation is float:
                 result[name] = _stand_in_of(info)
@@ -137,7 +151,7 @@ def _field(model: type[Record], key: str) -> FieldInfo:
     return next(info for name, info in model.model_fields.items() if key in (name, info.alias))
 
 
-def _unknown(key: str, model: type[Record], keys: Mapping[str, tuple[str, float, str]]) -> str:
+def _unknown(key: str, model: type[Record], keys: Keys) -> str:
     if key in model.model_fields and quantity_of(model.model_fields[key]) is not None:
         units = ", ".join(sorted(name for name in keys if name.startswith(f"{key}_")))
         return f"the unit is missing; write one of {units}"
@@ -147,7 +161,7 @@ def _unknown(key: str, model: type[Record], keys: Mapping[str, tuple[str, float,
     foreign = _foreign(key, model, keys)
     if foreign:
         return foreign
-    usual = {field: name for name, (field, _, _) in reversed(list(keys.items()))}
+    usual = {meant.field: name for name, meant in reversed(list(keys.items()))}
     return f"no such field; {near(key, keys, usual.values())}"
 
 
@@ -159,13 +173,13 @@ _FOREIGN: Mapping[str, str] = MappingProxyType({
 """Suffix of a unit that no key has -> what it is in one that keys have."""
 
 
-def _foreign(key: str, model: type[Record], keys: Mapping[str, tuple[str, float, str]]) -> str:
+def _foreign(key: str, model: type[Record], keys: Keys) -> str:
     """Return what to do about a unit that is known to people alone; empty where the key is no such quantity."""
     name, _, suffix = key.rpartition("_")
     info = model.model_fields.get(name)
     if suffix.lower() not in _FOREIGN or info is None or quantity_of(info) is None:
         return ""
-    units = ", ".join(written for written, (field_name, _, _) in keys.items() if field_name == name)
+    units = ", ".join(written for written, meant in keys.items() if meant.field == name)
     return f"this unit is not known: {_FOREIGN[suffix.lower()]}; write one of {units}"
 
 

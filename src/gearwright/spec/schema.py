@@ -91,7 +91,7 @@ def _expand(table: dict[str, Any], model: type[Record]) -> None:
         if quantity is None:
             continue
         entry = properties.pop(name)
-        options = [key for key, (field, _, _) in keys_of(model).items() if field == name]
+        options = [key for key, meant in keys_of(model).items() if meant.field == name]
         for key, (suffix, factor) in zip(options, SUFFIXES[quantity.dimension].items(), strict=True):
             properties[key] = _number(entry, (name, suffix), factor, range_of(info))
         choices: list[dict[str, Any]] = [{"required": [key]} for key in options]

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from gearwright.dynamics.codegen.emit import CHUNK, Emitter
 from gearwright.dynamics.codegen.topology import LineShape, filled
@@ -40,7 +40,7 @@ def slope(writer: Writer, name: str, output: Literal["", "record", "statistics"]
     factor = writer.clock(code, 0)
     force = _loads(writer, code, velocity, factor, works)
     _spread(writer, code, carried, force)
-    _frames(writer, code, (position, velocity, force, works), factor)
+    _frames(writer, code, Registers(position, velocity, force, works), factor)
     _next(writer, code, force, works)
     pointers = ("p", "own", "row", "now", "bq", "bv", "q", "v", "qn", "vn", "works", "out")
     return writer.function(code, name, pointers)
@@ -178,10 +178,17 @@ def _output(writer: Writer, code: Emitter, j: int, values: tuple[str, str], outp
         code.store(code.add(code.multiply(carried, carried), square), "%out", places[3])
 
 
-def _frames(
-    writer: Writer, code: Emitter, parts: tuple[list[str], list[str], list[str], list[str]], factor: str
-) -> None:
-    position, velocity, force, works = parts
+class Registers(NamedTuple):
+    """Values of a state by coordinate, and the works that are summed up."""
+
+    position: list[str]
+    velocity: list[str]
+    force: list[str]
+    works: list[str]
+
+
+def _frames(writer: Writer, code: Emitter, registers: Registers, factor: str) -> None:
+    position, velocity, force, works = registers
     for number, (row, column) in enumerate(writer.shape.gyroscopic):
         value = code.multiply(writer.number(code, "gyroscopic", number), factor)
         part = code.multiply(value, velocity[column])

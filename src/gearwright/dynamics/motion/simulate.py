@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -41,8 +41,19 @@ STIFF_GAIN = 40.0
 """How much longer an implicit step must be, since it costs so much more than an explicit one [-]."""
 
 Start = Literal["static", "rigid"] | tuple[Floats, Floats]
-Ran = tuple[str, Pace, float, tuple[str, ...]]
-"""Method, pace, error estimate and notes of a run."""
+
+
+class Ran(NamedTuple):
+    """How a run went."""
+
+    method: str
+    """Kind of its steps."""
+    pace: Pace
+    """Their size."""
+    error: float
+    """Estimated [-]."""
+    notes: tuple[str, ...]
+    """What a reader should know of it."""
 
 
 @verb
@@ -94,7 +105,7 @@ def simulate(
     notes += _notes(recorder, done)
     if np.any(recorder.lost >= 0):
         notes += _sensitivity(parting(arrays, advance, done, state))
-    return _trace(recorder, (method, pace, error, tuple(notes)), (first, state), done)
+    return _trace(recorder, Ran(method, pace, error, tuple(notes)), (first, state), done)
 
 
 @verb
@@ -212,17 +223,16 @@ def _sensitivity(growth: float) -> list[str]:
 
 
 def _trace(recorder: Recorder, ran: Ran, ends: tuple[Floats, Floats], done: int) -> Trace:
-    method, pace, error, notes = ran
     size, labels = recorder.size, recorder.system.labels
     moved = [*labels.coordinates, *(f"{name} (rate)" for name in labels.coordinates)]
     refuse_not_finite(ends[1][: 2 * size], moved, f"motion at {done * recorder.step:.4g} s")
-    refuse_not_finite([error], ["the largest force"], "error estimate")
+    refuse_not_finite([ran.error], ["the largest force"], "error estimate")
     lines = len(labels.lines)
     return Trace(
-        method=method,
+        method=ran.method,
         step=recorder.step,
         duration=done * recorder.step,
-        error=error,
+        error=ran.error,
         work=_work(recorder, ends, done),
         samples=recorder.samples(),
         windows=tuple(recorder.samples(number) for number in range(1, 1 + len(recorder.spans))),
@@ -231,9 +241,9 @@ def _trace(recorder: Recorder, ran: Ran, ends: tuple[Floats, Floats], done: int)
         velocity=recorder.statistics(labels.coordinates, 0, "coordinate"),
         drive=recorder.statistics(labels.drives, size + 2 * lines, "drive") if labels.drives else None,
         checkpoints=recorder.checkpoints(),
-        notes=notes,
+        notes=ran.notes,
         labels=labels,
-        tolerance=pace.tolerance,
+        tolerance=ran.pace.tolerance,
         interrupted=done < recorder.steps,
         orders=recorder.orders.result(recorder.edges) if recorder.orders else None,
     )

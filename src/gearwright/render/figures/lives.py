@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,8 +18,17 @@ from gearwright.render.style.theme import WIDTH
 MODE_COLOURS = {"bending": theme.BLUE, "pitting": theme.SKY, "rolling fatigue": theme.AMBER}
 """Colour of each way to fail."""
 _KILO = 1e3
-Duty = tuple[str, Floats, Floats]
-"""Name, loads and turns of all intervals."""
+
+
+class Duty(NamedTuple):
+    """Loads of one part over all intervals."""
+
+    name: str
+    """Of the part."""
+    load: Floats
+    """In the unit of its panel."""
+    turns: Floats
+    """Of every interval [-]."""
 
 
 @theme.styled
@@ -43,11 +53,11 @@ def spectrum_figure(flight: Flight) -> Figure:
 
 
 def _spectrum(axes: Axes, duties: Iterable[Duty]) -> None:
-    for colour, (name, loads, turns) in zip(theme.CYCLE * 4, duties, strict=False):
-        order = np.argsort(-np.abs(loads), kind="stable")
-        reached = np.maximum(np.cumsum(turns[order]), 1e-3)
-        load = np.abs(loads)[order]
-        axes.step([reached[0] * 0.3, *reached], [load[0], *load], where="pre", color=colour, label=name)
+    for colour, duty in zip(theme.CYCLE * 4, duties, strict=False):
+        order = np.argsort(-np.abs(duty.load), kind="stable")
+        reached = np.maximum(np.cumsum(duty.turns[order]), 1e-3)
+        load = np.abs(duty.load)[order]
+        axes.step([reached[0] * 0.3, *reached], [load[0], *load], where="pre", color=colour, label=duty.name)
     axes.set_xscale("log")
     axes.set_xlim(left=1.0)
     axes.set_ylim(bottom=0.0)
@@ -60,19 +70,19 @@ def _turns(flight: Flight, speed: Floats) -> Floats:
 
 def _shafts(flight: Flight) -> Iterator[Duty]:
     for name in flight.sizing.design.shafts:
-        yield name, flight.nodes[name].torque / _KILO, _turns(flight, flight.nodes[name].speed)
+        yield Duty(name, flight.nodes[name].torque / _KILO, _turns(flight, flight.nodes[name].speed))
 
 
 def _meshes(flight: Flight) -> Iterator[Duty]:
     for mesh in flight.sizing.train.meshes:
         carrier = flight.speed(mesh.nodes[2])
         force = flight.meshes[mesh.name].force / _KILO
-        yield mesh.name, force, _turns(flight, flight.speed(mesh.nodes[0]) - carrier)
+        yield Duty(mesh.name, force, _turns(flight, flight.speed(mesh.nodes[0]) - carrier))
 
 
 def _seats(flight: Flight) -> Iterator[Duty]:
     for seat, duty in seat_duties(flight):
-        yield seat.name, duty.radial / _KILO, duty.turns
+        yield Duty(seat.name, duty.radial / _KILO, duty.turns)
 
 
 @theme.styled

@@ -58,7 +58,17 @@ class Traced(NamedTuple):
 
 Node = tuple[str, float]
 """Shaft and column, or the name of a part with no column."""
-Edge = tuple[Node, Node, float]
+
+
+class Edge(NamedTuple):
+    """Power from one place to another."""
+
+    origin: Node
+    """Whence it comes."""
+    to: Node
+    """Where it goes."""
+    power: float
+    """Not negative [W]."""
 
 
 def trace_power(train: Train, flow: PowerFlow, layout: Layout) -> Traced:
@@ -75,8 +85,8 @@ def trace_power(train: Train, flow: PowerFlow, layout: Layout) -> Traced:
     pieces = [piece for shaft in layout.spans for piece in _pieces(shaft, on, flow, layout)]
     edges = [_directed((piece.shaft, piece.start), (piece.shaft, piece.end), piece.power) for piece in pieces]
     edges += [_directed((_part(branch), 0.0), (branch.shaft, _column(branch, layout)), branch.power) for branch in on]
-    largest = max((edge[2] for edge in edges), default=0.0)
-    shares = _shares([edge for edge in edges if edge[2] > NOTHING * largest], list(train.machines))
+    largest = max((edge.power for edge in edges), default=0.0)
+    shares = _shares([edge for edge in edges if edge.power > NOTHING * largest], list(train.machines))
     stretches = [
         replace(piece, sources=shares.get((piece.shaft, piece.start if piece.power > 0.0 else piece.end), {}))
         for piece in pieces
@@ -107,19 +117,19 @@ def _pieces(shaft: str, on: Sequence[Branch], flow: PowerFlow, layout: Layout) -
 
 
 def _directed(origin: Node, to: Node, power: float) -> Edge:
-    return (origin, to, power) if power >= 0.0 else (to, origin, -power)
+    return Edge(origin, to, power) if power >= 0.0 else Edge(to, origin, -power)
 
 
 def _shares(edges: Sequence[Edge], machines: Sequence[str]) -> dict[Node, dict[str, float]]:
     """Return place -> machine -> share of the power there: mixing, solved at once as power may circle."""
-    nodes = list(dict.fromkeys(node for edge in edges for node in edge[:2]))
+    nodes = list(dict.fromkeys(node for edge in edges for node in (edge.origin, edge.to)))
     number = {node: k for k, node in enumerate(nodes)}
     matrix, sources = np.eye(len(nodes)), np.zeros((len(nodes), len(machines)))
     inflow = np.zeros(len(nodes))
-    for _, to, power in edges:
-        inflow[number[to]] += power
-    for origin, to, power in edges:
-        matrix[number[to], number[origin]] -= power / inflow[number[to]]
+    for edge in edges:
+        inflow[number[edge.to]] += edge.power
+    for edge in edges:
+        matrix[number[edge.to], number[edge.origin]] -= edge.power / inflow[number[edge.to]]
     for k, name in enumerate(machines):
         if (name, 0.0) in number and inflow[number[name, 0.0]] == 0.0:
             sources[number[name, 0.0], k] = 1.0

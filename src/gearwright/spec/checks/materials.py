@@ -87,7 +87,7 @@ def _strengths(rules: MaterialRules) -> Iterator[tuple[str, str]]:
         yield "yield_strength", message
     for stated, missing in _PAIRS:
         if getattr(rules, stated) is not None and getattr(rules, missing) is None:
-            keys = " or ".join(key for key, (field, _, _) in keys_of(MaterialRules).items() if field == missing)
+            keys = " or ".join(key for key, meant in keys_of(MaterialRules).items() if meant.field == missing)
             yield stated, f"is half of what a gear needs; give {keys} too, or leave both to the class"
     given = [scale for scale in SCALES if getattr(rules, scale) is not None]
     vickers = {scale: material_of("", {scale: getattr(rules, scale)} | _ELASTIC).hardness or 0.0 for scale in given}

@@ -20,6 +20,7 @@ from itertools import islice
 from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
+from typing import NamedTuple
 
 from gearwright.errors import SolveError
 from gearwright.spec import Design, Study
@@ -41,10 +42,27 @@ Chunk = list[Case]
 Finished = list[tuple[int, Row]]
 Function = Callable[[Study, Design, Case], Row]
 """What computes a case."""
-Given = tuple[Study, Mapping[str, Design], Function]
-"""What a worker needs to know."""
 Compute = Callable[[Iterator[Case], int], Iterator[Finished]]
 """What takes cases and their number, and yields finished ones, several at a time, in any order."""
+
+
+class Given(NamedTuple):
+    """What a worker needs to know."""
+
+    study: Study
+    """Results that are asked for."""
+    designs: Mapping[str, Design]
+    """Name -> design."""
+    function: Function
+    """What computes a case."""
+
+    def row(self, case: Case) -> tuple[int, Row]:
+        """Return the number and the row of a case.
+
+        Args:
+            case: The case.
+        """
+        return case.number, self.function(self.study, self.designs[case.design], case)
 
 
 @contextmanager
@@ -63,20 +81,19 @@ def local(
         A function of cases and their number, which yields finished ones, several at a time, as they are done. It
         raises `SolveError` if workers die before they are ready.
     """
-    crew = _Crew((study, designs, function), workers)
+    crew = _Crew(Given(study, designs, function), workers)
     try:
-        yield crew.work if workers else partial(_here, (study, designs, function))
+        yield crew.work if workers else partial(_here, Given(study, designs, function))
     finally:
         crew.dismiss()
 
 
 def _here(given: Given, cases: Iterator[Case], count: int) -> Iterator[Finished]:
-    study, designs, function = given
     for case in cases:
-        yield [(case.number, function(study, designs[case.design], case))]
+        yield [given.row(case)]
 
 
-def _serve(pipe: Connection, study: Study, designs: Mapping[str, Design], function: Function) -> None:
+def _serve(pipe: Connection, given: Given) -> None:
     """Answer chunks with their rows until the pipe closes: the life of a worker."""
     gc.freeze()  # what is loaded now stays: the collector need not look at it after every few cases
     answer: object = None
@@ -87,7 +104,7 @@ def _serve(pipe: Connection, study: Study, designs: Mapping[str, Design], functi
         except (EOFError, OSError):  # the runner is gone, perhaps with an answer unread or a chunk half sent
             return
         start = time.perf_counter()
-        rows = [(case.number, function(study, designs[case.design], case)) for case in chunk]
+        rows = [given.row(case) for case in chunk]
         answer = (rows, time.perf_counter() - start)
 
 
@@ -129,7 +146,7 @@ class _Crew:
         """Start a process; `spawn` gives it no pipe but its own, so that it ends when this process does."""
         context = multiprocessing.get_context("spawn")
         here, there = context.Pipe()
-        process = context.Process(target=_serve, args=(there, *self.given), daemon=True)
+        process = context.Process(target=_serve, args=(there, self.given), daemon=True)
         with _inherited():
             process.start()
         there.close()

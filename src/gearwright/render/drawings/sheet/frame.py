@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from gearwright.render.drawings.sheet.entities import SMALL, TEXT, Arc, Entity, Layer, Path, Words, words_length
 from gearwright.render.drawings.sheet.sheets import FILING, MARGIN, Size, scale_text
@@ -99,6 +100,19 @@ def _at(along: float, across: float, turn: complex) -> complex:
     return complex(along, across) if turn == 1 else complex(across, along)
 
 
+class Cell(NamedTuple):
+    """A field of the title block."""
+
+    width: float
+    """[mm]"""
+    name: str
+    """Above what it says."""
+    value: str
+    """What it says; empty: left to the user."""
+    size: float
+    """Of the letters, where they fit [mm]."""
+
+
 def title_block(title: Title, size: Size, scale: float) -> list[Entity]:
     """Return the title block in the lower right corner (ISO 7200:2004).
 
@@ -110,22 +124,22 @@ def title_block(title: Title, size: Size, scale: float) -> list[Entity]:
     _, low, right, _ = inside(size)
     corner = complex(right - BLOCK_WIDTH, low)
     number, of = title.sheet
-    rows: tuple[tuple[tuple[float, str, str, float], ...], ...] = (
+    rows: tuple[tuple[Cell, ...], ...] = (
         (
-            (36.0, "General tolerances", "ISO 2768-mK", SMALL), (36.0, "Edges", "ISO 13715", SMALL),
-            (30.0, "Units", "mm", SMALL), (22.0, "Size", size.name, SMALL),
-            (32.0, "Language", "en", SMALL), (24.0, "Sheet", f"{number}/{of}", SMALL),
+            Cell(36.0, "General tolerances", "ISO 2768-mK", SMALL), Cell(36.0, "Edges", "ISO 13715", SMALL),
+            Cell(30.0, "Units", "mm", SMALL), Cell(22.0, "Size", size.name, SMALL),
+            Cell(32.0, "Language", "en", SMALL), Cell(24.0, "Sheet", f"{number}/{of}", SMALL),
         ),
         (
-            (36.0, "Scale", scale_text(scale), TEXT), (36.0, "Projection", "", SMALL),
-            (30.0, "Mass [kg]", title.mass, SMALL), (54.0, "Identification number", title.number, SMALL),
-            (24.0, "Revision", "", SMALL),
+            Cell(36.0, "Scale", scale_text(scale), TEXT), Cell(36.0, "Projection", "", SMALL),
+            Cell(30.0, "Mass [kg]", title.mass, SMALL), Cell(54.0, "Identification number", title.number, SMALL),
+            Cell(24.0, "Revision", "", SMALL),
         ),
-        ((72.0, "Legal owner", "", SMALL), (108.0, title.project, title.title, 5.0)),
+        (Cell(72.0, "Legal owner", "", SMALL), Cell(108.0, title.project, title.title, 5.0)),
         (
-            (36.0, "Created by", f"gearwright {__version__}", SMALL), (36.0, "Approved by", "", SMALL),
-            (30.0, "Date of issue", "", SMALL), (38.0, "Material", title.material, SMALL),
-            (40.0, "Document type", title.kind, SMALL),
+            Cell(36.0, "Created by", f"gearwright {__version__}", SMALL), Cell(36.0, "Approved by", "", SMALL),
+            Cell(30.0, "Date of issue", "", SMALL), Cell(38.0, "Material", title.material, SMALL),
+            Cell(40.0, "Document type", title.kind, SMALL),
         ),
     )  # fmt: skip
     box = (corner, corner + BLOCK_WIDTH, corner + complex(BLOCK_WIDTH, BLOCK_HEIGHT), corner + 1j * BLOCK_HEIGHT)
@@ -138,7 +152,7 @@ def title_block(title: Title, size: Size, scale: float) -> list[Entity]:
     return entities
 
 
-def _row(corner: complex, height: float, cells: tuple[tuple[float, str, str, float], ...]) -> Iterator[Entity]:
+def _row(corner: complex, height: float, cells: Sequence[Cell]) -> Iterator[Entity]:
     yield Path((corner + 1j * height, corner + BLOCK_WIDTH + 1j * height), Layer.TABLE)
     at = corner
     for width, name, value, size in cells:
