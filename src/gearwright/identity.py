@@ -48,6 +48,7 @@ class Row(StrEnum):
 
     SUN_PLANET = "sun-planet"
     PLANET_RING = "planet-ring"
+    PLANET_PLANET = "planet-planet"
     PAIR = "pair"
     """Pinion and wheel."""
 
@@ -64,12 +65,15 @@ class PartId(NamedTuple):
     """Shaft of one of several parallel gears or meshes; of a joint the shaft that it sits on."""
     number: int | None = None
     """One of several planets, from 1."""
+    own: str = ""
+    """What the design calls a gear of a compound set, or the two of a mesh; empty where the role says it."""
 
     def __str__(self) -> str:
         """Return the label: ``first.sun``, ``first.sun-planet-1``, ``off.left``, ``first.carrier``, ``mast``."""
         if self.kind is Kind.JOINT and self.branch:
             return f"{self.name} on {self.branch}"
         role = "carrier" if self.kind is Kind.CARRIER else "" if self.role in (None, Row.PAIR) else str(self.role)
+        role = self.own or role
         label = ".".join(part for part in (self.name, role, self.branch) if part)
         return label if self.number is None else f"{label}-{self.number}"
 
@@ -86,7 +90,7 @@ GEARBOX = PartId(Kind.GEARBOX, "gearbox")
 """All of it."""
 
 
-def gear_part(stage: str, role: Role, branch: str = "", *, number: int | None = None) -> PartId:
+def gear_part(stage: str, role: Role, branch: str = "", *, number: int | None = None, own: str = "") -> PartId:
     """Return a gear.
 
     Args:
@@ -94,14 +98,15 @@ def gear_part(stage: str, role: Role, branch: str = "", *, number: int | None = 
         role: What it is there.
         branch: Shaft of one of several bodies.
         number: Of one planet, from 1.
+        own: What the design calls it in a compound set.
 
     >>> str(gear_part("first", Role.PLANET, number=2))
     'first.planet-2'
     """
-    return PartId(Kind.GEAR, stage, role, branch, number)
+    return PartId(Kind.GEAR, stage, role, branch, number, own)
 
 
-def mesh_part(stage: str, row: Row, branch: str = "", *, number: int | None = None) -> PartId:
+def mesh_part(stage: str, row: Row, branch: str = "", *, number: int | None = None, own: str = "") -> PartId:
     """Return a mesh row, or one of its meshes.
 
     Args:
@@ -109,11 +114,12 @@ def mesh_part(stage: str, row: Row, branch: str = "", *, number: int | None = No
         row: Which meshes of the stage.
         branch: Shaft of one of several parallel rows.
         number: Of one planet, from 1.
+        own: What the design calls its two gears in a compound set, joined by a dash.
 
     >>> str(mesh_part("first", Row.SUN_PLANET, number=1)), str(mesh_part("off", Row.PAIR, "left-out"))
     ('first.sun-planet-1', 'off.left-out')
     """
-    return PartId(Kind.MESH, stage, row, branch, number)
+    return PartId(Kind.MESH, stage, row, branch, number, own)
 
 
 def member_part(stage: str, member: Role | Kind) -> PartId:

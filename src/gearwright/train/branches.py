@@ -68,7 +68,7 @@ def attachments(train: Train) -> tuple[Attachment, ...]:
     carriers = [
         Attachment(mesh.nodes[2], carrier_part(mesh.stage), mesh.stage)
         for mesh in train.meshes
-        if mesh.row is Row.SUN_PLANET
+        if mesh.row is not Row.PAIR
     ]
     links = [
         Attachment(shaft, PartId(kind, link.name), "")

@@ -11,66 +11,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from gearwright.identity import SIDES, PartId, Role, Row, gear_part, mesh_part
-from gearwright.spec import GROUND, Design, Pair, Planetary
+from gearwright.identity import SIDES, PartId, Role, Row, gear_part
+from gearwright.spec import GROUND, Design, Epicyclic, Pair, Planetary
+from gearwright.train.epicyclics import epicyclic_gears, epicyclic_meshes
+from gearwright.train.toothed import EXTERNAL, INTERNAL, Gear, Mesh
 from gearwright.units import TorsionalDamping
-
-EXTERNAL, INTERNAL = -1, 1
-
-
-@dataclass(frozen=True)
-class Gear:
-    """One kind of toothed body; several equal ones count together."""
-
-    stage: str
-    """Pair or planetary set that owns it."""
-    role: Role
-    """What it is in its stage."""
-    nodes: tuple[str, ...]
-    """Shafts that carry it (one body, or one per half, on each), or the planet's own node."""
-    bodies: int
-    """Number of equal bodies."""
-
-    @cached_property
-    def part(self) -> PartId:
-        """Who it is."""
-        return gear_part(self.stage, self.role)
-
-    @cached_property
-    def name(self) -> str:
-        """Its label, such as ``first.sun``."""
-        return str(self.part)
-
-
-@dataclass(frozen=True)
-class Mesh:
-    """A row of the graph: one mesh, or several equal ones that share a load."""
-
-    stage: str
-    """Pair or planetary set that it belongs to."""
-    row: Row
-    """Which meshes of the stage it holds."""
-    gears: tuple[str, str]
-    """Names of gear a and gear b."""
-    nodes: tuple[str, str, str]
-    """Node of gear a, of gear b, and of the carrier of their axes."""
-    sign: int
-    """−1 external, +1 internal."""
-    count: int
-    """Number of equal meshes of the row (planets, halves)."""
-    branch: str = ""
-    """Shaft that tells it from the other rows of a pair; empty where the pair has one."""
-
-    @cached_property
-    def part(self) -> PartId:
-        """Who it is."""
-        return mesh_part(self.stage, self.row, self.branch)
-
-    @cached_property
-    def name(self) -> str:
-        """Its label, such as ``first.sun-planet``."""
-        return str(self.part)
-
 
 @dataclass(frozen=True)
 class Joint:
@@ -98,7 +43,7 @@ class Train:
     """The graph of a design, without tooth numbers."""
 
     nodes: tuple[str, ...]
-    """Shafts in the design's order, then one node per planetary set's planets."""
+    """Shafts in the design's order, then one node per planetary set's planets, or per planet of a compound set."""
     gears: tuple[Gear, ...]
     """Every kind of gear."""
     meshes: tuple[Mesh, ...]
@@ -152,7 +97,7 @@ class Train:
 
     @cached_property
     def planet_nodes(self) -> frozenset[str]:
-        """Nodes that are no shafts: one of each planetary set, which all its planets share."""
+        """Nodes that are no shafts: those of planets, each shared by all equal ones of its set."""
         return frozenset(node for gear in self.gears if gear.role is Role.PLANET for node in gear.nodes)
 
 
@@ -169,6 +114,12 @@ def build_train(design: Design) -> Train:
         planets.append(str(gear_part(name, Role.PLANET)))
         gears += _planetary_gears(name, planetary)
         meshes += _planetary_meshes(name, planetary)
+    for name, epicyclic in design.epicyclics.items():
+        gears += epicyclic_gears(name, epicyclic)
+        meshes += epicyclic_meshes(name, epicyclic)
+    planets += dict.fromkeys(
+        node for gear in gears if gear.role is Role.PLANET for node in gear.nodes if node not in planets
+    )
     for name, pair in design.pairs.items():
         gears += _pair_gears(name, pair)
         meshes += _pair_meshes(name, pair, design)
@@ -212,13 +163,15 @@ def gear_of(stage: str, side: Role, pair: Pair) -> PartId:
     return gear_part(*(pair.shared(side) or (stage, side)))
 
 
-def gears_of(name: str, stage: Pair | Planetary) -> tuple[str, ...]:
-    """Return the names of a stage's gears: sun, planet and ring, or pinion and wheel, its own or shared.
+def gears_of(name: str, stage: Pair | Planetary | Epicyclic) -> tuple[str, ...]:
+    """Return the names of a stage's gears: sun, planet and ring, or pinion and wheel, its own or shared; or all.
 
     Args:
         name: Of the stage.
         stage: As in the design.
     """
+    if isinstance(stage, Epicyclic):
+        return tuple(gear.name for gear in epicyclic_gears(name, stage))
     if isinstance(stage, Planetary):
         return tuple(str(gear_part(name, role)) for role in (Role.SUN, Role.PLANET, Role.RING))
     return tuple(str(gear_of(name, side, stage)) for side in SIDES)

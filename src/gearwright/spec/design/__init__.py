@@ -5,6 +5,7 @@ What can be wrong with it beyond its types is in `checks`.
 
 from gearwright.spec.design.design import GROUND, Design
 from gearwright.spec.design.dynamics import DynamicsRules, MeshCurve
+from gearwright.spec.design.epicyclics import CentralGear, Epicyclic, PlanetGear
 from gearwright.spec.design.gears import GearRules
 from gearwright.spec.design.given import NO_ORIGIN, Given, given_values
 from gearwright.spec.design.machines import Drive, Motor, Propeller, Turbine
@@ -26,11 +27,13 @@ __all__ = [
     "RATINGS",
     "Agma2001Rules",
     "BearingSeat",
+    "CentralGear",
     "Clutch",
     "Damper",
     "Design",
     "Drive",
     "DynamicsRules",
+    "Epicyclic",
     "GearRules",
     "Given",
     "Iso6336Rules",
@@ -41,6 +44,7 @@ __all__ = [
     "Motor",
     "Pair",
     "PartErrors",
+    "PlanetGear",
     "Planetary",
     "Propeller",
     "RatingMethod",

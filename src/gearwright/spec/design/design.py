@@ -15,6 +15,7 @@ from gearwright.parts import Material
 from gearwright.showing import Shown
 from gearwright.spec.bounds import Name
 from gearwright.spec.design.dynamics import DynamicsRules
+from gearwright.spec.design.epicyclics import Epicyclic
 from gearwright.spec.design.gears import GearRules, TeethRules
 from gearwright.spec.design.machines import Drive, Motor, Propeller, SpeedRules, Turbine
 from gearwright.spec.design.materials import MaterialRules
@@ -54,6 +55,10 @@ class Design(Shown, Record):
     propellers: dict[str, Propeller] = Field(default_factory=dict, description="Propellers by name")
     pairs: dict[str, Pair] = Field(default_factory=dict, description="Gear pairs by name")
     planetaries: dict[str, Planetary] = Field(default_factory=dict, description="Planetary sets by name")
+    epicyclics: dict[str, Epicyclic] = Field(
+        default_factory=dict,
+        description="Compound epicyclic sets by name: stepped and meshed planets, several suns and rings",
+    )
     clutches: dict[str, Clutch] = Field(default_factory=dict, description="Clutches by name")
     dampers: dict[str, Damper] = Field(default_factory=dict, description="Viscous dampers between shafts by name")
     materials: dict[str, MaterialRules] = Field(
@@ -102,9 +107,14 @@ class Design(Shown, Record):
         return {**self.clutches, **self.dampers}
 
     @property
-    def stages(self) -> dict[str, Pair | Planetary]:
-        """Every pair and planetary set by name."""
-        return {**self.pairs, **self.planetaries}
+    def stages(self) -> dict[str, Pair | Planetary | Epicyclic]:
+        """Every pair, planetary set and compound set by name."""
+        return {**self.pairs, **self.planetaries, **self.epicyclics}
+
+    @property
+    def sets(self) -> dict[str, Planetary | Epicyclic]:
+        """Every stage with a carrier by name."""
+        return {**self.planetaries, **self.epicyclics}
 
     @property
     def known_materials(self) -> Mapping[str, Material]:

@@ -152,6 +152,11 @@ class Planetary(Record):
     gears: GearRules | None = Field(None, description="Rules of this set where they differ from [gears]")
 
     @property
+    def members(self) -> tuple[str, str, str]:
+        """Shafts of sun, ring and carrier."""
+        return self.sun, self.ring, self.carrier
+
+    @property
     def meshes(self) -> tuple[str, ...]:
         """Kinds of its meshes, as methods of rating cover them: of sun and planet, and of planet and ring."""
         return CYLINDRICAL, INTERNAL

@@ -1,0 +1,124 @@
+"""Compound epicyclic sets: one carrier, planets of one or more steps that may mesh with each other, any suns and rings."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from gearwright.spec.bounds import Name
+from gearwright.spec.design.gears import GearRules
+from gearwright.spec.design.methods import CYLINDRICAL, INTERNAL
+from gearwright.spec.record import Record
+from gearwright.units import Inertia, Length, Mass, Ratio
+
+
+class Toothed(Record):
+    """What every gear of a compound set may say of itself."""
+
+    teeth: int = Field(ge=6, le=2000, description="Tooth number z")
+    module: Length | None = Field(
+        None, gt=0, description="Module m_n of this gear and of all that mesh with it; left out: sized"
+    )
+    face_width: Length | None = Field(
+        None, gt=0, description="Face width b of the meshes of this gear and of its mates; left out: sized"
+    )
+    mass: Mass | None = Field(None, gt=0, description="Of one gear; left out: of the disc or of the ring's wall")
+    inertia: Inertia | None = Field(None, gt=0, description="Of one gear; left out: of the disc or of the ring's wall")
+
+
+class CentralGear(Toothed):
+    """A sun or a ring of a compound set."""
+
+    shaft: Name = Field(description="Shaft that carries it, or ground")
+
+
+class PlanetGear(Toothed):
+    """A planet of a compound set, or one step of a stepped planet."""
+
+    meshes: list[Name] = Field(
+        default_factory=list, description="Suns, rings and other planets of the set that it meshes with"
+    )
+    in_one_piece_with: Name | None = Field(
+        None, description="Planet of the set with which it turns as one piece: the steps of a stepped planet"
+    )
+
+
+class Epicyclic(Record):
+    """A compound epicyclic set: suns, rings and planets on one carrier; several members may have one shaft."""
+
+    carrier: Name = Field(description="Shaft of the carrier, or ground")
+    sets: int = Field(3, ge=1, le=12, description="Equal sets of planets, evenly spaced around the carrier")
+    suns: dict[str, CentralGear] = Field(default_factory=dict, description="Suns by name")
+    rings: dict[str, CentralGear] = Field(default_factory=dict, description="Rings by name")
+    planets: dict[str, PlanetGear] = Field(
+        default_factory=dict, description="Planets of one set, and the steps of stepped ones, by name"
+    )
+    backlash: Length = Field(
+        0.0, ge=0, le=0.01, description="Of each mesh, along the line of action; 0: contact both ways"
+    )
+    mesh_efficiencies: dict[str, Ratio] = Field(
+        default_factory=dict,
+        description='Efficiency of single meshes, by name: "sun-planet" = 0.99; left out: gears.mesh_efficiency',
+    )
+    pin_diameter: Length | None = Field(None, gt=0, description="Of the planets' pins; left out: sized")
+    plate_thickness: Length | None = Field(None, gt=0, description="Of the carrier's plate; left out: sized")
+    carrier_mass: Mass | None = Field(None, gt=0, description="Of pins and plate; left out: computed")
+    carrier_inertia: Inertia | None = Field(None, gt=0, description="Of pins and plate; left out: computed")
+    gears: GearRules | None = Field(None, description="Rules of this set where they differ from [gears]")
+
+    @property
+    def centrals(self) -> dict[str, CentralGear]:
+        """Every sun and ring by name."""
+        return {**self.suns, **self.rings}
+
+    @property
+    def toothed(self) -> dict[str, CentralGear | PlanetGear]:
+        """Every gear by name."""
+        return {**self.suns, **self.rings, **self.planets}
+
+    @property
+    def members(self) -> tuple[str, ...]:
+        """Shafts of its suns, rings and carrier."""
+        return (*(gear.shaft for gear in self.centrals.values()), self.carrier)
+
+    @property
+    def meshes(self) -> tuple[str, ...]:
+        """Kinds of its meshes, as methods of rating cover them."""
+        return (CYLINDRICAL, INTERNAL) if self.rings else (CYLINDRICAL,)
+
+    @property
+    def mesh_pairs(self) -> tuple[tuple[str, str], ...]:
+        """Every mesh once, as the names of its gears: a sun, or a planet and a ring, or two planets."""
+        pairs = {}
+        for planet, gear in self.planets.items():
+            for mate in gear.meshes:
+                order = (mate, planet) if mate in self.suns else (planet, mate)
+                pairs.setdefault(frozenset(order), order)
+        return tuple(pairs.values())
+
+    def group(self, gear: str) -> str:
+        """Return the first of all gears that teeth join to one, or nothing where teeth join all.
+
+        Args:
+            gear: One of its gears.
+        """
+        joined = _joined(gear, self.mesh_pairs)
+        return "" if len(joined) == len(self.toothed) else next(name for name in self.toothed if name in joined)
+
+    def body(self, planet: str) -> str:
+        """Return the first planet of the piece that one belongs to.
+
+        Args:
+            planet: One of its planets.
+        """
+        seen = [planet]
+        while (following := self.planets[seen[-1]].in_one_piece_with) in self.planets and following not in seen:
+            seen.append(following or "")
+        return seen[-1]
+
+
+def _joined(gear: str, pairs: tuple[tuple[str, str], ...]) -> set[str]:
+    """Return a gear and all that mesh with it, directly or through others."""
+    joined = {gear}
+    while more := {name for pair in pairs if joined & set(pair) for name in pair} - joined:
+        joined |= more
+    return joined

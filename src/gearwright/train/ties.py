@@ -1,0 +1,42 @@
+"""Speeds that a compound set ties to each other: its teeth are given, so that with a member held its ratios are known."""
+
+from __future__ import annotations
+
+from gearwright.spec import GROUND, Design
+from gearwright.train.epicyclics import epicyclic_gears, epicyclic_meshes
+from gearwright.train.graph import Train
+from gearwright.train.kinematics import rows
+from gearwright.train.null_space import null_space
+
+STANDS = 1e-9
+"""Part of the motion below which a shaft stands still [-]."""
+
+
+def ties_of(design: Design, name: str) -> dict[str, float]:
+    """Return shaft -> speed, signed and relative to each other, of a compound set with one freedom; else nothing.
+
+    Args:
+        design: As typed.
+        name: Of one of its compound sets.
+    """
+    epicyclic = design.epicyclics[name]
+    gears, meshes = tuple(epicyclic_gears(name, epicyclic)), tuple(epicyclic_meshes(name, epicyclic))
+    shafts = [shaft for shaft in dict.fromkeys(epicyclic.members) if shaft != GROUND]
+    planets = dict.fromkeys(node for gear in gears for node in gear.nodes if node not in (*shafts, GROUND))
+    train = Train((*shafts, *planets), gears, meshes, (), (), {})
+    motions = null_space(rows(train, teeth_of(design, name), ()))
+    if motions.shape[1] != 1:
+        return {}
+    speeds = {shaft: float(motions[train.column[shaft], 0]) for shaft in shafts}
+    return {shaft: speed for shaft, speed in speeds.items() if abs(speed) > STANDS}
+
+
+def teeth_of(design: Design, name: str) -> dict[str, int]:
+    """Return the tooth number of every gear of a compound set.
+
+    Args:
+        design: As typed.
+        name: Of the set.
+    """
+    epicyclic = design.epicyclics[name]
+    return {gear.name: epicyclic.toothed[gear.own].teeth for gear in epicyclic_gears(name, epicyclic)}
