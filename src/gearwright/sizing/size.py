@@ -25,7 +25,7 @@ from gearwright.sizing.stages import gear_checks, size_gears, size_meshes, stage
 from gearwright.sizing.teeth import choose_teeth, refuse_contradictions
 from gearwright.spec import Design
 from gearwright.spec.design import given_values
-from gearwright.train import Turning, build_train, power_flows, targets
+from gearwright.train import Turning, build_train, power_flows
 from gearwright.verbs import verb
 
 
@@ -43,8 +43,8 @@ def size(design: Design) -> Sizing:
     given = given_values(design)
     refuse(given.problems)
     train = build_train(design)
-    teeth = choose_teeth(design, train, targets(design))
-    efficiency = {stage: design.rules(stage).mesh_efficiency for stage in design.stages}
+    teeth = choose_teeth(design, train)
+    efficiency = design.efficiencies
     flows = power_flows(design, Turning(design, train, teeth), efficiency=efficiency)
     refuse_contradictions(design, flows)
     context = context_of(design, train, teeth, flows, given.values)

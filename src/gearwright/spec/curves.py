@@ -40,6 +40,11 @@ def with_curves(design: Design, folder: Path) -> tuple[Design, list[Problem]]:
 
 def _unknown(path: str, mesh: str, design: Design) -> Iterator[Problem]:
     sets = [f"{name}.{end}" for name in design.planetaries for end in ("sun-planet", "planet-ring")]
+    sets += [
+        f"{name}.{first}-{second}"
+        for name, epicyclic in design.epicyclics.items()
+        for first, second in epicyclic.mesh_pairs
+    ]
     if mesh not in (*sets, *design.pairs):
         yield Problem(path, f"there is no mesh {mesh!r}; {near(mesh, [*sets, *design.pairs])}")
 

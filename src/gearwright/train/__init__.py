@@ -7,6 +7,7 @@ from gearwright.train.graph import EXTERNAL, INTERNAL, Damper, Gear, Joint, Mesh
 from gearwright.train.memory import remembered
 from gearwright.train.recirculation import recirculation
 from gearwright.train.targets import Targets, targets
+from gearwright.train.ties import teeth_of, ties_of
 from gearwright.train.turning import Turning
 
 __all__ = [
@@ -36,6 +37,8 @@ __all__ = [
     "recirculation",
     "remembered",
     "targets",
+    "teeth_of",
+    "ties_of",
     "willis_ratio",
     "willis_speed",
 ]

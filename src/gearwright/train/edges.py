@@ -9,7 +9,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.identity import SIDES, Kind, Role
-from gearwright.spec import GROUND, Design, Pair, Planetary
+from gearwright.spec import GROUND, Design, Epicyclic, Pair, Planetary
 from gearwright.train.graph import shafts_of
 
 
@@ -47,13 +47,15 @@ class Edge:
 
 
 def edge_of(name: str, design: Design) -> Edge | None:
-    """Return a stage as an edge between shafts, or None for a differential.
+    """Return a stage as an edge between shafts, or None for a differential and for a compound set (see `ties_of`).
 
     Args:
         name: Name of the stage.
         design: The design.
     """
     stage = design.stages[name]
+    if isinstance(stage, Epicyclic):
+        return None
     if isinstance(stage, Pair):
         pinions, wheels = (shafts_of(side, stage, design) for side in SIDES)
         return Edge(name, tuple(pinions), tuple(wheels), None)

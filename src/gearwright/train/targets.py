@@ -18,6 +18,7 @@ from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of, members_of, willis_ratio, willis_speed
 from gearwright.train.memory import remembered
 from gearwright.train.null_space import null_space
+from gearwright.train.ties import ties_of
 from gearwright.train.turning import asked_speeds
 
 # Weights of what holds first, in log speeds: the kept speed, given teeth and ratios, other machines, equal ratios.
@@ -47,10 +48,11 @@ def targets(design: Design) -> Targets:
     Raises:
         DesignError: If a speed is not determined, or a differential's speeds allow no teeth.
     """
-    edges = {name: edge for name in design.stages if (edge := edge_of(name, design)) is not None}
+    edges = {name: edge for name in design.simple_stages if (edge := edge_of(name, design)) is not None}
     speeds = _potentials(design, edges, {})
-    split = {name: _ratio(edge, speeds) * design.stages[name].ratio_split for name, edge in edges.items()}
-    changed = {name: ratio for name, ratio in split.items() if design.stages[name].ratio_split != 1.0}
+    stages = design.simple_stages
+    split = {name: _ratio(edge, speeds) * stages[name].ratio_split for name, edge in edges.items()}
+    changed = {name: ratio for name, ratio in split.items() if stages[name].ratio_split != 1.0}
     if changed:
         speeds = _potentials(design, edges, changed)
     tooth_ratios = {name: edge.tooth_ratio(_ratio(edge, speeds)) for name, edge in edges.items()}
@@ -71,10 +73,13 @@ def _potentials(design: Design, edges: Mapping[str, Edge], fixed: Mapping[str, f
     for rank, (shaft, speed) in enumerate(_strong_speeds(design).items()):
         equations.append(({shaft: 1.0}, math.log(speed), _KEPT if rank == 0 else _ASKED))
     for name, edge in edges.items():
-        ratio, weight = _edge_ratio(design.stages[name], edge, fixed.get(name))
+        ratio, weight = _edge_ratio(design.simple_stages[name], edge, fixed.get(name))
         ends = [(fast, slow) for fast in edge.fast for slow in edge.slow]
         part = weight / math.sqrt(len(ends)) * (1.0 if name in main else _SIDE)
         equations += [({fast: 1.0, slow: -1.0}, math.log(ratio), part) for fast, slow in ends]
+    for name in design.epicyclics:
+        (first, speed), *others = list(ties_of(design, name).items()) or [("", 0.0)]
+        equations += [({shaft: 1.0, first: -1.0}, math.log(abs(tied / speed)), _GIVEN) for shaft, tied in others]
     equations += [({clutch.driving: 1.0, clutch.driven: -1.0}, 0.0, _GIVEN) for clutch in design.clutches.values()]
     matrix = np.zeros((len(equations), len(column)))
     right = np.zeros(len(equations))
@@ -94,9 +99,18 @@ def _strong_speeds(design: Design) -> dict[str, float]:
     for machine, speed in asked_speeds(design, {}).items():
         speeds.setdefault(design.machines[machine].shaft, abs(speed))
     for _ in design.stages:
-        for name, stage in design.stages.items():
+        for name in design.epicyclics:
+            _hand_on(ties_of(design, name), speeds)
+        for name, stage in design.simple_stages.items():
             _propagate(stage, edge_of(name, design), speeds)
     return speeds
+
+
+def _hand_on(ties: Mapping[str, float], speeds: dict[str, float]) -> None:
+    """Add the speeds that a compound set ties to one that is known."""
+    source = next((shaft for shaft in ties if shaft in speeds), None)
+    for shaft, tied in ties.items() if source is not None else ():
+        speeds.setdefault(shaft, speeds[source] * abs(tied / ties[source]))
 
 
 def _propagate(stage: Pair | Planetary, edge: Edge | None, speeds: dict[str, float]) -> None:
@@ -147,6 +161,9 @@ def _neighbours(design: Design, edges: Mapping[str, Edge], shaft: str) -> Iterat
     for name, planetary in design.planetaries.items():
         if name not in edges and shaft in members_of(planetary):
             yield name, members_of(planetary)
+    for name, epicyclic in design.epicyclics.items():
+        if shaft in epicyclic.members:
+            yield name, epicyclic.members
     for name, clutch in design.clutches.items():
         if shaft in (clutch.driving, clutch.driven):
             yield name, (clutch.driving, clutch.driven)

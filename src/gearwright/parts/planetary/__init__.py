@@ -5,6 +5,16 @@ Their kinematics are `train`'s, their motion is for `dynamics`.
 
 from gearwright.parts.planetary.assembly import ADDENDUMS, assembles, most_planets, neighbours_clear
 from gearwright.parts.planetary.carrier import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
+from gearwright.parts.planetary.compound import (
+    CompoundSet,
+    module_ratios,
+    pin_angles,
+    pin_radii,
+    planes,
+    reaches,
+    touching,
+)
+from gearwright.parts.planetary.compound_assembly import Turns, can_assemble, fitting_turns
 from gearwright.parts.planetary.load_factor import pin_error_share
 from gearwright.parts.planetary.phasing import (
     PlanetPhases,
@@ -16,18 +26,28 @@ from gearwright.parts.planetary.phasing import (
 
 __all__ = [
     "ADDENDUMS",
+    "CompoundSet",
     "PlanetPhases",
+    "Turns",
     "assembles",
+    "can_assemble",
     "even_positions",
     "excited_modes",
+    "fitting_turns",
+    "module_ratios",
     "most_planets",
     "neighbours_clear",
+    "pin_angles",
     "pin_diameter",
     "pin_error_share",
     "pin_mass",
+    "pin_radii",
     "pin_stress",
+    "planes",
     "planet_phases",
     "plate_mass",
     "plate_shear_stress",
+    "reaches",
     "sun_to_ring_phase",
+    "touching",
 ]

@@ -12,8 +12,8 @@ from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.parts.planetary import assembles, neighbours_clear
 from gearwright.sizing.rating import Rating, fewest_virtual_teeth
 from gearwright.sizing.teeth.front import Front, Task
-from gearwright.spec import Design, Pair, Planetary
-from gearwright.train import gears_of
+from gearwright.spec import Design, Epicyclic, Pair, Planetary
+from gearwright.train import gears_of, teeth_of
 
 NEAREST, WIDE = 1, 4
 """Tooth numbers on either side of the exact ratio: the integers next to it, and more where none of those will do."""
@@ -32,12 +32,14 @@ LEAST_BEVEL = 8
 """Fewest teeth of bevel pinions that are looked at; their cone decides what is undercut."""
 
 
-def is_given(stage: Pair | Planetary) -> bool:
+def is_given(stage: Pair | Planetary | Epicyclic) -> bool:
     """Tell whether a stage's teeth are all given.
 
     Args:
         stage: As in the design.
     """
+    if isinstance(stage, Epicyclic):
+        return True
     if isinstance(stage, Pair):
         return bool(stage.pinion_teeth and stage.wheel_teeth)
     return sum(teeth is not None for teeth in (stage.sun_teeth, stage.planet_teeth, stage.ring_teeth)) >= 2
@@ -51,6 +53,9 @@ def given_teeth(design: Design) -> dict[str, int]:
     """
     teeth: dict[str, int] = {}
     for name, stage in design.stages.items():
+        if isinstance(stage, Epicyclic):
+            teeth |= teeth_of(design, name)
+            continue
         if isinstance(stage, Planetary):
             sun, planet = _planetary_given(stage)
             numbers = [sun or 0, planet or 0, (sun or 0) + 2 * (planet or 0)]

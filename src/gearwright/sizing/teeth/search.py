@@ -39,6 +39,9 @@ from gearwright.train import (
     gears_of,
     members_of,
     power_flows,
+    targets,
+    teeth_of,
+    ties_of,
     willis_ratio,
     willis_speed,
 )
@@ -47,21 +50,24 @@ EQUAL = 1e-9
 """Masses that differ by less are equal: the first of them, of the fewest teeth, is taken, whatever the rounding."""
 
 
-def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, int]:
+def choose_teeth(design: Design, train: Train) -> dict[str, int]:
     """Return the tooth number of every gear.
 
     Args:
         design: Given teeth are kept, those left out are chosen.
         train: Its graph.
-        nominal: Speeds and ratios asked.
 
     Raises:
-        DesignError: If a stage has no candidate; with what would do.
+        DesignError: If speeds are not determined, or a stage has no candidate; with what would do.
     """
-    if all(is_given(stage) for stage in design.stages.values()):
+    given = all(is_given(stage) for stage in design.stages.values())
+    if given and design.epicyclics:  # whose speeds the teeth say, with what holds in each case
+        return given_teeth(design)
+    nominal = targets(design)
+    if given:
         return given_teeth(design)
     flow, kept = _nominal_flow(design, train, nominal)
-    tasks = [_task(name, design, train, nominal, flow) for name in design.stages]
+    tasks = [_task(name, design, train, nominal, flow) for name in design.simple_stages]
     front = _joined(design, Front({}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {}))
     while tasks:
         task = next((task for task in tasks if _ready(task, front)), None)
@@ -73,13 +79,17 @@ def choose_teeth(design: Design, train: Train, nominal: Targets) -> dict[str, in
         front = _joined(design, _extend(front, task, design, nominal))
     mass = front.mass
     best = front.take(np.array([int(np.argmax(mass <= mass.min() * (1.0 + EQUAL)))]))
-    return {name: int(value[0]) for name, value in best.teeth.items()}
+    return {name: int(value[0]) for name, value in best.teeth.items()} | _compound_teeth(design)
+
+
+def _compound_teeth(design: Design) -> dict[str, int]:
+    return {gear: teeth for name in design.epicyclics for gear, teeth in teeth_of(design, name).items()}
 
 
 def _nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[str, PowerFlow], set[str]]:
     """Return the power flow of every case at the asked ratios, and the shafts whose speed is kept."""
-    real: dict[str, float] = {}
-    for name, stage in design.stages.items():
+    real: dict[str, float] = dict(_compound_teeth(design))
+    for name, stage in design.simple_stages.items():
         ratio = nominal.tooth_ratios[name]
         if isinstance(stage, Planetary):
             sun, planet, ring = gears_of(name, stage)
@@ -95,7 +105,7 @@ def _nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[
 
 
 def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapping[str, PowerFlow]) -> Task:
-    stage, edge = design.stages[name], nominal.edges.get(name)
+    stage, edge = design.simple_stages[name], nominal.edges.get(name)
     rating = rating_of(design, name)
     # The reference gear sits on the edge's fast shaft: the ring where the sun stands still, else sun or pinion.
     meshes = [mesh for mesh in train.meshes if mesh.stage == name]
@@ -125,10 +135,15 @@ def _ready(task: Task, front: Front) -> bool:
 
 
 def _joined(design: Design, front: Front) -> Front:
-    """Carry speeds across clutches."""
-    if not design.clutches:
+    """Carry speeds across clutches and compound sets."""
+    if not design.clutches and not design.epicyclics:
         return front
     speeds = dict(front.speeds)
+    for name in design.epicyclics:
+        ties = ties_of(design, name)
+        source = next((shaft for shaft in ties if shaft in speeds), None)
+        for shaft, tied in ties.items() if source is not None else ():
+            speeds.setdefault(shaft, speeds[source] * abs(tied / ties[source]))
     for clutch in design.clutches.values():
         ends = (clutch.driving, clutch.driven)
         for here, there in (ends, ends[::-1]):

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from gearwright.errors import Problem, near
 from gearwright.identity import SIDES
 from gearwright.spec.checks.effect import effect_problems
+from gearwright.spec.checks.epicyclics import epicyclic_problems
 from gearwright.spec.checks.gears import gear_problems
 from gearwright.spec.checks.materials import material_problems
 from gearwright.spec.checks.motion import motion_problems
@@ -29,7 +30,7 @@ def reference_problems(design: Design) -> list[Problem]:
         design: As typed; its references are not resolved yet.
     """
     checks = (
-        name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, _links, _teeth, _layout, _cases,
+        name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, epicyclic_problems, _links, _teeth, _layout, _cases,
         _keep, _widths, _given, _waivers, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]
@@ -48,8 +49,8 @@ def _used_shafts(design: Design) -> set[str]:
     used = {machine.shaft for machine in design.machines.values()}
     for pair in design.pairs.values():
         used |= {name for side in SIDES for name in pair.named(side)}
-    for planetary in design.planetaries.values():
-        used |= {planetary.sun, planetary.ring, planetary.carrier}
+    for stage in design.sets.values():
+        used |= set(stage.members)
     for link in design.links.values():
         used |= {link.driving, link.driven}
     return used

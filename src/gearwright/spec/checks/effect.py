@@ -51,6 +51,10 @@ def effect_problems(design: Design) -> Iterator[Problem]:
         yield from _ratio(path, planetary, given=sum(tooth is not None for tooth in teeth) > 1)
         yield from _stage_rules(path, design.rules(name), planetary.gears, _OF_PAIRS, "planetary sets are spur here")
         yield from _shifted(path, design.rules(name), "planetary sets")
+    for name, epicyclic in design.epicyclics.items():
+        path = f"epicyclics.{name}"
+        yield from _stage_rules(path, design.rules(name), epicyclic.gears, _OF_PAIRS, "compound sets are spur here")
+        yield from _shifted(path, design.rules(name), "compound sets")
     yield from _methods(design)
     yield from _joints(design)
     yield from _bearings(design)
@@ -153,6 +157,9 @@ def _carriers_of(part: str, design: Design) -> set[str]:
     if stage in design.pairs and role in ("pinion", "wheel"):
         shafts = getattr(design.pairs[stage], role)
         return {shafts} if isinstance(shafts, str) else set(shafts)
+    if stage in design.epicyclics:
+        suns = design.epicyclics[stage].suns
+        return {suns[role].shaft} if role in suns else set()
     return {design.planetaries[stage].sun} if stage in design.planetaries and role == "sun" else set()
 
 

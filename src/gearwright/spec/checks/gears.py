@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role, gear_part
 from gearwright.parts.agma2001 import AgmaSteel, agma_strength
-from gearwright.spec.design import RATINGS, Design, Pair, Planetary, method_of, uncovered
+from gearwright.spec.design import RATINGS, Design, Epicyclic, Pair, Planetary, method_of, uncovered
 
 SQUARE = 0.5 * math.pi
 """Axis angle of face and bevel gears that is understood [rad]."""
@@ -27,20 +27,18 @@ def gear_problems(design: Design) -> Iterator[Problem]:
         for side in SIDES:
             yield from _shared(name, side, design)
         yield from _inside(name, pair)
-    for table, stages in (("pairs", design.pairs), ("planetaries", design.planetaries)):
-        for name, stage in stages.items():
-            yield from _covered(f"{table}.{name}.gears.rating", stage, design.rules(name).rating)
+    for name, stage in design.stages.items():
+        yield from _covered(f"{design.table(name)}.gears.rating", stage, design.rules(name).rating)
     yield from _agma_steels(design)
 
 
 def _agma_steels(design: Design) -> Iterator[Problem]:
     """Find steels and grades that the tables of AGMA 2001 do not have, once where they are written."""
     rules = {}
-    for table, stages in (("pairs", design.pairs), ("planetaries", design.planetaries)):
-        for name, stage in stages.items():
-            own = stage.gears is not None and "agma2001" in stage.gears.model_fields_set
-            if RATINGS[design.rules(name).rating].table == "agma2001":
-                rules[f"{table}.{name}.gears" if own else "gears"] = design.rules(name).agma2001
+    for name, stage in design.stages.items():
+        own = stage.gears is not None and "agma2001" in stage.gears.model_fields_set
+        if RATINGS[design.rules(name).rating].table == "agma2001":
+            rules[f"{design.table(name)}.gears" if own else "gears"] = design.rules(name).agma2001
     for path, steel in rules.items():
         try:
             agma_strength(AgmaSteel(steel.steel), steel.grade, steel.hardness_hb)
@@ -50,7 +48,7 @@ def _agma_steels(design: Design) -> Iterator[Problem]:
                 yield Problem(f"{path}.agma2001.{key}", problem.message)
 
 
-def _covered(path: str, stage: Pair | Planetary, method: str) -> Iterator[Problem]:
+def _covered(path: str, stage: Pair | Planetary | Epicyclic, method: str) -> Iterator[Problem]:
     """Find stages with meshes that their method does not rate, and say which methods do."""
     if not (kinds := uncovered(method, stage.meshes)):
         return

@@ -124,10 +124,9 @@ def _rated(name: str, rules: MaterialRules) -> Iterator[tuple[str, str]]:
 def _gear_rules(design: Design) -> dict[str, GearRules]:
     """Return the rules of gears by the table in which they say something of the material."""
     rules = {"gears": design.gears}
-    for table, stages in (("pairs", design.pairs), ("planetaries", design.planetaries)):
-        for name, stage in stages.items():
-            if stage.gears is not None and {"material", "iso6336", "rating"} & stage.gears.model_fields_set:
-                rules[f"{table}.{name}.gears"] = design.rules(name)
+    for name, stage in design.stages.items():
+        if stage.gears is not None and {"material", "iso6336", "rating"} & stage.gears.model_fields_set:
+            rules[f"{design.table(name)}.gears"] = design.rules(name)
     return rules
 
 

@@ -45,8 +45,12 @@ def _gears(design: Design) -> Iterator[str]:
                 yield f"{name}.{side}"
     for name in design.planetaries:
         yield from (f"{name}.sun", f"{name}.ring")
+    yield from (f"{name}.{gear}" for name, epicyclic in design.epicyclics.items() for gear in epicyclic.centrals)
 
 
 def _planets(design: Design) -> Iterator[str]:
     for name, stage in design.planetaries.items():
         yield from (f"{name}.planet-{k + 1}" for k in range(stage.planets))
+    for name, epicyclic in design.epicyclics.items():
+        bodies = dict.fromkeys(map(epicyclic.body, epicyclic.planets))
+        yield from (f"{name}.{body}-{k + 1}" for body in bodies for k in range(epicyclic.sets))

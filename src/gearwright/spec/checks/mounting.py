@@ -217,3 +217,4 @@ def _gears(design: Design) -> Iterator[str]:
             if "." not in "".join(getattr(pair, side)):
                 yield f"{name}.{side}"
     yield from (f"{name}.sun" for name in design.planetaries)
+    yield from (f"{name}.{sun}" for name, epicyclic in design.epicyclics.items() for sun in epicyclic.suns)

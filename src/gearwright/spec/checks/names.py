@@ -28,7 +28,7 @@ def name_problems(design: Design) -> Iterator[Problem]:
 def _tables(design: Design) -> dict[str, Mapping[str, object]]:
     return {
         "turbines": design.turbines, "motors": design.motors, "propellers": design.propellers, "pairs": design.pairs,
-        "planetaries": design.planetaries, "clutches": design.clutches, "dampers": design.dampers,
+        "planetaries": design.planetaries, "epicyclics": design.epicyclics, "clutches": design.clutches, "dampers": design.dampers,
         "cases": design.cases,
     }  # fmt: skip
 
@@ -70,7 +70,7 @@ def _alike(design: Design, tables: Mapping[str, Mapping[str, object]]) -> Iterat
         if name in design.clutches:
             yield Problem(f"dampers.{name}", "clutches has one of this name already; give the damper another")
     stages: dict[str, str] = {}
-    for table in ("pairs", "planetaries"):
+    for table in ("pairs", "planetaries", "epicyclics"):
         for name in tables[table]:
             if name in stages:
                 yield Problem(f"{table}.{name}", f"{stages[name]} has a stage of this name too; give it another")

@@ -107,9 +107,23 @@ class Design(Shown, Record):
         return {**self.clutches, **self.dampers}
 
     @property
+    def simple_stages(self) -> dict[str, Pair | Planetary]:
+        """Every pair and planetary set by name: stages of one ratio, whose teeth may be left out."""
+        return {**self.pairs, **self.planetaries}
+
+    @property
     def stages(self) -> dict[str, Pair | Planetary | Epicyclic]:
         """Every pair, planetary set and compound set by name."""
-        return {**self.pairs, **self.planetaries, **self.epicyclics}
+        return {**self.simple_stages, **self.epicyclics}
+
+    def table(self, stage: str) -> str:
+        """Return the table of the file in which a stage stands, such as ``planetaries.first``.
+
+        Args:
+            stage: Name of a pair, planetary set or compound set.
+        """
+        kinds = {"pairs": self.pairs, "planetaries": self.planetaries, "epicyclics": self.epicyclics}
+        return next(f"{kind}.{stage}" for kind, named in kinds.items() if stage in named)  # type: ignore[attr-defined]
 
     @property
     def sets(self) -> dict[str, Planetary | Epicyclic]:
@@ -139,16 +153,26 @@ class Design(Shown, Record):
         """Return the gear rules of a stage: the design's own where the stage says nothing else.
 
         Args:
-            stage: Name of a pair or planetary set.
+            stage: Name of a pair, planetary set or compound set.
         """
         stage_rules = self.stages[stage].gears
         return self.gears if stage_rules is None else _overlaid(self.gears, stage_rules)
+
+    @property
+    def efficiencies(self) -> dict[str, float]:
+        """Stage, or mesh of a compound set that has its own -> efficiency of one mesh [-]."""
+        own = {
+            f"{name}.{mesh}": value
+            for name, epicyclic in self.epicyclics.items()
+            for mesh, value in epicyclic.mesh_efficiencies.items()
+        }
+        return {stage: self.rules(stage).mesh_efficiency for stage in self.stages} | own
 
     def rating(self, stage: str) -> str:
         """Return the name of the method that rates a stage, such as ``iso10300`` for bevel gears by ISO standards.
 
         Args:
-            stage: Name of a pair or planetary set.
+            stage: Name of a pair, planetary set or compound set.
         """
         return method_of(self.rules(stage).rating, self.stages[stage].meshes)
 

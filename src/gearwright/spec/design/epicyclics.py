@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pydantic import Field
 
+from gearwright.parts.planetary import CompoundSet
 from gearwright.spec.bounds import Name
 from gearwright.spec.design.gears import GearRules
 from gearwright.spec.design.methods import CYLINDRICAL, INTERNAL
@@ -94,6 +95,18 @@ class Epicyclic(Record):
                 order = (mate, planet) if mate in self.suns else (planet, mate)
                 pairs.setdefault(frozenset(order), order)
         return tuple(pairs.values())
+
+    @property
+    def compound(self) -> CompoundSet:
+        """Its gears and meshes as geometry takes them: rings count with negative tooth numbers."""
+        return CompoundSet(
+            self.sets,
+            {name: -gear.teeth if name in self.rings else gear.teeth for name, gear in self.centrals.items()},
+            {name: gear.teeth for name, gear in self.planets.items()},
+            {name: self.body(name) for name in self.planets},
+            self.mesh_pairs,
+            {name: self.group(name) for name in self.toothed},
+        )
 
     def group(self, gear: str) -> str:
         """Return the first of all gears that teeth join to one, or nothing where teeth join all.

@@ -33,6 +33,10 @@ _OF_SETS = {
     "carrier_mass": "carrier.mass", "carrier_inertia": "carrier.inertia",
 }  # fmt: skip
 """Key of a planetary set -> end of the path."""
+_OF_CARRIERS = ("pin_diameter", "plate_thickness", "carrier_mass", "carrier_inertia")
+"""Those of them that compound sets have, too."""
+_OF_COMPOUND_GEARS = ("module", "face_width", "mass", "inertia")
+"""Keys of a gear of a compound set."""
 _OF_SHAFTS = ("length", "diameter", "mass")
 """Keys of a shaft's layout."""
 
@@ -168,10 +172,22 @@ def givable(design: Design) -> Iterator[Key]:
         yield from (Key(f"{name}.{end}", f"pairs.{name}", f, pair) for f, end in _OF_PAIRS.items() if f not in idle)
     for name, planetary in design.planetaries.items():
         yield from (Key(f"{name}.{end}", f"planetaries.{name}", f, planetary) for f, end in _OF_SETS.items())
+    yield from _of_compounds(design)
     for name in design.shafts:
         layout = design.layout.get(name, NOTHING_GIVEN)
         yield from (Key(f"{name}.{field}", f"layout.{name}", field, layout) for field in _OF_SHAFTS)
     yield from (Key(f"{name}.mass", f"motors.{name}", "mass", motor) for name, motor in design.motors.items())
+
+
+def _of_compounds(design: Design) -> Iterator[Key]:
+    """Yield what can be given of compound sets: of every gear, of the carrier and of its pins."""
+    for name, epicyclic in design.epicyclics.items():
+        table = f"epicyclics.{name}"
+        for kind, gears in (("suns", epicyclic.suns), ("rings", epicyclic.rings), ("planets", epicyclic.planets)):
+            for gear_name, gear in gears.items():  # type: ignore[attr-defined]
+                place = f"{table}.{kind}.{gear_name}"
+                yield from (Key(f"{name}.{gear_name}.{field}", place, field, gear) for field in _OF_COMPOUND_GEARS)
+        yield from (Key(f"{name}.{end}", table, f, epicyclic) for f, end in _OF_SETS.items() if f in _OF_CARRIERS)
 
 
 def _idle(design: Design, name: str, owner: str) -> Iterator[tuple[str, str]]:

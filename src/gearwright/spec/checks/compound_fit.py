@@ -1,0 +1,144 @@
+"""Whether the planets of a compound set fit: pins that one distance serves, room beside each other, whole teeth."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from itertools import product
+
+from gearwright.errors import Problem
+from gearwright.parts.gears import FEWEST_TEETH
+from gearwright.parts.planetary import (
+    CompoundSet,
+    can_assemble,
+    module_ratios,
+    pin_angles,
+    pin_radii,
+    reaches,
+    touching,
+)
+from gearwright.parts.planetary.compound import CLOSES
+from gearwright.spec.design import Epicyclic
+
+MOST_SETS = 12
+"""Largest number of sets that a design may ask for."""
+FARTHEST = 4
+"""Teeth by which a set that can be assembled may differ from one that cannot, to be named [-]."""
+
+
+def fit_problems(path: str, epicyclic: Epicyclic) -> Iterator[Problem]:
+    """Yield what keeps the planets of a compound set from being put in.
+
+    Args:
+        path: Of the set in the file.
+        epicyclic: Whose names all mean something.
+    """
+    compound, modules = epicyclic.compound, relative_modules(epicyclic)
+    unclosed = list(_unclosed(path, compound, modules))
+    yield from unclosed
+    if unclosed:
+        return
+    apart = [body for body, angle in pin_angles(compound, modules).items() if math.isnan(angle)]
+    if apart:
+        yield from _parted(path, compound, modules)
+        return
+    for first, second, overlap in touching(compound, modules):
+        what = "those of the next set" if first == second else second
+        message = (
+            f"{first} stands into {what} by {overlap:.2g} modules at the tips; give fewer sets, or planets of fewer"
+            " teeth"
+        )
+        yield Problem(f"{path}.planets.{first}", message)
+    if not can_assemble(compound):
+        yield Problem(f"{path}.sets", _unassembled(compound, modules))
+
+
+def relative_modules(epicyclic: Epicyclic) -> dict[str, float]:
+    """Return group of gears -> module over that of the first group, by what is given and by common pins [-].
+
+    Args:
+        epicyclic: As in the design.
+    """
+    ratios = module_ratios(epicyclic.compound)
+    given = {epicyclic.group(name): gear.module for name, gear in epicyclic.toothed.items() if gear.module is not None}
+    known = next(iter(given), None)
+    if known is None:
+        return ratios
+    unit = given[known] / ratios[known]
+    return {group: given.get(group, unit * ratio) / unit for group, ratio in ratios.items()}
+
+
+def _unclosed(path: str, compound: CompoundSet, modules: Mapping[str, float]) -> Iterator[Problem]:
+    """Find planets whose suns and rings want their pin at different distances."""
+    for body, asked in reaches(compound).items():
+        distances = [modules[group] * distance for group, distance in asked]
+        least = min(modules[group] for group, _ in asked)
+        if max(distances) - min(distances) > CLOSES * least * (1.0 + 1e-9):
+            steps = [step for step in compound.planets if compound.bodies[step] == body]
+            words = ", ".join(
+                f"{central}-{planet} {modules[compound.group(planet)] * abs(compound.teeth[central] + compound.teeth[planet]) / 2.0:.4g}"
+                for central, planet in compound.at_centre if planet in steps
+            )  # fmt: skip
+            message = (
+                f"its meshes want the pin at different distances from the axis, in modules: {words}; they may differ by"
+                f" {CLOSES:g}, which profile shift takes up. Change its teeth, or those of its mates"
+            )
+            yield Problem(f"{path}.planets.{body}", message)
+
+
+def _parted(path: str, compound: CompoundSet, modules: Mapping[str, float]) -> Iterator[Problem]:
+    """Find meshed planets whose pins no triangle joins."""
+    radii = pin_radii(compound, modules)
+    for first, second in compound.between:
+        one, other = (radii[compound.bodies[gear]] for gear in (first, second))
+        distance = modules[compound.group(first)] * (compound.teeth[first] + compound.teeth[second]) / 2.0
+        if not abs(one - other) <= distance <= one + other:
+            message = (
+                f"{first} and {second} cannot mesh: their pins stand {one:.4g} and {other:.4g} modules from the axis,"
+                f" so that they are {abs(one - other):.4g} to {one + other:.4g} apart, and the teeth ask"
+                f" {distance:.4g}; change the teeth of one"
+            )
+            yield Problem(f"{path}.planets.{first}", message)
+
+
+def _unassembled(compound: CompoundSet, modules: Mapping[str, float]) -> str:
+    counts = [str(count) for count in range(1, MOST_SETS + 1) if _fits(replace(compound, sets=count), modules)]
+    nearest = nearest_teeth(compound, modules)
+    words = [f"give {' or '.join(counts)} sets"] if counts else []
+    words += ["give " + ", ".join(f"{name} {teeth}" for name, teeth in nearest.items()) + " teeth"] if nearest else []
+    fix = "; or ".join(words) or "give other teeth"
+    return f"{compound.sets} equal sets cannot be assembled: no turn of the planets meets all teeth; {fix}"
+
+
+def nearest_teeth(compound: CompoundSet, modules: Mapping[str, float]) -> dict[str, int]:
+    """Return the gears of the nearest set that can be assembled and their tooth numbers; nothing where none is near.
+
+    Args:
+        compound: A set that cannot.
+        modules: Group -> module, in any unit.
+    """
+    names = list(compound.teeth)
+    changes = sorted(
+        (change for change in product(range(-2, 3), repeat=len(names)) if 0 < sum(map(abs, change)) <= FARTHEST),
+        key=lambda change: (sum(map(abs, change)), tuple(map(abs, change))),
+    ) if len(names) <= 7 else []  # fmt: skip
+    for change in changes:
+        moved = {name: abs(compound.teeth[name]) + step for name, step in zip(names, change, strict=True)}
+        tried = replace(
+            compound,
+            centrals={name: moved[name] * (1 if teeth > 0 else -1) for name, teeth in compound.centrals.items()},
+            planets={name: moved[name] for name in compound.planets},
+        )
+        if min(moved.values()) >= FEWEST_TEETH and _fits(tried, modules):
+            return {name: teeth for name, teeth in moved.items() if teeth != abs(compound.teeth[name])}
+    return {}
+
+
+def _fits(compound: CompoundSet, modules: Mapping[str, float]) -> bool:
+    return (
+        can_assemble(compound)
+        and not list(_unclosed("", compound, modules))
+        and not any(math.isnan(angle) for angle in pin_angles(compound, modules).values())
+        and not list(touching(compound, modules))
+    )
