@@ -3,11 +3,12 @@
 from gearwright.train.branches import Attachment, Branch, attachments, branches
 from gearwright.train.edges import Edge, members_of, willis_ratio, willis_speed
 from gearwright.train.flow import RATED, MeshFlow, PowerFlow, power_flow, power_flows
-from gearwright.train.graph import EXTERNAL, INTERNAL, Damper, Gear, Joint, Mesh, Train, build_train, gear_of, gears_of
+from gearwright.train.graph import Damper, Joint, Train, build_train, gear_of, gears_of
 from gearwright.train.memory import remembered
 from gearwright.train.recirculation import recirculation
 from gearwright.train.targets import Targets, targets
-from gearwright.train.ties import teeth_of, ties_of
+from gearwright.train.ties import handed_on, teeth_of, ties_of
+from gearwright.train.toothed import EXTERNAL, INTERNAL, Gear, Mesh
 from gearwright.train.turning import Turning
 
 __all__ = [
@@ -31,6 +32,7 @@ __all__ = [
     "build_train",
     "gear_of",
     "gears_of",
+    "handed_on",
     "members_of",
     "power_flow",
     "power_flows",

@@ -11,10 +11,11 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, SolveError, refuse
 from gearwright.spec import GROUND, Design, Drive, Pair
-from gearwright.train.graph import Damper, Joint, Mesh, Train
+from gearwright.train.graph import Damper, Joint, Train
 from gearwright.train.kinematics import Yielded
 from gearwright.train.statics import MAX_REVERSALS, Sharing, balance, solve_torques
 from gearwright.train.tooth_losses import direction_of, rolling, with_losses
+from gearwright.train.toothed import Mesh
 from gearwright.train.turning import Turn, Turning, asked_speeds, drives_of
 
 RATED = "rated"

@@ -17,6 +17,7 @@ from gearwright.train.epicyclics import epicyclic_gears, epicyclic_meshes
 from gearwright.train.toothed import EXTERNAL, INTERNAL, Gear, Mesh
 from gearwright.units import TorsionalDamping
 
+
 @dataclass(frozen=True)
 class Joint:
     """A clutch as a row: ω_driving − ω_driven = 0 while it is engaged."""

@@ -18,7 +18,7 @@ from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of, members_of, willis_ratio, willis_speed
 from gearwright.train.memory import remembered
 from gearwright.train.null_space import null_space
-from gearwright.train.ties import ties_of
+from gearwright.train.ties import handed_on, ties_of
 from gearwright.train.turning import asked_speeds
 
 # Weights of what holds first, in log speeds: the kept speed, given teeth and ratios, other machines, equal ratios.
@@ -100,17 +100,10 @@ def _strong_speeds(design: Design) -> dict[str, float]:
         speeds.setdefault(design.machines[machine].shaft, abs(speed))
     for _ in design.stages:
         for name in design.epicyclics:
-            _hand_on(ties_of(design, name), speeds)
+            speeds |= handed_on(ties_of(design, name), speeds)
         for name, stage in design.simple_stages.items():
             _propagate(stage, edge_of(name, design), speeds)
     return speeds
-
-
-def _hand_on(ties: Mapping[str, float], speeds: dict[str, float]) -> None:
-    """Add the speeds that a compound set ties to one that is known."""
-    source = next((shaft for shaft in ties if shaft in speeds), None)
-    for shaft, tied in ties.items() if source is not None else ():
-        speeds.setdefault(shaft, speeds[source] * abs(tied / ties[source]))
 
 
 def _propagate(stage: Pair | Planetary, edge: Edge | None, speeds: dict[str, float]) -> None:

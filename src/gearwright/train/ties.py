@@ -1,13 +1,18 @@
-"""Speeds that a compound set ties to each other: its teeth are given, so that with a member held its ratios are known."""
+"""Speeds that a compound set ties to each other: its teeth are given, so that a held member leaves known ratios."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import TypeVar
+
+from gearwright.arrays import Floats
 from gearwright.spec import GROUND, Design
 from gearwright.train.epicyclics import epicyclic_gears, epicyclic_meshes
 from gearwright.train.graph import Train
 from gearwright.train.kinematics import rows
 from gearwright.train.null_space import null_space
 
+Speed = TypeVar("Speed", float, Floats)
 STANDS = 1e-9
 """Part of the motion below which a shaft stands still [-]."""
 
@@ -29,6 +34,19 @@ def ties_of(design: Design, name: str) -> dict[str, float]:
         return {}
     speeds = {shaft: float(motions[train.column[shaft], 0]) for shaft in shafts}
     return {shaft: speed for shaft, speed in speeds.items() if abs(speed) > STANDS}
+
+
+def handed_on(ties: Mapping[str, float], known: Mapping[str, Speed]) -> dict[str, Speed]:
+    """Return the speeds that a compound set adds to those that are known, without their sense.
+
+    Args:
+        ties: From `ties_of`.
+        known: Shaft -> speed [rad/s].
+    """
+    source = next((shaft for shaft in ties if shaft in known), "")
+    if not source:
+        return {}
+    return {shaft: known[source] * abs(tied / ties[source]) for shaft, tied in ties.items() if shaft not in known}
 
 
 def teeth_of(design: Design, name: str) -> dict[str, int]:

@@ -55,9 +55,7 @@ def with_losses(train: Train, matrix: Floats, direction: Floats, efficiency: Map
         efficiency: Stage, or mesh row -> efficiency of one mesh [-]; 1 where it is left out.
     """
     kept = np.ones(len(matrix))
-    kept[: len(train.meshes)] = [
-        efficiency.get(mesh.name, efficiency.get(mesh.stage, 1.0)) for mesh in train.meshes
-    ]
+    kept[: len(train.meshes)] = [efficiency.get(mesh.name, efficiency.get(mesh.stage, 1.0)) for mesh in train.meshes]
     # The ground gets a column here: a ring that stands still is driven too, and its losses load the carrier.
     grounded = np.hstack([matrix, -matrix.sum(axis=1, keepdims=True)])
     column = {node: k for k, node in enumerate((*train.nodes, GROUND))}

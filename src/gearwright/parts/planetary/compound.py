@@ -6,6 +6,7 @@ all meshes: turned by α and β about axes that stand still, two gears stay in m
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -14,7 +15,7 @@ from functools import cached_property
 from gearwright.parts.planetary.assembly import ADDENDUMS
 
 CLOSES = 1.0
-"""Modules by which two distances of one pin from the axis may differ: what profile shift of their gears takes up [-]."""
+"""Modules by which two distances of one pin from the axis may differ: what profile shift takes up [-]."""
 
 
 @dataclass(frozen=True)
@@ -85,9 +86,9 @@ def module_ratios(compound: CompoundSet) -> dict[str, float]:
     steps = list(reaches(compound).values())
     for _ in range(len(compound.teeth)):
         for asked in steps:
-            known = next(((group, distance) for group, distance in asked if group in ratio), None)
-            for group, distance in asked if known is not None else ():
-                ratio.setdefault(group, ratio[known[0]] * known[1] / distance)
+            for known, reach in [(group, distance) for group, distance in asked if group in ratio][:1]:
+                for group, distance in asked:
+                    ratio.setdefault(group, ratio[known] * reach / distance)
     return {compound.group(gear): ratio.get(compound.group(gear), 1.0) for gear in compound.teeth}
 
 
@@ -204,8 +205,6 @@ def _least_gap(
         if number == 0 and (mates or bodies[0] == bodies[1]):
             continue
         turn = angles[bodies[1]] - angles[bodies[0]] + 2.0 * math.pi * number / compound.sets
-        apart = math.sqrt(
-            max(radii[bodies[0]] ** 2 + radii[bodies[1]] ** 2 - 2.0 * radii[bodies[0]] * radii[bodies[1]] * math.cos(turn), 0.0)
-        )
+        apart = abs(radii[bodies[0]] - cmath.rect(radii[bodies[1]], turn))
         gaps.append(apart - tips[pair[0]] - tips[pair[1]])
     return min(gaps)

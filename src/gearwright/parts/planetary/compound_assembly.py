@@ -82,8 +82,8 @@ def can_assemble(compound: CompoundSet) -> bool:
 
     Source: as `fitting_turns`; what holds from the first set to the second holds on to every other.
 
-    >>> simple = dict(centrals={"s": 18, "r": -54}, planets={"p": 18}, bodies={"p": "p"}, meshes=(("s", "p"), ("p", "r")))
-    >>> can_assemble(CompoundSet(4, **simple)), can_assemble(CompoundSet(5, **simple))
+    >>> simple = {"s": 18, "r": -54}, {"p": 18}, {"p": "p"}, (("s", "p"), ("p", "r"))
+    >>> can_assemble(CompoundSet(4, *simple)), can_assemble(CompoundSet(5, *simple))
     (True, False)
     """
     return fitting_turns(compound) is not None

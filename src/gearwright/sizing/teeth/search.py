@@ -37,6 +37,7 @@ from gearwright.train import (
     Turning,
     gear_of,
     gears_of,
+    handed_on,
     members_of,
     power_flows,
     targets,
@@ -140,10 +141,7 @@ def _joined(design: Design, front: Front) -> Front:
         return front
     speeds = dict(front.speeds)
     for name in design.epicyclics:
-        ties = ties_of(design, name)
-        source = next((shaft for shaft in ties if shaft in speeds), None)
-        for shaft, tied in ties.items() if source is not None else ():
-            speeds.setdefault(shaft, speeds[source] * abs(tied / ties[source]))
+        speeds |= handed_on(ties_of(design, name), speeds)
     for clutch in design.clutches.values():
         ends = (clutch.driving, clutch.driven)
         for here, there in (ends, ends[::-1]):

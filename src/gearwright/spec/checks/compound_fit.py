@@ -75,11 +75,10 @@ def _unclosed(path: str, compound: CompoundSet, modules: Mapping[str, float]) ->
         distances = [modules[group] * distance for group, distance in asked]
         least = min(modules[group] for group, _ in asked)
         if max(distances) - min(distances) > CLOSES * least * (1.0 + 1e-9):
-            steps = [step for step in compound.planets if compound.bodies[step] == body]
+            own = [pair for pair in compound.at_centre if compound.bodies[pair[1]] == body]
             words = ", ".join(
-                f"{central}-{planet} {modules[compound.group(planet)] * abs(compound.teeth[central] + compound.teeth[planet]) / 2.0:.4g}"
-                for central, planet in compound.at_centre if planet in steps
-            )  # fmt: skip
+                f"{central}-{planet} {distance:.4g}" for (central, planet), distance in zip(own, distances, strict=True)
+            )
             message = (
                 f"its meshes want the pin at different distances from the axis, in modules: {words}; they may differ by"
                 f" {CLOSES:g}, which profile shift takes up. Change its teeth, or those of its mates"

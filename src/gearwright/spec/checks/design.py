@@ -30,8 +30,8 @@ def reference_problems(design: Design) -> list[Problem]:
         design: As typed; its references are not resolved yet.
     """
     checks = (
-        name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, epicyclic_problems, _links, _teeth, _layout, _cases,
-        _keep, _widths, _given, _waivers, _level,
+        name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, epicyclic_problems, _links, _teeth,
+        _layout, _cases, _keep, _widths, _given, _waivers, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]
     more = (material_problems, gear_problems, effect_problems, motion_problems, mounting_problems)

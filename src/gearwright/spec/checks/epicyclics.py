@@ -1,4 +1,4 @@
-"""What can be wrong with compound epicyclic sets: names, members that nothing moves, circles, planets that do not fit."""
+"""What can be wrong with compound epicyclic sets: names, members that nothing moves, circles, what does not fit."""
 
 from __future__ import annotations
 

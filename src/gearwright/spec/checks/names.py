@@ -28,8 +28,8 @@ def name_problems(design: Design) -> Iterator[Problem]:
 def _tables(design: Design) -> dict[str, Mapping[str, object]]:
     return {
         "turbines": design.turbines, "motors": design.motors, "propellers": design.propellers, "pairs": design.pairs,
-        "planetaries": design.planetaries, "epicyclics": design.epicyclics, "clutches": design.clutches, "dampers": design.dampers,
-        "cases": design.cases,
+        "planetaries": design.planetaries, "epicyclics": design.epicyclics, "clutches": design.clutches,
+        "dampers": design.dampers, "cases": design.cases,
     }  # fmt: skip
 
 

@@ -122,8 +122,8 @@ class Design(Shown, Record):
         Args:
             stage: Name of a pair, planetary set or compound set.
         """
-        kinds = {"pairs": self.pairs, "planetaries": self.planetaries, "epicyclics": self.epicyclics}
-        return next(f"{kind}.{stage}" for kind, named in kinds.items() if stage in named)  # type: ignore[attr-defined]
+        kind = "pairs" if stage in self.pairs else "planetaries" if stage in self.planetaries else "epicyclics"
+        return f"{kind}.{stage}"
 
     @property
     def sets(self) -> dict[str, Planetary | Epicyclic]:

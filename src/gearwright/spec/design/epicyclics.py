@@ -1,4 +1,4 @@
-"""Compound epicyclic sets: one carrier, planets of one or more steps that may mesh with each other, any suns and rings."""
+"""Compound epicyclic sets: one carrier, planets of several steps that may mesh with each other, any suns and rings."""
 
 from __future__ import annotations
 
@@ -11,36 +11,38 @@ from gearwright.spec.design.methods import CYLINDRICAL, INTERNAL
 from gearwright.spec.record import Record
 from gearwright.units import Inertia, Length, Mass, Ratio
 
-
-class Toothed(Record):
-    """What every gear of a compound set may say of itself."""
-
-    teeth: int = Field(ge=6, le=2000, description="Tooth number z")
-    module: Length | None = Field(
-        None, gt=0, description="Module m_n of this gear and of all that mesh with it; left out: sized"
-    )
-    face_width: Length | None = Field(
-        None, gt=0, description="Face width b of the meshes of this gear and of its mates; left out: sized"
-    )
-    mass: Mass | None = Field(None, gt=0, description="Of one gear; left out: of the disc or of the ring's wall")
-    inertia: Inertia | None = Field(None, gt=0, description="Of one gear; left out: of the disc or of the ring's wall")
+_TEETH = Field(ge=6, le=2000, description="Tooth number z")
+_MODULE = Field(None, gt=0, description="Module m_n of this gear and of all that mesh with it; left out: sized")
+_WIDTH = Field(None, gt=0, description="Face width b of the meshes of this gear and of its mates; left out: sized")
+_MASS = Field(None, gt=0, description="Of one gear; left out: of the disc or of the ring's wall")
+_INERTIA = Field(None, gt=0, description="Of one gear; left out: of the disc or of the ring's wall")
 
 
-class CentralGear(Toothed):
+class CentralGear(Record):
     """A sun or a ring of a compound set."""
 
     shaft: Name = Field(description="Shaft that carries it, or ground")
+    teeth: int = _TEETH
+    module: Length | None = _MODULE
+    face_width: Length | None = _WIDTH
+    mass: Mass | None = _MASS
+    inertia: Inertia | None = _INERTIA
 
 
-class PlanetGear(Toothed):
+class PlanetGear(Record):
     """A planet of a compound set, or one step of a stepped planet."""
 
+    teeth: int = _TEETH
     meshes: list[Name] = Field(
         default_factory=list, description="Suns, rings and other planets of the set that it meshes with"
     )
     in_one_piece_with: Name | None = Field(
         None, description="Planet of the set with which it turns as one piece: the steps of a stepped planet"
     )
+    module: Length | None = _MODULE
+    face_width: Length | None = _WIDTH
+    mass: Mass | None = _MASS
+    inertia: Inertia | None = _INERTIA
 
 
 class Epicyclic(Record):
@@ -89,7 +91,7 @@ class Epicyclic(Record):
     @property
     def mesh_pairs(self) -> tuple[tuple[str, str], ...]:
         """Every mesh once, as the names of its gears: a sun, or a planet and a ring, or two planets."""
-        pairs = {}
+        pairs: dict[frozenset[str], tuple[str, str]] = {}
         for planet, gear in self.planets.items():
             for mate in gear.meshes:
                 order = (mate, planet) if mate in self.suns else (planet, mate)

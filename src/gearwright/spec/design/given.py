@@ -184,7 +184,7 @@ def _of_compounds(design: Design) -> Iterator[Key]:
     for name, epicyclic in design.epicyclics.items():
         table = f"epicyclics.{name}"
         for kind, gears in (("suns", epicyclic.suns), ("rings", epicyclic.rings), ("planets", epicyclic.planets)):
-            for gear_name, gear in gears.items():  # type: ignore[attr-defined]
+            for gear_name, gear in gears.items():
                 place = f"{table}.{kind}.{gear_name}"
                 yield from (Key(f"{name}.{gear_name}.{field}", place, field, gear) for field in _OF_COMPOUND_GEARS)
         yield from (Key(f"{name}.{end}", table, f, epicyclic) for f, end in _OF_SETS.items() if f in _OF_CARRIERS)
