@@ -1,15 +1,16 @@
-"""Statics: the equilibrium of loads, line forces and errors at one instant, with contact found line by line."""
+"""Statics: the equilibrium of loads, line forces and errors at one instant, the least of a convex potential."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations.modes import split_rigid
-from gearwright.dynamics.equations.reference import dead_zone, external_load, line_state, speed_factor
+from gearwright.dynamics.equations.potential import Potential, escape, least
+from gearwright.dynamics.equations.reference import external_load, line_state, speed_factor
 from gearwright.dynamics.model import (
     Arrays,
     Labels,
@@ -24,12 +25,6 @@ from gearwright.verbs import verb
 
 BALANCE_TOLERANCE = 1e-6
 """Largest power of the loads on a rigid motion, over the sum of its parts [-]: room for rounded radii."""
-CONTACT_ROUNDS = 200
-"""Rounds in which contact must settle; lines open or close in each."""
-WHOLE = 1e-6
-"""How near to one whole step Newton's last, in which no line opened or closed, must be [-]."""
-TRACE = 1e-9
-"""Share of a line's stiffness that is used to look for contact while it stands open [-]."""
 
 Balance = Literal["required", "accelerate"]
 
@@ -57,7 +52,8 @@ def statics(system: System, *, time: float = 0.0, balance: Balance = "required")
             the shape that it keeps under that steady acceleration (inertia relief).
 
     Raises:
-        SolveError: If loads do not balance on a motion that no line holds, or contact does not settle.
+        SolveError: If loads do not balance on a motion that no line holds, or push bodies away from all that could hold
+            them; with that motion.
     """
     with finite_numbers(system):
         equilibrium = _equilibrium(system, time, balance)
@@ -67,14 +63,14 @@ def statics(system: System, *, time: float = 0.0, balance: Balance = "required")
 
 
 def _equilibrium(system: System, time: float, balance: Balance) -> Equilibrium:
-    arrays = system.arrays
-    elastic = split_rigid(arrays)[1]
-    load = steady_load(arrays, time)
+    load = steady_load(system.arrays, time)
     left = unbalanced(system, time=time) if balance == "required" else ""
     if left:
         raise SolveError(f"{left}; balance the loads or add a support")
-    position = _settle(arrays, time, elastic, load)
-    return Equilibrium(position, line_state(arrays, time, position, np.zeros_like(position)).force, system.labels)
+    position = _settle(system, time, load)
+    return Equilibrium(
+        position, line_state(system.arrays, time, position, np.zeros_like(position)).force, system.labels
+    )
 
 
 def unbalanced(system: System, *, time: float = 0.0) -> str:
@@ -89,12 +85,8 @@ def unbalanced(system: System, *, time: float = 0.0) -> str:
     for motion in split_rigid(arrays)[0].T:
         parts = motion * load
         if abs(np.sum(parts)) > BALANCE_TOLERANCE * np.sum(np.abs(parts)):
-            scale = motion[np.argmax(np.abs(motion))]
-            shape = motion / scale
-            names = system.labels.coordinates
-            moving = ", ".join(f"{names[i]} {shape[i]:.3g}" for i in np.flatnonzero(np.abs(shape) > 1e-9))
-            left = np.sum(parts) / scale
-            return f"nothing holds the motion ({moving}) and the loads on it do not balance: they leave {left:.4g} N m"
+            left, pushed = np.sum(parts) / motion[np.argmax(np.abs(motion))], _in_words(system, motion)
+            return f"nothing holds {pushed} and the loads on it do not balance: they leave {left:.4g} N m"
     return ""
 
 
@@ -109,62 +101,25 @@ def steady_load(arrays: Arrays, time: float) -> Floats:
     return external_load(arrays, time, np.zeros(len(arrays.mass))) - line_matrix(arrays).T @ slipping
 
 
-def _settle(arrays: Arrays, time: float, elastic: Floats, load: Floats) -> Floats:
-    """Minimise the potential, which contact makes convex and piecewise quadratic: Newton with an exact line search."""
-    start = line_state(arrays, time, np.zeros_like(load), np.zeros_like(load))
-    matrix, error = line_matrix(arrays) @ elastic, -start.deflection
-    centripetal = speed_factor(arrays.profile, time)[0] ** 2 * entry_matrix(arrays.centripetal, len(load))
-    centripetal = elastic.T @ centripetal @ elastic
-    place, pull = np.zeros(elastic.shape[1]), elastic.T @ load
-    touching = _touching(-error, arrays.backlash)
-    for _ in range(CONTACT_ROUNDS):
-        deflection = matrix @ place - error
-        force = matrix.T @ (start.stiffness * dead_zone(deflection, arrays.backlash))
-        # A trace of the stiffness of open lines lets bodies whose teeth all stand open move until they touch.
-        tangent = matrix.T @ (np.where(touching, 1.0, TRACE)[:, None] * start.stiffness[:, None] * matrix) - centripetal
-        way = np.linalg.solve(tangent, pull + centripetal @ place - force)
-        bend = -float(way @ centripetal @ way)
-        slope = _Slope(deflection, matrix @ way, arrays.backlash, start.stiffness)
-        reach = _reach(slope, float(way @ (pull + centripetal @ place)), bend)
-        place = place + reach * way
-        before, touching = touching, _touching(matrix @ place - error, arrays.backlash)
-        if np.array_equal(before, touching) and abs(reach - 1.0) < WHOLE:
-            return np.asarray(elastic @ place)
-    raise SolveError(f"contact did not settle in {CONTACT_ROUNDS} rounds at {time:g} s; lines open and close in turn")
+def _settle(system: System, time: float, load: Floats) -> Floats:
+    """Return where the potential of lines and loads is least."""
+    arrays = system.arrays
+    elastic = split_rigid(arrays)[1]
+    still = np.zeros_like(load)
+    start = line_state(arrays, time, still, still)
+    turned = speed_factor(arrays.profile, time)[0] ** 2 * entry_matrix(arrays.centripetal, len(load))
+    potential = Potential(
+        line_matrix(arrays) @ elastic, -start.deflection, arrays.backlash, start.stiffness, elastic.T @ load,
+        elastic.T @ turned @ elastic,
+    )  # fmt: skip
+    motion = elastic @ escape(potential)
+    if np.any(motion):
+        pushed = _in_words(system, motion)
+        raise SolveError(f"the loads push {pushed} away from every line that could hold it; add a support")
+    return np.asarray(elastic @ least(potential))
 
 
-def _touching(deflection: Floats, backlash: Floats) -> Bools:
-    """Return which lines carry: linear ones always, others outside their gap."""
-    return np.asarray((backlash == 0.0) | (deflection >= 0.0) | (deflection < -backlash))
-
-
-class _Slope(NamedTuple):
-    """What decides the potential's slope along a direction."""
-
-    deflection: Floats
-    rate: Floats
-    backlash: Floats
-    stiffness: Floats
-
-    def elastic(self, distance: float) -> float:
-        """Return the elastic forces' part of the slope."""
-        contact = dead_zone(self.deflection + distance * self.rate, self.backlash)
-        return float(np.sum(self.stiffness * contact * self.rate))
-
-
-def _reach(slope: _Slope, pull: float, bend: float) -> float:
-    """Return the distance at which the slope vanishes: straight between the points where a line opens or closes."""
-    if not np.any(slope.rate):
-        return 1.0
-    with np.errstate(divide="ignore", invalid="ignore"):
-        points = np.concatenate([-slope.deflection / slope.rate, -(slope.deflection + slope.backlash) / slope.rate])
-    points = np.sort(points[np.isfinite(points) & (points > 0.0)])
-    low, at_low = 0.0, slope.elastic(0.0) - pull
-    for high in (*points, 2.0 * np.max(points, initial=0.5) + 1.0):
-        at_high = slope.elastic(high) - pull + bend * high
-        if at_high >= 0.0 or high > np.max(points, initial=0.0):
-            break
-        low, at_low = high, at_high
-    if at_high <= at_low:
-        raise SolveError("the loads push a body away from every line that could hold it; add a support")
-    return float(low - at_low * (high - low) / (at_high - at_low))
+def _in_words(system: System, motion: Floats) -> str:
+    """Return a motion by its coordinates, the largest 1."""
+    shape, names = motion / motion[np.argmax(np.abs(motion))], system.labels.coordinates
+    return "the motion (" + ", ".join(f"{names[i]} {shape[i]:.3g}" for i in np.flatnonzero(np.abs(shape) > 1e-9)) + ")"
