@@ -87,15 +87,6 @@ class Train:
         """
         return self._by_name[str(gear_part(stage, role))]
 
-    def mesh_of(self, stage: str, row: Row) -> Mesh:
-        """Return a mesh row of a stage, of several parallel ones the first.
-
-        Args:
-            stage: That the mesh belongs to.
-            row: Such as sun and planets.
-        """
-        return next(mesh for mesh in self.meshes if mesh.stage == stage and mesh.row is row)
-
     @cached_property
     def planet_nodes(self) -> frozenset[str]:
         """Nodes that are no shafts: those of planets, each shared by all equal ones of its set."""

@@ -35,10 +35,6 @@ class BasicRack:
 
 ISO53_A = BasicRack()
 """ISO 53:1998 profile A: general, for high torques."""
-ISO53_B = BasicRack(fillet_radius=0.30)
-"""ISO 53:1998 profile B: usual service."""
-ISO53_C = BasicRack(fillet_radius=0.25)
-"""ISO 53:1998 profile C: usual service."""
 ISO53_D = BasicRack(dedendum=1.40, fillet_radius=0.39)
 """ISO 53:1998 profile D: fully rounded root, for ground or shaved high-precision gears."""
 

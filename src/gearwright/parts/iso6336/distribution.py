@@ -41,12 +41,8 @@ UNMODIFIED = HelixModification(1.0, 1.0)
 """No helix modification (ISO 6336-1:2006, table 8, row 1)."""
 CROWNED = HelixModification(0.5, 0.5)
 """Central crowning C_β = 0.5 (f_ma + f_sh), row 3."""
-CORRECTED = HelixModification(0.1, 1.0)
-"""Helix correction that matches the torque, row 4."""
 CORRECTED_AND_CROWNED = HelixModification(0.1, 0.5)
 """Helix correction and central crowning, row 5."""
-END_RELIEVED = HelixModification(0.7, 0.7)
-"""End relief, row 6."""
 
 
 @dataclass(frozen=True)

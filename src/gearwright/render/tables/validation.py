@@ -9,8 +9,6 @@ from itertools import groupby
 from gearwright.render.grid.table import Cell, Table, table
 from gearwright.validate import Case, Checked, check
 
-FIELDS = ("case", "source", "expected", "got", "unit", "error", "holds", "reason")
-"""Columns for machines."""
 SHOWN = ("expected", "got", "error", "unit", "case")
 """Columns for the terminal; the source is the title."""
 DIGITS = 7
@@ -37,15 +35,6 @@ def source_table(results: tuple[Checked, ...]) -> Table:
     rows = tuple(_written(row, result) for row, result in zip(plain.rows, results, strict=True))
     missed = "; ".join(f"{result.case} (allowed because {result.reason})" for result in results if not result.holds)
     return replace(plain, rows=rows, note=f"Missed: {missed}." if missed else "")
-
-
-def validation_table(results: Iterable[Checked]) -> Table:
-    """Return all numbers for machines.
-
-    Args:
-        results: Of all sources.
-    """
-    return table("Validation", results, FIELDS)
 
 
 def verdict(results: Iterable[Checked]) -> str:

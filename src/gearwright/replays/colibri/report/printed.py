@@ -57,20 +57,6 @@ class PrintedNumber:
         """As printed, in SI."""
         return float(self.printed) * self.scale
 
-    @property
-    def decimals(self) -> int:
-        """Digits after the point."""
-        return len(self.printed.partition(".")[2])
-
-    def rounds_from(self, value: float) -> bool:
-        """Tell whether a value gives the printed digits once it is rounded to as many.
-
-        Args:
-            value: In SI.
-        """
-        half = 0.5 * 10.0**-self.decimals
-        return abs(value / self.scale - float(self.printed)) <= half * (1.0 + 1e-6)
-
 
 @dataclass(frozen=True)
 class Assumption:
