@@ -64,6 +64,14 @@ planets = 5
 power_kw = 1046
 [cases.cruise.electric]
 power_kw = 470.7
+[cases.rated.turbine]
+rating = 1
+[cases.rated.electric]
+rating = 1
+[cases.rated]
+share = 1
+[cases.cruise]
+share = 0
 """
 """In-Line hybrid 2 of Pulvirenti 2023."""
 

@@ -15,6 +15,8 @@ torque_swing = 0.3
 shares = { rated = 0.3, cruise = 0.7 }
 [cases.cruise.engine]
 power_kw = 210
+[cases.rated.engine]
+rating = 1
 """
 _ISO = """
 [gears.iso6336]

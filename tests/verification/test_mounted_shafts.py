@@ -197,7 +197,8 @@ def test_system_life_of_the_sound_helicopter_design():
 
 def test_lives_of_cases_are_damages_that_add_up():
     """40 % of the life at rated power, 60 % at half of it: turns at each load over the turns that it allows."""
-    cases = "[cases.half.engine]\npower_kw = 161\n[service.shares]\nrated = 0.4\nhalf = 0.6\n"
+    cases = "[cases.half.engine]\npower_kw = 161\n[cases.rated.engine]\nrating = 1\n"
+    cases += "[service.shares]\nrated = 0.4\nhalf = 0.6\n"
     text = given(PAIR, "1a", 'designation = "NU 306"')
     text += '[overrides]\n"helical.module_mm" = 2.5\n"helical.face_width_mm" = 45\n'
     found, full = bearing(sized(text + cases), "1a"), bearing(sized(text), "1a")

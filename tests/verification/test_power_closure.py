@@ -4,7 +4,7 @@ import pytest
 
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
-from gearwright.spec import Drive, parse, read
+from gearwright.spec import Case, Drive, parse, read
 from gearwright.train import build_train, power_flow
 
 CLOSURE = 1e-12
@@ -20,7 +20,7 @@ def machine_modes(design):
     for name, motor in design.motors.items():
         modes["motors generate"][name] = Drive(power=-0.2 * motor.power)
     modes |= {f"{name} alone": {name: drive} for name, drive in {**turbines, **motors}.items()}
-    return modes
+    return {name: Case.model_validate(drives) for name, drives in modes.items()}
 
 
 @pytest.mark.parametrize("name", shipped_designs())

@@ -25,7 +25,7 @@ from gearwright.parts.losses import (
 )
 from gearwright.sizing import GearSizing, Sizing, profile_shift
 from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
-from gearwright.spec import GROUND, Design, Drive
+from gearwright.spec import GROUND, Case, Design, Drive
 from gearwright.train import INTERNAL, PowerFlow, Turning, power_flow
 from gearwright.verbs import verb
 
@@ -144,7 +144,7 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
 
 def _refuse_slip(sizing: Sizing) -> None:
     """Refuse dampers that slip: an operating point is scaled with its power, which their heat does not follow."""
-    slipping = [name for name, damper in sizing.flows["rated"].dampers.items() if damper.slip]
+    slipping = [name for name, damper in sizing.reference.dampers.items() if damper.slip]
     message = "its shafts turn at different speeds, and a mission does not fly with its heat; leave it out, or join"
     if slipping:
         raise DesignError([Problem(f"dampers.{name}", f"{message} shafts that turn alike") for name in slipping])
@@ -163,7 +163,7 @@ def _contact(design: Design, pair: tuple[GearSizing, GearSizing], sign: int) -> 
 
 def _inertia(sizing: Sizing, propeller: str) -> float:
     """Everything that turns, reduced to the propeller by the speeds of the rated case."""
-    speeds = sizing.flows["rated"].speeds
+    speeds = sizing.reference.speeds
     carriers = {carrier.stage: carrier for carrier in sizing.carriers}
     energy = 0.0
     for gear in sizing.gears:
@@ -194,7 +194,7 @@ def operate(
     drives = {name: Drive(power=power) for name, power in powers.items()}
     drives[gearbox.propeller] = Drive(speed=propeller_speed)
     sizing = gearbox.sizing
-    design = sizing.design.model_copy(update={"cases": {_CASE: drives}})
+    design = sizing.design.model_copy(update={"cases": {_CASE: Case.model_validate(drives)}})
     flow = power_flow(design, sizing.train, sizing.teeth, _CASE, efficiency=efficiency, turning=gearbox.turning)
     return _point(gearbox, flow)
 

@@ -14,8 +14,7 @@ from gearwright.machines import (
 )
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import MachineSizing
-from gearwright.spec import Motor, Propeller, Turbine
-from gearwright.train import RATED
+from gearwright.spec import Airscrew, ElectricMachine, Machine, Turbine
 
 _MASS_LAWS = {"ndarc": motor_mass_ndarc, "thesis": motor_mass_power_law}
 
@@ -29,35 +28,38 @@ def size_machines(context: Context) -> tuple[MachineSizing, ...]:
     return tuple(_machine(context, name, machine) for name, machine in context.design.machines.items())
 
 
-def _machine(context: Context, name: str, machine: Turbine | Motor | Propeller) -> MachineSizing:
-    if isinstance(machine, Propeller):
-        torque = abs(context.flows[RATED].machine_torques[name])
+def _machine(context: Context, name: str, machine: Machine) -> MachineSizing:
+    if machine.rating is not None and machine.asked_speed is not None:
+        torque = machine.rating / machine.asked_speed
     else:
-        torque = machine.power / machine.speed
+        torque = max(abs(flow.machine_torques[name]) for flow in context.flows.values())
     mass = _mass(context, name, machine, torque)
-    inertia = machine.inertia if machine.inertia is not None else _inertia(machine, mass)
+    given: float | None = getattr(machine, "inertia", None)
     return MachineSizing(
         name=name,
         kind=type(machine).__name__.lower(),
         shaft=machine.shaft,
         torque=torque,
         mass=mass,
-        inertia=inertia,
-        inertia_is_given=machine.inertia is not None,
+        inertia=_inertia(machine, mass) if given is None else given,
+        inertia_is_given=given is not None,
     )
 
 
-def _mass(context: Context, name: str, machine: Turbine | Motor | Propeller, torque: float) -> float | None:
-    if not isinstance(machine, Motor):
-        return None
+def _mass(context: Context, name: str, machine: Machine, torque: float) -> float | None:
+    if not isinstance(machine, ElectricMachine):
+        return context.given.get(f"{name}.mass")
     return context.given.get(f"{name}.mass", _MASS_LAWS[machine.mass_law](torque))
 
 
-def _inertia(machine: Turbine | Motor | Propeller, mass: float | None) -> float:
+def _inertia(machine: Machine, mass: float | None) -> float:
+    """Return the estimated inertia; none of what is too various to estimate [kg m²]."""
     match machine:
         case Turbine():
             return turbine_inertia(machine.diameter or turbine_diameter(machine.speed))
-        case Motor():
+        case ElectricMachine():
             return rotor_inertia(mass or 0.0, motor_diameter(mass or 0.0, LENGTH_RATIO[machine.flux]))
-        case Propeller():
+        case Airscrew():
             return propeller_inertia(machine.diameter, machine.blades)
+        case _:
+            return 0.0

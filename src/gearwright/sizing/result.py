@@ -224,16 +224,16 @@ class MachineSizing:
 
     name: str
     kind: str
-    """turbine, motor or propeller."""
+    """turbine, motor, propeller, rotor, generator, accessory or load."""
     shaft: str
     torque: Torque
-    """At rated power and speed; for a propeller, what balances the rated case [N m]."""
+    """At rated power and speed; of what has no rating the largest of all cases [N m]."""
     mass: Annotated[
         float | None,
         Quantity("mass"),
         Origin("0.3928 Q^0.8587 lb, or k T^0.33", "NDARC (NASA/TP-2015-218751); Pulvirenti 2023"),
     ]
-    """Of a motor; None where the gearbox does not size it [kg]."""
+    """Of a motor, generator or accessory; None where the gearbox does not size it [kg]."""
     inertia: Inertia
     """Polar inertia of what turns [kg m²]."""
     inertia_is_given: bool
@@ -249,7 +249,7 @@ class Sizing(Shown):
     teeth: Mapping[str, int]
     """Gear -> tooth number."""
     flows: Mapping[str, PowerFlow]
-    """Case -> speeds, torques and powers; ``rated`` is always there."""
+    """Case -> speeds, torques and powers; the first one speaks for the design."""
     gears: tuple[GearSizing, ...]
     meshes: tuple[MeshSizing, ...]
     arrangement: Arrangement
@@ -312,7 +312,7 @@ class Sizing(Shown):
 
     @property
     def motor_mass(self) -> Mass:
-        """Mass of all motors [kg]."""
+        """Mass of all motors, generators and accessories [kg]."""
         return sum(machine.mass or 0.0 for machine in self.machines)
 
     @property
@@ -327,8 +327,13 @@ class Sizing(Shown):
 
     @property
     def rated_power(self) -> Power:
-        """What the machines put into the train at rated power [W]."""
-        return sum(power for power in self.flows["rated"].machine_powers.values() if power > 0.0)
+        """What the machines put into the train in the case that speaks for the design [W]."""
+        return sum(power for power in self.reference.machine_powers.values() if power > 0.0)
+
+    @property
+    def reference(self) -> PowerFlow:
+        """The case that speaks for the design: ``rated``, or its first one that lasts."""
+        return next(iter(self.flows.values()))
 
     @property
     def worst_margin(self) -> Number:

@@ -9,6 +9,7 @@ from gearwright.errors import refuse
 from gearwright.sizing.answers import refuse_no_numbers
 from gearwright.sizing.arrangement import arrange
 from gearwright.sizing.bearings import named_room
+from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.machines import size_machines
 from gearwright.sizing.rating import context_of, demands_of
 from gearwright.sizing.result import Sizing
@@ -47,6 +48,7 @@ def size(design: Design) -> Sizing:
     efficiency = design.efficiencies
     flows = power_flows(design, Turning(design, train, teeth), efficiency=efficiency)
     refuse_contradictions(design, flows)
+    refuse_beyond(design, flows)
     context = context_of(design, train, teeth, flows, given.values)
     demands = demands_of(context)
     sizes = stage_sizes(context, demands)

@@ -94,7 +94,8 @@ def _opened(content: Any) -> dict[str, Any]:
     """Return what a record or table holds, as a new table; what lies deeper stays as it is, already checked."""
     if isinstance(content, Record):
         fields = type(content).model_fields
-        return {fields[name].alias or name: getattr(content, name) for name in content.model_fields_set}
+        given = [name for name in fields if name in content.model_fields_set]
+        return {fields[name].alias or name: getattr(content, name) for name in given} | (content.model_extra or {})
     return dict(content or {})
 
 
@@ -120,6 +121,10 @@ def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value) -> P
             annotation, table, depth = inner, table[entry], depth + entry.count(".") + 1
             continue
         keys = keys_of(record)
+        if part not in keys and record.others is not None and not last:
+            table[part] = _opened(table.get(part))
+            annotation, table, depth = record.others, table[part], depth + 1
+            continue
         if part not in keys:
             return Problem(path, f"there is no {'.'.join(parts[: depth + 1])}; {near(part, keys)}")
         name, factor, suffix = keys[part]
@@ -145,7 +150,7 @@ def _entry(table: dict[str, Any], parts: list[str]) -> str | None:
 def _new_entry(annotation: Any, parts: list[str]) -> str | None:
     """Return the name of an entry that a path may add: of records that need nothing, such as the errors of a gear."""
     record = _record(annotation)
-    if record is None or len(parts) < 2:
+    if record is None or record.others is not None or len(parts) < 2:
         return None
     return None if any(info.is_required() for info in record.model_fields.values()) else ".".join(parts[:-1])
 

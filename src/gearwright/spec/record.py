@@ -27,6 +27,8 @@ class Record(BaseModel):
     """What all records of a file share: frozen, and no field that is not declared."""
 
     model_config: ClassVar[ConfigDict] = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+    others: ClassVar[type[Record] | None] = None
+    """Type of the tables that stand under names of the user's beside the declared keys, if there may be any."""
 
     @field_validator("*")
     @classmethod
@@ -110,6 +112,11 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
     prefix = written.keys.get(at, "")
     for key, value in raw.items():
         path = f"{prefix}.{key}" if prefix else key or '""'
+        if key not in keys and model.others is not None and isinstance(value, Mapping):
+            written.keys[(*at, key)] = path
+            if _is_named(key, written, (*at, key)):
+                result[key] = convert(value, model.others, written, (*at, key))
+            continue
         if key not in keys:
             written.problems.append(Problem(path, _unknown(key, model, keys)))
             written.incomplete |= isinstance(value, Mapping)
@@ -268,11 +275,16 @@ def _table(value: object, annotation: Any, written: Written, location: Location)
     for name, row in value.items():
         inner = (*location, name)
         written.keys[inner] = f"{path}.{name}"
-        if not is_path(name):
-            written.report(inner, f"{brief(name)} {NAME_RULE}")
-            continue
-        rows[name] = _nested(row, annotation, written, inner)
+        if _is_named(name, written, inner):
+            rows[name] = _nested(row, annotation, written, inner)
     return rows
+
+
+def _is_named(name: str, written: Written, location: Location) -> bool:
+    """Tell whether a text can be a name, and note it where it cannot."""
+    if not is_path(name):
+        written.report(location, f"{brief(name)} {NAME_RULE}")
+    return is_path(name)
 
 
 def build(model: type[Record], raw: Mapping[str, object]) -> tuple[Record | None, Written]:

@@ -70,8 +70,8 @@ def records(model: type[Record], seen: dict[type[Record], None]) -> list[type[Re
     if model in seen:
         return []
     seen[model] = None
-    for info in model.model_fields.values():
-        for inner in _inside(info.annotation):
+    for annotation in (*(info.annotation for info in model.model_fields.values()), model.others):
+        for inner in _inside(annotation):
             records(inner, seen)
     return list(seen)
 

@@ -21,10 +21,9 @@ from gearwright.dynamics.motion import Checkpoints, Orders
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.reading import refuse_irregular
 from gearwright.showing import Shown
-from gearwright.spec import Design
+from gearwright.spec import Design, cases_of
 from gearwright.store.image import new_netcdf
 from gearwright.store.owners import found_owners, read_owners, written_owners
-from gearwright.train import RATED
 from gearwright.version import __version__
 
 FORMAT = "gearwright trace 1"
@@ -77,7 +76,7 @@ def save_run(run: StoredRun | Trace, path: Path) -> None:
         SolveError: If the disk does not take it.
     """
     if isinstance(run, StoredRun):
-        by_name(run.case, {RATED: {}, **run.design.cases}, "case")
+        by_name(run.case, dict.fromkeys(cases_of(run.design)), "case")
     with new_netcdf(path) as file:
         file.attrs["format"], file.attrs["gearwright"] = FORMAT, __version__
         if isinstance(run, StoredRun):

@@ -80,7 +80,8 @@ def _name(kind: type) -> str:
 def _members(value: Any) -> list[tuple[str, object]]:
     """Return the fields of a record; of a record of a file those that were given."""
     if isinstance(value, BaseModel):
-        return [(name, getattr(value, name)) for name in type(value).model_fields if name in value.model_fields_set]
+        declared = [name for name in type(value).model_fields if name in value.model_fields_set]
+        return [*((name, getattr(value, name)) for name in declared), *(value.model_extra or {}).items()]
     names = [field.name for field in fields(value) if field.init] if _is_dataclass(value) else value._fields
     return [(name, getattr(value, name)) for name in names]
 
@@ -178,7 +179,10 @@ def _record(record: str, fields: dict[str, Any]) -> Any:
         raise Damaged(f"{record} is no record")
     members = {name: decoded(member) for name, member in fields.items()}
     if issubclass(kind, BaseModel):
-        return kind.model_validate({kind.model_fields[name].alias or name: value for name, value in members.items()})
+        known = kind.model_fields
+        return kind.model_validate(
+            {(known[name].alias or name) if name in known else name: value for name, value in members.items()}
+        )
     return kind(**members)
 
 

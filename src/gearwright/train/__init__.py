@@ -2,7 +2,7 @@
 
 from gearwright.train.branches import Attachment, Branch, attachments, branches
 from gearwright.train.edges import Edge, members_of, willis_ratio, willis_speed
-from gearwright.train.flow import RATED, MeshFlow, PowerFlow, power_flow, power_flows
+from gearwright.train.flow import MeshFlow, PowerFlow, power_flow, power_flows
 from gearwright.train.graph import Damper, Joint, Train, build_train, gear_of, gears_of
 from gearwright.train.memory import remembered
 from gearwright.train.recirculation import recirculation
@@ -14,7 +14,6 @@ from gearwright.train.turning import Turning
 __all__ = [
     "EXTERNAL",
     "INTERNAL",
-    "RATED",
     "Attachment",
     "Branch",
     "Damper",

@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.errors import DesignError, Problem, SolveError, refuse
-from gearwright.spec import GROUND, Design, Drive, Pair
+from gearwright.errors import Problem, SolveError, refuse
+from gearwright.spec import GROUND, RATED, Design, Drive, Pair, case_named, cases_of, drives_of
 from gearwright.train.graph import Damper, Joint, Train
 from gearwright.train.kinematics import Yielded
-from gearwright.train.statics import MAX_REVERSALS, Sharing, balance, solve_torques
-from gearwright.train.tooth_losses import direction_of, rolling, with_losses
+from gearwright.train.refusals import ambiguous, unbalanced
+from gearwright.train.statics import Sharing, balance, solve_torques, undecided
+from gearwright.train.tooth_losses import MAX_REVERSALS, TOGETHER, rolling, turned, with_losses
 from gearwright.train.toothed import Mesh
-from gearwright.train.turning import Turn, Turning, asked_speeds, drives_of
+from gearwright.train.turning import Turn, Turning, asked_speeds, holding
 
-RATED = "rated"
-"""Name of the case that every design has: each machine at its rated power."""
 STANDSTILL = 1e-12
 """Speed below this part of the largest one is rounding of a shaft that stands still."""
 
@@ -119,7 +118,7 @@ def power_flow(
 def power_flows(
     design: Design, turning: Turning, *, efficiency: Mapping[str, float] | None = None
 ) -> dict[str, PowerFlow]:
-    """Return the speeds, torques and powers of every case, the rated one first.
+    """Return the speeds, torques and powers of every case, the one first that speaks for the design.
 
     Args:
         design: With machines and cases.
@@ -130,17 +129,20 @@ def power_flows(
         DesignError: As `power_flow`.
         SolveError: As `power_flow`.
     """
-    return {case: _flow(design, turning, case, efficiency or {}) for case in (RATED, *design.cases)}
+    return {case: _flow(design, turning, case, efficiency or {}) for case in cases_of(design)}
 
 
 def _flow(design: Design, turning: Turning, case: str, efficiency: Mapping[str, float]) -> PowerFlow:
     train, drives = turning.train, drives_of(design, case)
-    joints = list(train.joints)
+    joints = list(holding(design, train, case))
     while True:
-        asked = _asked(design, turning, drives, joints)
+        locked = turning.locked(joints)
+        still = locked | _left_alone(train, drives, joints)
+        asked = _asked(design, turning, case, still)
         signed = {name: abs(speed) * turning.senses[train.machines[name]] for name, speed in asked.items()}
         turn = turning.turn(signed, joints)
-        balanced = _balance(design, train, turn, efficiency, drives, case=case)
+        stated, balancing = _machine_torques(design, turning, turn, case=case, locked=locked)
+        balanced = _balance(design, train, turn, efficiency, stated, balancing=balancing, case=case)
         slipping = [
             joint
             for k, joint in enumerate(joints)
@@ -152,27 +154,44 @@ def _flow(design: Design, turning: Turning, case: str, efficiency: Mapping[str, 
     return _collect(train, case, turn, balanced, joints)
 
 
-def _asked(design: Design, turning: Turning, drives: Mapping[str, Drive], joints: list[Joint]) -> Mapping[str, float]:
-    """Return the asked speeds; a machine that idles behind an open clutch stands still."""
-    stated = any(drive.speed is not None for drive in drives.values())
-    asked, train = asked_speeds(design, drives) if stated else turning.asked, turning.train
-    opened = [joint for joint in train.joints if joint not in joints]
-    if not opened:
-        return asked
-    idle = [
-        name
-        for name in train.machines
-        if (name not in drives or drives[name].power == 0.0)
-        and any(train.machines[name] == joint.driving for joint in opened)
-    ]
-    return {**{name: 0.0 if name in idle else speed for name, speed in asked.items()}, **dict.fromkeys(idle, 0.0)}
+def _asked(design: Design, turning: Turning, case: str, still: frozenset[str]) -> Mapping[str, float]:
+    """Return the asked speeds, zero for the machines that stand still unless the case gives them a speed."""
+    said = case_named(design, case).machines
+    stated = any(drive.speed is not None for drive in said.values())
+    asked = asked_speeds(design, said) if stated else turning.asked
+    standing = [name for name in still if name not in said or said[name].speed is None]
+    return {**asked, **dict.fromkeys(standing, 0.0)}
+
+
+def _left_alone(train: Train, drives: Mapping[str, Drive], joints: Sequence[Joint]) -> frozenset[str]:
+    """Return the machines on shafts that open clutches part from everything that may drive them."""
+    if len(joints) == len(train.joints):
+        return frozenset()
+    part = {node: node for node in (*train.nodes, GROUND)}
+
+    def root(node: str) -> str:
+        while part[node] != node:
+            node = part[node]
+        return node
+
+    ends = [mesh.nodes for mesh in train.meshes] + [(joint.driving, joint.driven) for joint in joints]
+    for nodes in ends:
+        first, *others = (node for node in nodes if node != GROUND)
+        for other in others:
+            part[root(other)] = root(first)
+    driven = {root(shaft) for name, shaft in train.machines.items() if _may_drive(drives[name])}
+    return frozenset(name for name, shaft in train.machines.items() if root(shaft) not in driven)
+
+
+def _may_drive(drive: Drive) -> bool:
+    return not drive.stated or (drive.power or 0.0) > 0.0 or (drive.torque or 0.0) > 0.0
 
 
 def _overruns(joint: Joint, multiplier: float, train: Train, speeds: Floats) -> bool:
     """Tell whether an overrunning clutch has nothing to transmit, or would have to pull its driving shaft."""
     if not joint.overrunning:
         return False
-    turning = speeds[train.column[joint.driven]]
+    turning = 0.0 if joint.driven == GROUND else speeds[train.column[joint.driven]]
     return bool(-multiplier * np.sign(turning or 1.0) <= 1e-9)
 
 
@@ -188,68 +207,77 @@ class _Balanced(NamedTuple):
 
 
 def _balance(
-    design: Design, train: Train, turn: Turn, efficiency: Mapping[str, float], drives: Mapping[str, Drive], *, case: str
-) -> _Balanced:
+    design: Design, train: Train, turn: Turn, efficiency: Mapping[str, float], stated: Mapping[str, float], *,
+    balancing: Sequence[str], case: str,
+) -> _Balanced:  # fmt: skip
     """Return the torques that balance a case, with losses in the direction of the power."""
     matrix, speeds = turn.matrix, turn.speeds
-    machine_torques, balancing = _machine_torques(design, train, speeds, drives, case)
-    applied = np.zeros(len(train.nodes))
-    for name, torque in machine_torques.items():
-        applied[train.column[train.machines[name]]] += torque
-    for damper in train.dampers:
-        torque = _dragged(train, damper, speeds).torque
-        applied[train.column[damper.driven]] += torque
-        applied[train.column[damper.driving]] -= torque
+    applied = _applied(train, speeds, stated)
     taking = [train.column[train.machines[name]] for name in balancing]
     sharing = _sharing(design, train)
-    effective, known, direction = matrix, turn.balance(taking), np.zeros(0)
-    for _ in range(MAX_REVERSALS):
+    rolls = rolling(train, matrix, speeds)
+    noise = 1e-9 * float(np.abs(applied * speeds).max(initial=0.0))
+    effective, known = matrix, turn.balance(taking)
+    open_ = undecided(known, len(matrix))
+    if open_.any():
+        raise ambiguous(design, case, [name for name, free in zip(balancing, open_, strict=True) if free])
+    direction: Floats | None = None
+    for attempt in range(MAX_REVERSALS):
         solved = solve_torques(known, applied, sharing=sharing)
         if solved is None:
-            raise _unbalanced(train, balancing, case)
+            raise unbalanced(train, balancing, case)
         multipliers, rest = solved[: len(matrix)], solved[len(matrix) :]
         if all(value == 1.0 for value in efficiency.values()):
             break
-        noise = 1e-9 * float(np.abs(applied * speeds).max(initial=0.0))
-        previous, direction = direction, direction_of(multipliers * rolling(train, matrix, speeds), noise)
-        if np.array_equal(previous, direction):
+        before, power = direction, multipliers * rolls
+        direction = turned(before, power, noise, together=attempt < TOGETHER)
+        if before is not None and np.array_equal(before, direction):
             break
         effective = with_losses(train, matrix, direction, efficiency)
         known = balance(effective, taking)
     else:
         raise SolveError(
-            f"cases.{case}: the power through the teeth changes its direction from round to round, so that its losses"
-            " cannot be found; nearly all of it circulates. Use higher efficiencies, or other teeth"
+            f"cases.{case}: no direction of the power through the teeth agrees with their losses: more power"
+            " circulates than the machines give, and the train locks itself. Use higher efficiencies, or other teeth"
         )
-    machine_torques.update(zip(balancing, rest.tolist(), strict=True))
-    return _Balanced(machine_torques, multipliers, effective)
+    return _Balanced({**stated, **dict(zip(balancing, rest.tolist(), strict=True))}, multipliers, effective)
+
+
+def _applied(train: Train, speeds: Floats, stated: Mapping[str, float]) -> Floats:
+    """Return the torques on every node that are given: of machines and dampers [N m]."""
+    applied = np.zeros(len(train.nodes))
+    for name, torque in stated.items():
+        applied[train.column[train.machines[name]]] += torque
+    for damper in train.dampers:
+        torque = _dragged(train, damper, speeds).torque
+        applied[train.column[damper.driven]] += torque
+        applied[train.column[damper.driving]] -= torque
+    return applied
 
 
 def _machine_torques(
-    design: Design, train: Train, speeds: Floats, drives: Mapping[str, Drive], case: str
+    design: Design, turning: Turning, turn: Turn, *, case: str, locked: frozenset[str]
 ) -> tuple[dict[str, float], list[str]]:
     """Return the torques that the case states, and the machines that balance the rest."""
+    train, drives, said = turning.train, drives_of(design, case), case_named(design, case).machines
     stated: dict[str, float] = {}
     balancing: list[str] = []
     problems: list[Problem] = []
     for name, shaft in train.machines.items():
-        speed = float(speeds[train.column[shaft]])
-        drive = drives.get(name)
-        if drive is None:
-            if name in design.propellers:
-                balancing.append(name)
-            else:
-                stated[name] = 0.0
-        elif drive.power is None:
+        drive, speed = drives[name], float(turn.speeds[train.column[shaft]])
+        if not drive.stated and name in locked and name not in said:
+            stated[name] = 0.0  # a brake balances it
+        elif not drive.stated:
             balancing.append(name)
-        elif speed == 0.0 and drive.power != 0.0:
-            problems.append(
-                Problem(
-                    f"cases.{case}.{name}", f"{drive.power / 1e3:g} kW at standstill: its shaft {shaft!r} does not turn"
-                )
-            )
+        elif drive.torque is not None:
+            stated[name] = drive.torque * (np.sign(speed) or turning.senses[shaft])
+        elif not drive.power or (speed == 0.0 and name not in said and drive.power < 0.0):
+            stated[name] = 0.0  # what takes power of its own takes none from a shaft that stands still
+        elif speed == 0.0:
+            message = f"{drive.power / 1e3:g} kW at standstill: its shaft {shaft!r} does not turn; give its torque"
+            problems.append(Problem(f"cases.{case}.{name}", message))
         else:
-            stated[name] = drive.power / speed if drive.power else 0.0
+            stated[name] = drive.power / speed
     refuse(problems)
     return stated, balancing
 
@@ -265,23 +293,6 @@ def _sharing(design: Design, train: Train) -> list[Sharing]:
 
 def _shares(pair: Pair, count: int) -> tuple[float, ...]:
     return tuple(pair.share) if pair.share is not None else (1.0 / count,) * count
-
-
-def _unbalanced(train: Train, balancing: list[str], case: str) -> DesignError:
-    takers = ", ".join(balancing) or "no machine"
-    held = {mesh.stage for mesh in train.meshes if GROUND in mesh.nodes}
-    loose = ", ".join(dict.fromkeys(mesh.stage for mesh in train.meshes if mesh.stage not in held))
-    fix = (
-        f"All three members of {loose} turn: ground one, or put a machine that balances on each"
-        if loose
-        else "Join the shafts, engage a clutch, or leave out the power of one more machine so that it balances"
-    )
-    return DesignError([
-        Problem(
-            f"cases.{case}",
-            f"no torques balance: {takers} is free to balance, and the power of some machine has no path to it. {fix}",
-        )
-    ])  # fmt: skip
 
 
 def _collect(train: Train, case: str, turn: Turn, balanced: _Balanced, joints: list[Joint]) -> PowerFlow:

@@ -26,6 +26,8 @@ class Joint:
     driving: str
     driven: str
     overrunning: bool
+    is_open: bool = False
+    """True where it holds only in cases that engage it."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,7 @@ class Train:
     meshes: tuple[Mesh, ...]
     """Every mesh row."""
     joints: tuple[Joint, ...]
-    """Every clutch that is not open."""
+    """Every clutch and brake that holds in some case; a brake joins a shaft and the ground."""
     dampers: tuple[Damper, ...]
     """Every viscous damper."""
     machines: Mapping[str, str]
@@ -115,10 +117,11 @@ def build_train(design: Design) -> Train:
     for name, pair in design.pairs.items():
         gears += _pair_gears(name, pair)
         meshes += _pair_meshes(name, pair, design)
+    engaged = {name for case in design.cases.values() for name in case.engaged or []}
     joints = tuple(
-        Joint(name, clutch.driving, clutch.driven, clutch.kind == "overrunning")
+        Joint(name, clutch.driving, clutch.driven, clutch.kind == "overrunning", clutch.kind == "open")
         for name, clutch in design.clutches.items()
-        if clutch.kind != "open"
+        if clutch.kind != "open" or name in engaged
     )
     machines = {name: machine.shaft for name, machine in design.machines.items()}
     dampers = tuple(

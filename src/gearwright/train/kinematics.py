@@ -56,7 +56,9 @@ def rows(train: Train, teeth: Mapping[str, float], joints: Sequence[Joint]) -> F
     return matrix
 
 
-def solve_speeds(train: Train, matrix: Floats, asked: Mapping[str, float]) -> tuple[Floats, list[Yielded]]:
+def solve_speeds(
+    train: Train, matrix: Floats, asked: Mapping[str, float], *, joints: Sequence[Joint] | None = None
+) -> tuple[Floats, list[Yielded]]:
     """Return the speed of every node and the machines whose speed had to yield.
 
     Args:
@@ -64,6 +66,7 @@ def solve_speeds(train: Train, matrix: Floats, asked: Mapping[str, float]) -> tu
         matrix: From `rows`.
         asked: Machine -> asked speed [rad/s], the one to be kept first. The first ones kept turn
             forwards; the sense of the others follows from the teeth.
+        joints: The clutches in the matrix; left out: all.
 
     Returns:
         Speeds (nodes,) [rad/s], and what yielded.
@@ -71,7 +74,7 @@ def solve_speeds(train: Train, matrix: Floats, asked: Mapping[str, float]) -> tu
     Raises:
         DesignError: If a shaft is locked, or speeds stay free; the shafts are named.
     """
-    free = _motions(matrix)
+    free = motions_of(matrix)
     freedoms, of_node = free.shape[1], free.tolist()
     motions: list[list[float]] = []
     speeds: list[float] = []
@@ -79,8 +82,10 @@ def solve_speeds(train: Train, matrix: Floats, asked: Mapping[str, float]) -> tu
     for machine, speed in asked.items():
         motion = of_node[train.column[train.machines[machine]]]
         length = math.hypot(*motion)
+        if length < RANK_TOLERANCE and speed == 0.0:
+            continue  # a brake holds it, and it is to stand still
         if length < RANK_TOLERANCE:
-            raise _locked(train, matrix, machine)
+            raise _locked(train, matrix, machine, train.joints if joints is None else joints)
         if len(kept) == freedoms:
             continue  # every freedom is determined
         extended = [*motions, [part / length for part in motion]]
@@ -107,16 +112,20 @@ def _amounts(motions: list[list[float]], speeds: list[float]) -> Floats:
 
 
 @remembered
-def _motions(matrix: Floats) -> Floats:
-    """Return an orthonormal basis (nodes, freedoms) of the motions that the rows allow."""
+def motions_of(matrix: Floats) -> Floats:
+    """Return an orthonormal basis (nodes, freedoms) of the motions that the rows allow.
+
+    Args:
+        matrix: From `rows`.
+    """
     return null_space(matrix / np.maximum(np.linalg.norm(matrix, axis=1, keepdims=True), 1e-300))
 
 
-def _locked(train: Train, matrix: Floats, machine: str) -> DesignError:
+def _locked(train: Train, matrix: Floats, machine: str, joints: Sequence[Joint]) -> DesignError:
     """Say which rows lock a machine's shaft: those without one of which it would turn."""
     shaft = train.machines[machine]
     node = train.column[shaft]
-    names = [mesh.name for mesh in train.meshes] + [joint.name for joint in train.joints]
+    names = [mesh.name for mesh in train.meshes] + [joint.name for joint in joints]
     guilty = [
         names[k]
         for k in range(len(matrix))

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Floats
+from gearwright.arrays import Bools, Floats
 from gearwright.train.memory import remembered
 from gearwright.train.null_space import null_space
 
@@ -20,8 +20,8 @@ BALANCE_TOLERANCE = 1e-9
 """Largest torque left over, as a part of the largest applied, in a train that can balance."""
 LARGEST_INVERSE = 1e6
 """Largest element of the inverse of a matrix of unit columns that is far from singular."""
-MAX_REVERSALS = 20
-"""Rounds in which the direction of the tooth power may still change while losses are found."""
+UNDECIDED = 1e-9
+"""Torque of a machine in a unit of what balances by itself, above which equilibrium does not decide it [-]."""
 
 
 @dataclass(frozen=True)
@@ -83,6 +83,19 @@ def solve_torques(known: Balance, applied: Floats, *, sharing: Sequence[Sharing]
     if left > BALANCE_TOLERANCE * max(abs(applied).max(initial=0.0), 1e-30):
         return None
     return _share(solution, known.free, sharing) if known.free.shape[1] else solution
+
+
+def undecided(known: Balance, rows: int) -> Bools:
+    """Tell of each balancing machine whether its torque may change without any node noticing, shape (machines,).
+
+    Args:
+        known: The equations without losses, in which what circulates inside the train does not touch the machines.
+        rows: Number of rows, before the machines' unknowns.
+
+    Source: the null space of the equations, restricted to the machines; empty where the torques are unique.
+    """
+    swing: Bools = np.abs(known.free[rows:]).max(axis=1, initial=0.0) > UNDECIDED
+    return swing
 
 
 @remembered

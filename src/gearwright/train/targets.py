@@ -14,7 +14,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
-from gearwright.spec import GROUND, Design, Pair, Planetary
+from gearwright.spec import GROUND, Design, Machine, Pair, Planetary
 from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of, members_of, willis_ratio, willis_speed
 from gearwright.train.memory import remembered
 from gearwright.train.null_space import null_space
@@ -80,7 +80,8 @@ def _potentials(design: Design, edges: Mapping[str, Edge], fixed: Mapping[str, f
     for name in design.epicyclics:
         (first, speed), *others = list(ties_of(design, name).items()) or [("", 0.0)]
         equations += [({shaft: 1.0, first: -1.0}, math.log(abs(tied / speed)), _GIVEN) for shaft, tied in others]
-    equations += [({clutch.driving: 1.0, clutch.driven: -1.0}, 0.0, _GIVEN) for clutch in design.clutches.values()]
+    joined = [clutch for clutch in design.clutches.values() if clutch.kind != "open" and clutch.driven != GROUND]
+    equations += [({clutch.driving: 1.0, clutch.driven: -1.0}, 0.0, _GIVEN) for clutch in joined]
     matrix = np.zeros((len(equations), len(column)))
     right = np.zeros(len(equations))
     for k, (terms, value, weight) in enumerate(equations):
@@ -129,10 +130,10 @@ def _propagate(stage: Pair | Planetary, edge: Edge | None, speeds: dict[str, flo
 
 
 def _main_stages(design: Design, edges: Mapping[str, Edge]) -> set[str]:
-    """Return the stages on the shortest way from the first machine to the first propeller, which share its ratio."""
+    """Return the stages on the shortest way from the first machine to the first driven one, which share its ratio."""
     machines = list(asked_speeds(design, {}))
     start = design.machines[machines[0]].shaft
-    goal = next(iter(design.propellers.values())).shaft
+    goal = _goal(design).shaft
     ways: dict[str, tuple[str, ...]] = {start: ()}
     queue = [start]
     for shaft in queue:
@@ -142,6 +143,12 @@ def _main_stages(design: Design, edges: Mapping[str, Edge]) -> set[str]:
                     ways[end] = (*ways[shaft], name)
                     queue.append(end)
     return set(ways.get(goal, ()))
+
+
+def _goal(design: Design) -> Machine:
+    """Return the first machine that is driven, or the last one where all drive."""
+    *_, last = machines = list(design.machines.values())
+    return next((machine for machine in machines if not machine.drives), last)
 
 
 def _neighbours(design: Design, edges: Mapping[str, Edge], shaft: str) -> Iterator[tuple[str, tuple[str, ...]]]:

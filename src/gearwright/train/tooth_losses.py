@@ -11,15 +11,33 @@ from gearwright.spec import GROUND
 from gearwright.train.graph import Train
 from gearwright.train.statics import lossy
 
+TOGETHER = 8
+"""Rounds in which every row that disagrees is turned; later ones turn the first of them alone [-]."""
+MAX_REVERSALS = 1000
+"""Rounds in which the direction of the tooth power may still change while losses are found [-]."""
 
-def direction_of(power: Floats, noise: float) -> Floats:
-    """Return the sense of each row's tooth power, +1 from a to b; rounding noise of an idle row counts as +1.
+
+def turned(direction: Floats | None, power: Floats, noise: float, *, together: bool) -> Floats:
+    """Return the senses to try next of each row's tooth power, +1 from a to b; the same where all agree.
+
+    The torques with losses are a linear complementarity problem: each row loses on the side that it drives. Turning all
+    rows that disagree converges at once as a rule, and may go in circles; turning the first one alone ends wherever
+    losses leave one solution. Power within the noise agrees with either sense: such a row loses nothing.
 
     Args:
+        direction: Senses with which the power was found; None: without losses.
         power: From gear a to gear b of every row [W], shape (rows,).
         noise: What counts as rounding [W].
+        together: Turn all rows that disagree, not only the first.
+
+    Source: Murty 1974, Note on a Bard-type scheme for solving the complementarity problem, Opsearch 11.
     """
-    return np.where(power < -noise, -1.0, 1.0)
+    if direction is None:
+        return np.where(power < -noise, -1.0, 1.0)
+    wrong = np.flatnonzero(direction * power < -noise)
+    following = direction.copy()
+    following[wrong if together else wrong[:1]] *= -1.0
+    return following
 
 
 def rolling(train: Train, matrix: Floats, speeds: Floats) -> Floats:
@@ -51,7 +69,7 @@ def with_losses(train: Train, matrix: Floats, direction: Floats, efficiency: Map
     Args:
         train: The graph.
         matrix: Rows of meshes and clutches over the nodes, shape (rows, nodes).
-        direction: Sense of each row's tooth power, from `direction_of`.
+        direction: Sense of each row's tooth power, from `turned`.
         efficiency: Stage, or mesh row -> efficiency of one mesh [-]; 1 where it is left out.
     """
     kept = np.ones(len(matrix))

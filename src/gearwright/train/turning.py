@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from gearwright.arrays import Floats
-from gearwright.spec import Design, Drive
+from gearwright.spec import GROUND, Design, Drive, case_named, cases_of
 from gearwright.train.graph import Joint, Train
-from gearwright.train.kinematics import Yielded, rows, solve_speeds
+from gearwright.train.kinematics import Yielded, motions_of, rows, solve_speeds
+from gearwright.train.null_space import RANK_TOLERANCE
 from gearwright.train.statics import Balance, balance
 
 
@@ -45,7 +48,7 @@ class Turning:
         self._known: dict[tuple[object, ...], Turn] = {}
         self.asked = asked_speeds(design, {})
         """Machine -> rated speed [rad/s], the one to be kept first."""
-        rated = self.turn(self.asked, train.joints)
+        rated = self.turn(self.asked, holding(design, train, cases_of(design)[0]))
         self.yielded = rated.yielded
         """Machines whose rated speed the teeth give only nearly."""
         self.senses = {
@@ -66,9 +69,37 @@ class Turning:
         key = (*joints, *asked.items())
         if key not in self._known:
             matrix = rows(self.train, self.teeth, joints)
-            speeds, yielded = solve_speeds(self.train, matrix, asked)
+            speeds, yielded = solve_speeds(self.train, matrix, asked, joints=joints)
             self._known[key] = Turn(matrix, speeds, tuple(yielded))
         return self._known[key]
+
+    def locked(self, joints: Sequence[Joint]) -> frozenset[str]:
+        """Return the machines whose shafts the brakes that hold keep from turning.
+
+        Args:
+            joints: The clutches and brakes that hold.
+        """
+        if not any(GROUND in (joint.driving, joint.driven) for joint in joints):
+            return frozenset()
+        motions = motions_of(rows(self.train, self.teeth, joints))
+        still = np.linalg.norm(motions, axis=1) < RANK_TOLERANCE
+        return frozenset(name for name, shaft in self.train.machines.items() if still[self.train.column[shaft]])
+
+
+def holding(design: Design, train: Train, case: str) -> tuple[Joint, ...]:
+    """Return the clutches and brakes that hold in a case; an overrunning one may open by itself.
+
+    Args:
+        design: With its cases.
+        train: The graph.
+        case: Name of the case.
+    """
+    engaged = case_named(design, case).engaged
+    return tuple(
+        joint
+        for joint in train.joints
+        if joint.overrunning or (not joint.is_open if engaged is None else joint.name in engaged)
+    )
 
 
 def asked_speeds(design: Design, drives: Mapping[str, Drive]) -> dict[str, float]:
@@ -79,25 +110,10 @@ def asked_speeds(design: Design, drives: Mapping[str, Drive]) -> dict[str, float
         drives: The case; a speed given there comes first and replaces the rated one.
     """
     machines = design.machines
-    order = [*(design.speeds.keep or []), *design.turbines, *design.motors, *design.propellers]
-    stated = [name for name in order if name in drives and drives[name].speed is not None]
-    speeds = {name: drives[name].speed or 0.0 for name in stated}
-    if not stated:
-        speeds = {name: machines[name].speed for name in dict.fromkeys(order)}
+    order = dict.fromkeys([*(design.speeds.keep or []), *machines])
+    speeds = {name: drives[name].speed for name in order if name in drives}
+    if all(speed is None for speed in speeds.values()):
+        speeds = {name: machines[name].asked_speed for name in order}
+    asked = {name: speed for name, speed in speeds.items() if speed is not None}
     reversed_ = {name for name, motor in design.motors.items() if motor.reverse}
-    return {name: -speed if name in reversed_ else speed for name, speed in speeds.items()}
-
-
-def drives_of(design: Design, case: str) -> dict[str, Drive]:
-    """Return what each machine does in a case.
-
-    Args:
-        design: With its cases.
-        case: Name of one of them, or ``rated``: every machine at rated power, the propellers balance.
-    """
-    if case in design.cases:
-        return dict(design.cases[case])
-    rated = {name: turbine.power for name, turbine in design.turbines.items()}
-    drives = {name: Drive(power=power) for name, power in rated.items()}
-    drives |= {name: Drive(power=None if motor.balances else motor.power) for name, motor in design.motors.items()}
-    return drives
+    return {name: -speed if name in reversed_ else speed for name, speed in asked.items()}

@@ -88,9 +88,10 @@ def test_the_module_that_a_mesh_asks_for_just_meets_the_safety():
 
 def test_a_load_spectrum_is_summed_by_miner():
     """Half of the life at 60 % of the power: the safety is what ISO 6336-6 makes of the two stresses."""
-    cases = "[cases.low.drive]\npower_kw = 120\n[service]\nlife_h = 1000\n"
+    cases = "[service]\nlife_h = 1000\n"
+    low = "[cases.low]\nshare = 0.5\ndrive.power_kw = 120\n[cases.rated]\nshare = 0.5\ndrive.rating = 1\n"
     whole = size(parse(PAIR + cases))
-    shared = size(parse(PAIR + cases + "shares = { rated = 0.5, low = 0.5 }\n[overrides]\n" + fixed(whole)))
+    shared = size(parse(PAIR + cases + low + "[overrides]\n" + fixed(whole)))
     alone = size(parse(PAIR + cases + "[overrides]\n" + fixed(whole)))
     assert mesh(shared, "only").rating.pitting[0] > mesh(alone, "only").rating.pitting[0]
     factors = mesh(alone, "only").rating.factors

@@ -204,10 +204,12 @@ rating = "agma2001"
 "only.face_width_mm" = 40
 [cases.low.drive]
 power_kw = 150
+[cases.rated.drive]
+rating = 1
 """
 SHARES = {
-    "whole": "[service]\nlife_h = 1000\n",
-    "half": "[service]\nlife_h = 500\n",
+    "whole": "[service]\nlife_h = 1000\nshares = { rated = 1.0, low = 0.0 }\n",
+    "half": "[service]\nlife_h = 500\nshares = { rated = 1.0, low = 0.0 }\n",
     "mixed": "[service]\nlife_h = 1000\nshares = { rated = 0.5, low = 0.5 }\n",
 }
 

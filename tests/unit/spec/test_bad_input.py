@@ -302,8 +302,8 @@ def test_the_limits_of_the_search_are_in_order():
     assert problem(PAIR + "[teeth]\npinion_minimum = 40\npinion_maximum = 20\n").path == "teeth.pinion_minimum"
 
 
-def test_the_rated_case_is_everyones():
-    assert "every design has this case" in problem(PAIR + "[cases.rated.turbine]\npower_kw = 5\n").message
+def test_the_rated_case_may_be_said_like_any_other():
+    assert size(parse(PAIR + "[cases.rated.turbine]\npower_kw = 5\n")).rated_power == pytest.approx(5e3)
 
 
 def test_a_case_names_machines_that_exist():

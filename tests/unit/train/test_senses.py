@@ -40,6 +40,10 @@ power_kw = 0
 power_kw = 150
 [cases.engine-stopped.motor]
 power_kw = 150
+[cases.rated.turbine]
+rating = 1
+[cases.rated.motor]
+rating = 1
 """
 
 

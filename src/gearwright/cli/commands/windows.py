@@ -44,7 +44,6 @@ def window(
     from gearwright.render.answers.flight import window_answer
     from gearwright.render.answers.motion import instants
     from gearwright.render.words.window import window_text
-    from gearwright.train import RATED
 
     sizing = sized(design)
     flight = fly(sizing, flown, folder=folder)
@@ -52,7 +51,7 @@ def window(
     if stiffness is not None:
         rules = rules.model_copy(update={"stiffness": stiffness})
     dynamic = fly_window(flight, name, rules)
-    kept = save_run(output, dynamic.trace, sizing, RATED) if output is not None else None
+    kept = save_run(output, dynamic.trace, sizing, sizing.reference.case) if output is not None else None
     if jsonl:
         show_rows("window", window_answer(dynamic), instants(dynamic.trace), design=sizing.design.name)
     elif json:

@@ -30,7 +30,7 @@ from gearwright.dynamics.model import (
 from gearwright.errors import by_name
 from gearwright.identity import Kind, PartId
 from gearwright.sizing import Sizing
-from gearwright.train import RATED
+from gearwright.spec import RATED
 from gearwright.verbs import verb
 
 

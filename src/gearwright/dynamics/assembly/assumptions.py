@@ -12,6 +12,7 @@ from gearwright.dynamics.assembly.translational import pin_stiffness
 from gearwright.dynamics.model import System
 from gearwright.sizing import Sizing
 from gearwright.spec import GROUND, Planetary, Record, quantity_of
+from gearwright.spec.checks import table_of
 from gearwright.spec.design import DynamicsRules
 from gearwright.units import text
 
@@ -106,10 +107,11 @@ def _bearings(sizing: Sizing) -> Iterator[Assumption]:
 
 def _inertias(sizing: Sizing) -> Iterator[Assumption]:
     for machine in sizing.machines:
-        table = {"turbine": "turbines", "motor": "motors", "propeller": "propellers"}[machine.kind]
-        origin: Source = "given" if machine.inertia_is_given else "computed"
+        table = table_of(machine.name, sizing.design)
+        origin: Source = "given" if machine.inertia_is_given else "computed" if machine.inertia else "default"
         path = f"{table}.{machine.name}.inertia_kg_m2"
-        yield Assumption(f"inertia of {machine.name}", text(machine.inertia, "inertia"), origin, path)
+        words = text(machine.inertia, "inertia") if machine.inertia else "none: not stated"
+        yield Assumption(f"inertia of {machine.name}", words, origin, path)
 
 
 def _model(sizing: Sizing, system: System) -> Iterator[Assumption]:

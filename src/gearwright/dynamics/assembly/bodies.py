@@ -60,6 +60,11 @@ class Assembly:
         """Whether machines are bodies on shafts of their own, or torques on the train."""
         return self.sizing.design.dynamics.machines == "inertia"
 
+    @property
+    def turning_machines(self) -> tuple[MachineSizing, ...]:
+        """Machines that are bodies on shafts of their own: those whose inertia is known."""
+        return tuple(machine for machine in self.sizing.machines if self.machines_turn and machine.inertia)
+
     def curve(self, row: str) -> StiffnessCurve:
         """Return the stiffness of one mesh of a row along its line of action.
 
@@ -89,7 +94,7 @@ class Assembly:
             machine: Turbine, motor or propeller.
         """
         members = self.members[machine.shaft]
-        return members[-1] if machine.kind == "propeller" else members[0]
+        return members[0] if self.sizing.design.machines[machine.name].drives else members[-1]
 
     def loaded_body(self, machine: MachineSizing) -> str:
         """Return the body that feels a machine's torque.
@@ -97,7 +102,7 @@ class Assembly:
         Args:
             machine: Turbine, motor or propeller.
         """
-        return machine.name if self.machines_turn else self.seat(machine)
+        return machine.name if machine in self.turning_machines else self.seat(machine)
 
 
 def add_bodies(assembly: Assembly) -> None:
@@ -115,7 +120,7 @@ def add_bodies(assembly: Assembly) -> None:
                 assembly.put(gear.body(shaft), shaft, gear.inertia * gear.bodies / len(gear.shafts))
     for sized in sizing.shafts:
         _share_shaft(assembly, sized)
-    for machine in sizing.machines if assembly.machines_turn else ():
+    for machine in assembly.turning_machines:
         assembly.rotors[machine.name] = Rotor(
             machine.inertia, speeds[machine.shaft], PartId(Kind.MACHINE, machine.name)
         )

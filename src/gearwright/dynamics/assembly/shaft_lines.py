@@ -41,7 +41,7 @@ def shaft_lines(assembly: Assembly, slipping: Set[str]) -> Iterator[ShaftLine]:
         for k, (first, second) in enumerate(pairwise(members)):
             line = f"{name} shaft" if pieces == 1 else f"{name} shaft {k + 1}"
             yield ShaftLine(line, PartId(Kind.SHAFT, name), first, second, shafts[name].stiffness * pieces)
-    for machine in sizing.machines if assembly.machines_turn else ():
+    for machine in assembly.turning_machines:
         end, shaft = assembly.seat(machine), machine.shaft
         driving = assembly.flow.machine_powers[machine.name] >= 0.0
         ends = (machine.name, end) if driving else (end, machine.name)

@@ -21,7 +21,6 @@ from gearwright.mission.windows.background import Background, Curve, background
 from gearwright.mission.windows.events import changed, value_at
 from gearwright.showing import Shown
 from gearwright.spec import GovernorRules, WindowRules
-from gearwright.train import RATED
 from gearwright.verbs import verb
 
 STEPS_PER_CYCLE = 1.6
@@ -144,7 +143,12 @@ def _system(back: Background, rules: WindowRules) -> System:
     machines = [_machine(back, rules, name) for name in back.gearbox.machines]
     held = {} if rules.clutch is None else {rules.clutch: _capacity(back, rules)}
     driving = Driving([_propeller(back, rules), *machines], back.resistances, held)
-    system = assemble(flight.sizing, RATED, stiffness=rules.stiffness or design.dynamics.stiffness, driving=driving)
+    system = assemble(
+        flight.sizing,
+        flight.sizing.reference.case,
+        stiffness=rules.stiffness or design.dynamics.stiffness,
+        driving=driving,
+    )
     column = system.labels.coordinates.index(_body(system, back.gearbox.propeller))
     factor = value_at(back.speed, 0.0) / abs(float(system.arrays.speed[column]))
     return with_profile(system, [(0.0, factor)])

@@ -17,7 +17,6 @@ from gearwright.reviews import Review
 from gearwright.sizing import Sizing, StageSummary, stage_summaries
 from gearwright.sizing.arrangement import envelope
 from gearwright.study import Table
-from gearwright.train import RATED
 from gearwright.units import Origin, Quantity
 from gearwright.version import __version__
 
@@ -82,7 +81,7 @@ def comparison(variants: Table, sizings: Mapping[str, Sizing], reviews: Mapping[
 
 def _flow(name: str, sizing: Sizing, review: Review) -> Section:
     caption = "Power flow at rated power: bands as wide as the power, in the colour of its source."
-    figure = Figure(theme.to_svg(power_flow_figure(sizing, RATED), name), caption)
+    figure = Figure(theme.to_svg(power_flow_figure(sizing, sizing.reference.case), name), caption)
     return Section(sizing.design.name, figures=(figure,), notes=(f"{headline(review)}.",))
 
 

@@ -57,7 +57,7 @@ def key_numbers(sizing: Sizing, review: Review | None = None) -> tuple[tuple[str
         sizing: As sized.
         review: Of it; left out: the page says that it knows the checks of sizing alone.
     """
-    rated = sizing.flows["rated"]
+    rated = sizing.reference
     taken = [name for name, power in rated.machine_powers.items() if power < 0.0]
     torque = max((abs(rated.machine_torques[name]) for name in taken), default=0.0)
     numbers = [

@@ -79,8 +79,9 @@ def _walk(model: type[Record], path: tuple[str, ...]) -> Iterator[tuple[type[Rec
     for name, info in model.model_fields.items():
         inner, depth = _record(info.annotation)
         if inner is not None:
-            names = ("NAME",) if depth == 1 else ("CASE", "MACHINE")[:depth]
-            yield from _walk(inner, (*path, name, *names))
+            yield from _walk(inner, (*path, name, *("NAME",) * depth))
+    if model.others is not None:
+        yield from _walk(model.others, (*path, "MACHINE"))
 
 
 def _record(annotation: Any) -> tuple[type[Record] | None, int]:

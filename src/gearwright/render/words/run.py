@@ -15,7 +15,6 @@ from gearwright.render.words.headline import energy_text, headline, sizing_headl
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing
 from gearwright.sizing.arrangement.envelope import envelope
-from gearwright.train import RATED
 from gearwright.units import shown, text
 
 LABEL = 20
@@ -57,7 +56,7 @@ def run_verdict(sizing: Sizing, review: Review | None) -> tuple[str, ...]:
 def _sized(sizing: Sizing) -> Iterator[tuple[str, str]]:
     masses = (("gears", sizing.gear_mass), ("shafts", sizing.shaft_mass), ("carriers", sizing.carrier_mass))
     parts = ", ".join(f"{what} {text(mass, 'mass')}" for what, mass in masses if mass)
-    flow, box = sizing.flows[RATED], envelope(sizing)
+    flow, box = sizing.reference, envelope(sizing)
     yield "mass", f"{text(sizing.mass, 'mass')} ({parts})"
     yield "power", f"{text(sizing.rated_power, 'power')}, {text(sizing.power_density, 'specific_power')}"
     speeds = [f"{machine.name} {abs(shown(flow.speeds[machine.shaft], 'speed')):.0f}" for machine in sizing.machines]

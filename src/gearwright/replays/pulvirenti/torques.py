@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 from gearwright.identity import Role, Row, gear_part, mesh_part
 from gearwright.replays.pulvirenti.runs import Computed, sized
-from gearwright.train import RATED
+from gearwright.spec import RATED
 
 CRUISE = "cruise"
 _DESIGN = "in-line-h2"

@@ -21,6 +21,8 @@ _POSITIVE = {
     MachineSizing: ("inertia",),
 }
 """Record -> fields that are above zero in every part that there can be."""
+_UNSTATED = ("accessory", "load")
+"""Kinds of machines that have no inertia where none is stated."""
 _ENDLESS = ("margin", "safety", "safeties", "life", "value", "limit", "pressure")
 """How the names of fields end that are infinite where nothing loads the part, limits it, or bears (a key too short)."""
 
@@ -54,7 +56,8 @@ def _parts(sizing: Sizing) -> Iterator[tuple[str, str, float]]:
         for part in group:
             name = str(getattr(part, "name", getattr(part, "part", getattr(part, "stage", ""))))
             yield from ((name, field, value) for field, value in _wrong(part, ""))
-            for field in _POSITIVE.get(type(part), ()):
+            unstated = isinstance(part, MachineSizing) and part.kind in _UNSTATED
+            for field in () if unstated else _POSITIVE.get(type(part), ()):
                 if not getattr(part, field) > 0.0:
                     yield name, field, getattr(part, field)
     for case, flow in sizing.flows.items():

@@ -10,7 +10,7 @@ from gearwright.errors import DesignError, Problem, near
 from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, ShaftSizing, Sizing
-from gearwright.train import RATED, PowerFlow
+from gearwright.train import PowerFlow
 from gearwright.units import Quantity, marks_at
 from gearwright.verbs import verb
 
@@ -56,7 +56,7 @@ def total_results(sizing: Sizing) -> dict[str, Named]:
         "power_density": Named(sizing.power_density, "specific_power"),
         "total_power_density": Named(sizing.total_power_density, "specific_power"),
         "worst_margin": Named(sizing.worst_margin, "ratio"),
-        "efficiency": Named(_efficiency(sizing.flows[RATED]), "ratio"),
+        "efficiency": Named(_efficiency(sizing.reference), "ratio"),
     }
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gearwright.spec import Design
-from gearwright.train import RATED, PowerFlow, Train
+from gearwright.train import PowerFlow, Train
 
 
 def helix_hand(design: Design, train: Train, flows: Mapping[str, PowerFlow], shaft: str) -> float:
@@ -21,8 +21,9 @@ def helix_hand(design: Design, train: Train, flows: Mapping[str, PowerFlow], sha
         flows: Load case -> power flow.
         shaft: That carries the gear.
     """
-    turning = -1.0 if flows[RATED].speeds[shaft] < 0.0 else 1.0
-    return -turning if _mirrored(design, train, flows[RATED]) else turning
+    reference = next(iter(flows.values()))
+    turning = -1.0 if reference.speeds[shaft] < 0.0 else 1.0
+    return -turning if _mirrored(design, train, reference) else turning
 
 
 def _mirrored(design: Design, train: Train, rated: PowerFlow) -> bool:

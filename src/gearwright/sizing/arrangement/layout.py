@@ -53,13 +53,13 @@ def plan_of(context: Context, name: str, gears: tuple[GearSizing, ...]) -> Shaft
 def _on_shaft(design: Design, train: Train, shaft: str) -> Iterator[str]:
     """Yield everything that puts torque on a shaft, in order."""
     yield from (link.name for link in train.links if link.driven == shaft)
-    yield from (name for name in (*design.turbines, *design.motors) if train.machines[name] == shaft)
+    yield from (name for name, machine in design.machines.items() if machine.shaft == shaft and machine.drives)
     for stage in design.stages:
         yield from (gear.name for gear in train.gears if gear.stage == stage and shaft in gear.nodes)
         if stage in design.planetaries and design.planetaries[stage].carrier == shaft:
             yield str(carrier_part(stage))
     yield from (link.name for link in train.links if link.driving == shaft)
-    yield from (name for name in design.propellers if train.machines[name] == shaft)
+    yield from (name for name, machine in design.machines.items() if machine.shaft == shaft and not machine.drives)
 
 
 def _length(design: Design, name: str, widths: Mapping[str, float]) -> float:

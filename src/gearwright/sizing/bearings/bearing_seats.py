@@ -22,7 +22,7 @@ from gearwright.sizing.rating import Context, context_of
 from gearwright.sizing.result import GearSizing, ShaftSizing, Sizing
 from gearwright.spec import GROUND, Design
 from gearwright.spec.design import BearingSeat
-from gearwright.train import INTERNAL, RATED, Mesh, MeshFlow, PowerFlow
+from gearwright.train import INTERNAL, Mesh, MeshFlow, PowerFlow
 from gearwright.units import Force, Length
 
 ENDS = ("first", "second")
@@ -94,9 +94,9 @@ def seat_forces(seat: Seat, torques: Floats, carrier_speed: Floats) -> tuple[Flo
 def _unit_loads(sizing: Sizing) -> Context:
     """Return what sizing reads, with a case for each sign of a unit torque on each mesh row, after the rated one."""
     design, train = sizing.design, sizing.train
-    rated = sizing.flows[RATED]
+    rated = sizing.reference
     cases = {f"{sign}{mesh.name}": _unit(sizing, rated, mesh, sign) for mesh in train.meshes for sign in (1, -1)}
-    return context_of(design, train, sizing.teeth, {RATED: rated, **cases}, sizing.given)
+    return context_of(design, train, sizing.teeth, {rated.case: rated, **cases}, sizing.given)
 
 
 def _unit(sizing: Sizing, rated: PowerFlow, loaded: Mesh, sign: int) -> PowerFlow:

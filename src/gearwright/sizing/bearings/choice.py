@@ -26,8 +26,7 @@ from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.rating import Context
 from gearwright.spec.checks import APART, KINDS
-from gearwright.spec.design import BearingSeat
-from gearwright.train import RATED
+from gearwright.spec.design import BearingSeat, shares_of
 
 TYPICAL_TAPER = LoadFactors(0.4, 0.4, 1.5)
 """e, X, Y of taper bearings before one is chosen: α = 15° [-]."""
@@ -116,9 +115,9 @@ def seating(context: Context, shaft: str, forces: ShaftForces, chosen: Mapping[s
 
 
 def _duty(context: Context, shaft: str, seat: BearingSeat, radial: Floats, axial: Floats) -> BearingSpectrum:
-    """Return what a bearing bears in every case; without shares all of its life is spent in the rated one."""
-    service = context.design.service
-    shares = service.shares or {RATED: 1.0}
+    """Return what a bearing bears in every case; without shares one case lasts its whole life."""
+    service, said = context.design.service, shares_of(context.design)
+    shares = said or {context.reference.case: 1.0}
     return BearingSpectrum(
         radial=tuple(radial.tolist()),
         axial=tuple(axial.tolist()),
@@ -126,7 +125,7 @@ def _duty(context: Context, shaft: str, seat: BearingSeat, radial: Floats, axial
         share=tuple(shares.get(case, 0.0) for case in context.flows),
         life=seat.life or service.bearing_life,
         static_safety=service.static_safety,
-        mean_factor=1.0 if service.shares else service.mean_load,
+        mean_factor=1.0 if said else service.mean_load,
         limit_factor=service.application_factor,
     )
 

@@ -20,7 +20,7 @@ from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.loads.shaft_loads import shaft_loads
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram
-from gearwright.spec import Propeller
+from gearwright.spec import Airscrew
 
 _ROUNDING = 1e-6
 """Moment over the largest one below which it is rounding [-]."""
@@ -127,7 +127,7 @@ def shaft_forces(
     """
     meshes, axial = shaft_loads(context, name, plan, axes=axes, gears=gears)
     loads, apart = meshes, [meshes]
-    for rotor_name, rotor in context.design.propellers.items():
+    for rotor_name, rotor in context.design.airscrews.items():
         if rotor.shaft == name:
             side = rotor_side(plan, rotor_name)
             axial = axial + side * rotor.thrust
@@ -156,7 +156,7 @@ def rotor_side(plan: ShaftPlan, rotor: str) -> float:
     return 1.0 if plan.places[rotor] >= sum(others) / len(others) else -1.0
 
 
-def _alone(loads: PointLoads, plan: ShaftPlan, rotor: Propeller, *, position: float) -> PointLoads:
+def _alone(loads: PointLoads, plan: ShaftPlan, rotor: Airscrew, *, position: float) -> PointLoads:
     """Return a rotor's force and moment along y, beside other loads of nothing."""
     side = 1.0 if position >= sum(plan.bearings) / 2.0 else -1.0
     wider = _padded(loads, position)

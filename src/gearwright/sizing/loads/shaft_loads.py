@@ -24,7 +24,7 @@ from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.arrangement import helix_hand
 from gearwright.sizing.rating import Context, bevel_push
 from gearwright.sizing.result import GearSizing
-from gearwright.train import INTERNAL, RATED, Mesh
+from gearwright.train import INTERNAL, Mesh
 
 
 class _Load(NamedTuple):
@@ -153,7 +153,7 @@ def _bevel_load(context: Context, mesh: Mesh, side: int, axes: Mapping[str, comp
     rating, pair, radius = context.ratings[mesh.stage], context.design.pairs[mesh.stage], gear.pitch_diameter / 2.0
     torque = np.array([flow.meshes[mesh.name].torques[side] for flow in context.flows.values()])
     tangential = torque / radius * rating.load_factor
-    rated = context.flows[RATED].meshes[mesh.name].torques[side]
+    rated = context.reference.meshes[mesh.name].torques[side]
     pushed = np.sign(torque * rated) * (1.0 if side == 0 else -1.0)
     here, mate = (context.teeth[mesh.gears[k]] for k in (side, 1 - side))
     forces = bevel_push(rating, np.abs(tangential), here / mate, pushed=pushed)

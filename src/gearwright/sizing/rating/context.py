@@ -43,6 +43,11 @@ class Context:
     ratings: Mapping[str, Rating]
     """Stage -> resolved rules."""
 
+    @property
+    def reference(self) -> PowerFlow:
+        """The case that speaks for the design: the first one."""
+        return next(iter(self.flows.values()))
+
 
 def context_of(
     design: Design, train: Train, teeth: Mapping[str, int], flows: Mapping[str, PowerFlow], given: Mapping[str, Given]

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from gearwright.sizing.rating.context import Context, ask_of, worst_case
 from gearwright.sizing.rating.methods import method_for
 from gearwright.sizing.rating.protocol import Load, LoadedMesh, MeshRating, Unloaded
+from gearwright.spec import shares_of
 from gearwright.train import Mesh
 
 _LEAST_TORQUE = 1e-9
@@ -50,11 +51,11 @@ def row_reserve(context: Context, mesh: Mesh, module: float, face_width: float) 
 
 def _loads(context: Context, mesh: Mesh) -> Iterator[Load]:
     """Yield the cases that make up the life; where none is said, the heaviest lasts all of it."""
-    service = context.design.service
-    if not service.shares:
+    service, shares = context.design.service, shares_of(context.design)
+    if not shares:
         case, _ = worst_case(context, mesh)
         yield _load(context, mesh, case, service.life)
-    for case, share in service.shares.items():
+    for case, share in shares.items():
         if share > 0.0:
             yield _load(context, mesh, case, share * service.life)
 

@@ -25,7 +25,6 @@ from gearwright.sizing.rating import Context
 from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram, ShaftSizing
 from gearwright.sizing.shafts.building import Built, build_shaft
 from gearwright.spec.design import NOTHING_GIVEN
-from gearwright.train import RATED
 
 
 def shaft_material(context: Context) -> Material:
@@ -78,7 +77,7 @@ def size_shafts(
 def _bent(context: Context) -> set[str]:
     """Return the shafts that something may bend: a mesh of a pair, or a rotor's force or moment."""
     geared = {node for mesh in context.train.meshes if mesh.stage in context.design.pairs for node in mesh.nodes}
-    rotors = context.design.propellers.values()
+    rotors = context.design.airscrews.values()
     return geared | {rotor.shaft for rotor in rotors if rotor.thrust or rotor.in_plane_force or rotor.hub_moment}
 
 
@@ -148,7 +147,7 @@ def _plain(context: Context, plan: ShaftPlan, load: _Governing, axis: complex, *
     return ShaftSizing(
         name=name,
         case=load.case,
-        speed=context.flows[RATED].speeds[name],
+        speed=context.reference.speeds[name],
         torque=torque,
         bending_moment=bending,
         axial_force=load.axial_force,
@@ -194,7 +193,7 @@ def _stepped(context: Context, forces: ShaftForces, built: Built, axis: complex,
     return ShaftSizing(
         name=name,
         case=weak.case,
-        speed=context.flows[RATED].speeds[name],
+        speed=context.reference.speeds[name],
         torque=weak.torque,
         bending_moment=weak.bending_moment,
         axial_force=float(forces.axial[case]),

@@ -8,7 +8,7 @@ import numpy as np
 
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.parts.planetary import assembles, neighbours_clear
-from gearwright.spec import Design, Pair, Planetary
+from gearwright.spec import Design, Pair, Planetary, case_named
 from gearwright.spec.checks import table_of
 from gearwright.train import PowerFlow
 from gearwright.units import text
@@ -71,7 +71,7 @@ def refuse_contradictions(design: Design, flows: Mapping[str, PowerFlow]) -> Non
     problems: dict[str, Problem] = {}
     for case, flow in flows.items():
         for yielded in flow.yielded:
-            drive = design.cases.get(case, {}).get(yielded.machine)
+            drive = case_named(design, case).machines.get(yielded.machine)
             stated = drive is not None and drive.speed is not None
             table = f"cases.{case}" if stated else table_of(yielded.machine, design)
             path = f"{table}.{yielded.machine}.speed"

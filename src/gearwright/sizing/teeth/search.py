@@ -235,8 +235,8 @@ def _speeds_hold(task: Task, design: Design, speeds: Mapping[str, Floats], count
     if is_given(task.stage):
         return good
     for machine in design.machines.values():
-        if machine.shaft in speeds:
-            good &= np.abs(speeds[machine.shaft] / machine.speed - 1.0) <= design.teeth.speed_tolerance
+        if machine.shaft in speeds and machine.asked_speed is not None:
+            good &= np.abs(speeds[machine.shaft] / machine.asked_speed - 1.0) <= design.teeth.speed_tolerance
     return good
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from gearwright.errors import Problem, near
 from gearwright.identity import SIDES
+from gearwright.spec.checks.cases import case_problems
 from gearwright.spec.checks.effect import effect_problems
 from gearwright.spec.checks.epicyclics import epicyclic_problems
 from gearwright.spec.checks.gears import gear_problems
@@ -15,7 +16,7 @@ from gearwright.spec.checks.motion import motion_problems
 from gearwright.spec.checks.mounting import mounting_problems
 from gearwright.spec.checks.names import name_problems
 from gearwright.spec.checks.planets import planetary_problems
-from gearwright.spec.design import Damper, Design, given_values
+from gearwright.spec.design import GROUND, MACHINES, Damper, Design, given_values
 from gearwright.spec.design.stages import gear_named
 from gearwright.units import text
 
@@ -31,7 +32,7 @@ def reference_problems(design: Design) -> list[Problem]:
     """
     checks = (
         name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, epicyclic_problems, _links, _teeth,
-        _layout, _cases, _keep, _widths, _given, _waivers, _level,
+        _layout, case_problems, _keep, _widths, _given, _waivers, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]
     more = (material_problems, gear_problems, effect_problems, motion_problems, mounting_problems)
@@ -62,25 +63,27 @@ def _shaft(path: str, name: str, design: Design) -> Iterator[Problem]:
 
 
 def _machines(design: Design) -> Iterator[Problem]:
-    tables = {"turbines": design.turbines, "motors": design.motors, "propellers": design.propellers}
-    for table, machines in tables.items():
-        for name, machine in machines.items():  # type: ignore[attr-defined]
-            yield from _shaft(f"{table}.{name}.shaft", machine.shaft, design)
+    for table in MACHINES:
+        for name, machine in getattr(design, table).items():
+            path = f"{table}.{name}.shaft"
+            if machine.shaft == GROUND:
+                yield Problem(path, f"{GROUND!r} stands still, and no machine turns there; name a shaft that turns")
+            else:
+                yield from _shaft(path, machine.shaft, design)
     if not design.machines:
         yield Problem("", "no machine drives or loads this train; add a table such as [turbines.gas-turbine]")
-    if design.machines and not design.propellers:
-        yield Problem("propellers", "nothing takes the power; add a table such as [propellers.propeller]")
-    elif design.propellers and not design.turbines and all(motor.balances for motor in design.motors.values()):
-        fix = "write balances = false at a motor" if design.motors else "add a table such as [turbines.gas-turbine]"
-        yield Problem("", f"no machine of a stated power drives this train, so that nothing loads it; {fix}")
 
 
 def _speeds(design: Design) -> Iterator[Problem]:
-    """Find machines on one shaft that ask for different speeds, or senses."""
+    """Find machines on one shaft that ask for different speeds, or senses, and trains of which no speed is asked."""
+    if design.machines and all(machine.asked_speed is None for machine in design.machines.values()):
+        yield Problem("", "no machine has a speed; give one to a machine, such as speed_rpm of a turbine or motor")
     first: dict[str, str] = {}
     for name, machine in design.machines.items():
+        if machine.asked_speed is None:
+            continue
         partner = first.setdefault(machine.shaft, name)
-        asked, speed = _signed_speed(name, design), _signed_speed(partner, design)
+        asked, speed = signed_speed(name, design), signed_speed(partner, design)
         if abs(asked / speed - 1.0) > design.teeth.speed_tolerance:
             yield Problem(
                 f"{table_of(name, design)}.{name}.speed",
@@ -89,9 +92,15 @@ def _speeds(design: Design) -> Iterator[Problem]:
             )
 
 
-def _signed_speed(machine: str, design: Design) -> float:
-    reverse = machine in design.motors and design.motors[machine].reverse
-    return -design.machines[machine].speed if reverse else design.machines[machine].speed
+def signed_speed(machine: str, design: Design) -> float:
+    """Return the speed that a machine asks for, negative where it turns against the first [rad/s]; 0 if it asks none.
+
+    Args:
+        machine: Its name.
+        design: The design.
+    """
+    asked = design.machines[machine].asked_speed or 0.0
+    return -asked if machine in design.motors and design.motors[machine].reverse else asked
 
 
 def table_of(machine: str, design: Design) -> str:
@@ -101,7 +110,7 @@ def table_of(machine: str, design: Design) -> str:
         machine: Its name.
         design: The design.
     """
-    return next(table for table in ("turbines", "motors", "propellers") if machine in getattr(design, table))
+    return next(table for table in MACHINES if machine in getattr(design, table))
 
 
 def _pairs(design: Design) -> Iterator[Problem]:
@@ -181,18 +190,6 @@ def _layout(design: Design) -> Iterator[Problem]:
                 f"layout.{name}.bore",
                 f"the bore {layout.bore * 1e3:g} mm leaves no wall in a shaft of {diameter.value * 1e3:g} mm",
             )
-
-
-def _cases(design: Design) -> Iterator[Problem]:
-    for case, drives in design.cases.items():
-        if case == "rated":
-            yield Problem("cases.rated", "every design has this case: all machines at rated power; take another name")
-        for machine, drive in drives.items():
-            path = f"cases.{case}.{machine}"
-            if machine not in design.machines:
-                yield Problem(path, f"there is no machine {machine!r}; {near(machine, design.machines)}")
-            elif machine in design.turbines and drive.power is not None and drive.power < 0:
-                yield Problem(f"{path}.power", f"{drive.power / 1e3:g} kW: a turbine gives power; use 0 or more")
 
 
 def _keep(design: Design) -> Iterator[Problem]:

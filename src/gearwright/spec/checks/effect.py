@@ -15,6 +15,7 @@ from gearwright.spec.record import Record
 _DECIDED = {
     "turbines": {"diameter": "inertia"},
     "motors": {"flux": "inertia", "mass_law": "mass"},
+    "generators": {"flux": "inertia", "mass_law": "mass"},
 }
 """Table -> key that only estimates what another key states."""
 _OF_BEVELS = ("spiral_angle", "pinion_apex", "wheel_apex")
@@ -177,6 +178,6 @@ def _bent(design: Design) -> set[str]:
     gears: Mapping[str, Pair] = design.pairs
     sides = [side for pair in gears.values() for side in (pair.pinion, pair.wheel)]
     bent = {name for side in sides for name in ([side] if isinstance(side, str) else side)}
-    rotors = design.propellers.values()
+    rotors = design.airscrews.values()
     bent |= {rotor.shaft for rotor in rotors if rotor.thrust or rotor.in_plane_force or rotor.hub_moment}
     return bent | {seat.shaft for seat in design.bearings.values()}

@@ -1,4 +1,4 @@
-"""What can be wrong with service, bearings and joints: names that point nowhere, shafts that are not held."""
+"""What can be wrong with bearings and joints: names that point nowhere, shafts that are not held."""
 
 from __future__ import annotations
 
@@ -18,22 +18,21 @@ KINDS = {
     "four-point": "four-point contact ball",
 }
 """Kind of a seat as written -> kind of bearing in the catalogue."""
+WHOLE = 1e-6
+"""How far from a reliability of the table one may be [-]."""
 MOST_HOLLOW = 0.9
 """Largest bore over the diameter of any part of a shaft with bearings [-]."""
 APART = 1e-6
 """Two bearings nearer than this stand in one place [m]."""
-WHOLE = 1e-6
-"""How far from 1 the sum of the shares may be [-]."""
 
 
 def mounting_problems(design: Design) -> Iterator[Problem]:
-    """Yield what is wrong with the service, the bearings and the joints of a design.
+    """Yield what is wrong with the bearings and the joints of a design.
 
     Args:
         design: As typed.
     """
     given = given_values(design).values
-    yield from _service(design)
     for name, seat in design.bearings.items():
         yield from _seat(name, seat, design, given)
     for shaft in dict.fromkeys(seat.shaft for seat in design.bearings.values()):
@@ -42,19 +41,6 @@ def mounting_problems(design: Design) -> Iterator[Problem]:
     yield from _strength(design)
     for part, joint in design.joints.items():
         yield from _joint(part, joint, design)
-
-
-def _service(design: Design) -> Iterator[Problem]:
-    shares = design.service.shares
-    for case in shares:
-        known = [*design.cases, "rated"]
-        if case not in known:
-            yield Problem(f"service.shares.{case}", f"there is no case {case!r}; {near(case, known)}")
-    total = sum(shares.values())
-    if shares and (abs(total - 1.0) > WHOLE or min(shares.values()) < 0.0):
-        yield Problem("service.shares", f"their sum is {total:.6g}; give positive shares with sum 1")
-    if shares and "mean_load" in design.service.model_fields_set:
-        yield Problem("service.mean_load", "it follows from service.shares; keep one of the two")
 
 
 def _seat(name: str, seat: BearingSeat, design: Design, given: Mapping[str, Given]) -> Iterator[Problem]:

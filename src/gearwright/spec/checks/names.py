@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping
 
 from gearwright.errors import Problem
 from gearwright.spec.bounds import NAME_RULE, is_name
-from gearwright.spec.design import GROUND, Design
+from gearwright.spec.design import GROUND, MACHINES, WEIGHED, Case, Design
+from gearwright.spec.record import keys_of
 
 
 def name_problems(design: Design) -> Iterator[Problem]:
@@ -22,14 +23,18 @@ def name_problems(design: Design) -> Iterator[Problem]:
         for name in names:
             if not is_name(name):
                 yield Problem(f"{table}.{name}", f"{name!r} {NAME_RULE}")
+    for table in MACHINES:
+        for name in tables[table]:
+            if name in keys_of(Case):
+                yield Problem(f"{table}.{name}", f"{name!r} is a key of load cases; give the machine another name")
     yield from _alike(design, tables)
 
 
 def _tables(design: Design) -> dict[str, Mapping[str, object]]:
     return {
-        "turbines": design.turbines, "motors": design.motors, "propellers": design.propellers, "pairs": design.pairs,
-        "planetaries": design.planetaries, "epicyclics": design.epicyclics, "clutches": design.clutches,
-        "dampers": design.dampers, "cases": design.cases,
+        **{table: getattr(design, table) for table in MACHINES},
+        "pairs": design.pairs, "planetaries": design.planetaries, "epicyclics": design.epicyclics,
+        "clutches": design.clutches, "dampers": design.dampers, "cases": design.cases,
     }  # fmt: skip
 
 
@@ -45,7 +50,8 @@ def _shafts(design: Design) -> Iterator[Problem]:
 
 def _whole(design: Design) -> Iterator[Problem]:
     """Find parts whose mass would be given by the path of the whole gearbox's."""
-    named = [("shafts", name) for name in design.shafts] + [(f"motors.{name}", name) for name in design.motors]
+    named = [("shafts", name) for name in design.shafts]
+    named += [(f"{table}.{name}", name) for table in WEIGHED for name in getattr(design, table)]
     for path, name in named:
         if name == "gearbox":
             yield Problem(path, f"{name!r} is the whole, whose mass {name}.mass is; give the part another name")
@@ -54,7 +60,7 @@ def _whole(design: Design) -> Iterator[Problem]:
 def _alike(design: Design, tables: Mapping[str, Mapping[str, object]]) -> Iterator[Problem]:
     """Find parts whose results, overrides, places or lines of the dynamic model would have one name."""
     owners = dict.fromkeys(design.shafts, "shafts")
-    for table in ("turbines", "motors", "propellers"):
+    for table in MACHINES:
         for name in tables[table]:
             if name in owners:
                 what = "a shaft" if owners[name] == "shafts" else "a machine"

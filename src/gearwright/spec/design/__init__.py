@@ -3,18 +3,34 @@
 What can be wrong with it beyond its types is in `checks`.
 """
 
+from gearwright.spec.design.cases import Case, Drive
 from gearwright.spec.design.design import GROUND, Design
 from gearwright.spec.design.dynamics import DynamicsRules, MeshCurve
 from gearwright.spec.design.epicyclics import CentralGear, Epicyclic, PlanetGear
 from gearwright.spec.design.gears import GearRules
-from gearwright.spec.design.given import NO_ORIGIN, Given, given_values
-from gearwright.spec.design.machines import Drive, Motor, Propeller, Turbine
+from gearwright.spec.design.given import NO_ORIGIN, WEIGHED, Given, given_values
+from gearwright.spec.design.limits import Allowed, allowed_for, allowed_in_case
+from gearwright.spec.design.machines import (
+    MACHINES,
+    Accessory,
+    Airscrew,
+    ElectricMachine,
+    Generator,
+    Limit,
+    Load,
+    Machine,
+    Motor,
+    Propeller,
+    Rotor,
+    Turbine,
+)
 from gearwright.spec.design.materials import LifeLineRules, MaterialRules
 from gearwright.spec.design.methods import RATINGS, RatingMethod, method_of, uncovered
 from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
 from gearwright.spec.design.service import Service
 from gearwright.spec.design.shafts import NOTHING_GIVEN, ShaftLayout, Support
 from gearwright.spec.design.sharing import module_owners
+from gearwright.spec.design.spectrum import RATED, case_named, cases_of, drives_of, shares_of
 from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary
 from gearwright.spec.design.standards import Agma2001Rules, Iso6336Rules
 from gearwright.spec.design.tolerance import PartErrors
@@ -22,23 +38,35 @@ from gearwright.spec.design.tolerance import PartErrors
 __all__ = [
     "GROUND",
     "LOCATES",
+    "MACHINES",
     "NOTHING_GIVEN",
     "NO_ORIGIN",
+    "RATED",
     "RATINGS",
+    "WEIGHED",
+    "Accessory",
     "Agma2001Rules",
+    "Airscrew",
+    "Allowed",
     "BearingSeat",
+    "Case",
     "CentralGear",
     "Clutch",
     "Damper",
     "Design",
     "Drive",
     "DynamicsRules",
+    "ElectricMachine",
     "Epicyclic",
     "GearRules",
+    "Generator",
     "Given",
     "Iso6336Rules",
     "Joint",
     "LifeLineRules",
+    "Limit",
+    "Load",
+    "Machine",
     "MaterialRules",
     "MeshCurve",
     "Motor",
@@ -48,12 +76,19 @@ __all__ = [
     "Planetary",
     "Propeller",
     "RatingMethod",
+    "Rotor",
     "Service",
     "ShaftLayout",
     "Support",
     "Turbine",
+    "allowed_for",
+    "allowed_in_case",
+    "case_named",
+    "cases_of",
+    "drives_of",
     "given_values",
     "method_of",
     "module_owners",
+    "shares_of",
     "uncovered",
 ]

@@ -14,10 +14,23 @@ from gearwright.catalogue import material_of, materials
 from gearwright.parts import Material
 from gearwright.showing import Shown
 from gearwright.spec.bounds import Name
+from gearwright.spec.design.cases import Case
 from gearwright.spec.design.dynamics import DynamicsRules
 from gearwright.spec.design.epicyclics import Epicyclic
 from gearwright.spec.design.gears import GearRules, TeethRules
-from gearwright.spec.design.machines import Drive, Motor, Propeller, SpeedRules, Turbine
+from gearwright.spec.design.machines import (
+    MACHINES,
+    Accessory,
+    Airscrew,
+    Generator,
+    Load,
+    Machine,
+    Motor,
+    Propeller,
+    Rotor,
+    SpeedRules,
+    Turbine,
+)
 from gearwright.spec.design.materials import MaterialRules
 from gearwright.spec.design.methods import method_of
 from gearwright.spec.design.mounting import BearingSeat, Joint
@@ -53,6 +66,14 @@ class Design(Shown, Record):
     turbines: dict[str, Turbine] = Field(default_factory=dict, description="Gas turbines by name")
     motors: dict[str, Motor] = Field(default_factory=dict, description="Electric motors by name")
     propellers: dict[str, Propeller] = Field(default_factory=dict, description="Propellers by name")
+    rotors: dict[str, Rotor] = Field(default_factory=dict, description="Rotors of helicopters by name")
+    generators: dict[str, Generator] = Field(default_factory=dict, description="Generators by name")
+    accessories: dict[str, Accessory] = Field(
+        default_factory=dict, description="Pumps, fans and other accessories by name"
+    )
+    loads: dict[str, Load] = Field(
+        default_factory=dict, description="Anything else that takes power, such as wheels, by name"
+    )
     pairs: dict[str, Pair] = Field(default_factory=dict, description="Gear pairs by name")
     planetaries: dict[str, Planetary] = Field(default_factory=dict, description="Planetary sets by name")
     epicyclics: dict[str, Epicyclic] = Field(
@@ -79,8 +100,9 @@ class Design(Shown, Record):
     bearings: dict[str, BearingSeat] = Field(default_factory=dict, description="Bearings of shafts by name")
     joints: dict[str, Joint] = Field(default_factory=dict, description="Shaft-hub joints by gear or machine")
     speeds: SpeedRules = Field(default_factory=SpeedRules, description="Which speeds are kept")
-    cases: dict[str, dict[str, Drive]] = Field(
-        default_factory=dict, description="Load cases: what each machine does; a machine left out idles"
+    cases: dict[str, Case] = Field(
+        default_factory=dict,
+        description="Load cases that size the gearbox; left out: one, called rated, with every machine at its rating",
     )
     waivers: dict[str, str] = Field(
         default_factory=dict,
@@ -97,9 +119,14 @@ class Design(Shown, Record):
     )
 
     @property
-    def machines(self) -> dict[str, Turbine | Motor | Propeller]:
+    def machines(self) -> dict[str, Machine]:
         """Every machine by name."""
-        return {**self.turbines, **self.motors, **self.propellers}
+        return {name: machine for table in MACHINES for name, machine in getattr(self, table).items()}
+
+    @property
+    def airscrews(self) -> dict[str, Airscrew]:
+        """Propellers and rotors by name: what has thrust."""
+        return {**self.propellers, **self.rotors}
 
     @property
     def links(self) -> dict[str, Clutch | Damper]:

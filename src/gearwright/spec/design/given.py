@@ -39,6 +39,8 @@ _OF_COMPOUND_GEARS = ("module", "face_width", "mass", "inertia")
 """Keys of a gear of a compound set."""
 _OF_SHAFTS = ("length", "diameter", "mass")
 """Keys of a shaft's layout."""
+WEIGHED = ("motors", "generators", "accessories")
+"""Tables of machines that have a mass."""
 
 
 class Key(NamedTuple):
@@ -176,7 +178,9 @@ def givable(design: Design) -> Iterator[Key]:
     for name in design.shafts:
         layout = design.layout.get(name, NOTHING_GIVEN)
         yield from (Key(f"{name}.{field}", f"layout.{name}", field, layout) for field in _OF_SHAFTS)
-    yield from (Key(f"{name}.mass", f"motors.{name}", "mass", motor) for name, motor in design.motors.items())
+    for table in WEIGHED:
+        for name, machine in getattr(design, table).items():
+            yield Key(f"{name}.mass", f"{table}.{name}", "mass", machine)
 
 
 def _of_compounds(design: Design) -> Iterator[Key]:

@@ -36,7 +36,7 @@ def for_engine(
     """
     if not design.turbines:
         raise DesignError([Problem("turbines", "there is no turbine to take the place of; add one")])
-    turbine, propeller = next(iter(design.turbines.values())), next(iter(design.propellers.values()))
+    turbine, propeller = next(iter(design.turbines.values())), next(iter(design.airscrews.values()))
     fast = (engine_speed or turbine.speed) / turbine.speed
     slow = (propeller_speed or propeller.speed) / propeller.speed
     total = sum(machine.power for machine in design.turbines.values()) + sum(
@@ -51,10 +51,11 @@ def for_engine(
         along = fast if math.isclose(motor.speed, turbine.speed) else math.sqrt(fast * slow)
         changes[f"motors.{name}.power_kw"] = motor.power * share / 1e3
         changes[f"motors.{name}.speed_rpm"] = motor.speed * along / RPM
-    for name, turned in design.propellers.items():
-        changes[f"propellers.{name}.speed_rpm"] = turned.speed * slow / RPM
+    for name, turned in design.airscrews.items():
+        table = "propellers" if name in design.propellers else "rotors"
+        changes[f"{table}.{name}.speed_rpm"] = turned.speed * slow / RPM
     for case, drives in design.cases.items():
-        for machine, drive in drives.items():
+        for machine, drive in drives.machines.items():
             if drive.power is not None:
                 changes[f"cases.{case}.{machine}.power_kw"] = drive.power * share / 1e3
     return edited(design, changes)

@@ -12,7 +12,7 @@ from gearwright.sizing import GearSizing, Sizing, profile_shift
 from gearwright.sizing.arrangement import helix_hand
 from gearwright.sizing.rating import Making, method_for, rating_of, standard_teeth
 from gearwright.spec import Pair
-from gearwright.train import INTERNAL, RATED, Mesh
+from gearwright.train import INTERNAL, Mesh
 
 
 def gear_of(sizing: Sizing, name: str) -> GearSizing:
@@ -124,7 +124,7 @@ def hand_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hand | None:
         return Hand.LEFT if helix_hand(sizing.design, sizing.train, sizing.flows, shaft) < 0.0 else Hand.RIGHT
     (mesh, side), *_ = meshes_of(sizing, gear.name)
     stage = sizing.design.pairs[mesh.stage]
-    pinion, flow = mesh.nodes[0], sizing.flows[RATED]
+    pinion, flow = mesh.nodes[0], sizing.reference
     drives = flow.meshes[mesh.name].torques[0] * flow.speeds[pinion] < 0.0
     # Seen from the back towards the apex; a positive speed turns clockwise about the way from first to second end.
     clockwise = (flow.speeds[pinion] >= 0.0) == (stage.pinion_apex == "second")

@@ -1,0 +1,74 @@
+"""Which load cases a design has, and what share of its life each lasts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from gearwright.spec.design.cases import Case, Drive
+from gearwright.spec.design.design import Design
+
+RATED = "rated"
+"""Name of the one case of a design without cases: each machine at its rated power."""
+_ALONE = Case()
+
+
+def cases_of(design: Design) -> tuple[str, ...]:
+    """Return the names of the cases that size a design; the first speaks for it: ``rated``, or the first that lasts.
+
+    Args:
+        design: With its cases, or none.
+    """
+    return tuple(sorted(design.cases, key=lambda name: (name != RATED, design.cases[name].static))) or (RATED,)
+
+
+def case_named(design: Design, case: str) -> Case:
+    """Return a case of a design.
+
+    Args:
+        design: With its cases, or none.
+        case: Name of one of them, or ``rated``.
+    """
+    return design.cases.get(case, _ALONE)
+
+
+def drives_of(design: Design, case: str) -> dict[str, Drive]:
+    """Return what every machine does in a case.
+
+    Args:
+        design: With its machines.
+        case: Name of one of its cases; any other is the one of a design without cases.
+    """
+    if case not in design.cases:
+        return {name: machine.fully for name, machine in design.machines.items()}
+    said = design.cases[case].machines
+    return {
+        name: _drive(machine.unsaid, said[name], machine.rating) if name in said else machine.unsaid
+        for name, machine in design.machines.items()
+    }
+
+
+def _drive(unsaid: Drive, said: Drive, rating: float | None) -> Drive:
+    """Return what a machine does that a case names: what it says, or what is usual at the speed that it says."""
+    if said.rating is not None:
+        return Drive(power=said.rating * (rating or 0.0), speed=said.speed)
+    if said.stated or said.balances:
+        return said
+    return Drive(balances=True, speed=said.speed) if unsaid.idles else unsaid.model_copy(update={"speed": said.speed})
+
+
+def shares_of(design: Design) -> Mapping[str, float]:
+    """Return case -> share of the life [-]; empty where none is said: then one case lasts all of it.
+
+    Args:
+        design: With its service and its cases.
+    """
+    lasting = {name: case for name, case in design.cases.items() if not case.static}
+    if design.service.shares or not lasting:
+        return design.service.shares
+    durations = [case.duration for case in lasting.values()]
+    whole = sum(duration or 0.0 for duration in durations)
+    if whole and None not in durations:
+        return {name: (case.duration or 0.0) / whole for name, case in lasting.items()}
+    if all(case.share is not None for case in lasting.values()):
+        return {name: case.share or 0.0 for name, case in lasting.items()}
+    return {}
