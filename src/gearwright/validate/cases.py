@@ -6,6 +6,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.validate import (
     beams,
     bearings,
+    compound_trains,
     gear_rating,
     gearbox_mass,
     mesh_stiffness,
@@ -18,6 +19,7 @@ from gearwright.verbs import verb
 
 ALL = (
     *planetary_sets.CASES,
+    *compound_trains.CASES,
     *torsional.CASES,
     *beams.CASES,
     *mesh_stiffness.CASES,
