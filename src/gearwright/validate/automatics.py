@@ -123,20 +123,20 @@ def _simple(name: str, teeth: tuple[int, int], node: Mapping[str, str]) -> list[
     sun, ring = teeth
     return [
         f'[epicyclics.set{name}]\ncarrier = "{node[f"C{name}"]}"\nsets = 1',
-        f'suns.sun = {{ shaft = "{node[f"S{name}"]}", teeth = {sun} }}',
-        f'rings.ring = {{ shaft = "{node[f"R{name}"]}", teeth = {ring} }}',
-        f'planets.planet = {{ teeth = {(ring - sun) // 2}, meshes = ["sun", "ring"] }}',
+        f'[epicyclics.set{name}.suns]\nsun = {{ shaft = "{node[f"S{name}"]}", teeth = {sun} }}',
+        f'[epicyclics.set{name}.rings]\nring = {{ shaft = "{node[f"R{name}"]}", teeth = {ring} }}',
+        f'[epicyclics.set{name}.planets]\nplanet = {{ teeth = {(ring - sun) // 2}, meshes = ["sun", "ring"] }}',
     ]
 
 
 def _compound(name: str, teeth: Ravigneaux, node: Mapping[str, str]) -> list[str]:
     return [
         f'[epicyclics.set{name}]\ncarrier = "{node[f"C{name}"]}"\nsets = 1',
-        f'suns.small = {{ shaft = "{node[f"s{name}"]}", teeth = {teeth.small_sun} }}',
-        f'suns.large = {{ shaft = "{node[f"S{name}"]}", teeth = {teeth.large_sun} }}',
-        f'rings.ring = {{ shaft = "{node[f"R{name}"]}", teeth = {teeth.ring} }}',
-        f'planets.short = {{ teeth = {teeth.short}, meshes = ["small", "long"] }}',
-        f'planets.long = {{ teeth = {teeth.long}, meshes = ["large", "ring"] }}',
+        f'[epicyclics.set{name}.suns]\nsmall = {{ shaft = "{node[f"s{name}"]}", teeth = {teeth.small_sun} }}',
+        f'large = {{ shaft = "{node[f"S{name}"]}", teeth = {teeth.large_sun} }}',
+        f'[epicyclics.set{name}.rings]\nring = {{ shaft = "{node[f"R{name}"]}", teeth = {teeth.ring} }}',
+        f'[epicyclics.set{name}.planets]\nshort = {{ teeth = {teeth.short}, meshes = ["small", "long"] }}',
+        f'long = {{ teeth = {teeth.long}, meshes = ["large", "ring"] }}',
     ]
 
 
