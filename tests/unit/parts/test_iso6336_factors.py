@@ -27,7 +27,6 @@ from gearwright.parts.iso6336 import (
     bending_size_factor,
     contact_life_curve,
     contact_ratio_factor_root,
-    contact_size_factor,
     deep_tooth_factor,
     deflection_misalignment,
     dynamic_factor,
@@ -366,9 +365,7 @@ def test_soft_wheels_harden_against_hard_smooth_pinions():
 
 def test_size_factors_are_one_for_aircraft_modules():
     for treatment in Treatment:
-        assert contact_size_factor(5e-3, treatment) == 1.0
         assert bending_size_factor(5e-3, treatment) == 1.0
-    assert contact_size_factor(30e-3, Treatment.CASE_HARDENED) == pytest.approx(0.9)
     assert bending_size_factor(30e-3, Treatment.CASE_HARDENED) == pytest.approx(0.8)
     assert bending_size_factor(30e-3, Treatment.THROUGH_HARDENED) == pytest.approx(0.85)
 

@@ -31,13 +31,13 @@ from gearwright.parts.iso6336 import (
     bending_size_factor,
     contact_life_curve,
     contact_ratio_factor_root,
-    contact_size_factor,
     damage_parts,
     deep_tooth_factor,
     deflection_misalignment,
     dynamic_factor,
     elasticity_factor,
     endurable_cycles,
+    equivalent_roughness,
     face_load_factor,
     helix_factor,
     knee_curve,
@@ -108,13 +108,17 @@ def test_work_hardening_helps_a_soft_gear_against_a_harder_one(treatments, hardn
     assert factor == near(expected)
 
 
-@pytest.mark.parametrize(("treatment", "module", "expected"), [
-    (V, 20.0, 1.0), (EH, 8.0, 1.0), (EH, 12.0, 0.99), (IF, 40.0, 0.90),
-    (NT, 6.0, 1.0), (NV, 10.0, 0.97), (NVC, 40.0, 0.75),
+@pytest.mark.parametrize(("flanks", "curvature", "speed", "expected"), [
+    ((8e-6, 8e-6), 10e-3, 15.0, 8.0),  # ν_40 v = 1500: nothing but R_z
+    ((8e-6, 4e-6), 10e-3, 15.0, 8.0 * 2.0**0.66),
+    ((8e-6, 8e-6), 40e-3, 15.0, 8.0 * 4.0**-0.33),
+    ((8e-6, 8e-6), 10e-3, 7.5, 8.0 * 2.0**0.33),
+    ((20e-6, 20e-6), 10e-3, 15.0, 16.0),
+    ((2e-6, 2e-6), 10e-3, 15.0, 3.0),
 ])  # fmt: skip
-def test_the_size_factor_of_contact_is_that_of_din_3990(treatment, module, expected):
-    """DIN 3990-2, table 4: 1.05 − 0.005 m and 1.08 − 0.011 m, held from 30 mm."""
-    assert contact_size_factor(module * 1e-3, treatment) == near(expected)
+def test_a_hard_flank_works_its_mate_by_its_equivalent_roughness(flanks, curvature, speed, expected):
+    """ISO 6336-2:2006, 13.3.2, by hand at ν_40 = 100 mm²/s; held between 3 and 16 µm."""
+    assert equivalent_roughness(flanks, curvature, viscosity=100e-6, speed=speed) == near(1e-6 * expected)
 
 
 @pytest.mark.parametrize(("treatment", "module", "expected"), [

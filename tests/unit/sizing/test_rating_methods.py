@@ -123,7 +123,9 @@ def test_a_new_method_is_a_record_and_a_line(monkeypatch):
 
 
 def test_without_its_line_the_name_is_refused_with_what_there_is():
-    with pytest.raises(DesignError, match=r"'dummy' is not .*'lewis-hertz', 'iso6336', 'iso10300' or 'agma2001'"):
+    with pytest.raises(
+        DesignError, match=r"'dummy' is not .*'lewis-hertz', 'iso6336', 'iso6336-2006', 'iso10300' or 'agma2001'"
+    ):
         edited(OFF_SET, {"gears.rating": "dummy"})
 
 
@@ -212,6 +214,22 @@ SHARES = {
     "half": "[service]\nlife_h = 500\nshares = { rated = 1.0, low = 0.0 }\n",
     "mixed": "[service]\nlife_h = 1000\nshares = { rated = 0.5, low = 0.5 }\n",
 }
+
+
+def test_the_edition_of_2006_rates_rings_by_rounder_fillets_and_helical_teeth_without_load_sharing():
+    """A ring of few teeth is cut rounder by |z_n| than by −|z_n|, where all else of its section is the same."""
+    by = {name: size(edited(read(shipped_design("in-line")), {"gears.rating": name, "overrides.first.module_mm": 3}))
+          for name in ("iso6336", "iso6336-2006")}  # fmt: skip
+    rows = {
+        name: next(mesh for mesh in sizing.meshes if mesh.name == "first.planet-ring").rating
+        for name, sizing in by.items()
+    }
+    assert [rows[name].method for name in by] == list(by)
+    new, old = (rows[name].factors.bending[1] for name in by)
+    assert old.load_sharing == 1.0
+    assert old.section.fillet_radius > 0.38 > new.section.fillet_radius  # the rack's own, in modules
+    assert old.section.stress_correction < 0.98 * new.section.stress_correction
+    assert (old.section.chord, old.section.lever) == (new.section.chord, new.section.lever)
 
 
 def test_a_flight_asks_each_method_for_its_damage():

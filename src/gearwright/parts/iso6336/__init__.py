@@ -4,7 +4,6 @@ Scuffing has a folder of its own; bevel gears are in `bevel`.
 """
 
 from gearwright.parts.iso6336.bending import (
-    Edition,
     bending_size_factor,
     contact_ratio_factor_root,
     deep_tooth_factor,
@@ -29,7 +28,7 @@ from gearwright.parts.iso6336.distribution import (
 )
 from gearwright.parts.iso6336.dynamic import MeshDeviations, dynamic_factor, reduced_mass, running_in_allowance
 from gearwright.parts.iso6336.film import (
-    contact_size_factor,
+    equivalent_roughness,
     lubricant_factor,
     roughness_factor,
     speed_factor,
@@ -48,6 +47,7 @@ from gearwright.parts.iso6336.loads import MeshDuty, MeshQuality, Steels
 from gearwright.parts.iso6336.pitting import LoadFactors, elasticity_factor, pitting_rating, single_contact_factors
 from gearwright.parts.iso6336.rating import PairRating, rate_mesh, rate_pair
 from gearwright.parts.iso6336.root import (
+    Edition,
     LoadedTooth,
     RootSection,
     outer_single_contact,
@@ -96,13 +96,13 @@ __all__ = [
     "bending_size_factor",
     "contact_life_curve",
     "contact_ratio_factor_root",
-    "contact_size_factor",
     "damage_parts",
     "deep_tooth_factor",
     "deflection_misalignment",
     "dynamic_factor",
     "elasticity_factor",
     "endurable_cycles",
+    "equivalent_roughness",
     "face_load_factor",
     "helix_factor",
     "knee_curve",

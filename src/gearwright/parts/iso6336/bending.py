@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum
 from typing import Annotated
 
 import numpy as np
@@ -11,7 +10,7 @@ import numpy as np
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
 from gearwright.parts.iso6336.pitting import LoadFactors
-from gearwright.parts.iso6336.root import RootSection, outer_single_contact, root_section
+from gearwright.parts.iso6336.root import Edition, RootSection, outer_single_contact, root_section
 from gearwright.parts.iso6336.strength import STRESS_CORRECTION_TEST_GEAR, GearSteel, Treatment
 from gearwright.units import Origin, Quantity
 
@@ -26,15 +25,6 @@ _SLIP_NITRIDED = 0.1005
 _SLIP_CASE = 0.0030
 
 
-class Edition(Enum):
-    """Edition of ISO 6336-3, which changes the load sharing and the helix factor."""
-
-    ISO2006 = 2006
-    """No f_ε; Y_β = 1 − ε_β β/120°."""
-    ISO2019 = 2019
-    """f_ε in Y_F; Y_β = (1 − ε_β β/120°)/cos³ β."""
-
-
 @dataclass(frozen=True)
 class RootBody:
     """What the gear's body and the depth of its teeth do to the root, and by which edition it is rated."""
@@ -44,7 +34,7 @@ class RootBody:
     deep_tooth: Value = 1.0
     """Deep tooth factor Y_DT [-]."""
     edition: Edition = Edition.ISO2019
-    """Edition that gives f_ε and Y_β."""
+    """Edition that gives f_ε, Y_β and the fillets of rings."""
 
 
 @dataclass(frozen=True)
@@ -269,7 +259,7 @@ def bending_rating(
 
     Source: ISO 6336-3:2019, clause 5.
     """
-    section = root_section(outer_single_contact(mesh, gear))
+    section = root_section(outer_single_contact(mesh, gear), body.edition)
     sharing = load_sharing_factor(mesh) if body.edition is Edition.ISO2019 else 1.0
     helix = helix_factor(mesh, body.edition)
     nominal = specific_load / mesh.module * section.form * sharing * section.stress_correction * helix

@@ -66,8 +66,8 @@ class MeshQuality:
 
     grade: int = 5
     """Flank tolerance class of ISO 1328-1 [-]."""
-    flank_roughness: float = 4e-6
-    """Mean R_z of the two flanks [m]."""
+    flank_roughness: float | tuple[float, float] = 4e-6
+    """R_z of the flanks of both gears, or of each [m]."""
     root_roughness: float = 10e-6
     """R_z of the root fillets [m]."""
     tip_relief: float = 0.0
@@ -84,6 +84,12 @@ class MeshQuality:
     """Y_M of pinion and wheel [-]; 0.7 for gears loaded on both flanks."""
     profile_factor: float = 1.0
     """f_ZCa of helical gears [-], see `single_contact_factors`."""
+
+    @property
+    def flanks(self) -> tuple[float, float]:
+        """R_z of the flanks of pinion and wheel [m]."""
+        roughness = self.flank_roughness
+        return roughness if isinstance(roughness, tuple) else (roughness, roughness)
 
 
 USUAL = MeshQuality()

@@ -60,7 +60,7 @@ class ContactStrengthFactors:
     work_hardening: Annotated[Value, Quantity("ratio"), Origin("Z_W", f"{_PART2}, clause 13")] = 1.0
     """Work hardening factor Z_W [-]."""
     size: Annotated[Value, Quantity("ratio"), Origin("Z_X", f"{_PART2}, clause 14")] = 1.0
-    """Size factor Z_X [-]."""
+    """Size factor Z_X [-]: 1, as the standard leaves it to experience (DIN 3990-2 lowers it from m_n = 10 mm)."""
 
     @property
     def product(self) -> Value:

@@ -11,7 +11,6 @@ from gearwright.parts.gears import GearPair
 from gearwright.parts.hardness import BRINELL_PER_VICKERS
 from gearwright.parts.iso6336.bending import (
     BendingRating,
-    Edition,
     RootBody,
     RootStrengthFactors,
     bending_rating,
@@ -23,7 +22,7 @@ from gearwright.parts.iso6336.bending import (
 from gearwright.parts.iso6336.distribution import FaceLoadFactor, TransverseLoadFactor
 from gearwright.parts.iso6336.dynamic import DynamicFactor
 from gearwright.parts.iso6336.film import (
-    contact_size_factor,
+    equivalent_roughness,
     lubricant_factor,
     roughness_factor,
     speed_factor,
@@ -41,7 +40,7 @@ from gearwright.parts.iso6336.loads import (
     specific_load,
 )
 from gearwright.parts.iso6336.pitting import ContactStrengthFactors, LoadFactors, PittingRating, pitting_rating
-from gearwright.parts.iso6336.root import outer_single_contact, root_section
+from gearwright.parts.iso6336.root import Edition, outer_single_contact, root_section
 from gearwright.parts.iso6336.stiffness import MeshSprings, mesh_springs
 from gearwright.parts.stiffness import LINEAR_LOAD, mesh_stiffness_iso6336
 from gearwright.units import Origin, Quantity
@@ -143,7 +142,7 @@ def rate_mesh(
     cycles = load_cycles(mesh, duty)
     contact = _contact_strengths(mesh, steels, cycles, quality=quality, speed=speed)
     pitting = pitting_rating(mesh, steels, force, loads=loads, strengths=contact, profile_factor=quality.profile_factor)
-    roots = _root_strengths(mesh, steels, cycles, quality=quality)
+    roots = _root_strengths(mesh, steels, cycles, quality=quality, edition=edition)
     first, second = (
         bending_rating(
             mesh,
@@ -169,39 +168,40 @@ def _contact_strengths(
             life=life_factor(life_curves(steel)[0], count),
             lubricant=lubricant_factor(quality.viscosity, softer),
             speed=speed_factor(speed, softer),
-            roughness=roughness_factor(quality.flank_roughness, mesh.relative_curvature, softer),
-            work_hardening=_work_hardening(mesh, steels, gear, quality=quality),
-            size=contact_size_factor(mesh.module, steel.treatment),
+            roughness=roughness_factor(0.5 * sum(quality.flanks), mesh.relative_curvature, softer),
+            work_hardening=_work_hardening(mesh, steels, gear, quality=quality, speed=speed),
         )
         for gear, (steel, count) in enumerate(zip(steels, cycles, strict=True))
     )
     return first, second
 
 
-def _work_hardening(mesh: MeshGeometry, steels: Steels, gear: int, *, quality: MeshQuality) -> Value:
+def _work_hardening(mesh: MeshGeometry, steels: Steels, gear: int, *, quality: MeshQuality, speed: Value) -> Value:
     """Z_W of one gear by the Brinell hardness of both."""
     steel, mate = steels[gear], steels[1 - gear]
+    flanks = (quality.flanks[1 - gear], quality.flanks[gear])
     return work_hardening_factor(
         steel.hardness * BRINELL_PER_VICKERS,
         (steel.treatment, mate.treatment),
         mate_hardness=mate.hardness * BRINELL_PER_VICKERS,
-        mate_roughness=quality.flank_roughness,
+        mate_roughness=equivalent_roughness(flanks, mesh.relative_curvature, viscosity=quality.viscosity, speed=speed),
         ratio=np.abs(mesh.ratio),
     )
 
 
 def _root_strengths(
-    mesh: MeshGeometry, steels: Steels, cycles: tuple[Value, Value], *, quality: MeshQuality
+    mesh: MeshGeometry, steels: Steels, cycles: tuple[Value, Value], *, quality: MeshQuality, edition: Edition
 ) -> tuple[RootStrengthFactors, RootStrengthFactors]:
     """Y factors of the strength of both gears."""
+    sections = [root_section(outer_single_contact(mesh, gear), edition) for gear in (0, 1)]
     first, second = (
         RootStrengthFactors(
             life=life_factor(life_curves(steel)[1], count),
-            notch_sensitivity=notch_sensitivity_factor(root_section(outer_single_contact(mesh, gear)).notch, steel),
+            notch_sensitivity=notch_sensitivity_factor(section.notch, steel),
             surface=surface_factor(quality.root_roughness, steel.treatment),
             size=bending_size_factor(mesh.module, steel.treatment),
-            mean_stress=quality.mean_stresses[gear],
+            mean_stress=mean_stress,
         )
-        for gear, (steel, count) in enumerate(zip(steels, cycles, strict=True))
+        for section, steel, count, mean_stress in zip(sections, steels, cycles, quality.mean_stresses, strict=True)
     )
     return first, second

@@ -7,6 +7,7 @@ diameters inside these formulas. Lengths are in normal modules.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 from typing import Annotated
 
 import numpy as np
@@ -18,6 +19,15 @@ from gearwright.units import Origin, Quantity
 _PART3 = "ISO 6336-3:2019, clause 6"
 _STEPS = 25
 _NO_TOOTH = "tooth root: no tangent point on the fillet; check dedendum, fillet radius and profile shift"
+
+
+class Edition(Enum):
+    """Edition of ISO 6336-3, which changes the load sharing, the helix factor and the fillets of rings."""
+
+    ISO2006 = 2006
+    """With its correction of 2007: no f_ε; Y_β = 1 − ε_β β/120°; |z_n| in ρ_F, for rings too."""
+    ISO2019 = 2019
+    """f_ε in Y_F; Y_β = (1 − ε_β β/120°)/cos³ β; a ring's z_n is negative in ρ_F as everywhere."""
 
 
 @dataclass(frozen=True)
@@ -95,13 +105,15 @@ def outer_single_contact(mesh: MeshGeometry, gear: int) -> LoadedTooth:
     return LoadedTooth(z_n, diameter, mesh.pressure_angle, mesh.proportions[gear])
 
 
-def root_section(loaded: LoadedTooth) -> RootSection:
+def root_section(loaded: LoadedTooth, edition: Edition = Edition.ISO2019) -> RootSection:
     """Return the critical section, Y_F and Y_S of a loaded tooth.
 
     Args:
         loaded: The tooth and where the load acts.
+        edition: Edition that gives ρ_F of rings: the correction of 2007 takes |z_n|, which makes their fillets twice as
+            round and Y_S a quarter smaller.
 
-    Source: ISO 6336-3:2019, clauses 6 and 7 (2006: the same without f_ε).
+    Source: ISO 6336-3:2019, clauses 6 and 7 (2006: the same without f_ε, and for rings |z_n| in ρ_F).
     Valid for: teeth without undercut, fillets made by a rack or shaper, 1 ≤ q_s < 8.
 
     Raises:
@@ -120,7 +132,8 @@ def root_section(loaded: LoadedTooth) -> RootSection:
     cosine = np.cos(theta)
     offset = drop / cosine - tooth.fillet_radius
     chord = z_n * np.sin(opening - theta) + np.where(internal, 1.0, np.sqrt(3.0)) * offset
-    fillet = tooth.fillet_radius + 2.0 * drop**2 / (cosine * (z_n * cosine**2 - 2.0 * drop))
+    rolling = np.abs(z_n) if edition is Edition.ISO2006 else z_n
+    fillet = tooth.fillet_radius + 2.0 * drop**2 / (cosine * (rolling * cosine**2 - 2.0 * drop))
     angle, gamma = _load_angle(loaded)
     arm = (np.cos(gamma) - np.sin(gamma) * np.tan(angle)) * loaded.load_diameter
     lever = 0.5 * (arm - z_n * np.cos(opening - theta) - np.where(internal, np.sqrt(3.0), 1.0) * offset)

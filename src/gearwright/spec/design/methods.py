@@ -6,7 +6,7 @@ Who computes by them is `sizing.rating.methods`, which has a method for each of 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Annotated
 
 from gearwright.spec.bounds import OneOf
@@ -35,6 +35,9 @@ class RatingMethod:
     """Whether its safeties are against fatigue, over the load cycles of the life."""
 
 
+_ISO6336 = RatingMethod(
+    "ISO 6336", frozenset({CYLINDRICAL, INTERNAL, FACE}), ("iso6336",), table="iso6336", instead={BEVEL: "iso10300"}
+)
 RATINGS: dict[str, RatingMethod] = {
     "lewis-hertz": RatingMethod(
         "Lewis and Hertz",
@@ -43,9 +46,8 @@ RATINGS: dict[str, RatingMethod] = {
         needs=("yield_strength", "surface_hardness"),
         fatigue=False,
     ),
-    "iso6336": RatingMethod(
-        "ISO 6336", frozenset({CYLINDRICAL, INTERNAL, FACE}), ("iso6336",), table="iso6336", instead={BEVEL: "iso10300"}
-    ),
+    "iso6336": _ISO6336,
+    "iso6336-2006": replace(_ISO6336, title="ISO 6336:2006"),
     "iso10300": RatingMethod("ISO 10300", frozenset({BEVEL}), ("iso6336",), table="iso6336"),
     "agma2001": RatingMethod("AGMA 2001", frozenset({CYLINDRICAL}), ("agma2001",), table="agma2001"),
 }

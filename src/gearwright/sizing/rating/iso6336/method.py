@@ -12,11 +12,11 @@ from gearwright.checks import Check
 from gearwright.errors import Problem
 from gearwright.identity import PartId
 from gearwright.parts.gears import Numbers
-from gearwright.parts.iso6336 import MeshDuty, PairRating, life_curves, rate_mesh
+from gearwright.parts.iso6336 import Edition, MeshDuty, PairRating, life_curves, rate_mesh
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.iso6336.inputs import duty_of, quality_of, steel_of
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
-from gearwright.sizing.rating.iso6336.record import Iso6336Rating
+from gearwright.sizing.rating.iso6336.record import Iso6336Of2006Rating, Iso6336Rating
 from gearwright.sizing.rating.iso6336.scuffing import scuffing_of
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
@@ -31,8 +31,10 @@ SAFETIES: Mapping[str, tuple[str, ...]] = MappingProxyType(
 
 
 class Iso6336:
-    """Spur and helical gears, external and internal."""
+    """Spur and helical gears, external and internal, by one edition of part 3."""
 
+    record = Iso6336Rating
+    part3 = Edition.ISO2019
     edition = "ISO 6336, method B"
     peaks = "K_A K_V"
     life_source = "Miner, ISO 6336-6"
@@ -56,7 +58,7 @@ class Iso6336:
             width = module * np.asarray(ask.width_ratio)
             mesh = cylindrical_mesh(ask.teeth, module, width, rating, internal=ask.internal)
             duty = duty_of(rating, torque, ask.speed, life=rating.service.life, passes=ask.passes)
-            rated = rate_mesh(mesh, (steel, steel), duty, quality=quality)
+            rated = rate_mesh(mesh, (steel, steel), duty, quality=quality, edition=self.part3)
             bending = np.minimum(rated.bending[0].safety, rated.bending[1].safety)
             return np.asarray(bending), np.asarray(np.minimum(*rated.pitting.safeties))
 
@@ -65,12 +67,12 @@ class Iso6336:
     def rate(self, mesh: LoadedMesh) -> Iso6336Rating:
         """Return the factors of the heaviest case, and the safeties under all cases by Miner's sum (ISO 6336-6)."""
         rating, rules = mesh.rating, mesh.rating.rules.iso6336
-        factors, steel = _rated(mesh, mesh.heaviest), steel_of(rating)
+        factors, steel = self._rated(mesh, mesh.heaviest), steel_of(rating)
         alone = mesh.loads == (mesh.heaviest,)
-        every = [factors] if alone else [_rated(mesh, load) for load in mesh.loads]
+        every = [factors] if alone else [self._rated(mesh, load) for load in mesh.loads]
         pitting, bending = safeties([strains_of(rated) for rated in every], steel)
         flanks, roots = strains_of(factors)
-        return Iso6336Rating(
+        return self.record(
             case=mesh.heaviest.case,
             factors=factors,
             steel=steel,
@@ -97,7 +99,7 @@ class Iso6336:
         """Return Miner's sums by ISO 6336-6, with the stresses of ISO 6336-2 and -3 in each class."""
         speeds = np.asarray(spectrum.speeds)
         duty = duty_of(spectrum.rating, spectrum.torques, speeds, life=1.0, passes=spectrum.ask.passes)
-        rated = _rate(spectrum.rating, spectrum.ask, duty, spectrum.module, spectrum.face_width)
+        rated = self._rate(spectrum.rating, spectrum.ask, duty, spectrum.module, spectrum.face_width)
         return damages(strains_of(rated), spectrum, steel_of(spectrum.rating))
 
     def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
@@ -123,6 +125,23 @@ class Iso6336:
     def making(self, rating: Rating) -> Making:
         """Return flank class, roughness and steel."""
         return iso_making(rating, "ISO 1328-1", rating.rules.iso6336.tolerance_class)
+
+    def _rated(self, mesh: LoadedMesh, load: Load) -> PairRating:
+        duty = duty_of(mesh.rating, load.torque, load.ask.speed, life=load.life, passes=load.ask.passes)
+        return self._rate(mesh.rating, load.ask, duty, mesh.module, mesh.face_width)
+
+    def _rate(self, rating: Rating, ask: Ask, duty: MeshDuty, module: float, face_width: float) -> PairRating:
+        steel, quality = steel_of(rating), quality_of(rating, idlers=ask.idlers)
+        mesh = cylindrical_mesh(ask.teeth, module, face_width, rating, internal=ask.internal)
+        return rate_mesh(mesh, (steel, steel), duty, quality=quality, edition=self.part3)
+
+
+class Iso6336Of2006(Iso6336):
+    """The same by part 3 of 2006 with its correction of 2007."""
+
+    record = Iso6336Of2006Rating
+    part3 = Edition.ISO2006
+    edition = "ISO 6336:2006, method B"
 
 
 def life_slope(rating: Rating, mode: str) -> float:
@@ -167,14 +186,3 @@ def strains_of(rated: PairRating) -> Strains:
         for root, strength, cycles in zip(rated.bending, rated.root_strength, rated.cycles, strict=True)
     ]
     return (flanks[0], flanks[1]), (roots[0], roots[1])
-
-
-def _rated(mesh: LoadedMesh, load: Load) -> PairRating:
-    duty = duty_of(mesh.rating, load.torque, load.ask.speed, life=load.life, passes=load.ask.passes)
-    return _rate(mesh.rating, load.ask, duty, mesh.module, mesh.face_width)
-
-
-def _rate(rating: Rating, ask: Ask, duty: MeshDuty, module: float, face_width: float) -> PairRating:
-    steel = steel_of(rating)
-    mesh = cylindrical_mesh(ask.teeth, module, face_width, rating, internal=ask.internal)
-    return rate_mesh(mesh, (steel, steel), duty, quality=quality_of(rating, idlers=ask.idlers))

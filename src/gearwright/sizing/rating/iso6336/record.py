@@ -61,3 +61,10 @@ class Iso6336Rating:
     """Safety over the asked one [-]; 1 is just enough."""
     peaks: Annotated[float, Quantity("ratio"), Origin("K_A K_V", "ISO 6336-1:2019, clauses 5 and 6")]
     """Factor on the nominal force for peaks of the load in the heaviest case [-]."""
+
+
+@dataclass(frozen=True)
+class Iso6336Of2006Rating(Iso6336Rating):
+    """The same record by part 3 of 2006 with its correction of 2007; clauses are numbered as in 2019."""
+
+    method: ClassVar[str] = "iso6336-2006"

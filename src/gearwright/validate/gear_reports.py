@@ -1,0 +1,229 @@
+"""Printed reports of commercial programs: a planetary stage of a 5 MW wind turbine, and a pair of a test rig.
+
+The reports carry their K factors with two decimals, so stresses are held with the printed factors, and what the
+standards' parts 2 and 3 make of them to the last digit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from gearwright.parts.hardness import BRINELL_PER_VICKERS
+from gearwright.parts.iso6336 import (
+    Edition,
+    GearSteel,
+    LoadFactors,
+    MeshDuty,
+    MeshGeometry,
+    MeshQuality,
+    RootSection,
+    ToothProportions,
+    Treatment,
+    Value,
+    notch_sensitivity_factor,
+    outer_single_contact,
+    rate_mesh,
+    root_section,
+    shaped_fillet_radius,
+    single_contact_factors,
+    surface_factor,
+)
+from gearwright.parts.iso6336.bending import BendingRating, RootBody, RootStrengthFactors, bending_rating
+from gearwright.parts.iso6336.pitting import PittingRating, pitting_rating, zone_factor
+from gearwright.parts.iso6336.rating import PairRating
+from gearwright.units import RPM
+from gearwright.validate.case import Case
+
+_WIND = "KISSsoft 03/2017, NREL 5 MW gearbox, stage 1 (report in the repository gfsReboucas/Drivetrain)"
+_RIG = "FVA STplus, DIN 3990:1987, pair 51/52 (listing in the repository tkuhn39/semesterthesis)"
+_MM, _MPA = 1e-3, 1e6
+
+# --- 19/17/-56, m 45, three planets; 5000 kW at 12.1 rpm of the carrier -------------------------------------------
+_RACK, _RING_RACK = ToothProportions(1.25, 0.38), ToothProportions(1.25, 0.30)
+_SUN, _PLANET = replace(_RACK, profile_shift=0.617), replace(_RACK, profile_shift=0.8021)
+_RING = replace(_RING_RACK, fillet_radius=shaped_fillet_radius(_RING_RACK, 36.0), profile_shift=-0.5013)
+SUN_PLANET = MeshGeometry(
+    (19.0, 17.0), 45 * _MM, 491 * _MM, 863 * _MM, (489.404 * _MM, 452.735 * _MM), proportions=(_SUN, _PLANET)
+)
+PLANET_RING = MeshGeometry(
+    (17.0, -56.0), 45 * _MM, 491 * _MM, 863 * _MM, (452.735 * _MM, 1237.559 * _MM), proportions=(_PLANET, _RING)
+)
+_CASE = GearSteel("18CrNiMo7-6", Treatment.CASE_HARDENED, "MQ", 720.0, 1500 * _MPA, 430 * _MPA)
+_TEMPERED = GearSteel(
+    "34CrNiMo6", Treatment.THROUGH_HARDENED, "MQ", 240.0 / BRINELL_PER_VICKERS, 700 * _MPA, 290 * _MPA,
+    yield_strength=1000 * _MPA,
+)  # fmt: skip
+_LOADS = tuple(LoadFactors(1.25, 1.1, dynamic, face_contact=1.15, face_bending=1.12) for dynamic in (1.01, 1.05))
+"""As printed, of sun-planet and planet-ring."""
+_ROUGH = MeshQuality(flank_roughness=4.8e-6, root_roughness=20e-6, viscosity=220e-6)
+_SPEED = 12.1 * RPM * 56.0 / 19.0
+"""Of the sun against the carrier [rad/s]."""
+_SUN_TORQUE = 999_650.9 / 3.0
+
+
+@cache
+def _rated() -> tuple[PairRating, PairRating]:
+    """Return both meshes, rated by the edition of 2006."""
+    life = 175_200.0 * 3600.0
+    sun = MeshDuty(_SUN_TORQUE, _SPEED, life, 1.25, 1.1, (3.0, 1.0))
+    planet = MeshDuty(_SUN_TORQUE * 17.0 / 19.0, _SPEED * 19.0 / 17.0, life, 1.25, 1.1, (1.0, 3.0))
+    flanks = replace(_ROUGH, mean_stresses=(1.0, 0.7))
+    ring_flanks = replace(_ROUGH, mean_stresses=(0.7, 1.0), flank_roughness=(4.8e-6, 8e-6))
+    return (
+        rate_mesh(SUN_PLANET, (_CASE, _CASE), sun, quality=flanks, edition=Edition.ISO2006),
+        rate_mesh(PLANET_RING, (_CASE, _TEMPERED), planet, quality=ring_flanks, edition=Edition.ISO2006),
+    )
+
+
+def _roots() -> list[RootSection]:
+    """Return the sections of sun, planet at the sun, planet at the ring, ring."""
+    return [
+        root_section(outer_single_contact(mesh, gear), Edition.ISO2006)
+        for mesh in (SUN_PLANET, PLANET_RING)
+        for gear in (0, 1)
+    ]
+
+
+def _bending() -> list[BendingRating]:
+    """Return the roots with the printed load factors, in the same order."""
+    return [
+        bending_rating(
+            mesh, gear, steels[gear], specific_load=rated.tangential_force / mesh.face_width, loads=loads,
+            strength=rated.root_strength[gear], body=RootBody(edition=Edition.ISO2006),
+        )
+        for mesh, steels, rated, loads in zip(
+            (SUN_PLANET, PLANET_RING), ((_CASE, _CASE), (_CASE, _TEMPERED)), _rated(), _LOADS, strict=True
+        )
+        for gear in (0, 1)
+    ]  # fmt: skip
+
+
+def _flanks() -> list[PittingRating]:
+    return [
+        pitting_rating(mesh, steels, rated.tangential_force, loads=loads, strengths=rated.contact_strength)
+        for mesh, steels, rated, loads in zip(
+            (SUN_PLANET, PLANET_RING), ((_CASE, _CASE), (_CASE, _TEMPERED)), _rated(), _LOADS, strict=True
+        )
+    ]
+
+
+# --- 51/52, m 1, a pair of a test rig by DIN 3990, teeth as cut (x_E) and to the tip form diameters ----------------
+RIG = MeshGeometry(
+    (51.0, 52.0), 1 * _MM, 15 * _MM, 52 * _MM, (26.447 * _MM, 26.894 * _MM),
+    proportions=(ToothProportions(1.1, 0.2, -0.2030), ToothProportions(1.25, 0.2, 0.0117)),
+)  # fmt: skip
+_RIG_LOADS = LoadFactors(dynamic=1.56, face_bending=1.16)
+
+
+_RIG_STEEL = GearSteel("16MnCr5", Treatment.CASE_HARDENED, "MQ", 700.0, 1500 * _MPA, 430 * _MPA)
+
+
+def _rig() -> list[BendingRating]:
+    return [
+        bending_rating(
+            RIG, gear, _RIG_STEEL, specific_load=384.6 / (width * _MM), loads=_RIG_LOADS,
+            strength=_rig_strength(gear), body=RootBody(edition=Edition.ISO2006),
+        )
+        for gear, width in enumerate((17.0, 15.0))
+    ]  # fmt: skip
+
+
+def _rig_strength(gear: int) -> RootStrengthFactors:
+    notch = root_section(outer_single_contact(RIG, gear)).notch
+    sensitivity = notch_sensitivity_factor(notch, _RIG_STEEL)
+    return RootStrengthFactors(1.0, sensitivity, surface_factor(20e-6, _RIG_STEEL.treatment))
+
+
+def _teeth(sections: Sequence[RootSection]) -> list[float]:
+    return [
+        float(value)
+        for section in sections
+        for value in (section.chord, section.fillet_radius, section.lever, section.form, section.stress_correction)
+    ]
+
+
+def _load_angles(sections: Sequence[RootSection]) -> list[float]:
+    return [float(np.degrees(section.load_angle)) for section in sections]
+
+
+def _root_factors() -> list[float]:
+    factors = [strength for rated in _rated() for strength in rated.root_strength]
+    return [float(value) for root in factors for value in (root.notch_sensitivity, root.surface, root.size, root.life)]
+
+
+def _stresses(roots: Sequence[BendingRating]) -> list[float]:
+    return [float(root.nominal_stress) / _MPA for root in roots]
+
+
+def _contact() -> list[float]:
+    return [
+        float(value)
+        for flank in _flanks()
+        for value in (flank.geometry.zone, flank.geometry.contact_ratio, *flank.geometry.single_contact)
+    ]
+
+
+def _contact_factors() -> list[float]:
+    """Z_L, Z_v, Z_R of both meshes, Z_NT of sun, planet and ring, Z_W of the ring."""
+    sun, ring = _rated()
+    film = [value for rated in (sun, ring) for value in _film(rated)]
+    lives = [sun.contact_strength[0].life, sun.contact_strength[1].life, ring.contact_strength[1].life]
+    return [float(value) for value in (*film, *lives, ring.contact_strength[1].work_hardening)]
+
+
+def _film(rated: PairRating) -> tuple[Value, Value, Value]:
+    strength = rated.contact_strength[0]
+    return strength.lubricant, strength.speed, strength.roughness
+
+
+def _limits() -> list[float]:
+    return [float(limit) / _MPA for flank in _flanks() for limit in flank.permissible]
+
+
+_PRINT = "half a printed digit"
+CASES = (
+    Case("s_Fn, ρ_F, h_F, Y_F, Y_S of sun, planet twice, ring", _WIND, "m_n", (
+        2.248, 0.403, 1.441, 1.56, 2.06, 2.314, 0.382, 1.450, 1.44, 2.14,
+        2.314, 0.382, 1.101, 1.14, 2.38, 2.875, 0.494, 1.742, 1.27, 2.13,
+    ), lambda: _teeth(_roots()), 0.0051, "Y_F and Y_S have two decimals", is_relative=False),
+    Case("load angle α_Fen of sun, planet twice, ring", _WIND, "°", (30.75, 33.33, 29.87, 19.59),
+         lambda: _load_angles(_roots()), 0.006, _PRINT, is_relative=False),
+    Case("σ_F0 of sun, planet twice, ring", _WIND, "MPa", (113.46, 108.94, 95.70, 95.32),
+         lambda: _stresses(_bending()), 2e-4, _PRINT),
+    Case("Y_δrelT, Y_RrelT, Y_X, Y_NT of sun, planet twice, ring", _WIND, "", (
+        1.003, 0.957, 0.80, 0.888, 1.005, 0.957, 0.80, 0.906, 1.005, 0.957, 0.80, 0.906, 1.003, 0.957, 0.85, 0.907,
+    ), _root_factors, 6e-4, _PRINT, is_relative=False),
+    Case("σ_FG of sun, planet twice, ring", _WIND, "MPa", (586.11, 419.35, 419.35, 429.14),
+         lambda: [float(root.permissible) / _MPA for root in _bending()], 3e-5, _PRINT),
+    Case("S_F of sun, planet twice, ring", _WIND, "", (3.33, 2.48, 2.71, 2.79),
+         lambda: [float(root.safety) for root in _bending()], 4e-3, "K_V and K_Fβ are printed with two decimals"),
+    Case("Z_H, Z_ε, Z_B, Z_D of both meshes", _WIND, "", (2.06, 0.981, 1.04, 1.05, 2.71, 0.952, 1.0, 1.0),
+         _contact, 0.0051, "two decimals", is_relative=False),
+    Case("σ_H0 of both meshes", _WIND, "MPa", (759.92, 588.62),
+         lambda: [float(flank.nominal_stress) / _MPA for flank in _flanks()], 2e-5, _PRINT),
+    Case("Z_L, Z_v, Z_R of both meshes, Z_NT of sun, planet, ring, Z_W of the ring", _WIND, "", (
+        1.020, 0.961, 1.024, 1.038, 0.916, 1.025, 0.909, 0.937, 0.940, 1.135,
+    ), _contact_factors, 6e-4, _PRINT, is_relative=False),
+    Case("σ_HG of sun, planet twice, ring", _WIND, "MPa", (1368.61, 1410.69, 1368.95, 727.36), _limits, 3e-5, _PRINT),
+    Case("S_H of sun, planet, planet, ring", _WIND, "", (1.37, 1.41, 1.80, 0.96),
+         lambda: [float(safety) for flank in _flanks() for safety in flank.safeties], 5e-3,
+         "K_V and K_Hβ are printed with two decimals"),
+    Case("s_Fn, ρ_F, h_F, Y_F, Y_S of both gears", _RIG, "m_n", (
+        2.068, 0.404, 1.762, 2.417, 1.819, 2.197, 0.381, 1.614, 1.970, 1.984,
+    ), lambda: _teeth([root.section for root in _rig()]), 1e-3, "x_E of the span allowance has four decimals"),
+    Case("load angle α_Fen of both gears", _RIG, "°", (23.222, 22.702),
+         lambda: _load_angles([root.section for root in _rig()]), 1e-3, _PRINT, is_relative=False),
+    Case("σ_F0 of both gears", _RIG, "MPa", (99.5, 100.2), lambda: _stresses(_rig()), 6e-4, _PRINT),
+    Case("σ_F of both gears", _RIG, "MPa", (180.1, 181.4), lambda: [float(root.stress) / _MPA for root in _rig()],
+         1e-3, "K_V and K_Fβ are printed with two decimals"),
+    Case("σ_FP and S_F of the pinion", _RIG, "MPa, –", (823.2, 4.571),
+         lambda: [float(_rig()[0].permissible) / _MPA, float(_rig()[0].safety)], 1e-3, _PRINT),
+    Case("ε_α, Z_B, Z_D, Z_H", _RIG, "", (1.154, 1.009, 1.008, 2.400), lambda: [
+        float(value) for value in (RIG.transverse_contact_ratio, *single_contact_factors(RIG), zone_factor(RIG))
+    ], 6e-4, _PRINT, is_relative=False),
+)  # fmt: skip
+"""Printed ratings."""
