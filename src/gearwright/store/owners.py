@@ -34,11 +34,9 @@ def _owner(record: object) -> Owner:
     match record:
         case [str(what)]:
             return Owner(None, what)
-        case [str(what), str(kind), str(name), None, str(branch), None | int() as number]:
-            return Owner(PartId(Kind(kind), name, None, branch, number), what)
-        case [str(what), str(kind), str(name), str(role), str(branch), None | int() as number]:
-            which = Row(role) if kind == Kind.MESH else Role(role)
-            return Owner(PartId(Kind(kind), name, which, branch, number), what)
+        case [str(what), str(kind), str(name), None | str() as role, str(branch), None | int() as number, *own]:
+            which = None if role is None else Row(role) if kind == Kind.MESH else Role(role)
+            return Owner(PartId(Kind(kind), name, which, branch, number, *own), what)
     raise ValueError(f"{record} is no owner")
 
 

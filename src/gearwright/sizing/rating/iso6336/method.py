@@ -16,7 +16,7 @@ from gearwright.parts.iso6336 import Edition, MeshDuty, PairRating, life_curves,
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.iso6336.inputs import duty_of, quality_of, steel_of
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
-from gearwright.sizing.rating.iso6336.record import Iso6336Of2006Rating, Iso6336Rating
+from gearwright.sizing.rating.iso6336.record import Iso6336Rating
 from gearwright.sizing.rating.iso6336.scuffing import scuffing_of
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
@@ -33,12 +33,21 @@ SAFETIES: Mapping[str, tuple[str, ...]] = MappingProxyType(
 class Iso6336:
     """Spur and helical gears, external and internal, by one edition of part 3."""
 
-    record = Iso6336Rating
-    part3 = Edition.ISO2019
-    edition = "ISO 6336, method B"
     peaks = "K_A K_V"
     life_source = "Miner, ISO 6336-6"
     safeties = SAFETIES
+
+    def __init__(
+        self, name: str = "iso6336", part3: Edition = Edition.ISO2019, edition: str = "ISO 6336, method B"
+    ) -> None:
+        """Take the edition of part 3.
+
+        Args:
+            name: Of the method in files.
+            part3: Edition of ISO 6336-3.
+            edition: As tables name it.
+        """
+        self._name, self._part3, self.edition = name, part3, edition
 
     def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
         """Yield nothing: a file's steels are checked as it is read, and teeth as they are searched."""
@@ -58,7 +67,7 @@ class Iso6336:
             width = module * np.asarray(ask.width_ratio)
             mesh = cylindrical_mesh(ask.teeth, module, width, rating, internal=ask.internal)
             duty = duty_of(rating, torque, ask.speed, life=rating.service.life, passes=ask.passes)
-            rated = rate_mesh(mesh, (steel, steel), duty, quality=quality, edition=self.part3)
+            rated = rate_mesh(mesh, (steel, steel), duty, quality=quality, edition=self._part3)
             bending = np.minimum(rated.bending[0].safety, rated.bending[1].safety)
             return np.asarray(bending), np.asarray(np.minimum(*rated.pitting.safeties))
 
@@ -72,7 +81,8 @@ class Iso6336:
         every = [factors] if alone else [self._rated(mesh, load) for load in mesh.loads]
         pitting, bending = safeties([strains_of(rated) for rated in every], steel)
         flanks, roots = strains_of(factors)
-        return self.record(
+        return Iso6336Rating(
+            method=self._name,
             case=mesh.heaviest.case,
             factors=factors,
             steel=steel,
@@ -133,15 +143,7 @@ class Iso6336:
     def _rate(self, rating: Rating, ask: Ask, duty: MeshDuty, module: float, face_width: float) -> PairRating:
         steel, quality = steel_of(rating), quality_of(rating, idlers=ask.idlers)
         mesh = cylindrical_mesh(ask.teeth, module, face_width, rating, internal=ask.internal)
-        return rate_mesh(mesh, (steel, steel), duty, quality=quality, edition=self.part3)
-
-
-class Iso6336Of2006(Iso6336):
-    """The same by part 3 of 2006 with its correction of 2007."""
-
-    record = Iso6336Of2006Rating
-    part3 = Edition.ISO2006
-    edition = "ISO 6336:2006, method B"
+        return rate_mesh(mesh, (steel, steel), duty, quality=quality, edition=self._part3)
 
 
 def life_slope(rating: Rating, mode: str) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, ClassVar
+from typing import Annotated
 
 from gearwright.parts.iso6336 import GearSteel, PairRating
 from gearwright.parts.scuffing import IntegralTemperature
@@ -16,7 +16,8 @@ _CONTACT, _ROOT = "ISO 6336-2:2019", "ISO 6336-3:2019"
 class Iso6336Rating:
     """A rated mesh: the factors of its heaviest case over the whole life, and the safeties under all cases."""
 
-    method: ClassVar[str] = "iso6336"
+    method: str
+    """Name of the edition's method."""
     case: str
     """Heaviest case."""
     factors: PairRating
@@ -61,10 +62,3 @@ class Iso6336Rating:
     """Safety over the asked one [-]; 1 is just enough."""
     peaks: Annotated[float, Quantity("ratio"), Origin("K_A K_V", "ISO 6336-1:2019, clauses 5 and 6")]
     """Factor on the nominal force for peaks of the load in the heaviest case [-]."""
-
-
-@dataclass(frozen=True)
-class Iso6336Of2006Rating(Iso6336Rating):
-    """The same record by part 3 of 2006 with its correction of 2007; clauses are numbered as in 2019."""
-
-    method: ClassVar[str] = "iso6336-2006"
