@@ -384,12 +384,13 @@ def test_a_key_cuts_into_its_hub_and_a_gear_keeps_what_is_left():
 
 def test_shares_of_life_reach_only_their_own_cases():
     """A case without a share takes nothing of a bearing's life, however heavy."""
-    cases = "[cases.boost.engine]\npower_kw = 640\n[cases.cruise.engine]\npower_kw = 250\n"
+    cases = "[cases.full.engine]\npower_kw = 322\n[cases.boost.engine]\npower_kw = 640\n"
+    cases += "[cases.cruise.engine]\npower_kw = 250\n"
     fixed = '[overrides]\n"helical.module_mm" = 3\n"helical.face_width_mm" = 50\n'
-    text = PAIR + fixed + cases
+    text = changed(PAIR, "power_kw = 322", "power_kw = 640") + fixed + cases
     for name in ("1a", "1b"):
         text = text.replace(f"[bearings.{name}]\n", f'[bearings.{name}]\ndesignation = "NU 210"\n')
-    shares = "[service]\nshares = { rated = 0.5, cruise = 0.5 }\n"
+    shares = "[service]\nshares = { full = 0.5, cruise = 0.5 }\n"
     text = changed(text, "[service]\n", shares)
     with_boost, without = (
         size(parse(one)) for one in (text, text.replace("[cases.boost.engine]\npower_kw = 640\n", ""))

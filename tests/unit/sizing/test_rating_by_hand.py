@@ -250,12 +250,13 @@ def test_width_of_bevel_gears_is_three_tenths_of_the_cone():
 
 def test_a_case_of_no_share_takes_no_life():
     """The safeties are those of the design without that case, even where it is the heaviest but one."""
-    cases = "[cases.low.turbine]\npower_kw = 60\n[cases.half.turbine]\npower_kw = 95\n"
+    cases = "[cases.full.turbine]\npower_kw = 100\n[cases.low.turbine]\npower_kw = 60\n"
+    cases += "[cases.half.turbine]\npower_kw = 95\n"
     text = PAIR + "pinion_teeth = 23\nwheel_teeth = 69\nmodule_mm = 3\nface_width_mm = 30\n"
     text += '[gears]\nrating = "iso6336"\n'
-    shares = "[service]\nshares = {{ rated = 0.3, low = {}, half = {} }}\n"
+    shares = "[service]\nshares = {{ full = 0.3, low = {}, half = {} }}\n"
     (none,), (half,) = (size(parse(text + cases + shares.format(*parts))).meshes for parts in ((0.7, 0.0), (0.3, 0.4)))
-    without = cases.partition("[cases.half")[0] + "[service]\nshares = { rated = 0.3, low = 0.7 }\n"
+    without = cases.partition("[cases.half")[0] + "[service]\nshares = { full = 0.3, low = 0.7 }\n"
     (alone,) = size(parse(text + without)).meshes
     assert none.rating.pitting == pytest.approx(alone.rating.pitting, rel=1e-12)
     assert none.rating.bending == pytest.approx(alone.rating.bending, rel=1e-12)

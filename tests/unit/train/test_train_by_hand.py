@@ -13,7 +13,6 @@ from gearwright.spec import parse
 from gearwright.train import Turning, branches, build_train, power_flow, recirculation, targets
 from gearwright.train.null_space import null_space, row_and_null_space
 from gearwright.train.statics import Sharing, balance, lossy, solve_torques
-from gearwright.train.tooth_losses import direction_of
 from gearwright.units import RPM
 
 TWO = """\
@@ -114,6 +113,7 @@ def test_a_machine_on_another_shaft_does_not_stop_with_the_clutch():
     own = '[clutches.own]\ndriving = "second-engine"\ndriven = "input"\n'
     text = changed(text, "[clutches.sprag]", f"{other}{own}[clutches.sprag]")
     text = text.partition("[cases.motor-only.turbine]")[0]
+    text += "[cases.all.turbine]\npower_kw = 500\n[cases.all.other]\npower_kw = 200\n[cases.all.motor]\npower_kw = 50\n"
     text += "[cases.one.turbine]\npower_kw = 0\n[cases.one.other]\npower_kw = 200\n[cases.one.motor]\npower_kw = 50\n"
     flow = size(parse(text)).flows["one"]
     assert flow.speeds["engine"] == 0.0 and flow.speeds["second-engine"] == pytest.approx(33000 * RPM, rel=0.05)
@@ -176,10 +176,6 @@ def test_losses_of_a_set_are_those_of_its_rolling():
     flow = power_flow(design, train, teeth, efficiency={"first": 0.98})
     efficiency = (1.0 + 84 / 24 * 0.98**2) / (1.0 + 84 / 24)
     assert -flow.machine_powers["propeller"] / 1046e3 == pytest.approx(efficiency, rel=1e-9)
-
-
-def test_direction_of_power_counts_noise_as_forwards():
-    assert direction_of(np.array([5.0, -5.0, -1e-12, 0.0, -2.0]), 2.0).tolist() == [1.0, -1.0, 1.0, 1.0, 1.0]
 
 
 def test_a_matrix_is_split_into_what_it_feels_and_what_it_does_not():
