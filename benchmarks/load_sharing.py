@@ -49,7 +49,7 @@ def likeness(problem: SharingProblem) -> float:
     """Return how the peaks of closed form and integration of some gearboxes correlate, the transient left out [-]."""
     sets = random_sets(problem.sources, CHECKED, seed=SEED)
     ensemble = simulate_many(with_errors(problem.system, sets), LONG[1], settle=LONG[0])
-    moved = np.max(ensemble.most[:, problem.places], axis=1)
+    moved = np.max(ensemble.maximum[:, problem.places], axis=1)
     forces = random_sets(as_forces(problem.train, problem.sources, problem.places), CHECKED, seed=SEED)
     slow = np.zeros(CHECKED)
     for instant in np.linspace(*LONG, INSTANTS):

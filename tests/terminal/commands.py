@@ -74,7 +74,7 @@ results = ["mass"]
 method = "sobol"
 count = 4
 [objectives]
-mass = "least"
+mass = "minimum"
 """
 FILES = {"pair.toml": PAIR, "hybrid.toml": HYBRID, "rated.toml": RATED, "small.toml": STUDY}
 JOURNAL = ["study", "small.toml", "--workers", "0", "--journal", "journal"]

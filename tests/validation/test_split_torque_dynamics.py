@@ -34,8 +34,8 @@ def ends(values):
 def test_ranges_under_all_errors(support, stage):
     """Tooth-cycle means to 0.2 %, as their sampling decides the third digit; instants to half a printed unit."""
     found = load_sharing(built(support, ALL), STAGES[stage], method="dynamics", span=TURN)
-    least, most, mean_least, mean_most = RANGES[support][stage]
-    assert ends(found.instantaneous[:, 0]) == pytest.approx((least, most), abs=0.006)
+    minimum, maximum, mean_least, mean_most = RANGES[support][stage]
+    assert ends(found.instantaneous[:, 0]) == pytest.approx((minimum, maximum), abs=0.006)
     assert ends(found.tooth_cycle[:, 0]) == pytest.approx((mean_least, mean_most), abs=0.002)
 
 

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import errno
 import sys
+import warnings
 from collections.abc import Callable
-from typing import Annotated
+from typing import Annotated, TextIO
 
 import typer
 
@@ -68,6 +69,7 @@ def _main(version: Annotated[bool, typer.Option("--version", help="Print the ver
 def main() -> None:
     """Run the command line; design problems and failed computations become messages and exit codes."""
     steady_streams()
+    warnings.showwarning = _say
     code = _code()
     unwritten = flushed()
     sys.exit(code or (_unwritten(unwritten) if unwritten else 0))
@@ -87,6 +89,15 @@ def _code() -> int | str | None:
     except OSError as error:
         return _unwritten(error)
     return 0
+
+
+def _say(message: Warning | str, category: type[Warning], filename: str, lineno: int,
+         file: TextIO | None = None, line: str | None = None) -> None:  # fmt: skip
+    """Say a warning to the user; one about a word of a file without the place in gearwright's source."""
+    from gearwright.spec.former import FormerWord
+
+    said = issubclass(category, FormerWord)
+    tell(str(message) if said else warnings.formatwarning(message, category, filename, lineno, line).rstrip())
 
 
 def _unwritten(error: OSError) -> int:

@@ -22,7 +22,7 @@ class Battery(NamedTuple):
     """R [Ω]."""
     highest_rate: float
     """Highest current over the capacity, charging or discharging: C-rate [1/h]."""
-    least: float
+    minimum: float
     """State of charge below which it must not go [-]."""
 
 
@@ -91,7 +91,7 @@ def battery_step(battery: Battery, state_of_charge: float, power: float, duratio
     fault = ""
     if square < 0.0 or abs(current) > highest_current(battery) * (1.0 + 1e-9):
         fault = OVERLOADED
-    elif final < battery.least:
+    elif final < battery.minimum:
         fault = EMPTY
     elif final > 1.0 + 1e-12:
         fault = FULL

@@ -214,9 +214,9 @@ def _faulty(battery: Battery, terms: Terms, power: float, step: BatteryStep) -> 
     said = f"{step.fault}: {power / 1e3:.0f} kW at a state of charge of {terms.charge:.3f}"
     less = _less(terms.mode)
     if step.fault == FULL:
-        return f"{said} (most 1); start with a lower start_charge, charge less or shorter, or give more energy_kwh"
+        return f"{said} (maximum 1); start with a lower start_charge, charge less or shorter, or give more energy_kwh"
     if step.fault == EMPTY:
-        return f"{said} (least {battery.least:g}); {less}, fly shorter, or give more energy_kwh"
+        return f"{said} (minimum {battery.minimum:g}); {less}, fly shorter, or give more energy_kwh"
     highest = highest_current(battery)
     if abs(step.current) <= highest:  # no current gives this power behind the resistance
         limit = f"more than its resistance of {battery.resistance:g} Ω lets through"
@@ -289,5 +289,5 @@ def _pack(rules: BatteryRules) -> Battery:
         rules.empty_voltage_v,
         rules.resistance_ohm,
         rules.highest_c_rate,
-        rules.least_charge,
+        rules.minimum_charge,
     )

@@ -17,7 +17,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from gearwright.errors import excerpt
-from gearwright.units import SUFFIXES, Quantity
+from gearwright.units import SUFFIXES, Quantity, suffix_unit
 
 SIZES: Mapping[str, tuple[float, float, float]] = MappingProxyType({
     "angle": (1e-9, 1e-6, 1e2),
@@ -43,7 +43,7 @@ SIZES: Mapping[str, tuple[float, float, float]] = MappingProxyType({
     "volume": (1e-12, 1e-9, 1e6),
     "ratio": (1e-9, 1e-6, 1e3),
 })  # fmt: skip
-"""Dimension -> smallest size of what is not 0, least of what must be greater than 0, largest size [SI]."""
+"""Dimension -> smallest size of what is not 0, smallest of what must be greater than 0, largest size [SI]."""
 ANY_SIZE = (1e-15, 1e-15, 1e15)
 """The same of a number without a dimension [-]."""
 MOST_ENTRIES = 1_000
@@ -69,12 +69,12 @@ NAME_RULE = (
 class Range:
     """Numbers that a field takes, in SI."""
 
-    least: float
-    most: float
+    minimum: float
+    maximum: float
     above: bool = False
-    """True: `least` itself is not taken."""
+    """True: `minimum` itself is not taken."""
     below: bool = False
-    """True: `most` itself is not taken."""
+    """True: `maximum` itself is not taken."""
     smallest: float = 0.0
     """What is not 0 is no nearer to it than this."""
 
@@ -84,8 +84,8 @@ class Range:
         Args:
             value: In SI.
         """
-        low = value > self.least if self.above else value >= self.least
-        high = value < self.most if self.below else value <= self.most
+        low = value > self.minimum if self.above else value >= self.minimum
+        high = value < self.maximum if self.below else value <= self.maximum
         return low and high and (value == 0.0 or abs(value) >= self.smallest)
 
     def words(self, factor: float = 1.0, unit: str = "") -> str:
@@ -98,15 +98,15 @@ class Range:
         >>> Range(0.0, 0.1, smallest=1e-6).words(1e-3, "mm")
         '0 or a value from 0.001 to 100 mm'
         """
-        least, most, smallest = (f"{bound / factor:.6g}" for bound in (self.least, self.most, self.smallest))
+        minimum, maximum, smallest = (f"{bound / factor:.6g}" for bound in (self.minimum, self.maximum, self.smallest))
         end = f" {unit}" if unit else ""
-        if self.least <= 0.0 <= self.most and self.smallest and not self.above:
-            sized = "a value" if self.least == 0.0 else "a size"
-            return f"0 or {sized} from {smallest} to {most}{end}"
+        if self.minimum <= 0.0 <= self.maximum and self.smallest and not self.above:
+            sized = "a value" if self.minimum == 0.0 else "a size"
+            return f"0 or {sized} from {smallest} to {maximum}{end}"
         if not self.above and not self.below:
-            return f"a value from {least} to {most}{end}"
+            return f"a value from {minimum} to {maximum}{end}"
         low, high = "above" if self.above else "from", "below" if self.below else "up to"
-        return f"a value {low} {least} and {high} {most}{end}"
+        return f"a value {low} {minimum} and {high} {maximum}{end}"
 
 
 def quantity_of(info: FieldInfo) -> Quantity | None:
@@ -128,10 +128,10 @@ def range_of(info: FieldInfo) -> Range:
     mark = _mark(info)
     smallest, positive, largest = ANY_SIZE if mark is None else SIZES.get(mark.dimension, ANY_SIZE)
     bounds = {name: float(bound) for name in ("ge", "gt", "le", "lt") for bound in _bounds(info, name)}
-    least, most = bounds.get("gt", bounds.get("ge", -largest)), bounds.get("lt", bounds.get("le", largest))
+    minimum, maximum = bounds.get("gt", bounds.get("ge", -largest)), bounds.get("lt", bounds.get("le", largest))
     if bounds.get("gt") == 0.0:  # what is greater than 0 has a size
-        return Range(min(positive, most), most, below="lt" in bounds)
-    return Range(least, most, above="gt" in bounds, below="lt" in bounds, smallest=smallest)
+        return Range(min(positive, maximum), maximum, below="lt" in bounds)
+    return Range(minimum, maximum, above="gt" in bounds, below="lt" in bounds, smallest=smallest)
 
 
 class Allowed(NamedTuple):
@@ -139,7 +139,7 @@ class Allowed(NamedTuple):
 
     numbers: Range
     unit: str
-    """Suffix of its SI unit; empty for what has none."""
+    """Its SI unit; empty for what has none."""
 
 
 @cache
@@ -152,8 +152,8 @@ def allowed_in(model: type[BaseModel], name: str) -> Allowed:
     """
     info = model.model_fields[name]
     mark = quantity_of(info)
-    unit = "" if mark is None else next(suffix for suffix, factor in SUFFIXES[mark.dimension].items() if factor == 1.0)
-    return Allowed(range_of(info), unit)
+    suffix = mark and next(suffix for suffix, factor in SUFFIXES[mark.dimension].items() if factor == 1.0)
+    return Allowed(range_of(info), suffix_unit(suffix) if suffix else "")
 
 
 def checked(value: Any, allowed: Allowed, name: str) -> Any:
@@ -234,8 +234,8 @@ class OneOf:
 
     def _of_table(self, name: str) -> str:
         if name not in self.table:
-            *most, last = map(repr, self.table)
-            expected = f"{', '.join(most)} or {last}"
+            *first, last = map(repr, self.table)
+            expected = f"{', '.join(first)} or {last}"
             raise PydanticCustomError("literal_error", "Input should be {expected}", {"expected": expected})
         return name
 
@@ -256,9 +256,11 @@ def _refuse_many(entries: list[Any] | dict[str, Any], name: str) -> None:
     """Check the entries of a list or table, but for records, which check themselves."""
     inner = list(entries.values()) if isinstance(entries, dict) else entries
     numbers = all(isinstance(entry, int | float) for entry in inner)
-    most = MOST_NUMBERS if numbers else MOST_ENTRIES
-    if len(inner) > most:
-        raise PydanticCustomError("many", "{count} entries; give at most {most}", {"count": len(inner), "most": most})
+    maximum = MOST_NUMBERS if numbers else MOST_ENTRIES
+    if len(inner) > maximum:
+        raise PydanticCustomError(
+            "many", "{count} entries; give at most {maximum}", {"count": len(inner), "maximum": maximum}
+        )
     for entry in inner:
         checked(entry, _PLAIN, name)
 

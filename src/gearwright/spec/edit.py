@@ -13,6 +13,7 @@ from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import Design
 from gearwright.spec.mission import Mission, mission_problems
 from gearwright.spec.record import Record, brief, keys_of
+from gearwright.units import suffix_unit
 from gearwright.verbs import verb
 
 Value = float | int | str | bool | list[Any] | dict[str, Any] | None
@@ -129,7 +130,7 @@ def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value) -> P
             return Problem(path, f"there is no {'.'.join(parts[: depth + 1])}; {near(part, keys)}")
         name, factor, suffix = keys[part]
         if last and suffix and (isinstance(value, bool) or not isinstance(value, int | float)):
-            return Problem(path, f"{value!r} is not a number; give a number in {suffix}")
+            return Problem(path, f"{value!r} is not a number; give a number in {suffix_unit(suffix)}")
         if last:
             table[name] = value * factor if suffix and isinstance(value, int | float) else value
             return None

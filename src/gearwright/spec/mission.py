@@ -93,7 +93,7 @@ class BatteryRules(Record):
     resistance_ohm: float = Field(0.01, ge=0, le=100, description="Internal resistance")
     highest_c_rate: float = Field(4.0, gt=0, le=100, description="Highest current over capacity, 1/h")
     start_charge: Ratio = Field(0.95, ge=0, le=1, description="State of charge at the start")
-    least_charge: Ratio = Field(0.1, ge=0, lt=1, description="State of charge that must remain")
+    minimum_charge: Ratio = Field(0.1, ge=0, lt=1, description="State of charge that must remain")
 
 
 class Aircraft(Record):
@@ -139,7 +139,7 @@ class BearingLifeRules(Record):
     kind: Kind = Field("cylindrical", description="Of bearings without axial force that the design leaves open")
     thrust_kind: Kind = Field("deep-groove", description="Of bearings with axial force that the design leaves open")
     side_by_side: int = Field(1, ge=1, le=4, description="Equal bearings that share a seat")
-    static_safety: Ratio = Field(1.5, gt=0, le=20, description="Least C_0 over the largest load")
+    static_safety: Ratio = Field(1.5, gt=0, le=20, description="Minimum C_0 over the largest load")
     reliability: Ratio = Field(0.9, ge=0.9, le=0.999, description="Part of the bearings that reach the life")
 
 

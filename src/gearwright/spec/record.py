@@ -20,7 +20,8 @@ from pydantic.fields import FieldInfo
 
 from gearwright.errors import Problem, near
 from gearwright.spec.bounds import NAME_RULE, allowed_in, checked, is_path, parts, quantity_of, range_of
-from gearwright.units import SUFFIXES
+from gearwright.spec.former import FORMER, today
+from gearwright.units import SUFFIXES, suffix_unit
 
 
 class Record(BaseModel):
@@ -112,6 +113,8 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
     prefix = written.keys.get(at, "")
     for key, value in raw.items():
         path = f"{prefix}.{key}" if prefix else key or '""'
+        if key not in keys and FORMER.get(key) in keys:
+            key = today(key, path)
         if key not in keys and model.others is not None and isinstance(value, Mapping):
             written.keys[(*at, key)] = path
             if _is_named(key, written, (*at, key)):
@@ -192,14 +195,16 @@ def _foreign(key: str, model: type[Record], keys: Keys) -> str:
 
 def _number(value: object, factor: float, suffix: str, written: Written, location: Location) -> object:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        written.report(location, f"{brief(value)} is not a number; give a number in {suffix}")
+        written.report(location, f"{brief(value)} is not a number; give a number in {suffix_unit(suffix)}")
         return _stand_in_of(written.fields[location])
     try:
         converted = float(value) * factor
     except OverflowError:
         converted = math.inf
     if not math.isfinite(converted):
-        written.report(location, f"{brief(value)} is not a finite number; give a finite number in {suffix}")
+        written.report(
+            location, f"{brief(value)} is not a finite number; give a finite number in {suffix_unit(suffix)}"
+        )
         return _stand_in_of(written.fields[location])
     return converted
 
@@ -322,7 +327,7 @@ _STAND_IN = 1.0
 def _stand_in_of(info: FieldInfo) -> float:
     """Return a quantity that a field allows; it never leaves the search for problems."""
     allowed = range_of(info)
-    return _STAND_IN if allowed.holds(_STAND_IN) else 0.5 * (allowed.least + allowed.most)
+    return _STAND_IN if allowed.holds(_STAND_IN) else 0.5 * (allowed.minimum + allowed.maximum)
 
 
 def _stand_in(entries: dict[str, Any], location: tuple[int | str, ...], infos: Mapping[Location, FieldInfo]) -> None:
@@ -364,8 +369,9 @@ def _message(details: Any, written: Written, location: Location) -> str:
         return f"{shown} {details['msg']}"
     if details["type"] in _BOUNDS and location in written.fields and not inside:
         factor, suffix = written.factors.get(location, (1.0, ""))
-        words = range_of(written.fields[location]).words(factor, suffix)
-        return f"{shown}{f' {suffix}' if suffix else ''} is not allowed; give {words}"
+        symbol = suffix_unit(suffix) if suffix else ""
+        words = range_of(written.fields[location]).words(factor, symbol)
+        return f"{shown}{f' {symbol}' if symbol else ''} is not allowed; give {words}"
     if details["type"] == "literal_error":
         return f"{shown} is not known; allowed: {details['ctx']['expected']}"
     if details["type"] in _WANTED:

@@ -113,8 +113,8 @@ def _number(entry: dict[str, Any], names: tuple[str, str], factor: float, allowe
         "type": "number",
         "description": f"{entry.get('description', '')} [{symbol}]",
     }
-    number["exclusiveMinimum" if allowed.above else "minimum"] = allowed.least / factor
-    number["exclusiveMaximum" if allowed.below else "maximum"] = allowed.most / factor
+    number["exclusiveMinimum" if allowed.above else "minimum"] = allowed.minimum / factor
+    number["exclusiveMaximum" if allowed.below else "maximum"] = allowed.maximum / factor
     if isinstance(entry.get("default"), int | float):
         number["default"] = entry["default"] / factor
     return number

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Literal, cast
+from typing import Any, Literal, cast
 
-from pydantic import Field
+from pydantic import Field, ValidationInfo, field_validator
 
 from gearwright.errors import DesignError, Problem
 from gearwright.reading import beside
 from gearwright.shipped import find_mission, find_study
 from gearwright.showing import Shown
 from gearwright.spec.axis import Axis, Value, axis_length, axis_problems
+from gearwright.spec.former import today
 from gearwright.spec.mission import Mission, is_map_file, mission_problems, read_mission
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
@@ -22,7 +24,7 @@ from gearwright.verbs import verb
 MOST_CASES = 10_000_000
 """More cases than this are refused: at 1 ms each they would take three hours of one core, at 10 ms more than a day."""
 MOST_SAMPLES = 1_000_000
-"""Most samples that are drawn at once."""
+"""Largest number of samples that are drawn at once."""
 MISSION_PATH, FLY_RESULT = "mission.", "fly."
 """How paths into the mission and the results of its flight begin."""
 MAP_PATH = f"{MISSION_PATH}propeller_map"
@@ -41,8 +43,8 @@ class Sampling(Record):
 class Bound(Record):
     """What a result must keep, in the unit in which tables show it."""
 
-    least: float | None = Field(None, description="Lowest value allowed")
-    most: float | None = Field(None, description="Highest value allowed")
+    minimum: float | None = Field(None, description="Smallest value allowed")
+    maximum: float | None = Field(None, description="Largest value allowed")
 
 
 class Simulated(Record):
@@ -74,13 +76,28 @@ class Study(Shown, Record):
     changes: dict[str, Value] = Field(default_factory=dict, description="Dotted path with unit -> value, for all cases")
     results: list[str] = Field(default_factory=lambda: ["mass"], min_length=1, description="Results by name")
     sampling: Sampling = Field(default_factory=Sampling, description="How cases are taken from the axes")
-    objectives: dict[str, Literal["least", "most"]] = Field(
-        default_factory=dict, description="Result -> whether the least or the most of it is wanted"
+    objectives: dict[str, Literal["minimum", "maximum"]] = Field(
+        default_factory=dict, description="Result -> whether its minimum or its maximum is wanted"
     )
     constraints: dict[str, Bound] = Field(default_factory=dict, description="Result -> what it must keep")
     simulate: Simulated = Field(default_factory=Simulated, description="How results named simulate.… are had")
     fly: Flown = Field(default_factory=Flown, description="How results named fly.… are had")
     mission: Mission | None = Field(None, description="What is flown, if it is written here and is no file of its own")
+
+    @field_validator("axes", "changes", "results", "objectives", "constraints", mode="before")
+    @classmethod
+    def _in_words_of_today(cls, entries: Any, info: ValidationInfo) -> Any:
+        """Read paths and results by their former names, too."""
+        place = info.field_name or ""
+        if isinstance(entries, list):
+            return [today(entry, place) if isinstance(entry, str) else entry for entry in entries]
+        if not isinstance(entries, Mapping):
+            return entries
+        renamed = {today(path, place): entry for path, entry in entries.items()}
+        if place != "objectives":
+            return renamed
+        return {path: today(entry, f"{place}.{path}") if isinstance(entry, str) else entry
+                for path, entry in renamed.items()}  # fmt: skip
 
     @property
     def asked(self) -> tuple[str, ...]:
@@ -164,7 +181,7 @@ def _sampled(study: Study) -> int:
         )
         raise DesignError([Problem("sampling.count", message)])
     if sampling.method == "nsga2" and not study.objectives:
-        message = 'a search needs at least one: [objectives] mass = "least"'
+        message = 'a search needs at least one: [objectives] mass = "minimum"'
         raise DesignError([Problem("objectives", message)])
     if not study.axes and not (sampling.method == "nsga2" and len(study.designs) > 1):
         raise DesignError([Problem("axes", f"{sampling.method!r} has nothing to vary; give an axis")])

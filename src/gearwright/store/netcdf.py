@@ -26,7 +26,9 @@ from gearwright.store.image import new_netcdf
 from gearwright.store.owners import found_owners, read_owners, written_owners
 from gearwright.version import __version__
 
-FORMAT = "gearwright trace 1"
+FORMAT, FORMER_FORMAT = "gearwright trace 2", "gearwright trace 1"
+"""Of what is written; what else is read: the same, with the variables named as `_FORMER` says."""
+_FORMER = {"minimum": "least", "maximum": "most"}
 
 _DIMENSIONS: Mapping[type, Mapping[str, tuple[tuple[str, ...], str]]] = {
     Samples: {
@@ -39,8 +41,8 @@ _DIMENSIONS: Mapping[type, Mapping[str, tuple[tuple[str, ...], str]]] = {
     Statistics: {
         "edges": (("edge",), "s"),
         "mean": (("bin", "name"), "as the quantity"),
-        "least": (("bin", "name"), "as the quantity"),
-        "most": (("bin", "name"), "as the quantity"),
+        "minimum": (("bin", "name"), "as the quantity"),
+        "maximum": (("bin", "name"), "as the quantity"),
         "rms": (("bin", "name"), "as the quantity"),
     },
     Checkpoints: {"step": (("checkpoint",), "1"), "state": (("checkpoint", "state"), "SI")},
@@ -150,7 +152,7 @@ def read_run(path: str | Path) -> StoredRun | Trace:
 
 def _check_format(written: str, path: str | Path) -> None:
     """Refuse what is no run, and what a newer version wrote."""
-    if written == FORMAT:
+    if written in (FORMAT, FORMER_FORMAT):
         return
     kind, _, number = written.rpartition(" ")
     if kind == FORMAT.rpartition(" ")[0] and number.isdigit():
@@ -206,7 +208,8 @@ def _write_part(group: Any, part: Any) -> None:
 
 
 def _read_part(group: Any, kind: type) -> dict[str, Any]:
-    return {name: np.asarray(group.variables[name][...]) for name in _DIMENSIONS[kind]}
+    names = {name: name if name in group.variables else _FORMER.get(name, name) for name in _DIMENSIONS[kind]}
+    return {name: np.asarray(group.variables[stored][...]) for name, stored in names.items()}
 
 
 def _write_samples(group: Any, samples: Samples) -> None:

@@ -120,7 +120,7 @@ def gearbox_mass(engine: Engine) -> float:
 class _Span(NamedTuple):
     """What a column may be by computation, as the rounding of the printed inputs allows."""
 
-    least: float
+    minimum: float
     nominal: float
     greatest: float
 
@@ -190,6 +190,6 @@ def _judge(printed: Printed, span: _Span) -> tuple[Verdict, str]:
     slack = 1e-9 * printed.value  # halves in binary
     if low - slack <= span.nominal <= high + slack:
         return Verdict.AGREES, ""
-    if span.least <= high + slack and span.greatest >= low - slack:
+    if span.minimum <= high + slack and span.greatest >= low - slack:
         return Verdict.ROUNDED, ""
     return Verdict.DIFFERS, f"computed {span.nominal:.5g} from the printed inputs"

@@ -192,5 +192,5 @@ def _planetary_range(planets: int, stages: int) -> Range:
     """Return the ratios between planets of a quarter of the sun and planets that touch each other."""
     sine = math.sin(math.pi / planets)
     greatest = 2.0 + 2.0 * sine / (1.0 - sine)
-    least = 2.0 + 2.0 * _LEAST_PLANET
-    return Range("ratio", least**stages, greatest**stages, f"{planets} planets, large enough and clear of each other")
+    minimum = 2.0 + 2.0 * _LEAST_PLANET
+    return Range("ratio", minimum**stages, greatest**stages, f"{planets} planets, large enough and clear of each other")

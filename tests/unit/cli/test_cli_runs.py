@@ -27,7 +27,7 @@ results = ["mass"]
 method = "sobol"
 count = 8
 [objectives]
-mass = "least"
+mass = "minimum"
 """
 SAFETY = '"gears.contact_safety" = {from = 1.3, to = 1.7}\n[sampling]'
 
@@ -49,9 +49,9 @@ def folder(tmp_path: Path) -> Path:
 def test_a_study_with_a_journal_is_complete_and_shown_again(folder: Path) -> None:
     journal = folder / "j"
     first = call("study", folder / "study.toml", "--journal", journal, "--workers", 0, "--report", folder / "p.html")
-    assert "Least gearbox: mine.toml at carriers.fill" in " ".join(first.split())
-    assert "Least gearbox: mine.toml at carriers.fill" in (folder / "p.html").read_text(encoding="utf-8")
-    assert call("status", journal).splitlines()[-2:] == ["fill: 8 of 8 cases, 0 cannot be had", "complete"]
+    assert "Minimum gearbox: mine.toml at carriers.fill" in " ".join(first.split())
+    assert "Minimum gearbox: mine.toml at carriers.fill" in (folder / "p.html").read_text(encoding="utf-8")
+    assert call("status", journal).splitlines()[-2:] == ["fill: 8 of 8 cases, 0 infeasible", "complete"]
     again = call("resume", journal, "--workers", 0, "--json", "--export", folder / "t.nc")
     assert len(json.loads(again[: again.rindex("}") + 1])["result"]["rows"]) == 8
     assert (folder / "t.nc").stat().st_size > 0

@@ -207,14 +207,14 @@ def test_a_periodic_quantity_is_smallest_where_its_derivative_says():
     """a cos ψ + b sin ψ ≥ −√(a² + b²), whatever the offset; 64 points of the highest order: 1.2e-3."""
     for a, b, offset in ((0.3, 0.0, 0.0), (0.0, 0.3, 0.7), (0.2, -0.4, 2.0)):
         wave = Periodic({"x": 1}, (a,), (b,), offset=offset, constant=0.1)
-        assert wave.least() == pytest.approx(0.1 - math.hypot(a, b), abs=1.3e-3 * math.hypot(a, b))
+        assert wave.minimum() == pytest.approx(0.1 - math.hypot(a, b), abs=1.3e-3 * math.hypot(a, b))
     second = Periodic({"x": 1}, (0.0, 0.2), (0.0, 0.1))
-    assert second.least() == pytest.approx(-math.hypot(0.2, 0.1), abs=1.3e-3)
+    assert second.minimum() == pytest.approx(-math.hypot(0.2, 0.1), abs=1.3e-3)
     mixed = Periodic({"x": 1}, (0.0,), (0.5, 0.3))
     turn = np.linspace(0.0, 2.0 * np.pi, 20001)
     brute = np.min(0.5 * np.sin(turn) + 0.3 * np.sin(2.0 * turn))
-    assert mixed.least() == pytest.approx(brute, abs=2e-3)
-    assert Periodic(constant=0.25).least() == 0.25
+    assert mixed.minimum() == pytest.approx(brute, abs=2e-3)
+    assert Periodic(constant=0.25).minimum() == 0.25
 
 
 def test_harmonics_turn_with_the_offset():

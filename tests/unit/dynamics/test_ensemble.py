@@ -42,8 +42,8 @@ def test_each_trajectory_of_an_ensemble_is_the_run_of_its_system_alone():
     for number in (0, 7, 8, 10):
         system, last = systems[number], Outputs(start=0.1)
         alone = simulate(system, 0.5, step=1e-4, start="rigid", outputs=last, method="runge-kutta")
-        scale = np.max(np.abs(alone.force.most))
-        for key in ("mean", "least", "most", "rms"):
+        scale = np.max(np.abs(alone.force.maximum))
+        for key in ("mean", "minimum", "maximum", "rms"):
             np.testing.assert_allclose(
                 getattr(many, key)[number], getattr(alone.force, key)[0], rtol=1e-9, atol=1e-9 * scale
             )

@@ -64,8 +64,8 @@ def test_statistics_of_bins_are_those_of_every_step():
         part = force[low:high]
         values = trace.force.of("mesh")
         assert values["mean"][number] == pytest.approx(np.mean(part), rel=1e-12)
-        assert values["least"][number] == np.min(part)
-        assert values["most"][number] == np.max(part)
+        assert values["minimum"][number] == np.min(part)
+        assert values["maximum"][number] == np.max(part)
         assert values["rms"][number] == pytest.approx(np.sqrt(np.mean(part**2)), rel=1e-12)
 
 

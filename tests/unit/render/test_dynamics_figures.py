@@ -57,11 +57,11 @@ def test_every_shipped_design_has_its_campbell_diagram_and_drawn_modes(design):
 
 
 def test_the_critical_table_says_which_speeds_are_in_resonance_and_which_not_excited():
-    table = critical_table(FOUND, most=1000)
+    table = critical_table(FOUND, maximum=1000)
     verdicts = [row[-1].value for row in table.rows]
     assert set(verdicts) == {"in resonance", "clear", "not excited"}
     assert verdicts == sorted(verdicts, key=lambda each: each == "not excited")
-    assert "more are left out" in critical_table(FOUND, most=3).note
+    assert "more are left out" in critical_table(FOUND, maximum=3).note
 
 
 def test_the_response_figure_shows_each_mesh_and_the_table_its_highest_peak_first():

@@ -32,7 +32,7 @@ LIVES = durability(FLIGHT)
 GROUND, FLOWN = review_of(SIZING), review_of(SIZING, FLIGHT, LIVES)
 STUDY = parse_study(
     'schema = 1\nname = "one"\ndesigns = ["in-line-h2"]\nresults = ["review.worst", "review.margin", "review.verdict",'
-    ' "mass", "worst_margin"]\n[objectives]\nmass = "least"\n'
+    ' "mass", "worst_margin"]\n[objectives]\nmass = "minimum"\n'
 )
 TABLE = run(STUDY, {"in-line-h2": DESIGN})
 

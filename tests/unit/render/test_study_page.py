@@ -33,7 +33,7 @@ def page_of(text: str) -> tuple[Study, Table, str]:
 
 
 def test_the_page_says_which_design_wins_by_how_much_and_how_surely() -> None:
-    sampling = '[sampling]\nmethod = "sobol"\ncount = 16\n[objectives]\nmass = "least"\nefficiency = "most"\n'
+    sampling = '[sampling]\nmethod = "sobol"\ncount = 16\n[objectives]\nmass = "minimum"\nefficiency = "maximum"\n'
     _, table, page = page_of(HEAD + FILL.replace(", 9]", "]") + sampling)
     one, two = (table.column("mass")[16 * k : 16 * (k + 1)] for k in (0, 1))
     assert all(second < first for first, second in zip(one, two, strict=True)), "H2 is lighter at equal inputs"
@@ -45,7 +45,7 @@ def test_the_page_says_which_design_wins_by_how_much_and_how_surely() -> None:
 
 
 def test_a_design_that_often_fails_does_not_win_and_like_reasons_count_together() -> None:
-    sampling = '[sampling]\nmethod = "sobol"\ncount = 16\n[objectives]\nmass = "least"\n'
+    sampling = '[sampling]\nmethod = "sobol"\ncount = 16\n[objectives]\nmass = "minimum"\n'
     _, table, page = page_of(HEAD + FILL + sampling)
     assert table.failed
     assert "9 planets do not fit" not in page and "… planets do not fit" in page
@@ -60,7 +60,7 @@ def good(table: Table, design: str) -> list:  # type: ignore[type-arg]
     [
         (
             '[sampling]\nmethod = "nsga2"\ncount = 24\npopulation = 8\n'
-            '[objectives]\nmass = "least"\nmotor_mass = "least"',
+            '[objectives]\nmass = "minimum"\nmotor_mass = "minimum"',
             4,
         ),
         ("", 1),
@@ -100,14 +100,14 @@ def test_the_spread_is_that_of_the_numbers() -> None:
     assert len(reasons(table)) <= 3
 
 
-OBJECTIVES = '[objectives]\nmass = "least"\nmotor_mass = "most"\n'
+OBJECTIVES = '[objectives]\nmass = "minimum"\nmotor_mass = "maximum"\n'
 
 
 @pytest.mark.parametrize(
     ("head", "more", "label"),
     [
         (HEAD, "", "gearbox [kg]"),
-        (HEAD.replace('"in-line-h1", ', ""), OBJECTIVES, "gearbox [kg]: least"),
+        (HEAD.replace('"in-line-h1", ', ""), OBJECTIVES, "gearbox [kg]: minimum"),
     ],
 )
 def test_the_figure_suits_the_method(head: str, more: str, label: str) -> None:
@@ -119,8 +119,8 @@ def test_designs_at_equal_inputs_are_a_trade_objective_by_objective() -> None:
     study, table, _ = page_of(HEAD + FILL + '[sampling]\nmethod = "sobol"\ncount = 8\n' + OBJECTIVES)
     panels = figure_of(study, table).axes
     assert [panel.get_title(loc="left") for panel in panels] == [
-        "gearbox [kg]\nless is better",
-        "motors [kg]\nmore is better",
+        "gearbox [kg]\nlower is better",
+        "motors [kg]\nhigher is better",
     ]
     assert {label.get_text() for label in panels[0].get_yticklabels()} == {"in-line-h1", "in-line-h2"}
 
@@ -136,7 +136,7 @@ def test_axes_that_were_changed_together_are_one_line_with_the_ends_of_the_trade
 
 @pytest.mark.parametrize("designs", [("in-line-h2", "mixed-h2", "in-line"), ("in-line-h2",)])
 @pytest.mark.parametrize("method", ['method = "sobol"\ncount = 4\n', 'method = "list"\n'])
-@pytest.mark.parametrize("more", ["", '[objectives]\nmass = "least"\n"modes.lowest_critical_speed" = "most"\n'])
+@pytest.mark.parametrize("more", ["", '[objectives]\nmass = "minimum"\n"modes.lowest_critical_speed" = "maximum"\n'])
 def test_results_without_an_end_are_written_so_and_break_no_figure(
     designs: tuple[str, ...], method: str, more: str
 ) -> None:
@@ -167,7 +167,7 @@ def test_one_life_of_nothing_leaves_an_axis_over_decades_logarithmic() -> None:
 
 
 def test_what_makes_no_difference_has_no_number_of_more_or_less() -> None:
-    objectives = '[objectives]\nmass = "least"\nefficiency = "most"\n'
+    objectives = '[objectives]\nmass = "minimum"\nefficiency = "maximum"\n'
     study = parse_study(HEAD + FILL + objectives + '[sampling]\nmethod = "sobol"\ncount = 8\n')
     rows = [
         Row(name, {"carriers.fill": 0.5 + 0.01 * k}, {
@@ -184,9 +184,9 @@ def test_what_makes_no_difference_has_no_number_of_more_or_less() -> None:
 
 
 def test_the_best_of_an_objective_keeps_the_constraints() -> None:
-    axes = '[axes]\n"carriers.fill" = {values = [0.4, 0.6, 0.8]}\n[objectives]\nmass = "least"\n'
+    axes = '[axes]\n"carriers.fill" = {values = [0.4, 0.6, 0.8]}\n[objectives]\nmass = "minimum"\n'
     head = HEAD.replace('"in-line-h1", ', "")
-    _, table, page = page_of(f"{head}{axes}[constraints]\nmass = {{least = 43.5}}\n")
+    _, table, page = page_of(f"{head}{axes}[constraints]\nmass = {{minimum = 43.5}}\n")
     assert table.rows[0].shown("mass") < 43.5 < table.rows[1].shown("mass")
-    assert "Least gearbox: in-line-h2 at carriers.fill = 0.6" in page
+    assert "Minimum gearbox: in-line-h2 at carriers.fill = 0.6" in page
     assert "gearbox ≥ 43.5 kg is kept in 2 of 3 cases." in page

@@ -65,7 +65,7 @@ def test_the_mode_table_lists_each_frequency_once_with_what_is_strained(modal) -
     assert len(rows) == 3
     assert [cell.text for cell in rows[0]][2:4] == ["rigid", "none"]
     assert rows[2][3].text == "first.mesh"  # the stiffest line holds the highest mode
-    assert "2 higher ones" in mode_table(modal, most=1).note
+    assert "2 higher ones" in mode_table(modal, maximum=1).note
 
 
 def test_the_statistics_of_a_run_are_in_balance_with_its_loads(run) -> None:

@@ -30,7 +30,7 @@ def test_a_misnamed_table_is_one_problem_not_many():
 def test_a_negative_power_is_refused():
     found = problem(changed(PAIR, "power_kw = 100", "power_kw = -100"))
     assert (found.path, found.line) == ("turbines.turbine.power_kw", 7)
-    assert found.message == "-100 kw is not allowed; give a value from 0.0001 to 1e+06 kw"
+    assert found.message == "-100 kW is not allowed; give a value from 0.0001 to 1e+06 kW"
 
 
 def test_a_turbine_does_not_take_power():
@@ -49,7 +49,7 @@ def test_a_motor_on_a_shaft_that_does_not_exist_is_refused():
 def test_a_number_that_is_not_finite_is_refused(word):
     found = problem(changed(PAIR, "power_kw = 100", f"power_kw = {word}"))
     assert (found.path, found.line) == ("turbines.turbine.power_kw", 7)
-    assert "not a finite number; give a finite number in kw" in found.message
+    assert "not a finite number; give a finite number in kW" in found.message
     assert len(found.message) < 200
 
 
@@ -57,7 +57,7 @@ def test_a_number_that_is_not_finite_is_refused(word):
 def test_what_is_not_a_number_is_refused_as_a_quantity(value):
     found = problem(changed(PAIR, "power_kw = 100", f"power_kw = {value}"))
     assert found.path == "turbines.turbine.power_kw"
-    assert found.message.endswith("is not a number; give a number in kw")
+    assert found.message.endswith("is not a number; give a number in kW")
 
 
 @pytest.mark.parametrize("value", ["true", '"3"', "3.0", "3.5", "nan"])
@@ -119,7 +119,7 @@ def test_all_problems_come_at_once_in_the_order_of_the_file():
     ]
     with pytest.raises(DesignError) as caught:
         parse(text, source="design.toml")
-    assert str(caught.value).startswith("design.toml: 6 problems\n  line 7: turbines.turbine.power_kw: -1046 kw")
+    assert str(caught.value).startswith("design.toml: 6 problems\n  line 7: turbines.turbine.power_kw: -1046 kW")
 
 
 @pytest.mark.parametrize("text", ["", "   \n\t\n"])

@@ -27,7 +27,7 @@ THESIS = shipped_mission("thesis").read_text(encoding="utf-8")
 @pytest.mark.parametrize(
     ("text", "path", "allowed"),
     [
-        (changed(PAIR, "power_kw = 100", "power_kw = 5e-324"), "turbines.turbine.power_kw", "from 0.0001 to 1e+06 kw"),
+        (changed(PAIR, "power_kw = 100", "power_kw = 5e-324"), "turbines.turbine.power_kw", "from 0.0001 to 1e+06 kW"),
         (PAIR + "[gears]\nidler_factor = 5e-324\n", "gears.idler_factor", "from 0.1 to 1"),
         (PAIR + "[layout.slow]\ndiameter_mm = 4.94e-321\n", "layout.slow.diameter_mm", "from 0.1 to 100000 mm"),
         (PAIR + "[layout.slow]\ninertia_kg_m2 = 1e-160\n", "layout.slow.inertia_kg_m2", "0 or a value from 1e-12"),
@@ -35,7 +35,7 @@ THESIS = shipped_mission("thesis").read_text(encoding="utf-8")
         (
             changed(PAIR, "diameter_m = 2", "diameter_m = 2\nthrust_n = 1e308"),
             "propellers.propeller.thrust_n",
-            "1e+09 n",
+            "1e+09 N",
         ),
         (PAIR + "backlash_mm = 1e300\n", "pairs.stage.backlash_mm", "to 10 mm"),
         (PAIR + "[shafting]\nsafety = 1e300\n", "shafting.safety", "from 1 to 1000"),

@@ -39,7 +39,7 @@ def test_an_entry_that_was_left_out_is_added(design: Design) -> None:
         ({"motors.electrc.speed_rpm": 1}, "there is no motors.electrc; did you mean electric?"),
         ({"motors.electric.sped_rpm": 1}, "did you mean speed_rpm?"),
         ({"motors.electric": 1}, "name one of its entries"),
-        ({"motors.electric.power_kw": "fast"}, "'fast' is not a number; give a number in kw"),
+        ({"motors.electric.power_kw": "fast"}, "'fast' is not a number; give a number in kW"),
         ({"motors.electric.power_kw": -2}, "not allowed"),
         ({"name.first": "x"}, "name has no entries"),
         ({"turbines.gas-turbine.shaft": "inptu"}, "did you mean input?"),

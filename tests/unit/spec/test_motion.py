@@ -18,14 +18,14 @@ BAD = {
     'kind = "face"\n': ("", "only face and bevel gears have one"),
     "radial_n_m = 1e7": (
         "radial_n_m = 0",
-        "supports.input.radial_n_m: 0 n_m is not allowed; give a value from 1000 to 1e+13 n_m",
+        "supports.input.radial_n_m: 0 N/m is not allowed; give a value from 1000 to 1e+13 N/m",
     ),
-    "backlash_um = 100": ("backlash_um = -1", "give 0 or a value from 0.001 to 10000 um"),
+    "backlash_um = 100": ("backlash_um = -1", "give 0 or a value from 0.001 to 10000 µm"),
     "[supports.output]": ("[supports.outputs]", "there is no shaft 'outputs'; did you mean output?"),
     '[errors."first.pinion"]': ('[errors."first.pinyon"]', "no such gear, shaft or planet; did you mean first.pinion?"),
     "[errors.output]\n": ("[errors.output]\nclocking_deg = 1\n", "clocking belong to a gear"),
     "[errors.input]\n": ("[errors.input]\npin_radial_um = 1\n", "only planets have pins"),
-    "eccentricity_um = 25": ("eccentricity_um = -25", "give 0 or a value from 0.001 to 100000 um"),
+    "eccentricity_um = 25": ("eccentricity_um = -25", "give 0 or a value from 0.001 to 100000 µm"),
 }
 
 

@@ -97,7 +97,7 @@ def test_gears_are_rated_as_the_material_that_is_named_and_not_as_another():
     [
         (MINE.replace("density_kg_m3 = 7830\n", ""), "density_kg_m3", "is required"),
         (MINE.replace("elastic_modulus_gpa = 206\n", ""), "elastic_modulus_mpa", "is required"),
-        (MINE.replace("modulus_gpa", "modulus_mpa"), "elastic_modulus_mpa", "50000 to 500000 mpa"),
+        (MINE.replace("modulus_gpa", "modulus_mpa"), "elastic_modulus_mpa", "50000 to 500000 MPa"),
         (MINE.replace("modulus_gpa", "modulus_GPa"), "elastic_modulus_GPa", "did you mean elastic_modulus_gpa"),
         (MINE.replace("density_kg_m3 = 7830", "density_kg_m3 = 7.83"), "density_kg_m3", "1000 to 20000"),
         (MINE.replace("density_kg_m3", "density"), "density", "the unit is missing"),

@@ -84,7 +84,7 @@ def test_capitals_are_recognised():
 def test_a_bound_is_told_in_the_units_of_the_user():
     found = problem(PAIR + "[gears]\npressure_angle_deg = 45\n")
     assert found.path == "gears.pressure_angle_deg"
-    assert found.message == "45 deg is not allowed; give a value from 14 to 30 deg"
+    assert found.message == "45 ° is not allowed; give a value from 14 to 30 °"
 
 
 @pytest.mark.parametrize(

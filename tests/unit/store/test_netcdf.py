@@ -66,6 +66,24 @@ def test_a_run_knows_whose_its_lines_are_also_one_of_a_version_that_did_not_say(
     assert load(path).trace.labels == trace.labels
 
 
+def test_a_run_of_the_former_format_is_loaded_equal(tmp_path, trace, design):
+    """It called the variables of statistics `least` and `most`."""
+    path = tmp_path / "run.nc"
+    save(StoredRun(design, "cruise", trace), path)
+    with h5netcdf.File(path, "a") as file:
+        file.attrs["format"] = "gearwright trace 1"
+        for group in ("force", "deflection", "velocity"):
+            variables = file.groups[group]
+            for name, former in (("minimum", "least"), ("maximum", "most")):
+                values = np.asarray(variables.variables[name][...])
+                variables.create_variable(former, ("bin", "name"), float, data=values)
+                del variables._h5group[name]
+    with h5netcdf.File(path, "r") as file:
+        assert {"least", "most"} <= set(file.groups["force"].variables)
+        assert not {"minimum", "maximum"} & set(file.groups["force"].variables)
+    assert same(load(path).trace, trace)
+
+
 def test_a_missing_file_is_refused(tmp_path):
     with pytest.raises(DesignError, match="there is no such file"):
         load(tmp_path / "none.nc")
@@ -149,6 +167,6 @@ def test_a_trace_without_its_design_is_loaded_as_a_trace(tmp_path, trace):
 def test_a_run_of_a_newer_version_is_refused(tmp_path):
     path = tmp_path / "run.nc"
     with h5netcdf.File(path, "w") as file:
-        file.attrs["format"] = "gearwright trace 2"
+        file.attrs["format"] = "gearwright trace 3"
     with pytest.raises(DesignError, match=r"a newer gearwright wrote this run .*; update gearwright"):
         load(path)

@@ -109,8 +109,8 @@ def test_a_study_that_was_edited_is_refused(journal: Path, edit: str) -> None:
 def test_a_journal_of_the_former_format_is_refused_in_words(tmp_path: Path) -> None:
     with edited(tmp_path / "j") as database:
         database.execute("CREATE TABLE study (format INTEGER, version TEXT, study TEXT, designs TEXT, origin TEXT)")
-        database.execute("INSERT INTO study VALUES (2, '0.1.0', '{}', '{}', '')")
-    with pytest.raises(DesignError, match="its format is 2, not 3; continue with the gearwright that began it"):
+        database.execute("INSERT INTO study VALUES (3, '0.1.0', '{}', '{}', '')")
+    with pytest.raises(DesignError, match="its format is 3, not 4; continue with the gearwright that began it"):
         recorded(tmp_path / "j")
 
 

@@ -48,7 +48,7 @@ def schaffer(case: Case) -> dict[str, float]:
     return {"f": x**2, "g": (x - 2.0) ** 2, "c": x}
 
 
-TWO = '[objectives]\nf = "least"\ng = "least"\n[sampling]\nmethod = "nsga2"\ncount = {}\npopulation = 40\n'
+TWO = '[objectives]\nf = "minimum"\ng = "minimum"\n[sampling]\nmethod = "nsga2"\ncount = {}\npopulation = 40\n'
 
 
 def test_the_search_finds_schaffers_front() -> None:
@@ -65,7 +65,7 @@ def test_the_search_finds_schaffers_front() -> None:
 
 
 def test_a_constraint_holds_on_the_front() -> None:
-    study = study_of(TWO.format(600) + "[constraints]\nc = {least = 1.0}\n", axes=1, low=-3.0, high=3.0)
+    study = study_of(TWO.format(600) + "[constraints]\nc = {minimum = 1.0}\n", axes=1, low=-3.0, high=3.0)
     front = pareto_front(study, table_of(study, searched(study, schaffer)))
     x = [row.results["c"].value for row in front]
     assert min(x) >= 1.0
@@ -90,7 +90,7 @@ def test_a_front_needs_objectives_and_a_design_that_holds() -> None:
     study = study_of(drawn, axes=1)
     with pytest.raises(DesignError, match="objectives"):
         pareto_front(study, Table("s", "", (), ()))
-    bound = study_of(f'{drawn}[objectives]\nf = "least"\n[constraints]\nc = {{most = -1.0}}\n', axes=1)
+    bound = study_of(f'{drawn}[objectives]\nf = "minimum"\n[constraints]\nc = {{maximum = -1.0}}\n', axes=1)
     rows = [row_of(Case(0, "d", {"x.0": 1.0}), {"f": 1.0, "c": 0.0})]
     with pytest.raises(DesignError, match="relax one"):
         pareto_front(bound, Table("s", "", (), tuple(rows)))

@@ -70,7 +70,7 @@ def test_a_variant_that_fails_is_a_row_with_its_reason(tmp_path: Path) -> None:
         (HEAD + '[axes]\n"errors.first.sun.axal_um" = {values = [1]}\n', "did you mean axial_um?"),
         (HEAD + '[axes]\n"layout.outpt.bore_ratio" = {values = [0.2]}\n', "did you mean output?"),
         (HEAD + 'results = ["mass", "fly.feul"]\n[fly]\nmission = "thesis"\n', "did you mean fly.fuel?"),
-        (HEAD + '[fly]\nmission = "thesis"\n[objectives]\n"fly.governing" = "least"\n', "is a name and no number"),
+        (HEAD + '[fly]\nmission = "thesis"\n[objectives]\n"fly.governing" = "minimum"\n', "is a name and no number"),
         (HEAD + '[axes]\n"a.b" = {from = 3, to = 1, step = 1}\n', "exchange them"),
         (HEAD + '[axes]\n"a.b" = {from = 3}\n', "all of from, to and step"),
         (HEAD + '[axes]\n"a.b" = {from = 0, to = 1e9, step = 1}\n', "1,000,000,001 values; at most 1,000,000"),

@@ -18,7 +18,7 @@ DESIGNS = ("one", "two", "three")
 
 def study_of(**more: object) -> Study:
     return Study.model_validate(
-        {"name": "s", "designs": list(DESIGNS), "objectives": {"a": "least", "b": "most"}, **more}
+        {"name": "s", "designs": list(DESIGNS), "objectives": {"a": "minimum", "b": "maximum"}, **more}
     )
 
 
@@ -44,7 +44,7 @@ def test_the_best_mean_place_wins_and_places_need_no_unit() -> None:
         ("three", 2.0, 0),
         ("two", 2.5, 0),
     ]
-    assert [each.unbeaten for each in found.standings] == [1.0, 1.0, 0.0]
+    assert [each.non_dominated for each in found.standings] == [1.0, 1.0, 0.0]
     assert found.without == {"a": "three"}
 
 
@@ -60,7 +60,7 @@ def test_over_all_weights_two_designs_that_each_lead_one_objective_share_the_fir
 
 def test_what_fails_or_breaks_a_constraint_has_the_last_place() -> None:
     table = table_of(((math.inf, 0.0), (2.0, 1.0), (3.0, 2.0)))
-    found = found_of(study_of(constraints={"b": {"least": 1.5}}), table)
+    found = found_of(study_of(constraints={"b": {"minimum": 1.5}}), table)
     assert found is not None
     assert found.standings[0].design == "three"
 
@@ -95,4 +95,4 @@ def test_a_bound_holds_for_95_per_cent_in_95_per_cent_of_samples() -> None:
 
 def test_kept_constraints_are_counted() -> None:
     table = table_of(((1.0, 3.0), (2.0, 2.0), (math.inf, 5.0)))
-    assert kept(study_of(constraints={"a": {"most": 1.5}, "b": {"least": 0.0}}), table) == {"a": 1, "b": 2}
+    assert kept(study_of(constraints={"a": {"maximum": 1.5}, "b": {"minimum": 0.0}}), table) == {"a": 1, "b": 2}

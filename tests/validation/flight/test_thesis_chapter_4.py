@@ -71,7 +71,7 @@ def test_planets_in_phase_swing_the_output_most():
     runs = {(name, VARYING): window(name, VARYING) for name in ("cruise", "taxi")}
     rows = phased(runs)
     for name in ("cruise", "taxi"):
-        placed, thesis, together = (row.most for row in rows if row.window == name)
+        placed, thesis, together = (row.maximum for row in rows if row.window == name)
         assert placed < thesis < together
 
 

@@ -131,7 +131,7 @@ def test_several_systems_side_by_side_slip_alike():
     both = simulate_many(systems, 0.05, step=1e-4, start=np.zeros((2, 4)))
     for number, system in enumerate(systems):
         alone = simulate(system, 0.05, step=1e-4, method="runge-kutta", start=(np.zeros(2), np.zeros(2)))
-        assert both.most[number, 0] == pytest.approx(alone.samples.line_force[:, 0].max(), rel=1e-9)
+        assert both.maximum[number, 0] == pytest.approx(alone.samples.line_force[:, 0].max(), rel=1e-9)
 
 
 @pytest.mark.parametrize(

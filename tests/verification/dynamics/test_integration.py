@@ -64,7 +64,7 @@ def test_an_error_excites_the_steady_amplitude_of_the_frequency_response():
     assert trace.method == "exact"
     velocity = trace.velocity.of("rotor")
     # The extremes of samples at 48 per turn miss the true ones by up to (2π/48)²/8 = 0.2 %.
-    assert velocity["most"][0] == pytest.approx(amplitude * response * 130.0, rel=2e-3)
+    assert velocity["maximum"][0] == pytest.approx(amplitude * response * 130.0, rel=2e-3)
 
 
 def test_halving_the_step_divides_the_error_by_sixteen():

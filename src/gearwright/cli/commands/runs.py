@@ -79,7 +79,7 @@ def status(
         show_answer("status", status_answer(state))
         return
     known = state.recorded
-    show(f"{known.study.name}: {state.done:,} of {known.total:,} cases, {state.failed:,} cannot be had")
+    show(f"{known.study.name}: {state.done:,} of {known.total:,} cases, {state.failed:,} infeasible")
     if state.done == known.total:
         show("complete")
     elif state.running:
@@ -287,7 +287,7 @@ def _watched() -> Iterator[Callable[[Progress], None]]:
         task = bar.add_task("starting workers", total=None, count="")
 
         def update(now: Progress) -> None:
-            words = f"{now.rate:.1f}/s, {_duration(now.remaining)} to go, {now.failed:,} cannot be had"
+            words = f"{now.rate:.1f}/s, {_duration(now.remaining)} to go, {now.failed:,} infeasible"
             count = f"{now.done:,} of {now.total:,}"
             bar.update(task, completed=now.done, total=now.total, description=words, count=count)
 

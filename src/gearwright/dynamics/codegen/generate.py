@@ -171,9 +171,9 @@ def _output(writer: Writer, code: Emitter, j: int, values: tuple[str, str], outp
         code.store(deflection, "%out", writer.count + j)
     elif output == "statistics":
         places = [CHUNK * (part * writer.count + j) for part in range(4)]
-        least, most, total, square = (code.load("%out", place) for place in places)
-        code.store(code.extreme("minnum", carried, least), "%out", places[0])
-        code.store(code.extreme("maxnum", carried, most), "%out", places[1])
+        minimum, maximum, total, square = (code.load("%out", place) for place in places)
+        code.store(code.extreme("minnum", carried, minimum), "%out", places[0])
+        code.store(code.extreme("maxnum", carried, maximum), "%out", places[1])
         code.store(code.add(carried, total), "%out", places[2])
         code.store(code.add(code.multiply(carried, carried), square), "%out", places[3])
 

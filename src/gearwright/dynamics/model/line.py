@@ -56,7 +56,7 @@ class Periodic:
         angle = self.offset * np.arange(1, orders + 1)
         return a * np.cos(angle) + b * np.sin(angle), b * np.cos(angle) - a * np.sin(angle)
 
-    def least(self) -> float:
+    def minimum(self) -> float:
         """Return the smallest value over a turn of φ, sampled at 64 points of the highest order."""
         a, b = self.harmonics()
         angle = np.outer(

@@ -196,7 +196,7 @@ def _damper(path: str, line: Line) -> Iterator[Problem]:
 def _variation(path: str, variation: Periodic) -> Iterator[Problem]:
     if variation.constant != 0.0:
         yield Problem(path, "a stiffness variation has no constant part; change the mean stiffness instead")
-    elif (lowest := 1.0 + variation.least()) < 0.0:
+    elif (lowest := 1.0 + variation.minimum()) < 0.0:
         yield Problem(path, f"the stiffness curve goes negative, to {lowest:.3g} of its mean; it must stay positive")
 
 

@@ -52,9 +52,9 @@ class Ensemble(Shown):
 
     mean: Floats
     """[N or N m]."""
-    least: Floats
+    minimum: Floats
     """[N or N m]."""
-    most: Floats
+    maximum: Floats
     """[N or N m]."""
     rms: Floats
     """Root mean square [N or N m]."""
@@ -72,7 +72,7 @@ class Ensemble(Shown):
             line: Its name.
         """
         column = index_of(line, self.labels.lines, "line")
-        return {key: getattr(self, key)[:, column] for key in ("mean", "least", "most", "rms")}
+        return {key: getattr(self, key)[:, column] for key in ("mean", "minimum", "maximum", "rms")}
 
 
 @verb
@@ -218,14 +218,14 @@ _SHAPING = frozenset({"weight", "mobility", "speed", "loss", "quadratic", "gyros
 
 
 def _ensemble(labels: Labels, summary: Floats, ends: Floats, *, step: float, count: int) -> Ensemble:
-    least, most, total, square = summary.transpose(1, 0, 2)
-    wrong = ~(np.isfinite(square) & (most < RUNAWAY) & (least > -RUNAWAY))
+    minimum, maximum, total, square = summary.transpose(1, 0, 2)
+    wrong = ~(np.isfinite(square) & (maximum < RUNAWAY) & (minimum > -RUNAWAY))
     if np.any(wrong):
         number, line = (int(place[0]) for place in np.nonzero(wrong))
         raise SolveError(
-            f"trajectory {number} diverged on line {labels.lines[line]} (largest force {most[number, line]:.3g}); "
+            f"trajectory {number} diverged on line {labels.lines[line]} (largest force {maximum[number, line]:.3g}); "
             f"take a smaller step than {step:.3g} s"
         )
     state = ends[:, : 2 * len(labels.coordinates)]
     refuse_not_finite(state, [*labels.coordinates, *(f"{name} (rate)" for name in labels.coordinates)], "end")
-    return Ensemble(total / count, least, most, np.sqrt(square / count), state, step, labels)
+    return Ensemble(total / count, minimum, maximum, np.sqrt(square / count), state, step, labels)

@@ -223,9 +223,9 @@ class SupportSweep(Shown):
     """[N/m], shape (n,)."""
     perfect: Floats
     """b of the first line without errors [-], shape (n,)."""
-    least: Floats
+    minimum: Floats
     """Smallest b of the first line, quasi-static [-], shape (n,)."""
-    most: Floats
+    maximum: Floats
     """Largest b of the first line, quasi-static [-], shape (n,)."""
     displacement: Floats
     """Largest displacement of the shaft, quasi-static [m], shape (n,)."""
@@ -256,8 +256,8 @@ def support_sweep(
         supports = {**design.supports, shaft: design.supports[shaft].model_copy(update={"radial": float(value)})}
         softer = replace(sizing, design=design.model_copy(update={"supports": supports}))
         rows.append(_sweep_row(sharing_problem(softer, stage, case=case), shaft))
-    perfect, least, most, displacement = np.array(rows).T
-    return SupportSweep(shaft, np.array(stiffness, dtype=np.float64), perfect, least, most, displacement)
+    perfect, minimum, maximum, displacement = np.array(rows).T
+    return SupportSweep(shaft, np.array(stiffness, dtype=np.float64), perfect, minimum, maximum, displacement)
 
 
 def _sweep_row(problem: SharingProblem, shaft: str) -> tuple[float, float, float, float]:

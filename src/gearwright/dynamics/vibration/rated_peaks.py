@@ -54,7 +54,7 @@ def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:
     normal = sizing.design.rules(gear.stage).pressure_angle
     transverse = transverse_pressure_angle(normal, gear.helix_angle)
     statistics = [trace.force.of(name) for name in lines]
-    peak = max(max(abs(float(line["most"].max())), abs(float(line["least"].min()))) for line in statistics)
+    peak = max(max(abs(float(line["maximum"].max())), abs(float(line["minimum"].min()))) for line in statistics)
     mean = max(abs(float(line["mean"].mean())) for line in statistics)
     force, sized_for = peak * math.cos(transverse) / together, mesh.tangential_force * mesh.rating.peaks
     return DynamicLoad(

@@ -38,9 +38,9 @@ def flight_checks(flight: Flight, lives: Durability, *, life: float | None = Non
 def _charge(flight: Flight) -> Iterator[Check]:
     """Yield the least charge of the battery, where there is one."""
     if flight.has_battery and flight.mission.battery is not None:
-        least, charge = flight.mission.battery.least_charge, float(flight.history.state_of_charge.min())
-        part, clause = PartId(Kind.BATTERY, "battery"), "least_charge of the mission"
-        yield Check(part, "charge", clause, charge, least, exponent=None)
+        minimum, charge = flight.mission.battery.minimum_charge, float(flight.history.state_of_charge.min())
+        part, clause = PartId(Kind.BATTERY, "battery"), "minimum_charge of the mission"
+        yield Check(part, "charge", clause, charge, minimum, exponent=None)
 
 
 def _gear(flight: Flight, gear: GearDamage, asked: float) -> Check:

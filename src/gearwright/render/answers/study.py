@@ -19,9 +19,9 @@ class StudyRow:
     inputs: Mapping[str, float | int | str | bool]
     """Dotted path, which ends in its unit -> value."""
     results: Mapping[str, float | str]
-    """Result with its unit -> value, all digits; empty if the variant cannot be had."""
+    """Result with its unit -> value, all digits; empty if the variant is infeasible."""
     problem: str
-    """Why the variant cannot be had; empty if it can."""
+    """Why the variant is infeasible; empty if it is feasible."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class StudyAnswer:
     name: str
     description: str
     failed: int
-    """Variants that cannot be had."""
+    """Infeasible variants."""
     rows: tuple[StudyRow, ...]
     """In the order of the study."""
 
@@ -64,7 +64,7 @@ class StatusAnswer:
     """Finished cases."""
     total: int
     failed: int
-    """Finished cases that cannot be had."""
+    """Finished cases that are infeasible."""
     running: bool
     rate: float
     """Cases a second."""

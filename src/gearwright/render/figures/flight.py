@@ -218,8 +218,8 @@ def _charge(flight: Flight, time: Floats, panels: Sequence[Axes]) -> None:
         return
     charge, volts, rate = panels
     charge.plot(time, 100.0 * history.state_of_charge, color=theme.ORANGE)
-    charge.axhline(100.0 * rules.least_charge, color=theme.MUTED, lw=0.7, ls="--")
-    charge.annotate("must remain", (0.0, 100.0 * rules.least_charge), (3, 2), textcoords="offset points", fontsize=7.0)
+    charge.axhline(100.0 * rules.minimum_charge, color=theme.MUTED, lw=0.7, ls="--")
+    charge.annotate("minimum", (0.0, 100.0 * rules.minimum_charge), (3, 2), textcoords="offset points", fontsize=7.0)
     charge.set(ylim=(0.0, 105.0), ylabel="state of\ncharge [%]")
     capacity = 2.0 * rules.energy / (rules.full_voltage_v + rules.empty_voltage_v)
     volts.plot(time, history.battery_voltage, color=theme.PURPLE)

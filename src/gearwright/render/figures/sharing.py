@@ -121,9 +121,9 @@ def support_figure(sweep: SupportSweep, marked: Mapping[float, str]) -> Figure:
     """
     figure = theme.sheet(WIDTH, 95.0)
     sharing, way = figure.subplots(2, 1, sharex=True)
-    sharing.fill_between(sweep.stiffness, sweep.least, sweep.most, color=theme.SKY, alpha=0.35, lw=0.0)
-    sharing.semilogx(sweep.stiffness, sweep.most, color=theme.BLUE, label="errors: least and most")
-    sharing.semilogx(sweep.stiffness, sweep.least, color=theme.BLUE)
+    sharing.fill_between(sweep.stiffness, sweep.minimum, sweep.maximum, color=theme.SKY, alpha=0.35, lw=0.0)
+    sharing.semilogx(sweep.stiffness, sweep.maximum, color=theme.BLUE, label="errors: minimum and maximum")
+    sharing.semilogx(sweep.stiffness, sweep.minimum, color=theme.BLUE)
     sharing.semilogx(sweep.stiffness, sweep.perfect, color=theme.ORANGE, label="no errors")
     sharing.set(ylabel="sharing coefficient b [-]", title=f"What floating shaft {sweep.shaft} buys")
     way.semilogx(sweep.stiffness, sweep.displacement / MICROMETRE, color=theme.GREEN)

@@ -74,7 +74,7 @@ def _bands(axes: Axes, trace: Trace, unit: str) -> None:
     for place, (family, names) in enumerate(families(trace.labels, unit).items()):
         colour = theme.CYCLE[place % len(theme.CYCLE)]
         bins = [trace.force.of(name) for name in names]
-        lowest, highest = np.min([bin["least"] for bin in bins], 0), np.max([bin["most"] for bin in bins], 0)
+        lowest, highest = np.min([bin["minimum"] for bin in bins], 0), np.max([bin["maximum"] for bin in bins], 0)
         axes.fill_between(middle, lowest / 1e3, highest / 1e3, color=colour, alpha=0.25, lw=0.0)
         axes.plot(middle, bins[0]["mean"] / 1e3, color=colour, lw=0.9, label=family)
     axes.set(title="Shaft torques" if unit == "rad" else "Mesh forces", ylabel="[kN m]" if unit == "rad" else "[kN]")

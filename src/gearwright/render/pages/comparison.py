@@ -68,7 +68,7 @@ def comparison(variants: Table, sizings: Mapping[str, Sizing], reviews: Mapping[
     wholes = table("Designs, lightest first", designs, tuple(field.name for field in fields(DesignView)))
     rows = [stage for name, sizing in ranked.items() for stage in stage_summaries(sizing, name)]
     stages = table("Stages", rows, tuple(field.name for field in fields(StageSummary)))
-    failed = tuple(f"{row.design} cannot be had: {row.problem}" for row in variants.failed)
+    failed = tuple(f"{row.design} is infeasible: {row.problem}" for row in variants.failed)
     sections = [
         Section("Masses", tables=(wholes,), figures=(masses,), notes=failed),
         Section("Why they rank so", tables=(stages,), notes=(_WHY,)),

@@ -79,12 +79,12 @@ def _answer(study: Study, table: Table, outcome: Verdict | None) -> Section:
 
 def _front(study: Study, table: Table) -> Section:
     front, chosen = pareto_front(study, table), front_table(study, table).rows
-    caption = "Every case over the first two objectives; no other case beats one of the front in all of them."
+    caption = "Every case over the first two objectives; none dominates a case of the Pareto front."
     drawn = pareto_figure(study, table, front, chosen)
     lines = Figure(theme.to_svg(parallel_figure(table, front), "lines"), "All cases; the front stands out.")
     figures = [Figure(theme.to_svg(drawn, "front"), caption), lines]
-    notes = (f"{len(front):,} cases are beaten by none in all objectives; {len(chosen)} of them are listed.",)
-    return Section("What no other beats", (front_list(study, table, chosen),), tuple(figures), notes)
+    notes = (f"{len(front):,} cases are on the Pareto front; {len(chosen)} of them are listed.",)
+    return Section("Pareto front", (front_list(study, table, chosen),), tuple(figures), notes)
 
 
 def _sensitivity(study: Study, table: Table) -> Section:

@@ -29,15 +29,15 @@ class Critical:
     verdict: str
 
 
-def critical_table(speeds: SpeedCase, *, most: int = 25) -> Table:
+def critical_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
     """Return the critical speeds of one set of speeds, worst first.
 
     Args:
         speeds: From `critical_speeds`.
         most: Rows at most; what is not excited stands last.
     """
-    rows = critical_rows(speeds)[:most]
-    left = f" {len(speeds.critical) - most} more are left out." if len(speeds.critical) > most else ""
+    rows = critical_rows(speeds)[:maximum]
+    left = f" {len(speeds.critical) - maximum} more are left out." if len(speeds.critical) > maximum else ""
     note = (
         "n: critical speed of the first machine's shaft; f: damped frequency there. Margin: over the operating speed,"
         " less 1. Dynamic force: estimated amplitude of the worst mesh force at the resonance over its mean, from the"
@@ -82,7 +82,7 @@ def assumption_table(listed: Sequence[Assumption]) -> Table:
     return table("Assumptions of the dynamic model", listed, ("subject", "value", "origin", "path"))
 
 
-def peak_table(response: Response, lines: Sequence[str], *, most: int = 12) -> Table:
+def peak_table(response: Response, lines: Sequence[str], *, maximum: int = 12) -> Table:
     """Return the highest peaks of a frequency response.
 
     Args:
@@ -90,7 +90,7 @@ def peak_table(response: Response, lines: Sequence[str], *, most: int = 12) -> T
         lines: Whose forces count.
         most: Rows at most.
     """
-    return table("Peaks", peaks(response, lines)[:most], ("line", "frequency", "force"))
+    return table("Peaks", peaks(response, lines)[:maximum], ("line", "frequency", "force"))
 
 
 def loudest_table(run_up: RunUp, speed: float) -> Table:

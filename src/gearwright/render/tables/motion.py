@@ -82,7 +82,7 @@ class EnergyBook:
     """[-]"""
 
 
-def mode_table(modes: Modes, *, most: int = 30) -> Table:
+def mode_table(modes: Modes, *, maximum: int = 30) -> Table:
     """Return natural frequencies with what moves and what is strained.
 
     Args:
@@ -90,10 +90,10 @@ def mode_table(modes: Modes, *, most: int = 30) -> Table:
         most: Modes that are listed at most.
     """
     rows = mode_rows(modes)
-    left = f" {len(rows) - most} higher ones are left out." if len(rows) > most else ""
+    left = f" {len(rows) - maximum} higher ones are left out." if len(rows) > maximum else ""
     note = f"{modes.rigid} rigid. Undamped, at the mean stiffness.{left}"
     fields = ("number", "frequency", "moves_most", "holds_most", "energy")
-    return table("Natural frequencies", rows[:most], fields, note=note)
+    return table("Natural frequencies", rows[:maximum], fields, note=note)
 
 
 def mode_rows(modes: Modes) -> list[Mode]:
@@ -159,8 +159,8 @@ def _statistics(trace: Trace, deflects_in: str) -> Iterator[tuple[str, float, fl
     """Yield name, mean, minimum, maximum, rms and peak-to-peak of the lines that deflect in m or in rad."""
     for name, unit in zip(trace.labels.lines, trace.labels.line_units, strict=True):
         if unit == deflects_in and trace.force.bins:
-            mean, least, most, rms = trace.force.whole(name)
-            yield name, mean, least, most, rms, most - least
+            mean, minimum, maximum, rms = trace.force.whole(name)
+            yield name, mean, minimum, maximum, rms, maximum - minimum
 
 
 def energy_table(trace: Trace) -> Table:

@@ -180,12 +180,12 @@ def _allowed(info: FieldInfo) -> Iterator[str]:
 
 
 def _bounds(info: FieldInfo) -> Iterator[str]:
-    """Yield the least and the most of a number; a number without a unit may have none of its own."""
+    """Yield the minimum and the maximum of a number; a number without a unit may have none of its own."""
     bounded = any(getattr(mark, name, None) is not None for mark in info.metadata for name in ("ge", "gt", "le", "lt"))
     if bounded or quantity_of(info) is not None:
         allowed = range_of(info)
-        yield f"{'>' if allowed.above else '≥'} {_value(allowed.least, info)}"
-        yield f"{'<' if allowed.below else '≤'} {_value(allowed.most, info)}"
+        yield f"{'>' if allowed.above else '≥'} {_value(allowed.minimum, info)}"
+        yield f"{'<' if allowed.below else '≤'} {_value(allowed.maximum, info)}"
 
 
 def _options(annotation: Any) -> tuple[Any, ...]:

@@ -52,8 +52,9 @@ def answer(study: Study, table: Table) -> Iterator[str]:
     yield from _constraints(study, table)
     failed = len(table.failed)
     designs = f"{len(study.designs)} designs" if len(study.designs) > 1 else study.designs[0]
-    yield f"{len(table.rows):,} cases of {designs}; {f'{failed:,} cannot be had' if failed else 'none failed'}."
-    yield from (f"Cannot be had: {reason}." for reason in reasons(table))
+    cases = f"{len(table.rows):,} case{'s' if len(table.rows) > 1 else ''}"
+    yield f"{cases} of {designs}; {f'{failed:,} infeasible' if failed else 'none failed'}."
+    yield from (f"Infeasible: {reason}." for reason in reasons(table))
 
 
 def key_numbers(outcome: Verdict | None) -> list[tuple[str, str]]:
@@ -69,7 +70,7 @@ def key_numbers(outcome: Verdict | None) -> list[tuple[str, str]]:
         ("wins", first.design),
         (f"first in, of {outcome.scenarios:,} cases", percent(first.first / outcome.scenarios)),
         ("first, over all weights", percent(first.weights)),
-        ("mean place", f"{first.place:.1f}"),
+        ("mean rank", f"{first.place:.1f}"),
         ("next", f"{second.design}, {second.place:.1f}"),
     ]
 
@@ -77,7 +78,7 @@ def key_numbers(outcome: Verdict | None) -> list[tuple[str, str]]:
 def _wins(outcome: Verdict) -> Iterator[str]:
     first, second = outcome.standings[:2]
     text = (
-        f"{first.design} wins: with objectives of the same weight its mean place is {first.place:.1f} of"
+        f"{first.design} wins: with objectives of the same weight its mean rank is {first.place:.1f} of"
         f" {len(outcome.standings)}; next is {second.design} with {second.place:.1f}."
     )
     if outcome.scenarios == 1:
@@ -105,7 +106,7 @@ def _duel(study: Study, table: Table, outcome: Verdict) -> Iterator[str]:
         ratios = _ratios(table, name, first, second)
         if len(ratios):
             median = float(np.median(ratios))
-            gains = int(((ratios < 1.0) if sense == "least" else (ratios > 1.0)).sum())
+            gains = int(((ratios < 1.0) if sense == "minimum" else (ratios > 1.0)).sum())
             low, high = confidence(gains, len(ratios)) if len(ratios) > 1 else (gains, gains)
             side = better if low > 0.5 else worse if high < 0.5 else undecided
             much = "" if side is undecided else f" {_more(median)}"
@@ -135,7 +136,7 @@ def _more(ratio: float) -> str:
 
 def _best(study: Study, table: Table, name: str, sense: str) -> str:
     """Say which case that keeps the constraints is best, by how much over other designs, or how flat the optimum is."""
-    sign = 1.0 if sense == "least" else -1.0
+    sign = 1.0 if sense == "minimum" else -1.0
     best: dict[str, Row] = {}
     allowed = [row for row in table.good if not violations(study, [row])[0]]
     for row in sorted(allowed or table.good, key=lambda row: sign * row.number(name)):
@@ -192,11 +193,11 @@ def _drivers(study: Study, table: Table) -> Iterator[str]:
     """Say which axis decides most about each result."""
     for name in table.numbers:
         try:
-            most, *rest = sensitivity(study, table, name)
+            strongest, *rest = sensitivity(study, table, name)
         except SolveError:
             continue
         parts = []
-        for index in (most, *rest[:1]):
+        for index in (strongest, *rest[:1]):
             low, high = index.total_interval
             parts.append(f"{index.axis} {percent(index.total)} ({percent(low)} to {percent(high)})")
         yield f"{heading(name)} depends most on {', then '.join(parts)}, as shares of its variance, 95 % confidence."
@@ -206,7 +207,9 @@ def _constraints(study: Study, table: Table) -> Iterator[str]:
     """Say in how many cases each constraint is kept, and how sure that is if the cases are samples."""
     for name, hits in kept(study, table).items():
         limit, count = study.constraints[name], len(table.rows)
-        asked = [f"{word} {bound:g}" for word, bound in (("≥", limit.least), ("≤", limit.most)) if bound is not None]
+        asked = [
+            f"{word} {bound:g}" for word, bound in (("≥", limit.minimum), ("≤", limit.maximum)) if bound is not None
+        ]
         low, high = confidence(hits, count)
         sure = f", {percent(hits / count)} (95 % confidence: {percent(low)} to {percent(high)})"
         unit = f" {table.unit(name)}" if table.unit(name) else ""

@@ -89,7 +89,7 @@ def summary(sizing: Sizing) -> str:
     return f"{text(sizing.mass, 'mass')} ({parts}), {text(sizing.power_density, 'specific_power')}.{bearings}{motors}"
 
 
-def modes_text(modes: Modes, *, most: int = 30) -> RenderableType:
+def modes_text(modes: Modes, *, maximum: int = 30) -> RenderableType:
     """Return the natural frequencies for the terminal.
 
     Args:
@@ -98,7 +98,7 @@ def modes_text(modes: Modes, *, most: int = 30) -> RenderableType:
     """
     from gearwright.render.tables.motion import mode_table
 
-    return table_text(mode_table(modes, most=most))
+    return table_text(mode_table(modes, maximum=maximum))
 
 
 def trace_text(trace: Trace, sizing: Sizing | None = None) -> RenderableType:

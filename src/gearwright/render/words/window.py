@@ -67,8 +67,8 @@ def _range(statistics: Statistics, name: str, dimension: str) -> Range:
         name,
         dimension,
         float(history["mean"][0]),
-        float(np.min(history["least"])),
-        float(np.max(history["most"])),
+        float(np.min(history["minimum"])),
+        float(np.max(history["maximum"])),
         float(history["mean"][-1]),
     )
 

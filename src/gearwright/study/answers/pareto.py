@@ -1,4 +1,4 @@
-"""Pareto fronts: which designs no other design beats in all objectives and constraints."""
+"""Pareto fronts: designs that no other design dominates, constraints counted."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from gearwright.spec import Study
 from gearwright.study.answers.table import Row, Table
 
 FAILED = 1e30
-"""Objective and violation of a design that cannot be had: worse than any that can."""
+"""Objective and violation of an infeasible design: worse than any that can."""
 
 
 def pareto_front(study: Study, table: Table) -> tuple[Row, ...]:
-    """Return the designs that no other one beats, by the first objective, the best of it first.
+    """Return the Pareto front: designs that no other one dominates, by the first objective, the best of it first.
 
     Args:
         study: With objectives and constraints.
@@ -27,7 +27,7 @@ def pareto_front(study: Study, table: Table) -> tuple[Row, ...]:
         DesignError: If the study has no objective, or no design keeps the constraints.
     """
     if not study.objectives:
-        raise DesignError([Problem("objectives", 'there is none; add such as [objectives] mass = "least"')])
+        raise DesignError([Problem("objectives", 'there is none; add such as [objectives] mass = "minimum"')])
     good = [row for row in table.rows if not row.problem and not violations(study, [row])[0]]
     if not good:
         raise DesignError([Problem("constraints", "no design keeps all of them; relax one")])
@@ -53,7 +53,7 @@ def front_table(study: Study, table: Table) -> Table:
     """
     front = pareto_front(study, table)
     kept = np.unique(np.linspace(0, len(front) - 1, FEW).astype(int))
-    name = f"No other beats these in all objectives ({len(kept)} of {len(front)})"
+    name = f"Pareto front ({len(kept)} of {len(front)})"
     return replace(table, name=name, description="", rows=tuple(front[k] for k in kept))
 
 
@@ -64,7 +64,7 @@ def wanted(study: Study, rows: Sequence[Row]) -> Floats:
         study: With objectives.
         rows: Of it.
     """
-    signs = {name: 1.0 if sense == "least" else -1.0 for name, sense in study.objectives.items()}
+    signs = {name: 1.0 if sense == "minimum" else -1.0 for name, sense in study.objectives.items()}
     return np.array(
         [[FAILED if row.problem else sign * row.number(name) for name, sign in signs.items()] for row in rows]
     ).reshape(len(rows), len(signs))
@@ -86,31 +86,31 @@ def _violation(study: Study, row: Row) -> float:
     total = 0.0
     for name, bound in study.constraints.items():
         value = row.shown(name)
-        for limit, excess in ((bound.least, -1.0), (bound.most, 1.0)):
+        for limit, excess in ((bound.minimum, -1.0), (bound.maximum, 1.0)):
             if limit is not None:
                 total += max(0.0, excess * (value - limit)) / (abs(limit) or 1.0)
     return total
 
 
 def ranks(values: Floats, broken: Floats) -> Ints:
-    """Return the front that each row belongs to [-]: 0 is beaten by none, 1 only by rows of 0, and so on.
+    """Return the front that each row belongs to [-]: 0 is dominated by none, 1 only by rows of 0, and so on.
 
     Args:
         values: Objectives to be made small, shape (rows, objectives).
-        broken: Violation of the constraints [-], shape (rows,): a row that breaks them less beats one that breaks more.
+        broken: Violation of the constraints [-], shape (rows,): who breaks them less dominates.
 
     Source: Deb et al. 2002, IEEE Trans. Evol. Comput. 6 (2), definition 1 (constraint-domination).
     """
     rank, left, front = np.zeros(len(values), dtype=np.int64), np.arange(len(values)), 0
     while len(left):
-        best = _unbeaten(values[left], broken[left])
+        best = _non_dominated(values[left], broken[left])
         rank[left[best]] = front
         left, front = left[~best], front + 1
     return rank
 
 
-def _unbeaten(values: Floats, broken: Floats) -> Bools:
-    """Tell which rows no other one beats; each found row strikes out all that it beats at once."""
+def _non_dominated(values: Floats, broken: Floats) -> Bools:
+    """Tell which rows no other one dominates; each of them strikes out all that it dominates at once."""
     best = np.ones(len(values), dtype=bool)
     for k in range(len(values)):
         if best[k]:

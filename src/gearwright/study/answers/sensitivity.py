@@ -56,7 +56,7 @@ def sensitivity(study: Study, table: Table, result: str, *, design: str | None =
     rows = [row for row in table.rows if row.design == (design or study.designs[0])]
     failed = sum(bool(row.problem) for row in rows)
     if failed:
-        raise SolveError(f"{failed} of {len(rows)} cases cannot be had; narrow the axes until all can")
+        raise SolveError(f"{failed} of {len(rows)} cases are infeasible; narrow the axes until none is")
     values = np.array([row.number(result) for row in rows])
     if not varies(values):
         raise SolveError(f"{result} does not vary, or is not finite everywhere: nothing has an influence on it")

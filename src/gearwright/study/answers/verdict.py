@@ -1,7 +1,7 @@
 """Which design wins over all objectives, by how much, and how sure that is.
 
 Designs are compared at equal inputs: one such comparison is a scenario. In each, every objective gives every design a
-place; the mean place over the objectives ranks them. Places need no common unit, so that kilograms, hours and parts of
+rank; the mean rank over the objectives orders them. Ranks need no common unit, so that kilograms, hours and parts of
 a per cent can stand side by side. How sure a winner is has two parts: in how many scenarios it comes first, and for how
 many weights of the objectives it does (stochastic multicriteria acceptability).
 """
@@ -33,13 +33,13 @@ class Standing:
 
     design: str
     place: float
-    """Mean place over objectives and scenarios, 1 is best [-]."""
+    """Mean rank over objectives and scenarios, 1 is best [-]."""
     first: int
-    """Scenarios in which its mean place is the best [-]."""
+    """Scenarios in which its mean rank is the best [-]."""
     weights: float
     """Part of all weights of the objectives, over all scenarios, with which it comes first [-]."""
-    unbeaten: float
-    """Part of the scenarios in which no other design is better in one objective and as good in all [-]."""
+    non_dominated: float
+    """Part of the scenarios in which it is on the Pareto front [-]."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def verdict(study: Study, table: Table) -> Verdict | None:
         study: With objectives.
         table: Its rows; a design that fails or breaks a constraint in a scenario has the last place there.
 
-    Source: mean place: Borda 1781; weights drawn evenly from the simplex: Lahdelma and Salminen 2001, SMAA-2, Oper.
+    Source: mean rank: Borda 1781; weights drawn evenly from the simplex: Lahdelma and Salminen 2001, SMAA-2, Oper.
         Res. 49 (3), 444-454, on places instead of values.
     """
     groups = scenarios(table)
@@ -76,11 +76,11 @@ def verdict(study: Study, table: Table) -> Verdict | None:
     values = np.stack([_allowed(study, rows) for rows in groups])
     places = np.stack([_places(value) for value in values])
     means = places.mean(axis=2)
-    unbeaten = np.mean([ranks(value, np.zeros(len(designs))) == 0 for value in values], axis=0)
+    non_dominated = np.mean([ranks(value, np.zeros(len(designs))) == 0 for value in values], axis=0)
     standings = [
         Standing(name, float(place), int(won), float(share), float(free))
         for name, place, won, share, free in zip(
-            designs, means.mean(axis=0), _firsts(means), _acceptability(study, places), unbeaten, strict=True
+            designs, means.mean(axis=0), _firsts(means), _acceptability(study, places), non_dominated, strict=True
         )
     ]
     standings.sort(key=lambda standing: (standing.place, -standing.first))
@@ -117,7 +117,7 @@ def _places(values: Floats) -> Floats:
 
 
 def _firsts(means: Floats) -> Ints:
-    """Return in how many scenarios each design has the best mean place; a tie goes to none of its designs."""
+    """Return in how many scenarios each design has the best mean rank; a tie goes to none of its designs."""
     best = means == means.min(axis=1, keepdims=True)
     alone: Ints = (best & (best.sum(axis=1, keepdims=True) == 1)).sum(axis=0)
     return alone
@@ -192,8 +192,8 @@ def kept(study: Study, table: Table) -> dict[str, int]:
     """
     return {
         name: sum(
-            (limit.least is None or row.shown(name) >= limit.least)
-            and (limit.most is None or row.shown(name) <= limit.most)
+            (limit.minimum is None or row.shown(name) >= limit.minimum)
+            and (limit.maximum is None or row.shown(name) <= limit.maximum)
             for row in table.good
         )
         for name, limit in study.constraints.items()

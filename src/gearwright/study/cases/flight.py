@@ -41,7 +41,7 @@ def flight_results(flight: Flight, names: Iterable[str]) -> dict[str, Named]:
 
     Returns:
         Of one gearbox: ``fly.fuel``, ``fly.battery_energy`` (taken from the store), ``fly.electric_share`` (motors'
-        part of the machines' work), ``fly.charge`` (at the end), ``fly.least_charge``, ``fly.duration``,
+        part of the machines' work), ``fly.charge`` (at the end), ``fly.minimum_charge``, ``fly.duration``,
         ``fly.efficiency`` (propeller's work over that and the losses of meshes, bearings and windage),
         ``fly.gearbox_loss`` (those losses);
         ``fly.PHASE.fuel``, ``.battery_energy``, ``.efficiency``; ``fly.life`` and ``fly.flights`` of the gear that
@@ -66,7 +66,7 @@ def _whole(flight: Flight) -> dict[str, Named]:
         "fly.battery_energy": Named(balance.battery, "electric_energy"),
         "fly.electric_share": Named(motors / sum(work.values()), "ratio"),
         "fly.charge": Named(float(charge[-1]), "ratio"),
-        "fly.least_charge": Named(float(charge.min()), "ratio"),
+        "fly.minimum_charge": Named(float(charge.min()), "ratio"),
         "fly.duration": Named(flight.duration, "life"),
         "fly.efficiency": Named(balance.propeller / (balance.propeller + lost), "ratio"),
         "fly.gearbox_loss": Named(lost, "electric_energy"),

@@ -64,7 +64,7 @@ def simulated_results(sizing: Sizing, asked: Simulated) -> dict[str, Named]:
     force, results, factors = trace.force, dict[str, Named](), [1.0]
     for k, line in enumerate(force.names):
         kind = "torque" if trace.labels.line_units[k] == "rad" else "force"
-        largest = float(np.max(np.abs([force.least[:, k], force.most[:, k]])))
+        largest = float(np.max(np.abs([force.minimum[:, k], force.maximum[:, k]])))
         mean = float(abs(np.mean(force.mean[:, k])))
         results[f"simulate.{line}.largest"] = Named(largest, kind)
         results[f"simulate.{line}.mean"] = Named(mean, kind)

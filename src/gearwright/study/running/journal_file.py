@@ -14,7 +14,7 @@ from gearwright.reading import refuse_irregular
 from gearwright.sizing import Named
 from gearwright.study.answers import Row
 
-FORMAT = 3
+FORMAT = 4
 """Version of the tables below."""
 TABLES = """
 CREATE TABLE study (format INTEGER, version TEXT, study TEXT, designs TEXT, origin TEXT, total INTEGER, made TEXT,

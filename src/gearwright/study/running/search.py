@@ -1,4 +1,4 @@
-"""NSGA-II: designs that no other design beats in all objectives, found over continuous and discrete choices.
+"""NSGA-II: the Pareto front of the objectives, found over continuous and discrete choices.
 
 Source: Deb, Pratap, Agarwal, Meyarivan 2002, IEEE Trans. Evol. Comput. 6 (2), 182-197: non-dominated sorting,
 constraint-domination and crowding distance; simulated binary crossover and polynomial mutation of Deb and Agrawal 1995.

@@ -53,7 +53,7 @@ class Recorder:
         self.edges = _edges(outputs, step, steps)
         width, bins = self.past - self.size, len(self.edges) - 1
         self.sums = np.zeros((2, bins, width))
-        self.least, self.most = np.full((bins, width), np.inf), np.full((bins, width), -np.inf)
+        self.minimum, self.maximum = np.full((bins, width), np.inf), np.full((bins, width), -np.inf)
         self.kept: list[list[tuple[int, Floats]]] = [[] for _ in range(1 + len(self.spans))]
         self.points: list[tuple[int, Floats]] = []
         self.spacing = BLOCK * max(1, -(-steps // (BLOCK * CHECKPOINTS)))
@@ -82,8 +82,8 @@ class Recorder:
         Raises:
             SolveError: If the run has diverged, with time, line and value; if a propeller has left its map.
         """
-        least, most, _, square = summary[:, 2 * self.size : self.past - len(self.system.labels.drives)]
-        if not (np.max(most) < RUNAWAY and np.min(least) > -RUNAWAY and np.all(np.isfinite(square))):
+        minimum, maximum, _, square = summary[:, 2 * self.size : self.past - len(self.system.labels.drives)]
+        if not (np.max(maximum) < RUNAWAY and np.min(minimum) > -RUNAWAY and np.all(np.isfinite(square))):
             self._diverged(first, record)
         self._check_maps(first, record, summary)
         self._keep(0, first, record, range(-(-first // self.stride) * self.stride, first + len(record), self.stride))
@@ -129,11 +129,11 @@ class Recorder:
         self.kept[number] += [(step, record[step - first, : self.past].copy()) for step in steps]
 
     def _count(self, place: int, summary: Floats) -> None:
-        least, most, total, square = summary[:, self.size : self.past]
+        minimum, maximum, total, square = summary[:, self.size : self.past]
         self.sums[0, place] += total
         self.sums[1, place] += square
-        np.minimum(self.least[place], least, out=self.least[place])
-        np.maximum(self.most[place], most, out=self.most[place])
+        np.minimum(self.minimum[place], minimum, out=self.minimum[place])
+        np.maximum(self.maximum[place], maximum, out=self.maximum[place])
 
     def _watch(self, first: int, record: Floats) -> None:
         if len(self.gaps):
@@ -168,7 +168,7 @@ class Recorder:
         mean, square = self.sums[:, :, columns] / count
         rms = np.sqrt(square)
         edges = self.edges.astype(np.float64) * self.step
-        return Statistics(names, what, edges, mean, self.least[:, columns], self.most[:, columns], rms)
+        return Statistics(names, what, edges, mean, self.minimum[:, columns], self.maximum[:, columns], rms)
 
     def checkpoints(self) -> Checkpoints:
         """Return the states that were kept for replay."""
@@ -183,7 +183,7 @@ class Recorder:
         keep = int(np.searchsorted(self.edges, done, side="left"))
         self.edges = np.concatenate([self.edges[:keep], [max(done, self.edges[0])]])
         bins = len(self.edges) - 1
-        self.sums, self.least, self.most = self.sums[:, :bins], self.least[:bins], self.most[:bins]
+        self.sums, self.minimum, self.maximum = self.sums[:, :bins], self.minimum[:bins], self.maximum[:bins]
 
 
 def summary_of(record: Floats) -> Floats:

@@ -106,8 +106,8 @@ class Extent(NamedTuple):
     """Statistics of one quantity over all time bins, in the unit of the quantity."""
 
     mean: float
-    least: float
-    most: float
+    minimum: float
+    maximum: float
     rms: float
     """Root mean square of the value itself."""
 
@@ -124,9 +124,9 @@ class Statistics(Shown):
     """Bin edges [s], shape (bins + 1,)."""
     mean: Floats
     """Shape (bins, names)."""
-    least: Floats
+    minimum: Floats
     """Shape (bins, names)."""
-    most: Floats
+    maximum: Floats
     """Shape (bins, names)."""
     rms: Floats
     """Root mean square of the value itself, shape (bins, names)."""
@@ -143,7 +143,7 @@ class Statistics(Shown):
             name: Its name.
         """
         column = index_of(name, self.names, self.what)
-        return {key: getattr(self, key)[:, column] for key in ("mean", "least", "most", "rms")}
+        return {key: getattr(self, key)[:, column] for key in ("mean", "minimum", "maximum", "rms")}
 
     def whole(self, name: str) -> Extent:
         """Return one line or coordinate over all bins together.
@@ -152,7 +152,7 @@ class Statistics(Shown):
             name: Its name.
         """
         of, weights = self.of(name), np.diff(self.edges) / np.sum(np.diff(self.edges))
-        return Extent(float(weights @ of["mean"]), float(np.min(of["least"])), float(np.max(of["most"])),
+        return Extent(float(weights @ of["mean"]), float(np.min(of["minimum"])), float(np.max(of["maximum"])),
                       float(np.sqrt(weights @ of["rms"] ** 2)))  # fmt: skip
 
 

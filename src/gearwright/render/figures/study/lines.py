@@ -27,7 +27,7 @@ def study_figure(table: Table, objectives: Mapping[str, str] | None = None) -> F
 
     Args:
         table: Of the study.
-        objectives: Result -> ``least`` or ``most``, whose optima are marked; left out: every result has its own.
+        objectives: Result -> ``minimum`` or ``maximum``, whose optima are marked; left out: every result has its own.
     """
     return sweep_figure(table, objectives) if numeric_axis(table) else comparison_figure(table)
 
@@ -38,9 +38,9 @@ def sweep_figure(table: Table, objectives: Mapping[str, str] | None = None) -> F
 
     Args:
         table: Of a study whose last axis is a number.
-        objectives: Result -> ``least`` or ``most``, whose optima are marked; left out: every result has its own.
+        objectives: Result -> ``minimum`` or ``maximum``, whose optima are marked; left out: every result has its own.
     """
-    senses = objectives or {name: "most" if name in _HEAVIER_IS_BETTER else "least" for name in table.numbers}
+    senses = objectives or {name: "maximum" if name in _HEAVIER_IS_BETTER else "minimum" for name in table.numbers}
     axis = numeric_axis(table) or ""
     figure = theme.sheet(180.0, 16.0 + 44.0 * len(table.numbers))
     panels = figure.subplots(len(table.numbers), 1, sharex=True, squeeze=False)[:, 0]
@@ -98,7 +98,7 @@ def axis_label(table: Table, name: str) -> str:
 
 def _mark_optimum(panel: Axes, place: list[Any], values: list[float], *, colour: Any, sense: str, flat: bool) -> None:
     """Ring the optimum of a curve; with its value and the range near it where there is room."""
-    best = max(values) if sense == "most" else min(values)
+    best = max(values) if sense == "maximum" else min(values)
     if not math.isfinite(best):
         return
     near = [x for x, value in zip(place, values, strict=True) if abs(value / best - 1.0) <= FLAT] if best else place
@@ -107,7 +107,7 @@ def _mark_optimum(panel: Axes, place: list[Any], values: list[float], *, colour:
     if not flat:
         return
     panel.axvspan(min(near), max(near), color=colour, alpha=0.07, lw=0)
-    offset = -12 if sense == "most" else 8
+    offset = -12 if sense == "maximum" else 8
     side = {min(place): "left", max(place): "right"}.get(at, "center")
     panel.annotate(f"{best:.4g} at {at:g}", (at, best), (0, offset), textcoords="offset points", ha=side,
                    fontsize=7.5, color=colour)  # fmt: skip

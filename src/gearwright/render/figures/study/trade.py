@@ -23,7 +23,7 @@ RANGE = (0.05, 0.5, 0.95)
 SELDOM = 0.02
 """Part of the weights below which a design that is never first with equal ones is left out [-]."""
 LOGARITHMIC = 30.0
-"""Ratio of the largest to the least value that is drawn from which an axis is logarithmic [-]."""
+"""Ratio of the largest to the smallest value that is drawn from which an axis is logarithmic [-]."""
 
 
 @theme.styled
@@ -49,10 +49,10 @@ def _draw_objective(panel: Axes, table: Table, standings: Sequence[Standing], na
         np.array([row.shown(name) for row in table.good if row.design == standing.design]) for standing in standings
     ]
     medians = [float(np.median(values)) if len(values) else np.nan for values in spreads]
-    best = int(np.nanargmin(medians) if sense == "least" else np.nanargmax(medians))
+    best = int(np.nanargmin(medians) if sense == "minimum" else np.nanargmax(medians))
     draw_ranges(panel, spreads, best)
     words = textwrap.fill(f"{heading(name)}{_unit(table, name)}", 16)
-    panel.set_title(f"{words}\n{'less' if sense == 'least' else 'more'} is better", fontsize=7.5)
+    panel.set_title(f"{words}\n{'lower' if sense == 'minimum' else 'higher'} is better", fontsize=7.5)
     panel.tick_params(axis="x", labelsize=7)
 
 
@@ -83,7 +83,7 @@ def draw_ranges(panel: Axes, spreads: Sequence[Floats], best: int | None = None)
             panel.annotate(written(median, 3), (median, place), (0, 4.5), textcoords="offset points", ha="center",
                            fontsize=6.5, color=ink)  # fmt: skip
         else:
-            words = "∞" if len(values) else "cannot be had"
+            words = "∞" if len(values) else "infeasible"
             panel.annotate(words, (0.98, place), xycoords=("axes fraction", "data"), ha="right", va="center",
                            fontsize=6.5, color=ink)  # fmt: skip
 

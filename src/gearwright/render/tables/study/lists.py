@@ -1,4 +1,4 @@
-"""Tables on the page of a study: how designs stand, the front, the spread of results, and what was varied."""
+"""Tables on the page of a study: ranking, Pareto front, the spread of results, and what was varied."""
 
 from __future__ import annotations
 
@@ -27,20 +27,28 @@ def standings_table(rows: Rows, outcome: Verdict) -> Table:
         outcome: How its designs stand.
     """
     names = [name for name in rows.results if name not in rows.numbers]
-    columns = [_column("design"), _column("mean place"), _column("first"), _column("all weights"), _column("unbeaten")]
+    columns = [
+        _column("design"),
+        _column("mean rank"),
+        _column("first"),
+        _column("all weights"),
+        _column("non-dominated"),
+    ]
     columns += [_result_column(name, rows.good[0].results[name]) for name in names]
     lines = []
     for standing in outcome.standings:
         cases = [row for row in rows.good if row.design == standing.design]
         cells = [Cell(standing.design, standing.design), Cell(standing.place, f"{standing.place:.1f}")]
-        cells += [_share(part) for part in (standing.first / outcome.scenarios, standing.weights, standing.unbeaten)]
+        cells += [
+            _share(part) for part in (standing.first / outcome.scenarios, standing.weights, standing.non_dominated)
+        ]
         lines.append((*cells, *(_typical(cases, name, rows) for name in names)))
     note = (
-        "Mean place over all objectives; first: part of the cases with equal inputs in which that place is the best;"
-        " all weights: part of all weights of the objectives, drawn evenly, with which it is first; unbeaten: part of"
-        " the cases in which no other design is better in one objective and as good in all."
+        "Mean rank over all objectives; first: part of the cases with equal inputs in which that rank is the best;"
+        " all weights: part of all weights of the objectives, drawn evenly, with which it is first; non-dominated:"
+        " part of the cases in which it is on the Pareto front."
     )
-    return Table("How the designs stand", tuple(columns), tuple(lines), note)
+    return Table("Ranking of the designs", tuple(columns), tuple(lines), note)
 
 
 def values_table(study: Study, rows: Rows, outcome: Verdict) -> Table:
@@ -59,7 +67,7 @@ def values_table(study: Study, rows: Rows, outcome: Verdict) -> Table:
         for standing, cases in zip(outcome.standings, by_design, strict=True)
     ]
     note = "Medians; in brackets from 5 to 95 % of the cases." if outcome.scenarios > 1 else ""
-    return Table("What they come to", tuple(columns), tuple(lines), note)
+    return Table("Results of the designs", tuple(columns), tuple(lines), note)
 
 
 def _typical(cases: Sequence[Row], name: str, rows: Rows) -> Cell:
@@ -98,7 +106,7 @@ def front_list(study: Study, rows: Rows, chosen: Sequence[Row]) -> Table:
          *(_typical([row], name, rows) for name in names))
         for k, row in enumerate(chosen)
     ]  # fmt: skip
-    return Table("Beaten by none in all objectives", tuple(columns), tuple(lines))
+    return Table("Pareto front", tuple(columns), tuple(lines))
 
 
 def letter(place: int) -> str:

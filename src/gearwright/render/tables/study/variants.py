@@ -21,7 +21,7 @@ _WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carr
           "fly.fuel": "fuel", "fly.efficiency": "efficiency in flight", "fly.life": "life", "fly.flights": "flights",
           "fly.governing": "fails first", "fly.battery_energy": "battery energy",
           "fly.electric_share": "electric share", "fly.charge": "charge at the end",
-          "fly.least_charge": "minimum charge"}  # fmt: skip
+          "fly.minimum_charge": "minimum charge"}  # fmt: skip
 
 
 FLAT = 0.03
@@ -107,7 +107,7 @@ def summary_grid(table: Table) -> Grid:
     Args:
         table: Of the study.
     """
-    title = f"{table.name}: {len(table.rows):,} cases, {len(table.failed):,} cannot be had"
+    title = f"{table.name}: {len(table.rows):,} cases, {len(table.failed):,} infeasible"
     caption = "\n".join(reasons(table)) if table.failed else ""
     grid = Grid(title, caption=caption)
     for name in ("result", "", "minimum", "5 %", "median", "95 %", "maximum"):
@@ -154,7 +154,7 @@ def reasons(table: Table) -> list[str]:
 def _caption(table: Table) -> str:
     paths = _few(table)
     failed = [f"{' '.join([row.design, *_inputs(row, paths)])}: {row.problem}" for row in table.failed]
-    lines = [f"{len(failed)} of {len(table.rows)} cannot be had:", *failed] if failed else []
+    lines = [f"{len(failed)} of {len(table.rows)} infeasible:", *failed] if failed else []
     hidden = len(table.rows[0].inputs) - len(paths) if table.rows else 0
     lines += [f"{hidden} more inputs are in --csv, --json and --report"] if hidden else []
     return "\n".join(lines)

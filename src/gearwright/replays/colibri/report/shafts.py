@@ -144,10 +144,10 @@ def diameters(steps: Steps) -> dict[str, Step]:
     for part in (*STRAIGHT, "rotor-shaft"):
         shaft = Known(steps, part)
         bending = math.hypot(shaft["moment-z-from-a"], shaft["moment-y-from-a"])
-        least = shaft_diameter(bending, 0.0, shaft["bending-strength"])
+        smallest = shaft_diameter(bending, 0.0, shaft["bending-strength"])
         how = "∛(32 √(M_z² + M_y²)/(π σ_eg)), without torque"
         computed |= of_part(
-            part, {"stress": Step(shaft["bending-strength"], "set to σ_em"), "least-diameter": Step(least, how)}
+            part, {"stress": Step(shaft["bending-strength"], "set to σ_em"), "minimum-diameter": Step(smallest, how)}
         )
     return computed
 

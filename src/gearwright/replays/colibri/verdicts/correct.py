@@ -148,7 +148,7 @@ def _rotor_moments() -> dict[str, Step]:
 
 
 def _shaft_diameters() -> dict[str, Step]:
-    return {f"{part}.least-diameter": Step(twisted_diameter(part), "von Mises, M and T") for part in SHAFTS}
+    return {f"{part}.minimum-diameter": Step(twisted_diameter(part), "von Mises, M and T") for part in SHAFTS}
 
 
 def _bearing_loads() -> dict[str, Step]:

@@ -122,7 +122,7 @@ def _bands(axes: Axes, window: DynamicWindow, stages: Sequence[str]) -> None:
     middle = 0.5 * (force.edges[1:] + force.edges[:-1])
     for place, stage in enumerate(stages):
         band, colour = force.of(str(mesh_part(stage, Row.SUN_PLANET, number=1))), theme.CYCLE[place]
-        axes.fill_between(middle, band["least"] / 1e3, band["most"] / 1e3, color=colour, alpha=0.3, lw=0.0)
+        axes.fill_between(middle, band["minimum"] / 1e3, band["maximum"] / 1e3, color=colour, alpha=0.3, lw=0.0)
         axes.plot(middle, band["mean"] / 1e3, color=colour, lw=0.9)
     axes.set_ylabel("[kN]")
 
@@ -208,7 +208,7 @@ def chapter_markdown(judged: Sequence[JudgedClaim], phases: Sequence[Phased], im
 
 
 def _phase_row(row: Phased) -> str:
-    numbers = " | ".join(number_text(100.0 * value, "%") for value in (row.most, row.mean, row.swing))
+    numbers = " | ".join(number_text(100.0 * value, "%") for value in (row.maximum, row.mean, row.swing))
     return f"| {row.window} | {row.phases} | {numbers} |"
 
 

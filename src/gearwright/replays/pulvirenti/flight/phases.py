@@ -27,7 +27,7 @@ class Phased:
     window: str
     phases: str
     """In words."""
-    most: float
+    maximum: float
     """Largest difference to the ideal torque [-]."""
     mean: float
     """Mean absolute difference [-]."""
