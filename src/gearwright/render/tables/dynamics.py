@@ -34,7 +34,7 @@ def critical_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
 
     Args:
         speeds: From `critical_speeds`.
-        most: Rows at most; what is not excited stands last.
+        maximum: Rows at most; what is not excited stands last.
     """
     rows = critical_rows(speeds)[:maximum]
     left = f" {len(speeds.critical) - maximum} more are left out." if len(speeds.critical) > maximum else ""
@@ -88,7 +88,7 @@ def peak_table(response: Response, lines: Sequence[str], *, maximum: int = 12) -
     Args:
         response: Of the train.
         lines: Whose forces count.
-        most: Rows at most.
+        maximum: Rows at most.
     """
     return table("Peaks", peaks(response, lines)[:maximum], ("line", "frequency", "force"))
 

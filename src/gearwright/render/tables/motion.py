@@ -87,7 +87,7 @@ def mode_table(modes: Modes, *, maximum: int = 30) -> Table:
 
     Args:
         modes: As found.
-        most: Modes that are listed at most.
+        maximum: Modes that are listed at most.
     """
     rows = mode_rows(modes)
     left = f" {len(rows) - maximum} higher ones are left out." if len(rows) > maximum else ""

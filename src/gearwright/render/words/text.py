@@ -94,7 +94,7 @@ def modes_text(modes: Modes, *, maximum: int = 30) -> RenderableType:
 
     Args:
         modes: As found.
-        most: Modes that are listed at most.
+        maximum: Modes that are listed at most.
     """
     from gearwright.render.tables.motion import mode_table
 
