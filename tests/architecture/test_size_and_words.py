@@ -48,6 +48,7 @@ def test_concrete_classes_do_not_inherit_from_each_other():
         "BaseModel",
         "Record",
         "Exception",
+        "FutureWarning",
         "GearwrightError",
         "NamedTuple",
         "StrEnum",
