@@ -24,7 +24,7 @@ from gearwright.sizing.shafts import (
 )
 from gearwright.sizing.stages import gear_checks, size_gears, size_meshes, stage_sizes
 from gearwright.sizing.teeth import choose_teeth, refuse_contradictions
-from gearwright.spec import Design
+from gearwright.spec import Design, edited
 from gearwright.spec.design import given_values
 from gearwright.train import Turning, build_train, power_flows
 from gearwright.verbs import verb
@@ -43,8 +43,10 @@ def size(design: Design) -> Sizing:
     """
     given = given_values(design)
     refuse(given.problems)
+    teeth, planets = choose_teeth(design, build_train(design))
+    if planets:
+        design = edited(design, {f"planetaries.{stage}.planets": count for stage, count in planets.items()})
     train = build_train(design)
-    teeth = choose_teeth(design, train)
     efficiency = design.efficiencies
     flows = power_flows(design, Turning(design, train, teeth), efficiency=efficiency)
     refuse_contradictions(design, flows)

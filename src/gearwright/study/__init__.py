@@ -1,11 +1,11 @@
 """Studies: the same verbs over many designs."""
 
 from gearwright.study.answers.table import Row, Table
-from gearwright.study.cases.engine import for_engine
+from gearwright.study.cases.engine import for_engine, for_requirement
 from gearwright.study.running.compare import compare
 from gearwright.study.running.run import run
 from gearwright.verbs import callable_layer
 
-__all__ = ["Row", "Table", "compare", "for_engine", "run"]
+__all__ = ["Row", "Table", "compare", "for_engine", "for_requirement", "run"]
 
 callable_layer(__name__, run)

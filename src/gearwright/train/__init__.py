@@ -5,6 +5,7 @@ from gearwright.train.edges import Edge, members_of, willis_ratio, willis_speed
 from gearwright.train.flow import MeshFlow, PowerFlow, power_flow, power_flows
 from gearwright.train.graph import Damper, Joint, Train, build_train, gear_of, gears_of
 from gearwright.train.memory import remembered
+from gearwright.train.ranges import speed_range, tooth_ratio_range
 from gearwright.train.recirculation import recirculation
 from gearwright.train.targets import Targets, targets
 from gearwright.train.ties import handed_on, teeth_of, ties_of
@@ -37,9 +38,11 @@ __all__ = [
     "power_flows",
     "recirculation",
     "remembered",
+    "speed_range",
     "targets",
     "teeth_of",
     "ties_of",
+    "tooth_ratio_range",
     "willis_ratio",
     "willis_speed",
 ]

@@ -15,9 +15,11 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import GROUND, Design, Machine, Pair, Planetary
+from gearwright.spec.design import SUN_LIMITS
 from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of, members_of, willis_ratio, willis_speed
 from gearwright.train.memory import remembered
 from gearwright.train.null_space import null_space
+from gearwright.train.ranges import ratio_range, total_range
 from gearwright.train.ties import handed_on, ties_of
 from gearwright.train.turning import asked_speeds
 
@@ -25,6 +27,8 @@ from gearwright.train.turning import asked_speeds
 _KEPT, _GIVEN, _ASKED, _EQUAL = 1e9, 1e6, 1e3, 1.0
 _SIDE = 1e-3
 """Weight of equal ratios in stages off the way from the first machine to the propeller."""
+_SAME = 1e-4
+"""Of a machine's speed: what the weights above leave of one that is asked [-]."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +41,10 @@ class Targets:
     """Stage -> z_2/z_1 or z_r/z_s asked [-]."""
     edges: Mapping[str, Edge]
     """Stages that join two shafts; a differential is not in it."""
+    total: float
+    """Ratio asked of all stages on the way from the first machine to the propeller [-]."""
+    reach: tuple[float, float]
+    """Least and largest ratio that these stages can have together [-]."""
 
 
 def targets(design: Design) -> Targets:
@@ -55,14 +63,60 @@ def targets(design: Design) -> Targets:
     changed = {name: ratio for name, ratio in split.items() if stages[name].ratio_split != 1.0}
     if changed:
         speeds = _potentials(design, edges, changed)
+    speeds = _within_reach(design, edges, speeds, changed)
     tooth_ratios = {name: edge.tooth_ratio(_ratio(edge, speeds)) for name, edge in edges.items()}
     for name in design.planetaries.keys() - edges.keys():
         tooth_ratios[name] = _differential(name, design.planetaries[name], speeds)
-    return Targets(speeds, tooth_ratios, edges)
+    main = _main_stages(design, edges)
+    start, end = _ends(design)
+    return Targets(speeds, tooth_ratios, edges, speeds[start] / speeds[end], total_range(design, main, edges))
 
 
 def _ratio(edge: Edge, speeds: Mapping[str, float]) -> float:
     return speeds[edge.fast[0]] / speeds[edge.slow[0]]
+
+
+def _within_reach(
+    design: Design, edges: Mapping[str, Edge], speeds: dict[str, float], fixed: Mapping[str, float]
+) -> dict[str, float]:
+    """Return speeds at which no free stage is asked for a ratio that no teeth have, as far as the others take the rest.
+
+    Where they cannot, the machines would turn at other speeds than they ask for: then the speeds stay as they are.
+    """
+    shafts = {machine.shaft for machine in design.machines.values()}
+    for sun in SUN_LIMITS:
+        moved = _moved(design, edges, speeds, fixed, sun=sun)
+        if all(math.isclose(moved[shaft], speeds[shaft], rel_tol=_SAME) for shaft in shafts):
+            return moved
+    return speeds
+
+
+def _moved(
+    design: Design, edges: Mapping[str, Edge], speeds: dict[str, float], fixed: Mapping[str, float], *, sun: int
+) -> dict[str, float]:
+    """Return speeds at which every free stage has a ratio that teeth have, whatever becomes of the machines' speeds."""
+    bounds = dict(fixed)
+    for _ in edges:
+        beyond = {
+            name: bound
+            for name, edge in edges.items()
+            if name not in bounds
+            and (bound := _nearest(design.simple_stages[name], edge, design, speeds, sun=sun)) is not None
+        }
+        if not beyond:
+            break
+        bounds |= beyond
+        speeds = _potentials(design, edges, bounds)
+    return speeds
+
+
+def _nearest(
+    stage: Pair | Planetary, edge: Edge, design: Design, speeds: Mapping[str, float], *, sun: int
+) -> float | None:
+    """Return the ratio nearest to the asked one that teeth can have, or None where the asked one is that itself."""
+    least, most = ratio_range(stage, edge, design, sun=sun)
+    ratio = _ratio(edge, speeds)
+    return None if asked_tooth_ratio(stage) is not None or least <= ratio <= most else min(max(ratio, least), most)
 
 
 def _potentials(design: Design, edges: Mapping[str, Edge], fixed: Mapping[str, float]) -> dict[str, float]:
@@ -131,9 +185,7 @@ def _propagate(stage: Pair | Planetary, edge: Edge | None, speeds: dict[str, flo
 
 def _main_stages(design: Design, edges: Mapping[str, Edge]) -> set[str]:
     """Return the stages on the shortest way from the first machine to the first driven one, which share its ratio."""
-    machines = list(asked_speeds(design, {}))
-    start = design.machines[machines[0]].shaft
-    goal = _goal(design).shaft
+    start, goal = _ends(design)
     ways: dict[str, tuple[str, ...]] = {start: ()}
     queue = [start]
     for shaft in queue:
@@ -149,6 +201,11 @@ def _goal(design: Design) -> Machine:
     """Return the first machine that is driven, or the last one where all drive."""
     *_, last = machines = list(design.machines.values())
     return next((machine for machine in machines if not machine.drives), last)
+
+
+def _ends(design: Design) -> tuple[str, str]:
+    """Return the shafts of the first machine and of the first that is driven."""
+    return design.machines[next(iter(asked_speeds(design, {})))].shaft, _goal(design).shaft
 
 
 def _neighbours(design: Design, edges: Mapping[str, Edge], shaft: str) -> Iterator[tuple[str, tuple[str, ...]]]:

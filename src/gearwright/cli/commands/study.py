@@ -107,7 +107,7 @@ def compare(
     """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
     from gearwright.shipped import shipped_study
     from gearwright.spec import read_study
-    from gearwright.study import for_engine, run
+    from gearwright.study import for_requirement, run
     from gearwright.units import RPM
 
     read = read_study(shipped_study("architectures"))
@@ -115,11 +115,11 @@ def compare(
         read = read.model_copy(update={"designs": designs, "name": f"{len(designs)} designs for one engine"})
     read = read.model_copy(update={"changes": _changes(changes)})
     fitted = {
-        name: for_engine(
+        name: for_requirement(
             design_of(name),
-            power=power_kw * 1e3 if power_kw else None,
-            engine_speed=engine_rpm * RPM if engine_rpm else None,
-            propeller_speed=propeller_rpm * RPM if propeller_rpm else None,
+            power=None if power_kw is None else power_kw * 1e3,
+            engine_speed=None if engine_rpm is None else engine_rpm * RPM,
+            propeller_speed=None if propeller_rpm is None else propeller_rpm * RPM,
         )
         for name in read.designs
     }

@@ -3,7 +3,7 @@
 Their kinematics are `train`'s, their motion is for `dynamics`.
 """
 
-from gearwright.parts.planetary.assembly import ADDENDUMS, assembles, most_planets, neighbours_clear
+from gearwright.parts.planetary.assembly import ADDENDUMS, assembles, most_planet_teeth, most_planets, neighbours_clear
 from gearwright.parts.planetary.carrier import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
 from gearwright.parts.planetary.compound import (
     CompoundSet,
@@ -35,6 +35,7 @@ __all__ = [
     "excited_modes",
     "fitting_turns",
     "module_ratios",
+    "most_planet_teeth",
     "most_planets",
     "neighbours_clear",
     "pin_angles",

@@ -42,6 +42,22 @@ def neighbours_clear(sun_teeth: ArrayLike, planet_teeth: ArrayLike, planets: int
     return np.asarray(reach > np.asarray(planet_teeth) + ADDENDUMS)
 
 
+def most_planet_teeth(sun_teeth: int, planets: int) -> float:
+    """Return the tooth number below which planets must stay to pass their neighbours [-].
+
+    Args:
+        sun_teeth: z_s [-].
+        planets: N, at least 3; two planets pass each other whatever their teeth [-].
+
+    Source: z_p = (z_s sin(π/N) − 2)/(1 − sin(π/N)), the limit of `neighbours_clear`.
+
+    >>> round(most_planet_teeth(18, 4), 2)
+    36.63
+    """
+    sine = math.sin(math.pi / planets)
+    return (sun_teeth * sine - ADDENDUMS) / (1.0 - sine)
+
+
 def most_planets(sun_teeth: int, planet_teeth: int) -> int:
     """Return the largest number of planets whose tips stay clear [-].
 

@@ -23,7 +23,7 @@ from gearwright.version import __version__
 _WHY = (
     "By Lewis and by Hertz the module's cube, and with it the volume of a"
     " stage's gears, is in proportion to the torque of one mesh: a stage is light where many meshes share its torque,"
-    " and where it turns fast. Planets share the torque of the slow last stage three to five ways, layshafts two ways;"
+    " and where it turns fast. Planets share the torque of a slow last stage among them, layshafts two ways;"
     " a solid wheel that carries the whole output torque is what makes the off-set gearboxes heavy. A motor on a fast"
     " shaft is light itself; a motor on the middle shaft takes its power past the first stage."
 )
@@ -38,6 +38,8 @@ class DesignView:
     """[W/kg]"""
     gearbox: Annotated[float, Quantity("mass"), Origin("gears, shafts, carriers", "sum")]
     """[kg]"""
+    total: Annotated[float, Quantity("mass"), Origin("gearbox and motors", "sum")]
+    """By which the designs are ranked [kg]."""
     motors: Annotated[float, Quantity("mass"), Origin("NDARC or thesis law", "NASA/TP-2015-218751; Pulvirenti 2023")]
     """[kg]"""
     width: Annotated[float, Quantity("length"), Origin("box around tip circles", "geometry")]
@@ -65,7 +67,11 @@ def comparison(variants: Table, sizings: Mapping[str, Sizing], reviews: Mapping[
     ranked = dict(sorted(sizings.items(), key=lambda variant: variant[1].mass + variant[1].motor_mass))
     masses = Figure(theme.to_svg(comparison_figure(variants), "masses"), "Masses, lightest first.")
     designs = [_whole(name, sizing, reviews[name]) for name, sizing in ranked.items()]
-    wholes = table("Designs, lightest first", designs, tuple(field.name for field in fields(DesignView)))
+    wholes = table(
+        "Designs, the lightest gearbox with its motors first",
+        designs,
+        tuple(field.name for field in fields(DesignView)),
+    )
     rows = [stage for name, sizing in ranked.items() for stage in stage_summaries(sizing, name)]
     stages = table("Stages", rows, tuple(field.name for field in fields(StageSummary)))
     failed = tuple(f"{row.design} is infeasible: {row.problem}" for row in variants.failed)
@@ -91,6 +97,7 @@ def _whole(name: str, sizing: Sizing, review: Review) -> DesignView:
         name,
         sizing.power_density,
         sizing.mass,
+        sizing.mass + sizing.motor_mass,
         sizing.motor_mass,
         box.width,
         box.height,

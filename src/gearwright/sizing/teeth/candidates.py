@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,10 +14,21 @@ from gearwright.parts.planetary import assembles, neighbours_clear
 from gearwright.sizing.rating import Rating, fewest_virtual_teeth
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Epicyclic, Pair, Planetary
+from gearwright.spec.design import SUN_LIMITS
 from gearwright.train import gears_of, teeth_of
 
-NEAREST, WIDE = 1, 4
-"""Tooth numbers on either side of the exact ratio: the integers next to it, and more where none of those will do."""
+
+class Reach(NamedTuple):
+    """How far the search looks."""
+
+    around: int
+    """Tooth numbers on either side of the exact ratio [-]."""
+    largest_sun: int
+    """Teeth of the largest sun where the design does not limit them [-]."""
+
+
+REACHES = (Reach(1, SUN_LIMITS[0]), Reach(4, SUN_LIMITS[0]), *(Reach(1, largest) for largest in SUN_LIMITS[1:]))
+"""The integers next to the exact ratio, then more of them, then larger suns, where none of those before will do."""
 LARGEST_FREE_RATIO = 10
 """Largest tooth ratio z_2/z_1 that is looked at where a stage's ratio is the search's own choice."""
 MOST_COMBINATIONS = 1_000_000
@@ -33,7 +45,7 @@ LEAST_BEVEL = 8
 
 
 def is_given(stage: Pair | Planetary | Epicyclic) -> bool:
-    """Tell whether a stage's teeth are all given.
+    """Tell whether a stage's teeth are all given; how many planets there are is another question.
 
     Args:
         stage: As in the design.
@@ -65,9 +77,7 @@ def given_teeth(design: Design) -> dict[str, int]:
     return teeth
 
 
-def candidates(
-    front: Front, task: Task, design: Design, target: Floats, *, reach: int = NEAREST
-) -> tuple[Ints, Ints, Ints]:
+def candidates(front: Front, task: Task, design: Design, target: Floats, *, reach: Reach) -> tuple[Ints, Ints, Ints]:
     """Return the choice in the front that each candidate extends, and the teeth of pinion and wheel, or sun and planet.
 
     Args:
@@ -75,7 +85,7 @@ def candidates(
         task: The stage.
         design: With the rules of the search.
         target: Tooth ratio asked of every choice [-].
-        reach: How many tooth numbers on either side of the exact ratio are tried [-].
+        reach: How far it looks.
 
     Raises:
         DesignError: If these are more combinations than can be held.
@@ -83,23 +93,25 @@ def candidates(
     stage, rules = task.stage, design.teeth
     if isinstance(stage, Planetary):
         first, second = _planetary_given(stage)
-        small = np.array([first]) if first else np.arange(rules.sun_minimum, rules.sun_maximum + 1)
-        _refuse_many(task, len(target) * len(small) * (1 if second else 2 * reach))
+        small = np.array([first]) if first else np.arange(rules.sun_minimum, rules.largest_sun(reach.largest_sun) + 1)
+        _refuse_many(task, len(target) * len(small) * (1 if second else 2 * reach.around))
         wanted = (target[:, None] - 1.0) / 2.0 * small
         if stage.ring_teeth and second is None:
             wanted = np.broadcast_to((stage.ring_teeth - small) / 2.0, wanted.shape)
-        return _neighbours(wanted, small, second, reach)
+        return _neighbours(wanted, small, second, reach.around)
     pinion, wheel = gears_of(task.name, stage)
     if wheel in front.teeth:
         large = front.teeth[wheel]
-        return _around(large / target, large, stage.pinion_teeth, reach)
+        return _around(large / target, large, stage.pinion_teeth, reach.around)
     if pinion in front.teeth:
-        parent, large, small_ = _around(front.teeth[pinion] * target, front.teeth[pinion], stage.wheel_teeth, reach)
+        parent, large, small_ = _around(
+            front.teeth[pinion] * target, front.teeth[pinion], stage.wheel_teeth, reach.around
+        )
         return parent, small_, large
     fewest = rules.pinion_minimum or fewest_teeth(task.rating)
     small = np.array([stage.pinion_teeth]) if stage.pinion_teeth else np.arange(fewest, rules.pinion_maximum + 1)
-    _refuse_many(task, len(target) * len(small) * (1 if stage.wheel_teeth else 2 * reach))
-    return _neighbours(target[:, None] * small, small, stage.wheel_teeth, reach)
+    _refuse_many(task, len(target) * len(small) * (1 if stage.wheel_teeth else 2 * reach.around))
+    return _neighbours(target[:, None] * small, small, stage.wheel_teeth, reach.around)
 
 
 def _refuse_many(task: Task, count: int) -> None:
@@ -127,8 +139,8 @@ def all_candidates(task: Task, design: Design) -> tuple[Ints, Ints, Ints]:
     """
     rules = design.teeth
     if isinstance(task.stage, Planetary):
-        first = np.arange(rules.sun_minimum, rules.sun_maximum + 1)
-        second = np.arange(rules.planet_minimum, LARGEST_FREE_RATIO * rules.sun_maximum // 2 + 1)
+        first = np.arange(rules.sun_minimum, rules.largest_sun() + 1)
+        second = np.arange(rules.planet_minimum, LARGEST_FREE_RATIO * rules.largest_sun() // 2 + 1)
     else:
         fewest = rules.pinion_minimum or fewest_teeth(task.rating)
         first = (
@@ -199,7 +211,20 @@ def _around(wanted: Floats, large: Ints, small_teeth: int | None, reach: int) ->
     return parent.ravel(), teeth.ravel(), shared.ravel()
 
 
-def admissible(task: Task, design: Design, small: Ints, large: Ints) -> Bools:
+def planet_counts(stage: Pair | Planetary | Epicyclic, design: Design) -> range:
+    """Return how many planets a stage may have: those it gives, or from two up; one, that does not count, of a pair.
+
+    Args:
+        stage: As in the design.
+        design: With the rules of the search.
+    """
+    if not isinstance(stage, Planetary):
+        return range(1, 2)
+    given = stage.planets_given
+    return range(2, design.teeth.planets_maximum + 1) if given is None else range(given, given + 1)
+
+
+def admissible(task: Task, design: Design, small: Ints, large: Ints, *, planets: int) -> Bools:
     """Tell which tooth numbers can be made and put together.
 
     Args:
@@ -207,11 +232,12 @@ def admissible(task: Task, design: Design, small: Ints, large: Ints) -> Bools:
         design: With the rules of the search.
         small: Teeth of pinion or sun.
         large: Teeth of wheel or planet.
+        planets: Of a planetary set [-].
     """
     rules, stage = design.teeth, task.stage
     if isinstance(stage, Planetary):
         ring = small + 2 * large
-        good = assembles(small, ring, stage.planets) & neighbours_clear(small, large, stage.planets)
+        good = assembles(small, ring, planets) & neighbours_clear(small, large, planets)
         good &= large >= rules.planet_minimum
         if stage.ring_teeth:
             good &= ring == stage.ring_teeth

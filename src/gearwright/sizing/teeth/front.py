@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from typing import Any
 
 import numpy as np
 
@@ -25,6 +26,8 @@ class Front:
     """Group of gears with one module -> m_n³ [m³]."""
     volumes: Mapping[str, Floats]
     """Group -> mass of its bodies over m_n³ [kg/m³]."""
+    planets: Mapping[str, Ints] = field(default_factory=dict)
+    """Planetary set -> number of its planets [-]."""
 
     @property
     def mass(self) -> Floats:
@@ -34,10 +37,17 @@ class Front:
 
     def take(self, index: Ints | Bools) -> Front:
         """Return the choices of an index, repeated where it repeats them, or those that are marked."""
-        picked = [
-            {name: value[index] for name, value in part.items()} for part in (self.speeds, self.cubes, self.volumes)
-        ]
-        return Front({name: value[index] for name, value in self.teeth.items()}, *picked)
+        return self._of_parts(lambda values: values[0][index], self)
+
+    def joined(self, others: Sequence[Front]) -> Front:
+        """Return the choices of this front and, after them, those of others that chose for the same stages."""
+        return self._of_parts(np.concatenate, self, *others)
+
+    @staticmethod
+    def _of_parts(made: Callable[[list[Any]], Any], *fronts: Front) -> Front:
+        """Return a front whose every array is made of those of the same name."""
+        parts = [[getattr(front, part.name) for front in fronts] for part in fields(Front)]
+        return Front(*({name: made([part[name] for part in same]) for name in same[0]} for same in parts))
 
 
 @dataclass(frozen=True)
@@ -50,7 +60,7 @@ class Task:
     group: str
     rating: Rating
     torque: float
-    """Largest nominal torque on the stage's reference gear per mesh, share and K_γ included [N m]."""
+    """Largest nominal torque on the stage's reference gear, of one mesh or of all planets, K_γ included [N m]."""
     speed: float
     """Nominal speed that belongs to it [rad/s]."""
     rolling: float

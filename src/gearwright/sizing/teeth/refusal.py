@@ -10,11 +10,14 @@ from gearwright.errors import DesignError, Problem, refuse
 from gearwright.parts.planetary import assembles, neighbours_clear
 from gearwright.spec import Design, Pair, Planetary, case_named
 from gearwright.spec.checks import table_of
-from gearwright.train import PowerFlow
+from gearwright.spec.design import SUN_LIMITS
+from gearwright.train import PowerFlow, Targets, tooth_ratio_range
 from gearwright.units import text
 
 
-def refusal(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: float, *, fewest: int) -> DesignError:
+def refusal(
+    name: str, stage: Pair | Planetary, design: Design, tooth_ratio: float, *, fewest: int, nominal: Targets
+) -> DesignError:
     """Return the error of a stage without candidates: the planets that would fit, or the ratio that teeth would give.
 
     Args:
@@ -23,21 +26,34 @@ def refusal(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: flo
         design: With the rules of the search.
         tooth_ratio: z_2/z_1 or z_r/z_s asked [-].
         fewest: Fewest teeth of pinions without undercut [-].
+        nominal: With what all stages together can give.
     """
     if isinstance(stage, Planetary):
-        return DesignError([_planetary(name, stage, design, tooth_ratio)])
+        return DesignError([_planetary(name, stage, design, tooth_ratio, nominal)])
     smallest = design.teeth.pinion_minimum or fewest
     undercut = [teeth for teeth in (stage.pinion_teeth, stage.wheel_teeth) if teeth is not None and teeth < smallest]
     if undercut:
         more = "" if stage.kind == "bevel" else ", or more gears.profile_shift"
         message = f"{undercut[0]} teeth are undercut; use at least {smallest}{more}"
         return DesignError([Problem(f"pairs.{name}.pinion_teeth", message)])
-    message = (
-        f"no tooth numbers from {smallest} to {design.teeth.pinion_maximum} on the pinion give the ratio"
-        f" {tooth_ratio:.4g} within {design.teeth.stage_tolerance:.1%}; allow more in teeth.stage_tolerance or"
-        " teeth.pinion_maximum, or change the speeds"
+    return DesignError([Problem(f"pairs.{name}", _pair(stage, design, tooth_ratio, smallest))])
+
+
+def _pair(stage: Pair, design: Design, tooth_ratio: float, smallest: int) -> str:
+    """Return why no teeth of a pair do, by what limits them: the pinion that is given, or those that are looked at."""
+    rules, given = design.teeth, stage.pinion_teeth
+    start, fix = (
+        (f"no wheel gives a pinion of {given} teeth", "leave pinion_teeth out, allow more in teeth.stage_tolerance")
+        if given
+        else (
+            f"no tooth numbers from {smallest} to {rules.pinion_maximum} on the pinion give",
+            "allow more in teeth.stage_tolerance or teeth.pinion_maximum",
+        )
     )
-    return DesignError([Problem(f"pairs.{name}", message)])
+    hunting = " and have no common factor" if rules.hunting else ""
+    return (
+        f"{start} the ratio {tooth_ratio:.4g} within {rules.stage_tolerance:.1%}{hunting}; {fix}, or change the speeds"
+    )
 
 
 def contradiction(name: str, stage: Pair | Planetary, design: Design, tooth_ratio: float) -> DesignError:
@@ -85,7 +101,7 @@ def refuse_contradictions(design: Design, flows: Mapping[str, PowerFlow]) -> Non
     refuse(problems.values())
 
 
-def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float) -> Problem:
+def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float, nominal: Targets) -> Problem:
     """Return the problem of a planetary set."""
     path, ratio = f"planetaries.{name}", 1.0 + tooth_ratio
     written = ", ".join(
@@ -96,37 +112,52 @@ def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float) 
     if written:
         message = (
             f"no tooth numbers with {written} give the ratio {ratio:.4g} within {design.teeth.stage_tolerance:.1%} and"
-            f" let {stage.planets} planets be assembled; leave one out, or change the speeds"
+            f" let {stage.planets_given or 'any number of'} planets be assembled; leave one out, or change the speeds"
         )
         return Problem(path, message)
-    if _fits(stage, design, tooth_ratio, 1, assembly=False):
-        for count in range(stage.planets - 1, 0, -1):
+    given = stage.planets_given
+    if given is not None and _fits(stage, design, tooth_ratio, 1, assembly=False):
+        for count in range(given - 1, 0, -1):
             if _fits(stage, design, tooth_ratio, count, assembly=True):
-                clear = _fits(stage, design, tooth_ratio, stage.planets, assembly=False)
+                clear = _fits(stage, design, tooth_ratio, given, assembly=False)
                 why = "cannot be assembled" if clear else "do not fit"
-                return Problem(
-                    f"{path}.planets", f"{stage.planets} planets {why} at ratio {ratio:.3g}; at most {count}"
-                )
-    low, high = _range(design)
-    message = (
-        f"no tooth numbers give the ratio {ratio:.4g} within {design.teeth.stage_tolerance:.1%}; with suns of"
-        f" {design.teeth.sun_minimum} to {design.teeth.sun_maximum} teeth, planets of {design.teeth.planet_minimum} or"
-        f" more, the ratio lies from {low:.3g} up, and below {high:.3g} for two planets or more; change the speeds, or"
-        " the limits in [teeth]"
+                return Problem(f"{path}.planets", f"{given} planets {why} at ratio {ratio:.3g}; at most {count}")
+    return Problem(
+        path, f"{_limit(stage, design, ratio)}{_together(nominal)}; change the speeds, or the limits in [teeth]"
     )
-    return Problem(path, message)
 
 
-def _range(design: Design) -> tuple[float, float]:
-    """Return the smallest ratio, and the one at which two planets touch [-]."""
-    rules = design.teeth
-    return 2.0 + 2.0 * rules.planet_minimum / rules.sun_maximum, 2.0 * (rules.sun_maximum - 2) / 2.0 + 2.0
+def _limit(stage: Planetary, design: Design, ratio: float) -> str:
+    """Return which limit the ratio of a planetary set is beyond."""
+    rules, planets = design.teeth, stage.planets_given
+    least, most = (1.0 + tooth_ratio for tooth_ratio in tooth_ratio_range(stage, design, sun=SUN_LIMITS[-1]))
+    if ratio < least:
+        teeth = f"suns of up to {rules.largest_sun(SUN_LIMITS[-1])} teeth and planets of {rules.planet_minimum} or more"
+        return f"1 + z_r/z_s = {ratio:.4g} is below {least:.4g}, the least with {teeth}"
+    if ratio > most:
+        return f"1 + z_r/z_s = {ratio:.4g} is above {most:.4g}, where {planets} planets touch each other"
+    return (
+        f"no tooth numbers give 1 + z_r/z_s = {ratio:.4g} within {rules.stage_tolerance:.1%} in the limits of [teeth]"
+    )
+
+
+def _together(nominal: Targets) -> str:
+    """Return what all stages from the machine to the propeller give, where that is the reason; else nothing."""
+    least, most = nominal.reach
+    if least <= nominal.total <= most:
+        return ""
+    nearest = f"no ratio below {least:.3g}" if nominal.total < least else f"no ratio above {most:.3g}"
+    return f"; all stages to the propeller together give {nearest}, and {nominal.total:.3g} is asked"
 
 
 def _fits(stage: Planetary, design: Design, tooth_ratio: float, planets: int, *, assembly: bool) -> bool:
     """Tell whether any tooth numbers within the tolerance suit a number of planets."""
     rules = design.teeth
-    sun = np.array([stage.sun_teeth]) if stage.sun_teeth else np.arange(rules.sun_minimum, rules.sun_maximum + 1)
+    sun = (
+        np.array([stage.sun_teeth])
+        if stage.sun_teeth
+        else np.arange(rules.sun_minimum, rules.largest_sun(SUN_LIMITS[-1]) + 1)
+    )
     wanted = (tooth_ratio - 1.0) / 2.0 * sun
     planet = np.concatenate([np.floor(wanted), np.floor(wanted) + 1.0]).astype(int)
     sun = np.concatenate([sun, sun])

@@ -6,27 +6,29 @@ asked speeds. A front holds all partial choices at once as arrays; each stage mu
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role
-from gearwright.sizing.rating import Ask, modules, rating_of, stage_width_ratio
+from gearwright.sizing.rating import rating_of
 from gearwright.sizing.teeth.candidates import (
-    NEAREST,
-    WIDE,
+    REACHES,
+    Reach,
     admissible,
     all_candidates,
     candidates,
     fewest_teeth,
     given_teeth,
     is_given,
+    planet_counts,
 )
 from gearwright.sizing.teeth.front import Front, Task
+from gearwright.sizing.teeth.masses import aligned, weigh
 from gearwright.sizing.teeth.refusal import contradiction, refusal
 from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.spec.design import module_owners
@@ -51,8 +53,17 @@ EQUAL = 1e-9
 """Masses that differ by less are equal: the first of them, of the fewest teeth, is taken, whatever the rounding."""
 
 
-def choose_teeth(design: Design, train: Train) -> dict[str, int]:
-    """Return the tooth number of every gear.
+class Chosen(NamedTuple):
+    """What the search decides."""
+
+    teeth: dict[str, int]
+    """Gear -> tooth number [-]."""
+    planets: dict[str, int]
+    """Planetary set whose number of planets the design leaves out -> that number [-]."""
+
+
+def choose_teeth(design: Design, train: Train) -> Chosen:
+    """Return the tooth number of every gear, and how many planets each set has.
 
     Args:
         design: Given teeth are kept, those left out are chosen.
@@ -61,12 +72,16 @@ def choose_teeth(design: Design, train: Train) -> dict[str, int]:
     Raises:
         DesignError: If speeds are not determined, or a stage has no candidate; with what would do.
     """
-    given = all(is_given(stage) for stage in design.stages.values())
+    given = all(is_given(stage) and len(planet_counts(stage, design)) == 1 for stage in design.stages.values())
     if given and design.epicyclics:  # whose speeds the teeth say, with what holds in each case
-        return given_teeth(design)
+        return Chosen(given_teeth(design), {})
     nominal = targets(design)
     if given:
-        return given_teeth(design)
+        return Chosen(given_teeth(design), {})
+    for name, stage in design.planetaries.items():
+        ratio = nominal.tooth_ratios[name]
+        if not is_given(stage) and ratio <= 1.0:  # a ring no larger than its sun: no torques could be found
+            raise refusal(name, stage, design, ratio, fewest=0, nominal=nominal)
     flow, kept = _nominal_flow(design, train, nominal)
     tasks = [_task(name, design, train, nominal, flow) for name in design.simple_stages]
     front = _joined(design, Front({}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {}))
@@ -77,10 +92,14 @@ def choose_teeth(design: Design, train: Train) -> dict[str, int]:
                 Problem(waiting.name, "no speed that is known leads to this stage; give its teeth") for waiting in tasks
             )
         tasks.remove(task)
-        front = _joined(design, _extend(front, task, design, nominal))
-    mass = front.mass
+        front = _joined(design, _extend(front, task, design, nominal, later=tasks))
+    mass = aligned(front, design).mass
     best = front.take(np.array([int(np.argmax(mass <= mass.min() * (1.0 + EQUAL)))]))
-    return {name: int(value[0]) for name, value in best.teeth.items()} | _compound_teeth(design)
+    left_out = {name for name, stage in design.planetaries.items() if stage.planets_given is None}
+    return Chosen(
+        {name: int(value[0]) for name, value in best.teeth.items()} | _compound_teeth(design),
+        {name: int(value[0]) for name, value in best.planets.items() if name in left_out},
+    )
 
 
 def _compound_teeth(design: Design) -> dict[str, int]:
@@ -115,7 +134,8 @@ def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapp
     torque, speed, rolling = 0.0, 1.0, 1.0
     for flow in flows.values():
         for mesh in own_rows:
-            load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / mesh.count * rating.load_factor
+            meshes_alike = 1 if isinstance(stage, Planetary) else mesh.count
+            load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / meshes_alike * rating.load_factor
             if load > torque:
                 torque = load
                 speed = abs(flow.speeds[mesh.nodes[1 if ring else 0]])
@@ -150,21 +170,28 @@ def _joined(design: Design, front: Front) -> Front:
     return replace(front, speeds=speeds)
 
 
-def _extend(front: Front, task: Task, design: Design, nominal: Targets) -> Front:
-    """Multiply the front by a stage's candidates and keep those that its rules admit; look further only if none is."""
+def _is_alone(task: Task, reached: Iterable[str], later: Sequence[Task], design: Design) -> bool:
+    """Tell whether a stage's teeth change nothing for others: no speed, no module, no common centre distance."""
+    tied = {name: pair.coaxial_with for name, pair in design.pairs.items() if pair.coaxial_with is not None}
+    owners = list(module_owners(design).values())
+    if task.name in {*tied, *tied.values()} or owners.count(task.group) > 1:
+        return False
+    touched = {shaft for clutch in design.clutches.values() for shaft in (clutch.driving, clutch.driven)}
+    for other in later:
+        ends = () if other.edge is None else (*other.edge.fast, *other.edge.slow)
+        touched |= {*ends, *(members_of(other.stage) if isinstance(other.stage, Planetary) else ())}
+    return touched.isdisjoint(reached)
+
+
+def _extend(front: Front, task: Task, design: Design, nominal: Targets, *, later: Sequence[Task]) -> Front:
+    """Multiply the front by a stage's candidates and keep those that its rules admit; look further only if none is.
+
+    Of a stage that is alone only the lightest candidate of every choice is kept.
+    """
     target = _target(front, task, nominal)
-    open_ = _is_open(front, task, design)
-    for reach in (NEAREST, WIDE):
-        if open_:
-            parent, small, large = all_candidates(task, design)
-        else:
-            parent, small, large = candidates(front, task, design, target, reach=reach)
-        fits = admissible(task, design, small, large)
-        parent, small, large = parent[fits], small[fits], large[fits]
-        actual = 1.0 + 2.0 * large / small if isinstance(task.stage, Planetary) else large / small
-        if not open_:
-            near = _near(task, design, actual, target[parent])
-            parent, small, large, actual = parent[near], small[near], large[near], actual[near]
+    for reach in REACHES:
+        parent, small, large = _near_target(front, task, design, target, reach=reach)
+        actual = _tooth_ratio(task, small, large)
         grown = front.take(parent)
         speeds = _new_speeds(grown, task, actual)
         good = _speeds_hold(task, design, speeds, len(small))
@@ -173,11 +200,48 @@ def _extend(front: Front, task: Task, design: Design, nominal: Targets) -> Front
     else:
         if len(actual):
             raise contradiction(task.name, task.stage, design, float(np.median(actual)))
-        raise refusal(task.name, task.stage, design, float(np.median(target)), fewest=fewest_teeth(task.rating))
+        ratio, fewest = float(np.median(target)), fewest_teeth(task.rating)
+        raise refusal(task.name, task.stage, design, ratio, fewest=fewest, nominal=nominal)
     grown = replace(grown, speeds={**grown.speeds, **speeds})
+    alike = parent if _is_alone(task, speeds, later, design) else np.arange(len(parent))
     if not good.all():
-        grown, small, large = grown.take(good), small[good], large[good]
-    return _weigh(grown, task, small, large)
+        grown, small, large, alike = grown.take(good), small[good], large[good], alike[good]
+    return _lightest(grown, task, design, (small, large), alike)
+
+
+def _near_target(front: Front, task: Task, design: Design, target: Floats, *, reach: Reach) -> tuple[Ints, Ints, Ints]:
+    """Return a stage's candidates that some number of planets admits and that are near enough to what is asked."""
+    open_ = _is_open(front, task, design)
+    found = all_candidates(task, design) if open_ else candidates(front, task, design, target, reach=reach)
+    parent, small, large = found
+    counts = planet_counts(task.stage, design)
+    fits = np.any([admissible(task, design, small, large, planets=planets) for planets in counts], axis=0)
+    parent, small, large = parent[fits], small[fits], large[fits]
+    if open_:
+        return parent, small, large
+    near = _near(task, design, _tooth_ratio(task, small, large), target[parent])
+    return parent[near], small[near], large[near]
+
+
+def _tooth_ratio(task: Task, small: Ints, large: Ints) -> Floats:
+    """Return z_r/z_s of a planetary set, z_2/z_1 of a pair [-]."""
+    return 1.0 + 2.0 * large / small if isinstance(task.stage, Planetary) else large / small
+
+
+def _lightest(front: Front, task: Task, design: Design, gears: tuple[Ints, Ints], alike: Ints) -> Front:
+    """Add a stage's teeth and bodies to the front, with every number of planets; keep the lightest of those alike."""
+    fronts, groups = list[Front](), list[Ints]()
+    small, large = gears
+    for planets in planet_counts(task.stage, design):
+        fits = admissible(task, design, small, large, planets=planets)
+        if fits.any():
+            fronts.append(weigh(front.take(fits), task, small[fits], large[fits], planets=planets))
+            groups.append(alike[fits])
+    weighed, group = fronts[0].joined(fronts[1:]), np.concatenate(groups)
+    mass, least = weighed.mass, np.full(int(group.max()) + 1, np.inf)
+    np.minimum.at(least, group, mass)
+    light = np.flatnonzero(mass <= least[group] * (1.0 + EQUAL))
+    return weighed.take(light[np.unique(group[light], return_index=True)[1]])
 
 
 def _is_open(front: Front, task: Task, design: Design) -> bool:
@@ -238,49 +302,3 @@ def _speeds_hold(task: Task, design: Design, speeds: Mapping[str, Floats], count
         if machine.shaft in speeds and machine.asked_speed is not None:
             good &= np.abs(speeds[machine.shaft] / machine.asked_speed - 1.0) <= design.teeth.speed_tolerance
     return good
-
-
-def _weigh(front: Front, task: Task, small: Ints, large: Ints) -> Front:
-    """Add a stage's teeth, module and bodies to the front."""
-    stage, rating = task.stage, task.rating
-    names, discs = _bodies(task, small, large)
-    reference = small + 2 * large if task.edge is not None and task.edge.grounded is Role.SUN else small
-    speed = front.speeds[task.edge.fast[0]] if task.edge is not None else np.full(len(small), task.speed)
-    per_tooth = task.torque * task.speed / speed / reference
-    width_ratio = stage_width_ratio(rating, small, large)
-    planets = stage.planets if isinstance(stage, Planetary) else 1
-    ask = Ask(
-        per_tooth,
-        (small, large),
-        width_ratio,
-        internal=isinstance(stage, Pair) and stage.internal,
-        idlers=(False, isinstance(stage, Planetary)),
-        speed=task.rolling,
-        passes=(planets, 1.0),
-    )
-    bending, contact = modules(ask, rating)
-    module = np.maximum(bending, contact)
-    cube = module * module * module
-    group = task.group
-    cubes = {**front.cubes, group: np.maximum(front.cubes.get(group, 0.0), cube)}
-    volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + width_ratio * discs}
-    return Front({**front.teeth, **names}, front.speeds, cubes, volumes)
-
-
-def _bodies(task: Task, small: Ints, large: Ints) -> tuple[dict[str, Ints], Floats]:
-    """Return the stage's gears and the mass of its own bodies over b m_n² [kg/m³]."""
-    stage, rating = task.stage, task.rating
-    disc = math.pi / 4.0 * rating.material.density / math.cos(rating.helix_angle) ** 2
-    if isinstance(stage, Planetary):
-        ring = small + 2 * large
-        wall = rating.rules.rim_thickness_ratio
-        annulus = (ring + 2.0 * wall) ** 2 - ring**2
-        teeth = dict(zip(gears_of(task.name, stage), (small, large, ring), strict=True))
-        return teeth, np.asarray(disc * (small**2 + stage.planets * large**2 + annulus), dtype=np.float64)
-    pinion, wheel = gears_of(task.name, stage)
-    squares = {Role.PINION: small.astype(float) ** 2, Role.WHEEL: rating.rules.web_ratio * large.astype(float) ** 2}
-    factor: Floats = np.zeros(len(small))
-    for side, square in squares.items():
-        if stage.shared(side) is None:
-            factor = np.asarray(factor + disc * (len(stage.named(side)) * stage.halves) * square, dtype=np.float64)
-    return {pinion: small, wheel: large}, factor

@@ -170,8 +170,9 @@ def _links(design: Design) -> Iterator[Problem]:
 
 def _teeth(design: Design) -> Iterator[Problem]:
     rules = design.teeth
-    if rules.sun_minimum > rules.sun_maximum:
-        yield Problem("teeth.sun_minimum", f"{rules.sun_minimum} is above teeth.sun_maximum, {rules.sun_maximum}")
+    largest = rules.largest_sun()
+    if rules.sun_minimum > largest:
+        yield Problem("teeth.sun_minimum", f"{rules.sun_minimum} is above teeth.sun_maximum, {largest}")
     if rules.pinion_minimum is not None and rules.pinion_minimum > rules.pinion_maximum:
         yield Problem(
             "teeth.pinion_minimum", f"{rules.pinion_minimum} is above teeth.pinion_maximum, {rules.pinion_maximum}"

@@ -65,8 +65,8 @@ def _unclosed(path: str, planetary: Planetary) -> Iterator[Problem]:
 
 def _together(path: str, planetary: Planetary) -> Iterator[Problem]:
     """Find planets that stand into their neighbours, or whose teeth do not meet those of sun and ring."""
-    teeth, planets = given_set(planetary), planetary.planets
-    if teeth is None:
+    teeth, planets = given_set(planetary), planetary.planets_given
+    if teeth is None or planets is None:
         return
     sun, planet, ring = teeth
     if not neighbours_clear(sun, planet, planets):

@@ -7,7 +7,7 @@ from gearwright.spec.design.cases import Case, Drive
 from gearwright.spec.design.design import GROUND, Design
 from gearwright.spec.design.dynamics import DynamicsRules, MeshCurve
 from gearwright.spec.design.epicyclics import CentralGear, Epicyclic, PlanetGear
-from gearwright.spec.design.gears import GearRules
+from gearwright.spec.design.gears import SUN_LIMITS, GearRules
 from gearwright.spec.design.given import NO_ORIGIN, WEIGHED, Given, given_values
 from gearwright.spec.design.limits import Allowed, allowed_for, allowed_in_case
 from gearwright.spec.design.machines import (
@@ -43,6 +43,7 @@ __all__ = [
     "NO_ORIGIN",
     "RATED",
     "RATINGS",
+    "SUN_LIMITS",
     "WEIGHED",
     "Accessory",
     "Agma2001Rules",

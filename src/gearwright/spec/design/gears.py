@@ -64,16 +64,25 @@ class GearRules(Record):
     rim_thickness_ratio: Ratio = Field(3.95, ge=1, description="Ring wall from its pitch circle over the module")
 
 
+SUN_LIMITS = (59, 120, 240, 400)
+"""Largest tooth number of suns where none is given: as a rule, and then where no fewer teeth do [-]."""
+
+
 class TeethRules(Record):
     """What the search for tooth numbers may choose from; the table of Lewis form factors begins at 12 teeth."""
 
     sun_minimum: int = Field(18, ge=12, le=400, description="Smallest tooth number of suns")
-    sun_maximum: int = Field(59, ge=12, le=400, description="Largest tooth number of suns")
+    sun_maximum: int | None = Field(
+        None, ge=12, le=400, description="Largest tooth number of suns; left out: 59, or 400 where no fewer teeth do"
+    )
     pinion_minimum: int | None = Field(
         None, ge=12, le=400, description="Smallest tooth number of pinions; left out: no undercut"
     )
     pinion_maximum: int = Field(40, ge=12, le=400, description="Largest tooth number of pinions that are searched")
     planet_minimum: int = Field(12, ge=12, le=400, description="Smallest tooth number of planets")
+    planets_maximum: int = Field(
+        5, ge=2, le=12, description="Most planets that are looked at where a set leaves their number out"
+    )
     stage_tolerance: Ratio = Field(
         0.025, gt=0, le=0.2, description="Allowed deviation of a stage's ratio from its target"
     )
@@ -82,3 +91,11 @@ class TeethRules(Record):
         "equal", description="equal: stages share an open ratio equally (times ψ); optimal: as is lightest"
     )
     hunting: bool = Field(False, description="Ask for tooth numbers without a common factor")
+
+    def largest_sun(self, otherwise: int = SUN_LIMITS[0]) -> int:
+        """Return the largest tooth number of suns that is looked at [-].
+
+        Args:
+            otherwise: Where none is given [-].
+        """
+        return self.sun_maximum or otherwise

@@ -15,6 +15,8 @@ from gearwright.spec.record import Record
 from gearwright.units import Angle, Force, Inertia, Length, Mass, Ratio, Stiffness, TorsionalDamping
 
 _DEGREE = math.pi / 180.0
+NOMINAL_PLANETS = 3
+"""Planets of a set while their number is to be chosen [-]."""
 
 
 def gear_named(reference: str) -> tuple[str, Role] | None:
@@ -122,7 +124,9 @@ class Planetary(Record):
     sun: str = Field(description="Shaft of the sun")
     ring: str = Field(description="Shaft of the ring")
     carrier: str = Field(description="Shaft of the carrier")
-    planets: int = Field(3, ge=1, le=12, description="Number of planets")
+    planets_given: int | None = Field(
+        None, alias="planets", ge=1, le=12, description="Number of planets; left out: gearwright chooses, the lightest"
+    )
     sun_teeth: int | None = Field(None, ge=6, le=2000, description="z_s; left out: gearwright chooses")
     planet_teeth: int | None = Field(None, ge=6, le=2000, description="z_p; left out: gearwright chooses")
     ring_teeth: int | None = Field(None, ge=6, le=2000, description="z_r; left out: z_s + 2 z_p")
@@ -155,6 +159,11 @@ class Planetary(Record):
     def members(self) -> tuple[str, str, str]:
         """Shafts of sun, ring and carrier."""
         return self.sun, self.ring, self.carrier
+
+    @property
+    def planets(self) -> int:
+        """Number of planets; until it is chosen, that with which speeds and torques are found."""
+        return self.planets_given or NOMINAL_PLANETS
 
     @property
     def meshes(self) -> tuple[str, ...]:

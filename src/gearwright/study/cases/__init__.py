@@ -3,8 +3,18 @@
 Which answers they give together is in `answers`, how thousands are run in `running`.
 """
 
-from gearwright.study.cases.engine import for_engine
+from gearwright.study.cases.engine import for_engine, for_requirement
 from gearwright.study.cases.evaluate import evaluate, refuse_unknown_paths, reviewed, sized
 from gearwright.study.cases.sampling import Case, cases, unit_sample
 
-__all__ = ["Case", "cases", "evaluate", "for_engine", "refuse_unknown_paths", "reviewed", "sized", "unit_sample"]
+__all__ = [
+    "Case",
+    "cases",
+    "evaluate",
+    "for_engine",
+    "for_requirement",
+    "refuse_unknown_paths",
+    "reviewed",
+    "sized",
+    "unit_sample",
+]

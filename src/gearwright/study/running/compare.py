@@ -8,7 +8,7 @@ from gearwright.shipped import shipped_study
 from gearwright.spec import Design, read, read_study
 from gearwright.spec.axis import Value
 from gearwright.study.answers import Table
-from gearwright.study.cases import for_engine
+from gearwright.study.cases import for_requirement
 from gearwright.study.running.run import run
 from gearwright.verbs import verb
 
@@ -22,7 +22,10 @@ def compare(
     propeller_speed: float | None = None,
     changes: Mapping[str, Value] | None = None,
 ) -> Table:
-    """Return masses, margins and power densities of designs, each fitted to one engine by `for_engine`.
+    """Return masses, margins and power densities of designs, each as it is or fitted to one engine by `for_engine`.
+
+    Where a power or speed is asked, the designs are architectures: tooth numbers and how many planets there are become
+    free and are chosen for the least mass. `changes` may give them.
 
     Args:
         designs: Name -> design; left out: the architectures of the shipped study.
@@ -39,7 +42,7 @@ def compare(
     name = study.name if list(designs) == list(study.designs) else f"{len(designs)} designs for one engine"
     asked = study.model_copy(update={"designs": list(designs), "name": name, "changes": dict(changes or {})})
     fitted = {
-        name: for_engine(design, power=power, engine_speed=engine_speed, propeller_speed=propeller_speed)
+        name: for_requirement(design, power=power, engine_speed=engine_speed, propeller_speed=propeller_speed)
         for name, design in designs.items()
     }
     return run(asked, fitted)

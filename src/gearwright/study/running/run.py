@@ -79,5 +79,13 @@ def table_of(study: Study, rows: list[Row]) -> Table:
         DesignError: If all of them failed.
     """
     if rows and all(row.problem for row in rows):
-        raise DesignError([Problem("", f"every case failed, the first with {rows[0].problem}")], study.name)
+        first = {row.design: row.problem for row in reversed(rows)}
+        named = len(first) > 1
+        raise DesignError(
+            [
+                Problem(design if named else "", f"every case failed, the first with {reason}")
+                for design, reason in reversed(first.items())
+            ],
+            study.name,
+        )
     return Table(study.name, study.description, study.asked, tuple(rows), tied=study.sampling.method == "list")
