@@ -4,10 +4,14 @@ Tests that need what only an extra installs are marked with it: ``@pytest.mark.e
 """
 
 import importlib
+import os
 
 import pytest
 from hypothesis import settings
 
+# The matrices are small: threads of linear algebra would mostly wait for each other. numpy asks when it is imported.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+os.environ.setdefault("MKL_NUM_THREADS", "1")
 settings.register_profile("repeatable", deadline=None, derandomize=True)
 settings.register_profile("search", deadline=None)
 settings.load_profile("repeatable")
