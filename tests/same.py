@@ -23,6 +23,8 @@ def same(one, two):
         return list(one) == list(two) and all(same(one[key], two[key]) for key in one)
     if isinstance(one, tuple | list):
         return len(one) == len(two) and all(same(*pair) for pair in zip(one, two, strict=True))
+    if isinstance(one, complex):
+        return same(one.real, two.real) and same(one.imag, two.imag)
     if isinstance(one, float):
         return (math.isnan(one) and math.isnan(two)) or (one == two and math.copysign(1, one) == math.copysign(1, two))
     return one == two

@@ -34,9 +34,9 @@ def _owner(record: object) -> Owner:
     match record:
         case [str(what)]:
             return Owner(None, what)
-        case [str(what), str(kind), str(name), None | str() as role, str(branch), None | int() as number, *own]:
+        case [str(what), str(kind), str(name), None | str() as role, str(branch), None | int() as number, *words]:
             which = None if role is None else Row(role) if kind == Kind.MESH else Role(role)
-            return Owner(PartId(Kind(kind), name, which, branch, number, *own), what)
+            return Owner(PartId(Kind(kind), name, which, branch, number, *map(str, words)), what)
     raise ValueError(f"{record} is no owner")
 
 
