@@ -129,7 +129,7 @@ CHECKED: Sequence[Checked] = (
         "geometry: tips clear",
         4.0,
         0.0,
-        lambda: float(most_planets(18, 27)),
+        lambda: float(most_planets(22.5, 14.5)),
         _ERRATA,
     ),
 )

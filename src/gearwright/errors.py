@@ -18,7 +18,7 @@ LONGEST_EXCERPT = 80
 """Characters of a value, key or name that a message shows."""
 MOST_SHOWN = 50
 """Problems of one file that a message lists; the others are counted."""
-MOST_NAMES = 40
+MOST_NAMES = 28
 """Allowed names that a message lists; the others are counted."""
 
 

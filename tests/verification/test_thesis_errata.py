@@ -80,7 +80,8 @@ def test_1_4_gives_more_planets_than_fit(ratio, fit):
     assert math.floor(math.pi / math.asin((ratio - 2.0) / ratio)) == fit
     assert printed > fit + 1.0
     sun = 20
-    assert most_planets(sun, round(sun * (ratio - 2.0) / 2.0)) <= fit
+    planet = round(sun * (ratio - 2.0) / 2.0)
+    assert most_planets(0.5 * (sun + planet), 0.5 * planet + 1.0) <= fit
 
 
 def test_1_5_is_the_optimum_of_the_bracket_for_a_star():

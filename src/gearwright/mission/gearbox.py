@@ -12,6 +12,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.identity import Role
+from gearwright.parts.gears import ToothShift
 from gearwright.parts.losses import (
     OIL_DENSITY,
     ToothContact,
@@ -23,10 +24,10 @@ from gearwright.parts.losses import (
     tooth_contact,
     windage_power,
 )
-from gearwright.sizing import GearSizing, Sizing, profile_shift
+from gearwright.sizing import GearSizing, MeshSizing, Sizing
 from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
-from gearwright.spec import GROUND, Case, Design, Drive
-from gearwright.train import INTERNAL, PowerFlow, Turning, power_flow
+from gearwright.spec import GROUND, Case, Design, Drive, Pair
+from gearwright.train import PowerFlow, Turning, power_flow
 from gearwright.verbs import verb
 
 _CASE = "mission"
@@ -98,7 +99,7 @@ class Gearbox:
     contacts: tuple[ToothContact, ...]
     """Of each mesh row."""
     radii: Floats
-    """Pitch radius of gear a of each mesh row, shape (meshes,) [m]."""
+    """Working pitch radius of gear a of each mesh row, shape (meshes,) [m]."""
     widths: Floats
     """Narrower face of each mesh row, shape (meshes,) [m]."""
     inertia: float
@@ -131,10 +132,8 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
         sizing=sizing,
         propeller=propeller,
         oil=oil,
-        contacts=tuple(
-            _contact(sizing.design, pair, mesh.sign) for pair, mesh in zip(pairs, sizing.train.meshes, strict=True)
-        ),
-        radii=np.array([gear.pitch_diameter / 2.0 for gear, _ in pairs]),
+        contacts=tuple(_contact(sizing.design, pair, mesh) for pair, mesh in zip(pairs, sizing.meshes, strict=True)),
+        radii=np.array([mesh.working_diameter / 2.0 for mesh in sizing.meshes]),
         widths=np.array([min(gear.face_width, mate.face_width) for gear, mate in pairs]),
         inertia=_inertia(sizing, propeller),
         turning=Turning(sizing.design, sizing.train, sizing.teeth),
@@ -150,15 +149,26 @@ def _refuse_slip(sizing: Sizing) -> None:
         raise DesignError([Problem(f"dampers.{name}", f"{message} shafts that turn alike") for name in slipping])
 
 
-def _contact(design: Design, pair: tuple[GearSizing, GearSizing], sign: int) -> ToothContact:
+def _contact(design: Design, pair: tuple[GearSizing, GearSizing], mesh: MeshSizing) -> ToothContact:
     gear, mate = pair
+    shifted = gear.profile_shift + mate.profile_shift != 0.0
     return tooth_contact(
-        (gear.teeth, -mate.teeth if sign == INTERNAL else mate.teeth),
+        (gear.teeth, -mate.teeth if mate.role is Role.RING or _inside(design, mesh) else mate.teeth),
         gear.module,
-        pressure_angle=design.rules(gear.stage).pressure_angle,
+        pressure_angle=design.rules(mesh.stage).pressure_angle,
         helix_angle=gear.helix_angle,
-        profile_shift=profile_shift(design, gear),
+        shifts=(_shift(gear), _shift(mate)),
+        working_angle=mesh.working_pressure_angle if shifted else None,
     )
+
+
+def _inside(design: Design, mesh: MeshSizing) -> bool:
+    stage = design.stages[mesh.stage]
+    return isinstance(stage, Pair) and stage.internal
+
+
+def _shift(gear: GearSizing) -> ToothShift:
+    return ToothShift(gear.profile_shift, gear.tip_alteration)
 
 
 def _inertia(sizing: Sizing, propeller: str) -> float:

@@ -27,7 +27,7 @@ from gearwright.sizing.result import (
 )
 from gearwright.sizing.size import size
 from gearwright.sizing.stage_summary import StageSummary, stage_summaries
-from gearwright.sizing.stages import profile_shift
+from gearwright.sizing.tooth_shape import cylindrical_gear, planet_positions
 
 __all__ = [
     "TEXT",
@@ -52,11 +52,12 @@ __all__ = [
     "StageSummary",
     "asked_speeds",
     "bearing_forces",
+    "cylindrical_gear",
     "mass_parts",
     "named_results",
     "pair_data",
     "pick",
-    "profile_shift",
+    "planet_positions",
     "refuse_no_numbers",
     "size",
     "stage_summaries",

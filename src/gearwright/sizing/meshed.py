@@ -29,13 +29,13 @@ class MeshSizing:
     """Load case that governs."""
     load_factor: Ratio
     """Mesh load factor K_γ [-]."""
-    tangential_force: Annotated[float, Quantity("force"), Origin("F_t = 2 T K_γ / (N d)", f"{_THESIS}, eq. 2.9")]
-    """Tangential force of one mesh [N]."""
+    tangential_force: Annotated[float, Quantity("force"), Origin("F_t = 2 T K_γ / (N d_w)", f"{_THESIS}, eq. 2.9")]
+    """Tangential force of one mesh at its working pitch circles [N]."""
     radial_force: Annotated[
         float,
         Quantity("force"),
         Origin(
-            "F_r = F_t tan α_n / cos β; bevel: F_t (tan α_n cos δ ∓ sin β_m sin δ) / cos β_m",
+            "F_r = F_t tan α_wt; bevel: F_t (tan α_n cos δ ∓ sin β_m sin δ) / cos β_m",
             "ISO 21771:2007; ISO 23509:2016",
         ),
     ]
@@ -44,12 +44,27 @@ class MeshSizing:
         float,
         Quantity("force"),
         Origin(
-            "F_a = F_t tan β; bevel: F_t (tan α_n sin δ ± sin β_m cos δ) / cos β_m", "ISO 21771:2007; ISO 23509:2016"
+            "F_a = F_t (d_w/d) tan β; bevel: F_t (tan α_n sin δ ± sin β_m cos δ) / cos β_m",
+            "ISO 21771:2007; ISO 23509:2016",
         ),
     ]
     """Axial force of one mesh [N]; balanced inside a double-helical gear; of a bevel mesh on its pinion."""
-    pitch_line_velocity: Annotated[float, Quantity("velocity"), Origin("v = (ω − ω_c) d/2", "kinematics")]
+    pitch_line_velocity: Annotated[float, Quantity("velocity"), Origin("v = (ω − ω_c) d_w/2", "kinematics")]
     """Pitch-line velocity relative to the carrier [m/s]."""
+    centre_distance: Annotated[
+        float, Quantity("length"), Origin("a_w = a cos α_t/cos α_wt; bevel: between the mean circles", "ISO 21771:2007")
+    ]
+    """Working centre distance a_w [m]; of a bevel mesh what the drawn shafts stand apart."""
+    working_pressure_angle: Annotated[
+        float,
+        Quantity("angle"),
+        Origin("inv α_wt = inv α_t + 2 tan α_n (x_1 + x_2)/(z_1 + z_2)", "ISO 21771:2007"),
+    ]
+    """Transverse pressure angle at the working pitch circles α_wt [rad]."""
+    working_diameter: Annotated[
+        float, Quantity("length"), Origin("d_w1 = 2 a_w z_1/(z_1 + z_2)", "ISO 21771:2007, z_2 < 0 in a ring")
+    ]
+    """Working pitch diameter of the first gear d_w1 [m]; of bevel and face gears d."""
     rating: MeshRating
     """What the method of its stage makes of it, with that method's equations and sources."""
 

@@ -6,11 +6,13 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.identity import Role
-from gearwright.parts.gears import BasicRack, CylindricalGear, span_measurement, spanned_teeth
+from gearwright.parts.gears import span_measurement, spanned_teeth
 from gearwright.parts.iso6336 import MeshGeometry
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.rating import bevel_pair, cylindrical_mesh, rating_of
 from gearwright.sizing.result import GearSizing, Sizing
+from gearwright.sizing.tooth_shape import cylindrical_gear
+from gearwright.spec import Design
 from gearwright.units import Origin, Quantity
 
 _ISO = "ISO 21771:2007"
@@ -34,13 +36,13 @@ class CylindricalPairData:
     """x_1, x_2 [-]."""
     face_width: Annotated[float, Quantity("length"), Origin("b", "common face width")]
     """b [m]."""
-    centre_distance: Annotated[float, Quantity("length"), Origin("a = (z_2 ± z_1) m_n/(2 cos β)", _ISO)]
-    """a [m]."""
+    centre_distance: Annotated[float, Quantity("length"), Origin("a_w = a cos α_t/cos α_wt", _ISO)]
+    """Working centre distance a_w [m]."""
     pitch_diameter: Annotated[Both, Quantity("length"), Origin("d = z m_n/cos β", _ISO)]
     """d [m]."""
     base_diameter: Annotated[Both, Quantity("length"), Origin("d_b = d cos α_t", _ISO)]
     """d_b [m]."""
-    tip_diameter: Annotated[Both, Quantity("length"), Origin("d_a = d ± 2 (1 + x) m_n", _ISO)]
+    tip_diameter: Annotated[Both, Quantity("length"), Origin("d_a = d ± 2 (1 + x + k) m_n", _ISO)]
     """d_a [m]."""
     root_diameter: Annotated[Both, Quantity("length"), Origin("d_f = d ∓ 2 (1.25 − x) m_n", _ISO)]
     """d_f [m]."""
@@ -99,21 +101,19 @@ def pair_data(sizing: Sizing, mesh: MeshSizing) -> CylindricalPairData | BevelPa
     """
     by_name = {gear.name: gear for gear in sizing.gears}
     pinion, wheel = (by_name[name] for name in mesh.gears)
-    rating = rating_of(sizing.design, pinion.stage)
+    rating = rating_of(sizing.design, pinion.stage, sizing.teeth)
     if rating.kind == "bevel":
         return _bevel(sizing, pinion, wheel)
     width = min(pinion.face_width, wheel.face_width)
     geometry = cylindrical_mesh((pinion.teeth, wheel.teeth), pinion.module, width, rating,
                                 internal=wheel.role is Role.RING)  # fmt: skip
-    return _cylindrical(geometry, pinion, wheel)
+    return _cylindrical(sizing.design, geometry, pinion, wheel)
 
 
-def _cylindrical(mesh: MeshGeometry, pinion: GearSizing, wheel: GearSizing) -> CylindricalPairData:
+def _cylindrical(design: Design, mesh: MeshGeometry, pinion: GearSizing, wheel: GearSizing) -> CylindricalPairData:
     external = wheel.role is not Role.RING
     shifts = tuple(float(tooth.profile_shift) for tooth in mesh.proportions)
-    gears = [
-        _gear(gear, shift, float(mesh.pressure_angle)) for gear, shift in zip((pinion, wheel), shifts, strict=True)
-    ]
+    gears = [cylindrical_gear(design, gear) for gear in (pinion, wheel)]
     spanned = tuple(spanned_teeth(gear) for gear in gears)
     spans = tuple(span_measurement(gear, count) for gear, count in zip(gears, spanned, strict=True))
     tips = [2.0 * float(radius) for radius in mesh.tip_radii]
@@ -142,13 +142,8 @@ def _both(values: tuple[object, object]) -> Both:
     return float(values[0]), float(values[1])  # type: ignore[arg-type]
 
 
-def _gear(gear: GearSizing, shift: float, pressure_angle: float) -> CylindricalGear:
-    rack = BasicRack(pressure_angle=pressure_angle)
-    return CylindricalGear(gear.teeth, gear.module, gear.face_width, gear.helix_angle, shift, rack)
-
-
 def _bevel(sizing: Sizing, pinion: GearSizing, wheel: GearSizing) -> BevelPairData:
-    rating = rating_of(sizing.design, pinion.stage)
+    rating = rating_of(sizing.design, pinion.stage, sizing.teeth)
     pair = bevel_pair((pinion.teeth, wheel.teeth), pinion.module, pinion.face_width, rating)
     return BevelPairData(
         teeth=pair.teeth,

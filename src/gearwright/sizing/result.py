@@ -78,6 +78,10 @@ class GearSizing:
         float, Quantity("inertia"), Origin("I = m d²/8; rings m (r² + (r + s)²)/2", f"{_THESIS}, eq. 3.6; annulus")
     ]
     """Polar inertia of one body about its own axis [kg m²]."""
+    profile_shift: Annotated[float, Quantity("ratio"), Origin("x", "design; DIN 3992 where balanced")]
+    """Profile shift coefficient x, positive where it thickens the tooth [-]."""
+    tip_alteration: Annotated[float, Quantity("ratio"), Origin("k m_n = a_w − a − m_n Σx", "DIN 3960:1987")]
+    """Tip alteration coefficient k [-]; negative shortens the tooth."""
 
     @cached_property
     def part(self) -> PartId:
@@ -187,9 +191,13 @@ class CarrierSizing:
     """Force of the teeth of one planet on its pin [N]."""
     centrifugal_force: Annotated[float, Quantity("force"), Origin("F_c = m_p r_c ω_c²", "kinematics")]
     """Centrifugal force of one planet on its pin [N]."""
-    pin_force: Annotated[float, Quantity("force"), Origin("F = √(F_t² + F_c²)", "equilibrium of a planet")]
+    radial_force: Annotated[
+        float, Quantity("force"), Origin("F_r = F_t tan((α_ws − α_wr)/2)", "equilibrium of a planet; 0 without shift")
+    ]
+    """Of the teeth of one planet on its pin, outwards [N]."""
+    pin_force: Annotated[float, Quantity("force"), Origin("F = √(F_t² + (F_c + F_r)²)", "equilibrium of a planet")]
     """Force of one planet on its pin [N]."""
-    radius: Annotated[float, Quantity("length"), Origin("r_c = m (z_s + z_p)/2", "geometry")]
+    radius: Annotated[float, Quantity("length"), Origin("r_c = a_w", "geometry")]
     """Radius of the pin circle [m]."""
     pin_diameter: Annotated[
         float, Quantity("length"), Origin("d³ = 32 (F b/2) / (π σ)", f"{_THESIS}, §2.4, cantilever")

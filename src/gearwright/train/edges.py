@@ -76,12 +76,10 @@ def given_tooth_ratio(stage: Pair | Planetary) -> float | None:
     """
     if isinstance(stage, Pair):
         return stage.wheel_teeth / stage.pinion_teeth if stage.pinion_teeth and stage.wheel_teeth else None
-    sun, planet, ring = stage.sun_teeth, stage.planet_teeth, stage.ring_teeth
-    if ring and planet:
-        sun = ring - 2 * planet
-    elif sun and planet:
-        ring = sun + 2 * planet
-    return ring / sun if sun and ring else None
+    if stage.sun_teeth and stage.ring_teeth:
+        return stage.ring_teeth / stage.sun_teeth
+    known = stage.known_teeth
+    return known[2] / known[0] if known else None
 
 
 def asked_tooth_ratio(stage: Pair | Planetary) -> float | None:

@@ -6,7 +6,7 @@ from itertools import pairwise
 import pytest
 
 from gearwright.errors import DesignError
-from gearwright.parts.gears import CylindricalGear, GearPair
+from gearwright.parts.gears import CylindricalGear, GearPair, ToothShift
 from gearwright.parts.hardness import BRINELL_PER_VICKERS, vickers_of_rockwell
 from gearwright.parts.joints import (
     MODULES,
@@ -170,7 +170,9 @@ def test_tooth_loss_is_ohlendorfs(teeth, shift):
     inverse = abs(1.0 / teeth[0] + 1.0 / teeth[1])
     factor = PI * inverse / math.cos(beta_b) * (1.0 - total + ratios[0] ** 2 + ratios[1] ** 2)
     assert tooth_loss_factor(teeth, beta_b, approach=ratios[1], recess=ratios[0]) == near(factor)
-    made = tooth_contact(teeth, m, pressure_angle=alpha, helix_angle=beta, profile_shift=shift)
+    made = tooth_contact(
+        teeth, m, pressure_angle=alpha, helix_angle=beta, shifts=(ToothShift(shift), ToothShift(-shift))
+    )
     r_1, r_2 = (m * z / (2.0 * math.cos(beta)) for z in teeth)
     curvature = math.sin(alpha_t) / math.cos(beta_b) / (1.0 / r_1 + 1.0 / r_2)
     assert made == ToothContact(near(factor), near(curvature), near(alpha_t), near(beta_b))
@@ -232,10 +234,10 @@ def test_planets_assemble_and_stay_clear():
     assert neighbours_clear([18, 19], 27, 1).tolist() == [True, True]
     for sun, planet in ((18, 27), (40, 15), (60, 12), (12, 60), (24, 24), (100, 20), (21, 6), (10, 50)):
         clear = [n for n in range(2, 60) if (sun + planet) * math.sin(PI / n) > planet + 2]
-        assert most_planets(sun, planet) == max(clear, default=1)
+        assert most_planets(0.5 * (sun + planet), 0.5 * planet + 1.0) == max(clear, default=1)
     # Six planets of 10 teeth about a sun of 14 touch: 24 sin 30° = 12 = 10 + 2.
-    assert most_planets(14, 10) == 5
-    assert most_planets(2, 20) == most_planets(1, 20) == 1
+    assert most_planets(12.0, 6.0) == 5
+    assert most_planets(11.0, 11.0) == most_planets(10.5, 11.0) == 1
 
 
 def test_pins_and_plates_are_cantilevers_and_discs():

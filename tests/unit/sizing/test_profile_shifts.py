@@ -8,7 +8,7 @@ from designs import PAIR
 from gearwright.dynamics.assembly import gear_pairs
 from gearwright.mission import Oil, gearbox_of
 from gearwright.render.drawings.views.teeth import cylindrical_gear
-from gearwright.sizing import Sizing, profile_shift, size
+from gearwright.sizing import Sizing, size
 from gearwright.spec import parse
 
 TEETH = "pinion_teeth = 18\nwheel_teeth = 54\n"
@@ -34,8 +34,8 @@ def test_stiffness_and_contact_ratio_of_the_dynamics_know_the_shift():
 
 
 def test_shifts_of_both_gears_add_up_to_nothing():
-    """x_1 + x_2 = 0 keeps the centre distance; planetary sets and internal pairs are refused a shift."""
+    """x_1 + x_2 = 0 keeps the centre distance."""
     sizing = shifted(0.3)
-    shifts = [profile_shift(sizing.design, gear) for gear in sizing.gears]
+    shifts = [gear.profile_shift for gear in sizing.gears]
     assert sorted(shifts) == [-0.3, 0.3]
     assert [cylindrical_gear(sizing, gear).profile_shift for gear in sizing.gears] == shifts

@@ -266,7 +266,7 @@ def test_ring_teeth_close_the_set():
     text = changed(HYBRID, "planets = 3", "planets = 3\nsun_teeth = 30\nplanet_teeth = 30\nring_teeth = 91")
     found = problem(text)
     assert (found.path, found.line) == ("planetaries.first.ring_teeth", 28)
-    assert found.message.startswith("91 does not close: z_s + 2 z_p = 30 + 2·30 = 90")
+    assert found.message.startswith("91 does not close without profile shift: z_s + 2 z_p = 30 + 2·30 = 90")
 
 
 def test_a_clutch_joins_two_shafts():

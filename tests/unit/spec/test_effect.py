@@ -13,9 +13,6 @@ SET_RULES = "[planetaries.first.gears]\n"
 @pytest.mark.parametrize(
     ("text", "path", "words"),
     [
-        (BEVEL + ISO + "profile_shift = 0.3\n", "pairs.stage.gears.profile_shift", "0.3, but bevel gears are cut"),
-        (HYBRID + "[gears]\nprofile_shift = 0.1\n", "", "0.1, but planetary sets are cut without profile shift"),
-        (PAIR + "internal = true\n[gears]\nprofile_shift = 0.1\n", "pairs.stage.gears.profile_shift", "internal pairs"),
         (PAIR + "spiral_angle_deg = 20\n", "pairs.stage.spiral_angle_deg", "only bevel gears have one"),
         (PAIR + 'wheel_apex = "first"\n', "pairs.stage.wheel_apex", "only bevel gears have one"),
         (PAIR + "pinion_teeth = 20\nwheel_teeth = 60\nratio = 3\n", "pairs.stage.ratio", "its teeth are given"),
@@ -41,7 +38,7 @@ def test_a_key_without_effect_is_told(text: str, path: str, words: str):
     assert not path or first.path == path
 
 
-def test_a_shift_of_all_pinions_is_taken_back_for_the_stage_that_cannot_have_it():
+def test_a_shift_of_all_pinions_is_taken_back_for_a_stage():
     text = PAIR + 'gears = {profile_shift = 0}\nkind = "bevel"\naxis_angle_deg = 90\n' + ISO + "profile_shift = 0.3\n"
     assert parse(text).rules("stage").profile_shift == 0.0
 

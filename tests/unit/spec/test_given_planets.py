@@ -15,8 +15,8 @@ def test_four_planets_between_33_and_69_teeth_cannot_be_assembled():
     found = problem(given(4, 33, 18))
     assert found.path == "planetaries.first.planets"
     assert found.message == (
-        "4 planets cannot be assembled: z_s + z_r = 33 + 69 = 102 is no multiple of 4; give 2 or 3 or 6 planets,"
-        " or other teeth"
+        "4 planets cannot be assembled at equal places: z_s + z_r = 33 + 69 = 102 is no multiple of 4; give 2 or 3 or 6"
+        " planets, unequal_places = true, or other teeth, such as 32/18/68"
     )
     assert parse(given(3, 33, 18)).planetaries["first"].planets == 3
 
@@ -26,7 +26,7 @@ def test_planets_that_touch_are_refused_with_how_many_fit():
     found = problem(given(4, 30, 66))
     assert found.path == "planetaries.first.planets"
     assert found.message.startswith("4 planets of 66 teeth stand into each other")
-    assert found.message.endswith("must be above z_p + 2 = 68; give 3 or fewer, or smaller planets")
+    assert found.message.endswith("must be above their tip diameter of 68 modules; give 3 or fewer, or smaller planets")
     assert parse(given(4, 32, 64)).planetaries["first"].planets == 4
 
 

@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from gearwright.parts.gears import ToothShift
 from gearwright.parts.losses import (
     HIGHEST_FRICTION,
     bearing_torque_constant,
@@ -40,7 +41,7 @@ def test_profile_shift_changes_the_loss_factor_as_by_hand(shift, factor):
     """18/54, 20°, module 1: ε = z/2π (√(r_a²/r_b² − 1) − tan 20°) with r_a = 9 + 1 + x and 27 + 1 − x, r_b = r cos 20°;
     H_V = π (1/18 + 1/54)(1 − ε_α + ε_1² + ε_2²); rounded to the fourth digit.
     """
-    contact = tooth_contact((18, 54), 1.0, pressure_angle=20 * DEGREE, profile_shift=shift)
+    contact = tooth_contact((18, 54), 1.0, pressure_angle=20 * DEGREE, shifts=(ToothShift(shift), ToothShift(-shift)))
     assert contact.loss_factor == pytest.approx(factor, abs=5e-5)
 
 

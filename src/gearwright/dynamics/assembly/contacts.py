@@ -21,8 +21,7 @@ from gearwright.dynamics.model import (
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import PartId, Role, Row, carrier_part, gear_part
 from gearwright.parts.gears import transverse_pressure_angle
-from gearwright.parts.planetary import even_positions
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, planet_positions
 from gearwright.spec import GROUND, Pair, Planetary
 from gearwright.train import INTERNAL, Mesh, PowerFlow
 
@@ -75,7 +74,7 @@ class BaseCircles(NamedTuple):
     second: float
     """Base radius of gear b [m]."""
     pressure_angle: float
-    """Transverse pressure angle [rad]."""
+    """Working transverse pressure angle α_wt [rad]."""
 
 
 def base_circles(sizing: Sizing, mesh: Mesh) -> BaseCircles:
@@ -85,12 +84,13 @@ def base_circles(sizing: Sizing, mesh: Mesh) -> BaseCircles:
         sizing: What was sized.
         mesh: A row of its train.
 
-    Source: ISO 21771:2007, r_b = d/2 cos α_t with tan α_t = tan α_n / cos β.
+    Source: ISO 21771:2007, r_b = d/2 cos α_t, at the working angle α_wt, with tan α_t = tan α_n / cos β.
     """
     gears = [gear_of(sizing, name) for name in mesh.gears]
     angle = transverse_pressure_angle(sizing.design.rules(mesh.stage).pressure_angle, gears[0].helix_angle)
     first, second = (gear.pitch_diameter / 2.0 * math.cos(angle) for gear in gears)
-    return BaseCircles(first, second, angle)
+    working = next(row for row in sizing.meshes if row.name == mesh.name).working_pressure_angle
+    return BaseCircles(first, second, working)
 
 
 def _first_body(sizing: Sizing, shaft: str) -> str:
@@ -144,7 +144,7 @@ def _carried(sizing: Sizing, mesh: Mesh, end: int, *, lever: float, axis: str) -
 def _planets(sizing: Sizing, flow: PowerFlow, mesh: Mesh, stage: Planetary) -> Iterator[Contact]:
     circles, sense, at_sun = base_circles(sizing, mesh), push_sense(flow, mesh.name), mesh.row is Row.SUN_PLANET
     frame = {str(carrier_part(mesh.stage)): -1} if stage.carrier != GROUND else {}
-    for k, position in enumerate(even_positions(stage.planets), start=1):
+    for k, position in enumerate(planet_positions(sizing.design, mesh.stage, sizing.teeth), start=1):
         towards = complex(math.cos(position), math.sin(position))
         planet = str(gear_part(mesh.stage, Role.PLANET, number=k))
         role, shaft = (Role.SUN, stage.sun) if at_sun else (Role.RING, stage.ring)

@@ -11,8 +11,9 @@ from gearwright.dynamics.assembly.contacts import base_circles, direction_betwee
 from gearwright.dynamics.assembly.meshes import gear_of
 from gearwright.dynamics.model import DampingRatio, Owner, Periodic
 from gearwright.identity import PartId, Role, Row, carrier_part, gear_part, mesh_part
-from gearwright.parts.planetary import even_positions, planet_phases
+from gearwright.parts.planetary import planet_phases
 from gearwright.parts.stiffness import StiffnessCurve
+from gearwright.sizing import planet_positions
 from gearwright.spec import GROUND, Planetary
 from gearwright.train import Mesh
 
@@ -41,7 +42,9 @@ def add_mesh_row(assembly: Assembly, mesh: Mesh) -> None:
     stage, curve = assembly.sizing.design.stages[mesh.stage], assembly.curve(mesh.name)
     if isinstance(stage, Planetary):
         inner, outer = (assembly.pairs[str(mesh_part(mesh.stage, row))] for row in (Row.SUN_PLANET, Row.PLANET_RING))
-        phases = planet_phases(inner, outer, even_positions(stage.planets))
+        phases = planet_phases(
+            inner, outer, planet_positions(assembly.sizing.design, mesh.stage, assembly.sizing.teeth)
+        )
         for k, phase in enumerate(phases.sun if mesh.row is Row.SUN_PLANET else phases.ring, start=1):
             _add_line(assembly, mesh, _Teeth(mesh.part._replace(number=k), curve, k, 1, phase))
     else:

@@ -9,7 +9,7 @@ import numpy as np
 
 from gearwright.errors import DesignError, Problem
 from gearwright.parts import Material
-from gearwright.parts.gears import BasicRack, CylindricalGear, GearPair
+from gearwright.parts.gears import CylindricalGear, GearPair
 from gearwright.parts.stiffness import (
     MeshStiffness,
     StiffnessCurve,
@@ -20,9 +20,10 @@ from gearwright.parts.stiffness import (
     mesh_stiffness_kuang_yang,
     sampled_curve,
 )
-from gearwright.sizing import GearSizing, MeshSizing, Sizing, profile_shift
-from gearwright.spec import Design, Pair
+from gearwright.sizing import GearSizing, MeshSizing, Sizing, cylindrical_gear
+from gearwright.spec import Pair
 from gearwright.spec.design import MeshCurve
+from gearwright.train import INTERNAL
 
 
 def gear_pairs(sizing: Sizing) -> dict[str, GearPair]:
@@ -33,12 +34,14 @@ def gear_pairs(sizing: Sizing) -> dict[str, GearPair]:
     """
     gears = {gear.name: gear for gear in sizing.gears}
     pairs = {}
-    for mesh in sizing.train.meshes:
+    for mesh, row in zip(sizing.meshes, sizing.train.meshes, strict=True):
         stage = sizing.design.stages[mesh.stage]
-        first, second = (_cylindrical(sizing.design, gears[gear], mesh.stage) for gear in mesh.gears)
+        first, second = (cylindrical_gear(sizing.design, gears[gear]) for gear in mesh.gears)
         if isinstance(stage, Pair) and stage.kind == "bevel":
             first, second = _virtual(first, second)
-        pairs[mesh.name] = GearPair(first, replace(second, teeth=-second.teeth) if mesh.sign > 0 else second)
+        second = replace(second, teeth=-second.teeth) if row.sign == INTERNAL else second
+        unmoved = first.profile_shift + second.profile_shift == 0.0
+        pairs[mesh.name] = GearPair(first, second, None if unmoved else mesh.centre_distance)
     return pairs
 
 
@@ -57,11 +60,6 @@ def _virtual(pinion: CylindricalGear, wheel: CylindricalGear) -> tuple[Cylindric
     slant = math.hypot(pinion.teeth, wheel.teeth)
     virtual_pinion = replace(pinion, teeth=round(pinion.teeth * slant / wheel.teeth))
     return virtual_pinion, replace(wheel, teeth=round(wheel.teeth * slant / pinion.teeth))
-
-
-def _cylindrical(design: Design, gear: GearSizing, stage: str) -> CylindricalGear:
-    rack, shift = BasicRack(pressure_angle=design.rules(stage).pressure_angle), profile_shift(design, gear)
-    return CylindricalGear(gear.teeth, gear.module, gear.face_width, gear.helix_angle, profile_shift=shift, rack=rack)
 
 
 def mesh_curve(sizing: Sizing, mesh: MeshSizing, pair: GearPair, *, harmonics: int | None = None) -> StiffnessCurve:

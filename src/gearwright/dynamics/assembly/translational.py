@@ -12,8 +12,8 @@ from gearwright.dynamics.assembly.contacts import push_sense
 from gearwright.dynamics.assembly.meshes import gear_of
 from gearwright.dynamics.model import Entries, Member, PlanetarySet, System, add_planetary
 from gearwright.identity import MEMBERS, Kind, Role, Row, carrier_part, gear_part, member_part, mesh_part
-from gearwright.parts.planetary import even_positions, planet_phases
-from gearwright.sizing import CarrierSizing, GearSizing, Sizing
+from gearwright.parts.planetary import planet_phases
+from gearwright.sizing import CarrierSizing, GearSizing, Sizing, planet_positions
 from gearwright.spec import GROUND, Planetary
 from gearwright.train import PowerFlow
 
@@ -37,7 +37,7 @@ def _planetary_set(assembly: Assembly, stage: str) -> PlanetarySet:
     planetary = assembly.sizing.design.planetaries[stage]
     rows = tuple(str(mesh_part(stage, row)) for row in (Row.SUN_PLANET, Row.PLANET_RING))
     inner, outer = (assembly.pairs[row] for row in rows)
-    places = even_positions(planetary.planets)
+    places = planet_positions(assembly.sizing.design, stage, assembly.sizing.teeth)
     return PlanetarySet(
         *_members(assembly, stage),
         sun_mesh=assembly.curve(rows[0]),

@@ -13,9 +13,9 @@ from gearwright.dynamics.model import Member, PlanetarySet
 from gearwright.dynamics.sharing.of_design import SharingProblem
 from gearwright.dynamics.sharing.planets import PlanetSharing, PlanetTolerances, planet_sharing
 from gearwright.identity import Role, Row, gear_part, mesh_part
-from gearwright.parts.planetary import even_positions, pin_error_share
+from gearwright.parts.planetary import pin_error_share
 from gearwright.parts.stiffness import StiffnessCurve
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, planet_positions
 
 _ANY = 1.0
 """Mass and inertia, on which forces that balance do not depend [kg] and [kg m²]."""
@@ -87,7 +87,7 @@ def _rigid_set(sizing: Sizing, problem: SharingProblem) -> PlanetarySet:
         sun_mesh=StiffnessCurve(float(system.arrays.stiffness[lines[0]])),
         ring_mesh=StiffnessCurve(float(system.arrays.stiffness[lines[1]])),
         pressure_angles=(inner.working_pressure_angle, outer.working_pressure_angle),
-        positions=even_positions(planetary.planets),
+        positions=planet_positions(sizing.design, stage, sizing.teeth),
     )
 
 

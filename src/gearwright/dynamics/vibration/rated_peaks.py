@@ -8,7 +8,6 @@ from typing import Annotated
 
 from gearwright.dynamics.motion import Trace
 from gearwright.identity import Row
-from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.sizing import MeshSizing, Sizing
 from gearwright.units import Origin, Quantity
 
@@ -50,13 +49,13 @@ def _load(sizing: Sizing, mesh: MeshSizing, trace: Trace) -> DynamicLoad | None:
         return None
     # The halves of a double-helical gear are one line; planets have a line each.
     together = mesh.count if mesh.row is Row.PAIR else 1
-    gear = next(gear for gear in sizing.gears if gear.name == mesh.gears[0])
-    normal = sizing.design.rules(gear.stage).pressure_angle
-    transverse = transverse_pressure_angle(normal, gear.helix_angle)
     statistics = [trace.force.of(name) for name in lines]
     peak = max(max(abs(float(line["maximum"].max())), abs(float(line["minimum"].min()))) for line in statistics)
     mean = max(abs(float(line["mean"].mean())) for line in statistics)
-    force, sized_for = peak * math.cos(transverse) / together, mesh.tangential_force * mesh.rating.peaks
+    force, sized_for = (
+        peak * math.cos(mesh.working_pressure_angle) / together,
+        mesh.tangential_force * mesh.rating.peaks,
+    )
     return DynamicLoad(
         mesh=mesh.name,
         peak_over_mean=peak / mean if mean else math.inf,

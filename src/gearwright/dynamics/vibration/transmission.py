@@ -11,8 +11,8 @@ from gearwright.dynamics.model import System
 from gearwright.dynamics.vibration.response import Response, frequency_response
 from gearwright.errors import DesignError, Problem, near
 from gearwright.identity import Row, mesh_part
-from gearwright.parts.planetary import even_positions, planet_phases
-from gearwright.sizing import Sizing
+from gearwright.parts.planetary import planet_phases
+from gearwright.sizing import Sizing, planet_positions
 from gearwright.verbs import verb
 
 POINTS = 2000
@@ -42,7 +42,7 @@ def answer(sizing: Sizing, system: System, row: str, *, error: float = 1e-6, top
     if mesh.row is Row.PAIR:
         errors: dict[str, complex] = dict.fromkeys(lines, error)
     else:
-        pairs, positions = gear_pairs(sizing), even_positions(mesh.count)
+        pairs, positions = gear_pairs(sizing), planet_positions(sizing.design, mesh.stage, sizing.teeth)
         inner, outer = (pairs[str(mesh_part(mesh.stage, kind))] for kind in (Row.SUN_PLANET, Row.PLANET_RING))
         both = planet_phases(inner, outer, positions)
         phases = both.sun if mesh.row is Row.SUN_PLANET else both.ring

@@ -24,10 +24,14 @@ from gearwright.parts.gears.hertz import (
     module_hertz,
 )
 from gearwright.parts.gears.internal_interference import (
+    Room,
+    assembly_room,
     interference,
     involute_clearance,
+    involute_room,
     radial_assembly_gap,
     tip_clearance_angle,
+    tip_room,
 )
 from gearwright.parts.gears.involute import (
     base_helix_angle,
@@ -44,18 +48,31 @@ from gearwright.parts.gears.lewis import FEWEST_TEETH, bending_stress_lewis, lew
 from gearwright.parts.gears.tooth_allowance import feed_grade, least_backlash, runout_tolerance, span_allowances
 from gearwright.parts.gears.tooth_form import ToothForm, load_point, tooth_form
 from gearwright.parts.gears.tooth_measurement import ball_measurement, span_measurement, spanned_teeth
+from gearwright.parts.gears.working_centre import (
+    UNSHIFTED,
+    ToothShift,
+    reference_centre,
+    shifts_at,
+    tip_shortening,
+    working_angle_at,
+    working_centre,
+)
 
 __all__ = [
     "FEWEST_TEETH",
     "HERTZ_COEFFICIENT",
     "ISO53_A",
     "ISO53_D",
+    "UNSHIFTED",
     "BasicRack",
     "ContactAngles",
     "CylindricalGear",
     "GearPair",
     "Numbers",
+    "Room",
     "ToothForm",
+    "ToothShift",
+    "assembly_room",
     "ball_measurement",
     "base_helix_angle",
     "bending_stress_lewis",
@@ -71,6 +88,7 @@ __all__ = [
     "involute",
     "involute_angle",
     "involute_clearance",
+    "involute_room",
     "least_backlash",
     "least_profile_shift",
     "least_teeth",
@@ -80,17 +98,23 @@ __all__ = [
     "module_lewis",
     "pressure_angle_at",
     "radial_assembly_gap",
+    "reference_centre",
     "ring_inertia",
     "ring_mass",
     "runout_tolerance",
     "shift_sum",
+    "shifts_at",
     "span_allowances",
     "span_measurement",
     "spanned_teeth",
     "tip_clearance_angle",
+    "tip_room",
+    "tip_shortening",
     "tip_thickness",
     "tooth_form",
     "transverse_pressure_angle",
     "virtual_teeth",
+    "working_angle_at",
+    "working_centre",
     "working_pressure_angle",
 ]

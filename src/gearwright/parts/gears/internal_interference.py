@@ -3,11 +3,36 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from gearwright.errors import Problem
 from gearwright.parts.gears.cylindrical_gear import half_angle_at
 from gearwright.parts.gears.gear_pair import GearPair
 from gearwright.parts.gears.involute import involute
+
+
+class Room(NamedTuple):
+    """What there is and what is needed of a length or an angle."""
+
+    there: float
+    needed: float
+
+    @property
+    def clearance(self) -> float:
+        """What is left; negative where the teeth foul."""
+        return self.there - self.needed
+
+
+def involute_room(pair: GearPair) -> Room:
+    """Return the ring's tip radius, and the least that ends on the pinion's involute [m].
+
+    Args:
+        pair: An internal pair.
+
+    Source: Niemann & Winter, Maschinenelemente II: r_a2 ≥ √(r_b2² + (a_w sin α_wt)²).
+    """
+    tangent_point = math.hypot(pair.driven.base_radius, pair.centre_distance * math.sin(pair.working_pressure_angle))
+    return Room(pair.driven.tip_radius, tangent_point)
 
 
 def involute_clearance(pair: GearPair) -> float:
@@ -20,10 +45,33 @@ def involute_clearance(pair: GearPair) -> float:
         Radius of the ring's tip less that of the ring's flank at the pinion's base tangent point [m]; negative: the
         ring's tip digs into the pinion's root.
 
-    Source: Niemann & Winter, Maschinenelemente II: r_a2 ≥ √(r_b2² + (a_w sin α_wt)²).
+    Source: `involute_room`.
     """
-    tangent_point = math.hypot(pair.driven.base_radius, pair.centre_distance * math.sin(pair.working_pressure_angle))
-    return pair.driven.tip_radius - tangent_point
+    return involute_room(pair).clearance
+
+
+def tip_room(pair: GearPair) -> Room | None:
+    """Return the angle at the ring's centre at which the pinion's tip crosses the ring's tip circle, and the least.
+
+    Args:
+        pair: An internal pair.
+
+    Returns:
+        Angles [rad]; None where the tip circles do not cross, so that nothing can foul.
+
+    Source: Colbourne 1987, The Geometry of Involute Gears, as
+        θ_1 z_1/z_2 + inv α_wt (1 − z_1/z_2) ≥ θ_2 with θ_1 = γ_1 + inv α_a1, θ_2 = γ_2 + inv α_a2 and γ the angles at
+        the two centres of the point where the tip circles cross.
+    """
+    r_1, r_2, centre = pair.driver.tip_radius, pair.driven.tip_radius, pair.centre_distance
+    if r_1 + centre <= r_2:
+        return None
+    gamma_1 = math.acos((r_2**2 - r_1**2 - centre**2) / (2.0 * r_1 * centre))
+    gamma_2 = math.acos((r_2**2 - r_1**2 + centre**2) / (2.0 * r_2 * centre))
+    theta_1 = gamma_1 + involute(math.acos(pair.driver.base_radius / r_1))
+    theta_2 = gamma_2 + involute(math.acos(min(1.0, pair.driven.base_radius / r_2)))
+    ratio = pair.driver.teeth / -pair.driven.teeth
+    return Room(theta_1 * ratio + involute(pair.working_pressure_angle) * (1.0 - ratio), theta_2)
 
 
 def tip_clearance_angle(pair: GearPair) -> float:
@@ -35,19 +83,38 @@ def tip_clearance_angle(pair: GearPair) -> float:
     Returns:
         Clearance angle at the ring's centre [rad]; negative: the tips foul (trochoidal interference).
 
-    Source: Colbourne 1987, The Geometry of Involute Gears, as
-        θ_1 z_1/z_2 + inv α_wt (1 − z_1/z_2) − θ_2 with θ_1 = γ_1 + inv α_a1, θ_2 = γ_2 + inv α_a2 and γ the angles at
-        the two centres of the point where the tip circles cross.
+    Source: `tip_room`.
     """
-    r_1, r_2, centre = pair.driver.tip_radius, pair.driven.tip_radius, pair.centre_distance
-    if r_1 + centre <= r_2:
-        return math.pi
-    gamma_1 = math.acos((r_2**2 - r_1**2 - centre**2) / (2.0 * r_1 * centre))
-    gamma_2 = math.acos((r_2**2 - r_1**2 + centre**2) / (2.0 * r_2 * centre))
-    theta_1 = gamma_1 + involute(math.acos(pair.driver.base_radius / r_1))
-    theta_2 = gamma_2 + involute(math.acos(min(1.0, pair.driven.base_radius / r_2)))
-    ratio = pair.driver.teeth / -pair.driven.teeth
-    return theta_1 * ratio + involute(pair.working_pressure_angle) * (1.0 - ratio) - theta_2
+    room = tip_room(pair)
+    return math.pi if room is None else room.clearance
+
+
+def assembly_room(pair: GearPair) -> Room | None:
+    """Return half the width of the ring's tooth space, and that of the pinion's tip on its radial way into it.
+
+    Args:
+        pair: An internal pair.
+
+    Returns:
+        Of the tip with the least room [m]; None where no tip passes the ring's tip circle.
+
+    Source: Colbourne 1987, The Geometry of Involute Gears (radial interference, trimming); each pinion tip on
+        its way to the working position must stay inside the ring's tooth space at the ring's tip circle.
+    """
+    pinion, ring = pair.driver, pair.driven
+    half_space = math.pi / -ring.teeth - half_angle_at(ring, ring.tip_radius)
+    half_tip = half_angle_at(pinion, pinion.tip_radius)
+    rooms = []
+    # A pinion tooth centred in its space is the symmetric position; tooth j then faces space j.
+    for j in range(pinion.teeth // 2 + 1):
+        angle = 2.0 * math.pi * j / pinion.teeth + half_tip
+        lateral = pinion.tip_radius * math.sin(angle)
+        if angle > 0.5 * math.pi or lateral > ring.tip_radius:
+            break
+        if pair.centre_distance + pinion.tip_radius * math.cos(angle) <= math.sqrt(ring.tip_radius**2 - lateral**2):
+            break
+        rooms.append(Room(ring.tip_radius * math.sin(2.0 * math.pi * j / -ring.teeth + half_space), lateral))
+    return min(rooms, key=lambda room: room.clearance, default=None)
 
 
 def radial_assembly_gap(pair: GearPair) -> float:
@@ -59,24 +126,10 @@ def radial_assembly_gap(pair: GearPair) -> float:
     Returns:
         Least tangential gap over the pinion's tips [m]; negative: the pinion must be put in axially.
 
-    Source: Colbourne 1987, The Geometry of Involute Gears (radial interference, trimming); each pinion tip on
-        its way to the working position must stay inside the ring's tooth space at the ring's tip circle.
+    Source: `assembly_room`.
     """
-    pinion, ring = pair.driver, pair.driven
-    half_space = math.pi / -ring.teeth - half_angle_at(ring, ring.tip_radius)
-    half_tip = half_angle_at(pinion, pinion.tip_radius)
-    gaps = []
-    # A pinion tooth centred in its space is the symmetric position; tooth j then faces space j.
-    for j in range(pinion.teeth // 2 + 1):
-        angle = 2.0 * math.pi * j / pinion.teeth + half_tip
-        lateral = pinion.tip_radius * math.sin(angle)
-        if angle > 0.5 * math.pi or lateral > ring.tip_radius:
-            break
-        if pair.centre_distance + pinion.tip_radius * math.cos(angle) <= math.sqrt(ring.tip_radius**2 - lateral**2):
-            break
-        edge = ring.tip_radius * math.sin(2.0 * math.pi * j / -ring.teeth + half_space)
-        gaps.append(edge - lateral)
-    return min(gaps) if gaps else math.inf
+    room = assembly_room(pair)
+    return math.inf if room is None else room.clearance
 
 
 def interference(pair: GearPair) -> tuple[Problem, ...]:

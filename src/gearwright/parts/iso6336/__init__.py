@@ -3,6 +3,7 @@
 Scuffing has a folder of its own; bevel gears are in `bevel`.
 """
 
+from gearwright.parts.iso6336.balanced_shifts import BALANCES, balanced_shift, specific_slidings
 from gearwright.parts.iso6336.bending import (
     bending_size_factor,
     contact_ratio_factor_root,
@@ -34,7 +35,14 @@ from gearwright.parts.iso6336.film import (
     speed_factor,
     work_hardening_factor,
 )
-from gearwright.parts.iso6336.geometry import MeshGeometry, ToothProportions, Value, as_value, mesh_geometry
+from gearwright.parts.iso6336.geometry import (
+    MeshGeometry,
+    ToothProportions,
+    Value,
+    as_value,
+    mesh_geometry,
+    shifted_mesh,
+)
 from gearwright.parts.iso6336.life import (
     bending_life_curve,
     contact_life_curve,
@@ -65,6 +73,7 @@ from gearwright.parts.iso6336.strength import (
 )
 
 __all__ = [
+    "BALANCES",
     "CENTRED",
     "CORRECTED_AND_CROWNED",
     "CROWNED",
@@ -92,6 +101,7 @@ __all__ = [
     "Value",
     "allowable_stress",
     "as_value",
+    "balanced_shift",
     "bending_life_curve",
     "bending_size_factor",
     "contact_life_curve",
@@ -124,7 +134,9 @@ __all__ = [
     "roughness_factor",
     "running_in_allowance",
     "shaped_fillet_radius",
+    "shifted_mesh",
     "single_contact_factors",
+    "specific_slidings",
     "spectrum_damage",
     "speed_factor",
     "surface_factor",

@@ -14,7 +14,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import Problem, refuse
-from gearwright.parts.gears import GearPair
+from gearwright.parts.gears import GearPair, ToothShift
 
 Value: TypeAlias = float | Floats
 """A number, or an array of them over variants."""
@@ -164,6 +164,47 @@ class MeshGeometry:
         """Root radius of one gear [m]."""
         tooth = self.proportions[gear]
         return 0.5 * self.pitch_diameters[gear] - side * (tooth.dedendum - tooth.profile_shift) * self.module
+
+
+def shifted_mesh(
+    teeth: tuple[Value, Value],
+    shifts: tuple[ToothShift, ToothShift],
+    centre: float | None,
+    *,
+    pressure_angle: float,
+    helix_angle: float = 0.0,
+    module: Value = 1.0,
+    face_width: Value = 10.0,
+) -> MeshGeometry:
+    """Return a pair, or an array of pairs, with the basic rack 1.25/0.38 of ISO 53, profile A.
+
+    Args:
+        teeth: z_1, z_2, the latter negative for an internal gear [-].
+        shifts: Profile shifts and tip alterations of both gears.
+        centre: Working centre distance over the module a_w/m_n [-]; None: the reference one.
+        pressure_angle: α_n [rad].
+        helix_angle: β [rad].
+        module: m_n [m].
+        face_width: b [m].
+
+    Source: ISO 21771:2007.
+    """
+    side = np.sign(teeth[1])
+    first, second = (0.5 * np.abs(number) * module / np.cos(helix_angle) for number in teeth)
+    heights = [1.0 + shift.profile_shift + shift.tip_alteration for shift in shifts]
+    return MeshGeometry(
+        teeth=teeth,
+        module=module,
+        face_width=face_width,
+        centre_distance=second + side * first if centre is None else centre * module,
+        tip_radii=(first + heights[0] * module, second + side * heights[1] * module),
+        helix_angle=helix_angle,
+        pressure_angle=pressure_angle,
+        proportions=(
+            ToothProportions(profile_shift=shifts[0].profile_shift),
+            ToothProportions(profile_shift=shifts[1].profile_shift),
+        ),
+    )
 
 
 def mesh_geometry(pair: GearPair) -> MeshGeometry:

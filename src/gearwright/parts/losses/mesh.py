@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from gearwright.parts.gears import base_helix_angle, transverse_pressure_angle
+from gearwright.parts.gears import UNSHIFTED, ToothShift, base_helix_angle, transverse_pressure_angle
 
 _LEAST_ROLLING = 1e-3
 """Sum of the rolling speeds below which the friction formula is held [m/s]; at rest it would grow without bound."""
@@ -67,28 +67,33 @@ def tooth_contact(
     *,
     pressure_angle: float,
     helix_angle: float = 0.0,
-    profile_shift: float = 0.0,
+    shifts: tuple[ToothShift, ToothShift] = (UNSHIFTED, UNSHIFTED),
+    working_angle: float | None = None,
 ) -> ToothContact:
-    """Return the contact of a pair without backlash on its reference centre distance.
+    """Return the contact of a pair without backlash on its working centre distance.
 
     Args:
         teeth: z_1 and z_2, the latter negative for an internal gear [-].
         module: m_n [m].
         pressure_angle: α_n [rad].
         helix_angle: β [rad].
-        profile_shift: x of gear 1; gear 2 has the opposite one [-].
+        shifts: Of both gears.
+        working_angle: α_wt [rad]; None: the reference centre distance.
 
     Source: ISO 21771:2007, addendum of one module; `tooth_loss_factor`.
     """
-    angle = transverse_pressure_angle(pressure_angle, helix_angle)
+    reference = transverse_pressure_angle(pressure_angle, helix_angle)
+    angle = reference if working_angle is None else working_angle
     radii = [0.5 * module * z / math.cos(helix_angle) for z in teeth]
-    tips = [radii[0] + module * (1.0 + profile_shift), radii[1] + module * (1.0 - profile_shift)]
+    heights = [1.0 + shift.profile_shift + shift.tip_alteration for shift in shifts]
+    tips = [radius + module * height for radius, height in zip(radii, heights, strict=True)]
     ratios = [
-        tip_contact_ratio(z, abs(tip), abs(radius) * math.cos(angle), angle)
+        tip_contact_ratio(z, abs(tip), abs(radius) * math.cos(reference), angle)
         for z, tip, radius in zip(teeth, tips, radii, strict=True)
     ]
     base = base_helix_angle(pressure_angle, helix_angle)
-    curvature = radii[0] * radii[1] / (radii[0] + radii[1]) * math.sin(angle) / math.cos(base)
+    stretch = 1.0 if working_angle is None else math.cos(reference) / math.cos(angle)
+    curvature = stretch * radii[0] * radii[1] / (radii[0] + radii[1]) * math.sin(angle) / math.cos(base)
     factor = tooth_loss_factor(teeth, base, approach=ratios[1], recess=ratios[0])
     return ToothContact(factor, curvature, angle, base)
 

@@ -3,7 +3,16 @@
 Their kinematics are `train`'s, their motion is for `dynamics`.
 """
 
-from gearwright.parts.planetary.assembly import ADDENDUMS, assembles, most_planet_teeth, most_planets, neighbours_clear
+from gearwright.parts.planetary.assembly import (
+    ADDENDUMS,
+    assembles,
+    even_positions,
+    most_planet_teeth,
+    most_planets,
+    nearest_positions,
+    neighbours_clear,
+    tip_gap,
+)
 from gearwright.parts.planetary.carrier import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
 from gearwright.parts.planetary.compound import (
     CompoundSet,
@@ -18,7 +27,6 @@ from gearwright.parts.planetary.compound_assembly import Turns, can_assemble, fi
 from gearwright.parts.planetary.load_factor import pin_error_share
 from gearwright.parts.planetary.phasing import (
     PlanetPhases,
-    even_positions,
     excited_modes,
     planet_phases,
     sun_to_ring_phase,
@@ -37,6 +45,7 @@ __all__ = [
     "module_ratios",
     "most_planet_teeth",
     "most_planets",
+    "nearest_positions",
     "neighbours_clear",
     "pin_angles",
     "pin_diameter",
@@ -50,5 +59,6 @@ __all__ = [
     "plate_shear_stress",
     "reaches",
     "sun_to_ring_phase",
+    "tip_gap",
     "touching",
 ]

@@ -26,20 +26,6 @@ class PlanetPhases:
     """Phase of each planet's ring mesh against the first planet's sun mesh, γ_rn + γ_rs, in cycles [-]."""
 
 
-def even_positions(planets: int) -> tuple[float, ...]:
-    """Return the angles of equally spaced planets, the first at zero.
-
-    Args:
-        planets: Number of planets N [-].
-
-    Returns:
-        ψ_n = 2π n/N [rad]; Pulvirenti 2023, eq. (3.34), prints N − 1.
-
-    Source: Parker & Lin 2004, J. Mech. Des. 126, 365-370.
-    """
-    return tuple(2.0 * math.pi * n / planets for n in range(planets))
-
-
 def planet_phases(sun_mesh: GearPair, ring_mesh: GearPair, positions: Sequence[float]) -> PlanetPhases:
     """Return the relative mesh phases of a planetary set whose sun drives.
 

@@ -14,13 +14,12 @@ from matplotlib.patches import Circle
 from gearwright.dynamics import Modes
 from gearwright.dynamics.model import Owner, System
 from gearwright.identity import SIDES, Kind, Role, carrier_part, gear_part
-from gearwright.parts.planetary import even_positions
 from gearwright.render.schematic import glyphs
 from gearwright.render.schematic.drawing import draw_train, member_side
 from gearwright.render.schematic.layout import Layout, lay_out
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, planet_positions
 from gearwright.spec import GROUND
 from gearwright.train import attachments
 
@@ -185,12 +184,17 @@ def _draw_disc(axes: Axes, disc: _Disc, colour: str) -> None:
     axes.plot([x, tip[0]], [y, tip[1]], color=colour, lw=1.0)
 
 
+def _arm_of(sizing: Sizing, stage: str) -> float:
+    """Return how far the planets stand from the middle [m]."""
+    return next(carrier.radius for carrier in sizing.carriers if carrier.stage == stage)
+
+
 def _discs(sizing: Sizing, stage: str, radii: Mapping[Role, float], motion: _Motion) -> Iterator[_Disc]:
     for role in (Role.RING, Role.SUN):
         name = str(gear_part(stage, role))
         yield _Disc((0.0, 0.0), (motion.of(f"{name}.x"), motion.of(f"{name}.y")), radii[role], motion.of(name))
-    arm, carrier = radii[Role.SUN] + radii[Role.PLANET], motion.of(str(carrier_part(stage)))
-    for k, angle in enumerate(even_positions(sizing.design.planetaries[stage].planets), start=1):
+    arm, carrier = _arm_of(sizing, stage), motion.of(str(carrier_part(stage)))
+    for k, angle in enumerate(planet_positions(sizing.design, stage, sizing.teeth), start=1):
         planet, cosine, sine = gear_part(stage, Role.PLANET, number=k), math.cos(angle), math.sin(angle)
         # Rotating bearings only: the planet's centre goes where its pin goes.
         along = motion.of(f"{planet}.tangential") or arm * carrier

@@ -23,11 +23,11 @@ from dataclasses import dataclass
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
+from gearwright.sizing.rolling import rollings
 from gearwright.spec.design import Design
-from gearwright.train import INTERNAL, Train
 
 TOLERANCE = 0.01
-"""Part of a centre distance that profile shift is trusted to take up; more does not close."""
+"""Part of a centre distance that a change of profile shifts is trusted to take up; more does not close."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ def axes_of(context: Context, gears: tuple[GearSizing, ...]) -> dict[str, comple
     """
     axis = _coaxial(context.design)
     faces = {name for name, pair in context.design.pairs.items() if pair.kind == "face"}
-    bonds = list(_bonds(context.train, axis, {gear.name: gear for gear in gears}, faces))
+    bonds = list(_bonds(context, axis, {gear.name: gear for gear in gears}, faces))
     placed: dict[str, complex] = {}
     while len(placed) < len(set(axis.values())):
         placed |= _next(context.design, bonds, placed, [shaft for shaft in axis.values() if shaft not in placed])
@@ -77,12 +77,12 @@ def _coaxial(design: Design) -> dict[str, str]:
 
 
 def _bonds(
-    train: Train, axis: Mapping[str, str], gears: Mapping[str, GearSizing], faces: Collection[str]
+    context: Context, axis: Mapping[str, str], gears: Mapping[str, GearSizing], faces: Collection[str]
 ) -> Iterator[Bond]:
-    for mesh in train.meshes:
+    rolls = rollings(context, gears)
+    for mesh in context.train.meshes:
         if mesh.nodes[0] not in axis or mesh.nodes[1] not in axis:
             continue
-        first, second = (gears[name].pitch_diameter / 2.0 for name in mesh.gears)
         ends = (axis[mesh.nodes[0]], axis[mesh.nodes[1]])
         if ends[0] == ends[1]:
             message = (
@@ -90,7 +90,7 @@ def _bonds(
             )
             raise DesignError([Problem(f"pairs.{mesh.stage}", message)])
         # The pinion of a face gear lies across: the middle of its face, not its axis, is on the wheel's pitch circle.
-        apart = second if mesh.stage in faces else abs(second - first) if mesh.sign == INTERNAL else first + second
+        apart = rolls[mesh.name].radii[1] if mesh.stage in faces else rolls[mesh.name].centre_distance
         yield Bond(mesh.stage, ends, apart)
 
 

@@ -50,7 +50,12 @@ def _discs(sizing: Sizing) -> Iterator[tuple[float, float, float]]:
         yield (*shaft.axis, shaft.diameter / 2.0)
     for gear in sizing.gears:
         for shaft_name in _carriers_of(sizing, gear):
-            yield (*axis[shaft_name], gear.pitch_diameter / 2.0 + (gear.rim or gear.module))
+            yield (*axis[shaft_name], gear.pitch_diameter / 2.0 + (gear.rim or _addendum(gear)))
+
+
+def _addendum(gear: GearSizing) -> float:
+    """Return how far the tip circle of a disc stands outside its pitch circle [m]."""
+    return gear.module * (1.0 + gear.profile_shift + gear.tip_alteration)
 
 
 def _carriers_of(sizing: Sizing, gear: GearSizing) -> Iterator[str]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from gearwright.identity import Role
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 
@@ -22,8 +21,7 @@ def root_diameter(context: Context, gear: GearSizing) -> float:
     Source: ISO 21771:2007: d_f = d − 2 m_n (1.25 − x); ISO 23509:2016 at the mean cone, less b sin δ at the thin end.
     """
     rating = context.ratings[gear.stage]
-    shift = rating.rules.profile_shift if gear.role is Role.PINION else 0.0
-    depth = 2.0 * gear.module * (DEDENDUM - shift)
+    depth = 2.0 * gear.module * (DEDENDUM - gear.profile_shift)
     if rating.kind != "bevel":
         return gear.pitch_diameter - depth
     mesh = next(mesh for mesh in context.train.meshes if mesh.stage == gear.stage and gear.name in mesh.gears)

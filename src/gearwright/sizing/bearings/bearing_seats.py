@@ -2,8 +2,9 @@
 
 The reactions of a shaft on two bearings grow in proportion to the torques of its meshes; only the radial forces keep
 their sign when a torque changes its own. So two sets of coefficients, one for each sign, give the load of a bearing at
-any moment. A planet's pin bears the tangential forces of its two meshes, which are equal, and across them the
-centrifugal force of the planet. Shafts that carry torque only have no seat here unless the design gives them bearings.
+any moment. A planet's pin bears the tangential forces of its two meshes, and across them the centrifugal force of the
+planet and, with shifted teeth, what unequal working angles leave of the radial forces. Shafts that carry torque only
+have no seat here unless the design gives them bearings.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.loads import rotor_side, shaft_loads
 from gearwright.sizing.rating import Context, context_of
 from gearwright.sizing.result import GearSizing, ShaftSizing, Sizing
+from gearwright.sizing.rolling import planet_push
 from gearwright.spec import GROUND, Design
 from gearwright.spec.design import BearingSeat
 from gearwright.train import INTERNAL, Mesh, MeshFlow, PowerFlow
@@ -73,7 +75,7 @@ def bearing_seats(sizing: Sizing) -> tuple[Seat, ...]:
     """
     context, gears = _unit_loads(sizing), {gear.name: gear for gear in sizing.gears}
     shafts = (seat for shaft in sizing.shafts for seat in _shaft_seats(context, sizing, shaft, gears))
-    return (*shafts, *_planet_seats(sizing, gears))
+    return (*shafts, *_planet_seats(context, sizing, gears))
 
 
 def seat_forces(seat: Seat, torques: Floats, carrier_speed: Floats) -> tuple[Floats, Floats]:
@@ -150,13 +152,17 @@ def _rotor(design: Design, shaft: str, plan: ShaftPlan) -> tuple[Floats, float]:
     return np.zeros(2), 0.0
 
 
-def _planet_seats(sizing: Sizing, gears: Mapping[str, GearSizing]) -> Iterator[Seat]:
+def _planet_seats(context: Context, sizing: Sizing, gears: Mapping[str, GearSizing]) -> Iterator[Seat]:
     for carrier in sizing.carriers:
+        push = planet_push(context, gears, carrier.stage)
         planet, rules = gears[str(gear_part(carrier.stage, Role.PLANET))], sizing.design.rules(carrier.stage)
         force = np.zeros((len(sizing.train.meshes), 3))
         for k, mesh in enumerate(sizing.train.meshes):
             if mesh.stage == carrier.stage and mesh.sign != INTERNAL:
-                force[k, 0] = 2.0 * (rules.mesh_load_factor or 1.0) / (0.5 * gears[mesh.gears[0]].pitch_diameter)
+                ring = gears[str(gear_part(carrier.stage, Role.RING))].teeth
+                arm = 1.0 + ring / gears[mesh.gears[0]].teeth
+                force[k, 0] = (rules.mesh_load_factor or 1.0) * arm / carrier.radius
+                force[k, 1] = force[k, 0] * push
         yield Seat(
             part=planet.part._replace(kind=Kind.BEARING),
             count=planet.bodies,

@@ -1,12 +1,12 @@
 """What acts on one shaft, in both planes and every load case: mesh forces as point loads, and all torques.
 
 A mesh of a pair gives a tangential force that makes its torque, a radial force that parts the gears, and, with a
-single helix, an axial force whose lever about the shaft's axis is the pitch radius. Both halves of a double-helical
-gear take half of it, each in its own middle; their axial forces meet inside the gear's body. The members of a planetary
-set load their shaft by torque only: the forces of equal planets cancel. So does the pinion of face gears, which lies
-across and stands between opposite ones. A bevel mesh acts at its mean cone; in the cross-sections its two shafts stand
-side by side, as if the wheel's were turned into the pinion's. Forces carry the mesh load factor K_γ, torques are those
-of the power flow. The thrust and the moments of a propeller are not in it.
+single helix, an axial force whose lever about the shaft's axis is the working pitch radius. Both halves of a
+double-helical gear take half of it, each in its own middle; their axial forces meet inside the gear's body. The members
+of a planetary set load their shaft by torque only: the forces of equal planets cancel. So does the pinion of face
+gears, which lies across and stands between opposite ones. A bevel mesh acts at its mean cone; in the cross-sections its
+two shafts stand side by side, as if the wheel's were turned into the pinion's. Forces carry the mesh load factor K_γ,
+torques are those of the power flow. The thrust and the moments of a propeller are not in it.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ from gearwright.sizing.arranged import ShaftPlan
 from gearwright.sizing.arrangement import helix_hand
 from gearwright.sizing.rating import Context, bevel_push
 from gearwright.sizing.result import GearSizing
+from gearwright.sizing.rolling import rolling_of
 from gearwright.train import INTERNAL, Mesh
 
 
@@ -109,23 +110,26 @@ def _meshes(
                 crossing = _face_load if kind == "face" else _bevel_load
                 yield crossing(context, mesh, side, axes, gear).part(plan.places[gear.name], 1.0)
                 continue
-            load = _mesh_load(context, mesh, side, axes, gear)
+            load = _mesh_load(context, mesh, side, axes, (gears[mesh.gears[0]], gears[mesh.gears[1]]))
             for half in range(mesh.count):
                 offset = (half - (mesh.count - 1) / 2.0) * gear.face_width
                 yield load.part(plan.places[gear.name] + offset, 1.0 / mesh.count)
 
 
-def _mesh_load(context: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], gear: GearSizing) -> _Load:
+def _mesh_load(
+    context: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], pair: tuple[GearSizing, GearSizing]
+) -> _Load:
     """Return what all halves of a mesh together put on one of its two gears, at the origin."""
-    rating, radius = context.ratings[mesh.stage], gear.pitch_diameter / 2.0
+    rating, rolls = context.ratings[mesh.stage], rolling_of(context.ratings[mesh.stage], pair, mesh)
+    radius = rolls.radii[side]
     torque = np.array([flow.meshes[mesh.name].torques[side] for flow in context.flows.values()])
     tangential = torque / radius * rating.load_factor
-    radial = np.abs(tangential) * math.tan(rating.rules.pressure_angle) / math.cos(rating.helix_angle)
+    radial = np.abs(tangential) * math.tan(rolls.pressure_angle)
     toward = _toward_mesh(mesh, side, axes)
     outward = 1.0 if mesh.sign == INTERNAL and side == 1 else -1.0
     force = toward * (1j * tangential + outward * radial)
     hand = helix_hand(context.design, context.train, context.flows, mesh.nodes[side])
-    slope = hand * math.tan(rating.helix_angle) if mesh.count == 1 else 0.0
+    slope = hand * rolls.lean if mesh.count == 1 else 0.0
     axial = -slope * tangential
     return _Load(0.0, torque, force, -toward * radius * axial, axial)
 

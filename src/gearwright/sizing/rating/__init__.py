@@ -24,6 +24,8 @@ from gearwright.sizing.rating.standard_teeth import (
     cylindrical_mesh,
     fewest_virtual_teeth,
     mean_module,
+    push_angle,
+    working_radii,
 )
 
 __all__ = [
@@ -51,6 +53,7 @@ __all__ = [
     "mean_module",
     "method_for",
     "modules",
+    "push_angle",
     "rate_row",
     "rating_of",
     "row_ask",
@@ -58,4 +61,5 @@ __all__ = [
     "stage_width_ratio",
     "width_ratio",
     "width_ratio_of",
+    "working_radii",
 ]

@@ -61,7 +61,7 @@ def context_of(
         flows: Every load case.
         given: Path -> value that the user gives instead of the computed one.
     """
-    ratings = {name: rating_of(design, name) for name in design.stages}
+    ratings = {name: rating_of(design, name, teeth) for name in design.stages}
     return Context(design, train, teeth, flows, {path: entry.value for path, entry in given.items()}, ratings)
 
 

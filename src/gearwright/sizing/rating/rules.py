@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal, NamedTuple, Protocol
 
 from gearwright.parts import Material
-from gearwright.parts.gears import Numbers
-from gearwright.spec import Design, GearRules, Pair
-from gearwright.spec.design import RATINGS, Service
+from gearwright.parts.gears import Numbers, ToothShift
+from gearwright.spec import Design, GearRules, Pair, Planetary
+from gearwright.spec.design import (
+    PAIR_ROLES,
+    RATINGS,
+    SET_ROLES,
+    Service,
+    StageShifts,
+    stage_shifts,
+)
+from gearwright.train import gears_of
 
 
 class Proportions(Protocol):
@@ -39,6 +48,8 @@ class Rating:
     helix_angle: float
     """β, of bevel gears β_m [rad]."""
     service: Service
+    shifts: StageShifts
+    """Profile shifts of its gears; where its teeth are not chosen yet, those that its rules state as a number."""
 
     @property
     def load_factor(self) -> float:
@@ -58,12 +69,16 @@ class Rating:
         return self.proportions is not None and self.rules.face_width_ratio is None
 
 
-def rating_of(design: Design, name: str) -> Rating:
+def rating_of(design: Design, name: str, teeth: Mapping[str, int] | None = None) -> Rating:
     """Return the resolved rules of a stage; planetary sets are spur.
 
     Args:
         design: As read.
         name: Of a pair or planetary set.
+        teeth: Gear -> tooth number, once they are chosen [-].
+
+    Raises:
+        DesignError: Profile shifts and centre distances that contradict each other.
     """
     rules, stage = design.rules(name), design.stages[name]
     pair = stage if isinstance(stage, Pair) else None
@@ -75,7 +90,24 @@ def rating_of(design: Design, name: str) -> Rating:
         material=design.material(rules.material),
         helix_angle=helix,
         service=design.service,
+        shifts=_open_shifts(pair, rules) if teeth is None else _shifts(design, name, teeth),
     )
+
+
+def _open_shifts(pair: Pair | None, rules: GearRules) -> StageShifts:
+    """Return the shifts that a stage surely has before its teeth are chosen: those that keep the reference centre."""
+    shift = rules.profile_shift
+    signs = (1.0, -1.0, 1.0) if pair is None else (1.0, -1.0)
+    return StageShifts(tuple(ToothShift(sign * shift + 0.0) for sign in signs))
+
+
+def _shifts(design: Design, name: str, teeth: Mapping[str, int]) -> StageShifts:
+    stage = design.simple_stages.get(name)
+    if stage is None:
+        return StageShifts()
+    roles = SET_ROLES if isinstance(stage, Planetary) else PAIR_ROLES
+    gears = gears_of(name, stage)
+    return stage_shifts(design, name, {role: teeth[gear] for role, gear in zip(roles, gears, strict=True)})
 
 
 class Ask(NamedTuple):

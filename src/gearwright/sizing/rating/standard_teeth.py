@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike
 from gearwright.arrays import Floats
 from gearwright.parts.bevel import BevelPair, BevelTooth, cone_forces
 from gearwright.parts.gears import least_teeth
-from gearwright.parts.iso6336 import MeshGeometry, ToothProportions, Value
+from gearwright.parts.iso6336 import MeshGeometry, Value, shifted_mesh
 from gearwright.sizing.rating.rules import Rating
+from gearwright.spec.design import working_angle
 
 
 def widest_ratio(rating: Rating, small: Floats) -> Floats:
@@ -59,7 +60,12 @@ def bevel_pair(teeth: tuple[int, int], module: float, face_width: float, rating:
     """
     outer = module / math.cos(rating.helix_angle) + face_width / (2.0 * float(cone_ratio(*teeth)))
     return BevelPair(
-        teeth, outer, face_width, spiral_angle=rating.helix_angle, pressure_angle=rating.rules.pressure_angle
+        teeth,
+        outer,
+        face_width,
+        spiral_angle=rating.helix_angle,
+        pressure_angle=rating.rules.pressure_angle,
+        tooth=BevelTooth(profile_shift=rating.shifts.gears[0].profile_shift),
     )
 
 
@@ -87,10 +93,10 @@ def fewest_virtual_teeth(rating: Rating) -> float:
     Args:
         rating: Resolved rules: pressure and spiral angle.
 
-    Source: ISO 21771:2007, z_min = 2 h* cos β / sin² α_t, with the cutter of `BevelTooth`.
+    Source: ISO 21771:2007, z_min = 2 (h* − x_hm1) cos β / sin² α_t, with the cutter of `BevelTooth`.
     """
     tool, angle = BevelTooth(), rating.rules.pressure_angle
-    straight = tool.dedendum - tool.edge_radii[0] * (1.0 - math.sin(angle))
+    straight = tool.dedendum - tool.edge_radii[0] * (1.0 - math.sin(angle)) - rating.shifts.gears[0].profile_shift
     return least_teeth(straight, pressure_angle=angle, helix_angle=rating.helix_angle)
 
 
@@ -122,24 +128,54 @@ def cylindrical_mesh(
         teeth: z_1, z_2, both positive [-].
         module: m_n [m].
         face_width: b [m].
-        rating: Resolved rules: angles, and the profile shift x of pinions, −x of their wheels.
+        rating: Resolved rules: angles and profile shifts.
         internal: The second gear is a ring.
 
     Source: ISO 21771:2007.
     """
-    side = -1.0 if internal else 1.0
     pinion, wheel, size, width = np.broadcast_arrays(
         *(np.asarray(numbers, dtype=float) for numbers in (*teeth, module, face_width))
     )
-    shift = 0.0 if internal else rating.rules.profile_shift
-    first, second = (0.5 * teeth_of_gear * size / math.cos(rating.helix_angle) for teeth_of_gear in (pinion, wheel))
-    return MeshGeometry(
-        teeth=(pinion, side * wheel),
+    return shifted_mesh(
+        (pinion, -wheel if internal else wheel),
+        rating.shifts.mesh(internal=internal),
+        rating.shifts.centre,
+        pressure_angle=rating.rules.pressure_angle,
+        helix_angle=rating.helix_angle,
         module=size,
         face_width=width,
-        centre_distance=second + side * first,
-        tip_radii=(first + (1.0 + shift) * size, second + side * (1.0 - shift) * size),
-        helix_angle=rating.helix_angle,
-        pressure_angle=rating.rules.pressure_angle,
-        proportions=(ToothProportions(profile_shift=shift), ToothProportions(profile_shift=-shift)),
     )
+
+
+def working_radii(first: float, second: float, rating: Rating, *, internal: bool, module: float) -> tuple[float, float]:
+    """Return the radii of the working pitch circles r_w of a cylindrical mesh [m].
+
+    Args:
+        first: z_1 [-].
+        second: z_2, positive [-].
+        rating: Resolved rules.
+        internal: The second gear is a ring.
+        module: m_n [m].
+
+    Source: ISO 21771:2007, r_w1 = a_w z_1/(z_1 + z_2), with z_2 negative inside a ring; r where nothing is shifted.
+    """
+    if rating.shifts.centre is None:
+        scale = module / (2.0 * math.cos(rating.helix_angle))
+        return first * scale, second * scale
+    scale = rating.shifts.centre * module / (second - first if internal else second + first)
+    return first * scale, second * scale
+
+
+def push_angle(first: float, second: float, rating: Rating, *, internal: bool) -> float:
+    """Return the working transverse pressure angle of a cylindrical mesh, at which its teeth push α_wt [rad].
+
+    Args:
+        first: z_1 [-].
+        second: z_2, positive [-].
+        rating: Resolved rules.
+        internal: The second gear is a ring.
+
+    Source: ISO 21771:2007, cos α_wt = a cos α_t/a_w.
+    """
+    total = int(first - second if internal else first + second)
+    return working_angle(rating.rules, total, rating.shifts, rating.helix_angle)

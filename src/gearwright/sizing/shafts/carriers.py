@@ -10,6 +10,7 @@ from gearwright.identity import Role, carrier_part, gear_part
 from gearwright.parts.planetary import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import CarrierSizing, GearSizing, ShaftSizing
+from gearwright.sizing.rolling import planet_push
 from gearwright.sizing.shafts.shafts import shaft_material
 from gearwright.spec import GROUND
 
@@ -24,10 +25,12 @@ class _Load(NamedTuple):
     """On one pin, from the teeth [N]."""
     centrifugal: float
     """On one pin, from its planet [N]."""
+    radial: float
+    """On one pin, from the teeth, outwards [N]."""
 
     @property
     def pin(self) -> float:
-        return math.hypot(self.tangential, self.centrifugal)
+        return math.hypot(self.tangential, self.centrifugal + self.radial)
 
 
 def size_carriers(
@@ -52,8 +55,9 @@ def _carrier(
     material = shaft_material(context)
     allowable = (material.yield_strength or 0.0) / rules.safety
     sun, planet = (gears[str(gear_part(name, role))] for role in (Role.SUN, Role.PLANET))
-    radius = (sun.pitch_diameter + planet.pitch_diameter) / 2.0
-    loads = _loads(context, name, planet, radius)
+    centre = context.ratings[name].shifts.centre
+    radius = (sun.pitch_diameter + planet.pitch_diameter) / 2.0 if centre is None else centre * sun.module
+    loads = _loads(context, name, planet, radius, push=planet_push(context, gears, name))
     worst = max(loads, key=lambda load: load.pin)
     torque = max(load.torque for load in loads)
     pin = given.get(f"{name}.pin_diameter", pin_diameter(worst.pin, planet.face_width, allowable))
@@ -73,6 +77,7 @@ def _carrier(
         torque=torque,
         tangential_force=worst.tangential,
         centrifugal_force=worst.centrifugal,
+        radial_force=worst.radial,
         pin_force=worst.pin,
         radius=radius,
         pin_diameter=pin,
@@ -86,14 +91,15 @@ def _carrier(
     )
 
 
-def _loads(context: Context, name: str, planet: GearSizing, radius: float) -> list[_Load]:
+def _loads(context: Context, name: str, planet: GearSizing, radius: float, *, push: float) -> list[_Load]:
     stage = context.design.planetaries[name]
     factor = context.ratings[name].load_factor
     loads = []
     for case, flow in context.flows.items():
         torque = abs(sum(flow.meshes[mesh.name].torques[2] for mesh in context.train.meshes if mesh.stage == name))
         centrifugal = planet.mass * radius * flow.speeds[stage.carrier] ** 2
-        loads.append(_Load(case, torque, torque * factor / (stage.planets * radius), centrifugal))
+        tangential = torque * factor / (stage.planets * radius)
+        loads.append(_Load(case, torque, tangential, centrifugal, push * tangential))
     return loads
 
 

@@ -10,12 +10,9 @@ from gearwright.parts.gears import disc_inertia, disc_mass, ring_inertia, ring_m
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.rating import Context, Demand, bevel_push, rate_row
 from gearwright.sizing.result import GearSizing
+from gearwright.sizing.rolling import rolling_of
 from gearwright.sizing.stages.stage_sizes import StageSize
-from gearwright.spec import Design
 from gearwright.train import Gear, Mesh
-
-_SIGNS = {Role.PINION: 1.0, Role.SUN: 1.0, Role.RING: 1.0, Role.WHEEL: -1.0, Role.PLANET: -1.0}
-"""Role -> sense of the stage's profile shift [-]."""
 
 
 def size_gears(context: Context, sizes: Mapping[str, StageSize]) -> tuple[GearSizing, ...]:
@@ -41,6 +38,7 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
         mass = disc_mass(diameter, width, density) * (rating.rules.web_ratio if gear.role is Role.WHEEL else 1.0)
     mass = given.get(f"{gear.name}.mass", mass)
     inertia = ring_inertia(mass, diameter, wall) if ring else disc_inertia(mass, diameter)
+    shift = rating.shifts.of(gear.role)
     return GearSizing(
         stage=gear.stage,
         role=gear.role,
@@ -54,6 +52,8 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
         rim=wall,
         mass=mass,
         inertia=given.get(f"{gear.name}.inertia", inertia),
+        profile_shift=shift.profile_shift,
+        tip_alteration=shift.tip_alteration,
     )
 
 
@@ -78,14 +78,15 @@ def _mesh(context: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing], dem
     rating, (first, _) = context.ratings[mesh.stage], pair
     case, per_tooth, module_bending, module_contact = demand
     width = min(gear.face_width for gear in pair)
-    force = 2.0 * per_tooth * first.teeth / first.pitch_diameter
+    rolls = rolling_of(rating, pair, mesh)
+    force = per_tooth * first.teeth / rolls.radii[0]
     flow = context.flows[case]
     rolling = abs(flow.speeds[mesh.nodes[0]] - flow.speeds[mesh.nodes[2]])
     if rating.kind == "bevel":
         axial, radial = (float(push) for push in bevel_push(rating, force, first.teeth / pair[1].teeth))
     else:
-        axial = force * math.tan(rating.helix_angle)
-        radial = force * math.tan(rating.rules.pressure_angle) / math.cos(rating.helix_angle)
+        axial = rolls.axial(force)
+        radial = rolls.radial(force)
     return MeshSizing(
         stage=mesh.stage,
         row=mesh.row,
@@ -96,22 +97,10 @@ def _mesh(context: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing], dem
         tangential_force=force,
         radial_force=radial,
         axial_force=axial,
-        pitch_line_velocity=rolling * first.pitch_diameter / 2.0,
+        pitch_line_velocity=rolling * rolls.radii[0],
+        centre_distance=rolls.centre_distance,
+        working_pressure_angle=rolls.pressure_angle,
+        working_diameter=2.0 * rolls.radii[0],
         rating=rate_row(context, mesh, first.module, width, asked=(module_bending, module_contact)),
         branch=mesh.branch,
     )
-
-
-def profile_shift(design: Design, gear: GearSizing) -> float:
-    """Return the profile shift coefficient x of a gear [-].
-
-    Pinions and suns have the +x of their stage, what meshes with them −x, and a ring, whose planets have −x, +x again:
-    the sum of every mesh is 0, so that no centre distance changes.
-
-    Args:
-        design: With the rules of the stage.
-        gear: One of its gears.
-
-    Source: ISO 21771:2007; internal gears count with negative numbers of teeth, so that x_1 + x_2 = 0 holds for them.
-    """
-    return _SIGNS[gear.role] * design.rules(gear.stage).profile_shift

@@ -82,7 +82,9 @@ def _align(context: Context, needed: dict[str, float], group: Mapping[str, str])
 
 
 def _span(context: Context, stage: str) -> float:
-    """Return a pair's centre distance over its normal module, (z_1 ± z_2) / (2 cos β) [-]."""
+    """Return a pair's working centre distance over its normal module, (z_1 ± z_2) / (2 cos β) without shift [-]."""
+    if (centre := context.ratings[stage].shifts.centre) is not None:
+        return centre
     pinion, wheel = _teeth(context, stage)
     mesh = next(mesh for mesh in context.train.meshes if mesh.stage == stage)
     return abs(pinion - mesh.sign * wheel) / (2.0 * math.cos(context.ratings[stage].helix_angle))

@@ -69,8 +69,7 @@ def given_teeth(design: Design) -> dict[str, int]:
             teeth |= teeth_of(design, name)
             continue
         if isinstance(stage, Planetary):
-            sun, planet = _planetary_given(stage)
-            numbers = [sun or 0, planet or 0, (sun or 0) + 2 * (planet or 0)]
+            numbers = list(stage.known_teeth or (0, 0, 0))
         else:
             numbers = [stage.pinion_teeth or 0, stage.wheel_teeth or 0]
         teeth |= zip(gears_of(name, stage), numbers, strict=True)
@@ -92,7 +91,7 @@ def candidates(front: Front, task: Task, design: Design, target: Floats, *, reac
     """
     stage, rules = task.stage, design.teeth
     if isinstance(stage, Planetary):
-        first, second = _planetary_given(stage)
+        first, second, _ = stage.known_teeth or (stage.sun_teeth, stage.planet_teeth, None)
         small = np.array([first]) if first else np.arange(rules.sun_minimum, rules.largest_sun(reach.largest_sun) + 1)
         _refuse_many(task, len(target) * len(small) * (1 if second else 2 * reach.around))
         wanted = (target[:, None] - 1.0) / 2.0 * small
@@ -154,14 +153,16 @@ def all_candidates(task: Task, design: Design) -> tuple[Ints, Ints, Ints]:
     return np.zeros(len(small), dtype=np.int64), small, large
 
 
-def _planetary_given(stage: Planetary) -> tuple[int | None, int | None]:
-    """Return the sun's and the planets' teeth, where they are given or follow."""
-    sun, planet, ring = stage.sun_teeth, stage.planet_teeth, stage.ring_teeth
-    if sun is None and planet is not None and ring is not None:
-        sun = ring - 2 * planet
-    if planet is None and sun is not None and ring is not None and (ring - sun) % 2 == 0:
-        planet = (ring - sun) // 2
-    return sun, planet
+def ring_teeth(stage: Planetary, sun: Ints, planet: Ints) -> Ints:
+    """Return the teeth of the ring: given with the others, or those that close without profile shift [-].
+
+    Args:
+        stage: As in the design.
+        sun: z_s [-].
+        planet: z_p [-].
+    """
+    known = stage.known_teeth
+    return sun + 2 * planet if known is None else np.full_like(sun, known[2])
 
 
 def fewest_teeth(rating: Rating) -> int:
@@ -236,7 +237,9 @@ def admissible(task: Task, design: Design, small: Ints, large: Ints, *, planets:
     """
     rules, stage = design.teeth, task.stage
     if isinstance(stage, Planetary):
-        ring = small + 2 * large
+        if is_given(stage) and stage.planets_given is not None:  # told as the file is read
+            return np.ones(small.shape, dtype=bool)
+        ring = ring_teeth(stage, small, large)
         good = assembles(small, ring, planets) & neighbours_clear(small, large, planets)
         good &= large >= rules.planet_minimum
         if stage.ring_teeth:

@@ -10,6 +10,7 @@ import numpy as np
 from gearwright.arrays import Floats, Ints
 from gearwright.identity import Role
 from gearwright.sizing.rating import Ask, modules, rating_of, stage_width_ratio
+from gearwright.sizing.teeth.candidates import ring_teeth
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Pair, Planetary
 from gearwright.spec.design import module_owners
@@ -28,7 +29,8 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
     """
     stage, rating = task.stage, task.rating
     names, discs = _bodies(task, small, large, planets=planets)
-    reference = small + 2 * large if task.edge is not None and task.edge.grounded is Role.SUN else small
+    by_ring = isinstance(stage, Planetary) and task.edge is not None and task.edge.grounded is Role.SUN
+    reference = ring_teeth(stage, small, large) if by_ring and isinstance(stage, Planetary) else small
     speed = front.speeds[task.edge.fast[0]] if task.edge is not None else np.full(len(small), task.speed)
     per_tooth = task.torque * task.speed / speed / reference / planets
     width_ratio = stage_width_ratio(rating, small, large)
@@ -56,7 +58,7 @@ def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict
     stage, rating = task.stage, task.rating
     disc = math.pi / 4.0 * rating.material.density / math.cos(rating.helix_angle) ** 2
     if isinstance(stage, Planetary):
-        ring = small + 2 * large
+        ring = ring_teeth(stage, small, large)
         wall = rating.rules.rim_thickness_ratio
         annulus = (ring + 2.0 * wall) ** 2 - ring**2
         teeth = dict(zip(gears_of(task.name, stage), (small, large, ring), strict=True))

@@ -26,6 +26,7 @@ from gearwright.sizing.teeth.candidates import (
     given_teeth,
     is_given,
     planet_counts,
+    ring_teeth,
 )
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.masses import aligned, weigh
@@ -191,7 +192,7 @@ def _extend(front: Front, task: Task, design: Design, nominal: Targets, *, later
     target = _target(front, task, nominal)
     for reach in REACHES:
         parent, small, large = _near_target(front, task, design, target, reach=reach)
-        actual = _tooth_ratio(task, small, large)
+        actual = _tooth_ratio(task.stage, small, large)
         grown = front.take(parent)
         speeds = _new_speeds(grown, task, actual)
         good = _speeds_hold(task, design, speeds, len(small))
@@ -219,13 +220,8 @@ def _near_target(front: Front, task: Task, design: Design, target: Floats, *, re
     parent, small, large = parent[fits], small[fits], large[fits]
     if open_:
         return parent, small, large
-    near = _near(task, design, _tooth_ratio(task, small, large), target[parent])
+    near = _near(task, design, _tooth_ratio(task.stage, small, large), target[parent])
     return parent[near], small[near], large[near]
-
-
-def _tooth_ratio(task: Task, small: Ints, large: Ints) -> Floats:
-    """Return z_r/z_s of a planetary set, z_2/z_1 of a pair [-]."""
-    return 1.0 + 2.0 * large / small if isinstance(task.stage, Planetary) else large / small
 
 
 def _lightest(front: Front, task: Task, design: Design, gears: tuple[Ints, Ints], alike: Ints) -> Front:
@@ -242,6 +238,15 @@ def _lightest(front: Front, task: Task, design: Design, gears: tuple[Ints, Ints]
     np.minimum.at(least, group, mass)
     light = np.flatnonzero(mass <= least[group] * (1.0 + EQUAL))
     return weighed.take(light[np.unique(group[light], return_index=True)[1]])
+
+
+def _tooth_ratio(stage: Pair | Planetary, small: Ints, large: Ints) -> Floats:
+    """Return z_2/z_1 or z_r/z_s [-]."""
+    if not isinstance(stage, Planetary):
+        return np.asarray(large / small)
+    if stage.known_teeth is not None:
+        return np.asarray(ring_teeth(stage, small, large) / small)
+    return np.asarray(1.0 + 2.0 * large / small)
 
 
 def _is_open(front: Front, task: Task, design: Design) -> bool:

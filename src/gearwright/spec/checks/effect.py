@@ -51,7 +51,6 @@ def effect_problems(design: Design) -> Iterator[Problem]:
         path, teeth = f"planetaries.{name}", (planetary.sun_teeth, planetary.planet_teeth, planetary.ring_teeth)
         yield from _ratio(path, planetary, given=sum(tooth is not None for tooth in teeth) > 1)
         yield from _stage_rules(path, design.rules(name), planetary.gears, _OF_PAIRS, "planetary sets are spur here")
-        yield from _shifted(path, design.rules(name), "planetary sets")
     for name, epicyclic in design.epicyclics.items():
         path = f"epicyclics.{name}"
         yield from _stage_rules(path, design.rules(name), epicyclic.gears, _OF_PAIRS, "compound sets are spur here")
@@ -74,10 +73,6 @@ def _pair(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
     path, rules = f"pairs.{name}", design.rules(name)
     if pair.kind != "bevel":
         yield from _idle(path, pair, _OF_BEVELS, f"only bevel gears have one, and this pair is {pair.kind}")
-    if pair.kind == "bevel":
-        yield from _shifted(path, rules, "bevel gears")
-    elif pair.internal:
-        yield from _shifted(path, rules, "internal pairs")
     yield from _stage_rules(path, rules, pair.gears, _OF_SETS, "only planetary sets have planets and rings")
     if pair.gears is None:
         return

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from gearwright.errors import Problem, near
+from gearwright.errors import DesignError, Problem, near
+from gearwright.identity import Role
 from gearwright.parts.gears import FEWEST_TEETH
-from gearwright.parts.planetary import ADDENDUMS, assembles, most_planets, neighbours_clear
-from gearwright.spec.design import GROUND, Design, Planetary
+from gearwright.parts.planetary import assembles, most_planets, nearest_positions, tip_gap
+from gearwright.spec.design import GROUND, SET_ROLES, Design, Planetary, stage_shifts
 
 MOST_PLANETS = 12
 """Largest number of planets that a design may ask for."""
@@ -31,59 +32,68 @@ def planetary_problems(design: Design) -> Iterator[Problem]:
             if shaft == same:
                 yield Problem(f"{path}.{other}", f"{same!r} is the {first} already; the three members are three shafts")
         unclosed = list(_unclosed(path, planetary))
-        yield from unclosed or _together(path, planetary)
+        yield from unclosed or _together(path, name, design)
         yield from _few_teeth(path, planetary, design.teeth.planet_minimum)
 
 
-def given_set(planetary: Planetary) -> tuple[int, int, int] | None:
-    """Return the teeth of sun, planet and ring where two of them are given, so that the third follows.
-
-    Args:
-        planetary: As in the design.
-    """
-    sun, planet, ring = planetary.sun_teeth, planetary.planet_teeth, planetary.ring_teeth
-    if planet is None and sun is not None and ring is not None:
-        planet = (ring - sun) // 2
-    if sun is None and planet is not None and ring is not None:
-        sun = ring - 2 * planet
-    return None if sun is None or planet is None else (sun, planet, sun + 2 * planet)
-
-
 def _unclosed(path: str, planetary: Planetary) -> Iterator[Problem]:
+    """Find given teeth that leave no room for the others; whether all three close is for their profile shifts."""
     sun, planet, ring = planetary.sun_teeth, planetary.planet_teeth, planetary.ring_teeth
-    if sun is not None and planet is not None and ring is not None and sun + 2 * planet != ring:
-        yield Problem(
-            f"{path}.ring_teeth",
-            f"{ring} does not close: z_s + 2 z_p = {sun} + 2·{planet} = {sun + 2 * planet}; give that, or leave it out",
-        )
+    if sun is not None and planet is not None and ring is not None:
+        if ring <= max(sun, planet):
+            yield Problem(f"{path}.ring_teeth", f"{ring} leaves no room for a sun of {sun} and planets of {planet}")
     elif sun is not None and ring is not None and (ring <= sun or (ring - sun) % 2):
-        message = f"{ring} leaves no planets beside a sun of {sun}: z_r − z_s = 2 z_p is even and above 0"
+        message = (
+            f"{ring} leaves no planets beside a sun of {sun}: z_r − z_s = 2 z_p is even and above 0; with profile shift"
+            " give planet_teeth, too"
+        )
         yield Problem(f"{path}.ring_teeth", message)
     elif planet is not None and ring is not None and ring <= 2 * planet:
         yield Problem(f"{path}.ring_teeth", f"{ring} leaves no sun inside planets of {planet}: z_r = z_s + 2 z_p")
 
 
-def _together(path: str, planetary: Planetary) -> Iterator[Problem]:
+def _together(path: str, name: str, design: Design) -> Iterator[Problem]:
     """Find planets that stand into their neighbours, or whose teeth do not meet those of sun and ring."""
-    teeth, planets = given_set(planetary), planetary.planets_given
+    planetary = design.planetaries[name]
+    teeth, planets = planetary.known_teeth, planetary.planets_given
     if teeth is None or planets is None:
         return
     sun, planet, ring = teeth
-    if not neighbours_clear(sun, planet, planets):
+    try:
+        shifts = stage_shifts(design, name, dict(zip(SET_ROLES, teeth, strict=True)))
+    except DesignError as error:
+        yield from error.problems
+        return
+    centre = 0.5 * (sun + planet) if shifts.centre is None else shifts.centre
+    tip = 0.5 * planet + 1.0 + sum(shifts.of(Role.PLANET))
+    even = assembles(sun, ring, planets)
+    if not even and not planetary.unequal_places:
+        yield Problem(f"{path}.planets", _unassembled(teeth, planets, most_planets(centre, tip)))
+    elif (gap := tip_gap(centre, tip, nearest_positions(sun, ring, planets))) <= 0.0:
+        most = most_planets(centre, tip)
         yield Problem(
             f"{path}.planets",
-            f"{planets} planets of {planet} teeth stand into each other: (z_s + z_p) sin(π/N) must be above"
-            f" z_p + {ADDENDUMS} = {planet + ADDENDUMS}; give {most_planets(sun, planet)} or fewer, or smaller planets",
+            f"{planets} planets of {planet} teeth stand into each other by {-gap:.3g} modules: 2 a_w sin(Δψ/2) of the"
+            f" nearest two must be above their tip diameter of {2.0 * tip:.4g} modules; give {most} or fewer, or"
+            " smaller planets",
         )
-    elif not assembles(sun, ring, planets):
-        counts = range(1, min(MOST_PLANETS, most_planets(sun, planet)) + 1)
-        would = " or ".join(str(count) for count in counts if count > 1 and assembles(sun, ring, count))
-        hint = f"give {would} planets, or other teeth" if would else "give other teeth"
-        yield Problem(
-            f"{path}.planets",
-            f"{planets} planets cannot be assembled: z_s + z_r = {sun} + {ring} = {sun + ring} is no multiple of"
-            f" {planets}; {hint}",
-        )
+
+
+def _unassembled(teeth: tuple[int, int, int], planets: int, most: int) -> str:
+    """Return why equal planets cannot be put in, and what can: numbers of planets, teeth of the ring, other places."""
+    sun, planet, ring = teeth
+    counts = range(2, min(MOST_PLANETS, most) + 1)
+    would = " or ".join(str(count) for count in counts if assembles(sun, ring, count))
+    hint = f"give {would} planets, " if would else ""
+    near_sets = [
+        (sun + apart, planet, ring + apart) for apart in sorted(range(-planets, planets + 1), key=abs) if apart
+    ]
+    nearest = next(s for s in near_sets if assembles(s[0], s[2], planets))
+    return (
+        f"{planets} planets cannot be assembled at equal places: z_s + z_r = {sun} + {ring} = {sun + ring} is no"
+        f" multiple of {planets}; {hint}unequal_places = true, or other teeth, such as"
+        f" {nearest[0]}/{nearest[1]}/{nearest[2]}"
+    )
 
 
 def _few_teeth(path: str, planetary: Planetary, planet_minimum: int) -> Iterator[Problem]:

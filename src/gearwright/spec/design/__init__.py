@@ -27,6 +27,13 @@ from gearwright.spec.design.machines import (
 from gearwright.spec.design.materials import LifeLineRules, MaterialRules
 from gearwright.spec.design.methods import RATINGS, RatingMethod, method_of, uncovered
 from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
+from gearwright.spec.design.profile_shifts import (
+    PAIR_ROLES,
+    SET_ROLES,
+    StageShifts,
+    stage_shifts,
+    working_angle,
+)
 from gearwright.spec.design.service import Service
 from gearwright.spec.design.shafts import NOTHING_GIVEN, ShaftLayout, Support
 from gearwright.spec.design.sharing import module_owners
@@ -41,8 +48,10 @@ __all__ = [
     "MACHINES",
     "NOTHING_GIVEN",
     "NO_ORIGIN",
+    "PAIR_ROLES",
     "RATED",
     "RATINGS",
+    "SET_ROLES",
     "SUN_LIMITS",
     "WEIGHED",
     "Accessory",
@@ -80,6 +89,7 @@ __all__ = [
     "Rotor",
     "Service",
     "ShaftLayout",
+    "StageShifts",
     "Support",
     "Turbine",
     "allowed_for",
@@ -91,5 +101,7 @@ __all__ = [
     "method_of",
     "module_owners",
     "shares_of",
+    "stage_shifts",
     "uncovered",
+    "working_angle",
 ]

@@ -50,7 +50,11 @@ class GearRules(Record):
         0.0,
         ge=-0.5,
         le=1,
-        description="Profile shift x of pinions; it lowers the tooth number that is free of undercut",
+        description="Profile shift x of pinions and suns; it lowers the tooth number that is free of undercut",
+    )
+    balanced_shifts: Literal["sliding", "strength"] | None = Field(
+        None,
+        description="Shifts that are not given balance specific sliding, or the strength of the roots, of two gears",
     )
     contact_angles: Literal["normal", "transverse"] = Field(
         "normal", description="Angles of the helical contact formula: α and β as the thesis prints, or α_t and β_b"

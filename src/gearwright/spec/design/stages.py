@@ -85,6 +85,21 @@ class Pair(Record):
         None, gt=0, description="Outer transverse module m_et of a bevel pair; left out: sized"
     )
     face_width: Length | None = Field(None, gt=0, description="Face width b; left out: sized")
+    centre_distance: Length | None = Field(
+        None, gt=0, description="Working centre distance a_w; the shifts follow; left out: they give it"
+    )
+    pinion_shift: Ratio | None = Field(
+        None, ge=-1, le=1.5, description="Profile shift x_1, of bevel gears x_hm1; left out: gears.profile_shift"
+    )
+    wheel_shift: Ratio | None = Field(
+        None, ge=-1.5, le=1.5, description="Profile shift x_2; left out: it closes the pair"
+    )
+    pinion_tip_alteration: Ratio | None = Field(
+        None, ge=-0.6, le=0.3, description="Tip alteration k_1; left out: keeps the tip clearance"
+    )
+    wheel_tip_alteration: Ratio | None = Field(
+        None, ge=-0.6, le=0.3, description="Tip alteration k_2; left out: keeps the tip clearance"
+    )
     pinion_mass: Mass | None = Field(None, gt=0, description="Of one pinion; left out: of the disc")
     pinion_inertia: Inertia | None = Field(None, gt=0, description="Of one pinion; left out: of the disc")
     wheel_mass: Mass | None = Field(None, gt=0, description="Of one wheel; left out: of the disc")
@@ -129,7 +144,9 @@ class Planetary(Record):
     )
     sun_teeth: int | None = Field(None, ge=6, le=2000, description="z_s; left out: gearwright chooses")
     planet_teeth: int | None = Field(None, ge=6, le=2000, description="z_p; left out: gearwright chooses")
-    ring_teeth: int | None = Field(None, ge=6, le=2000, description="z_r; left out: z_s + 2 z_p")
+    ring_teeth: int | None = Field(
+        None, ge=6, le=2000, description="z_r; left out: z_s + 2 z_p, which closes without shift"
+    )
     ratio: Ratio | None = Field(
         None, gt=1, description="Asked ratio 1 + z_r/z_s; left out: the speeds or the split give it"
     )
@@ -139,6 +156,31 @@ class Planetary(Record):
     )
     module: Length | None = Field(None, gt=0, description="Module m_n; left out: sized")
     face_width: Length | None = Field(None, gt=0, description="Face width b; left out: sized")
+    centre_distance: Length | None = Field(
+        None, gt=0, description="Working centre distance a_w of both meshes; shifts follow; left out: they give it"
+    )
+    sun_shift: Ratio | None = Field(None, ge=-1, le=1.5, description="Profile shift x of the sun; left out: chosen")
+    planet_shift: Ratio | None = Field(
+        None, ge=-1, le=1.5, description="Profile shift x of planets; left out: it closes"
+    )
+    ring_shift: Ratio | None = Field(
+        None,
+        ge=-1.5,
+        le=1.5,
+        description="Profile shift x of the ring (ISO 21771: + thickens its teeth); left out: closes",
+    )
+    sun_tip_alteration: Ratio | None = Field(
+        None, ge=-0.6, le=0.3, description="Tip alteration k of the sun; left out: keeps the tip clearance"
+    )
+    planet_tip_alteration: Ratio | None = Field(
+        None, ge=-0.6, le=0.3, description="Tip alteration k of planets; left out: keeps the clearance with the sun"
+    )
+    ring_tip_alteration: Ratio | None = Field(
+        None, ge=-0.6, le=0.3, description="Tip alteration k of the ring; left out: 0"
+    )
+    unequal_places: bool = Field(
+        False, description="Planets stand at the places nearest to equal ones at which their teeth fit"
+    )
     sun_mass: Mass | None = Field(None, gt=0, description="Of the sun; left out: of the disc")
     sun_inertia: Inertia | None = Field(None, gt=0, description="Of the sun; left out: of the disc")
     planet_mass: Mass | None = Field(None, gt=0, description="Of one planet; left out: of the disc")
@@ -164,6 +206,18 @@ class Planetary(Record):
     def planets(self) -> int:
         """Number of planets; until it is chosen, that with which speeds and torques are found."""
         return self.planets_given or NOMINAL_PLANETS
+
+    @property
+    def known_teeth(self) -> tuple[int, int, int] | None:
+        """Teeth of sun, planet and ring where two of them are given, so that the third closes without shift."""
+        sun, planet, ring = self.sun_teeth, self.planet_teeth, self.ring_teeth
+        if planet is None and sun is not None and ring is not None and (ring - sun) % 2 == 0:
+            planet = (ring - sun) // 2
+        if sun is None and planet is not None and ring is not None:
+            sun = ring - 2 * planet
+        if sun is None or planet is None:
+            return None
+        return sun, planet, ring if ring is not None else sun + 2 * planet
 
     @property
     def meshes(self) -> tuple[str, ...]:

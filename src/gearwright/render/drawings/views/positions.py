@@ -9,10 +9,10 @@ from dataclasses import dataclass, replace
 
 from gearwright.identity import Kind, Role
 from gearwright.render.drawings.views.shaft_parts import MM
-from gearwright.render.drawings.views.teeth import bevel_pair, gear_of, halves_of, kind_of
+from gearwright.render.drawings.views.teeth import bevel_pair, gear_of, halves_of, kind_of, sized_mesh
 from gearwright.render.schematic.layout import element, lay_out, pair_meshes
 from gearwright.sizing import Sizing
-from gearwright.train import INTERNAL, Mesh, attachments
+from gearwright.train import Mesh, attachments
 
 TRUE = 0.05
 """How far two gears in mesh may stand from where they mesh before a note says so [mm]."""
@@ -143,8 +143,7 @@ def centre_distance(sizing: Sizing, mesh: Mesh) -> float:
         sizing: What was sized.
         mesh: Of parallel axes.
     """
-    pinion, wheel = (MM * gear_of(sizing, name).pitch_diameter / 2.0 for name in mesh.gears)
-    return abs(wheel - pinion) if mesh.sign == INTERNAL else pinion + wheel
+    return MM * sized_mesh(sizing, mesh).centre_distance
 
 
 def _reach(sizing: Sizing, shaft: str) -> float:

@@ -7,8 +7,8 @@ from dataclasses import replace
 from gearwright.errors import by_name
 from gearwright.identity import SIDES
 from gearwright.parts.bevel import BevelPair, Hand
-from gearwright.parts.gears import BasicRack, CylindricalGear
-from gearwright.sizing import GearSizing, Sizing, profile_shift
+from gearwright.parts.gears import CylindricalGear
+from gearwright.sizing import GearSizing, MeshSizing, Sizing, tooth_shape
 from gearwright.sizing.arrangement import helix_hand
 from gearwright.sizing.rating import Making, method_for, rating_of, standard_teeth
 from gearwright.spec import Pair
@@ -43,7 +43,7 @@ def making_of(sizing: Sizing, stage: str) -> Making:
         sizing: What was sized.
         stage: A pair or a planetary set.
     """
-    rating = rating_of(sizing.design, stage)
+    rating = rating_of(sizing.design, stage, sizing.teeth)
     return method_for(rating).making(rating)
 
 
@@ -73,15 +73,7 @@ def cylindrical_gear(sizing: Sizing, gear: GearSizing) -> CylindricalGear:
         sizing: What was sized.
         gear: One of its gears.
     """
-    rules = sizing.design.rules(gear.stage)
-    teeth = CylindricalGear(
-        gear.teeth,
-        gear.module,
-        gear.face_width,
-        gear.helix_angle,
-        profile_shift=profile_shift(sizing.design, gear),
-        rack=BasicRack(pressure_angle=rules.pressure_angle),
-    )
+    teeth = tooth_shape.cylindrical_gear(sizing.design, gear)
     return replace(teeth, teeth=-gear.teeth) if is_internal(sizing, gear) else teeth
 
 
@@ -94,7 +86,7 @@ def bevel_pair(sizing: Sizing, stage: str) -> BevelPair:
     """
     mesh = next(mesh for mesh in sizing.train.meshes if mesh.stage == stage)
     pinion, wheel = (gear_of(sizing, name) for name in mesh.gears)
-    rating = rating_of(sizing.design, stage)
+    rating = rating_of(sizing.design, stage, sizing.teeth)
     return standard_teeth.bevel_pair((pinion.teeth, wheel.teeth), pinion.module, pinion.face_width, rating)
 
 
@@ -106,6 +98,16 @@ def meshes_of(sizing: Sizing, gear: str) -> list[tuple[Mesh, int]]:
         gear: Its name.
     """
     return [(mesh, mesh.gears.index(gear)) for mesh in sizing.train.meshes if gear in mesh.gears]
+
+
+def sized_mesh(sizing: Sizing, mesh: Mesh) -> MeshSizing:
+    """Return what sizing made of a mesh row.
+
+    Args:
+        sizing: What was sized.
+        mesh: A row of its train.
+    """
+    return by_name(mesh.name, {row.name: row for row in sizing.meshes}, "mesh")
 
 
 def hand_of(sizing: Sizing, gear: GearSizing, shaft: str) -> Hand | None:

@@ -28,6 +28,7 @@ from gearwright.render.drawings.views.teeth import (
     kind_of,
     making_of,
     meshes_of,
+    sized_mesh,
 )
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.spec import Pair
@@ -71,6 +72,8 @@ def _cylindrical_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     yield "Helix angle", "β", _degrees(teeth.helix_angle)
     yield "Hand of helix", "", "hand"
     yield "Profile shift coefficient", "x", f"{teeth.profile_shift + 0.0:g}"
+    if teeth.tip_alteration:
+        yield "Tip alteration coefficient", "k", f"{teeth.tip_alteration:.4g}"
     yield "Reference diameter", "d", _mm(2.0 * teeth.pitch_radius)
     yield "Base diameter", "d_{b}", _mm(2.0 * teeth.base_radius)
     yield "Tip diameter", "d_{a}", _mm(2.0 * teeth.tip_radius)
@@ -122,8 +125,7 @@ def _allowances(sizing: Sizing, gear: GearSizing, teeth: CylindricalGear) -> tup
 
 def _centre_distance(sizing: Sizing, gear: GearSizing) -> float:
     mesh, _ = meshes_of(sizing, gear.name)[0]
-    first, second = (gear_of(sizing, name) for name in mesh.gears)
-    return abs(first.pitch_diameter - mesh.sign * second.pitch_diameter) / 2.0
+    return sized_mesh(sizing, mesh).centre_distance
 
 
 def cones(pair: BevelPair, side: int) -> tuple[float, float]:
@@ -180,8 +182,10 @@ def _mates(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
         mate = gear_of(sizing, name)
         yield "Mating gear", "", f"{name}, z = {mate.teeth}"
         if kind_of(sizing, gear.stage) == "cylindrical":
-            distance = abs(gear.pitch_diameter - mesh.sign * mate.pitch_diameter) / 2.0
-            yield "Centre distance", "a", _mm(distance)
+            row = sized_mesh(sizing, mesh)
+            yield "Centre distance", "a", _mm(row.centre_distance)
+            if gear.profile_shift + mate.profile_shift:
+                yield "Working pressure angle", "α_{wt}", _degrees(row.working_pressure_angle)
 
 
 def _mm(value: float) -> str:

@@ -44,13 +44,13 @@ def hobbed_pair(ask: Ask, width_ratio: ArrayLike, rating: Rating) -> HobbedPair:
         rating: Resolved rules: angles and profile shift.
     """
     pinion, wheel = (np.asarray(teeth, dtype=float) for teeth in ask.teeth)
-    shift = rating.rules.profile_shift
+    first, second = rating.shifts.mesh(internal=False)
     return HobbedPair(
         (pinion, wheel),
         pressure_angle=rating.rules.pressure_angle,
         helix_angle=rating.helix_angle,
         face_width=np.asarray(width_ratio, dtype=float),
-        profile_shifts=(shift, -shift),
+        profile_shifts=(first.profile_shift, second.profile_shift),
         hob_addendum=ISO53_A.dedendum,
         hob_radius=ISO53_A.fillet_radius,
     )
