@@ -28,6 +28,7 @@ from gearwright.spec.design import (
     shares_of,
 )
 from gearwright.spec.edit import edited, edited_mission, path_problem
+from gearwright.spec.keys import keys_of
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.mission import (
     MOST_INTERVALS,
@@ -43,7 +44,7 @@ from gearwright.spec.mission import (
     read_mission,
 )
 from gearwright.spec.read import file_text, parse, placed, read
-from gearwright.spec.record import Record, build, keys_of
+from gearwright.spec.record import Record, build
 from gearwright.spec.schema import records, schema
 from gearwright.spec.study import (
     MISSION_PATH,

@@ -11,8 +11,9 @@ from pydantic import ValidationError
 from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import Design
+from gearwright.spec.keys import keys_of
 from gearwright.spec.mission import Mission, mission_problems
-from gearwright.spec.record import Record, brief, keys_of
+from gearwright.spec.record import Record, brief
 from gearwright.units import suffix_unit
 from gearwright.verbs import verb
 

@@ -12,16 +12,16 @@ import reprlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from types import MappingProxyType
-from typing import Any, ClassVar, NamedTuple, get_args, get_origin
+from typing import Any, ClassVar, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, ValidationError, ValidationInfo, field_validator
 from pydantic.fields import FieldInfo
 
-from gearwright.errors import Problem, near
-from gearwright.spec.bounds import NAME_RULE, allowed_in, checked, is_path, parts, quantity_of, range_of
+from gearwright.errors import Problem
+from gearwright.spec.bounds import NAME_RULE, allowed_in, checked, is_path, parts, range_of
 from gearwright.spec.former import FORMER, today
-from gearwright.units import SUFFIXES, suffix_unit
+from gearwright.spec.keys import Keys, keys_of, unknown_key
+from gearwright.units import suffix_unit
 
 
 class Record(BaseModel):
@@ -64,41 +64,6 @@ class Written:
         self.problems.append(Problem(self.keys.get(location, ".".join(location)), message))
 
 
-class Key(NamedTuple):
-    """What a key of a table stands for."""
-
-    field: str
-    """Name in the record."""
-    factor: float
-    """To SI [-]."""
-    suffix: str
-    """Of the unit; empty for what has none."""
-
-
-Keys = Mapping[str, Key]
-
-
-@cache
-def keys_of(model: type[Record]) -> Keys:
-    """Return the keys that a table of this record may have.
-
-    Args:
-        model: The record's type.
-
-    Returns:
-        As written -> what it stands for.
-    """
-    keys: dict[str, Key] = {}
-    for name, info in model.model_fields.items():
-        quantity = quantity_of(info)
-        if quantity is None:
-            keys[info.alias or name] = Key(info.alias or name, 1.0, "")
-            continue
-        for suffix, factor in SUFFIXES[quantity.dimension].items():
-            keys[f"{name}_{suffix}"] = Key(name, factor, suffix)
-    return MappingProxyType(keys)
-
-
 def convert(raw: Mapping[str, object], model: type[Record], written: Written, at: Location = ()) -> dict[str, object]:
     """Return a table in the record's own field names and SI, noting every problem.
 
@@ -121,7 +86,7 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
                 result[key] = convert(value, model.others, written, (*at, key))
             continue
         if key not in keys:
-            written.problems.append(Problem(path, _unknown(key, model, keys)))
+            written.problems.append(Problem(path, unknown_key(key, model)))
             written.incomplete |= isinstance(value, Mapping)
             continue
         name, factor, suffix = keys[key]
@@ -159,38 +124,6 @@ def _require(model: type[Record], keys: Keys, result: dict[str, object],
 @cache
 def _field(model: type[Record], key: str) -> FieldInfo:
     return next(info for name, info in model.model_fields.items() if key in (name, info.alias))
-
-
-def _unknown(key: str, model: type[Record], keys: Keys) -> str:
-    if key in model.model_fields and quantity_of(model.model_fields[key]) is not None:
-        units = ", ".join(sorted(name for name in keys if name.startswith(f"{key}_")))
-        return f"the unit is missing; write one of {units}"
-    lower = {name.lower(): name for name in keys}
-    if key.lower() in lower:
-        return f"no such field; did you mean {lower[key.lower()]}?"
-    foreign = _foreign(key, model, keys)
-    if foreign:
-        return foreign
-    usual = {meant.field: name for name, meant in reversed(list(keys.items()))}
-    return f"no such field; {near(key, keys, usual.values())}"
-
-
-_FOREIGN: Mapping[str, str] = MappingProxyType({
-    "ps": "1 PS (metric horsepower) = 0.7355 kW", "cv": "1 CV (metric horsepower) = 0.7355 kW", "cm": "1 cm = 10 mm",
-    "bar": "1 bar = 0.1 MPa", "ksi": "1 ksi = 6.895 MPa", "kgf": "1 kgf = 9.807 N", "dan": "1 daN = 10 N",
-    "kgfm": "1 kgf m = 9.807 N m", "mph": "1 mph = 1.609 km/h", "rps": "1 rps = 60 rpm",
-})  # fmt: skip
-"""Suffix of a unit that no key has -> what it is in one that keys have."""
-
-
-def _foreign(key: str, model: type[Record], keys: Keys) -> str:
-    """Return what to do about a unit that is known to people alone; empty where the key is no such quantity."""
-    name, _, suffix = key.rpartition("_")
-    info = model.model_fields.get(name)
-    if suffix.lower() not in _FOREIGN or info is None or quantity_of(info) is None:
-        return ""
-    units = ", ".join(written for written, meant in keys.items() if meant.field == name)
-    return f"this unit is not known: {_FOREIGN[suffix.lower()]}; write one of {units}"
 
 
 def _number(value: object, factor: float, suffix: str, written: Written, location: Location) -> object:

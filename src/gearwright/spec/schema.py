@@ -14,8 +14,9 @@ from typing import Any
 from gearwright.errors import DesignError, Problem, near
 from gearwright.spec.bounds import Range, quantity_of, range_of
 from gearwright.spec.design import Design
+from gearwright.spec.keys import keys_of
 from gearwright.spec.mission import Mission
-from gearwright.spec.record import Record, keys_of
+from gearwright.spec.record import Record
 from gearwright.spec.study import Study
 from gearwright.units import SUFFIXES, suffix_unit
 from gearwright.verbs import verb

@@ -9,7 +9,7 @@ from gearwright.errors import DesignError, Problem, near
 from gearwright.parts import Material
 from gearwright.parts.iso6336 import GearSteel
 from gearwright.spec.design import RATINGS, Design, GearRules, LifeLineRules, MaterialRules
-from gearwright.spec.record import keys_of
+from gearwright.spec.keys import keys_of
 
 STEEL_KEYS = {"material": "steel", "grade": "grade", "hardness": "hardness_hv"}
 """What the table of steels complains of -> key of the design file."""

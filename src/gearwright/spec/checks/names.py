@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from gearwright.errors import Problem
 from gearwright.spec.bounds import NAME_RULE, is_name
 from gearwright.spec.design import GROUND, MACHINES, WEIGHED, Case, Design
-from gearwright.spec.record import keys_of
+from gearwright.spec.keys import keys_of
 
 
 def name_problems(design: Design) -> Iterator[Problem]:
