@@ -8,6 +8,7 @@ Heavy modules load inside the commands, so that ``--help`` answers at once.
 from __future__ import annotations
 
 import errno
+import gc
 import sys
 import warnings
 from collections.abc import Callable
@@ -34,6 +35,8 @@ from gearwright.cli.terminal.sections import Sections
 from gearwright.cli.terminal.streams import flushed, steady_streams
 from gearwright.version import __version__
 
+YOUNG = 100_000
+"""Objects after which Python looks for cycles among them: modules that load make few, and each look takes a while."""
 COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
     "Designs": (new, run, check, size, review, report, draw, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
@@ -68,6 +71,7 @@ def _main(version: Annotated[bool, typer.Option("--version", help="Print the ver
 
 def main() -> None:
     """Run the command line; design problems and failed computations become messages and exit codes."""
+    gc.set_threshold(YOUNG)
     steady_streams()
     warnings.showwarning = _say
     code = _code()

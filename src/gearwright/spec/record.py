@@ -27,7 +27,9 @@ from gearwright.units import suffix_unit
 class Record(BaseModel):
     """What all records of a file share: frozen, and no field that is not declared."""
 
-    model_config: ClassVar[ConfigDict] = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+    model_config: ClassVar[ConfigDict] = ConfigDict(
+        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, defer_build=True
+    )
     others: ClassVar[type[Record] | None] = None
     """Type of the tables that stand under names of the user's beside the declared keys, if there may be any."""
 

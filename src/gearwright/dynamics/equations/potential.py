@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy import linalg, optimize
+from scipy import linalg
 
 from gearwright.arrays import Bools, Floats
 from gearwright.dynamics.equations.reference import dead_zone
@@ -64,7 +64,9 @@ def escape(potential: Potential) -> Floats:
     pressing = (lines[presses] @ free).T
     if not pull.size or not np.any(pull):
         return np.zeros_like(potential.pull)
-    left = pull - pressing @ optimize.nnls(pressing, pull)[0] if np.any(presses) else pull
+    from scipy.optimize import nnls  # a third of a second to load, and only this needs it
+
+    left = pull - pressing @ nnls(pressing, pull)[0] if np.any(presses) else pull
     carried = np.linalg.norm(left) <= CARRIED * np.linalg.norm(potential.pull)
     return np.zeros_like(potential.pull) if carried else free @ left
 
