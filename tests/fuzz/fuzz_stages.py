@@ -24,6 +24,7 @@ from gearwright.render.answers.design import size_answer
 from gearwright.render.answers.flight import fly_answer
 from gearwright.render.answers.motion import modes_answer, simulate_answer
 from gearwright.render.answers.plain import plain
+from gearwright.reviews import review_of
 from gearwright.sizing import Sizing, size
 from gearwright.spec import parse, parse_mission, parse_study
 
@@ -101,7 +102,7 @@ def _fly(fuzzed: Case) -> object:
         sizing, mission = _sized(fuzzed), parse_mission(coarse(corpus("mission")[name]))
     flight = fly(sizing, mission, folder=_ANYWHERE)
     lives = durability(flight)
-    return flight, lives, plain(fly_answer(flight, lives))
+    return flight, lives, plain(fly_answer(flight, lives, review_of(flight.sizing, flight, lives)))
 
 
 @cache

@@ -40,6 +40,8 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "replay colibri": ("gearwright.replays.colibri.answer:ColibriAnswer", ""),
 })  # fmt: skip
 """Command -> type of its answer, and of its rows where it has any."""
+REVISIONS: Mapping[str, int] = MappingProxyType({"fly": 2, "modes": 2, "run": 2})
+"""Command -> number of its schema, where keys of its answer have changed since the first."""
 ROWS = "rows"
 """Key that `--jsonl` leaves out of an answer, as its rows follow."""
 
@@ -102,7 +104,7 @@ def schema_id(command: str) -> str:
     >>> schema_id("replay colibri")
     'urn:gearwright:answer:replay-colibri:1'
     """
-    return f"urn:gearwright:answer:{command.replace(' ', '-')}:1"
+    return f"urn:gearwright:answer:{command.replace(' ', '-')}:{REVISIONS.get(command, 1)}"
 
 
 def answer_schema(command: str) -> dict[str, Any]:

@@ -266,7 +266,7 @@ def test_a_flight_is_told_in_words_numbers_and_histories():
     table = flight_csv(THESIS).splitlines()
     assert len(table) == len(THESIS.phase) + 1
     assert "bearing.second.planet" in table[0]
-    assert plain(fly_answer(THESIS, parts))["fuel_kg"] == THESIS.fuel
+    assert plain(fly_answer(THESIS, parts, review_of(THESIS.sizing, THESIS, parts)))["fuel_kg"] == THESIS.fuel
 
 
 def test_every_recorded_quantity_has_a_unit_and_every_loss_a_source():

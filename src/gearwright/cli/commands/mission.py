@@ -65,9 +65,9 @@ def fly(
 
     name = flight.sizing.design.name
     if jsonl:
-        show_rows("fly", fly_answer(flight, parts, life), moments(flight), design=name)
+        show_rows("fly", fly_answer(flight, parts, review, life=life), moments(flight), design=name)
     elif json:
-        show_answer("fly", fly_answer(flight, parts, life), design=name)
+        show_answer("fly", fly_answer(flight, parts, review, life=life), design=name)
     else:
         show(flight_text(flight, parts, review, life=life))
     if report is not None:

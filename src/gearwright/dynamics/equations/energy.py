@@ -22,7 +22,7 @@ ROUNDING = 1e-11
 
 @dataclass(frozen=True)
 class Work:
-    """Energy book of a run, from its start to its end."""
+    """Energy balance of a run, from its start to its end."""
 
     driven: Energy
     """Work of loads that drive their coordinate [J]."""

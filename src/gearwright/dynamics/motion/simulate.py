@@ -67,7 +67,7 @@ def simulate(
     outputs: Outputs | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Trace:
-    """Return the motion of a system, with statistics of every step, an energy book and an error estimate.
+    """Return the motion of a system, with statistics of every step, an energy balance and an error estimate.
 
     Args:
         system: Bodies, lines, loads.

@@ -20,7 +20,9 @@ from gearwright.mission.flight import Balance, PhaseSummary
 from gearwright.mission.history import History
 from gearwright.mission.lives.spectrum import DutyBin
 from gearwright.mission.windows import DynamicWindow
+from gearwright.render.answers.review import Factor
 from gearwright.render.words.window import Range, ranges
+from gearwright.reviews import Review, Verdict
 from gearwright.units import Force, Frequency, Life, Mass, Power, Quantity, Ratio, Speed, Time, Torque
 
 _HOUR = 3600.0
@@ -105,6 +107,12 @@ class FlyAnswer:
     """A flown mission, of one gearbox."""
 
     mission: str
+    verdict: Verdict
+    """Of the review of design and mission."""
+    worst: str | None
+    """Name of the worst check; null where nothing is assessed."""
+    margin: Factor
+    """Of the worst check."""
     duration: Time
     fuel: Mass
     balance: Balance
@@ -122,16 +130,21 @@ class FlyAnswer:
     """With --life-h alone."""
 
 
-def fly_answer(flight: Flight, parts: Durability, life: LifeSizing | None = None) -> FlyAnswer:
+def fly_answer(flight: Flight, parts: Durability, review: Review, *, life: LifeSizing | None = None) -> FlyAnswer:
     """Return what `gearwright fly --json` answers.
 
     Args:
         flight: As flown.
         parts: Lives of its gears and bearings.
+        review: Of the design with this mission.
         life: How the design was strengthened, if it was.
     """
+    worst = review.worst
     return FlyAnswer(
         mission=flight.mission.name,
+        verdict=review.verdict,
+        worst=None if worst is None else worst.name,
+        margin=None if worst is None else worst.margin,
         duration=flight.duration,
         fuel=flight.fuel,
         balance=flight.balance,

@@ -24,9 +24,9 @@ class Mode:
     """Of the mode, or of the first and last that share the frequency."""
     frequency: Frequency
     """[Hz]"""
-    moves_most: str
+    highest_kinetic_energy: str
     """Coordinate of the largest kinetic energy."""
-    holds_most: str
+    highest_strain_energy: str
     """Line of the largest share of the elastic energy."""
     energy: Annotated[float, Quantity("percent"), Origin("½ k δ² of the line over that of all", "K φ = ω² M φ")]
     """That line's share [-]."""
@@ -92,7 +92,7 @@ def mode_table(modes: Modes, *, maximum: int = 30) -> Table:
     rows = mode_rows(modes)
     left = f" {len(rows) - maximum} higher ones are left out." if len(rows) > maximum else ""
     note = f"{modes.rigid} rigid. Undamped, at the mean stiffness.{left}"
-    fields = ("number", "frequency", "moves_most", "holds_most", "energy")
+    fields = ("number", "frequency", "highest_kinetic_energy", "highest_strain_energy", "energy")
     return table("Natural frequencies", rows[:maximum], fields, note=note)
 
 
@@ -164,7 +164,7 @@ def _statistics(trace: Trace, deflects_in: str) -> Iterator[tuple[str, float, fl
 
 
 def energy_table(trace: Trace) -> Table:
-    """Return the energy book of a run.
+    """Return the energy balance of a run.
 
     Args:
         trace: As simulated.

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from gearwright.reviews import Review
 
 ROUNDING = 1e-15
-"""Relative residual of an energy book below which nothing but rounding is left [-]."""
+"""Relative residual of an energy balance below which nothing but rounding is left [-]."""
 
 
 def headline(review: Review) -> str:
@@ -50,7 +50,7 @@ def unneeded_text(name: str) -> str:
 
 
 def energy_text(residual: float) -> str:
-    """Return how well an energy book closes.
+    """Return how well an energy balance closes.
 
     Args:
         residual: What does not add up, over what goes in [-].

@@ -74,7 +74,7 @@ def _moved(modes: Modes, trace: Trace, campbell: Sequence[SpeedCase]) -> Iterato
     if excited:
         near = min(excited, key=lambda critical: abs(critical.margin))
         yield "nearest resonance", f"{near.margin:+.1%} of the speed: {near.order} meets mode {near.mode}"
-    yield "energy book", f"closes {energy_text(trace.work.imbalance)} over {trace.duration:.4g} s"
+    yield "energy balance", f"closes {energy_text(trace.work.imbalance)} over {trace.duration:.4g} s"
 
 
 def _peaks(sizing: Sizing, trace: Trace) -> Iterator[tuple[str, str]]:

@@ -102,7 +102,7 @@ def modes_text(modes: Modes, *, maximum: int = 30) -> RenderableType:
 
 
 def trace_text(trace: Trace, sizing: Sizing | None = None) -> RenderableType:
-    """Return mean, least, greatest, rms and peak-to-peak of every line, and the energy book, for the terminal.
+    """Return mean, least, greatest, rms and peak-to-peak of every line, and the energy balance, for the terminal.
 
     Args:
         trace: As simulated.

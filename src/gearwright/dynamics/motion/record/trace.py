@@ -201,7 +201,7 @@ class Trace(Shown):
     error: float
     """Estimated largest line-force error over the largest force, from the first stretch at half the step [-]."""
     work: Work
-    """Energy book."""
+    """Energy balance."""
     samples: Samples
     """Evenly spaced instants over the whole run."""
     windows: tuple[Samples, ...]
