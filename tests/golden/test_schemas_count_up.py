@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
+from schemas import digest, keys, recorded
 
 from gearwright.cli.answers import ANSWERS, answer_schema
-from schemas import digest, keys, recorded
 
 
 @pytest.mark.parametrize("command", ANSWERS)
