@@ -84,7 +84,7 @@ ZEROS = [
     (geometry.MeshGeometry, "helix_angle"), (life.contact_life_curve, "some_pitting"),
     (loads.MeshQuality, "tip_relief"), (root.LoadedTooth, "thickness_shift"),
     (root.shaped_fillet_radius, "cutter_shift"), (press_fit.FitPart, "roughness"),
-    (mesh_loss.tooth_contact, "helix_angle profile_shift"), (oil.churning_power, "helix_angle"),
+    (mesh_loss.tooth_contact, "helix_angle"), (oil.churning_power, "helix_angle"),
     (ScuffingMesh, "reliefs"), (din743.ShaftSection, "bore"),
     (fatigue.SectionLoad, "bending_amplitude bending_mean torque_amplitude torque_mean"),
     (fatigue.section_stress, "bore"), (shaft.shaft_stress, "bore"), (shaft.shaft_diameter, "bore_ratio"),

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from gearwright.identity import Role
 from gearwright.parts.gears import span_measurement, spanned_teeth
 from gearwright.parts.iso6336 import MeshGeometry
 from gearwright.sizing.meshed import MeshSizing
@@ -13,6 +12,7 @@ from gearwright.sizing.rating import bevel_pair, cylindrical_mesh, rating_of
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.sizing.tooth_shape import cylindrical_gear
 from gearwright.spec import Design
+from gearwright.train import INTERNAL
 from gearwright.units import Origin, Quantity
 
 _ISO = "ISO 21771:2007"
@@ -104,14 +104,15 @@ def pair_data(sizing: Sizing, mesh: MeshSizing) -> CylindricalPairData | BevelPa
     rating = rating_of(sizing.design, pinion.stage, sizing.teeth)
     if rating.kind == "bevel":
         return _bevel(sizing, pinion, wheel)
+    internal = next(row.sign for row in sizing.train.meshes if row.name == mesh.name) == INTERNAL
     width = min(pinion.face_width, wheel.face_width)
     geometry = cylindrical_mesh((pinion.teeth, wheel.teeth), pinion.module, width, rating,
-                                internal=wheel.role is Role.RING)  # fmt: skip
+                                internal=internal)  # fmt: skip
     return _cylindrical(sizing.design, geometry, pinion, wheel)
 
 
 def _cylindrical(design: Design, mesh: MeshGeometry, pinion: GearSizing, wheel: GearSizing) -> CylindricalPairData:
-    external = wheel.role is not Role.RING
+    external = bool(mesh.side > 0)
     shifts = tuple(float(tooth.profile_shift) for tooth in mesh.proportions)
     gears = [cylindrical_gear(design, gear) for gear in (pinion, wheel)]
     spanned = tuple(spanned_teeth(gear) for gear in gears)

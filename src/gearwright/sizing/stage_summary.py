@@ -54,7 +54,7 @@ def stage_summaries(sizing: Sizing, design: str) -> Iterator[StageSummary]:
             kind=_kind(sizing, stage, len(rows)),
             ratio=_ratio(sizing, stage),
             meshes=rows[0].count * (1 if planetary else len(rows)),
-            torque=max(row.tangential_force * row.working_diameter / 2.0 for row in rows),
+            torque=max(row.tangential_force * row.working_diameter / 2.0 for row in rows if row.gears[0] == first.name),
             module=first.module,
             face_width=first.face_width,
             mass=sum(gear.mass * gear.bodies for gear in sizing.gears if gear.stage == stage),

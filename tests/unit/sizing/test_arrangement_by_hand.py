@@ -150,13 +150,13 @@ def test_torques_on_a_shaft_are_those_of_the_flow_and_add_up_to_nothing():
 
 
 def test_root_circles_are_those_of_iso_21771_and_of_the_thin_end_of_a_cone():
-    """d_f = d − 2 m (1.25 − x); a bevel gear's ends at d_m − 2.5 m_mn cos δ − b sin δ."""
+    """d_f = d − 2 m (1.25 − x), of a wheel with − x; a bevel gear's ends at d_m − 2.5 m_mn cos δ − b sin δ."""
     text = changed(HELICOPTER, "helix_angle_deg = 12\n", "helix_angle_deg = 12\nprofile_shift = 0.2\n")
     sizing = sized(changed(text, "{ helix_angle_deg = 0 }", "{ helix_angle_deg = 0, profile_shift = 0 }"))
     gears, given = {gear.name: gear for gear in sizing.gears}, context(sizing)
     pinion, wheel = gears["helical.pinion"], gears["helical.wheel"]
     assert root_diameter(given, pinion) == pytest.approx(pinion.pitch_diameter - 2.1 * pinion.module)
-    assert root_diameter(given, wheel) == pytest.approx(wheel.pitch_diameter - 2.5 * wheel.module)
+    assert root_diameter(given, wheel) == pytest.approx(wheel.pitch_diameter - 2.9 * wheel.module)
     for name, slope in (("bevel.pinion", 17 / 43), ("bevel.wheel", 43 / 17)):
         gear, cone = gears[name], math.atan(slope)
         depth = 2.5 * gear.module * math.cos(cone)

@@ -10,6 +10,7 @@ from gearwright.errors import DesignError
 from gearwright.sizing import size
 from gearwright.sizing.rating import rating_of
 from gearwright.sizing.teeth.candidates import (
+    Reach,
     admissible,
     all_candidates,
     candidates,
@@ -20,6 +21,7 @@ from gearwright.sizing.teeth.candidates import (
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.refusal import refusal
 from gearwright.spec import edited, parse
+from gearwright.train import targets as targets_of
 from gearwright.train.edges import edge_of
 
 RULES = "[teeth]\nsun_minimum = 20\nsun_maximum = 24\nplanet_minimum = 17\npinion_minimum = 19\npinion_maximum = 22\n"
@@ -50,7 +52,7 @@ def test_candidates_of_a_pair_are_the_whole_numbers_beside_its_ratio(reach, give
     design = parse(PAIR + given + RULES)
     targets = np.array([2.9, 3.0])
     front = Front({}, {"fast": np.array([1.0, 1.0])}, {}, {})
-    found = listed(candidates(front, task_of(design, "stage"), design, targets, reach=reach))
+    found = listed(candidates(front, task_of(design, "stage"), design, targets, reach=Reach(reach, 59)))
     expected = set()
     for parent, target in enumerate(targets):
         for pinion in [21] if "pinion" in given else range(19, 23):
@@ -64,7 +66,7 @@ def test_candidates_of_a_set_are_the_planets_beside_its_ratio(given):
     design = parse(changed(HYBRID, "planets = 3\n", f"planets = 3\n{given}") + RULES)
     targets = np.array([3.44, 3.5])
     front = Front({}, {"input": np.array([1.0, 1.0])}, {}, {})
-    found = listed(candidates(front, task_of(design, "first"), design, targets, reach=1))
+    found = listed(candidates(front, task_of(design, "first"), design, targets, reach=Reach(1, 59)))
     expected = set()
     for parent, target in enumerate(targets):
         for sun in [22] if "sun" in given else range(20, 25):
@@ -84,7 +86,7 @@ def test_candidates_beside_a_gear_that_is_chosen_keep_it(shared):
         design = parse(text + RULES)
         chosen, targets = np.array([23, 29]), np.array([1.5, 1.7])
         front = Front({shared: chosen}, {"fast": np.array([1.0, 1.0])}, {}, {})
-        found = listed(candidates(front, task_of(design, "next"), design, targets, reach=1))
+        found = listed(candidates(front, task_of(design, "next"), design, targets, reach=Reach(1, 59)))
         expected = set()
         for parent, (teeth, target) in enumerate(zip(chosen.tolist(), targets, strict=True)):
             for mate in [33] if given else around(teeth * target if side == "pinion" else teeth / target, 1):
@@ -116,7 +118,7 @@ def test_sets_that_can_be_put_together_are_counted_out(hunting, ring):
     text = changed(HYBRID, "planets = 3\n", f"planets = 3\n{given}") + RULES
     design = parse(text + f"hunting = {str(hunting).lower()}\n")
     suns, planets = (grid.ravel() for grid in np.meshgrid(np.arange(20, 45), np.arange(10, 45)))
-    found = admissible(task_of(design, "first"), design, suns, planets)
+    found = admissible(task_of(design, "first"), design, suns, planets, planets=3)
     for sun, planet, good in zip(suns.tolist(), planets.tolist(), found.tolist(), strict=True):
         outer = sun + 2 * planet
         fits = (sun + outer) % 3 == 0 and planet >= 17
@@ -131,7 +133,7 @@ def test_sets_that_can_be_put_together_are_counted_out(hunting, ring):
 def test_pairs_that_can_be_cut_are_counted_out(hunting):
     design = parse(PAIR + RULES + f"hunting = {str(hunting).lower()}\n")
     small, large = (grid.ravel() for grid in np.meshgrid(np.arange(15, 30), np.arange(15, 60)))
-    found = admissible(task_of(design, "stage"), design, small, large)
+    found = admissible(task_of(design, "stage"), design, small, large, planets=1)
     for pinion, wheel, good in zip(small.tolist(), large.tolist(), found.tolist(), strict=True):
         assert good == (min(pinion, wheel) >= 19 and (not hunting or math.gcd(pinion, wheel) == 1))
 
@@ -147,7 +149,7 @@ def test_bevel_pinions_are_cut_by_their_virtual_teeth():
     transverse = math.atan(math.tan(angle) / math.cos(spiral))
     limit = 2.0 * (1.25 - 0.3 * (1.0 - math.sin(angle))) * math.cos(spiral) / math.sin(transverse) ** 2
     small, large = (grid.ravel() for grid in np.meshgrid(np.arange(6, 22), np.arange(15, 60)))
-    found = admissible(task, design, small, large)
+    found = admissible(task, design, small, large, planets=1)
     for pinion, wheel, good in zip(small.tolist(), large.tolist(), found.tolist(), strict=True):
         virtual = pinion * math.hypot(pinion, wheel) / wheel
         assert good == (min(pinion, wheel) >= 8 and virtual >= limit), (pinion, wheel)
@@ -208,7 +210,7 @@ def test_speeds_are_known_across_clutches_both_ways(ends):
 def test_the_planets_that_do_fit_are_counted_by_trying(planets):
     """All suns from 18 to 59 with both planets beside the ratio, in order of the number of planets."""
     text = changed(changed(HYBRID, "speed_rpm = 1212", "speed_rpm = 900"), "planets = 5", f"planets = {planets}")
-    design = parse(text)
+    design = parse(text + "[teeth]\nsun_maximum = 59\n")
     rules, ratio = design.teeth, 4500 / 900
 
     def fits(count, assembled):
@@ -221,7 +223,7 @@ def test_the_planets_that_do_fit_are_counted_by_trying(planets):
                     return True
         return False
 
-    error = refusal("second", design.stages["second"], design, ratio - 1.0, fewest=18)
+    error = refusal("second", design.stages["second"], design, ratio - 1.0, fewest=18, nominal=targets_of(design))
     (found,) = error.problems
     most = max((count for count in range(1, planets) if fits(count, True)), default=0)
     why = "cannot be assembled" if fits(planets, False) else "do not fit"
@@ -229,10 +231,12 @@ def test_the_planets_that_do_fit_are_counted_by_trying(planets):
 
 
 def test_the_range_of_ratios_is_that_of_the_limits():
-    """2 + 2 · planets/suns at the least; two planets touch where (z_s + z_p) = z_p + 2 … z_p up to z_s − 2 suns."""
+    """2 + 2 z_p/z_s at the least."""
     text = changed(HYBRID, "speed_rpm = 4500", "speed_rpm = 19000")
     found = problem(text + "[teeth]\nsun_maximum = 50\nplanet_minimum = 15\n", sized=True)
-    assert "the ratio lies from 2.6 up, and below 50 for two planets or more" in found.message
+    assert found.message.startswith(
+        "1 + z_r/z_s = 1.053 is below 2.6, the least with suns of up to 50 teeth and planets"
+    )
 
 
 def test_the_bodies_of_a_choice_weigh_what_the_gears_do():
