@@ -11,6 +11,7 @@ from gearwright.catalogue import propeller_map, read_propeller_map
 from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.machines import PropellerMap
 from gearwright.mission.collect import Flown, Interval, Lost, collect, recorded
+from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Oil, Point, drag, efficiencies, gearbox_of, operate
 from gearwright.mission.profile import Moment, moments
@@ -67,10 +68,8 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     problems = mission_problems(mission)
     refuse(problems)
     oil = Oil(mission.oil.inlet_temperature_k, mission.oil.roughness, _dipping(sizing, mission))
-    gearbox = gearbox_of(sizing, _only_propeller(sizing), oil)
-    blades = Blades(
-        mission.propeller_map, _chart(mission, folder), sizing.design.propellers[gearbox.propeller].diameter
-    )
+    gearbox = gearbox_of(sizing, flown_airscrew(sizing), oil)
+    blades = Blades(mission.propeller_map, _chart(mission, folder), sizing.design.airscrews[gearbox.propeller].diameter)
     flown = Flown(gearbox, blades, mission, supply_of(sizing, mission))
     before, intervals = _Before(None, mission.battery.start_charge if mission.battery else 0.0, 0.0), list[Interval]()
     for moment in moments(mission):
@@ -93,13 +92,6 @@ def _dipping(sizing: Sizing, mission: Mission) -> dict[str, float]:
             [Problem(f"oil.dip.{name}", f"there is no gear {name!r}; {near(name, gears)}") for name in unknown]
         )
     return mission.oil.dip
-
-
-def _only_propeller(sizing: Sizing) -> str:
-    names = tuple(sizing.design.propellers)
-    if len(names) != 1:
-        raise DesignError([Problem("propellers", f"{len(names)} propellers; a mission is flown with one per gearbox")])
-    return names[0]
 
 
 def _chart(mission: Mission, folder: Path | None) -> PropellerMap | None:

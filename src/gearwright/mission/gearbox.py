@@ -12,6 +12,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.identity import Role
+from gearwright.mission.consumers import taken_parts, with_consumers
 from gearwright.parts.gears import ToothShift
 from gearwright.parts.losses import (
     OIL_DENSITY,
@@ -106,6 +107,8 @@ class Gearbox:
     """Of everything that turns, at the propeller [kg m²]."""
     turning: Turning
     """Speeds of the train: intervals often turn alike."""
+    taken: Mapping[str, float]
+    """What else takes power -> its part of the power that the train is given [-]."""
     seats: tuple[Seat, ...]
     """Of the bearings whose load follows from the meshes."""
 
@@ -124,7 +127,7 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
         propeller: Name of the propeller that flies.
         oil: Its oil.
     """
-    by_name(propeller, sizing.design.propellers, "propeller")
+    by_name(propeller, sizing.design.airscrews, "propeller")
     _refuse_slip(sizing)
     gears = {gear.name: gear for gear in sizing.gears}
     pairs = [(gears[mesh.gears[0]], gears[mesh.gears[1]]) for mesh in sizing.train.meshes]
@@ -137,6 +140,7 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
         widths=np.array([min(gear.face_width, mate.face_width) for gear, mate in pairs]),
         inertia=_inertia(sizing, propeller),
         turning=Turning(sizing.design, sizing.train, sizing.teeth),
+        taken=taken_parts(sizing),
         seats=bearing_seats(sizing),
     )
 
@@ -194,14 +198,14 @@ def operate(
 
     Args:
         gearbox: The gearbox.
-        powers: Machine -> power into the train [W]; one left out idles.
+        powers: Machine -> power into the train [W]; one left out idles, or takes its part of the others' power.
         propeller_speed: [rad/s].
         efficiency: Stage -> efficiency of each of its meshes [-].
 
     Raises:
         DesignError: The train does not balance, or one speed does not set all others.
     """
-    drives = {name: Drive(power=power) for name, power in powers.items()}
+    drives = {name: Drive(power=power) for name, power in with_consumers(powers, gearbox.taken).items()}
     drives[gearbox.propeller] = Drive(speed=propeller_speed)
     sizing = gearbox.sizing
     design = sizing.design.model_copy(update={"cases": {_CASE: Case.model_validate(drives)}})
@@ -239,7 +243,7 @@ def transmitted(sizing: Sizing, flow: PowerFlow) -> Floats:
     for name, torque in flow.machine_torques.items():
         total[column[sizing.train.machines[name]]] += abs(torque)
     for link in sizing.train.links:
-        for node in (link.driving, link.driven):
+        for node in {link.driving, link.driven} - {GROUND}:
             total[column[node]] += abs(flow.given(link.name))
     return 0.5 * total
 

@@ -29,6 +29,11 @@ class Joint:
     is_open: bool = False
     """True where it holds only in cases that engage it."""
 
+    @property
+    def is_brake(self) -> bool:
+        """Whether it holds a shaft to the ground."""
+        return GROUND in (self.driving, self.driven)
+
 
 @dataclass(frozen=True)
 class Damper:

@@ -18,13 +18,17 @@ def ambiguous(design: Design, case: str, undecided: Sequence[str]) -> DesignErro
         undecided: The machines that balance and whose torque equilibrium does not decide.
     """
     names = " and ".join(undecided)
-    write = f"[cases.{case}.{undecided[-1]}] power_kw = -100"
-    missing = "" if case in design.cases else f"; without cases there is one, {case!r}: every machine at its rating"
+    write, many = f"[cases.{case}.{undecided[-1]}] power_kw = -100", "both" if len(undecided) == 2 else "all"
+    missing = ""
+    if case not in design.cases:
+        missing = f"; {case!r}, every machine at its rating, is the case of a design without cases"
+        drives = " and ".join(f"[cases.take-off.{name}] rating = 1" for name in (*design.turbines, *design.motors))
+        write = f"{drives} with [cases.take-off.{undecided[-1]}] power_kw = -100"
     return DesignError([
         Problem(
             f"cases.{case}",
-            f"{names} all balance one branch, and nothing says how they divide its power{missing}; give the power or"
-            f" torque of all but one, such as {write} (negative takes power), or 0 for one that idles",
+            f"{names} {many} balance one branch, and nothing says how they divide its power{missing}; give the"
+            f" power or torque of all but one, such as {write} (negative takes power), or 0 for one that idles",
         )
     ])  # fmt: skip
 

@@ -134,7 +134,8 @@ def _potentials(design: Design, edges: Mapping[str, Edge], fixed: Mapping[str, f
     for name in design.epicyclics:
         (first, speed), *others = list(ties_of(design, name).items()) or [("", 0.0)]
         equations += [({shaft: 1.0, first: -1.0}, math.log(abs(tied / speed)), _GIVEN) for shaft, tied in others]
-    joined = [clutch for clutch in design.clutches.values() if clutch.kind != "open" and clutch.driven != GROUND]
+    joined = [clutch for clutch in design.clutches.values() if clutch.kind != "open"]
+    joined = [clutch for clutch in joined if GROUND not in (clutch.driving, clutch.driven)]
     equations += [({clutch.driving: 1.0, clutch.driven: -1.0}, 0.0, _GIVEN) for clutch in joined]
     matrix = np.zeros((len(equations), len(column)))
     right = np.zeros(len(equations))
@@ -222,7 +223,7 @@ def _neighbours(design: Design, edges: Mapping[str, Edge], shaft: str) -> Iterat
         if shaft in epicyclic.members:
             yield name, epicyclic.members
     for name, clutch in design.clutches.items():
-        if shaft in (clutch.driving, clutch.driven):
+        if shaft in (clutch.driving, clutch.driven) and GROUND not in (clutch.driving, clutch.driven):
             yield name, (clutch.driving, clutch.driven)
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.spec import GROUND, Design, Drive, case_named, cases_of
+from gearwright.spec import Design, Drive, case_named, cases_of
 from gearwright.train.graph import Joint, Train
 from gearwright.train.kinematics import Yielded, motions_of, rows, solve_speeds
 from gearwright.train.null_space import RANK_TOLERANCE
@@ -79,7 +79,7 @@ class Turning:
         Args:
             joints: The clutches and brakes that hold.
         """
-        if not any(GROUND in (joint.driving, joint.driven) for joint in joints):
+        if not any(joint.is_brake for joint in joints):
             return frozenset()
         motions = motions_of(rows(self.train, self.teeth, joints))
         still = np.linalg.norm(motions, axis=1) < RANK_TOLERANCE

@@ -14,7 +14,7 @@ from gearwright.dynamics.assembly.bodies import Assembly, add_bodies
 from gearwright.dynamics.assembly.contacts import contacts_of
 from gearwright.dynamics.assembly.errors import add_errors
 from gearwright.dynamics.assembly.mesh_lines import add_mesh_row
-from gearwright.dynamics.assembly.shaft_lines import clutch_line, link_ends, shaft_lines
+from gearwright.dynamics.assembly.shaft_lines import brakes, clutch_line, link_ends, shaft_lines
 from gearwright.dynamics.assembly.supports import add_supports
 from gearwright.dynamics.assembly.translational import add_moving_set, with_preload
 from gearwright.dynamics.model import (
@@ -82,6 +82,8 @@ def assemble(
         model.shaft(
             line.name, line.first, line.second, stiffness=line.stiffness, damping=damping, owner=Owner(line.part)
         )
+    for brake in brakes(assembly):
+        model.support(brake.name, brake.body, stiffness=brake.stiffness, damping=damping, owner=Owner(brake.part))
     for damper in sizing.train.dampers:
         owner = Owner(PartId(Kind.DAMPER, damper.name))
         model.damper(f"{damper.name} damper", *link_ends(assembly, damper), damping=damper.damping, owner=owner)

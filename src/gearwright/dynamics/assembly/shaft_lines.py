@@ -9,6 +9,7 @@ from typing import NamedTuple
 from gearwright.dynamics.assembly.bodies import Assembly
 from gearwright.identity import Kind, PartId
 from gearwright.parts.shafts import shaft_diameter, torsional_stiffness
+from gearwright.spec import GROUND
 from gearwright.train import Damper, Joint
 
 
@@ -52,8 +53,33 @@ def shaft_lines(assembly: Assembly, slipping: Set[str]) -> Iterator[ShaftLine]:
         else:
             yield ShaftLine(f"{machine.name} shaft", own, *ends, _stub_stiffness(assembly, machine.torque))
     for joint in sizing.train.joints:
-        if joint.name in assembly.flow.joints and joint.name not in slipping:
+        if joint.name in assembly.flow.joints and joint.name not in slipping and not joint.is_brake:
             yield clutch_line(assembly, joint)
+
+
+class Brake(NamedTuple):
+    """A line that holds a shaft to the housing."""
+
+    name: str
+    part: PartId
+    body: str
+    """That it holds."""
+    stiffness: float
+    """[N m/rad]."""
+
+
+def brakes(assembly: Assembly) -> Iterator[Brake]:
+    """Yield every brake that holds, as stiff as the shaft that it holds.
+
+    Args:
+        assembly: With all bodies.
+    """
+    shafts = {shaft.name: shaft for shaft in assembly.sizing.shafts}
+    for joint in assembly.sizing.train.joints:
+        if joint.is_brake and joint.name in assembly.flow.joints:
+            name = joint.driven if joint.driving == GROUND else joint.driving
+            part = PartId(Kind.CLUTCH, joint.name)
+            yield Brake(f"{joint.name} clutch", part, assembly.members[name][-1], shafts[name].stiffness)
 
 
 def clutch_line(assembly: Assembly, joint: Joint) -> ShaftLine:

@@ -21,6 +21,7 @@ from gearwright.catalogue import (
 )
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.identity import Role
+from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.flight import Flight
 from gearwright.parts.bearings import (
     BearingKind,
@@ -200,7 +201,7 @@ def _located(
     """Return the axial force in every bearing of one shaft, without sign."""
     radial = {name: forces[name][0] for name in seats}
     first = next(iter(seats))
-    along = forces[first][1] + seats[first].rotor_side * _thrust(flight)
+    along = forces[first][1] + seats[first].rotor_side * _thrust(flight, shaft)
     along = np.where(np.abs(along) > _ROUNDING * max(float(force.max()) for force in radial.values()), along, 0.0)
     located_by_design = {name: seat.given for name, seat in seats.items() if seat.given is not None}
     if located_by_design:
@@ -216,11 +217,12 @@ def _located(
     return {name: np.abs(along) if name == lightest_loaded else np.zeros_like(along) for name in seats}
 
 
-def _thrust(flight: Flight) -> Floats:
-    """Return the propeller's thrust, by the map where there is one, else as the design says [N]."""
-    if flight.history.thrust is not None:
+def _thrust(flight: Flight, shaft: str) -> Floats:
+    """Return the thrust on a shaft, of what flies by the map where there is one, else as the design says [N]."""
+    screws = {name: screw for name, screw in flight.sizing.design.airscrews.items() if screw.shaft == shaft}
+    if flight.history.thrust is not None and flown_airscrew(flight.sizing) in screws:
         return flight.history.thrust
-    return np.full(len(flight.phase), next(iter(flight.sizing.design.propellers.values())).thrust)
+    return np.full(len(flight.phase), sum(screw.thrust for screw in screws.values()))
 
 
 def _taper_factors(flight: Flight, names: Iterable[str]) -> dict[str, LoadFactors]:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gearwright.arrays import Floats
+from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Gearbox, Oil, Point, drag, efficiencies, gearbox_of, operate
 from gearwright.mission.history import History
@@ -79,7 +80,7 @@ def background(flight: Flight, rules: WindowRules) -> Background:
     phase, at, duration, over = rules.phase, rules.at, rules.duration, rules.over
     oil_rules = flight.mission.oil
     oil = Oil(oil_rules.inlet_temperature_k, oil_rules.roughness, oil_rules.dip)
-    gearbox = gearbox_of(flight.sizing, next(iter(flight.sizing.design.propellers)), oil)
+    gearbox = gearbox_of(flight.sizing, flown_airscrew(flight.sizing), oil)
     supply = supply_of(flight.sizing, flight.mission)
     history, in_phase = flight.history, np.flatnonzero(np.array(flight.phase) == phase)
     first = history.time - 0.5 * history.duration

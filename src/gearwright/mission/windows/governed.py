@@ -24,6 +24,7 @@ from gearwright.machines import (
     look_up,
     marched,
 )
+from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.flight import Flight
 from gearwright.verbs import verb
 
@@ -104,7 +105,7 @@ def trim_at(flight: Flight, time: float) -> Trim:
     if flight.propeller_map is None or history.pitch is None:
         raise DesignError([Problem("propeller_map", "the mission flies by schedules; a governor needs a map")])
     k = int(np.argmin(np.abs(history.time - time)))
-    diameter = next(iter(flight.sizing.design.propellers.values())).diameter
+    diameter = flight.sizing.design.airscrews[flown_airscrew(flight.sizing)].diameter
     return Trim(
         chart=flight.propeller_map,
         density=float(history.air_density[k]),

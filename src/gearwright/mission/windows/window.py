@@ -174,6 +174,8 @@ def _machine(back: Background, rules: WindowRules, name: str) -> MachineDrive:
     if name in supply.motors:
         motor = supply.motors[name]
         return MachineDrive(name, name, back.torques[name], reference, 0.0, motor.peak_torque, motor.peak_power)
+    if name not in supply.engines:
+        return MachineDrive(name, name, back.torques[name], reference, 0.0)
     engine = supply.engines[name]
     slope, ratio = rules.turbine_slope, value_at(back.speed, 0.0)
     times = sorted({time for curve in (back.torques[name], back.speed) for time, _ in curve})
@@ -188,7 +190,7 @@ def _propeller(back: Background, rules: WindowRules) -> PropellerDrive:
     chart = back.flight.propeller_map
     assert chart is not None  # `_check` refuses a flight without one
     name = back.gearbox.propeller
-    diameter = back.flight.sizing.design.propellers[name].diameter
+    diameter = back.flight.sizing.design.airscrews[name].diameter
     speed, density, airspeed = (value_at(curve, 0.0) for curve in (back.speed, back.density, back.airspeed))
     turns = speed / (2.0 * math.pi)
     ratio = airspeed / (turns * diameter)

@@ -142,7 +142,7 @@ def _shaft_seats(
 
 def _rotor(design: Design, shaft: str, plan: ShaftPlan) -> tuple[Floats, float]:
     """Return what a rotor's force and moment put on both radial bearings [N], and the sense of its thrust."""
-    for name, rotor in design.propellers.items():
+    for name, rotor in design.airscrews.items():
         if rotor.shaft == shaft:
             place = plan.places[name]
             side = 1.0 if place >= sum(plan.bearings) / 2.0 else -1.0

@@ -166,7 +166,7 @@ def _joined(design: Design, front: Front) -> Front:
     for clutch in design.clutches.values():
         ends = (clutch.driving, clutch.driven)
         for here, there in (ends, ends[::-1]):
-            if here in speeds and there not in speeds and clutch.kind != "open":
+            if here in speeds and there not in speeds and there != GROUND and clutch.kind != "open":
                 speeds[there] = speeds[here]
     return replace(front, speeds=speeds)
 

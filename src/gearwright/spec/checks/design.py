@@ -162,7 +162,8 @@ def _links(design: Design) -> Iterator[Problem]:
     for name, link in design.links.items():
         table, kind = ("dampers", "damper") if isinstance(link, Damper) else ("clutches", "clutch")
         for side in ("driving", "driven"):
-            yield from _shaft(f"{table}.{name}.{side}", getattr(link, side), design)
+            if isinstance(link, Damper) or getattr(link, side) != GROUND:  # a clutch to the ground is a brake
+                yield from _shaft(f"{table}.{name}.{side}", getattr(link, side), design)
         if link.driving == link.driven:
             message = f"{link.driven!r} drives already; a {kind} joins two different shafts"
             yield Problem(f"{table}.{name}.driven", message)
