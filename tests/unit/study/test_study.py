@@ -104,7 +104,7 @@ def test_a_design_is_fitted_to_another_engine() -> None:
     assert sum(power for power in flow.machine_powers.values() if power > 0) == pytest.approx(1000e3, rel=1e-12)
     assert flow.speeds["input"] == pytest.approx(30000 * RPM)
     assert abs(flow.speeds["output"]) == pytest.approx(1700 * RPM, rel=0.05)
-    assert design.cases["cruise"]["electric"].power == pytest.approx(470.7e3 * 1000 / 2051, rel=1e-12)
+    assert design.cases["cruise"].machines["electric"].power == pytest.approx(470.7e3 * 1000 / 2051, rel=1e-12)
 
 
 def test_a_motor_as_fast_as_the_turbine_stays_so() -> None:
