@@ -100,11 +100,13 @@ class MeshSizing:
 
     branch: str = ""
     """Shaft that tells it from the other rows of a pair; empty where the pair has one."""
+    own: str = ""
+    """What the design calls its two gears, in a compound set."""
 
     @cached_property
     def part(self) -> PartId:
         """Who it is."""
-        return mesh_part(self.stage, self.row, self.branch)
+        return mesh_part(self.stage, self.row, self.branch, own=self.own)
 
     @cached_property
     def name(self) -> str:

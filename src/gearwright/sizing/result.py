@@ -82,11 +82,13 @@ class GearSizing:
     """Profile shift coefficient x, positive where it thickens the tooth [-]."""
     tip_alteration: Annotated[float, Quantity("ratio"), Origin("k m_n = a_w − a − m_n Σx", "DIN 3960:1987")]
     """Tip alteration coefficient k [-]; negative shortens the tooth."""
+    own: str = ""
+    """What the design calls it, in a compound set."""
 
     @cached_property
     def part(self) -> PartId:
         """Who it is."""
-        return gear_part(self.stage, self.role)
+        return gear_part(self.stage, self.role, own=self.own)
 
     @cached_property
     def name(self) -> str:

@@ -22,7 +22,7 @@ from gearwright.sizing.shafts import (
     size_carriers,
     size_shafts,
 )
-from gearwright.sizing.stages import gear_checks, size_gears, size_meshes, stage_sizes
+from gearwright.sizing.stages import compound_sizes, gear_checks, size_gears, size_meshes, stage_sizes
 from gearwright.sizing.teeth import choose_teeth, refuse_contradictions
 from gearwright.spec import Design, edited
 from gearwright.spec.design import given_values
@@ -53,7 +53,7 @@ def size(design: Design) -> Sizing:
     refuse_beyond(design, flows)
     context = context_of(design, train, teeth, flows, given.values)
     demands = demands_of(context)
-    sizes = stage_sizes(context, demands)
+    sizes = stage_sizes(context, demands) | compound_sizes(context, demands)
     gears = size_gears(context, sizes)
     meshes = size_meshes(context, gears, demands)
     arrangement = arrange(context, gears)

@@ -8,7 +8,7 @@ from typing import Annotated
 
 from gearwright.identity import Role, gear_part
 from gearwright.sizing.result import Sizing
-from gearwright.spec import Planetary
+from gearwright.spec import Epicyclic, Planetary
 from gearwright.units import Origin, Quantity
 
 
@@ -47,7 +47,7 @@ def stage_summaries(sizing: Sizing, design: str) -> Iterator[StageSummary]:
     for stage in sizing.design.stages:
         rows = [mesh for mesh in sizing.meshes if mesh.stage == stage]
         first = gears[rows[0].gears[0]]
-        planetary = isinstance(sizing.design.stages[stage], Planetary)
+        planetary = stage in sizing.design.sets
         yield StageSummary(
             design=design,
             stage=stage,
@@ -63,6 +63,8 @@ def stage_summaries(sizing: Sizing, design: str) -> Iterator[StageSummary]:
 
 def _kind(sizing: Sizing, stage: str, rows: int) -> str:
     record = sizing.design.stages[stage]
+    if isinstance(record, Epicyclic):
+        return "compound set"
     if isinstance(record, Planetary):
         if "ground" not in (record.sun, record.ring, record.carrier):
             return "differential"
@@ -72,9 +74,18 @@ def _kind(sizing: Sizing, stage: str, rows: int) -> str:
 
 def _ratio(sizing: Sizing, stage: str) -> float:
     record, teeth = sizing.design.stages[stage], sizing.teeth
+    if isinstance(record, Epicyclic):
+        return _fastest_over_slowest(sizing, record)
     if isinstance(record, Planetary):
         sun, ring = (teeth[str(gear_part(stage, role))] for role in (Role.SUN, Role.RING))
         ratio = ring / sun
         return ratio if record.carrier == "ground" else 1.0 + ratio
     mesh = next(mesh for mesh in sizing.train.meshes if mesh.stage == stage)
     return teeth[mesh.gears[1]] / teeth[mesh.gears[0]]
+
+
+def _fastest_over_slowest(sizing: Sizing, epicyclic: Epicyclic) -> float:
+    """Return the largest speed of a compound set's members over the smallest that is not zero, in the first case [-]."""
+    flow = next(iter(sizing.flows.values()))
+    speeds = [abs(flow.speeds[shaft]) for shaft in epicyclic.members if flow.speeds[shaft]]
+    return max(speeds, default=0.0) / min(speeds, default=1.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from gearwright.identity import PartId, Role, Row, gear_part, mesh_part
+from gearwright.identity import Kind, PartId, Role, Row, gear_part, mesh_part
 
 EXTERNAL, INTERNAL = -1, 1
 
@@ -36,6 +36,11 @@ class Gear:
     def name(self) -> str:
         """Its label, such as ``first.sun``."""
         return str(self.part)
+
+    @property
+    def sized(self) -> str:
+        """What has one module with it: its stage, or a group of gears of a compound set."""
+        return _sized(self.stage, self.group)
 
 
 @dataclass(frozen=True)
@@ -70,3 +75,12 @@ class Mesh:
     def name(self) -> str:
         """Its label, such as ``first.sun-planet``."""
         return str(self.part)
+
+    @property
+    def sized(self) -> str:
+        """What has one module with it: its stage, or a group of gears of a compound set."""
+        return _sized(self.stage, self.group)
+
+
+def _sized(stage: str, group: str) -> str:
+    return str(PartId(Kind.GEAR, stage, own=group)) if group else stage

@@ -68,7 +68,7 @@ def axes_of(context: Context, gears: tuple[GearSizing, ...]) -> dict[str, comple
 def _coaxial(design: Design) -> dict[str, str]:
     """Return shaft -> the first shaft on the same axis."""
     axis = {name: name for name in design.shafts}
-    groups = [(stage.sun, stage.ring, stage.carrier) for stage in design.planetaries.values()]
+    groups = [stage.members for stage in design.sets.values()]
     for group in (*groups, *((link.driving, link.driven) for link in design.links.values())):
         joined = {axis[name] for name in group if name in axis}
         first = min(joined, key=design.shafts.index)

@@ -8,7 +8,7 @@ from typing import Annotated
 
 from gearwright.identity import Role
 from gearwright.sizing.result import GearSizing, Sizing
-from gearwright.spec import Planetary
+from gearwright.spec import Pair
 from gearwright.units import Origin, Quantity, Volume
 
 
@@ -61,11 +61,22 @@ def _addendum(gear: GearSizing) -> float:
 def _carriers_of(sizing: Sizing, gear: GearSizing) -> Iterator[str]:
     """Yield the shafts around which a gear turns or stands; a ring on the ground stands around its set's shafts."""
     stage = sizing.design.stages[gear.stage]
-    members = (stage.sun, stage.carrier, stage.ring) if isinstance(stage, Planetary) else gear.shafts
+    carried = not isinstance(stage, Pair)
+    members = gear.shafts if isinstance(stage, Pair) else stage.members
     names = {shaft.name for shaft in sizing.shafts}
     if gear.role is not Role.PLANET:
         borne = [shaft for shaft in members if shaft in names]
-        yield from borne[:1] if isinstance(stage, Planetary) else borne
+        yield from borne[:1] if carried else borne
+
+
+def _set_length(sizing: Sizing, name: str) -> float:
+    """Return how long a planetary set is: the longest planet, or the longest of each plane of steps in a row [m]."""
+    longest: dict[str, float] = {}
+    for gear in sizing.train.gears:
+        if gear.stage == name and gear.role is Role.PLANET:
+            width = next(sized.face_width for sized in sizing.gears if sized.name == gear.name)
+            longest[gear.group] = max(longest.get(gear.group, 0.0), width)
+    return sum(longest.values())
 
 
 def _lengths(sizing: Sizing) -> dict[tuple[float, float], float]:
@@ -74,9 +85,7 @@ def _lengths(sizing: Sizing) -> dict[tuple[float, float], float]:
     axis = {shaft.name: shaft.axis for shaft in sizing.shafts}
     for shaft in sizing.shafts:
         length[shaft.axis] = length.get(shaft.axis, 0.0) + shaft.length
-    for gear in sizing.gears:
-        if gear.role is Role.RING:
-            stage = sizing.design.planetaries[gear.stage]
-            place = next(axis[member] for member in (stage.sun, stage.carrier, stage.ring) if member in axis)
-            length[place] += gear.face_width
+    for name, stage in sizing.design.sets.items():
+        place = next(axis[member] for member in stage.members if member in axis)
+        length[place] += _set_length(sizing, name)
     return length

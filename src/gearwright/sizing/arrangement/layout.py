@@ -56,7 +56,7 @@ def _on_shaft(design: Design, train: Train, shaft: str) -> Iterator[str]:
     yield from (name for name, machine in design.machines.items() if machine.shaft == shaft and machine.drives)
     for stage in design.stages:
         yield from (gear.name for gear in train.gears if gear.stage == stage and shaft in gear.nodes)
-        if stage in design.planetaries and design.planetaries[stage].carrier == shaft:
+        if stage in design.sets and design.sets[stage].carrier == shaft:
             yield str(carrier_part(stage))
     yield from (link.name for link in train.links if link.driving == shaft)
     yield from (name for name, machine in design.machines.items() if machine.shaft == shaft and not machine.drives)
@@ -67,7 +67,7 @@ def _length(design: Design, name: str, widths: Mapping[str, float]) -> float:
     rules = design.shafting
     if widths:
         return sum(widths.values()) + rules.bearing_length * (len(widths) + 1)
-    members = sum(name in (stage.sun, stage.ring, stage.carrier) for stage in design.planetaries.values())
+    members = sum(name in stage.members for stage in design.sets.values())
     return rules.middle_length if members > 1 else rules.end_length
 
 

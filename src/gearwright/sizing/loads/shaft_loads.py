@@ -91,7 +91,7 @@ def pure_torques(context: Context, name: str, plan: ShaftPlan) -> Iterator[tuple
             sign = 1.0 if name == link.driven else -1.0
             yield plan.places[link.name], [sign * flow.given(link.name) for flow in flows]
     for mesh in train.meshes:
-        if mesh.stage in context.design.planetaries and name in mesh.nodes:
+        if mesh.stage in context.design.sets and name in mesh.nodes:
             side = mesh.nodes.index(name)
             member = str(carrier_part(mesh.stage)) if side == 2 else mesh.gears[side]
             yield plan.places[member], [flow.meshes[mesh.name].torques[side] for flow in flows]

@@ -12,7 +12,7 @@ from gearwright.sizing.rating.methods import modules, stage_width_ratio, uncover
 from gearwright.sizing.rating.rules import Ask, Rating, rating_of
 from gearwright.spec import Design
 from gearwright.spec.design import Given
-from gearwright.train import INTERNAL, Mesh, PowerFlow, Train
+from gearwright.train import INTERNAL, Gear, Mesh, PowerFlow, Train
 
 
 class Demand(NamedTuple):
@@ -79,9 +79,8 @@ def demands_of(context: Context) -> dict[str, Demand]:
 
 
 def _uncovered(context: Context, mesh: Mesh) -> Iterator[Problem]:
-    table = "pairs" if mesh.stage in context.design.pairs else "planetaries"
     first, second = (context.teeth[gear] for gear in mesh.gears)
-    return uncovered_teeth(context.ratings[mesh.stage], (first, second), f"{table}.{mesh.stage}")
+    return uncovered_teeth(context.ratings[mesh.stage], (first, second), context.design.table(mesh.stage))
 
 
 def worst_case(context: Context, mesh: Mesh) -> tuple[str, float]:
@@ -133,9 +132,14 @@ def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh) -> Ask:
         (teeth[first.name], teeth[second.name]),
         1.0,
         internal=mesh.sign == INTERNAL,
-        idlers=(first.role is Role.PLANET, second.role is Role.PLANET),
+        idlers=(_is_idler(train, first), _is_idler(train, second)),
         passes=(max(mesh.count / first.bodies, 1.0), max(mesh.count / second.bodies, 1.0)),
     )
+
+
+def _is_idler(train: Train, gear: Gear) -> bool:
+    """Tell whether a gear is loaded on both flanks: a planet with two mates or more, not a step with one."""
+    return gear.role is Role.PLANET and sum(gear.name in mesh.gears for mesh in train.meshes) > 1
 
 
 def width_ratio_of(context: Context, stage: str) -> float:

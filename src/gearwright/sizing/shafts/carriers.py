@@ -8,9 +8,11 @@ from typing import NamedTuple
 
 from gearwright.identity import Role, carrier_part, gear_part
 from gearwright.parts.planetary import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
+from gearwright.sizing.compound import pins_of
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import CarrierSizing, GearSizing, ShaftSizing
 from gearwright.sizing.rolling import planet_push
+from gearwright.sizing.shafts.compound_carriers import pin_loads
 from gearwright.sizing.shafts.shafts import shaft_material
 from gearwright.spec import GROUND
 
@@ -45,7 +47,9 @@ def size_carriers(
     """
     by_name = {gear.name: gear for gear in gears}
     diameters = {shaft.name: shaft.diameter for shaft in shafts}
-    return tuple(_carrier(context, name, by_name, diameters) for name in context.design.planetaries)
+    simple = [_carrier(context, name, by_name, diameters) for name in context.design.planetaries]
+    compound = [_compound(context, name, by_name, diameters) for name in context.design.epicyclics]
+    return (*simple, *compound)
 
 
 def _carrier(
@@ -89,6 +93,54 @@ def _carrier(
         mass=given.get(f"{part}.mass", pins + plate),
         inertia=given.get(f"{part}.inertia", pins * radius**2 + plate * reach**2 / 2.0),
     )
+
+
+def _compound(
+    context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float]
+) -> CarrierSizing:
+    """Return the carrier of a compound set: equal pins, as strong as the one that is loaded most needs."""
+    stage, rules, given = context.design.epicyclics[name], context.design.carriers, context.given
+    material, own = shaft_material(context), {gear.own: gear for gear in gears.values() if gear.stage == name}
+    allowable = (material.yield_strength or 0.0) / rules.safety
+    places, loads = pins_of(stage, own), pin_loads(context, name, own)
+    lengths = {body: sum(own[step].face_width for step in stage.planets if stage.body(step) == body) for body in places}
+    worst = max(loads, key=lambda load: load.pin * lengths[load.body])
+    length, torque = lengths[worst.body], max(abs(load) for load in _carrier_torques(context, name))
+    pin = given.get(f"{name}.pin_diameter", pin_diameter(worst.pin, length, allowable))
+    hub = diameters.get(stage.carrier, 0.0)
+    thickness = _thickness(rules.plate_ratio * length, torque, hub, allowable=allowable)
+    thickness = given.get(f"{name}.plate_thickness", thickness)
+    bending = pin_stress(worst.pin, length, pin)
+    shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
+    masses = {body: stage.sets * pin_mass(pin, lengths[body], material.density) for body in places}
+    reach = max(map(abs, places.values())) + pin / 2.0
+    plate = plate_mass(reach, thickness, material.density, fill=rules.fill)
+    about = sum(mass * abs(places[body]) ** 2 for body, mass in masses.items())
+    part = carrier_part(name)
+    return CarrierSizing(
+        stage=name,
+        shaft=stage.carrier,
+        case=worst.case,
+        torque=torque,
+        tangential_force=worst.teeth,
+        centrifugal_force=worst.centrifugal,
+        pin_force=worst.pin,
+        radius=abs(places[worst.body]),
+        pin_diameter=pin,
+        pin_stress=bending,
+        pin_margin=allowable / bending if bending else math.inf,
+        plate_thickness=thickness,
+        plate_stress=shear,
+        plate_margin=allowable / 2.0 / shear if shear else None,
+        mass=given.get(f"{part}.mass", sum(masses.values()) + plate),
+        inertia=given.get(f"{part}.inertia", about + plate * reach**2 / 2.0),
+    )
+
+
+def _carrier_torques(context: Context, name: str) -> list[float]:
+    """Return the torque that the teeth put on a carrier in every case [N m]."""
+    rows = [mesh.name for mesh in context.train.meshes if mesh.stage == name]
+    return [sum(flow.meshes[row].torques[2] for row in rows) for flow in context.flows.values()]
 
 
 def _loads(context: Context, name: str, planet: GearSizing, radius: float, *, push: float) -> list[_Load]:

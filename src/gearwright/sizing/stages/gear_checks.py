@@ -37,13 +37,14 @@ def gear_checks(
     for mesh in meshes:
         parts = (by_name[mesh.gears[0]].part, by_name[mesh.gears[1]].part)
         yield from _strength(context.ratings[mesh.stage], mesh, parts)
-    for stage, size in sizes.items():
-        rating, rows = context.ratings[stage], [mesh for mesh in meshes if mesh.stage == stage]
-        pair = (by_name[rows[0].gears[0]], by_name[rows[0].gears[1]])
+    for sized, size in sizes.items():
+        own = {mesh.name for mesh in context.train.meshes if mesh.sized == sized}
+        rows = [mesh for mesh in meshes if mesh.name in own]
+        rating, pair = context.ratings[rows[0].stage], (by_name[rows[0].gears[0]], by_name[rows[0].gears[1]])
         if rating.proportions is not None:
             yield from (_cone if rating.kind == "bevel" else _cylinder)(rating, pair, size)
         if rating.kind == "cylindrical":
-            yield from tooth_checks(context, stage, by_name, rows)
+            yield from tooth_checks(context, rows[0].stage, by_name, rows)
 
 
 def _strength(rating: Rating, mesh: MeshSizing, gears: tuple[PartId, PartId]) -> Iterator[Check]:

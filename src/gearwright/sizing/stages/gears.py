@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from gearwright.identity import Role
 from gearwright.parts.gears import disc_inertia, disc_mass, ring_inertia, ring_mass
+from gearwright.sizing.compound import plane_counts
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.rating import Context, Demand, bevel_push, rate_row
 from gearwright.sizing.result import GearSizing
@@ -20,9 +21,13 @@ def size_gears(context: Context, sizes: Mapping[str, StageSize]) -> tuple[GearSi
 
     Args:
         context: What gear sizing reads.
-        sizes: Stage -> its module and face width.
+        sizes: Stage, or group of gears of a compound set -> its module and face width.
     """
-    return tuple(_gear(context, gear, sizes[gear.stage]) for gear in context.train.gears)
+    lengths = {name: plane_counts(epicyclic) for name, epicyclic in context.design.epicyclics.items()}
+    planes = {gear.name: lengths.get(gear.stage, {}).get(gear.own, 1) for gear in context.train.gears}
+    return tuple(
+        _gear(context, gear, sizes[gear.sized].planes(planes[gear.name])) for gear in context.train.gears
+    )  # fmt: skip
 
 
 def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
@@ -54,6 +59,7 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
         inertia=given.get(f"{gear.name}.inertia", inertia),
         profile_shift=shift.profile_shift,
         tip_alteration=shift.tip_alteration,
+        own=gear.own,
     )
 
 
@@ -103,4 +109,5 @@ def _mesh(context: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing], dem
         working_diameter=2.0 * rolls.radii[0],
         rating=rate_row(context, mesh, first.module, width, asked=(module_bending, module_contact)),
         branch=mesh.branch,
+        own=mesh.own,
     )

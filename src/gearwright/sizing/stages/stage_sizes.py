@@ -26,7 +26,7 @@ STANDARD_MODULES = (
 )  # fmt: skip
 """Modules of series I and II [mm] (ISO 54:1996; ISO 678:1996 for bevel gears, outer transverse)."""
 _MM = 1e-3
-_CORRECTIONS = 6
+CORRECTIONS = 6
 """Corrections of a module under the load spectrum; each closes most of what is left."""
 
 
@@ -39,6 +39,14 @@ class StageSize(NamedTuple):
     """b, as far as it can carry [m]."""
     asked_width: float
     """b as the user gives it, which may be more than a bevel gear can have [m]."""
+
+    def planes(self, count: int) -> StageSize:
+        """Return the size of a gear that lies in several planes of one face width each.
+
+        Args:
+            count: Planes [-].
+        """
+        return self._replace(face_width=count * self.face_width)
 
 
 def stage_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, StageSize]:
@@ -54,6 +62,8 @@ def stage_sizes(context: Context, demands: Mapping[str, Demand]) -> dict[str, St
     group = module_owners(context.design)
     needed: dict[str, float] = {}
     for mesh in context.train.meshes:
+        if mesh.stage not in group:
+            continue
         owner = group[mesh.stage]
         needed[owner] = max(needed.get(owner, 0.0), *demands[mesh.name][2:])
     _align(context, needed, group)
@@ -111,7 +121,7 @@ def _size(context: Context, stage: str, needed: float) -> StageSize:
 
 def _under_spectrum(context: Context, stage: str, module: float, ratio: float) -> float:
     """Return the module with which every asked safety is just met under all cases of the life."""
-    for _ in range(_CORRECTIONS):
+    for _ in range(CORRECTIONS):
         module /= math.cbrt(_gap(context, stage, module, ratio * module))
     return module
 
@@ -126,10 +136,10 @@ def _gap(context: Context, stage: str, module: float, width: float) -> float:
 def _cylinder(context: Context, stage: str, needed: float, ratio: float) -> StageSize:
     """Return a standard module and the whole millimetres of face width that meet the safeties with it."""
     rating, given = context.ratings[stage], context.given
-    module = given.get(f"{stage}.module", _rounded(context, stage, needed))
+    module = given.get(f"{stage}.module", rounded(context, stage, needed))
     width = ratio * module
     if rating.width_is_open:
-        width = _narrowest(_overlap_width(rating, module), width, lambda tried: _gap(context, stage, module, tried))
+        width = narrowest(_overlap_width(rating, module), width, lambda tried: _gap(context, stage, module, tried))
     width = given.get(f"{stage}.face_width", width)
     return StageSize(module, width, width)
 
@@ -140,9 +150,15 @@ def _overlap_width(rating: Rating, module: float) -> float:
     return rating.rules.overlap_ratio * math.pi * module / lean if lean else module
 
 
-def _narrowest(narrowest: float, widest: float, gap: Callable[[float], float]) -> float:
-    """Return the least face width in whole millimetres that meets the safeties, or the most that is allowed [m]."""
-    low, high = math.ceil(min(narrowest, widest) / _MM - 1e-9), max(math.floor(widest / _MM + 1e-9), 1)
+def narrowest(least: float, widest: float, gap: Callable[[float], float]) -> float:
+    """Return the least face width in whole millimetres that meets the safeties, or the most that is allowed [m].
+
+    Args:
+        least: To look from [m].
+        widest: To look to [m].
+        gap: Factor by which the loads could grow at a face width [-].
+    """
+    low, high = math.ceil(min(least, widest) / _MM - 1e-9), max(math.floor(widest / _MM + 1e-9), 1)
     while low < high:
         middle = (low + high) // 2
         if gap(middle * _MM) >= 1.0:
@@ -152,8 +168,14 @@ def _narrowest(narrowest: float, widest: float, gap: Callable[[float], float]) -
     return high * _MM
 
 
-def _rounded(context: Context, stage: str, needed: float) -> float:
-    """Return the next standard module where the rules ask for one; pairs on common axes keep theirs."""
+def rounded(context: Context, stage: str, needed: float) -> float:
+    """Return the next standard module where the rules ask for one; pairs on common axes keep theirs [m].
+
+    Args:
+        context: What gear sizing reads.
+        stage: Whose rules they are.
+        needed: Module that its meshes ask for [m].
+    """
     tied = {name for name, pair in context.design.pairs.items() if pair.coaxial_with is not None}
     tied |= {pair.coaxial_with for pair in context.design.pairs.values() if pair.coaxial_with is not None}
     rules = context.ratings[stage].proportions
@@ -166,7 +188,7 @@ def _bevel_size(context: Context, stage: str, needed: float, ratio: float) -> St
     """Return mean normal module and face width of a bevel stage from its outer module and width, rounded or given."""
     rating, given, teeth = context.ratings[stage], context.given, _teeth(context, stage)
     outer = bevel_pair(teeth, needed, ratio * needed, rating).outer_module
-    outer = given.get(f"{stage}.outer_module", _rounded(context, stage, outer))
+    outer = given.get(f"{stage}.outer_module", rounded(context, stage, outer))
     cone = float(cone_ratio(*teeth)) * outer
     limit = min(WIDEST * cone, WIDEST_MODULES * outer)
     width = ratio * outer / (1.0 / math.cos(rating.helix_angle) + 0.5 * ratio * outer / cone)
@@ -175,7 +197,7 @@ def _bevel_size(context: Context, stage: str, needed: float, ratio: float) -> St
         return _gap(context, stage, mean_module(teeth, outer, tried, rating), tried)
 
     if rating.width_is_open:
-        width = _narrowest(_overlap_width(rating, mean_module(teeth, outer, width, rating)), width, gap)
+        width = narrowest(_overlap_width(rating, mean_module(teeth, outer, width, rating)), width, gap)
     asked = given.get(f"{stage}.face_width", width)
     width = min(asked, limit)
     return StageSize(mean_module(teeth, outer, width, rating), width, asked)

@@ -25,11 +25,11 @@ def module_owners(design: Design) -> dict[str, str]:
         design: As typed.
     """
     shares = {name: {gear_owner(design, name, side) for side in SIDES} - {name} for name in design.pairs}
-    group = {name: {name} for name in design.stages}
+    group = {name: {name} for name in design.simple_stages}
     for name, owners in shares.items():
         joined = set[str]().union(group[name], *(group[owner] for owner in owners))
         group |= dict.fromkeys(joined, joined)
-    order = list(design.stages)
+    order = list(design.simple_stages)
     return {
         name: min(joined, key=lambda stage: (bool(shares.get(stage)), order.index(stage)))
         for name, joined in group.items()

@@ -1,0 +1,48 @@
+"""Where the pins of compound sets stand, and in which planes their gears lie, with the modules that were found."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Mapping
+from typing import Protocol
+
+from gearwright.parts.planetary import pin_angles, pin_radii, planes
+from gearwright.spec import Epicyclic
+
+
+class Sized(Protocol):
+    """A gear that has its module."""
+
+    @property
+    def stage(self) -> str:
+        """Stage that owns it."""
+
+    @property
+    def own(self) -> str:
+        """What the design calls it."""
+
+    @property
+    def module(self) -> float:
+        """m_n [m]."""
+
+
+def pins_of(epicyclic: Epicyclic, gears: Mapping[str, Sized]) -> dict[str, complex]:
+    """Return planet body -> place of its pin in the first set, from the axis, y + i z [m].
+
+    Args:
+        epicyclic: As in the design.
+        gears: Its gears by the design's names.
+    """
+    modules = {epicyclic.group(name): gear.module for name, gear in gears.items()}
+    compound = epicyclic.compound
+    angles = pin_angles(compound, modules)
+    return {body: cmath.rect(radius, angles[body]) for body, radius in pin_radii(compound, modules).items()}
+
+
+def plane_counts(epicyclic: Epicyclic) -> dict[str, int]:
+    """Return gear -> how many face widths long it is: a long planet lies in several planes [-].
+
+    Args:
+        epicyclic: As in the design.
+    """
+    return {gear: len(keys) for gear, keys in planes(epicyclic.compound).items()}
