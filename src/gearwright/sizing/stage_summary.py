@@ -85,7 +85,7 @@ def _ratio(sizing: Sizing, stage: str) -> float:
 
 
 def _fastest_over_slowest(sizing: Sizing, epicyclic: Epicyclic) -> float:
-    """Return the largest speed of a compound set's members over the smallest that is not zero, in the first case [-]."""
+    """Return the largest speed of a compound set's members over the smallest but zero, in the first case [-]."""
     flow = next(iter(sizing.flows.values()))
     speeds = [abs(flow.speeds[shaft]) for shaft in epicyclic.members if flow.speeds[shaft]]
     return max(speeds, default=0.0) / min(speeds, default=1.0)
