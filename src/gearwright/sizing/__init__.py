@@ -14,6 +14,7 @@ from gearwright.sizing.answers import (
     total_results,
 )
 from gearwright.sizing.arranged import Arrangement, ShaftPlan
+from gearwright.sizing.compound import pins_of, towards
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
 from gearwright.sizing.pair_data import BevelPairData, CylindricalPairData, pair_data
@@ -57,9 +58,11 @@ __all__ = [
     "named_results",
     "pair_data",
     "pick",
+    "pins_of",
     "planet_positions",
     "refuse_no_numbers",
     "size",
     "stage_summaries",
     "total_results",
+    "towards",
 ]

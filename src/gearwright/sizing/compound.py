@@ -39,6 +39,20 @@ def pins_of(epicyclic: Epicyclic, gears: Mapping[str, Sized]) -> dict[str, compl
     return {body: cmath.rect(radius, angles[body]) for body, radius in pin_radii(compound, modules).items()}
 
 
+def towards(epicyclic: Epicyclic, pins: Mapping[str, complex], gear: str, mate: str) -> complex:
+    """Return the direction from a gear's axis to the point at which it meshes with a mate in the first set [-].
+
+    Args:
+        epicyclic: As in the design.
+        pins: Planet body -> place of its pin [m].
+        gear: In the design's words.
+        mate: In the design's words.
+    """
+    here, there = (pins[epicyclic.body(name)] if name in epicyclic.planets else 0j for name in (gear, mate))
+    between = here + there if {gear, mate} & epicyclic.rings.keys() else there - here  # a ring meshes beyond the pin
+    return between / abs(between)
+
+
 def plane_counts(epicyclic: Epicyclic) -> dict[str, int]:
     """Return gear -> how many face widths long it is: a long planet lies in several planes [-].
 

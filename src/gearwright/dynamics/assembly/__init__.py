@@ -5,6 +5,7 @@ The builder that it fills is in `model`.
 
 from gearwright.dynamics.assembly.assemble import Driving, assemble, default_case
 from gearwright.dynamics.assembly.assumptions import Assumption, assumptions
+from gearwright.dynamics.assembly.compound_sets import compound_phases
 from gearwright.dynamics.assembly.contacts import bodies_of, contacts_of
 from gearwright.dynamics.assembly.meshes import gear_pairs, mesh_curve
 
@@ -14,6 +15,7 @@ __all__ = [
     "assemble",
     "assumptions",
     "bodies_of",
+    "compound_phases",
     "contacts_of",
     "default_case",
     "gear_pairs",

@@ -11,7 +11,7 @@ import numpy as np
 from gearwright.dynamics.assembly.translational import pin_stiffness
 from gearwright.dynamics.model import System
 from gearwright.sizing import Sizing
-from gearwright.spec import GROUND, Planetary, Record, quantity_of
+from gearwright.spec import GROUND, Record, quantity_of
 from gearwright.spec.checks import table_of
 from gearwright.spec.design import DynamicsRules
 from gearwright.units import text
@@ -79,9 +79,10 @@ def _curves(sizing: Sizing) -> Iterator[Assumption]:
 
 def _backlash(sizing: Sizing) -> Iterator[Assumption]:
     for name, stage in sizing.design.stages.items():
-        table = "planetaries" if isinstance(stage, Planetary) else "pairs"
         words = f"{stage.backlash * 1e6:.4g} µm" if stage.backlash else "none: teeth stay in contact both ways"
-        yield Assumption(f"backlash of {name}", words, _origin(stage, "backlash"), f"{table}.{name}.backlash_um")
+        yield Assumption(
+            f"backlash of {name}", words, _origin(stage, "backlash"), f"{sizing.design.table(name)}.backlash_um"
+        )
 
 
 def _bearings(sizing: Sizing) -> Iterator[Assumption]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
+from gearwright.dynamics.assembly.compound_sets import compound_phases, own_gears, planet_bodies
 from gearwright.dynamics.assembly.meshes import gear_pairs, mesh_curve
 from gearwright.dynamics.model import Model
 from gearwright.identity import SIDES, Kind, PartId, Role, gear_part
@@ -43,6 +44,8 @@ class Assembly:
     """Shaft -> bodies on it, in order."""
     rotors: dict[str, Rotor] = field(default_factory=dict)
     """Body -> its inertia and speed."""
+    phases: dict[str, dict[str, tuple[float, ...]]] = field(default_factory=dict)
+    """Compound set -> phases of its meshes, once they are known."""
 
     @cached_property
     def pairs(self) -> dict[str, GearPair]:
@@ -54,6 +57,16 @@ class Assembly:
         """Planetary sets whose members also move across."""
         design = self.sizing.design
         return tuple(design.planetaries) if design.dynamics.fidelity == "translational" else ()
+
+    def compound_phases(self, stage: str) -> dict[str, tuple[float, ...]]:
+        """Return mesh row -> phase of its mesh in every set of a compound set [cycles].
+
+        Args:
+            stage: Name of the set.
+        """
+        if stage not in self.phases:
+            self.phases[stage] = compound_phases(self.sizing, self.flow, stage)
+        return self.phases[stage]
 
     @property
     def machines_turn(self) -> bool:
@@ -114,6 +127,8 @@ def add_bodies(assembly: Assembly) -> None:
     sizing, speeds = assembly.sizing, assembly.flow.speeds
     for name in sizing.design.planetaries:
         _add_set(assembly, name)
+    for name in sizing.design.epicyclics:
+        _add_compound(assembly, name)
     for gear in sizing.gears:
         if gear.role in SIDES:
             for shaft in gear.shafts:
@@ -139,6 +154,19 @@ def _add_set(assembly: Assembly, name: str) -> None:
     for number in range(1, planetary.planets + 1):
         body = gear_part(name, Role.PLANET, number=number)
         assembly.rotors[str(body)] = Rotor(planet.inertia, assembly.flow.speeds[planet.name], body)
+
+
+def _add_compound(assembly: Assembly, name: str) -> None:
+    """Put a compound set on its shafts; each planet body of each set turns by itself, its steps together."""
+    sizing, epicyclic = assembly.sizing, assembly.sizing.design.epicyclics[name]
+    planets, gears = list(planet_bodies(sizing, name)), own_gears(sizing, name)
+    carrier = next(carrier for carrier in sizing.carriers if carrier.stage == name)
+    for own, central in epicyclic.centrals.items():
+        assembly.put(gears[own].part, central.shaft, gears[own].inertia)
+    carried = sum(planet.mass * abs(planet.place) ** 2 for planet in planets)
+    assembly.put(carrier.part, epicyclic.carrier, carrier.inertia + carried)
+    for planet in planets:
+        assembly.rotors[str(planet.part)] = Rotor(planet.inertia, assembly.flow.speeds[planet.node], planet.part)
 
 
 def _share_shaft(assembly: Assembly, shaft: ShaftSizing) -> None:

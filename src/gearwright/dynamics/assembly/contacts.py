@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
+from gearwright.dynamics.assembly.compound_sets import planet_bodies, planet_body, set_directions
 from gearwright.dynamics.assembly.meshes import gear_of
 from gearwright.dynamics.model import (
     Carried,
@@ -22,7 +23,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.identity import PartId, Role, Row, carrier_part, gear_part
 from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.sizing import Sizing, planet_positions
-from gearwright.spec import GROUND, Pair, Planetary
+from gearwright.spec import GROUND, Epicyclic, Pair, Planetary
 from gearwright.train import INTERNAL, Mesh, PowerFlow
 
 
@@ -39,7 +40,12 @@ def contacts_of(sizing: Sizing, flow: PowerFlow) -> tuple[Contact, ...]:
     contacts: list[Contact] = []
     for mesh in sizing.train.meshes:
         stage = sizing.design.stages[mesh.stage]
-        contacts += _planets(sizing, flow, mesh, stage) if isinstance(stage, Planetary) else [_pair(sizing, flow, mesh)]
+        if isinstance(stage, Epicyclic):
+            contacts += _compound(sizing, flow, mesh, stage)
+        elif isinstance(stage, Planetary):
+            contacts += _planets(sizing, flow, mesh, stage)
+        else:
+            contacts.append(_pair(sizing, flow, mesh))
     return tuple(contacts)
 
 
@@ -53,6 +59,8 @@ def bodies_of(sizing: Sizing) -> dict[str, PartId]:
     for stage, planetary in sizing.design.planetaries.items():
         gears += [gear_part(stage, Role.PLANET, number=number + 1) for number in range(planetary.planets)]
         gears.append(carrier_part(stage))
+    for stage in sizing.design.epicyclics:
+        gears += [*(planet.part for planet in planet_bodies(sizing, stage)), carrier_part(stage)]
     return {str(part): part for part in gears}
 
 
@@ -95,11 +103,11 @@ def base_circles(sizing: Sizing, mesh: Mesh) -> BaseCircles:
 
 def _first_body(sizing: Sizing, shaft: str) -> str:
     """Return the body whose rotation stands for a shaft's, so that its errors are one tone."""
-    for stage in (*sizing.design.planetaries, *sizing.design.pairs):
+    for stage in (*sizing.design.sets, *sizing.design.pairs):
         for gear in sizing.gears:
             if gear.stage == stage and shaft in gear.shafts:
                 return str(gear.body(shaft))
-        if stage in sizing.design.planetaries and sizing.design.planetaries[stage].carrier == shaft:
+        if stage in sizing.design.sets and sizing.design.sets[stage].carrier == shaft:
             return str(carrier_part(stage))
     return ""
 
@@ -160,3 +168,24 @@ def _planets(sizing: Sizing, flow: PowerFlow, mesh: Mesh, stage: Planetary) -> I
         yield Contact(
             str(mesh.part._replace(number=k)), push_direction(towards, circles.pressure_angle, sense=sense), sides
         )
+
+
+def _compound(sizing: Sizing, flow: PowerFlow, mesh: Mesh, stage: Epicyclic) -> Iterator[Contact]:
+    """Yield the contacts of a row of a compound set, one for each set, in the frame of the carrier."""
+    circles, sense = base_circles(sizing, mesh), push_sense(flow, mesh.name)
+    frame: Turns = {str(carrier_part(mesh.stage)): -1} if stage.carrier != GROUND else {}
+    levers = (sense * circles.first, -mesh.sign * sense * circles.second)
+    for number, direction, places in set_directions(sizing, mesh):
+        sides = []
+        for end, (gear, node) in enumerate(zip(mesh.gears, mesh.nodes, strict=False)):
+            part = sizing.train.gear(gear).part
+            if end in places:
+                planet = str(planet_body(sizing, part, number))
+                turns: Turns = {planet: 1, **frame}
+                side = Carried(planet, stage.carrier, levers[end], turns, {}, frame, "x", places[end])
+            else:
+                turns = {str(part): 1, **frame} if node != GROUND else frame
+                side = Carried(str(part), node, levers[end], turns, turns, frame)
+            sides.append(side)
+        push = push_direction(direction, circles.pressure_angle, sense=sense)
+        yield Contact(str(mesh.part._replace(number=number)), push, (sides[0], sides[1]))

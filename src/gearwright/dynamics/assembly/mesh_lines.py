@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass
 
 from gearwright.dynamics.assembly.bodies import Assembly
+from gearwright.dynamics.assembly.compound_sets import planet_body
 from gearwright.dynamics.assembly.contacts import base_circles, direction_between, push_sense
 from gearwright.dynamics.assembly.meshes import gear_of
 from gearwright.dynamics.model import DampingRatio, Owner, Periodic
@@ -14,7 +15,7 @@ from gearwright.identity import PartId, Role, Row, carrier_part, gear_part, mesh
 from gearwright.parts.planetary import planet_phases
 from gearwright.parts.stiffness import StiffnessCurve
 from gearwright.sizing import planet_positions
-from gearwright.spec import GROUND, Planetary
+from gearwright.spec import GROUND, Epicyclic, Planetary
 from gearwright.train import Mesh
 
 
@@ -46,6 +47,9 @@ def add_mesh_row(assembly: Assembly, mesh: Mesh) -> None:
             inner, outer, planet_positions(assembly.sizing.design, mesh.stage, assembly.sizing.teeth)
         )
         for k, phase in enumerate(phases.sun if mesh.row is Row.SUN_PLANET else phases.ring, start=1):
+            _add_line(assembly, mesh, _Teeth(mesh.part._replace(number=k), curve, k, 1, phase))
+    elif isinstance(stage, Epicyclic):
+        for k, phase in enumerate(assembly.compound_phases(mesh.stage)[mesh.name], start=1):
             _add_line(assembly, mesh, _Teeth(mesh.part._replace(number=k), curve, k, 1, phase))
     else:
         _add_line(assembly, mesh, _Teeth(mesh.part, curve, 0, mesh.count, _parallel_phase(assembly, mesh)))
@@ -100,7 +104,9 @@ def _bodies(assembly: Assembly, mesh: Mesh, planet: int) -> tuple[str, str, str]
     """Return the bodies of gear a, gear b and carrier."""
     if planet:
         gears = [assembly.sizing.train.gear(gear).part for gear in mesh.gears]
-        first, second = (part._replace(number=planet if part.role is Role.PLANET else None) for part in gears)
+        first, second = (
+            planet_body(assembly.sizing, part, planet) if part.role is Role.PLANET else part for part in gears
+        )
         return str(first), str(second), str(carrier_part(mesh.stage))
     first, second = (
         gear_of(assembly.sizing, gear).body(shaft) for gear, shaft in zip(mesh.gears, mesh.nodes, strict=False)
@@ -115,6 +121,10 @@ def _tone(assembly: Assembly, mesh: Mesh) -> dict[str, int]:
     if isinstance(stage, Planetary):
         gear, node, carrier = str(gear_part(mesh.stage, Role.SUN)), stage.sun, stage.carrier
         bodies = (gear, str(carrier_part(mesh.stage)))
+    elif isinstance(stage, Epicyclic):
+        gear, node, carrier = mesh.gears[0], mesh.nodes[0], stage.carrier
+        first, _, third = _bodies(assembly, mesh, 1)
+        bodies = (first, third)
     else:
         gear, node, carrier = mesh.gears[0], mesh.nodes[0], GROUND
         bodies = (_bodies(assembly, mesh, 0)[0], GROUND)

@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from gearwright.dynamics.assembly.meshes import gear_of
 from gearwright.dynamics.model import AXES, Contact, DampingRatio, Line, Model, Owner, shift_weights
 from gearwright.errors import Problem, refuse
-from gearwright.identity import Kind, PartId, Role, carrier_part, gear_part
+from gearwright.identity import Kind, PartId, Role, carrier_part
 from gearwright.sizing import Sizing
 from gearwright.train import PowerFlow
 
@@ -67,9 +66,7 @@ def _frames(sizing: Sizing, contacts: tuple[Contact, ...], flow: PowerFlow) -> d
         if len(carrier) > 1
     ]
     refuse(problems)
-    speeds = {
-        str(carrier_part(name)): flow.speeds[planetary.carrier] for name, planetary in sizing.design.planetaries.items()
-    }
+    speeds = {str(carrier_part(name)): flow.speeds[stage.carrier] for name, stage in sizing.design.sets.items()}
     return {shaft: speeds.get(next(iter(carrier), ""), 0.0) for shaft, carrier in carriers.items()}
 
 
@@ -80,8 +77,8 @@ def _moving_mass(sizing: Sizing, shaft: str) -> float:
     carriers = 0.0
     for carrier in sizing.carriers:
         if carrier.shaft == shaft:
-            planet = gear_of(sizing, str(gear_part(carrier.stage, Role.PLANET)))
-            carriers += carrier.mass + planet.mass * planet.bodies
+            planets = [gear for gear in sizing.gears if gear.stage == carrier.stage and gear.role is Role.PLANET]
+            carriers += carrier.mass + sum(planet.mass * planet.bodies for planet in planets)
     return alone + gears + carriers
 
 

@@ -28,7 +28,7 @@ from gearwright.errors import DesignError, Problem, by_name, near
 from gearwright.identity import Kind, Row, mesh_part
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing
-from gearwright.spec import Pair, Planetary
+from gearwright.spec import Epicyclic, Pair, Planetary
 from gearwright.verbs import verb
 
 DETERMINATE = 1e-9
@@ -87,10 +87,18 @@ def parallel_meshes(sizing: Sizing) -> dict[str, tuple[str, ...]]:
     lines = {
         name: tuple(str(mesh_part(name, Row.SUN_PLANET, number=k + 1)) for k in range(stage.planets))
         if isinstance(stage, Planetary)
+        else _most_loaded_row(sizing, name, stage)
+        if isinstance(stage, Epicyclic)
         else tuple(mesh.name for mesh in sizing.train.meshes if mesh.stage == name)
         for name, stage in sizing.design.stages.items()
     }
     return {name: parallel for name, parallel in lines.items() if len(parallel) > 1}
+
+
+def _most_loaded_row(sizing: Sizing, name: str, stage: Epicyclic) -> tuple[str, ...]:
+    """Return the lines of the row of a compound set that carries the largest force, one for each set of planets."""
+    row = max((mesh for mesh in sizing.meshes if mesh.stage == name), key=lambda mesh: mesh.tangential_force)
+    return tuple(str(row.part._replace(number=k + 1)) for k in range(stage.sets))
 
 
 @verb

@@ -6,7 +6,7 @@ import cmath
 
 import numpy as np
 
-from gearwright.dynamics.assembly import gear_pairs
+from gearwright.dynamics.assembly import compound_phases, default_case, gear_pairs
 from gearwright.dynamics.model import System
 from gearwright.dynamics.vibration.response import Response, frequency_response
 from gearwright.errors import DesignError, Problem, near
@@ -41,6 +41,9 @@ def answer(sizing: Sizing, system: System, row: str, *, error: float = 1e-6, top
     mesh, lines = meshes[row], system.labels.lines_of(meshes[row].part)
     if mesh.row is Row.PAIR:
         errors: dict[str, complex] = dict.fromkeys(lines, error)
+    elif mesh.stage in sizing.design.epicyclics:
+        phases = compound_phases(sizing, sizing.flows[default_case(sizing)], mesh.stage)[row]
+        errors = {line: cmath.rect(error, 2.0 * cmath.pi * phase) for line, phase in zip(lines, phases, strict=True)}
     else:
         pairs, positions = gear_pairs(sizing), planet_positions(sizing.design, mesh.stage, sizing.teeth)
         inner, outer = (pairs[str(mesh_part(mesh.stage, kind))] for kind in (Row.SUN_PLANET, Row.PLANET_RING))

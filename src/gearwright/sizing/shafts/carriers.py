@@ -16,6 +16,9 @@ from gearwright.sizing.shafts.compound_carriers import pin_loads
 from gearwright.sizing.shafts.shafts import shaft_material
 from gearwright.spec import GROUND
 
+ROUNDING = 1e-9
+"""Torque on a free carrier over the largest of its parts that counts as none [-]."""
+
 
 class _Load(NamedTuple):
     """What one case puts on a carrier."""
@@ -140,7 +143,8 @@ def _compound(
 def _carrier_torques(context: Context, name: str) -> list[float]:
     """Return the torque that the teeth put on a carrier in every case [N m]."""
     rows = [mesh.name for mesh in context.train.meshes if mesh.stage == name]
-    return [sum(flow.meshes[row].torques[2] for row in rows) for flow in context.flows.values()]
+    torques = [[flow.meshes[row].torques[2] for row in rows] for flow in context.flows.values()]
+    return [sum(parts) if abs(sum(parts)) > ROUNDING * max(map(abs, parts)) else 0.0 for parts in torques]
 
 
 def _loads(context: Context, name: str, planet: GearSizing, radius: float, *, push: float) -> list[_Load]:

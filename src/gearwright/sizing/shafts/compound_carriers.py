@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from gearwright.sizing.compound import pins_of
+from gearwright.sizing.compound import pins_of, towards
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
-from gearwright.train import INTERNAL, Mesh, PowerFlow
+from gearwright.train import PowerFlow
 
 
 class PinLoad(NamedTuple):
@@ -59,20 +58,9 @@ def _tooth_forces(
         for end in (0, 1):
             own, mate = parts[mesh.gears[end]], parts[mesh.gears[1 - end]]
             if own in epicyclic.planets:
-                body = epicyclic.body(own)
-                towards = _towards(
-                    mesh, end, pins[body], pins[epicyclic.body(mate)] if mate in epicyclic.planets else 0j
-                )
                 torque = flow.meshes[mesh.name].torques[end] / mesh.count * rating.load_factor
                 tangential = torque / (gears[own].pitch_diameter / 2.0)
-                away = -1.0 if mesh.sign != INTERNAL or end == 1 else 1.0
-                separating = away * abs(tangential) * math.tan(rating.rules.pressure_angle)
-                forces[body] += towards * (1j * tangential + separating)
+                separating = -abs(tangential) * math.tan(rating.rules.pressure_angle)
+                force = towards(epicyclic, pins, own, mate) * (1j * tangential + separating)
+                forces[epicyclic.body(own)] += force
     return forces
-
-
-def _towards(mesh: Mesh, end: int, pin: complex, mate: complex) -> complex:
-    """Return the direction from a planet's pin to the point at which it meshes."""
-    between = mate - pin
-    direction = between / abs(between) if between else cmath.rect(1.0, cmath.phase(pin))
-    return -direction if mesh.sign == INTERNAL and end == 0 else direction
