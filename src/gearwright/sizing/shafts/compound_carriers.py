@@ -17,8 +17,10 @@ class PinLoad(NamedTuple):
 
     case: str
     body: str
-    teeth: float
-    """From its teeth [N]."""
+    tangential: float
+    """From its teeth, around the axis of the carrier [N]."""
+    radial: float
+    """From its teeth, outwards [N]."""
     centrifugal: float
     """From its mass [N]."""
     pin: float
@@ -43,7 +45,8 @@ def pin_loads(context: Context, name: str, gears: Mapping[str, GearSizing]) -> l
         for body, place in pins.items():
             mass = sum(gears[step].mass for step in epicyclic.planets if epicyclic.body(step) == body)
             outwards = mass * speed**2 * place
-            loads.append(PinLoad(case, body, abs(teeth[body]), abs(outwards), abs(teeth[body] + outwards)))
+            force = teeth[body] / place * abs(place)
+            loads.append(PinLoad(case, body, abs(force.imag), force.real, abs(outwards), abs(teeth[body] + outwards)))
     return loads
 
 
