@@ -116,7 +116,7 @@ def strengthened(design: Design, worst: GearDamage) -> Design:
     stage = worst.part.name
     path = method_for(rating_of(design, stage)).safeties[worst.mode]
     stronger = _raised(design.stages[stage].gears or GearRules(), design.rules(stage), path)
-    table = design.table(stage).partition(".")[0]
+    table = design.kind(stage)
     stages = dict(getattr(design, table))
     stages[stage] = stages[stage].model_copy(update={"gears": stronger})
     return design.model_copy(update={table: stages})

@@ -149,8 +149,15 @@ class Design(Shown, Record):
         Args:
             stage: Name of a pair, planetary set or compound set.
         """
-        kind = "pairs" if stage in self.pairs else "planetaries" if stage in self.planetaries else "epicyclics"
-        return f"{kind}.{stage}"
+        return f"{self.kind(stage)}.{stage}"
+
+    def kind(self, stage: str) -> str:
+        """Return the kind of a stage as the file has it: ``pairs``, ``planetaries`` or ``epicyclics``.
+
+        Args:
+            stage: Name of a pair, planetary set or compound set.
+        """
+        return "pairs" if stage in self.pairs else "planetaries" if stage in self.planetaries else "epicyclics"
 
     @property
     def sets(self) -> dict[str, Planetary | Epicyclic]:
