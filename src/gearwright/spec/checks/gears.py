@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role, gear_part
 from gearwright.parts.agma2001 import AgmaSteel, agma_strength
-from gearwright.spec.design import RATINGS, Design, Epicyclic, Pair, Planetary, method_of, uncovered
+from gearwright.spec.design import RATINGS, Design, Epicyclic, Pair, Planetary, method_of, stage_shifts, uncovered
 
 SQUARE = 0.5 * math.pi
 """Axis angle of face and bevel gears that is understood [rad]."""
@@ -26,7 +26,8 @@ def gear_problems(design: Design) -> Iterator[Problem]:
         yield from _crossing(name, pair, design)
         for side in SIDES:
             yield from _shared(name, side, design)
-        yield from _inside(name, pair)
+        problems = list(_inside(name, pair))
+        yield from problems or _shifted(name, pair, design)
     for name, stage in design.stages.items():
         yield from _covered(f"{design.table(name)}.gears.rating", stage, design.rules(name).rating)
     yield from _agma_steels(design)
@@ -97,6 +98,16 @@ def _inside(name: str, pair: Pair) -> Iterator[Problem]:
     if pair.internal and pair.ratio is not None and pair.ratio <= 1.0:
         message = f"{pair.ratio:g} leaves no room inside the wheel for the pinion; an internal pair needs more than 1"
         yield Problem(f"{path}.ratio", message)
+
+
+def _shifted(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
+    """Find shifts of given teeth that contradict each other, or make no gears."""
+    if pair.pinion_teeth is None or pair.wheel_teeth is None:
+        return
+    try:
+        stage_shifts(design, name, {Role.PINION: pair.pinion_teeth, Role.WHEEL: pair.wheel_teeth})
+    except DesignError as error:
+        yield from error.problems
 
 
 def _crossing(name: str, pair: Pair, design: Design) -> Iterator[Problem]:

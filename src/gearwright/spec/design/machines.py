@@ -140,7 +140,7 @@ class Airscrew(Machine):
     gives: ClassVar[bool] = True
 
     speed: Speed = Field(ge=0.1, le=2e4, description="Asked speed; the teeth may let it yield")
-    diameter: Length = Field(gt=0, le=100, description="Diameter")
+    diameter: Length = Field(gt=0, le=300, description="Diameter")
     blades: int = Field(4, ge=2, le=12, description="Number of blades")
     inertia: Inertia | None = Field(None, gt=0, description="Polar inertia; estimated if left out")
     thrust: Force = Field(0.0, description="Along its shaft, positive away from the gears")

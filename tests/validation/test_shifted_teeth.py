@@ -1,0 +1,133 @@
+"""Published shifted teeth as design files: the 5 MW reference gearbox, and what planetary sets of literature close at.
+
+Source: Nejad et al. 2016, Wind Energy 19, 1089-1106, and the KISSsoft report of its stages (gfsReboucas/Drivetrain).
+"""
+
+import math
+
+import pytest
+
+from gearwright.dynamics.assembly import gear_pairs
+from gearwright.parts.gears import ToothShift, half_angle_at, span_measurement, spanned_teeth, working_centre
+from gearwright.parts.losses import tooth_contact
+from gearwright.shipped import shipped_design
+from gearwright.sizing import cylindrical_gear, pair_data, size
+from gearwright.spec import read
+
+UM = 1e-6
+TWENTY = {"pressure_angle": math.radians(20.0), "helix_angle": 0.0}
+TURBINE = size(read(shipped_design("wind-turbine-5mw")))
+GEARS = {gear.name: gear for gear in TURBINE.gears}
+MESHES = {mesh.name: mesh for mesh in TURBINE.meshes}
+
+
+@pytest.mark.parametrize(
+    ("module", "teeth", "shifts", "published"),
+    [
+        (45e-3, (19, 17, -56), (0.617, 0.802, -0.501), (862.996e-3, 862.991e-3)),
+        (21e-3, (18, 36, -93), (0.389, 0.504, 0.117), (584.002e-3, 584.000e-3)),
+    ],
+)
+def test_both_meshes_of_a_published_set_close_within_five_micrometres_of_each_other(module, teeth, shifts, published):
+    """The centre distances are printed to a micrometre, the shifts to a thousandth."""
+    inner = module * working_centre(teeth[0] + teeth[1], shifts[0] + shifts[1], **TWENTY)
+    outer = module * working_centre(teeth[1] + teeth[2], shifts[1] + shifts[2], **TWENTY)
+    assert (inner, outer) == (pytest.approx(published[0], abs=0.6 * UM), pytest.approx(published[1], abs=0.6 * UM))
+    assert abs(inner - outer) <= 5.0 * UM
+
+
+def test_the_gearbox_turns_at_the_published_ratios():
+    """96.3542 in all: 3.94737, 6.16667 and 3.95833."""
+    speeds = TURBINE.flows["rated"].speeds
+    assert abs(speeds["fast"] / speeds["main"]) == pytest.approx(96.3542, abs=5e-5)
+    assert speeds["intermediate"] / speeds["main"] == pytest.approx(3.94737, abs=5e-6)
+    assert speeds["hollow"] / speeds["intermediate"] == pytest.approx(6.16667, abs=5e-6)
+
+
+@pytest.mark.parametrize(
+    ("gear", "printed"),
+    [
+        ("first.sun", 978.808), ("first.planet", 905.47), ("first.ring", 2475.118),
+        ("second.sun", 432.838), ("second.planet", 815.663), ("second.ring", 1906.081),
+        ("third.pinion", 380.7473), ("third.wheel", 1395.3754),
+    ],
+)  # fmt: skip
+def test_tip_circles_come_out_with_the_shortening_that_keeps_the_clearance(gear, printed):
+    """d_a of the reports [mm]; shifts of three decimals move a tip by up to half a thousandth of a module twice."""
+    teeth = cylindrical_gear(TURBINE.design, GEARS[gear])
+    radius = (
+        teeth.tip_radius if not gear.endswith("ring") else teeth.pitch_radius - (teeth.tip_radius - teeth.pitch_radius)
+    )
+    assert 2e3 * radius == pytest.approx(printed, abs=1e3 * 2e-3 * teeth.module)
+
+
+def test_the_contact_ratio_of_the_helical_pair_is_the_printed_one():
+    """ε_1 = 0.852 and ε_2 = 0.611 of the report of stage 3."""
+    data = pair_data(TURBINE, MESHES["third"])
+    assert data.transverse_contact_ratio == pytest.approx(0.852 + 0.611, abs=1.5e-3)
+    assert gear_pairs(TURBINE)["third"].transverse_contact_ratio == pytest.approx(1.463, abs=1.5e-3)
+
+
+def test_spans_of_the_first_stage_are_the_printed_ones():
+    """W_3 = 363.082 mm of the sun and 367.52 mm of a planet; 0.1 thousandths of x are 0.03 mm of the planet."""
+    for name, printed in (("first.sun", 363.082), ("first.planet", 367.52)):
+        teeth = cylindrical_gear(TURBINE.design, GEARS[name])
+        assert spanned_teeth(teeth) == 3
+        assert 1e3 * span_measurement(teeth, 3) == pytest.approx(printed, abs=0.01)
+
+
+def test_losses_of_the_first_stage_have_the_printed_factors():
+    """H_V = 0.181 with the sun and 0.161 with the ring."""
+    shifts = [ToothShift(gear.profile_shift, gear.tip_alteration) for gear in TURBINE.gears[:3]]
+    for row, teeth, pair, printed in (
+        ("sun-planet", (19, 17), (0, 1), 0.181),
+        ("planet-ring", (17, -56), (1, 2), 0.161),
+    ):
+        contact = tooth_contact(
+            teeth,
+            45e-3,
+            pressure_angle=math.radians(20.0),
+            shifts=(shifts[pair[0]], shifts[pair[1]]),
+            working_angle=MESHES[f"first.{row}"].working_pressure_angle,
+        )
+        assert contact.loss_factor == pytest.approx(printed, abs=5.5e-4)
+
+
+def test_the_force_at_the_working_circle_is_the_torque_over_its_radius():
+    """By hand: r_w = a_w z_s/(z_s + z_p), cos α_wt = a cos 20°/a_w; T_sun = 999 650.9 N m of three planets, K_γ 1.1."""
+    mesh, radius = MESHES["first.sun-planet"], 0.863 * 19.0 / 36.0
+    assert mesh.tangential_force == pytest.approx(999650.9 * 1.1 / 3.0 / radius, rel=1e-6)
+    assert mesh.working_pressure_angle == pytest.approx(math.acos(0.810 * math.cos(math.radians(20.0)) / 0.863))
+    assert mesh.radial_force == pytest.approx(mesh.tangential_force * math.tan(mesh.working_pressure_angle))
+    assert MESHES["first.planet-ring"].working_pressure_angle == pytest.approx(
+        math.acos(0.8775 * math.cos(math.radians(20.0)) / 0.863)
+    )
+
+
+def test_roots_and_flanks_of_the_first_stage_are_near_the_report():
+    """S_F 3.33, 2.48, 2.71 of sun and planet and S_H 1.40 of the sun: K_Hβ and K_V here are this tool's own."""
+    inner, outer = (MESHES[f"first.{row}"].rating for row in ("sun-planet", "planet-ring"))
+    assert inner.bending == (pytest.approx(3.33, rel=0.12), pytest.approx(2.48, rel=0.12))
+    assert outer.bending[0] == pytest.approx(2.71, rel=0.12)
+
+
+def test_the_planet_bearing_bears_the_radial_rest_of_unequal_working_angles():
+    """Both meshes have one normal force: F_r = F_n (sin α_ws − sin α_wr), F_t = F_n (cos α_ws + cos α_wr)."""
+    carrier = next(carrier for carrier in TURBINE.carriers if carrier.stage == "first")
+    sun, ring = (MESHES[f"first.{row}"].working_pressure_angle for row in ("sun-planet", "planet-ring"))
+    normal = carrier.tangential_force / (math.cos(sun) + math.cos(ring))
+    assert carrier.radial_force == pytest.approx(normal * (math.sin(sun) - math.sin(ring)))
+    assert carrier.radius == 0.863
+
+
+def test_teeth_and_spaces_fill_the_working_circle():
+    """Without backlash the thicknesses of both teeth at the working circles make one pitch."""
+    for name in ("first.sun-planet", "second.planet-ring", "third"):
+        pair = gear_pairs(TURBINE)[name]
+        cosine = math.cos(pair.working_pressure_angle)
+        thick = sum(
+            2.0 * half_angle_at(gear, gear.base_radius / cosine) * gear.base_radius / cosine
+            for gear in (pair.driver, pair.driven)
+        )
+        pitch = 2.0 * math.pi * pair.driver.base_radius / cosine / pair.driver.teeth
+        assert thick == pytest.approx(pitch, abs=2e-3 * pair.driver.module)
