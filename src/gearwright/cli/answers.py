@@ -40,7 +40,9 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "replay colibri": ("gearwright.replays.colibri.answer:ColibriAnswer", ""),
 })  # fmt: skip
 """Command -> type of its answer, and of its rows where it has any."""
-REVISIONS: Mapping[str, int] = MappingProxyType({"fly": 2, "modes": 2, "run": 2})
+REVISIONS: Mapping[str, int] = MappingProxyType({
+    "compare": 2, "fly": 2, "modes": 2, "resume": 2, "run": 2, "study": 2,
+})  # fmt: skip
 """Command -> number of its schema, where keys of its answer have changed since the first."""
 ROWS = "rows"
 """Key that `--jsonl` leaves out of an answer, as its rows follow."""
@@ -77,13 +79,22 @@ def show_rows(command: str, answer: object, rows: Iterable[object], *, design: s
         rows: Records of the type of the command's rows.
         design: Name of the design that it is about, if it is about one.
     """
-    from gearwright.render.answers.plain import plain
-
     envelope = _envelope(command, answer, design)
     envelope["result"].pop(ROWS, None)
     show_json(json.dumps(envelope, ensure_ascii=False, allow_nan=False))
     for row in rows:
-        show_json(json.dumps(plain(row), ensure_ascii=False, allow_nan=False))
+        show_row(row)
+
+
+def show_row(row: object) -> None:
+    """Print one row as a line of JSON.
+
+    Args:
+        row: A record of the type of a command's rows.
+    """
+    from gearwright.render.answers.plain import plain
+
+    show_json(json.dumps(plain(row), ensure_ascii=False, allow_nan=False))
 
 
 def _envelope(command: str, answer: object, design: str | None) -> dict[str, Any]:

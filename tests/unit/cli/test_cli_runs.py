@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import re
+import sqlite3
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,7 @@ from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.spec import read, read_study
 from gearwright.study.running import Progress, begin
+from gearwright.study.running.journal import Journal
 
 TEXT = """schema = 1
 name = "fill"
@@ -136,3 +138,24 @@ def test_progress_counts_what_is_left() -> None:
     assert Progress(250, 1000, 3, 50.0).remaining == pytest.approx(15.0)
     assert Progress(0, 1000, 0, 0.0).remaining == float("inf")
     assert re.fullmatch("unknown time", runs._duration(Progress(0, 1, 0, 0.0).remaining))
+
+
+@pytest.mark.parametrize("earlier", [0, 3])
+def test_json_lines_of_a_study_come_as_its_cases_are_finished(folder: Path, monkeypatch, earlier: int) -> None:
+    """The envelope first, the rows of earlier runs next, then each row before the next case is computed."""
+    journal, order = folder / "j", list[str]()
+    if earlier:
+        call("study", folder / "study.toml", "--journal", journal, "--workers", 0)
+        with sqlite3.connect(journal) as database:
+            database.execute("DELETE FROM rows WHERE number >= ?", (earlier,))
+    append = Journal.append
+
+    def appended(self, rows):
+        order.append("case")
+        append(self, rows)
+
+    monkeypatch.setattr(Journal, "append", appended)
+    monkeypatch.setattr("gearwright.cli.answers.show_json", lambda text: order.append(min(json.loads(text))))
+    what = ("resume", journal) if earlier else ("study", folder / "study.toml")
+    assert call(*what, "--jsonl", "--workers", 0) == ""
+    assert order == ["command", *["design"] * earlier, *["case", "design"] * (8 - earlier)]

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gearwright.cli.answers import show_answer, show_rows
+from gearwright.cli.answers import show_answer, show_row, show_rows
 from gearwright.cli.designs import design_of
 from gearwright.cli.ends import INTERRUPTED
 from gearwright.cli.options import JsonOption, LinesOption
@@ -48,14 +48,14 @@ SMALL = 200
 
 def run_shown(
     study: Study, designs: Mapping[str, Design], *, journal: Path | None, workers: int | None, start: Start,
-    origin: str,
+    origin: str, jsonl: bool = False,
 ) -> Table:  # fmt: skip
-    """Run a study and show its progress on a terminal."""
+    """Run a study, show its progress on a terminal, and print its rows as they are finished if they are asked for."""
     from gearwright.spec import case_count
     from gearwright.study.running import run_study
 
     count = _workers(workers, case_count(study))
-    with _stopped_cleanly(journal), _watched() as watch:
+    with _stopped_cleanly(journal), _watched(_lines("study", study) if jsonl else None) as watch:
         return run_study(
             study, designs, workers=count, journal=journal, origin=origin, watch=watch, start=start
         )  # fmt: skip
@@ -134,7 +134,7 @@ def resume(
     if not anyway:
         _refuse_changed_mission(journal, known.study, Path(known.origin))
     count = _workers(workers, known.total)
-    with _stopped_cleanly(journal), _watched() as watch:
+    with _stopped_cleanly(journal), _watched(_lines("resume", known.study) if jsonl else None) as watch:
         table = go_on(journal, workers=count, designs=present, anyway=anyway, watch=watch, start=start_of(cluster, tls))
     show_table("resume", table, known.study, csv=csv, json=json, jsonl=jsonl)
     if not (json or jsonl):
@@ -161,8 +161,10 @@ def show_table(
     from gearwright.render.answers.study import study_answer, study_rows
     from gearwright.render.tables.study.variants import study_csv, study_grid, summary_grid
 
-    if jsonl:
+    if jsonl and study is None:
         show_rows(command, study_answer(table), study_rows(table))
+    elif jsonl:
+        pass  # the rows of a study were printed as they were finished
     elif json:
         show_answer(command, study_answer(table))
     else:
@@ -276,9 +278,22 @@ def _stopped_cleanly(journal: Path | None) -> Iterator[None]:
         raise typer.Exit(INTERRUPTED) from None
 
 
+def _lines(command: str, study: Study) -> Callable[[Progress], None]:
+    """Print the envelope of a study's JSON Lines; return what prints the rows that are finished."""
+    from gearwright.render.answers.study import StudyAnswer, study_row
+
+    show_rows(command, StudyAnswer(study.name, study.description, None, ()), ())
+
+    def print_rows(now: Progress) -> None:
+        for row in now.rows:
+            show_row(study_row(row))
+
+    return print_rows
+
+
 @contextmanager
-def _watched() -> Iterator[Callable[[Progress], None]]:
-    """Show cases, rate, remaining time and failures on a terminal; stay silent elsewhere."""
+def _watched(printed: Callable[[Progress], None] | None) -> Iterator[Callable[[Progress], None]]:
+    """Show cases, rate, remaining time and failures on a terminal; elsewhere only what prints rows is told."""
     from rich.progress import BarColumn, TextColumn
     from rich.progress import Progress as Bar
 
@@ -290,6 +305,8 @@ def _watched() -> Iterator[Callable[[Progress], None]]:
             words = f"{now.rate:.1f}/s, {_duration(now.remaining)} to go, {now.failed:,} infeasible"
             count = f"{now.done:,} of {now.total:,}"
             bar.update(task, completed=now.done, total=now.total, description=words, count=count)
+            if printed is not None:
+                printed(now)
 
         yield update
 

@@ -76,7 +76,13 @@ def study(
     designs = {design: design_of(design, path.parent) for design in read.designs}
     refuse_files(csv, export, figure, report)
     table = run_shown(
-        read, designs, journal=journal, workers=workers, start=start_of(cluster, tls), origin=str(path.parent)
+        read,
+        designs,
+        journal=journal,
+        workers=workers,
+        start=start_of(cluster, tls),
+        origin=str(path.parent),
+        jsonl=jsonl,
     )
     show_table("study", table, read, csv=csv, json=json, jsonl=jsonl)
     if not (json or jsonl):

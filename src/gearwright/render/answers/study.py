@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from gearwright.render.answers.plain import named
-from gearwright.study import Table
+from gearwright.study import Row, Table
 from gearwright.study.running.journal import Status
 from gearwright.units import Time
 
@@ -30,8 +30,8 @@ class StudyAnswer:
 
     name: str
     description: str
-    failed: int
-    """Infeasible variants."""
+    failed: int | None
+    """Infeasible variants; null in the first line of `--jsonl`, which stands before them."""
     rows: tuple[StudyRow, ...]
     """In the order of the study."""
 
@@ -46,13 +46,21 @@ def study_answer(table: Table) -> StudyAnswer:
 
 
 def study_rows(table: Table) -> Iterator[StudyRow]:
-    """Yield a study variant by variant.
+    """Return a study variant by variant.
 
     Args:
         table: Of the study.
     """
-    for row in table.rows:
-        yield StudyRow(row.design, row.inputs, dict(named(row.results)), row.problem)
+    return map(study_row, table.rows)
+
+
+def study_row(row: Row) -> StudyRow:
+    """Return one variant of a study.
+
+    Args:
+        row: As it was computed.
+    """
+    return StudyRow(row.design, row.inputs, dict(named(row.results)), row.problem)
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass
 from pathlib import Path
@@ -30,6 +30,8 @@ class Progress:
     """Finished cases that are a reason instead of results."""
     rate: float
     """Cases a second since this run began [1/s]."""
+    rows: tuple[Row, ...] = ()
+    """Cases that have been finished since this was told last; at first those of earlier runs."""
 
     @property
     def remaining(self) -> float:
@@ -125,13 +127,15 @@ def _run(book: Journal, study: Study, workers: int, watch: Watch | None, compute
     """Compute what the journal lacks, batch after batch."""
     done = book.finished()
     meter = _Meter(case_count(study), len(done), sum(done.values()), watch)
+    if watch is not None and done:
+        watch(Progress(len(done), meter.total, meter.failed, 0.0, tuple(book.rows(done))))
     book.begin_run(workers)
     for batch, answer in batches(study):
         wanted: list[int] = []
         missing = _missing(batch, done, wanted)
         for finished in compute(missing, meter.total - len(done)):
             book.append(finished)
-            meter.count(row for _, row in finished)
+            meter.count(tuple(row for _, row in finished))
         answer(book.rows(wanted) if study.sampling.method == "nsga2" else [])
     rows = book.rows(range(meter.total))
     if len(rows) < meter.total:
@@ -155,11 +159,11 @@ class _Meter:
         self.total, self.earlier, self.done, self.failed, self.watch = total, done, done, failed, watch
         self.start = time.monotonic()
 
-    def count(self, rows: Iterable[Row]) -> None:
+    def count(self, rows: tuple[Row, ...]) -> None:
         for row in rows:
             self.done += 1
             self.failed += bool(row.problem)
         if self.watch is not None:
             elapsed = time.monotonic() - self.start
             rate = (self.done - self.earlier) / elapsed if elapsed > 0.0 else 0.0
-            self.watch(Progress(self.done, self.total, self.failed, rate))
+            self.watch(Progress(self.done, self.total, self.failed, rate, rows))
