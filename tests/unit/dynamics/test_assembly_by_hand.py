@@ -13,7 +13,7 @@ from gearwright.dynamics.assembly.assumptions import assumptions
 from gearwright.dynamics.assembly.contacts import contacts_of
 from gearwright.dynamics.model import ClutchDrive, Line, MachineDrive, Model, Periodic
 from gearwright.dynamics.model.drives import encoded
-from gearwright.dynamics.model.family import check_structure, envelope, stacked
+from gearwright.dynamics.model.family import check_structure, envelope, own_groups, stacked
 from gearwright.dynamics.model.line import DampingRatio
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
@@ -318,3 +318,29 @@ def test_a_motor_drives_in_the_sense_in_which_its_shaft_turns():
     assert clutch[:8] == [11.0, 2.0, 0.0, -5.0, 1.0, 7.0, 0.0, 1.0] and clutch[8:] == [1e4, 3.0, 0.0]
     other = table[26:]
     assert other[:8] == [11.0, 2.0, 1.0, 7.0, 0.0, -5.0, 1.0, 2.0] and other[8:] == [1e4, 3.0, -1.0]
+
+
+def test_losses_hold_each_shaft_against_its_sense():
+    """A resistance of 3 N m is −3 N m on a shaft that turns forwards, +3 on one that turns backwards."""
+    sizing = size(parse(PAIR))
+    system = assemble(sizing, driving=Driving((), {"fast": ((0.0, 3.0), (1.0, 4.0)), "slow": 5.0}, {}))
+    schedules, names = system.arrays.loads.schedules, system.labels.coordinates
+    held = {
+        names[dof]: schedules.value[start:end].tolist()
+        for dof, start, end in zip(schedules.dof, schedules.start, schedules.start[1:], strict=False)
+    }
+    speeds = sizing.flows["rated"].speeds
+    assert speeds["fast"] > 0.0 > speeds["slow"]
+    assert held == {"stage.pinion": [-3.0, -4.0], "stage.wheel": [5.0]}
+    assert not np.any(system.arrays.loads.constant)
+
+
+def test_clocks_of_systems_differ_where_their_tones_or_profiles_do():
+    first, second = small(), small()
+    layout, names = (0, 2), ("stiffness", "inertia")
+    rows = np.array([[1.0, 2.0, 3.0], [1.0, 5.0, 3.0]])
+    alike = stacked([first, second])
+    assert own_groups(alike, layout, names, rows) == {"stiffness"}
+    profile = second.profile._replace(factor=second.profile.factor * 2.0)
+    other = stacked([first, second._replace(profile=profile)])
+    assert own_groups(other, layout, names, rows) == {"stiffness", "clock"}
