@@ -11,8 +11,11 @@ from gearwright.identity import Role
 from gearwright.sizing.rating.methods import modules, stage_width_ratio, uncovered_teeth
 from gearwright.sizing.rating.rules import Ask, Rating, rating_of
 from gearwright.spec import Design
-from gearwright.spec.design import Given
+from gearwright.spec.design import RATINGS, Given, case_named
 from gearwright.train import INTERNAL, Gear, Mesh, PowerFlow, Train
+
+_IDLE = 1e-6
+"""Part of the largest load below which a case does not load the other flank [-]."""
 
 
 class Demand(NamedTuple):
@@ -86,11 +89,18 @@ def _uncovered(context: Context, mesh: Mesh) -> Iterator[Problem]:
 def worst_case(context: Context, mesh: Mesh) -> tuple[str, float]:
     """Return the case that loads a mesh most, and its torque per tooth, load factor included [N m].
 
+    Where the method knows fatigue, static cases are none of them: they count no cycles.
+
     Args:
         context: What gear sizing reads.
         mesh: A row of the train.
     """
-    loads = {case: abs(flow.meshes[mesh.name].multiplier) for case, flow in context.flows.items()}
+    known = RATINGS[context.design.rating(mesh.stage)].fatigue
+    loads = {
+        case: abs(flow.meshes[mesh.name].multiplier)
+        for case, flow in context.flows.items()
+        if not (known and case_named(context.design, case).static)
+    }
     case = max(loads, key=lambda case_name: loads[case_name])
     return case, loads[case] / mesh.count * context.ratings[mesh.stage].load_factor
 
@@ -110,12 +120,28 @@ def ask_of(context: Context, mesh: Mesh, case: str, per_tooth: float) -> Ask:
         case: Of the design.
         per_tooth: Torque per tooth of one mesh, load factor included [N m].
     """
-    speeds = context.flows[case].speeds
-    return row_ask(context.train, context.teeth, mesh)._replace(
+    speeds, ask = context.flows[case].speeds, row_ask(context.train, context.teeth, mesh)
+    return ask._replace(
+        idlers=(True, True) if reverses(context, mesh) else ask.idlers,
         per_tooth=per_tooth,
         width_ratio=width_ratio_of(context, mesh.stage),
         speed=abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]),
     )
+
+
+def reverses(context: Context, mesh: Mesh) -> bool:
+    """Tell whether the teeth of a row are loaded on both flanks, in one case on one and in another on the other.
+
+    Their roots then bear alternating bending, as those of idlers (ISO 6336-3:2019, annex B).
+
+    Args:
+        context: What gear sizing reads.
+        mesh: A row of the train.
+    """
+    lasting = [flow for case, flow in context.flows.items() if not case_named(context.design, case).static]
+    loads = [flow.meshes[mesh.name].multiplier for flow in lasting]
+    idle = _IDLE * max(map(abs, loads), default=0.0)
+    return min(loads, default=0.0) < -idle and max(loads, default=0.0) > idle
 
 
 def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh) -> Ask:

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+
+import numpy as np
 
 from gearwright.sizing.rating.context import Context, ask_of, worst_case
 from gearwright.sizing.rating.methods import method_for
 from gearwright.sizing.rating.protocol import Load, LoadedMesh, MeshRating, Unloaded
-from gearwright.spec import shares_of
+from gearwright.spec import case_named, shares_of
 from gearwright.train import Mesh
 
 _LEAST_TORQUE = 1e-9
 """Below it a case does no damage [N m]."""
+_CREEP = 1e-3
+"""Speed of gears that a limit load finds at rest [rad/s]."""
 _NONE_ASKED = (0.0, 0.0)
 
 
@@ -58,6 +63,15 @@ def _loads(context: Context, mesh: Mesh) -> Iterator[Load]:
     for case, share in shares.items():
         if share > 0.0:
             yield _load(context, mesh, case, share * service.life)
+    for case in context.flows:
+        if case_named(context.design, case).static:
+            yield _once(_load(context, mesh, case, 0.0))
+
+
+def _once(load: Load) -> Load:
+    """Return a limit load as one turn of the first gear: static strength bears it, and no cycles are spent."""
+    speed = max(float(np.asarray(load.ask.speed)), _CREEP)
+    return load._replace(ask=load.ask._replace(speed=speed), life=2.0 * math.pi / speed)
 
 
 def _load(context: Context, mesh: Mesh, case: str, life: float) -> Load:
