@@ -10,7 +10,7 @@ from dataclasses import fields
 import pytest
 
 from gearwright.identity import Role
-from gearwright.parts.gears import lewis_form_factor, virtual_teeth
+from gearwright.parts.gears import lewis_form_factor, virtual_teeth, working_pressure_angle
 from gearwright.render.tables.sizing.factors import factor_tables
 from gearwright.render.tables.sizing.overview import tables_of
 from gearwright.shipped import shipped_design, shipped_designs
@@ -50,6 +50,7 @@ class Seen:
         self.beta, self.alpha = self.rules.helix_angle, self.rules.rules.pressure_angle
         self.row = next(row for row in sizing.train.meshes if row.name == mesh.name)
         self.flow = sizing.flows[mesh.case]
+        self.stage = sizing.design.stages[mesh.stage]
 
     @property
     def per_tooth(self):
@@ -76,7 +77,35 @@ class Seen:
 def rolled(mesh):
     """Return v of a mesh, from speeds."""
     speeds, nodes = mesh.flow.speeds, mesh.row.nodes
-    return abs(speeds[nodes[0]] - speeds[nodes[2]]) * mesh.one.pitch_diameter / 2.0
+    return abs(speeds[nodes[0]] - speeds[nodes[2]]) * working_diameter(mesh) / 2.0
+
+
+def pitch_sum(mesh):
+    """Return a = (d_2 ± d_1)/2."""
+    return (mesh.other.pitch_diameter + (-1.0 if mesh.internal else 1.0) * mesh.one.pitch_diameter) / 2.0
+
+
+def centre(mesh):
+    """Return a_w: given, or by the sum of the shifts."""
+    given = getattr(mesh.stage, "centre_distance", None)
+    total = mesh.one.profile_shift + mesh.other.profile_shift
+    if given is not None or not total or mesh.rules.kind != "cylindrical":
+        return given or pitch_sum(mesh)
+    teeth = mesh.one.teeth + (-1 if mesh.internal else 1) * mesh.other.teeth
+    angle = working_pressure_angle(teeth, total, pressure_angle=mesh.alpha, helix_angle=mesh.beta)
+    return pitch_sum(mesh) * math.cos(transverse(mesh)) / math.cos(angle)
+
+
+def transverse(mesh):
+    return math.atan(math.tan(mesh.alpha) / math.cos(mesh.beta))
+
+
+def working_angle(mesh):
+    return math.acos(pitch_sum(mesh) / centre(mesh) * math.cos(transverse(mesh)))
+
+
+def working_diameter(mesh):
+    return mesh.one.pitch_diameter * centre(mesh) / pitch_sum(mesh)
 
 
 def cone(mesh):
@@ -88,7 +117,7 @@ def cone(mesh):
 def radial(mesh):
     force = mesh.mesh.tangential_force
     if mesh.rules.kind != "bevel":
-        return force * math.tan(mesh.alpha) / math.cos(mesh.beta)
+        return force * math.tan(working_angle(mesh))
     sine, cosine = cone(mesh)
     return force * (math.tan(mesh.alpha) * cosine - math.sin(mesh.beta) * sine) / math.cos(mesh.beta)
 
@@ -96,16 +125,19 @@ def radial(mesh):
 def axial(mesh):
     force = mesh.mesh.tangential_force
     if mesh.rules.kind != "bevel":
-        return force * math.tan(mesh.beta)
+        return force * math.tan(mesh.beta) * working_diameter(mesh) / mesh.one.pitch_diameter
     sine, cosine = cone(mesh)
     return force * (math.tan(mesh.alpha) * sine + math.sin(mesh.beta) * cosine) / math.cos(mesh.beta)
 
 
 OF_MESHES = {
-    "F_t = 2 T K_γ / (N d)": lambda m: 2.0 * m.per_tooth * m.one.teeth / m.one.pitch_diameter,
-    "F_r = F_t tan α_n / cos β; bevel: F_t (tan α_n cos δ ∓ sin β_m sin δ) / cos β_m": radial,
-    "F_a = F_t tan β; bevel: F_t (tan α_n sin δ ± sin β_m cos δ) / cos β_m": axial,
-    "v = (ω − ω_c) d/2": rolled,
+    "F_t = 2 T K_γ / (N d_w)": lambda m: 2.0 * m.per_tooth * m.one.teeth / working_diameter(m),
+    "F_r = F_t tan α_wt; bevel: F_t (tan α_n cos δ ∓ sin β_m sin δ) / cos β_m": radial,
+    "F_a = F_t (d_w/d) tan β; bevel: F_t (tan α_n sin δ ± sin β_m cos δ) / cos β_m": axial,
+    "v = (ω − ω_c) d_w/2": rolled,
+    "a_w: given, or where x_1 + x_2 leave no backlash; bevel: r_1 + r_2": centre,
+    "cos α_wt = a cos α_t/a_w": working_angle,
+    "d_w1 = 2 a_w z_1/(z_1 + z_2)": working_diameter,
 }
 
 
@@ -271,6 +303,23 @@ def gear_inertia(gear, rules):
     return gear.mass * gear.pitch_diameter**2 / 8.0
 
 
+def shift(gear, sizing):
+    """Return x: given at the gear, or +x of the rules for pinions, suns and rings, −x for what meshes with them."""
+    sign = -1.0 if gear.role in (Role.WHEEL, Role.PLANET) else 1.0
+    given = getattr(sizing.design.stages[gear.stage], f"{gear.role}_shift")
+    return given if given is not None else sign * sizing.design.rules(gear.stage).profile_shift
+
+
+def shortening(gear, sizing):
+    """Return k of the external mesh of a stage; no ring of these designs reaches past its planets' involutes."""
+    mesh = Seen(
+        sizing, next(mesh for mesh in sizing.meshes if mesh.stage == gear.stage and not mesh.row.value.endswith("ring"))
+    )
+    total = mesh.one.profile_shift + mesh.other.profile_shift
+    return 0.0 if gear.role is Role.RING else (centre(mesh) - pitch_sum(mesh)) / gear.module - total
+
+
+OF_SHIFTS = {"x": shift, "k m_n = a_w − a − m_n Σx; rings: off the involute": shortening}
 OF_GEARS = {
     "β": lambda gear, rules: rules.helix_angle,
     "d = m_n z / cos β": lambda gear, rules: gear.module * gear.teeth / math.cos(rules.helix_angle),
@@ -290,6 +339,10 @@ def test_printed_equations_of_gears_give_the_printed_numbers(name):
         for field in fields(gear):
             origin = marks_at(type(gear), field.name).origin
             if origin is None or origin.source == "rating of the meshes" or f"{gear.name}.{field.name}" in sizing.given:
+                continue
+            if origin.equation in OF_SHIFTS:
+                found = OF_SHIFTS[origin.equation](gear, sizing)
+                assert getattr(gear, field.name) == pytest.approx(found, abs=1e-12), f"{gear.name}.{field.name}"
                 continue
             found = OF_GEARS[origin.equation](gear, rules)
             assert getattr(gear, field.name) == pytest.approx(found, rel=1e-9), f"{gear.name}.{field.name}"
@@ -352,6 +405,7 @@ def of_carriers(sizing, carrier):
     sun, planet = gears[f"{carrier.stage}.sun"], gears[f"{carrier.stage}.planet"]
     stage, rules, steel = sizing.design.planetaries[carrier.stage], sizing.design.carriers, sizing.design.shaft_material
     factor = rating_of(sizing.design, carrier.stage).load_factor
+    angles = [working_angle(Seen(sizing, mesh)) for mesh in sizing.meshes if mesh.stage == carrier.stage]
     speed = sizing.flows[carrier.case].speeds[stage.carrier]
     torque = abs(sum(sizing.flows[carrier.case].meshes[row.name].torques[2]
                      for row in sizing.train.meshes if row.stage == carrier.stage))  # fmt: skip
@@ -363,8 +417,11 @@ def of_carriers(sizing, carrier):
     return {
         "F_t = T_c K_γ / (N r_c)": torque * factor / (stage.planets * carrier.radius),
         "F_c = m_p r_c ω_c²": planet.mass * carrier.radius * speed**2,
-        "F = √(F_t² + F_c²)": math.hypot(carrier.tangential_force, carrier.centrifugal_force),
-        "r_c = m (z_s + z_p)/2": sun.module * (sun.teeth + planet.teeth) / 2.0,
+        "F_r = F_t tan((α_ws − α_wr)/2)": carrier.tangential_force * math.tan(0.5 * (angles[0] - angles[1])),
+        "F = √(F_t² + (F_c + F_r)²)": math.hypot(
+            carrier.tangential_force, carrier.centrifugal_force + carrier.radial_force
+        ),
+        "r_c = a_w": stage.centre_distance or sun.module * (sun.teeth + planet.teeth) / 2.0,
         "d³ = 32 (F b/2) / (π σ)": (32.0 * arm / (math.pi * allowable(sizing, rules))) ** (1.0 / 3.0),
         "σ = 32 (F b/2) / (π d³)": 32.0 * arm / (math.pi * d**3),
         "R_p0.2 / S over the stress": over(steel.yield_strength / rules.safety, carrier.pin_stress),

@@ -52,13 +52,15 @@ class MeshSizing:
     pitch_line_velocity: Annotated[float, Quantity("velocity"), Origin("v = (ω − ω_c) d_w/2", "kinematics")]
     """Pitch-line velocity relative to the carrier [m/s]."""
     centre_distance: Annotated[
-        float, Quantity("length"), Origin("a_w = a cos α_t/cos α_wt; bevel: between the mean circles", "ISO 21771:2007")
+        float,
+        Quantity("length"),
+        Origin("a_w: given, or where x_1 + x_2 leave no backlash; bevel: r_1 + r_2", "ISO 21771:2007"),
     ]
     """Working centre distance a_w [m]; of a bevel mesh what the drawn shafts stand apart."""
     working_pressure_angle: Annotated[
         float,
         Quantity("angle"),
-        Origin("inv α_wt = inv α_t + 2 tan α_n (x_1 + x_2)/(z_1 + z_2)", "ISO 21771:2007"),
+        Origin("cos α_wt = a cos α_t/a_w", "ISO 21771:2007"),
     ]
     """Transverse pressure angle at the working pitch circles α_wt [rad]."""
     working_diameter: Annotated[

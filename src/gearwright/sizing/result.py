@@ -80,7 +80,9 @@ class GearSizing:
     """Polar inertia of one body about its own axis [kg m²]."""
     profile_shift: Annotated[float, Quantity("ratio"), Origin("x", "design; DIN 3992 where balanced")]
     """Profile shift coefficient x, positive where it thickens the tooth [-]."""
-    tip_alteration: Annotated[float, Quantity("ratio"), Origin("k m_n = a_w − a − m_n Σx", "DIN 3960:1987")]
+    tip_alteration: Annotated[
+        float, Quantity("ratio"), Origin("k m_n = a_w − a − m_n Σx; rings: off the involute", "DIN 3960:1987")
+    ]
     """Tip alteration coefficient k [-]; negative shortens the tooth."""
     own: str = ""
     """What the design calls it, in a compound set."""

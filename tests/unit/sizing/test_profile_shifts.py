@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from designs import PAIR
@@ -39,3 +41,19 @@ def test_shifts_of_both_gears_add_up_to_nothing():
     shifts = [gear.profile_shift for gear in sizing.gears]
     assert sorted(shifts) == [-0.3, 0.3]
     assert [cylindrical_gear(sizing, gear).profile_shift for gear in sizing.gears] == shifts
+
+
+def test_lewis_and_hertz_stand_at_the_working_circles():
+    """By hand: F_t = 2 T/d_w, and 0.418 √(F_t E Σ(1/r_w)/(b cos α_w sin α_w)) of a spur pair at a given distance."""
+    keys = f"{TEETH}module_mm = 4\nface_width_mm = 40\ncentre_distance_mm = 146\n"
+    sizing = size(parse(f"{PAIR}{keys}\n[gears]\nhelix_angle_deg = 0\n"))
+    mesh, torque = sizing.meshes[0], 1e5 / (6000.0 * math.pi / 30.0)
+    radii = (0.146 * 18.0 / 72.0, 0.146 * 54.0 / 72.0)
+    angle = math.acos(0.144 * math.cos(math.radians(20.0)) / 0.146)
+    force = torque / radii[0]
+    assert mesh.tangential_force == pytest.approx(force)
+    assert mesh.rating.bending_stress == pytest.approx(force / (0.04 * 0.004 * mesh.rating.form_factor))
+    modulus = sizing.design.material(sizing.design.rules("stage").material).elastic_modulus
+    curvature = 1.0 / radii[0] + 1.0 / radii[1]
+    hertz = 0.418 * math.sqrt(force * modulus * curvature / (0.04 * math.cos(angle) * math.sin(angle)))
+    assert mesh.rating.contact_stress == pytest.approx(hertz, rel=1e-9)

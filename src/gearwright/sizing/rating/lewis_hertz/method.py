@@ -20,6 +20,7 @@ from gearwright.sizing.rating.lewis_hertz import strength
 from gearwright.sizing.rating.lewis_hertz.record import LewisHertzRating
 from gearwright.sizing.rating.protocol import Damage, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
+from gearwright.sizing.rating.standard_teeth import working_radii
 from gearwright.spec.design import Iso6336Rules
 from gearwright.spec.mission import GearLifeRules
 
@@ -52,12 +53,14 @@ class LewisHertz:
     def rate(self, mesh: LoadedMesh) -> LewisHertzRating:
         """Return stresses and margins in the worst case."""
         rating, ask, width = mesh.rating, mesh.heaviest.ask, mesh.face_width
-        diameters = [mesh.module * float(teeth) / math.cos(rating.helix_angle) for teeth in ask.teeth]
+        first, second = (int(teeth) for teeth in ask.teeth)
+        radii = working_radii(first, second, rating, internal=ask.internal, module=mesh.module)
+        diameters = [2.0 * radius for radius in radii]
         force = 2.0 * mesh.heaviest.torque / diameters[0]
         form = float(strength.form_factor(min(ask.teeth), rating))
         bending = float(bending_stress_lewis(force, width, mesh.module, form_factor=form))
         curvature = 2.0 / diameters[0] + (-2.0 if ask.internal else 2.0) / diameters[1]
-        angles = strength.angles_of(rating)
+        angles = strength.working_angles(rating, ask, stretch=diameters[0] / (mesh.module * first))
         contact = float(
             contact_stress(force, width, curvature, angles=angles, elastic_modulus=rating.material.elastic_modulus)
         )

@@ -19,6 +19,7 @@ from gearwright.parts.gears import (
     virtual_teeth,
 )
 from gearwright.sizing.rating.rules import Ask, Rating
+from gearwright.sizing.rating.standard_teeth import push_angle
 from gearwright.spec import GearRules
 
 SPUR_WIDTH_RATIO = 10.0
@@ -67,6 +68,24 @@ def angles_of(rating: Rating) -> ContactAngles:
     """
     rules = rating.rules
     return contact_angles(rules.pressure_angle, rating.helix_angle, transverse=rules.contact_angles == "transverse")
+
+
+def working_angles(rating: Rating, ask: Ask, *, stretch: float) -> ContactAngles:
+    """Return the angles of the contact formula at the working pitch circles.
+
+    Args:
+        rating: Resolved rules.
+        ask: Teeth of both gears.
+        stretch: Working pitch diameter over z m_n [-].
+
+    Source: ISO 21771:2007, tan β_w = tan β d_w/d, tan α_wn = tan α_wt cos β_w.
+    """
+    if rating.shifts.centre is None:
+        return angles_of(rating)
+    first, second = (int(teeth) for teeth in ask.teeth)
+    helix = math.atan(math.tan(rating.helix_angle) * stretch * math.cos(rating.helix_angle))
+    angle = math.tan(push_angle(first, second, rating, internal=ask.internal)) * math.cos(helix)
+    return contact_angles(math.atan(angle), helix, transverse=rating.rules.contact_angles == "transverse")
 
 
 def form_factor(teeth: Numbers, rating: Rating) -> Numbers:
