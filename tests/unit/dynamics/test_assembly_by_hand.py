@@ -14,6 +14,7 @@ from gearwright.dynamics.assembly.contacts import contacts_of
 from gearwright.dynamics.model import ClutchDrive, Line, MachineDrive, Model, Periodic
 from gearwright.dynamics.model.drives import encoded
 from gearwright.dynamics.model.family import check_structure, envelope, own_groups, stacked
+from gearwright.dynamics.model.flatten import profile_of
 from gearwright.dynamics.model.line import DampingRatio
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
@@ -344,3 +345,10 @@ def test_clocks_of_systems_differ_where_their_tones_or_profiles_do():
     profile = second.profile._replace(factor=second.profile.factor * 2.0)
     other = stacked([first, second._replace(profile=profile)])
     assert own_groups(other, layout, names, rows) == {"stiffness", "clock"}
+
+
+def test_a_speed_profile_travels_by_its_trapezoids_from_where_it_is_held():
+    """0.5 before 2 s, then to 1.5 at 4 s and to 1 at 5 s: 1, 1 + 2 and 3 + 1.25 reference seconds."""
+    profile = profile_of([(2.0, 0.5), (4.0, 1.5), (5.0, 1.0)])
+    assert profile[0].tolist() == [2.0, 4.0, 5.0] and profile[1].tolist() == [0.5, 1.5, 1.0]
+    assert profile[2].tolist() == pytest.approx([1.0, 3.0, 4.25])

@@ -8,9 +8,10 @@ from test_recirculation import LOOP, TEETH
 from test_senses import HYBRID as SPRAG
 
 from designs import HYBRID, PAIR, changed
-from gearwright.sizing import size
+from gearwright.sizing import named_results, size
 from gearwright.spec import parse
 from gearwright.train import Turning, branches, build_train, power_flow, recirculation, targets
+from gearwright.train.edges import willis_ratio, willis_speed
 from gearwright.train.null_space import null_space, row_and_null_space
 from gearwright.train.statics import Sharing, balance, lossy, solve_torques
 from gearwright.units import RPM
@@ -210,3 +211,22 @@ def test_the_driven_gear_receives_less_and_the_carrier_bears_it():
     driven = np.array([[0.0, -30.0, 0.0], [0.0, 0.0, 0.0]])
     found = lossy(matrix, driving, driven, np.array([0.9, 1.0]))
     assert found.tolist() == [[10.0, pytest.approx(-27.0), pytest.approx(17.0)], [1.0, -1.0, 0.0]]
+
+
+@pytest.mark.parametrize("member", ["in", "ring", "out"])
+def test_willis_gives_each_member_from_the_other_two(member):
+    """ω_s + ρ ω_r = (1 + ρ) ω_c with ρ = 3: 100, 20 and 40 rad/s belong together, and so do 30, 10 and 15."""
+    stage = parse(LOOP).planetaries["set"]
+    speeds = {"in": [100.0, 30.0], "ring": [20.0, 10.0], "out": [40.0, 15.0]}
+    known = {shaft: np.array(values) for shaft, values in speeds.items() if shaft != member}
+    found = willis_speed(stage, member, np.array([3.0, 3.0]), known)
+    assert found.tolist() == pytest.approx(speeds[member])
+    ratio = willis_ratio(stage, {shaft: np.array(values) for shaft, values in speeds.items()})
+    assert ratio.tolist() == pytest.approx([3.0, 3.0])
+
+
+def test_efficiency_is_what_arrives_of_what_is_given():
+    """One pair of 0.97: 3 % of the power is lost."""
+    sizing = size(parse(PAIR + "[gears]\nmesh_efficiency = 0.97\n"))
+    assert named_results(sizing)["efficiency"].value == pytest.approx(0.97)
+    assert named_results(size(parse(PAIR + "[gears]\nmesh_efficiency = 1\n")))["efficiency"].value == pytest.approx(1.0)
