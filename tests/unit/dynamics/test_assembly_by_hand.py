@@ -10,7 +10,7 @@ from designs import PAIR, changed
 from gearwright.dynamics.assembly import assemble
 from gearwright.dynamics.assembly.assemble import Driving
 from gearwright.dynamics.assembly.assumptions import assumptions
-from gearwright.dynamics.assembly.contacts import contacts_of
+from gearwright.dynamics.assembly.contacts import bodies_of, contacts_of
 from gearwright.dynamics.model import ClutchDrive, Line, MachineDrive, Model, Periodic
 from gearwright.dynamics.model.drives import encoded
 from gearwright.dynamics.model.family import check_structure, envelope, own_groups, stacked
@@ -38,9 +38,10 @@ def test_a_contact_in_space_turns_its_gears_as_its_line_does(name):
     positive; and their torques are those of the case."""
     sizing = size(read(shipped_design(name)))
     flow = sizing.flows["rated"]
-    lines = weights_of(assemble(sizing, "rated"))
+    lines, bodies = weights_of(assemble(sizing, "rated")), bodies_of(sizing)
     for contact in contacts_of(sizing, flow):
         for side in contact.sides:
+            assert side.gear in bodies
             if side.gear in lines[contact.line]:
                 assert side.lever == pytest.approx(lines[contact.line][side.gear], rel=1e-12)
         assert math.hypot(*contact.direction) == pytest.approx(1.0)

@@ -1,18 +1,22 @@
 """Printed tables and coefficients against another source, or a law that the table itself must keep."""
 
+import importlib
 import math
 
 import numpy as np
 import pytest
 
-from gearwright.parts.agma2001 import factors
+from gearwright.parts.agma2001 import AgmaSteel, agma_strength, factors
 from gearwright.parts.bearings import life, load, rating
 from gearwright.parts.bearings.rolling_bearing import BearingKind
 from gearwright.parts.gears.lewis import lewis_form_factor
+from gearwright.parts.gears.tooth_allowance import feed_grade
 from gearwright.parts.hardness import ROCKWELL, VICKERS, vickers_of_rockwell
 from gearwright.parts.iso6336 import GearSteel, Treatment
 from gearwright.parts.iso6336.bending import slip_layer
-from gearwright.units import INCH
+from gearwright.parts.joints.spline import MODULES
+from gearwright.parts.stiffness import kuang_yang
+from gearwright.units import INCH, POUND_FORCE
 
 E140 = {
     68: 940, 67: 900, 66: 865, 65: 832, 64: 800, 63: 772, 62: 746, 61: 720, 60: 697, 59: 674, 58: 653, 57: 633,
@@ -160,3 +164,65 @@ def test_slip_layers_are_those_of_iso_6336_3():
 def steel(treatment, strength):
     """Return a gear steel with a yield point [Pa]."""
     return GearSteel("", treatment, "MQ", 300.0, 1e9, 3e8, yield_strength=strength)
+
+
+KSI = 1e3 * POUND_FORCE / INCH**2
+
+
+@pytest.mark.parametrize(
+    ("steel", "grade", "hardness", "bending", "contact"),
+    [
+        # Shigley, tables 14-3 and 14-6, figures 14-2 to 14-5: lines over HB in psi, or one value in ksi.
+        ("through-hardened", 1, 200.0, 77.3 * 0.2 + 12.8, 322.0 * 0.2 + 29.1),
+        ("through-hardened", 2, 300.0, 102.0 * 0.3 + 16.4, 349.0 * 0.3 + 34.3),
+        ("carburised", 1, 0.0, 55.0, 180.0), ("carburised", 2, 0.0, 65.0, 225.0), ("carburised", 3, 0.0, 75.0, 275.0),
+        ("nitrided-4140", 1, 300.0, 82.3 * 0.3 + 12.15, 155.0), ("nitrided-4140", 2, 300.0, 108.6 * 0.3 + 15.89, 168.0),
+    ],
+)  # fmt: skip
+def test_allowable_stresses_of_agma_are_the_printed_ones(steel, grade, hardness, bending, contact):
+    strength = agma_strength(AgmaSteel(steel), grade, hardness)
+    assert strength.bending == pytest.approx(bending * KSI) and strength.contact == pytest.approx(contact * KSI)
+
+
+def test_four_point_bearings_have_the_factors_of_35_degrees():
+    """ISO 281:2007, table 3, double row: e = 0.95, X = 0.60, Y = 1.07 and 0.66; both branches meet at e."""
+    limit, radial, axial, low = load.FOUR_POINT
+    assert (limit, radial, axial, low) == (0.95, 0.60, 1.07, 0.66)
+    assert 1.0 + low * limit == pytest.approx(radial + axial * limit, rel=0.01)
+    assert load.FOUR_POINT_STATIC == (1.0, 0.58) and load.DEEP_GROOVE_STATIC == (0.6, 0.5)
+
+
+def test_modules_of_splines_are_those_of_din_5480():
+    printed = (0.5, 0.6, 0.75, 0.8, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 4, 5, 6, 8, 10)
+    assert [1e3 * module for module in MODULES] == pytest.approx(printed)
+
+
+@pytest.mark.parametrize("grade", range(4, 10))
+def test_the_feed_of_a_cutter_alternates_between_grades(grade):
+    """1.26 IT7, IT8, 1.26 IT8, IT9, 1.26 IT9, IT10 of classes 4 to 9 (ISO/TR 10064-2); 1.26 is the step of R10."""
+    expected = ((grade + 10) // 2, 1.26) if grade % 2 == 0 else ((grade + 11) // 2, 1.0)
+    assert feed_grade(grade) == expected
+
+
+def test_the_foundation_of_a_tooth_has_the_printed_polynomials():
+    """Sainsot, Velex & Duverger 2004, table 1: L*, M*, P* and Q* over θ_f and h_f by six coefficients each."""
+    printed = (
+        "-5.574e-5 -1.9986e-3 -2.3015e-4 4.7702e-3 0.0271 6.8045 60.111e-5 28.100e-3 -83.431e-4 -9.9256e-3 0.1624"
+        " 0.9086 -50.952e-5 185.50e-3 0.0538e-4 53.300e-3 0.2895 0.9236 -6.2042e-5 9.0889e-3 -4.0964e-4 7.8297e-3"
+        " -0.1472 0.6904"
+    )
+    tooth_compliance = importlib.import_module("gearwright.parts.stiffness.tooth_compliance")
+    assert tooth_compliance._BODY.ravel().tolist() == [float(number) for number in printed.split()]
+
+
+def test_single_stiffness_of_kuang_and_yang_is_that_of_its_cubics():
+    """Kuang & Yang 1992 at 20 teeth: A_0 = 25.685, A_1 = 25.52, A_2 = −13.88, A_3 = −19.62 N/(µm mm)."""
+    cubics = kuang_yang._CUBICS
+    values = [sum(c * 20.0**power for power, c in enumerate(row)) for row in cubics]
+    by_hand = [
+        3.867 + 32.24 - 11.664 + 1.2424, 17.06 + 14.578 - 6.912 + 0.7944, 2.637 - 24.44 + 8.868 - 0.9432,
+        -6.33 - 20.66 + 8.272 - 0.904,
+    ]  # fmt: skip
+    assert values == pytest.approx(by_hand, abs=2e-3)
+    at_40 = [sum(c * 40.0**power for power, c in enumerate(row)) for row in cubics]
+    assert at_40 == pytest.approx([31.6302, 24.9232, -18.3166, -21.794], abs=5e-3)
