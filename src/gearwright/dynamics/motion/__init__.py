@@ -3,8 +3,19 @@
 Spectra, steady states and maps over speed are in `vibration`.
 """
 
-from gearwright.dynamics.motion.ensemble import Ensemble, simulate_many
+from gearwright.dynamics.motion.accuracy import (
+    GIVEN,
+    NEGLIGIBLE,
+    PARTING,
+    SMOOTH,
+    Error,
+    Forces,
+    errors_of,
+    shortfall,
+)
+from gearwright.dynamics.motion.ensemble import Ensemble, ends_of, simulate_many
 from gearwright.dynamics.motion.record import (
+    BLOCK,
     CHECKPOINTS,
     Checkpoints,
     Orders,
@@ -30,11 +41,18 @@ from gearwright.dynamics.motion.steps import (
 from gearwright.dynamics.motion.touching import check_shared_load, slack_lines
 
 __all__ = [
+    "BLOCK",
     "CHECKPOINTS",
+    "GIVEN",
+    "NEGLIGIBLE",
+    "PARTING",
+    "SMOOTH",
     "STABLE",
     "Accuracy",
     "Checkpoints",
     "Ensemble",
+    "Error",
+    "Forces",
     "Orders",
     "Outputs",
     "Samples",
@@ -44,11 +62,14 @@ __all__ = [
     "blank_summary",
     "check_shared_load",
     "default_step",
+    "ends_of",
+    "errors_of",
     "fastest_rate",
     "followed",
     "index_of",
     "line_numbers",
     "replay",
+    "shortfall",
     "simulate",
     "simulate_many",
     "slack_lines",

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -34,14 +35,39 @@ from gearwright.dynamics.model import (
     refuse_not_finite,
     stacked,
 )
+from gearwright.dynamics.motion.accuracy import (
+    COARSER,
+    GIVEN,
+    PARTING,
+    REFINED,
+    REPEATED,
+    SMOOTH,
+    Error,
+    Forces,
+    errors_of,
+    finer,
+    shortfall,
+)
 from gearwright.dynamics.motion.record import RUNAWAY, index_of
-from gearwright.dynamics.motion.steps import STABLE, check_duration, check_step, default_step, fastest_rate
+from gearwright.dynamics.motion.steps import (
+    STABLE,
+    Accuracy,
+    Pace,
+    check_duration,
+    check_step,
+    default_step,
+    fastest_rate,
+    may_take,
+    whole_step,
+)
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.showing import Shown
 from gearwright.verbs import verb
 
 LANES = 8
 """Trajectories in one vector."""
+LEAST_STEPS = 16
+"""Steps from which trajectories are compared with coarser ones [-]."""
 STEPS = 1024
 """Steps between two settings of the clock: long enough that threads seldom wait for each other to leave Python."""
 
@@ -64,6 +90,12 @@ class Ensemble(Shown):
     """[s]."""
     labels: Labels
     """Names."""
+    error: Floats = field(default_factory=lambda: np.zeros(0))
+    """Measured error of the peaks of line forces over them [-], shape (trajectories,)."""
+    rms_error: Floats = field(default_factory=lambda: np.zeros(0))
+    """And of their root mean squares [-], shape (trajectories,)."""
+    notes: tuple[str, ...] = ()
+    """Trajectories whose error is larger than asked, and why."""
 
     def of(self, line: str) -> dict[str, Floats]:
         """Return mean, least, most and rms of one line's force, shape (trajectories,) each.
@@ -80,7 +112,7 @@ def simulate_many(
     systems: Sequence[System],
     duration: float,
     *,
-    step: float | None = None,
+    step: float | Accuracy | None = None,
     settle: float = 0.0,
     start: Floats | None = None,
     threads: int | None = None,
@@ -91,7 +123,7 @@ def simulate_many(
     Args:
         systems: All of one structure: the same lines, tones and kinds of loads.
         duration: [s].
-        step: [s]; left out, the smallest that any of them asks for.
+        step: [s], taken as it is, or an `Accuracy`, as in `simulate`: the smallest that any of them asks for.
         settle: Time at the beginning that the statistics leave out [s].
         start: q and q̇ of each, shape (systems, 2 coordinates); left out, static equilibrium.
         threads: Threads to use; left out, one for each core.
@@ -105,32 +137,96 @@ def simulate_many(
         raise DesignError([Problem("systems", "there is none")])
     for system in systems:
         check_finite(system)
-    members = [system.arrays for system in systems]
-    family = stacked(members)
-    _check_family(family)
-    step = min(default_step(system.arrays) for system in systems) if step is None else step
-    steps, first = check_duration(duration, step), round(settle / step)
-    if not 0 <= first < steps:
-        raise DesignError([Problem("settle", f"{settle:g} s; it must lie within the duration of {duration:g} s")])
-    states = _states(systems, start)
-    groups = [slice(low, low + LANES) for low in range(0, len(systems), LANES)]
-    shape, (layout, rows) = topology(members[0]), parameter_rows(family, step)
-    varying = own_groups(family, layout, layout._fields, rows)
-    numbers = np.broadcast_to(rows, (len(systems), rows.shape[1]))
-    _check_step(members, family, step, varying)
-    code, results = compiled(shape, layout, LANES, varying), []
-    clock = _Timing(step, first, steps, None if "clock" in varying else _Clock(members[:1], shape, step))
-    with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
-        runs = [
-            pool.submit(_run, code, shape, members[group], clock, numbers=numbers[group], states=states[group])
-            for group in groups
-        ]
-        for number, run in enumerate(runs, start=1):
-            results.append(run.result())
-            if progress is not None:
-                progress(number / len(runs))
-    summary, ends = (np.concatenate(parts) for parts in zip(*results, strict=True))
-    return _ensemble(systems[0].labels, summary, ends, step=step, count=steps - first)
+    asked = step if isinstance(step, Accuracy) else Accuracy()
+    given = None if step is None or isinstance(step, Accuracy) else step
+    taken = min(default_step(system.arrays, asked) for system in systems) if given is None else given
+    taken = taken if given is not None else whole_step(duration, taken)
+    march = _Marching(systems, duration, settle, _states(systems, start), threads)
+    found, other = march.at(taken, progress), march.beside(taken)
+    for tried in range(REFINED + 1):
+        error, order = _errors(systems, found, other)
+        over = max(one.over(asked) for one in error)
+        if over <= 1.0 or given is not None or tried == REFINED:
+            break
+        other, found = found, march.at(found.step * finer(over, order), progress)
+    notes = tuple(
+        f"trajectory {number}: {note}"
+        for number, one in enumerate(error)
+        for note in shortfall(one, asked, REPEATED if given is None else GIVEN)
+    )
+    measured = np.array(error)
+    return replace(found, error=measured[:, 0], rms_error=measured[:, 1], notes=notes)
+
+
+def _errors(systems: Sequence[System], found: Ensemble, other: Ensemble) -> tuple[list[Error], int]:
+    """Return the error of each trajectory, and the order by which they were judged."""
+    play = np.array([system.arrays.backlash > 0.0 for system in systems])
+    order = PARTING if np.any(found.minimum[play] <= 0.0) else SMOOTH
+    mine, its = (
+        Forces(np.maximum(np.abs(one.minimum), np.abs(one.maximum)), one.rms, 0.0 * one.rms) for one in (found, other)
+    )
+    return errors_of(mine, its, found.labels.line_units, ratio=other.step / found.step, order=order), order
+
+
+class _Marching(NamedTuple):
+    """What is marched over, at one step or another."""
+
+    systems: Sequence[System]
+    duration: float
+    settle: float
+    states: Floats
+    threads: int | None
+
+    def beside(self, step: float) -> Ensemble:
+        """Return the same at twice the step, or at half of it where that would blow up or miss what excites."""
+        coarse = Pace(COARSER * step)
+        stable = all(may_take(system.arrays, "runge-kutta", coarse) for system in self.systems)
+        if stable and self.duration - self.settle >= LEAST_STEPS * step:
+            with contextlib.suppress(SolveError, DesignError):
+                return self.at(coarse.step)
+        return self.at(step / COARSER)
+
+    def at(self, step: float, progress: Callable[[float], None] | None = None) -> Ensemble:
+        """Return the statistics at a step, their error not yet known."""
+        members = [system.arrays for system in self.systems]
+        family = stacked(members)
+        _check_family(family)
+        steps, first = check_duration(self.duration, step), 2 * round(self.settle / (2.0 * step))
+        if not 0 <= first < steps:
+            message = f"{self.settle:g} s; it must lie within the duration of {self.duration:g} s"
+            raise DesignError([Problem("settle", message)])
+        shape, (layout, rows) = topology(members[0]), parameter_rows(family, step)
+        varying = own_groups(family, layout, layout._fields, rows)
+        numbers = np.broadcast_to(rows, (len(members), rows.shape[1]))
+        _check_step(members, family, step, varying)
+        code = compiled(shape, layout, LANES, varying)
+        clock = _Timing(step, first, steps, None if "clock" in varying else _Clock(members[:1], shape, step))
+        groups = [slice(low, low + LANES) for low in range(0, len(members), LANES)]
+        results = []
+        with ThreadPoolExecutor(self.threads or os.cpu_count()) as pool:
+            runs = [
+                pool.submit(_run, code, shape, members[group], clock, numbers=numbers[group], states=self.states[group])
+                for group in groups
+            ]
+            for number, run in enumerate(runs, start=1):
+                results.append(run.result())
+                if progress is not None:
+                    progress(number / len(runs))
+        summary, ends = (np.concatenate(parts) for parts in zip(*results, strict=True))
+        return _ensemble(self.systems[0].labels, summary, ends, step=step, count=steps - first)
+
+
+def ends_of(system: System, starts: Floats, duration: float, step: float) -> Floats:
+    """Return q and q̇ of one system after a time, from many starts, shape (starts, 2 coordinates).
+
+    Args:
+        system: Bodies, lines, loads.
+        starts: q and q̇, shape (starts, 2 coordinates).
+        duration: [s].
+        step: [s].
+    """
+    systems = [system] * len(starts)
+    return _Marching(systems, duration, 0.0, _states(systems, starts), None).at(step).state
 
 
 def _states(systems: Sequence[System], start: Floats | None) -> Floats:

@@ -17,8 +17,8 @@ BLOCKS = 60
 """Blocks over which the twins run side by side."""
 
 
-def parting(arrays: Arrays, advance: Stepper, first: int, state: Floats) -> float:
-    """Return by what factor the distance between a run's end and a displaced twin grows as both run on.
+def parting(arrays: Arrays, advance: Stepper, first: int, state: Floats, step: float) -> tuple[float, float]:
+    """Return by what factor the distance between a run's end and a displaced twin grows as both run on, and how fast.
 
     Distances are of line deflections, so that rigid motions, which drift apart steadily, do not count. They stop
     growing when the twins are as far apart as the motion is large.
@@ -28,6 +28,10 @@ def parting(arrays: Arrays, advance: Stepper, first: int, state: Floats) -> floa
         advance: Its stepper.
         first: Step at which the twins part.
         state: q, q̇ and works there.
+        step: [s].
+
+    Returns:
+        The factor [-], and the mean rate up to a tenth of it [1/s], about the largest Lyapunov exponent.
     """
     size, lines = len(arrays.mass), len(arrays.stiffness)
     twins = [state.copy(), state.copy()]
@@ -42,4 +46,8 @@ def parting(arrays: Arrays, advance: Stepper, first: int, state: Floats) -> floa
             twins[1][:size] += NUDGE * scale * np.random.default_rng(0).uniform(0.5, 1.0, size)
         else:
             apart.append(float(np.max(np.abs(records[1][:, columns] - records[0][:, columns]))))
-    return max(apart[1:]) / apart[0] if apart[0] > 0.0 else 1.0
+    if not apart[0] > 0.0:
+        return 1.0, 0.0
+    growth = np.array(apart[1:]) / apart[0]
+    grown = int(np.argmax(growth >= 0.1 * np.max(growth)))
+    return float(np.max(growth)), float(np.log(max(growth[grown], 1e-300)) / ((grown + 1) * BLOCK * step))

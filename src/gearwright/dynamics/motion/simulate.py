@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import contextlib
+from collections.abc import Callable
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -10,27 +11,40 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.dynamics.equations import WORKS, Work, statics, stored_energy, unbalanced
 from gearwright.dynamics.model import Arrays, System, check_finite, refuse_not_finite
+from gearwright.dynamics.motion.accuracy import (
+    CHAOTIC,
+    COARSER,
+    GIVEN,
+    PARTING,
+    REFINED,
+    REPEATED,
+    SMOOTH,
+    STOPPED,
+    UNPREDICTABLE,
+    Error,
+    errors_of,
+    finer,
+    shortfall,
+)
+from gearwright.dynamics.motion.marching import Pass, blocks, marched
 from gearwright.dynamics.motion.record import BLOCK, Outputs, Recorder, Samples, Trace
 from gearwright.dynamics.motion.sensitivity import PARTED, parting
 from gearwright.dynamics.motion.steps import (
     ADAPTIVE,
     METHODS,
-    STRETCH,
     Accuracy,
-    Pace,
-    Stepper,
     blank_record,
-    check_duration,
     default_step,
-    estimated_error,
     excited_step,
     fastest_rate,
     is_exact,
+    may_take,
     pace_of,
     stepper,
+    whole_step,
 )
 from gearwright.dynamics.motion.touching import slack_lines
-from gearwright.errors import DesignError, Problem, near
+from gearwright.errors import DesignError, Problem, SolveError, near
 from gearwright.verbs import verb
 
 LARGEST_GENERATED = 250
@@ -40,6 +54,9 @@ STIFF = 2.5e6
 STIFF_GAIN = 40.0
 """How much longer an implicit step must be, since it costs so much more than an explicit one [-]."""
 
+LEAST_STEPS = 16
+"""Steps from which a run is compared with a coarser one [-]."""
+
 Start = Literal["static", "rigid"] | tuple[Floats, Floats]
 
 
@@ -48,10 +65,8 @@ class Ran(NamedTuple):
 
     method: str
     """Kind of its steps."""
-    pace: Pace
-    """Their size."""
-    error: float
-    """Estimated [-]."""
+    error: Error
+    """Measured."""
     notes: tuple[str, ...]
     """What a reader should know of it."""
 
@@ -67,14 +82,17 @@ def simulate(
     outputs: Outputs | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Trace:
-    """Return the motion of a system, with statistics of every step, an energy balance and an error estimate.
+    """Return the motion of a system, with statistics of every step, an energy balance and its measured error.
+
+    A second run at another step measures the error of peaks and root mean squares over the whole run; if it is more
+    than was asked, the run is repeated at finer steps, `REFINED` times at most, and what then falls short is noted.
 
     Args:
         system: Bodies, lines, loads.
         duration: [s].
         method: One of `METHODS`, or ``"auto"``, which says in the notes what it picked and why.
-        step: [s], or an `Accuracy`; left out, from the highest harmonic and the fastest mode. Adaptive methods take
-            it as the spacing of the instants that statistics and windows look at.
+        step: [s], taken as it is, or an `Accuracy`; left out, peaks of line forces to 1 %, root mean squares to
+            0.1 %. Adaptive methods take a number as the spacing of the instants that statistics and windows look at.
         start: ``"static"`` equilibrium, the ``"rigid"`` motion itself, or (q, q̇).
         outputs: What to keep.
         progress: Called with the fraction done, from 0 to 1.
@@ -88,24 +106,65 @@ def simulate(
         SolveError: If the motion diverges, with time, line and value.
     """
     check_finite(system)
-    arrays = system.arrays
-    method, reason = _method(arrays, method)
-    state = _start(system, start)
+    method, reason = _method(system.arrays, method)
+    state, outputs = _start(system, start), outputs or Outputs()
     pace = pace_of(system, method, step, state)
-    steps = check_duration(duration, pace.step)
-    recorder = Recorder(system, outputs or Outputs(), step=pace.step, steps=steps)
-    error = estimated_error(arrays, method, pace, steps=min(steps, STRETCH), start=state)
-    first = state.copy()
-    advance = stepper(arrays, method, pace.step, tolerance=pace.tolerance)
-    done = _run(advance, recorder, state, progress)
+    if step is None or isinstance(step, Accuracy):
+        pace = pace._replace(step=whole_step(duration, pace.step))
+    run = marched(system, method, pace, duration, start=state, outputs=outputs, progress=progress)
+    run, error, chaos = _verified(run, method, step, duration, progress)
     left = unbalanced(system)
     notes = [reason, *([f"at the start {left}; the train speeds up or slows down"] if left else [])]
-    slack = slack_lines(system, first[: len(arrays.mass)])
+    slack = slack_lines(system, state[: len(system.arrays.mass)])
     notes += [f"at the start no tooth touches: {', '.join(slack)} stand between their flanks"] if slack else []
-    notes += _notes(recorder, done)
-    if np.any(recorder.lost >= 0):
-        notes += _sensitivity(parting(arrays, advance, done, state))
-    return _trace(recorder, Ran(method, pace, error, tuple(notes)), (first, state), done)
+    notes += [*_notes(run), *chaos]
+    return _trace(run, Ran(method, error, tuple(notes)))
+
+
+def _verified(
+    run: Pass, method: str, step: float | Accuracy | None, duration: float, progress: Callable[[float], None] | None
+) -> tuple[Pass, Error, list[str]]:
+    """Return a run as accurate as asked, or as near as repetitions bring it, its error and what to say of it."""
+    asked = step if isinstance(step, Accuracy) else Accuracy()
+    system, outputs, units = run.recorder.system, run.recorder.outputs, run.recorder.system.labels.line_units
+    order, notes = _order(run, method)
+    other, why = _beside(run, method), REPEATED
+    error = errors_of(run.forces, other.forces, units, ratio=other.pace.over(run.pace), order=order)[0]
+    if run.interrupted or isinstance(step, float | int) or order == CHAOTIC:
+        why = STOPPED if run.interrupted else UNPREDICTABLE if order == CHAOTIC else GIVEN
+        return run, error, [*notes, *shortfall(error, asked, why)]
+    for _ in range(REFINED):
+        if error.over(asked) <= 1.0 or run.interrupted:
+            break
+        pace, other = run.pace.times(finer(error.over(asked), order)), run
+        run = marched(system, method, pace, duration, start=run.start, outputs=outputs, progress=progress)
+        error = errors_of(run.forces, other.forces, units, ratio=other.pace.over(pace), order=order)[0]
+    return run, error, [*notes, *shortfall(error, asked, why)]
+
+
+def _order(run: Pass, method: str) -> tuple[int, list[str]]:
+    """Return the power of the step that the error follows, and what to say if it follows none."""
+    if np.any(run.recorder.lost >= 0):
+        growth, exponent = parting(run.recorder.system.arrays, run.advance, run.done, run.end, run.pace.step)
+        if growth >= PARTED:
+            return CHAOTIC, [
+                f"neighbouring motions part (by a factor of {growth:.0e} after the run, largest exponent about"
+                f" +{exponent:.2g} 1/s): judge it by its statistics only"
+            ]
+        return PARTING, []
+    return (PARTING if method == "implicit" else SMOOTH), []
+
+
+def _beside(run: Pass, method: str) -> Pass:
+    """Return the same run at another pace: a coarser one if that can be taken, else a finer."""
+    recorder = run.recorder
+    system, span = recorder.system, run.done * run.pace.step
+    outputs = Outputs(samples=2, start=float(recorder.edges[0]) * run.pace.step)
+    if run.done >= LEAST_STEPS and may_take(system.arrays, method, run.pace.times(COARSER)):
+        with contextlib.suppress(SolveError, DesignError):  # too coarse for its motion or its statistics
+            return marched(system, method, run.pace.times(COARSER), span, start=run.start, outputs=outputs)
+    outputs = outputs if outputs.start < span else Outputs(samples=2)
+    return marched(system, method, run.pace.times(1.0 / COARSER), span, start=run.start, outputs=outputs)
 
 
 @verb
@@ -131,21 +190,11 @@ def replay(system: System, trace: Trace, start: float, end: float) -> Samples:
     state = trace.checkpoints.state[place].copy()
     advance = stepper(system.arrays, trace.method, trace.step, tolerance=trace.tolerance)
     record = blank_record(system.arrays, BLOCK)
-    for first, count in _blocks(int(trace.checkpoints.step[place]), steps):
+    for first, count in blocks(int(trace.checkpoints.step[place]), steps):
         if first >= high:
             break
         recorder.take(first, record[:count], advance(first, record[:count], state))
     return recorder.samples(1)
-
-
-def _blocks(first: int, steps: int) -> Iterator[tuple[int, int]]:
-    """Return first step and number of rows of each block, the last instant by itself.
-
-    Blocks are the same for whoever takes a run up: adaptive steps end where their block does.
-    """
-    for start in range(first, steps, BLOCK):
-        yield start, min(BLOCK, steps - start)
-    yield steps, 1
 
 
 def _method(arrays: Arrays, method: str) -> tuple[str, str]:
@@ -182,29 +231,8 @@ def _start(system: System, start: Start) -> Floats:
     return state
 
 
-def _run(advance: Stepper, recorder: Recorder, state: Floats, progress: Callable[[float], None] | None) -> int:
-    """March block by block; return the number of steps done."""
-    record = blank_record(recorder.system.arrays, BLOCK)
-    # The state moves on only when its block has been taken, so that an interruption leaves the two together.
-    done, ahead = 0, state.copy()
-    try:
-        for first, count in _blocks(0, recorder.steps):
-            recorder.checkpoint(first, state)
-            recorder.take(first, record[:count], advance(first, record[:count], ahead))
-            if first == recorder.steps:
-                break
-            done += count
-            state[:] = ahead
-            if progress is not None:
-                progress(done / recorder.steps)
-    except KeyboardInterrupt:
-        if done == 0:
-            raise
-        recorder.stop(done)
-    return done
-
-
-def _notes(recorder: Recorder, done: int) -> list[str]:
+def _notes(run: Pass) -> list[str]:
+    recorder, done = run.recorder, run.done
     notes = [
         f"line {recorder.system.labels.lines[line]} first lost contact at {first * recorder.step:.6g} s"
         for line, first in zip(recorder.gaps, recorder.lost, strict=True)
@@ -216,24 +244,20 @@ def _notes(recorder: Recorder, done: int) -> list[str]:
     return notes
 
 
-def _sensitivity(growth: float) -> list[str]:
-    if growth < PARTED:
-        return []
-    return [f"neighbouring motions part (by a factor of {growth:.0e} after the run): judge it by its statistics only"]
-
-
-def _trace(recorder: Recorder, ran: Ran, ends: tuple[Floats, Floats], done: int) -> Trace:
+def _trace(run: Pass, ran: Ran) -> Trace:
+    recorder, done = run.recorder, run.done
     size, labels = recorder.size, recorder.system.labels
     moved = [*labels.coordinates, *(f"{name} (rate)" for name in labels.coordinates)]
-    refuse_not_finite(ends[1][: 2 * size], moved, f"motion at {done * recorder.step:.4g} s")
-    refuse_not_finite([ran.error], ["the largest force"], "error estimate")
+    refuse_not_finite(run.end[: 2 * size], moved, f"motion at {done * recorder.step:.4g} s")
+    refuse_not_finite(ran.error, ["peaks", "root mean squares"], "error")
     lines = len(labels.lines)
     return Trace(
         method=ran.method,
         step=recorder.step,
         duration=done * recorder.step,
-        error=ran.error,
-        work=_work(recorder, ends, done),
+        error=ran.error.peak,
+        rms_error=ran.error.rms,
+        work=_work(run),
         samples=recorder.samples(),
         windows=tuple(recorder.samples(number) for number in range(1, 1 + len(recorder.spans))),
         force=recorder.statistics(labels.lines, size, "line"),
@@ -243,17 +267,17 @@ def _trace(recorder: Recorder, ran: Ran, ends: tuple[Floats, Floats], done: int)
         checkpoints=recorder.checkpoints(),
         notes=ran.notes,
         labels=labels,
-        tolerance=ran.pace.tolerance,
-        interrupted=done < recorder.steps,
+        tolerance=run.pace.tolerance,
+        interrupted=run.interrupted,
         orders=recorder.orders.result(recorder.edges) if recorder.orders else None,
     )
 
 
-def _work(recorder: Recorder, ends: tuple[Floats, Floats], done: int) -> Work:
-    arrays, size = recorder.system.arrays, recorder.size
+def _work(run: Pass) -> Work:
+    arrays, size = run.recorder.system.arrays, run.recorder.size
     before, after = (
         stored_energy(arrays, time, state[:size], state[size : 2 * size])
-        for time, state in zip((0.0, done * recorder.step), ends, strict=True)
+        for time, state in ((0.0, run.start), (run.done * run.pace.step, run.end))
     )
-    driven, braked, dissipated, stiffness, error, frame = (float(work) for work in ends[1][2 * size : 2 * size + WORKS])
+    driven, braked, dissipated, stiffness, error, frame = (float(work) for work in run.end[2 * size :][:WORKS])
     return Work(driven, braked, dissipated, stiffness, error, frame, after - before, after)

@@ -11,7 +11,17 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.model import System
-from gearwright.dynamics.motion import Outputs, Samples, default_step, index_of, simulate
+from gearwright.dynamics.motion import (
+    GIVEN,
+    Accuracy,
+    Error,
+    Outputs,
+    Samples,
+    default_step,
+    index_of,
+    shortfall,
+    simulate,
+)
 from gearwright.dynamics.vibration.critical_speeds import OrderName, order_name
 from gearwright.dynamics.vibration.sequences import positive_numbers
 from gearwright.dynamics.vibration.spectra import tone_amplitudes
@@ -46,6 +56,12 @@ class RunUp(Shown):
     """Root mean square about the mean [N or N m], shape (speeds, lines)."""
     lines: tuple[str, ...]
     """Names."""
+    error: Floats
+    """Measured error of the peaks of line forces over them [-], shape (speeds,)."""
+    rms_error: Floats
+    """And of their root mean squares [-], shape (speeds,)."""
+    notes: tuple[str, ...]
+    """Speeds whose error is larger than asked, and why."""
 
 
 @dataclass(frozen=True)
@@ -94,12 +110,14 @@ def run_up(
     lines = first_meshes(sizing, system) if lines is None else lines
     for line in lines:
         index_of(line, system.labels.lines, "line")
-    step = min(default_step(at_speed(system, factor).arrays) for factor in (speeds[0], speeds[-1]))
-    outputs = Outputs(samples=2, windows=((settle, settle + window),))
-    rows = []
+    step = min(default_step(at_speed(system, factor).arrays) for factor in speeds)
+    outputs = Outputs(samples=2, start=settle, windows=((settle, settle + window),))
+    rows, errors, notes = [], [], []
     for number, factor in enumerate(speeds, start=1):
         running = at_speed(system, factor)
         trace = simulate(running, settle + window, step=step, method="runge-kutta", outputs=outputs).whole()
+        errors.append(Error(trace.error, trace.rms_error))
+        notes += [f"at {factor:g} of the speed {note}" for note in shortfall(errors[-1], Accuracy(), GIVEN)]
         rows.append([_heard(running, trace.windows[0], line) for line in lines])
         if progress is not None:
             progress(number / len(speeds))
@@ -116,6 +134,9 @@ def run_up(
         mean=np.array([[heard.mean for heard in row] for row in rows]),
         swing=np.array([[heard.swing for heard in row] for row in rows]),
         lines=tuple(lines),
+        error=np.array([error.peak for error in errors]),
+        rms_error=np.array([error.rms for error in errors]),
+        notes=tuple(notes),
     )
 
 

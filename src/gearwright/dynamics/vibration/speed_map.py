@@ -9,7 +9,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.model import System, check_finite
-from gearwright.dynamics.motion import Ensemble, default_step, simulate_many
+from gearwright.dynamics.motion import Accuracy, Ensemble, simulate_many
 from gearwright.dynamics.vibration.sequences import positive_numbers
 from gearwright.showing import Shown
 from gearwright.verbs import verb
@@ -41,6 +41,7 @@ def speed_map(
     *,
     settle: float,
     duration: float,
+    accuracy: Accuracy | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> SpeedMap:
     """Return the forces at steady running, each speed from its own static equilibrium.
@@ -50,6 +51,7 @@ def speed_map(
         factors: Speeds over the reference speeds [-], positive; any sequence of numbers.
         settle: Time left out, for the transient to decay [s].
         duration: Whole time at each speed [s].
+        accuracy: Of the forces; left out, peaks to 1 %, root mean squares to 0.1 %; the errors are in `forces`.
         progress: Called with the fraction done.
 
     Raises:
@@ -58,8 +60,7 @@ def speed_map(
     speeds = positive_numbers(factors, "factors")
     check_finite(system)
     systems = [at_speed(system, factor) for factor in speeds]
-    step = min(default_step(running.arrays) for running in systems)
-    forces = simulate_many(systems, duration, step=step, settle=settle, progress=progress)
+    forces = simulate_many(systems, duration, step=accuracy, settle=settle, progress=progress)
     return SpeedMap(speeds, forces)
 
 

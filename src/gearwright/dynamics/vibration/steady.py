@@ -1,13 +1,13 @@
 """Steady state: the periodic motion by shooting, and its Floquet multipliers.
 
 One period is integrated from a start and from starts displaced along each state, eight at a time; Newton moves the
-start until the motion closes. The derivative of end by start is the monodromy matrix, whose eigenvalues tell whether
-the motion is stable: all within the unit circle, but for those of rigid motions, which are left out.
+start until the motion closes. The monodromy matrix, from the equations of what is next to the motion (`variation`),
+has eigenvalues that tell whether it is stable: all within the unit circle, but for those of rigid motions, left out.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import gcd, lcm
 
@@ -16,7 +16,21 @@ import numpy as np
 from gearwright.arrays import Complexes, Floats
 from gearwright.dynamics.equations import split_rigid, statics
 from gearwright.dynamics.model import Arrays, System
-from gearwright.dynamics.motion import Outputs, Samples, default_step, simulate, simulate_many
+from gearwright.dynamics.motion import (
+    GIVEN,
+    NEGLIGIBLE,
+    PARTING,
+    SMOOTH,
+    Accuracy,
+    Error,
+    Forces,
+    Samples,
+    default_step,
+    ends_of,
+    errors_of,
+    shortfall,
+)
+from gearwright.dynamics.vibration.variation import every_step, monodromy
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.showing import Shown
 from gearwright.verbs import verb
@@ -27,6 +41,10 @@ ROUNDS = 30
 """Newton rounds before giving up."""
 NUDGE = 1e-6
 """Displacement of a start, over the size of its kind of state, for the derivative [-]."""
+HALVED = 6
+"""Times that the steps of a period are halved."""
+MULTIPLIER_ROUNDING = 1e-10
+"""What rounding leaves of the size of a multiplier [-]."""
 LARGEST_DENOMINATOR = 10_000
 """Teeth: ratios of tones are fractions of whole numbers no larger."""
 
@@ -43,6 +61,14 @@ class Orbit(Shown):
     """Floquet multipliers, largest first, shape (2 coordinates,); those of rigid motions (1) are left out."""
     monodromy: Floats
     """Derivative of the end of a period by its start, shape (2 coordinates, 2 coordinates)."""
+    error: float = 0.0
+    """Measured error of the peaks of line forces over them [-]."""
+    rms_error: float = 0.0
+    """And of their root mean squares [-]."""
+    multiplier_error: float = 0.0
+    """How far the size of the largest multiplier may be off [-]."""
+    notes: tuple[str, ...] = ()
+    """What is less sure than was asked, and why."""
 
     @property
     def stable(self) -> bool:
@@ -71,28 +97,47 @@ def common_period(arrays: Arrays) -> float:
 
 
 @verb
-def periodic(system: System, *, period: float | None = None, step: float | None = None) -> Orbit:
+def periodic(system: System, *, period: float | None = None, step: float | Accuracy | None = None) -> Orbit:
     """Return the periodic motion near static equilibrium.
+
+    The period is cut finer until forces, and whether multipliers lie within the unit circle, are as sure as was asked.
 
     Args:
         system: At constant speed.
         period: [s]; left out, the time after which all tones repeat, which with hunting teeth may be long.
-        step: Largest step [s]; the period is cut into equal ones.
+        step: Largest step [s], taken as it is; the period is cut into equal ones. Or an `Accuracy`, as in `simulate`.
 
     Raises:
         SolveError: If Newton's method does not close the motion; under heavy contact loss there may be several
             motions, or none of this period.
     """
     arrays = system.arrays
+    asked = step if isinstance(step, Accuracy) else Accuracy()
+    given = None if step is None or isinstance(step, Accuracy) else step
     period = common_period(arrays) if period is None else period
-    steps = int(np.ceil(period / (default_step(arrays) if step is None else step)))
+    steps = 2 * int(np.ceil(0.5 * period / (default_step(arrays, asked) if given is None else given)))
     start = np.zeros(2 * len(arrays.mass))
     start[: len(arrays.mass)] = statics(system, balance="accelerate").position
+    orbit = _orbit(system, _closed(system, start, period, steps), period=period, steps=steps)
+    for _ in range(HALVED if given is None else 1):
+        steps, other = 2 * steps, orbit
+        orbit = _orbit(system, _closed(system, _start(other), period, steps), period=period, steps=steps)
+        error, uncertain = _error(arrays, orbit, other), _uncertain(orbit, other)
+        sure = abs(float(np.max(np.abs(orbit.multipliers), initial=0.0)) - 1.0) > uncertain
+        if error.over(asked) <= 1.0 and sure:
+            break
+    notes = [] if sure else [f"the largest multiplier is 1 to within {uncertain:.1e}: on the border of stability"]
+    notes += shortfall(error, asked, f"{HALVED} halvings did not bring it down" if given is None else GIVEN)
+    return replace(orbit, error=error.peak, rms_error=error.rms, multiplier_error=uncertain, notes=tuple(notes))
+
+
+def _closed(system: System, start: Floats, period: float, steps: int) -> Floats:
+    """Return the start of a motion that repeats itself."""
     for _ in range(ROUNDS):
         end, matrix, scale = _period(system, start, period, steps)
         gap = (end - start) / scale
         if np.max(np.abs(gap)) < CLOSED:
-            return _orbit(system, start, matrix, period=period, steps=steps)
+            return start
         # Rigid motions may start anywhere: the shortest step leaves them where they are.
         change = np.linalg.lstsq(np.eye(len(start)) - matrix / scale[:, None] * scale, gap, rcond=1e-9)[0]
         start = start + change * scale
@@ -108,20 +153,60 @@ def _period(system: System, start: Floats, period: float, steps: int) -> tuple[F
     rate = 2.0 * np.pi / period
     scale = np.repeat([position, max(position * rate, float(np.max(np.abs(start[size:]))))], size)
     starts = np.vstack([start, start + NUDGE * np.diag(scale), start - NUDGE * np.diag(scale)])
-    ends = simulate_many([system] * len(starts), period, step=period / steps, start=starts).state
+    ends = ends_of(system, starts, period, period / steps)
     many = len(start)
     matrix = (ends[1 : many + 1] - ends[many + 1 :]).T / (2.0 * NUDGE * scale)
     return ends[0], matrix, scale
 
 
-def _orbit(system: System, start: Floats, matrix: Floats, *, period: float, steps: int) -> Orbit:
-    size = len(start) // 2
-    outputs = Outputs(windows=((0.0, period),))
-    ends = (start[:size], start[size:])
-    trace = simulate(system, period, step=period / steps, start=ends, outputs=outputs, method="runge-kutta")
-    elastic = split_rigid(system.arrays)[1]
+def _start(orbit: Orbit) -> Floats:
+    return np.concatenate([orbit.samples.position[0], orbit.samples.velocity[0]])
+
+
+def _orbit(system: System, start: Floats, *, period: float, steps: int) -> Orbit:
+    """Return the orbit from its start, with the multipliers of what is next to it."""
+    arrays = system.arrays
+    samples = every_step(system, start, period / steps, steps)
+    matrix = monodromy(system, samples)
+    elastic = split_rigid(arrays)[1]
     basis = np.kron(np.eye(2), elastic)
-    inverse = np.kron(np.eye(2), elastic.T * system.arrays.mass)
+    inverse = np.kron(np.eye(2), elastic.T * arrays.mass)
     multipliers = np.linalg.eigvals(inverse @ matrix @ basis).astype(np.complex128)
     order = np.argsort(-np.abs(multipliers))
-    return Orbit(period, trace.whole().windows[0], multipliers[order], matrix)
+    return Orbit(period, samples, multipliers[order], matrix)
+
+
+def _forces(orbit: Orbit) -> Forces:
+    force = orbit.samples.line_force[:-1]
+    rms = np.sqrt(np.mean(force**2, axis=0))[None]
+    return Forces(np.max(np.abs(force), axis=0)[None], rms, 0.0 * rms)
+
+
+def _error(arrays: Arrays, orbit: Orbit, other: Orbit) -> Error:
+    """Return the error of forces, from the orbit at twice the step; peaks between instants are of second order."""
+    units = orbit.samples.labels.line_units
+    peaks, sums = (errors_of(_forces(orbit), _forces(other), units, ratio=2.0, order=order)[0] for order in
+                   (PARTING, PARTING if _parts(arrays, orbit) else SMOOTH))  # fmt: skip
+    return Error(max(peaks.peak, _between(orbit)), sums.rms)
+
+
+def _parts(arrays: Arrays, orbit: Orbit) -> bool:
+    """Whether teeth part."""
+    return bool(np.any(orbit.samples.line_deflection[:, arrays.backlash > 0.0] <= 0.0))
+
+
+def _between(orbit: Orbit) -> float:
+    """Return by how much peaks lie above the instants, by a parabola through the three around each, over them [-]."""
+    force = np.abs(orbit.samples.line_force[:-1])
+    place, lines = np.argmax(force, axis=0), np.arange(force.shape[1])
+    before, peak, after = (force[(place + shift) % len(force), lines] for shift in (-1, 0, 1))
+    curve = np.maximum(2.0 * peak - before - after, 1e-300)
+    above = 0.125 * (after - before) ** 2 / curve
+    kept = peak > NEGLIGIBLE * np.max(peak, initial=0.0)
+    return float(np.max(above[kept] / peak[kept], initial=0.0))
+
+
+def _uncertain(orbit: Orbit, other: Orbit) -> float:
+    """Return how far the size of the largest multiplier may be off, from the orbit at twice the step [-]."""
+    one, two = (float(np.max(np.abs(found.multipliers), initial=0.0)) for found in (orbit, other))
+    return abs(one - two) + MULTIPLIER_ROUNDING

@@ -101,7 +101,7 @@ def fly_window(flight: Flight, name: str, rules: WindowRules | None = None) -> D
     system = _system(back, rules)
     state = _start(system, back, rules)
     system = followed(system, rules.duration) if np.all(state[1] == 0.0) else system
-    trace = simulate(system, rules.duration, step=window_step(system), start=state, outputs=_outputs(system, rules))
+    trace = simulate(system, rules.duration, start=state, outputs=_outputs(system, rules))
     return DynamicWindow(name, rules, back.start, system, trace, _cycle(back, trace))
 
 

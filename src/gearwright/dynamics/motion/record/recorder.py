@@ -44,7 +44,7 @@ class Recorder:
     """Keeps samples, windows, statistics and checkpoints of one run."""
 
     def __init__(self, system: System, outputs: Outputs, *, step: float, steps: int) -> None:
-        self.system, self.step, self.steps = system, step, steps
+        self.system, self.outputs, self.step, self.steps = system, outputs, step, steps
         self.size = len(system.labels.coordinates)
         self.past = 2 * self.size + 2 * len(system.labels.lines) + len(system.labels.drives)
         self.outside = [number for number, owner in enumerate(system.labels.drive_owners) if owner.what == OUTSIDE_MAP]
@@ -54,6 +54,7 @@ class Recorder:
         width, bins = self.past - self.size, len(self.edges) - 1
         self.sums = np.zeros((2, bins, width))
         self.minimum, self.maximum = np.full((bins, width), np.inf), np.full((bins, width), -np.inf)
+        self.first_force, self.last_force = np.zeros((2, len(system.labels.lines)))
         self.kept: list[list[tuple[int, Floats]]] = [[] for _ in range(1 + len(self.spans))]
         self.points: list[tuple[int, Floats]] = []
         self.spacing = BLOCK * max(1, -(-steps // (BLOCK * CHECKPOINTS)))
@@ -99,6 +100,10 @@ class Recorder:
             if self.orders is not None:
                 self.orders.add(place, low, rows[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
         self._watch(first, record)
+        forces = record[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)]
+        if first <= self.edges[0] < first + len(record):
+            self.first_force = forces[self.edges[0] - first].copy()
+        self.last_force = forces[-1].copy()
 
     def _check_maps(self, first: int, record: Floats, summary: Floats) -> None:
         """Refuse what a propeller does outside its map: the laws go on with the nearest cell's edge."""
@@ -206,7 +211,7 @@ def _span(window: tuple[float, float], step: float, steps: int) -> tuple[int, in
 
 
 def _edges(outputs: Outputs, step: float, steps: int) -> Ints:
-    first = round(outputs.start / step)
+    first = 2 * round(outputs.start / (2.0 * step))  # so that a run at twice the step looks at the same time
     if not 0 <= first < steps or not 1 <= outputs.bins <= steps - first:
         message = f"{outputs.bins} bins from {outputs.start:g} s do not fit a run of {steps} steps of {step:.3g} s"
         raise DesignError([Problem("outputs", message)])

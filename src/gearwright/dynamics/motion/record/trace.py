@@ -199,7 +199,7 @@ class Trace(Shown):
     duration: float
     """Time that was simulated [s]: less than asked if it was interrupted."""
     error: float
-    """Estimated largest line-force error over the largest force, from the first stretch at half the step [-]."""
+    """Measured error of the peaks of line forces over them, beside the whole run at another step [-]."""
     work: Work
     """Energy balance."""
     samples: Samples
@@ -224,6 +224,8 @@ class Trace(Shown):
     """Amplitudes of line forces at the tones, if they were asked for."""
     drive: Statistics | None = None
     """Of what is recorded of drives; None without drives."""
+    rms_error: float = 0.0
+    """Measured error of the root mean squares of line forces over them [-]."""
     interrupted: bool = False
     """Whether the user stopped the run before its end."""
 

@@ -4,9 +4,11 @@ What is kept of them is in `record`; whole runs are in `motion` itself.
 """
 
 from gearwright.dynamics.motion.steps.exact import is_exact
-from gearwright.dynamics.motion.steps.pacing import STRETCH, estimated_error, pace_of
+from gearwright.dynamics.motion.steps.pacing import pace_of
 from gearwright.dynamics.motion.steps.steppers import ADAPTIVE, METHODS, Stepper, blank_record, blank_summary, stepper
 from gearwright.dynamics.motion.steps.stepsize import (
+    MARGIN,
+    RMS_SHARE,
     STABLE,
     Accuracy,
     Pace,
@@ -15,13 +17,16 @@ from gearwright.dynamics.motion.steps.stepsize import (
     default_step,
     excited_step,
     fastest_rate,
+    may_take,
+    whole_step,
 )
 
 __all__ = [
     "ADAPTIVE",
+    "MARGIN",
     "METHODS",
+    "RMS_SHARE",
     "STABLE",
-    "STRETCH",
     "Accuracy",
     "Pace",
     "Stepper",
@@ -30,10 +35,11 @@ __all__ = [
     "check_duration",
     "check_step",
     "default_step",
-    "estimated_error",
     "excited_step",
     "fastest_rate",
     "is_exact",
+    "may_take",
     "pace_of",
     "stepper",
+    "whole_step",
 ]

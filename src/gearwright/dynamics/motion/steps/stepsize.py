@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.dynamics.equations import damped_modes, linear
 from gearwright.dynamics.model import CLUTCH, Arrays, entry_matrix, line_matrix, top_rate
 from gearwright.errors import DesignError, Problem
 
@@ -19,14 +20,24 @@ imaginary.
 """
 COMFORTABLE = 1.0
 """The same for the default step: at 2.0 the fastest modes are stable but line forces off by 1e-2, at 1.0 by 1e-3."""
-STEPS_PER_CYCLE = 6.0
-"""Steps in a cycle of the highest harmonic: line forces within about 4e-4 (docs/theory/dynamics.md)."""
+STEPS_PER_CYCLE = 6.0 + 0.5 * (5.0**0.5 - 1.0)
+"""Steps in a cycle of the highest harmonic: no fraction of whole numbers, so that peaks are met in every phase."""
+EXCITED = 1.25
+"""Rate of a mode over the highest harmonic's up to which it may ring: stiffness and contact shift both [-]."""
+AIM = 0.25
+"""Share of the error that is asked which the step aims at, so that the measured one, which is larger, holds too [-]."""
+LEAST_DAMPING = 1e-3
+"""Damping ratio that modes without damping are taken to have: no force settles there, whatever the step [-]."""
 IMPLICIT_STEPS_PER_CYCLE = 40.0
 """The same for the implicit second-order step."""
-MARGIN = 0.9
+MARGIN = 0.8
 """What the step is shortened by, so that the error comes out below what was asked [-]."""
 ROUNDING = 1e-11
 """Accuracy that rounding allows [-]."""
+SEEN = 2.5
+"""Highest harmonic's rate times the step below which it is still followed: half a cycle is 3.14 [-]."""
+RMS_SHARE = 0.1
+"""Error allowed in the root mean square over that allowed in peaks [-]."""
 LARGEST_RUN = 1e10
 """Steps that one run may take: about an hour for a small train."""
 
@@ -39,17 +50,38 @@ class Pace(NamedTuple):
     tolerance: float = 0.0
     """Root of the energy that the error of one adaptive step may hold; 0 for fixed steps [√J]."""
 
-    def finer(self) -> Pace:
-        """Return the pace at which a fourth-order method makes a sixteenth of the error."""
-        return self._replace(tolerance=self.tolerance / 16.0) if self.tolerance else Pace(0.5 * self.step)
+    def times(self, factor: float) -> Pace:
+        """Return a coarser pace, or with a factor below one a finer: a fourth-order method errs by its fourth power.
+
+        Args:
+            factor: On the step; adaptive methods keep the spacing of their rows [-].
+        """
+        tolerance = self.tolerance * factor**4
+        return self._replace(tolerance=tolerance) if self.tolerance else Pace(self.step * factor)
+
+    def over(self, other: Pace) -> float:
+        """Return this pace over another, as the factor that `times` would take [-].
+
+        Args:
+            other: Of the same method.
+        """
+        return float((self.tolerance / other.tolerance) ** 0.25) if self.tolerance else self.step / other.step
 
 
 @dataclass(frozen=True)
 class Accuracy:
-    """Asks for the step at which line forces are right to a share of the largest, as the first stretch shows."""
+    """Asks for forces: the peak of every line right to a share of it, its root mean square to a tenth of that share.
 
-    value: float
-    """Largest line-force error over the largest force [-]."""
+    A line that carries next to nothing is judged beside the others of its kind.
+    """
+
+    value: float = 0.01
+    """Largest error of a peak over the peak [-]."""
+
+    def __post_init__(self) -> None:
+        if not ROUNDING < self.value < 1.0:
+            message = f"accuracy {self.value:g}; it must lie between {ROUNDING:g} and 1"
+            raise DesignError([Problem("step", message)])
 
 
 def fastest_rate(arrays: Arrays) -> float:
@@ -104,15 +136,35 @@ def _largest(matrix: Floats) -> float:
     return float(np.linalg.eigvalsh(matrix)[-1])
 
 
-def default_step(arrays: Arrays) -> float:
-    """Return the step for explicit integration, h = min(1/(6 f_max), 1/λ_max) [s].
+def default_step(arrays: Arrays, asked: Accuracy = Accuracy()) -> float:
+    """Return the step for explicit integration [s]: for the harmonics, the fastest mode, and modes that may ring.
 
     Args:
         arrays: The system's numbers.
+        asked: Accuracy of the forces.
     """
-    fastest, excited = fastest_rate(arrays), top_rate(arrays) / (2.0 * np.pi)
+    fastest, excited = fastest_rate(arrays), top_rate(arrays)
     stable = COMFORTABLE / fastest if fastest else np.inf
-    return float(min(stable, 1.0 / (STEPS_PER_CYCLE * excited))) if excited else float(stable)
+    return float(min(stable, 2.0 * np.pi / (STEPS_PER_CYCLE * excited), _ringing_step(arrays, excited, asked))
+                 if excited else stable)  # fmt: skip
+
+
+def _ringing_step(arrays: Arrays, excited: float, asked: Accuracy) -> float:
+    """Return the step at which modes that the harmonics may meet ring as their physical damping lets them.
+
+    A step shifts a mode by (ω h)⁴/120 and damps it by (ω h)⁵/144, which moves a force on the flank of a resonance
+    by up to the shift over 2 ζ.
+
+    Source: amplification of the classical fourth-order method, e^z (1 − z⁵/120 + z⁶/144 …), at z = i ω h.
+    """
+    slowest, quickest = float(np.min(arrays.profile.factor)), float(np.max(arrays.profile.factor))
+    step = np.inf
+    for factor in {slowest, quickest}:
+        rate = damped_modes(linear(arrays, factor)).rate
+        rings = rate[np.abs(rate) <= EXCITED * excited]
+        damping = np.maximum(-rings.real / np.abs(rings), LEAST_DAMPING)
+        step = min(step, float(np.min((240.0 * AIM * asked.value * damping) ** 0.25 / np.abs(rings), initial=np.inf)))
+    return step
 
 
 def excited_step(arrays: Arrays) -> float:
@@ -147,25 +199,30 @@ def check_step(arrays: Arrays, step: float) -> None:
         raise DesignError([Problem("step", message)])
 
 
-def accurate_pace(pace: Pace, error: float, asked: Accuracy) -> Pace:
-    """Return the pace that brings the error down to what is asked, never a coarser one.
-
-    The error grows with the fourth power of a fixed step and in proportion to the tolerance of adaptive ones.
+def whole_step(duration: float, step: float) -> float:
+    """Return the largest step that is not larger and cuts the duration into an even number [s].
 
     Args:
-        pace: That was tried.
-        error: Its error [-].
-        asked: Accuracy.
+        duration: [s].
+        step: [s].
 
     Raises:
-        DesignError: If the accuracy is not between rounding and one.
+        DesignError: If the duration cannot be.
     """
-    if not ROUNDING < asked.value < 1.0:
-        raise DesignError([Problem("step", f"accuracy {asked.value:g}; it must lie between {ROUNDING:g} and 1")])
-    room = asked.value / max(error, 1e-6 * asked.value)
-    if pace.tolerance:
-        return pace._replace(tolerance=pace.tolerance * min(1.0, MARGIN * room))
-    return Pace(pace.step * min(1.0, MARGIN * float(np.sqrt(np.sqrt(room)))))
+    check_duration(duration, step)
+    return duration / (2.0 * float(np.ceil(0.5 * duration / step * (1.0 - ROUNDING))))
+
+
+def may_take(arrays: Arrays, method: str, pace: Pace) -> bool:
+    """Tell whether steps at a pace would neither blow up nor miss what excites.
+
+    Args:
+        arrays: The system's numbers.
+        method: One of `METHODS`.
+        pace: How finely.
+    """
+    met = top_rate(arrays) * pace.step < SEEN
+    return met and ("runge-kutta" not in method or pace.step * fastest_rate(arrays) <= MARGIN * STABLE)
 
 
 def check_duration(duration: float, step: float) -> int:

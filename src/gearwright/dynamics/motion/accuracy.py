@@ -1,0 +1,112 @@
+"""Accuracy: what is left of a run's error, measured on the whole run beside the same run at another pace."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.dynamics.motion.steps import MARGIN, RMS_SHARE, Accuracy
+
+SMOOTH = 4
+"""Order of the error of smooth motions: that of the steps."""
+PARTING = 2
+"""Order where teeth part or touch inside a step."""
+CHAOTIC = 0
+"""Motions that part from their neighbours: no step brings two runs together, and what they differ by is the error."""
+CAUTION = 1.5
+"""What the error by the order is multiplied by, since peaks are met by chance and orders hold in the limit [-]."""
+NEGLIGIBLE = 1e-2
+"""Share of the largest force of its kind below which a line's force is judged beside that share [-]."""
+REFINED = 3
+"""Times that a run is repeated at a finer pace."""
+COARSER = 2.0
+"""Pace of the run beside the first one, over its own [-]."""
+
+
+class Forces(NamedTuple):
+    """What is promised of the line forces; arrays of shape (…, lines)."""
+
+    peak: Floats
+    """Largest absolute value [N or N m]."""
+    rms: Floats
+    """Root mean square [N or N m]."""
+    ends: Floats
+    """By how much the one that is told differs from it, because sums over steps end with whole ones [N or N m]."""
+
+
+class Error(NamedTuple):
+    """Largest error of all lines."""
+
+    peak: float
+    """Of the peak force over it [-]."""
+    rms: float
+    """Of the root mean square over it [-]."""
+
+    def over(self, asked: Accuracy) -> float:
+        """Return the error over the one that is asked for [-]: at most 1 if it holds.
+
+        Args:
+            asked: Of peaks, and a tenth of it of root mean squares.
+        """
+        return max(self.peak, self.rms / RMS_SHARE) / asked.value
+
+    def words(self) -> str:
+        """Return the error as a note says it."""
+        return f"peaks of line forces are right to {self.peak:.1e}, their root mean squares to {self.rms:.1e}"
+
+
+def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: float, order: int) -> list[Error]:
+    """Return the errors of runs, one for each row of their forces.
+
+    Args:
+        forces: Of runs, shape (runs, lines).
+        other: Of the same runs at another pace.
+        units: Of the deflection of each line: forces are compared with those of their kind.
+        ratio: The other pace's step over that of the run [-].
+        order: Power of the step that the error follows.
+    """
+    share = CAUTION / abs(ratio**order - 1.0) if order else 1.0
+    kinds = np.array([[one == unit for one in units] for unit in units], dtype=bool)
+    parts = []
+    for mine, its, known in ((forces.peak, other.peak, 0.0 * forces.ends), (forces.rms, other.rms, forces.ends)):
+        largest = np.max(np.where(kinds, mine[:, None, :], 0.0), axis=2)
+        scale = np.maximum(mine, NEGLIGIBLE * largest)
+        away = share * np.abs(mine - its) + known
+        parts.append(np.max(np.divide(away, scale, out=np.zeros_like(mine), where=scale > 0.0), axis=1, initial=0.0))
+    return [Error(float(peak), float(rms)) for peak, rms in zip(*parts, strict=True)]
+
+
+def finer(over: float, order: int) -> float:
+    """Return by how much the step is to shrink [-]: a half or a quarter, so that runs look at the same instants.
+
+    Args:
+        over: Error over the one that is asked for [-].
+        order: Power of the step that the error follows.
+    """
+    return 0.5 if over < MARGIN * 2.0**order else 0.25
+
+
+def shortfall(error: Error, asked: Accuracy, why: str) -> list[str]:
+    """Return the note of a result whose error is larger than asked for; nothing of one that holds.
+
+    Args:
+        error: Measured.
+        asked: For.
+        why: It was not brought down.
+    """
+    if error.over(asked) <= 1.0:
+        return []
+    return [f"{error.words()}; asked were {asked.value:.1e} and {RMS_SHARE * asked.value:.1e}: {why}"]
+
+
+REPEATED = f"{REFINED} repetitions at finer steps did not bring it down; contact that comes and goes converges slowly"
+"""Why a result falls short that was not given its step."""
+GIVEN = "the step was given"
+"""Why a result falls short that was."""
+UNPREDICTABLE = "neighbouring motions part, so that peaks are those of one motion among many"
+"""Why a chaotic one does."""
+STOPPED = "the run was interrupted"
+"""Why one does that was stopped."""
