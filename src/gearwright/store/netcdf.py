@@ -51,7 +51,7 @@ _DIMENSIONS: Mapping[type, Mapping[str, tuple[tuple[str, ...], str]]] = {
 
 _STATISTICS = ("force", "deflection", "velocity")
 _OWNERS = ("coordinate_owners", "line_owners", "drive_owners")
-_SCALARS = ("method", "step", "duration", "error", "tolerance")
+_SCALARS = ("method", "step", "duration", "error", "rms_error", "tolerance")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -186,11 +186,14 @@ def _read_trace(file: Any) -> Trace:
         work=Work(**{field.name: float(file.attrs[f"work_{field.name}"]) for field in fields(Work)}),
         samples=_read_samples(file.groups["samples"], labels),
         windows=tuple(_read_samples(file.groups[name], labels) for name in windows),
-        **{name: _read_statistics(file.groups[name]) for name in _STATISTICS},
+        force=_read_statistics(file.groups["force"]),
+        deflection=_read_statistics(file.groups["deflection"]),
+        velocity=_read_statistics(file.groups["velocity"]),
         checkpoints=Checkpoints(**_read_part(file.groups["checkpoints"], Checkpoints)),
         notes=_lines(file.attrs["notes"]),
         labels=labels,
         tolerance=float(file.attrs["tolerance"]),
+        rms_error=float(file.attrs.get("rms_error", 0.0)),
         interrupted=bool(file.attrs.get("interrupted", 0)),
         orders=_read_orders(file.groups["orders"]) if "orders" in file.groups else None,
         drive=_read_statistics(file.groups["drive"]) if "drive" in file.groups else None,

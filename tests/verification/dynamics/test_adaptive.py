@@ -60,14 +60,19 @@ def test_its_weights_are_those_of_the_order_conditions():
 @pytest.mark.parametrize("method", ["tsit5", "tsit5 generic"])
 @pytest.mark.parametrize("asked", [1e-3, 1e-5, 1e-7])
 def test_forces_are_as_accurate_as_asked(method, asked):
-    """Against RK4 at 1/16 of its default step, which leaves less than 1e-9; the estimate is of the first stretch."""
+    """Against RK4 at 1/16 of its default step, which leaves less than 1e-9; what is not shown to hold is marked.
+
+    Instants never lie near enough for a peak to be seen to 1e-7.
+    """
     system, span = rocked_chain(), Outputs(windows=((0.0, 0.01),))
     found = simulate(system, 0.01, method=method, step=Accuracy(asked), outputs=span, start="rigid")
     fine = simulate(system, 0.01, step=found.step / 16.0, outputs=span, start="rigid", method="runge-kutta")
     force, wanted = found.windows[0].force("mesh"), fine.windows[0].force("mesh")[::16]
     true = np.max(np.abs(force - wanted)) / np.max(np.abs(wanted))
     assert true <= 1.5 * asked
-    assert found.error <= asked
+    marked = any("asked were" in note for note in found.notes)
+    assert marked is (found.error > asked or found.rms_error > 0.1 * asked)
+    assert not marked or asked < 1e-4
 
 
 def test_statistics_and_energy_are_those_of_fixed_steps():

@@ -5,7 +5,6 @@ Spectra, steady states and maps over speed are in `vibration`.
 
 from gearwright.dynamics.motion.accuracy import (
     GIVEN,
-    NEGLIGIBLE,
     PARTING,
     SMOOTH,
     Error,
@@ -44,7 +43,6 @@ __all__ = [
     "BLOCK",
     "CHECKPOINTS",
     "GIVEN",
-    "NEGLIGIBLE",
     "PARTING",
     "SMOOTH",
     "STABLE",

@@ -12,15 +12,17 @@ from gearwright.dynamics.motion.steps import MARGIN, RMS_SHARE, Accuracy
 
 SMOOTH = 4
 """Order of the error of smooth motions: that of the steps."""
-PARTING = 2
-"""Order where teeth part or touch inside a step."""
+SECOND = 2
+"""Order of implicit steps."""
+PARTING = 1
+"""Order where teeth part or touch inside a step: by steps of second, but one step may meet them and the next not."""
 CHAOTIC = 0
 """Motions that part from their neighbours: no step brings two runs together, and what they differ by is the error."""
-CAUTION = 1.5
+CAUTION = 3.0
 """What the error by the order is multiplied by, since peaks are met by chance and orders hold in the limit [-]."""
 NEGLIGIBLE = 1e-2
 """Share of the largest force of its kind below which a line's force is judged beside that share [-]."""
-REFINED = 3
+REFINED = 4
 """Times that a run is repeated at a finer pace."""
 COARSER = 2.0
 """Pace of the run beside the first one, over its own [-]."""
@@ -33,8 +35,10 @@ class Forces(NamedTuple):
     """Largest absolute value [N or N m]."""
     rms: Floats
     """Root mean square [N or N m]."""
+    between: Floats
+    """By how much the peak between steps may be larger [N or N m]."""
     ends: Floats
-    """By how much the one that is told differs from it, because sums over steps end with whole ones [N or N m]."""
+    """By how much the one that is told differs from it: sums over steps begin and end with whole ones [N or N m]."""
 
 
 class Error(NamedTuple):
@@ -68,10 +72,10 @@ def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: flo
         ratio: The other pace's step over that of the run [-].
         order: Power of the step that the error follows.
     """
-    share = CAUTION / abs(ratio**order - 1.0) if order else 1.0
+    share = CAUTION / abs(ratio**order - 1.0) if order else CAUTION
     kinds = np.array([[one == unit for one in units] for unit in units], dtype=bool)
     parts = []
-    for mine, its, known in ((forces.peak, other.peak, 0.0 * forces.ends), (forces.rms, other.rms, forces.ends)):
+    for mine, its, known in ((forces.peak, other.peak, forces.between), (forces.rms, other.rms, forces.ends)):
         largest = np.max(np.where(kinds, mine[:, None, :], 0.0), axis=2)
         scale = np.maximum(mine, NEGLIGIBLE * largest)
         away = share * np.abs(mine - its) + known

@@ -42,13 +42,16 @@ class Pass(NamedTuple):
         found = recorder.statistics(names, recorder.size, "line")
         length = np.diff(found.edges)[:, None]
         if not len(length):
-            return Forces(*np.zeros((3, 1, len(names))))
+            return Forces(*np.zeros((4, 1, len(names))))
         square = np.sum(length * found.rms**2, axis=0) / np.sum(length)
         extremes = np.max(np.maximum(np.abs(found.minimum), np.abs(found.maximum)), axis=0)
         # The sum over steps counts the first instant whole and the last not at all; each should count half.
         ends = (recorder.last_force**2 - recorder.first_force**2) / (2.0 * float(np.sum(length)) / self.pace.step)
         rms = np.sqrt(np.maximum(square + ends, 0.0))
-        return Forces(extremes[None], rms[None], np.abs(rms - np.sqrt(square))[None])
+        late = abs(float(recorder.edges[0]) * self.pace.step - recorder.outputs.start) / float(np.sum(length))
+        missed = late * np.maximum(extremes**2 - square, square) / np.maximum(2.0 * rms, 1e-300)
+        between = np.maximum(recorder.bound - extremes, 0.0)
+        return Forces(extremes[None], rms[None], between[None], (np.abs(rms - np.sqrt(square)) + missed)[None])
 
 
 def marched(

@@ -18,6 +18,7 @@ from gearwright.dynamics.motion.accuracy import (
     PARTING,
     REFINED,
     REPEATED,
+    SECOND,
     SMOOTH,
     STOPPED,
     UNPREDICTABLE,
@@ -117,7 +118,7 @@ def simulate(
     notes = [reason, *([f"at the start {left}; the train speeds up or slows down"] if left else [])]
     slack = slack_lines(system, state[: len(system.arrays.mass)])
     notes += [f"at the start no tooth touches: {', '.join(slack)} stand between their flanks"] if slack else []
-    notes += [*_notes(run), *chaos]
+    notes += [*chaos, *_notes(run)]
     return _trace(run, Ran(method, error, tuple(notes)))
 
 
@@ -152,7 +153,7 @@ def _order(run: Pass, method: str) -> tuple[int, list[str]]:
                 f" +{exponent:.2g} 1/s): judge it by its statistics only"
             ]
         return PARTING, []
-    return (PARTING if method == "implicit" else SMOOTH), []
+    return (SECOND if method == "implicit" else SMOOTH), []
 
 
 def _beside(run: Pass, method: str) -> Pass:

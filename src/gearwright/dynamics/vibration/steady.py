@@ -18,7 +18,6 @@ from gearwright.dynamics.equations import split_rigid, statics
 from gearwright.dynamics.model import Arrays, System
 from gearwright.dynamics.motion import (
     GIVEN,
-    NEGLIGIBLE,
     PARTING,
     SMOOTH,
     Accuracy,
@@ -178,32 +177,21 @@ def _orbit(system: System, start: Floats, *, period: float, steps: int) -> Orbit
 
 def _forces(orbit: Orbit) -> Forces:
     force = orbit.samples.line_force[:-1]
-    rms = np.sqrt(np.mean(force**2, axis=0))[None]
-    return Forces(np.max(np.abs(force), axis=0)[None], rms, 0.0 * rms)
+    size, lines = np.abs(force), np.arange(force.shape[1])
+    place, rms = np.argmax(size, axis=0), np.sqrt(np.mean(force**2, axis=0))[None]
+    before, peak, after = (force[(place + shift) % len(force), lines] for shift in (-1, 0, 1))
+    return Forces(np.abs(peak)[None], rms, 0.125 * np.abs(before - 2.0 * peak + after)[None], 0.0 * rms)
 
 
 def _error(arrays: Arrays, orbit: Orbit, other: Orbit) -> Error:
-    """Return the error of forces, from the orbit at twice the step; peaks between instants are of second order."""
-    units = orbit.samples.labels.line_units
-    peaks, sums = (errors_of(_forces(orbit), _forces(other), units, ratio=2.0, order=order)[0] for order in
-                   (PARTING, PARTING if _parts(arrays, orbit) else SMOOTH))  # fmt: skip
-    return Error(max(peaks.peak, _between(orbit)), sums.rms)
+    """Return the error of forces, from the orbit at twice the step."""
+    units, order = orbit.samples.labels.line_units, PARTING if _parts(arrays, orbit) else SMOOTH
+    return errors_of(_forces(orbit), _forces(other), units, ratio=2.0, order=order)[0]
 
 
 def _parts(arrays: Arrays, orbit: Orbit) -> bool:
     """Whether teeth part."""
     return bool(np.any(orbit.samples.line_deflection[:, arrays.backlash > 0.0] <= 0.0))
-
-
-def _between(orbit: Orbit) -> float:
-    """Return by how much peaks lie above the instants, by a parabola through the three around each, over them [-]."""
-    force = np.abs(orbit.samples.line_force[:-1])
-    place, lines = np.argmax(force, axis=0), np.arange(force.shape[1])
-    before, peak, after = (force[(place + shift) % len(force), lines] for shift in (-1, 0, 1))
-    curve = np.maximum(2.0 * peak - before - after, 1e-300)
-    above = 0.125 * (after - before) ** 2 / curve
-    kept = peak > NEGLIGIBLE * np.max(peak, initial=0.0)
-    return float(np.max(above[kept] / peak[kept], initial=0.0))
 
 
 def _uncertain(orbit: Orbit, other: Orbit) -> float:

@@ -54,7 +54,7 @@ class Recorder:
         width, bins = self.past - self.size, len(self.edges) - 1
         self.sums = np.zeros((2, bins, width))
         self.minimum, self.maximum = np.full((bins, width), np.inf), np.full((bins, width), -np.inf)
-        self.first_force, self.last_force = np.zeros((2, len(system.labels.lines)))
+        self.first_force, self.last_force, self.bound = np.zeros((3, len(system.labels.lines)))
         self.kept: list[list[tuple[int, Floats]]] = [[] for _ in range(1 + len(self.spans))]
         self.points: list[tuple[int, Floats]] = []
         self.spacing = BLOCK * max(1, -(-steps // (BLOCK * CHECKPOINTS)))
@@ -100,10 +100,22 @@ class Recorder:
             if self.orders is not None:
                 self.orders.add(place, low, rows[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
         self._watch(first, record)
-        forces = record[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)]
-        if first <= self.edges[0] < first + len(record):
-            self.first_force = forces[self.edges[0] - first].copy()
+        self._bound(first, record[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
+
+    def _bound(self, first: int, forces: Floats) -> None:
+        """Keep forces at the ends of what statistics see, and the height that peaks between steps may have.
+
+        Between steps a force rises above the larger of both by an eighth of its second difference at most.
+        """
         self.last_force = forces[-1].copy()
+        seen = forces[max(int(self.edges[0]) - first, 0) :]
+        if first <= self.edges[0] < first + len(forces):
+            self.first_force = seen[0].copy()
+        if len(seen) > 2:
+            size, lines = np.abs(seen), np.arange(seen.shape[1])
+            place = np.clip(np.argmax(size, axis=0), 1, len(seen) - 2)
+            bend = np.abs(seen[place - 1, lines] - 2.0 * seen[place, lines] + seen[place + 1, lines])
+            np.maximum(self.bound, np.max(size, axis=0) + 0.125 * bend, out=self.bound)
 
     def _check_maps(self, first: int, record: Floats, summary: Floats) -> None:
         """Refuse what a propeller does outside its map: the laws go on with the nearest cell's edge."""

@@ -54,10 +54,9 @@ class Pace(NamedTuple):
         """Return a coarser pace, or with a factor below one a finer: a fourth-order method errs by its fourth power.
 
         Args:
-            factor: On the step; adaptive methods keep the spacing of their rows [-].
+            factor: On the step [-].
         """
-        tolerance = self.tolerance * factor**4
-        return self._replace(tolerance=tolerance) if self.tolerance else Pace(self.step * factor)
+        return Pace(self.step * factor, self.tolerance * factor**4)
 
     def over(self, other: Pace) -> float:
         """Return this pace over another, as the factor that `times` would take [-].
@@ -65,7 +64,7 @@ class Pace(NamedTuple):
         Args:
             other: Of the same method.
         """
-        return float((self.tolerance / other.tolerance) ** 0.25) if self.tolerance else self.step / other.step
+        return self.step / other.step
 
 
 @dataclass(frozen=True)
