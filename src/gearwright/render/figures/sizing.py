@@ -6,10 +6,11 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from gearwright.arrays import Floats
-from gearwright.checks import ROUNDING
+from gearwright.checks import ROUNDING, Check
 from gearwright.identity import Kind
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
@@ -21,11 +22,9 @@ _ROW = 5.2
 """Height of one bar [mm]."""
 _FRAME = 22.0
 """Height of title and axis [mm]."""
-_CHECK_COLOURS = {"bending": theme.BLUE, "contact": theme.SKY, "Tresca": theme.GREEN,
-                 "pin bending": theme.AMBER, "plate shear": theme.ORANGE}  # fmt: skip
-"""Check of a first sizing -> colour."""
-_PART_COLOURS = {Kind.SHAFT: theme.GREEN, Kind.BEARING: theme.SKY, Kind.JOINT: theme.AMBER}
-"""Kind of part -> colour of its other checks; gears, meshes and stages have another."""
+_PART_COLOURS = {"gears": theme.BLUE, "shafts": theme.GREEN, "carriers": theme.AMBER, "bearings": theme.SKY,
+                 "joints": theme.ORANGE}  # fmt: skip
+"""Group of parts -> colour of its checks."""
 MOST_MARGINS = 45
 """Checks that are drawn at most, the worst ones; tables have all."""
 STEPS = 12
@@ -65,19 +64,36 @@ def mass_figure(sizing: Sizing) -> Figure:
 
 @theme.styled
 def margin_figure(sizing: Sizing) -> Figure:
-    """Return the margin of every check, worst first.
+    """Return the margin of every check, worst first: what loads decide above, what shape and room decide below.
 
     Args:
         sizing: As sized.
     """
     every = sizing.checks
     checks = every[:MOST_MARGINS]
+    panels = {
+        "Margins against loads": [check for check in checks if check.exponent is not None],
+        "Margins of shape and room": [check for check in checks if check.exponent is None],
+    }
+    panels = {title: rows for title, rows in panels.items() if rows}
+    figure = theme.sheet(WIDTH, _FRAME * len(panels) + _ROW * len(checks))
+    grid = figure.subplots(len(panels), 1, squeeze=False, height_ratios=[len(rows) + 2 for rows in panels.values()])
+    for axes, (title, rows) in zip(grid[:, 0], panels.items(), strict=True):
+        _bars(axes, rows)
+        axes.set_title(f"{title}, worst first")
+    left = f"; {len(every) - len(checks)} more in the tables" if len(checks) < len(every) else ""
+    grid[-1, 0].set_xlabel(f"margin [-], the asked factor included; 1 is just enough{left}")
+    return figure
+
+
+def _bars(axes: Axes, checks: Sequence[Check]) -> None:
+    """Draw a bar for every check, in the colour of its part."""
     margins = [math.inf if check.margin is None else check.margin for check in checks]
-    figure = theme.sheet(WIDTH, _FRAME + _ROW * len(checks))
-    axes = figure.add_subplot()
     shown = [min(margin, LARGEST_MARGIN) for margin in margins]
-    colours = [_CHECK_COLOURS.get(check.mode) or _PART_COLOURS.get(check.part.kind, theme.BLUE) for check in checks]
-    axes.barh(range(len(checks)), shown, color=colours, height=0.72)
+    kinds = [_kind_of(check) for check in checks]
+    axes.barh(range(len(checks)), shown, color=[_PART_COLOURS[kind] for kind in kinds], height=0.72)
+    for kind in dict.fromkeys(kinds):
+        axes.barh([0], [0.0], color=_PART_COLOURS[kind], label=kind)
     for place, (check, margin, length) in enumerate(zip(checks, margins, shown, strict=True)):
         colour = theme.ORANGE if check.fails else theme.INK
         told = "  too small" if check.fails else "  waived" if check.waiver else ""
@@ -86,12 +102,18 @@ def margin_figure(sizing: Sizing) -> Figure:
                       textcoords="offset points", va="center", color=colour)  # fmt: skip
     axes.set_yticks(range(len(checks)), [f"{check.part}, {check.what}" for check in checks])
     axes.axvline(1.0, color=theme.ORANGE, lw=1.2)
-    axes.invert_yaxis()
-    axes.set_xlim(0.0, max(shown) * 1.12)
-    axes.set_xlabel("margin [-], the asked factor included; 1 is just enough")
-    axes.set_title("Margins, worst first" + (f": {len(checks)} of {len(every)}" if len(checks) < len(every) else ""))
+    axes.set_ylim(len(checks) - 0.4, -0.6)
+    axes.set_xlim(0.0, LARGEST_MARGIN * 1.12)
+    if len(set(kinds)) > 1:
+        axes.legend(loc="upper right")
     theme.only_grid(axes, "x")
-    return figure
+
+
+def _kind_of(check: Check) -> str:
+    """Return the group of a check's part, as the legend names it."""
+    return {Kind.SHAFT: "shafts", Kind.BEARING: "bearings", Kind.JOINT: "joints", Kind.CARRIER: "carriers"}.get(
+        check.part.kind, "gears"
+    )
 
 
 def bent_shafts(sizing: Sizing) -> list[ShaftSizing]:

@@ -100,7 +100,7 @@ def _machine_texts(feeds: Sequence[Feed], layout: Layout) -> dict[str, str]:
         if feed.branch.part.kind is Kind.MACHINE:
             start, end = layout.spans[feed.branch.shaft]
             alone = start < feed.x < end or start == end
-            values = [text(abs(feed.branch.power), "power"), text(abs(feed.branch.torque), "torque")]
+            values = [text(abs(feed.branch.power), "power"), _torque(feed.branch.torque)]
             name = feed.branch.part.name
             texts[name] = "\n".join([name, *(values if alone else [])])
     return texts
@@ -129,12 +129,18 @@ def _label_stretches(board: Board, pen: Pen, layout: Layout, stretches: Sequence
     for place, stretch in enumerate(stretches):
         first = all(other.shaft != stretch.shaft for other in stretches[:place])
         lines = [stretch.shaft, text(_clean(stretch.speed, fastest), "speed").replace("-", "−")] if first else []
-        lines += [text(_clean(abs(stretch.power), largest), "power"), text(abs(stretch.torque), "torque")]
+        lines += [text(_clean(abs(stretch.power), largest), "power"), _torque(stretch.torque)]
         clear = half_width(stretch, pen, layout, stretches) + 1.0 + len(lines) * 1.5
         y = layout.heights[stretch.shaft]
         away = [(spot, y + side * (clear + more)) for spot in spots(stretch, layout)
                 for more in (0.0, 3.0, 6.0, 10.0, 15.0) for side in (1.0, -1.0)]  # fmt: skip
         board.place("\n".join(lines), away, bold=first)
+
+
+def _torque(value: float) -> str:
+    """Return a torque as people read it: in kN m from 100 000 N m on."""
+    size = abs(value)
+    return f"{size / 1e3:.4g} kN m" if size >= 1e5 else text(size, "torque")
 
 
 def _clean(value: float, largest: float) -> float:
