@@ -179,16 +179,21 @@ def order_name(sizing: Sizing, tone: Tone) -> OrderName:
     """
     name, count = max(tone.counts, key=lambda turns: abs(turns[1]))
     part = bodies_of(sizing).get(name)
-    teeth = _teeth(sizing, part) if part is not None else 0
-    if part is not None and teeth and abs(count) >= teeth and count % teeth == 0:
-        return OrderName(part.name, (), abs(count) // teeth)
+    for teeth in _teeth(sizing, part) if part is not None else ():
+        if part is not None and abs(count) >= teeth and count % teeth == 0:
+            return OrderName(part.name, (), abs(count) // teeth)
     return OrderName("", tuple(name for name, _ in tone.counts), abs(count))
 
 
-def _teeth(sizing: Sizing, part: PartId) -> int:
-    """Return how often the mesh of a body's stage sounds in a turn: of a planetary set against its carrier."""
+def _teeth(sizing: Sizing, part: PartId) -> tuple[int, ...]:
+    """Return how often the meshes of a body sound in a turn: of planetary sets against the carrier."""
+    if part.name in sizing.design.epicyclics:
+        own = [gear for gear in sizing.train.gears if gear.stage == part.name]
+        nodes = {node for gear in own if gear.own == part.own for node in gear.nodes}
+        here = [gear.name for gear in own if not part.own or nodes & set(gear.nodes)]
+        return tuple(sizing.teeth[name] for name in here)
     whole = part if part.name in sizing.design.pairs else gear_part(part.name, Role.SUN)
-    return sizing.teeth[str(whole._replace(branch=""))]
+    return (sizing.teeth[str(whole._replace(branch=""))],)
 
 
 class Shaker:

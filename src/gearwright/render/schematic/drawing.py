@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 
 from gearwright.identity import SIDES, Kind, Role
 from gearwright.render.schematic import glyphs
+from gearwright.render.schematic.compound import bars, draw_compound, is_compound
 from gearwright.render.schematic.layout import Layout, centre_distance, element, pair_meshes
 from gearwright.spec import GROUND
 from gearwright.train import INTERNAL, Attachment, Gear, Mesh, Train, attachments
@@ -32,7 +33,10 @@ def draw_train(
     """
     seats = attachments(train)
     for name in dict.fromkeys(seat.stage for seat in seats if seat.member is Kind.CARRIER):
-        glyphs.planetary(axes, _planetary(name, train, layout, seats))
+        if is_compound(train, name):
+            draw_compound(axes, train, layout, name)
+        else:
+            glyphs.planetary(axes, _planetary(name, train, layout, seats))
     _draw_pairs(axes, train, layout)
     for shaft in layout.spans:
         _draw_shaft(axes, shaft, layout, seats)
@@ -166,6 +170,11 @@ def gear_sides(train: Train, layout: Layout) -> Iterator[tuple[str, float, float
             yield gear.name, x, layout.heights[gear.nodes[0]] + 0.6 * _drawn_radius(gear, train, layout)
             continue
         seats = [seat for seat in attachments(train) if seat.stage == gear.stage and seat.shaft != GROUND]
+        if gear.own:
+            bar = next(bar for bar in bars(train, layout, gear.stage) if bar.gear is gear)
+            above = bar.middle + 0.6 * bar.radius if gear.role is not Role.RING else bar.radius
+            yield gear.name, bar.left + bar.width / 2.0, layout.heights[seats[0].shaft] + above
+            continue
         sun, planet = (outlines[train.gear_of(gear.stage, role).name].radius for role in (Role.SUN, Role.PLANET))
         share = {Role.SUN: 0.7 * sun, Role.PLANET: sun + 1.5 * planet, Role.RING: outlines[gear.name].radius}[gear.role]
         yield gear.name, x, layout.heights[seats[0].shaft] + share * layout.scale

@@ -179,8 +179,10 @@ def _stage_lines(sizing: Sizing, stage: str) -> list[str]:
     if not gears:
         return []
     teeth = {gear.role: gear.teeth for gear in gears}
-    lines = [f"{gear.bodies} planets" for gear in gears if gear.role is Role.PLANET]
-    if Role.RING in teeth:
+    lines = [f"{gear.bodies} planets" for gear in gears if gear.role is Role.PLANET and not gear.own]
+    if stage in sizing.design.epicyclics:
+        lines.append(f"{sizing.design.epicyclics[stage].sets} sets of planets")
+    elif Role.RING in teeth:
         lines.append(f"$1 + z_r/z_s$ = {1.0 + teeth[Role.RING] / teeth[Role.SUN]:.4g}")
     else:
         pinion, wheel = next(mesh.gears for mesh in sizing.train.meshes if mesh.stage == stage)
