@@ -188,3 +188,13 @@ def test_a_bevel_pair_has_opposite_shifts():
     assert usual.gears[0].profile_shift == pytest.approx(0.505, abs=5e-4)
     found = problem(bevel + "pinion_shift = 0.4\nwheel_shift = 0.1\n" + rules, sized=True)
     assert found.path == "pairs.stage.wheel_shift"
+
+
+def test_less_crowned_bevel_flanks_spread_their_load_further():
+    """e_LS = 3 instead of 1.5 (ISO 10300-2, table 5) lowers the contact stress of the same pair."""
+    sizes = "axis_angle_deg = 90\npinion_teeth = 20\nwheel_teeth = 60\nouter_module_mm = 5\nface_width_mm = 30\n"
+    rules = '[gears]\nrating = "iso6336"\nmaterial = "carburised-9310"\n[gears.iso6336]\nprofile_crowning = "{}"\n'
+    high, low = (
+        size(parse(PAIR + 'kind = "bevel"\n' + sizes + rules.format(how))).meshes[0].rating for how in ("high", "low")
+    )
+    assert low.contact_stress < 0.98 * high.contact_stress

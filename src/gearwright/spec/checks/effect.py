@@ -28,7 +28,7 @@ _OF_CYLINDERS = (
     "helix_modification", "scuffing_safety", "scuffing_stage", "oil_temperature", "widest_diameters", "widest_modules",
 )  # fmt: skip
 """Rules of ISO 6336 that ISO 10300 does not read."""
-_OF_CONES = ("mounting",)
+_OF_CONES = ("mounting", "profile_crowning")
 
 
 def effect_problems(design: Design) -> Iterator[Problem]:

@@ -32,6 +32,9 @@ class Iso6336Rules(Record):
     oil_viscosity: float = Field(25.0, ge=5, le=1000, description="ν_40 of the oil [mm²/s]")
     oil_temperature: float = Field(90.0, ge=-40, le=200, description="Temperature of the oil [°C], for scuffing")
     scuffing_stage: int = Field(10, ge=1, le=14, description="FZG load stage of the oil (A/8.3/90), for scuffing")
+    profile_crowning: Literal["high", "low"] = Field(
+        "high", description="How much bevel flanks are crowned: e_LS = 1.5 or 3 (ISO 10300-2, table 5)"
+    )
     mounting: Literal["straddle", "one-overhung", "both-overhung"] = Field(
         "one-overhung", description="How the gears of a bevel pair are held (ISO 10300-1, K_Hβ-be)"
     )

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from gearwright.parts.bevel import (
     BOTH_OVERHUNG,
+    HIGH_CROWNING,
+    LOW_CROWNING,
     ONE_OVERHUNG,
     STRADDLE,
     BevelDuty,
@@ -44,4 +46,5 @@ def bevel_surfaces(rating: Rating) -> BevelSurfaces:
         rating: Resolved rules.
     """
     rules = rating.rules.iso6336
-    return BevelSurfaces(rules.flank_roughness, rules.root_roughness, rules.oil_viscosity * SQUARE_MM)
+    exponent = HIGH_CROWNING if rules.profile_crowning == "high" else LOW_CROWNING
+    return BevelSurfaces(rules.flank_roughness, rules.root_roughness, rules.oil_viscosity * SQUARE_MM, exponent)
