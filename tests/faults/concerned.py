@@ -97,7 +97,7 @@ class Calls:
         # A test that reads a constant calls nothing: its file has the name.
         named = fault.name and fault.function == "<module>"
         rank |= {test: -1 for test in self.seconds if named and fault.name in _text(test.partition("::")[0])}
-        tests = sorted(rank, key=rank.__getitem__)
+        tests = sorted(rank, key=lambda test: (rank[test], self.seconds[test]))
         spent = accumulate(self.seconds[test] for test in tests)
         return [test for test, time in zip(tests, spent, strict=True) if time <= budget]
 
