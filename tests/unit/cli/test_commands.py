@@ -170,7 +170,7 @@ def test_check_names_every_problem_with_its_line(call, design):
     done = call("check", design)
     assert done.code == WRONG
     assert f"{design}: 2 problems" in done.err
-    assert "line 7: turbines.turbine.power_kw: -1 kw" in done.err
+    assert "line 7: turbines.turbine.power_kw: -1 kW" in done.err
     assert done.out == ""
 
 

@@ -107,7 +107,7 @@ REFUSED = {
     ),
     "an empty battery": (
         ("in-line-h2", THESIS, "energy_kwh = 700", "energy_kwh = 400"),
-        r"phases.cruise: at \d+ s, battery: empty: .*least 0.1.*; lower electric_share",
+        r"phases.cruise: at \d+ s, battery: empty: .*minimum 0.1.*; lower electric_share",
     ),
     "a gap between phases": (
         ("in-line-h2", THESIS, "rate_of_climb_ft_min = 1500", "rate_of_climb_ft_min = 1500\nfrom_altitude_ft = 3000"),

@@ -221,7 +221,7 @@ def test_a_battery_names_its_limit_and_what_helps_in_the_mode():
 def test_a_full_battery_is_told_to_start_with_less(windmill):
     text, folder = windmill
     full = text.replace("start_charge = 0.5", "start_charge = 1")
-    with pytest.raises(DesignError, match=r"full: .*\(most 1\); start with a lower start_charge, charge less"):
+    with pytest.raises(DesignError, match=r"full: .*\(maximum 1\); start with a lower start_charge, charge less"):
         fly(HYBRID, parse_mission(full), folder=folder)
 
 

@@ -20,6 +20,7 @@ motors.electric = { shaft = "lay", power_kw = 500, speed_rpm = 5000, inertia_kg_
 propellers.propeller = { shaft = "output", speed_rpm = 1250, diameter_m = 3.9 }
 pairs.first = { pinion = "input", wheel = "lay" }
 planetaries.second = { sun = "lay", ring = "ground", carrier = "output", planets = 5 }
+cases.rated = { gas-turbine = { power_kw = 1046 }, electric = { power_kw = 500 } }
 cases.charge = { gas-turbine = { power_kw = 1046 }, electric = { power_kw = -200 } }
 """
 TWIN = """
@@ -32,6 +33,7 @@ clutches.sprag-one = { driving = "one", driven = "first-in" }
 clutches.sprag-two = { driving = "two", driven = "second-in" }
 pairs.a = { pinion = "first-in", wheel = "output", pinion_teeth = 20, wheel_teeth = 80 }
 pairs.b = { pinion = "second-in", wheel = "a.wheel", pinion_teeth = 20 }
+cases.rated = { engine-one = { power_kw = 700 }, engine-two = { power_kw = 700 } }
 cases.engine-two-out.engine-one.power_kw = 700
 """
 STAR = """

@@ -56,6 +56,8 @@ def _record(path: str, record: Record, given: set[str]) -> Iterator[Entry]:
             yield from _table(where, value, info)
         else:
             yield Entry(where, _words(value, info), name in given, info.description or "")
+    for name, table in (record.model_extra or {}).items():  # machines of a case
+        yield from _record(f"{path}.{name}", table, table.model_fields_set)
 
 
 def _table(path: str, table: Mapping[str, object], info: FieldInfo) -> Iterator[Entry]:
