@@ -1,0 +1,169 @@
+"""Accuracy: what results promise beside closed forms, finer runs and multipliers of another solver.
+
+python benchmarks/accuracy.py [runs]
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from gearwright.dynamics import (
+    DampingRatio,
+    Model,
+    Outputs,
+    Periodic,
+    System,
+    Trace,
+    modes,
+    periodic,
+    simulate,
+    speed_map,
+)
+from gearwright.dynamics.assembly import assemble
+from gearwright.errors import SolveError
+from gearwright.shipped import shipped_design
+from gearwright.sizing import size
+from gearwright.spec import read
+
+OMEGA = 3e4
+"""Of the mesh mode [rad/s]."""
+
+
+def shaken(zeta: float, ratio: float) -> System:
+    """Return a mesh whose error would press 200 N if nothing moved."""
+    model = Model()
+    model.rotation("clock", inertia=1.0, speed=OMEGA * ratio)
+    model.rotation("rotor", inertia=1.0, speed=0.0)
+    shake = [Periodic({"clock": 1}, (200.0 / OMEGA**2,))]
+    model.mesh("mesh", {"rotor": 1.0}, stiffness=OMEGA**2, damping=DampingRatio(zeta), errors=shake)
+    return model.build()
+
+
+def peaks(count: int) -> None:
+    """Peaks at and beside resonance, of the closed form 200 N r² |(1 + 2iζr)/(1 − r² + 2iζr)|."""
+    random = np.random.default_rng(1)
+    chosen = [(zeta, 1.0) for zeta in (0.2, 0.1, 0.05, 0.02, 0.01, 0.005)]
+    chosen += [(10.0 ** random.uniform(-2.3, -0.7), 1.0 + 0.05 * random.normal()) for _ in range(count)]
+    rows = np.zeros((len(chosen), 3))
+    for row, (zeta, ratio) in zip(rows, chosen, strict=True):
+        wanted = 200.0 * ratio**2 * abs((1 + 2j * zeta * ratio) / (1 - ratio**2 + 2j * zeta * ratio))
+        system, settle = shaken(zeta, ratio), 12.0 / (zeta * OMEGA)
+        duration = settle + 300.0 / OMEGA
+        run = simulate(system, duration, method="runge-kutta", outputs=Outputs(start=settle))
+        swept = speed_map(system, [1.0], settle=settle, duration=duration).forces
+        found = run.force.maximum[0, 0], np.max(periodic(system).samples.force("mesh")), swept.maximum[0, 0]
+        row[:] = np.array(found) / wanted - 1.0
+        if ratio == 1.0:
+            print(f"zeta {zeta:5.3f} {wanted:7.0f} N: " + " ".join(f"{100 * value:+.3f} %" for value in row))
+    largest = 100 * np.max(np.abs(rows), axis=0)
+    print(f"largest of {len(rows)}: " + " ".join(f"{value:.3f} %" for value in largest))
+
+
+def random_system(random: np.random.Generator) -> tuple[System, float]:
+    """Return a chain behind a mesh, with or without changing stiffness and backlash, and its exciting rate."""
+    model, kind = Model(), int(random.integers(0, 3))
+    zeta, load = 10.0 ** random.uniform(-2.3, -0.7), 10.0 ** random.uniform(1.0, 3.0) * (random.random() < 0.8)
+    names = [model.rotation(f"r{i}", inertia=10.0 ** random.uniform(-4, -2)) for i in range(random.integers(2, 5))]
+    model.rotation("clock", inertia=1.0, speed=1.0)
+    ground, stiffness = 10.0 ** random.uniform(4, 6), 10.0 ** random.uniform(7.0, 8.5)
+    model.support("ground", names[0], stiffness=ground, damping=DampingRatio(zeta))
+    wave = Periodic({"clock": 1}, (random.uniform(0, 0.3), random.uniform(0, 0.1)))
+    deflection = load / 0.05 / stiffness
+    shake = (deflection * random.uniform(0, 0.5) + 1e-7, deflection * random.uniform(0, 0.3))
+    model.mesh("mesh", {names[0]: 0.05, names[1]: 0.05}, stiffness=stiffness, damping=DampingRatio(zeta),
+               variation=wave if kind else None, errors=[Periodic({"clock": 1}, shake)],
+               backlash=1e-4 if kind == 2 else 0.0)  # fmt: skip
+    for first, second in pairwise(names[1:]):
+        twist = 10.0 ** random.uniform(4, 6)
+        model.shaft(f"{first}-{second}", first, second, stiffness=twist, damping=DampingRatio(zeta))
+    model.load(names[-1], constant=load)
+    system = model.build()
+    rates = 2.0 * np.pi * modes(system).frequency
+    rate = float(random.choice(rates[rates > 0.0]) * (random.uniform(0.3, 2.0) if random.random() < 0.6 else 1.0))
+    return replace(system, arrays=system.arrays._replace(tone_rate=system.arrays.tone_rate * rate)), rate
+
+
+def covered(count: int) -> None:
+    """Random runs beside the same at an eighth of the step; forces of their kind set the scale, as in the error."""
+    held, grown, marked, late = np.zeros((count, 2), dtype=bool), np.zeros(count, dtype=bool), 0, 0
+    for number in range(count):
+        random = np.random.default_rng(number)
+        system, rate = random_system(random)
+        duration = 2.0 * math.pi / rate * int(random.integers(20, 200))
+        outputs = Outputs(samples=2, start=0.0 if random.random() < 0.5 else 0.5 * duration)
+        try:
+            run = simulate(system, duration, outputs=outputs, method="runge-kutta")
+        except SolveError:  # a parametric resonance without backlash grows until it is refused
+            held[number] = grown[number] = True
+            continue
+        fine = simulate(system, duration, outputs=outputs, method="runge-kutta", step=run.step / 8.0)
+        units = np.array(system.labels.line_units)
+        errors = []
+        for mine, wanted in zip(_forces(run), _forces(fine), strict=True):
+            largest = np.max(np.where(units[:, None] == units, wanted, 0.0), axis=1)
+            errors.append(float(np.max(np.abs(mine - wanted) / np.maximum(wanted, 0.01 * largest))))
+        held[number] = errors[0] <= run.error, errors[1] <= run.rms_error
+        told = any("asked were" in note for note in run.notes)
+        marked += told
+        late += not told and (errors[0] > 0.01 or errors[1] > 0.001)
+    shares = 100 * np.mean(held[~grown], axis=0)
+    counted = count - int(np.sum(grown))
+    print(f"{counted} runs: stated errors cover {shares[0]:.1f} % of peaks, {shares[1]:.1f} % of root mean squares;")
+    print(f"marked as less accurate {marked}, less accurate without a mark {late}")
+
+
+def _forces(run: Trace) -> tuple[np.ndarray, np.ndarray]:
+    return np.maximum(np.abs(run.force.minimum[0]), np.abs(run.force.maximum[0])), run.force.rms[0]
+
+
+def mathieu(points: int) -> None:
+    """Verdicts over Mathieu's chart beside DOP853 at a relative tolerance of 1e-11."""
+    wrong = border = 0
+    away = 0.0
+    for ratio in np.linspace(0.4, 2.6, points):
+        for depth in np.linspace(0.02, 0.6, points):
+            model = Model()
+            model.rotation("clock", inertia=1.0, speed=100.0 * ratio)
+            model.rotation("rotor", inertia=1.0, speed=0.0)
+            wave = Periodic({"clock": 1}, (depth,))
+            model.mesh("spring", {"rotor": 1.0}, stiffness=1e4, damping=DampingRatio(0.005), variation=wave)
+            model.load("rotor", constant=1.0)
+            orbit = periodic(model.build())
+
+            def slope(time: float, state: np.ndarray, depth: float = depth, ratio: float = ratio) -> list[float]:
+                stiffness = 1e4 * (1.0 + depth * math.cos(100.0 * ratio * time))
+                return [state[1], -stiffness * state[0] - state[1]]
+
+            span = (0.0, 2.0 * math.pi / (100.0 * ratio))
+            columns = [solve_ivp(slope, span, start, "DOP853", rtol=1e-11, atol=1e-12).y[:, -1] for start in np.eye(2)]
+            wanted = float(np.max(np.abs(np.linalg.eigvals(np.array(columns).T))))
+            wrong += orbit.stable is not (wanted < 1.0)
+            border += bool(orbit.notes)
+            away = max(away, abs(abs(orbit.multipliers[0]) - wanted))
+    print(f"Mathieu, {points**2} points: {wrong} wrong verdicts, {border} on the border, multipliers within {away:.1e}")
+
+
+def cost() -> None:
+    """Processor time of 0.2 s of shipped designs, code ready."""
+    for name in ("single-planetary", "in-line-h2", "face-gear-split-torque", "ec120b"):
+        system = assemble(size(read(shipped_design(name))))
+        simulate(system, 0.2)
+        start = time.process_time()
+        trace = simulate(system, 0.2)
+        seconds = time.process_time() - start
+        print(f"{name}: {seconds:.3f} s at {trace.step:.2e} s, error {trace.error:.1e}, {trace.rms_error:.1e}")
+
+
+if __name__ == "__main__":
+    runs = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
+    peaks(runs // 20)
+    covered(runs)
+    cost()
+    mathieu(20)
