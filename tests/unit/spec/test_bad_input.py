@@ -321,7 +321,7 @@ def test_speeds_are_kept_of_machines_that_exist():
 def test_an_override_is_positive(line):
     found = problem(PAIR + f"[overrides]\n{line}\n")
     assert (found.path, found.line) == ("overrides.stage.module_mm", 19)
-    assert "is not allowed; give a value from 0.1 to 100000 mm" in found.message
+    assert "is not allowed; give a value from 0.1 to 300000 mm" in found.message
 
 
 def test_an_override_of_nothing_names_the_nearest():
