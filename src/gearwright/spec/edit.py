@@ -13,7 +13,7 @@ from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import Design
 from gearwright.spec.keys import keys_of
 from gearwright.spec.mission import Mission, mission_problems
-from gearwright.spec.record import Record, brief
+from gearwright.spec.record import Location, Record, Written, message_of
 from gearwright.units import suffix_unit
 from gearwright.verbs import verb
 
@@ -51,21 +51,20 @@ def edited_mission(mission: Mission, changes: Mapping[str, Value]) -> Mission:
 
 
 def _edited(record: R, changes: Mapping[str, Value], problems_of: Callable[[R], list[Problem]]) -> R:
-    data, kind = _opened(record), type(record)
-    problems = [problem for path, value in changes.items() if (problem := _set(kind, data, path, value)) is not None]
-    refuse(problems)
+    data, kind, written = _opened(record), type(record), Written()
+    refuse(problem for path, value in changes.items() if (problem := _set(kind, data, path, value, written)))
     try:
         changed = kind.model_validate(data)
     except ValidationError as error:
-        raise DesignError(
-            Problem(
-                ".".join(str(part) for part in error["loc"]), f"{brief(error['input'])} is not allowed: {error['msg']}"
-            )
-            for error in error.errors(include_url=False)
-        ) from None
-    problems = problems_of(changed)
-    refuse(problems)
+        raise DesignError(_problem(details, written) for details in error.errors(include_url=False)) from None
+    refuse(problems_of(changed))
     return changed
+
+
+def _problem(details: Any, written: Written) -> Problem:
+    """Return what pydantic found, in the key and unit of the change that it is about."""
+    location = tuple(map(str, details["loc"]))
+    return Problem(written.keys.get(location, ".".join(location)), message_of(details, written, location))
 
 
 def path_problem(record: Record, path: str) -> Problem | None:
@@ -76,7 +75,7 @@ def path_problem(record: Record, path: str) -> Problem | None:
         path: Dotted path with the unit in its last part.
     """
     data = _opened(record)
-    problem = _set(type(record), data, path, 0.0)
+    problem = _set(type(record), data, path, 0.0, Written())
     if problem is not None or not isinstance(record, Design):
         return problem
     return _misnamed(data, path)
@@ -101,10 +100,11 @@ def _opened(content: Any) -> dict[str, Any]:
     return dict(content or {})
 
 
-def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value) -> Problem | None:
-    """Put one value into an opened record, or say why it has no place there."""
+def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value, written: Written) -> Problem | None:
+    """Put one value into an opened record and note what is written, or say why it has no place there."""
     annotation: Any = kind
     table, parts, depth = data, path.split("."), 0
+    location: Location = ()
     while depth < len(parts):
         part, last = parts[depth], depth == len(parts) - 1
         record = _record(annotation)
@@ -120,12 +120,12 @@ def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value) -> P
                     f"there is no {'.'.join(parts[: depth + 1])}; {near('.'.join(parts[depth:-1]) or part, table)}",
                 )
             table[entry] = _opened(table.get(entry))
-            annotation, table, depth = inner, table[entry], depth + entry.count(".") + 1
+            annotation, table, depth, location = inner, table[entry], depth + entry.count(".") + 1, (*location, entry)
             continue
         keys = keys_of(record)
         if part not in keys and record.others is not None and not last:
             table[part] = _opened(table.get(part))
-            annotation, table, depth = record.others, table[part], depth + 1
+            annotation, table, depth, location = record.others, table[part], depth + 1, (*location, part)
             continue
         if part not in keys:
             return Problem(path, f"there is no {'.'.join(parts[: depth + 1])}; {near(part, keys)}")
@@ -134,12 +134,13 @@ def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value) -> P
             return Problem(path, f"{value!r} is not a number; give a number in {suffix_unit(suffix)}")
         if last:
             table[name] = value * factor if suffix and isinstance(value, int | float) else value
+            written.note((*location, name), path, value, model=record, unit=(factor, suffix))
             return None
         annotation = _plain(record.model_fields[name].annotation)
         if not _holds_tables(annotation):
             return Problem(path, f"{'.'.join(parts[: depth + 1])} has no entries")
         table[name] = _opened(table.get(name))
-        table, depth = table[name], depth + 1
+        table, depth, location = table[name], depth + 1, (*location, name)
     return Problem(path, "this is a table; name one of its entries")
 
 

@@ -61,6 +61,15 @@ class Written:
     incomplete: bool = False
     """True where a whole table is unreadable or misnamed: what refers to it is no mistake of its own."""
 
+    def note(
+        self, location: Location, path: str, value: object, *, model: type[Record], unit: tuple[float, str]
+    ) -> None:
+        """Note what is written at a location, whose last part is a field of the model."""
+        self.keys[location], self.values[location] = path, value
+        self.fields[location] = _field(model, location[-1])
+        if unit[1]:
+            self.factors[location] = unit
+
     def report(self, location: Location, message: str) -> None:
         """Add a problem at a location."""
         self.problems.append(Problem(self.keys.get(location, ".".join(location)), message))
@@ -98,10 +107,8 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
                 Problem(path, f"{name} is given twice; keep one of {written.keys[location]} and {path}")
             )
             continue
-        written.keys[location], written.values[location] = path, value
-        written.fields[location] = _field(model, name)
+        written.note(location, path, value, model=model, unit=(factor, suffix))
         if suffix:
-            written.factors[location] = (factor, suffix)
             result[name] = _number(value, factor, suffix, written, location)
         else:
             result[name] = _nested(value, _field(model, name).annotation, written, location)
@@ -286,7 +293,7 @@ def _add(written: Written, details: Any) -> None:
         location = location[:-1]
     if details["type"] == "missing":
         return  # `convert` has named it with its keys
-    path, message = written.keys.get(location, ""), _message(details, written, location)
+    path, message = written.keys.get(location, ""), message_of(details, written, location)
     if not any(problem.path == path for problem in written.problems):
         written.problems.append(Problem(path, message))
 
@@ -297,7 +304,14 @@ _WANTED = {"bool_type": "true or false", "dict_type": "a table", "finite_number"
            "string_type": "a text in quotes", "too_short": "at least one"}  # fmt: skip
 
 
-def _message(details: Any, written: Written, location: Location) -> str:
+def message_of(details: Any, written: Written, location: Location) -> str:
+    """Return what is wrong with a value, what is allowed and its unit.
+
+    Args:
+        details: As pydantic found it.
+        written: With what is known of the place.
+        location: Of the value, or of the table that holds it.
+    """
     inside = len(location) < len(details["loc"])
     shown = brief(details["input"] if inside else written.values.get(location, details["input"]))
     if details["type"] == "name":

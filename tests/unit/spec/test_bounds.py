@@ -53,6 +53,15 @@ def test_a_change_is_held_to_the_same_bounds() -> None:
         edited(parse(PAIR), {"propellers.propeller.diameter_m": 1e-160})
 
 
+def test_a_change_is_refused_in_its_own_key_and_unit() -> None:
+    with pytest.raises(DesignError) as refused:
+        edited(parse(PAIR), {"propellers.propeller.speed_rpm": 300000.0, "pairs.stage.face_width_mm": -2.0})
+    assert {problem.path: problem.message for problem in refused.value.problems} == {
+        "propellers.propeller.speed_rpm": "300000.0 rpm is not allowed; give a value from 0.95493 to 190986 rpm",
+        "pairs.stage.face_width_mm": "-2.0 mm is not allowed; give a value from 0.1 to 300000 mm",
+    }
+
+
 def test_the_bounds_refuse_nothing_that_is_shipped() -> None:
     assert all(read(shipped_design(name)).shafts for name in shipped_designs())
     assert materials()
