@@ -74,11 +74,12 @@ def _list(*, json: bool) -> None:
     if json:
         show_answer("new", NewAnswer(files))
         return
+    width = max(len(file.name) for file in files)
     for kind, title in (("design", "designs"), ("mission", "\nmissions"), ("study", "\nstudies")):
         show(title)
         for file in files:
             if file.kind == kind:
-                show(f"{file.name:24} {file.title}")
+                show(f"{file.name:{width}} {file.title}")
 
 
 def schema(

@@ -126,10 +126,11 @@ def _label_stretches(board: Board, pen: Pen, layout: Layout, stretches: Sequence
     """Write kW and N m at every stretch, and the shaft's name and speed at its first."""
     fastest = max((abs(stretch.speed) for stretch in stretches), default=0.0)
     largest = max((abs(stretch.power) for stretch in stretches), default=0.0)
+    strongest = max((abs(stretch.torque) for stretch in stretches), default=0.0)
     for place, stretch in enumerate(stretches):
         first = all(other.shaft != stretch.shaft for other in stretches[:place])
         lines = [stretch.shaft, text(_clean(stretch.speed, fastest), "speed").replace("-", "−")] if first else []
-        lines += [text(_clean(abs(stretch.power), largest), "power"), _torque(stretch.torque)]
+        lines += [text(_clean(abs(stretch.power), largest), "power"), _torque(_clean(stretch.torque, strongest))]
         clear = half_width(stretch, pen, layout, stretches) + 1.0 + len(lines) * 1.5
         y = layout.heights[stretch.shaft]
         away = [(spot, y + side * (clear + more)) for spot in spots(stretch, layout)
