@@ -192,7 +192,8 @@ def test_a_bevel_pair_has_opposite_shifts():
 
 def test_less_crowned_bevel_flanks_spread_their_load_further():
     """e_LS = 3 instead of 1.5 (ISO 10300-2, table 5) lowers the contact stress of the same pair."""
-    sizes = "axis_angle_deg = 90\npinion_teeth = 20\nwheel_teeth = 60\nouter_module_mm = 5\nface_width_mm = 30\n"
+    cones = "axis_angle_deg = 90\nspiral_angle_deg = 35\n"
+    sizes = cones + "pinion_teeth = 20\nwheel_teeth = 60\nouter_module_mm = 5\nface_width_mm = 30\n"
     rules = '[gears]\nrating = "iso6336"\nmaterial = "carburised-9310"\n[gears.iso6336]\nprofile_crowning = "{}"\n'
     high, low = (
         size(parse(PAIR + 'kind = "bevel"\n' + sizes + rules.format(how))).meshes[0].rating for how in ("high", "low")
