@@ -127,6 +127,10 @@ def _draw_bar(axes: Axes, bar: Bar, layout: Layout, y: float) -> None:
         if bar.gear.nodes[0] == GROUND:
             glyphs.ground(axes, (bar.left, min(outer, outer + up * glyphs.WALL), bar.width, glyphs.WALL))
         else:
-            web, level = bar.left + bar.width + 5.0, layout.levels[bar.gear.nodes[0]] * glyphs.HOLLOW
+            shaft = bar.gear.nodes[0]
+            web, level = bar.left + bar.width + 5.0, y + up * layout.levels[shaft] * glyphs.HOLLOW
             middle = y + up * (bar.radius + wall / 2.0)
-            glyphs.line(axes, [(bar.left + bar.width, middle), (web, middle), (web, y + up * level)], glyphs.LINE)
+            start, end = layout.spans[shaft]
+            reached = min(max(web, start), end)
+            points = [(bar.left + bar.width, middle), (web, middle), (web, level), (reached, level)]
+            glyphs.line(axes, points, glyphs.LINE)

@@ -199,7 +199,7 @@ def machine(axes: Axes, at: tuple[float, float], kind: str, *, at_left: bool, ar
     if kind == "turbine" and not around:
         near, far = (x + 8.0, x - 8.0) if at_left else (x - 8.0, x + 8.0)
         _solid(axes, [(far, y - 5.0), (near, y - 10.0), (near, y + 10.0), (far, y + 5.0)])
-    elif kind == "propeller":
+    elif kind in ("propeller", "rotor"):
         for up in (1.0, -1.0):
             axes.add_patch(Ellipse((x, y + up * 15.0), 4.0, 25.0, fc=theme.STEEL, ec=theme.INK, lw=LINE, zorder=6))
         nose = 1.0 if not at_left else -1.0

@@ -22,6 +22,8 @@ MACHINE_HALF, CLUTCH_HALF, STAGE_HALF = 10.0, 4.0, 9.0
 """Least half widths of columns [mm]."""
 TALLEST, LARGEST = 105.0, 36.0
 """Most height of the axes together, and largest radius [mm]."""
+CONSUMERS = ("propeller", "rotor", "load")
+"""Kinds of machines that stand behind their stages."""
 TRUE = 0.01
 """Deviation of a centre distance up to which the drawing counts as to scale [-]."""
 
@@ -237,7 +239,7 @@ def _places(
         if name in leaf:
             return distance[leaf[name]], 1
         if name in machines:
-            return distance[name], 4 if kinds.get(name) == "propeller" else 0
+            return distance[name], 4 if kinds.get(name) in CONSUMERS else 0
         return distance[name], 2 if name in leaf.values() else 3
 
     lines = {name: {axis[seat.shaft] for seat in seats if element(seat) == name} for name in distance}
@@ -284,7 +286,7 @@ def _leaves(
         shaft = next(seat.shaft for seat in seats if seat.member is Kind.MACHINE and seat.part.name == name)
         beside = [element(seat) for seat in seats if seat.shaft == shaft and element(seat) != name]
         nearer = beside and all(distance[neighbour] < distance[name] for neighbour in beside)
-        if nearer and kinds.get(name) != "propeller":
+        if nearer and kinds.get(name) not in CONSUMERS:
             leaf[name] = min(beside, key=distance.__getitem__)
     return leaf
 
@@ -295,8 +297,15 @@ def _half(name: str, train: Train, outlines: Mapping[str, Outline], scale: float
     width = _width(name, train, outlines)
     if not width:
         return CLUTCH_HALF
-    halves = max(mesh.count for mesh in train.meshes if mesh.stage == name) if _is_pair(name, train) else 1
-    return max(STAGE_HALF, halves * width * scale / 2.0 + 5.0)
+    return max(STAGE_HALF, _columns(name, train) * width * scale / 2.0 + 5.0)
+
+
+def _columns(stage: str, train: Train) -> int:
+    """Return how many gears stand side by side: halves of a pair, suns and rings of a compound set, and its web."""
+    if _is_pair(stage, train):
+        return max(mesh.count for mesh in train.meshes if mesh.stage == stage)
+    central = [gear for gear in train.gears if gear.stage == stage and gear.own and gear.role is not Role.PLANET]
+    return len(central) + 1 if central else 1
 
 
 def _width(stage: str, train: Train, outlines: Mapping[str, Outline]) -> float:
