@@ -6,12 +6,14 @@ from collections.abc import Iterator
 
 from gearwright.errors import Problem, near
 from gearwright.spec.design import (
+    GROUND,
     RATED,
     RATINGS,
     Case,
     Design,
     Drive,
     Machine,
+    case_named,
     cases_of,
     drives_of,
     shares_of,
@@ -81,13 +83,19 @@ def _balanced(design: Design) -> Iterator[Problem]:
     for case in cases_of(design):
         drives = drives_of(design, case)
         loaded |= any(drive.stated and not drive.idles for drive in drives.values())
-        if all(drive.stated for drive in drives.values()):
+        if all(drive.stated for drive in drives.values()) and not _braked(design, case):
             yield _none_balances(design, case)
     if not loaded and not design.turbines:
         fix = "write balances = false at a motor" if design.motors else "add a table such as [turbines.gas-turbine]"
         if design.cases:
             fix = "give a machine a power in a case"
         yield Problem("", f"no machine of a stated power drives this train, so that nothing loads it; {fix}")
+
+
+def _braked(design: Design, case: str) -> bool:
+    """Return whether a brake holds in a case: it bears what the machines leave."""
+    held = [design.clutches[name] for name in case_named(design, case).engaged or [] if name in design.clutches]
+    return any(GROUND in (clutch.driving, clutch.driven) for clutch in held)
 
 
 def _none_balances(design: Design, case: str) -> Problem:
