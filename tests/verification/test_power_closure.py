@@ -4,7 +4,7 @@ import pytest
 
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
-from gearwright.spec import Case, Drive, parse, read
+from gearwright.spec import Case, Drive, drives_of, parse, read
 from gearwright.train import build_train, power_flow
 
 CLOSURE = 1e-12
@@ -20,13 +20,47 @@ def machine_modes(design):
     for name, motor in design.motors.items():
         modes["motors generate"][name] = Drive(power=-0.2 * motor.power)
     modes |= {f"{name} alone": {name: drive} for name, drive in {**turbines, **motors}.items()}
-    return {name: Case.model_validate(drives) for name, drives in modes.items()}
+    rotors = {name: Drive(power=machine.power) for name in design.rotors for machine in design.generators.values()}
+    modes |= {f"{name} turns the generator": {name: drive} for name, drive in rotors.items()}
+    return {name: Case.model_validate(drives) for name, drives in modes.items() if drives}
+
+
+def backwards(design):
+    """Return the cases that last, with every stated power and torque the other way round, whatever a machine is for."""
+    named = {case: drives_of(design, case) for case in design.cases if not design.cases[case].static}
+    return {case: {name: reversed_drive(drive) for name, drive in drives.items()} for case, drives in named.items()}
+
+
+def reversed_drive(drive):
+    """Return a drive that gives what it took."""
+    turned = {key: -value for key in ("power", "torque") if (value := getattr(drive, key)) is not None}
+    return drive.model_copy(update=turned)
 
 
 @pytest.mark.parametrize("name", shipped_designs())
 def test_power_closes_in_every_case_of_every_shipped_design(name):
     for flow in SIZED[name].flows.values():
         assert flow.residual < CLOSURE
+
+
+@pytest.mark.parametrize("name", ["twin-engine-helicopter", "wind-turbine-5mw", "e-axle", "in-line-h2"])
+def test_power_closes_backwards_in_every_case_that_lasts(name):
+    """Freewheels made rigid: what drives is driven, and speeds stay what they are."""
+    sizing = SIZED[name]
+    held = {
+        key: clutch.model_copy(update={"kind": "engaged"}) if clutch.kind == "overrunning" else clutch
+        for key, clutch in sizing.design.clutches.items()
+    }
+    rigid = sizing.design.model_copy(update={"clutches": held})
+    cases = {case: Case.model_validate(drives) for case, drives in backwards(rigid).items()}
+    turned = rigid.model_copy(update={"cases": cases})
+    for case in cases:
+        forth = power_flow(rigid, build_train(rigid), sizing.teeth, case)
+        back = power_flow(turned, build_train(turned), sizing.teeth, case)
+        assert max(forth.residual, back.residual) < CLOSURE
+        assert {name: -power for name, power in back.machine_powers.items()} == pytest.approx(
+            dict(forth.machine_powers), rel=1e-9, abs=1e-6
+        )
 
 
 @pytest.mark.parametrize("lossy", [False, True])
