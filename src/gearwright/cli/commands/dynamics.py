@@ -97,7 +97,7 @@ def runup(
     import numpy as np
 
     from gearwright.dynamics.assembly import assemble, default_case
-    from gearwright.dynamics.vibration import first_meshes, loudest_speeds, run_up
+    from gearwright.dynamics.vibration import first_meshes, loudest_speeds, run_up, turning_shaft
     from gearwright.render.figures.maps import waterfall_figure
     from gearwright.render.tables.dynamics import loudest_table
 
@@ -107,19 +107,20 @@ def runup(
     with progress("running") as update:
         factors = [float(factor) for factor in np.linspace(lowest, highest, speeds)]
         swept = run_up(sizing, system, factors, lines=list(dict.fromkeys(lines)), progress=update)
-    machine = sizing.machines[0]
-    speed = abs(sizing.flows[case or default_case(sizing)].speeds[machine.shaft])
+    running = case or default_case(sizing)
+    shaft = turning_shaft(sizing, running) or sizing.machines[0].shaft
+    speed = abs(sizing.flows[running].speeds[shaft])
     table = loudest_table(swept, speed)
     if json:
         from gearwright.render.answers.vibration import RunUpAnswer
 
-        told = RunUpAnswer(machine.shaft, speed, tuple(loudest_speeds(swept, speed)))
+        told = RunUpAnswer(shaft, speed, tuple(loudest_speeds(swept, speed)))
         show_answer("runup", told, design=sizing.design.name)
     else:
         _show(table)
     if figure is not None:
         drawn = line or str(table.rows[0][0].value)
-        _draw(waterfall_figure(swept, drawn, speed=speed, shaft=machine.shaft), figure, quiet=json)
+        _draw(waterfall_figure(swept, drawn, speed=speed, shaft=shaft), figure, quiet=json)
 
 
 def validate(

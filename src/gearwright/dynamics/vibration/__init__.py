@@ -10,6 +10,7 @@ from gearwright.dynamics.vibration.critical_speeds import (
     SpeedCase,
     critical_speeds,
     order_name,
+    turning_shaft,
 )
 from gearwright.dynamics.vibration.planetary_results import load_shares, mode_families
 from gearwright.dynamics.vibration.rated_peaks import DynamicLoad, dynamic_loads
@@ -50,5 +51,6 @@ __all__ = [
     "run_up",
     "speed_map",
     "tone_amplitudes",
+    "turning_shaft",
     "waterfall",
 ]

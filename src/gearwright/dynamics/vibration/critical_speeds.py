@@ -17,7 +17,7 @@ from gearwright.dynamics.assembly import assemble, bodies_of
 from gearwright.dynamics.equations import DampedModes, damped_modes, linear, statics
 from gearwright.dynamics.model import System, Tone, line_matrix
 from gearwright.dynamics.vibration.campbell import Campbell, Crossing, campbell
-from gearwright.errors import by_name
+from gearwright.errors import Problem, by_name, refuse
 from gearwright.identity import PartId, Role, gear_part
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing
@@ -95,13 +95,15 @@ def critical_speeds(
 ) -> tuple[SpeedCase, ...]:
     """Return the Campbell diagrams of a sizing and the margins of every load case, cases of equal speeds together.
 
+    A case in which a brake holds every machine has none.
+
     Args:
         sizing: What was sized.
         cases: Load cases; left out: all.
         factors: Rising speeds over the operating speed [-].
 
     Raises:
-        DesignError: If there is no such case.
+        DesignError: If there is no such case, or nothing turns in it.
 
     Source: parametric excitation to first order: the mesh force amplitude k_n δ_0 of a stiffness harmonic at the static
         deflection, on a mode of damping ratio ζ: q = φᵀ f/(2 ζ ω²).
@@ -109,14 +111,29 @@ def critical_speeds(
     groups: dict[tuple[float, ...], list[str]] = {}
     for case in cases or sizing.flows:
         flow = by_name(case, sizing.flows, "case")
-        groups.setdefault(tuple(round(speed, 6) for speed in flow.speeds.values()), []).append(case)
-    return tuple(_speed_case(sizing, cases, factors) for cases in groups.values())
+        if turning_shaft(sizing, case) is not None:
+            groups.setdefault(tuple(round(speed, 6) for speed in flow.speeds.values()), []).append(case)
+    if not groups:
+        refuse([Problem("case", f"nothing turns in {', '.join(cases or sizing.flows)}; name a case in which it does")])
+    return tuple(_speed_case(sizing, together, factors) for together in groups.values())
+
+
+def turning_shaft(sizing: Sizing, case: str) -> str | None:
+    """Return the shaft of the first machine that turns in a case, whose speed stands for all; None where none does.
+
+    Args:
+        sizing: What was sized.
+        case: Load case.
+    """
+    speeds = sizing.flows[case].speeds
+    return next((machine.shaft for machine in sizing.machines if speeds[machine.shaft]), None)
 
 
 def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> SpeedCase:
     systems = [assemble(sizing, case) for case in cases]
     diagram = campbell(systems[0], factors)
-    speed = abs(sizing.flows[cases[0]].speeds[sizing.machines[0].shaft])
+    flow, shaft = sizing.flows[cases[0]], turning_shaft(sizing, cases[0])
+    speed = abs(flow.speeds[shaft]) if shaft is not None else 0.0
     # Cases of equal speeds differ in their loads alone, so they share their modes.
     shared: dict[float, DampedModes] = {}
     shakers = [Shaker(system, shared) for system in systems]

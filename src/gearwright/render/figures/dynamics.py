@@ -10,7 +10,16 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from gearwright.dynamics.vibration import RESONANCE, Campbell, CriticalSpeed, Order, Response, SpeedCase, order_name
+from gearwright.dynamics.vibration import (
+    RESONANCE,
+    Campbell,
+    CriticalSpeed,
+    Order,
+    Response,
+    SpeedCase,
+    order_name,
+    turning_shaft,
+)
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.sizing import Sizing
@@ -65,19 +74,20 @@ class _Frame:
     """What the diagram shows."""
 
     speed: float
-    """Operating speed of the first machine's shaft [rpm]."""
+    """Operating speed of the first machine that turns [rpm]."""
     top: float
     """Highest frequency [kHz]."""
 
 
 def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
-    machine, case = sizing.machines[0], speed_case.first
+    case = speed_case.first
+    shaft = turning_shaft(sizing, case) or sizing.machines[0].shaft
     excited = [critical for critical in speed_case.critical if critical.excited]
     highest = max(
         (critical.frequency for critical in excited or speed_case.critical),
         default=float(np.max(speed_case.campbell.frequency)),
     )
-    frame = _Frame(abs(sizing.flows[case].speeds[machine.shaft]) / RPM, 1.12e-3 * highest)
+    frame = _Frame(abs(sizing.flows[case].speeds[shaft]) / RPM, 1.12e-3 * highest)
     speeds = speed_case.campbell.factor * frame.speed
     axes.axvspan(RESONANCE[0] * frame.speed, RESONANCE[1] * frame.speed, color=theme.STEEL, lw=0.0, zorder=0)
     axes.axvline(frame.speed, color=theme.INK, lw=0.9)
@@ -86,7 +96,7 @@ def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
     axes.plot(speeds, speed_case.campbell.frequency / 1e3, color=theme.MUTED, lw=0.7)
     axes.plot([], [], color=theme.MUTED, lw=0.7, label="natural frequency")
     axes.set(xlim=(0.0, speeds[-1]), ylim=(0.0, frame.top), ylabel="frequency [kHz]")
-    axes.set_xlabel(f"speed of {machine.shaft} [rpm]")
+    axes.set_xlabel(f"speed of {shaft} [rpm]")
     axes.set_title(f"Campbell diagram, case {speed_case.cases}", pad=30.0)
     _draw_orders(axes, sizing, speed_case.campbell.orders, frame)
     for critical in excited:
