@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 from typing import Any
 
-import llvmlite.binding as llvm
 import numpy as np
 
 from gearwright.arrays import Floats
@@ -42,6 +41,8 @@ def machine_code(text: str) -> Any:
     Args:
         text: LLVM assembly.
     """
+    import llvmlite.binding as llvm
+
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     triple, features = llvm.Target.from_default_triple(), llvm.get_host_cpu_features().flatten()

@@ -8,7 +8,7 @@ from numba import carray, types  # type: ignore[attr-defined]
 
 from gearwright.dynamics.code_cache import compiled_callback
 from gearwright.dynamics.codegen.emit import CHUNK
-from gearwright.dynamics.equations import apply_drives
+from gearwright.dynamics.equations.drive_laws import apply_drives
 from gearwright.dynamics.model import OUTPUTS
 
 MOST_INPUTS = 4

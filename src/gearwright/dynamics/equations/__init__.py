@@ -1,9 +1,9 @@
 """What follows from a System without going through time: right-hand side, statics, modes, redundancy, energy.
 
-Compiled code for speed is in `codegen`, motion in `motion`.
+Generated code is in `codegen`, motion in `motion`. `kernel` and `drive_laws`, which numba compiles, are imported by
+name where something runs through time: numba takes longer to load than statics to solve.
 """
 
-from gearwright.dynamics.equations.drive_laws import apply_drives, drive_columns
 from gearwright.dynamics.equations.energy import WORKS, Work, stored_energy
 from gearwright.dynamics.equations.instants import errors_at, speed_factors, stiffness_at
 from gearwright.dynamics.equations.linear import DampedModes, damped_modes, linear, state_matrix
@@ -21,10 +21,8 @@ __all__ = [
     "Redundancy",
     "Work",
     "acceleration",
-    "apply_drives",
     "damped_modes",
     "dead_zone",
-    "drive_columns",
     "errors_at",
     "line_forces",
     "line_state",

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import linalg
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.model import Arrays, Labels, System, finite_numbers, holding, line_matrix, refuse_not_finite
@@ -101,6 +100,8 @@ def modes(system: System) -> Modes:
 
 
 def _modes(system: System) -> Modes:
+    from scipy import linalg  # statics, which need only `split_rigid`, do without it
+
     arrays = system.arrays
     rigid, elastic = split_rigid(arrays)
     matrix = line_matrix(arrays)

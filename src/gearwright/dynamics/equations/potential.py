@@ -11,7 +11,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy import linalg
 
 from gearwright.arrays import Bools, Floats
 from gearwright.dynamics.equations.reference import dead_zone
@@ -83,7 +82,7 @@ def least(potential: Potential) -> Floats:
     root = np.sqrt(potential.stiffness)
     # Motions in which all lines together have unit stiffness, so that soft and stiff ones count alike.
     basis, scale = np.linalg.qr(root[:, None] * potential.matrix)
-    inverse = linalg.solve_triangular(scale, np.eye(len(scale)))
+    inverse = np.linalg.inv(scale)
     scaled = potential._replace(
         matrix=basis, error=root * potential.error, backlash=root * potential.backlash, stiffness=np.ones_like(root),
         pull=inverse.T @ potential.pull, centripetal=inverse.T @ potential.centripetal @ inverse,
@@ -121,8 +120,9 @@ def _way(scaled: Potential, touching: Bools, left: Floats) -> Floats:
     while held_back < 1.0:
         tangent = touched.T @ touched * (1.0 - held_back) + held_back * np.eye(size) - scaled.centripetal
         try:
-            return np.asarray(linalg.cho_solve(linalg.cho_factor(tangent), left))
-        except linalg.LinAlgError:  # speed takes more than the lines that touch have; all of them have enough
+            np.linalg.cholesky(tangent)
+            return np.asarray(np.linalg.solve(tangent, left))
+        except np.linalg.LinAlgError:  # speed takes more than the lines that touch have; all of them have enough
             held_back *= 10.0
     return np.asarray(np.linalg.solve(np.eye(size) - scaled.centripetal, left))
 

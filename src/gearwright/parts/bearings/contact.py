@@ -12,6 +12,8 @@ from gearwright.parts.bearings.rolling_bearing import BearingGeometry
 
 _FLATTEST = 1e4
 """Ratio of the axes of a contact ellipse that no groove reaches [-]."""
+_ROUNDING = 1e-14
+"""Width at which halving ln χ and the means of an elliptic integral end [-]."""
 _NEARLY_ROUND = 1e-4
 """F(ρ) below which ln χ = 4/3 F(ρ) holds to rounding, and the equation's difference of integrals is all rounding."""
 
@@ -65,24 +67,35 @@ def ellipse_ratio(difference: float) -> float:
     >>> round(ellipse_ratio(0.0), 3)
     1.0
     """
-    from scipy.optimize import brentq
-
     if difference < _NEARLY_ROUND:
         return math.exp(4.0 / 3.0 * difference)
 
-    def misfit(log_ratio: float) -> float:
-        first, second = _integrals(math.exp(log_ratio))
-        return 1.0 - 2.0 / math.expm1(2.0 * log_ratio) * (first / second - 1.0) - difference
+    low, high = 1e-6, math.log(_FLATTEST)
+    while high - low > _ROUNDING:
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if _difference(middle) < difference else (low, middle)
+    return math.exp(0.5 * (low + high))
 
-    return math.exp(brentq(misfit, 1e-6, math.log(_FLATTEST), xtol=1e-13))
+
+def _difference(log_ratio: float) -> float:
+    """Return F(ρ) of a contact ellipse of a ratio ln χ; it rises with the ratio."""
+    first, second = _integrals(math.exp(log_ratio))
+    return 1.0 - 2.0 / math.expm1(2.0 * log_ratio) * (first / second - 1.0)
 
 
 def _integrals(ratio: float) -> tuple[float, float]:
-    """Return the complete elliptic integrals K(χ) and E(χ)."""
-    from scipy.special import ellipe, ellipk
+    """Return the complete elliptic integrals K(χ) and E(χ) of the modulus √(1 − 1/χ²).
 
-    parameter = 1.0 - 1.0 / ratio**2
-    return float(ellipk(parameter)), float(ellipe(parameter))
+    Source: Abramowitz, Stegun 1964, 17.6.3 and 17.6.4, by the arithmetic-geometric mean.
+    """
+    mean, geometric, left, weight = 1.0, 1.0 / ratio, 1.0 - 1.0 / ratio**2, 0.5
+    missing = weight * left
+    while left > _ROUNDING**2:
+        mean, geometric, left = 0.5 * (mean + geometric), math.sqrt(mean * geometric), (0.5 * (mean - geometric)) ** 2
+        weight *= 2.0
+        missing += weight * left
+    first = 0.5 * math.pi / mean
+    return first, first * (1.0 - missing)
 
 
 def load_deflection_constant(contacts: Contacts, *, elastic_modulus: float, poisson_ratio: float) -> float:

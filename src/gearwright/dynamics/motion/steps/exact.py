@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy import linalg
 
 from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.model import Arrays, entry_matrix, line_matrix
@@ -62,6 +61,8 @@ def propagator(arrays: Arrays, h: float, doublings: int) -> Propagator:
         h: Step [s].
         doublings: Powers kept: works of blocks of up to 2^doublings steps.
     """
+    from scipy import linalg
+
     rate, rows = _extended(arrays)
     powers, works = [linalg.expm(rate * h)], [_works(arrays, rate, rows, h)]
     for _ in range(doublings):
@@ -186,6 +187,8 @@ def _works(arrays: Arrays, rate: Floats, rows: _Rows, h: float) -> Floats:
 
 
 def _doubled(rate: Floats, forms: Floats, halvings: int) -> Floats:
+    from scipy import linalg
+
     nodes, weights = np.polynomial.legendre.leggauss(6)
     sums = np.zeros_like(forms)
     for node, weight in zip(nodes, weights, strict=True):

@@ -18,7 +18,8 @@ from numba.extending import intrinsic
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.code_cache import compiled
-from gearwright.dynamics.equations import drive_columns, kernel
+from gearwright.dynamics.equations import kernel
+from gearwright.dynamics.equations.drive_laws import drive_columns
 from gearwright.dynamics.model import Arrays, Profile, line_matrix
 
 NODES = np.array([0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0])
