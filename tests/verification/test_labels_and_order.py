@@ -12,7 +12,21 @@ from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.spec import parse
 
-NAMED = ("turbines", "motors", "propellers", "pairs", "planetaries", "clutches", "cases", "bearings")
+NAMED = (
+    "turbines",
+    "motors",
+    "propellers",
+    "rotors",
+    "generators",
+    "accessories",
+    "loads",
+    "pairs",
+    "planetaries",
+    "epicyclics",
+    "clutches",
+    "cases",
+    "bearings",
+)
 """Tables whose keys are labels. Their own order stays: stages stand along a shaft, and cases begin, in it."""
 ENDS = ("locates", "pinion_apex", "wheel_apex")
 """Keys whose ``first`` and ``second`` are ends of a shaft."""
@@ -42,7 +56,7 @@ def turned_round(value, key=""):
     if not isinstance(value, dict):
         return value
     inner = [(name, turned_round(each, name)) for name, each in value.items()]
-    return dict(inner if key in (*NAMED, "layout", "joints") else reversed(inner))
+    return dict(inner if key in (*NAMED, "layout", "joints", "suns", "rings", "planets") else reversed(inner))
 
 
 def toml(value):
@@ -69,7 +83,7 @@ def numbers(text):
     }
 
 
-AS_WORDS = ("differential-hybrid", "ec120b", "ec120b-as-reported")
+AS_WORDS = ("differential-hybrid", "ec120b", "ec120b-as-reported", "ravigneaux-automatic", "wind-turbine-5mw")
 """Designs with labels that are words of the file, too, such as a shaft ``ring``: `renamed` cannot tell them apart."""
 
 

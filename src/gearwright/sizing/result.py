@@ -191,12 +191,16 @@ class CarrierSizing:
     """Load case that governs the pins."""
     torque: Torque
     """Largest torque T_c [N m]."""
-    tangential_force: Annotated[float, Quantity("force"), Origin("F_t = T_c K_γ / (N r_c)", f"{_THESIS}, §2.4")]
+    tangential_force: Annotated[
+        float, Quantity("force"), Origin("F_t = T_c K_γ / (N r_c); compound sets: of all meshes", f"{_THESIS}, §2.4")
+    ]
     """Force of the teeth of one planet on its pin [N]."""
     centrifugal_force: Annotated[float, Quantity("force"), Origin("F_c = m_p r_c ω_c²", "kinematics")]
     """Centrifugal force of one planet on its pin [N]."""
     radial_force: Annotated[
-        float, Quantity("force"), Origin("F_r = F_t tan((α_ws − α_wr)/2)", "equilibrium of a planet; 0 without shift")
+        float,
+        Quantity("force"),
+        Origin("F_r = F_t tan((α_ws − α_wr)/2); compound sets: of all meshes", "equilibrium of a planet"),
     ]
     """Of the teeth of one planet on its pin, outwards [N]."""
     pin_force: Annotated[float, Quantity("force"), Origin("F = √(F_t² + (F_c + F_r)²)", "equilibrium of a planet")]
