@@ -124,6 +124,8 @@ def _fits(value: object, hint: Any) -> bool:
         return value is None
     if origin is not None:
         return _holds(value, origin, inside)
+    if hint is Any:
+        return True
     if hint is bool:
         return type(value).__name__ in ("bool", "bool_")
     return not isinstance(hint, type) or isinstance(value, _PLAIN.get(hint, hint))

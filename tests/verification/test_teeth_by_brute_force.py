@@ -52,6 +52,19 @@ def test_the_lightest_pair_is_chosen(gears, teeth, pinions, tolerance):
     assert (chosen.teeth["stage.pinion"], chosen.teeth["stage.wheel"]) == numbers
 
 
+def test_the_lightest_internal_pair_is_chosen_with_its_wheel_as_a_ring():
+    """As a disc the wheel would pull the choice to few teeth; the ring weighs with its circumference."""
+    chosen = pair(gears="helix_angle_deg = 15", teeth="pinion_maximum = 30", internal="true")
+    masses = {}
+    for pinion in range(15, 31):
+        for wheel in range(3 * pinion - 1, 3 * pinion + 2):
+            if abs(wheel / pinion / RATIO - 1.0) <= 0.025:
+                sized = pair(gears="helix_angle_deg = 15", internal="true", pinion_teeth=pinion, wheel_teeth=wheel)
+                masses[pinion, wheel] = sized.gear_mass
+    assert chosen.gear_mass == pytest.approx(min(masses.values()), rel=1e-9)
+    assert (chosen.teeth["stage.pinion"], chosen.teeth["stage.wheel"]) == min(masses, key=masses.get)
+
+
 def test_no_pinion_is_undercut():
     """z_min = 2 cos β (1 − x)/sin² α_t: 17.1 teeth at 20°, 14.3 with β = 20°, 13.7 with x = 0.2, 11.2 at 25°."""
     angle = math.radians(20.0)

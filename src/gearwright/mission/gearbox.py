@@ -27,7 +27,7 @@ from gearwright.parts.losses import (
 )
 from gearwright.sizing import GearSizing, MeshSizing, Sizing
 from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
-from gearwright.spec import GROUND, Case, Design, Drive, Pair
+from gearwright.spec import GROUND, Case, Drive
 from gearwright.train import PowerFlow, Turning, power_flow
 from gearwright.verbs import verb
 
@@ -135,7 +135,7 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
         sizing=sizing,
         propeller=propeller,
         oil=oil,
-        contacts=tuple(_contact(sizing.design, pair, mesh) for pair, mesh in zip(pairs, sizing.meshes, strict=True)),
+        contacts=tuple(_contact(sizing, pair, mesh) for pair, mesh in zip(pairs, sizing.meshes, strict=True)),
         radii=np.array([mesh.working_diameter / 2.0 for mesh in sizing.meshes]),
         widths=np.array([min(gear.face_width, mate.face_width) for gear, mate in pairs]),
         inertia=_inertia(sizing, propeller),
@@ -153,22 +153,17 @@ def _refuse_slip(sizing: Sizing) -> None:
         raise DesignError([Problem(f"dampers.{name}", f"{message} shafts that turn alike") for name in slipping])
 
 
-def _contact(design: Design, pair: tuple[GearSizing, GearSizing], mesh: MeshSizing) -> ToothContact:
+def _contact(sizing: Sizing, pair: tuple[GearSizing, GearSizing], mesh: MeshSizing) -> ToothContact:
     gear, mate = pair
     shifted = gear.profile_shift + mate.profile_shift != 0.0
     return tooth_contact(
-        (gear.teeth, -mate.teeth if mate.role is Role.RING or _inside(design, mesh) else mate.teeth),
+        (gear.teeth, -mate.teeth if mate.name in sizing.train.internal else mate.teeth),
         gear.module,
-        pressure_angle=design.rules(mesh.stage).pressure_angle,
+        pressure_angle=sizing.design.rules(mesh.stage).pressure_angle,
         helix_angle=gear.helix_angle,
         shifts=(_shift(gear), _shift(mate)),
         working_angle=mesh.working_pressure_angle if shifted else None,
     )
-
-
-def _inside(design: Design, mesh: MeshSizing) -> bool:
-    stage = design.stages[mesh.stage]
-    return isinstance(stage, Pair) and stage.internal
 
 
 def _shift(gear: GearSizing) -> ToothShift:

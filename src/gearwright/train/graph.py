@@ -95,6 +95,11 @@ class Train:
         return self._by_name[str(gear_part(stage, role))]
 
     @cached_property
+    def internal(self) -> frozenset[str]:
+        """Gears with their teeth inside: rings, and wheels of internal pairs."""
+        return frozenset(mesh.gears[1] for mesh in self.meshes if mesh.sign == INTERNAL)
+
+    @cached_property
     def planet_nodes(self) -> frozenset[str]:
         """Nodes that are no shafts: those of planets, each shared by all equal ones of its set."""
         return frozenset(node for gear in self.gears if gear.role is Role.PLANET for node in gear.nodes)

@@ -57,3 +57,25 @@ def test_lewis_and_hertz_stand_at_the_working_circles():
     curvature = 1.0 / radii[0] + 1.0 / radii[1]
     hertz = 0.418 * math.sqrt(force * modulus * curvature / (0.04 * math.cos(angle) * math.sin(angle)))
     assert mesh.rating.contact_stress == pytest.approx(hertz, rel=1e-9)
+
+
+def test_the_wheel_of_an_internal_pair_is_a_ring():
+    """By hand: m = ρ b π ((r + s)² − r²), J = m (r² + (r + s)²)/2, the wall s of rim_thickness_ratio modules."""
+    keys = "internal = true\nmodule_mm = 4\nface_width_mm = 40\n"
+    sizing = size(parse(f"{PAIR}{TEETH}{keys}\n[gears]\nhelix_angle_deg = 0\nweb_ratio = 0.5\n"))
+    wheel, rules = sizing.gears[1], sizing.design.rules("stage")
+    inner, wall = 0.108, 0.004 * rules.rim_thickness_ratio
+    outer = inner + wall
+    density = sizing.design.material(rules.material).density
+    assert wheel.rim == pytest.approx(wall)
+    assert wheel.mass == pytest.approx(density * 0.040 * math.pi * (outer**2 - inner**2))
+    assert wheel.inertia == pytest.approx(wheel.mass * (inner**2 + outer**2) / 2.0)
+
+
+def test_teeth_inside_are_neither_undercut_nor_pointed_as_teeth_outside_are():
+    """40 teeth with x = 0.5 are 31 above their least, 56 with −0.5 would be 30 above theirs if they stood outside."""
+    keys = "internal = true\nmodule_mm = 4\nface_width_mm = 40\npinion_teeth = 40\nwheel_teeth = 56\n"
+    slower = PAIR.replace("speed_rpm = 2000", "speed_rpm = 4286")
+    sizing = size(parse(f"{slower}{keys}\n[gears]\nhelix_angle_deg = 0\nprofile_shift = 0.5\n"))
+    of = {mode: [check.part for check in sizing.checks if check.mode == mode] for mode in ("undercut", "tip thickness")}
+    assert of == {"undercut": [sizing.gears[0].part], "tip thickness": [sizing.gears[0].part]}

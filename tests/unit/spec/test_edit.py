@@ -43,6 +43,7 @@ def test_an_entry_that_was_left_out_is_added(design: Design) -> None:
         ({"motors.electric.power_kw": -2}, "not allowed"),
         ({"name.first": "x"}, "name has no entries"),
         ({"turbines.gas-turbine.shaft": "inptu"}, "did you mean input?"),
+        ({"supports.input": {"stiffness_n_um": 3.0}}, "there is no supports.input"),
     ],
 )
 def test_what_cannot_be_changed_is_named(design: Design, changes: dict[str, Value], said: str) -> None:

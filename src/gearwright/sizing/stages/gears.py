@@ -35,7 +35,7 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
     module, width = size.module, size.face_width
     diameter = module * teeth / math.cos(rating.helix_angle)
     density = rating.material.density
-    ring = gear.role is Role.RING
+    ring = gear.name in context.train.internal
     wall = rating.rules.rim_thickness_ratio * module if ring else 0.0
     if ring:
         mass = ring_mass(diameter, wall, width, density=density)

@@ -49,7 +49,7 @@ def tooth_checks(
     ratio = min(pair.transverse_contact_ratio for pair in pairs)
     yield Check(part, "contact ratio", "ISO 21771", ratio, LEAST_CONTACT_RATIO, exponent=None, symbol="ε_α")
     for gear in own.values():
-        if _shifted(gear):
+        if gear.name not in context.train.internal and (gear.profile_shift or gear.tip_alteration):
             tip = tip_thickness(cylindrical_gear(context.design, gear)) * math.cos(gear.helix_angle) / gear.module
             yield Check(gear.part, "tip thickness", "DIN 3960", tip, THINNEST_TIP, exponent=None, symbol="s_an/m_n")
     for mesh, pair in zip(meshes, pairs, strict=True):
@@ -73,10 +73,6 @@ def tooth_pair(context: Context, mesh: Mesh, gears: Mapping[str, GearSizing], ce
     return GearPair(first, second, centre if context.ratings[mesh.stage].shifts.centre is not None else None)
 
 
-def _shifted(gear: GearSizing) -> bool:
-    return gear.role is not Role.RING and bool(gear.profile_shift or gear.tip_alteration)
-
-
 def _undercut(context: Context, gears: list[GearSizing]) -> Check:
     """Return the check of the gear that is nearest to undercut, or furthest beyond it."""
     rating = context.ratings[gears[0].stage]
@@ -85,7 +81,7 @@ def _undercut(context: Context, gears: list[GearSizing]) -> Check:
         height = ISO53_A.straight_dedendum - gear.profile_shift
         return least_teeth(height, pressure_angle=rating.rules.pressure_angle, helix_angle=rating.helix_angle)
 
-    external = [gear for gear in gears if gear.role is not Role.RING]
+    external = [gear for gear in gears if gear.name not in context.train.internal]
     gear = min(external, key=lambda candidate: candidate.teeth - fewest(candidate))
     limit = math.ceil(fewest(gear) - 1e-9)
     return Check(gear.part, "undercut", "ISO 21771, z_min", gear.teeth, limit, "number", exponent=None, symbol="z")

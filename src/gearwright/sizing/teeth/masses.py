@@ -56,20 +56,29 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
 def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict[str, Ints], Floats]:
     """Return the stage's gears and the mass of its own bodies over b m_n² [kg/m³]."""
     stage, rating = task.stage, task.rating
-    disc = math.pi / 4.0 * rating.material.density / math.cos(rating.helix_angle) ** 2
+    cosine = math.cos(rating.helix_angle)
+    disc = math.pi / 4.0 * rating.material.density / cosine**2
+    wall = rating.rules.rim_thickness_ratio
     if isinstance(stage, Planetary):
         ring = ring_teeth(stage, small, large)
-        wall = rating.rules.rim_thickness_ratio
-        annulus = (ring + 2.0 * wall) ** 2 - ring**2
+        annulus = _annulus(ring, wall)
         teeth = dict(zip(gears_of(task.name, stage), (small, large, ring), strict=True))
         return teeth, np.asarray(disc * (small**2 + planets * large**2 + annulus), dtype=np.float64)
     pinion, wheel = gears_of(task.name, stage)
-    squares = {Role.PINION: small.astype(float) ** 2, Role.WHEEL: rating.rules.web_ratio * large.astype(float) ** 2}
+    wheel_square = (
+        _annulus(large, wall * cosine) if stage.internal else rating.rules.web_ratio * large.astype(float) ** 2
+    )
+    squares = {Role.PINION: small.astype(float) ** 2, Role.WHEEL: wheel_square}
     factor: Floats = np.zeros(len(small))
     for side, square in squares.items():
         if stage.shared(side) is None:
             factor = np.asarray(factor + disc * (len(stage.named(side)) * stage.halves) * square, dtype=np.float64)
     return {pinion: small, wheel: large}, factor
+
+
+def _annulus(teeth: Ints, wall: float) -> Floats:
+    """Return (d_o² − d²)/m_t² of a ring whose wall is so many transverse modules thick [-]."""
+    return np.asarray((teeth + 2.0 * wall) ** 2 - teeth**2, dtype=np.float64)
 
 
 def aligned(front: Front, design: Design) -> Front:

@@ -12,7 +12,7 @@ from gearwright.sizing import GearSizing, MeshSizing, Sizing, tooth_shape
 from gearwright.sizing.arrangement import helix_hand
 from gearwright.sizing.rating import Making, method_for, rating_of, standard_teeth
 from gearwright.spec import Pair
-from gearwright.train import INTERNAL, Mesh
+from gearwright.train import Mesh
 
 
 def gear_of(sizing: Sizing, name: str) -> GearSizing:
@@ -63,7 +63,7 @@ def is_internal(sizing: Sizing, gear: GearSizing) -> bool:
         sizing: What was sized.
         gear: One of its gears.
     """
-    return any(mesh.sign == INTERNAL and mesh.gears[1] == gear.name for mesh in sizing.train.meshes)
+    return gear.name in sizing.train.internal
 
 
 def cylindrical_gear(sizing: Sizing, gear: GearSizing) -> CylindricalGear:
