@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -151,7 +151,15 @@ def _flow(design: Design, turning: Turning, case: str, efficiency: Mapping[str, 
         if not slipping:
             break
         joints.remove(slipping[0])
-    return _collect(train, case, turn, balanced, joints)
+    return _collect(train, case, replace(turn, yielded=_blamed(design, train, case, turn.yielded)), balanced, joints)
+
+
+def _blamed(design: Design, train: Train, case: str, yielded: tuple[Yielded, ...]) -> tuple[Yielded, ...]:
+    """Return the asked speeds that count in a case: rated ones are those of the gear of the first case."""
+    if holding(design, train, case) == holding(design, train, cases_of(design)[0]):
+        return yielded
+    said = case_named(design, case).machines
+    return tuple(speed for speed in yielded if speed.machine in said and said[speed.machine].speed is not None)
 
 
 def _asked(design: Design, turning: Turning, case: str, still: frozenset[str]) -> Mapping[str, float]:

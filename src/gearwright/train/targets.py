@@ -14,9 +14,10 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
-from gearwright.spec import GROUND, Design, Machine, Pair, Planetary
+from gearwright.spec import GROUND, Design, Machine, Pair, Planetary, cases_of
 from gearwright.spec.design import SUN_LIMITS
 from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of, members_of, willis_ratio, willis_speed
+from gearwright.train.held import as_held
 from gearwright.train.memory import remembered
 from gearwright.train.null_space import null_space
 from gearwright.train.ranges import ratio_range, total_range
@@ -45,17 +46,41 @@ class Targets:
     """Ratio asked of all stages on the way from the first machine to the propeller [-]."""
     reach: tuple[float, float]
     """Least and largest ratio that these stages can have together [-]."""
+    design: Design
+    """As the case holds it that asks for them: members that a brake holds are grounded."""
 
 
 def targets(design: Design) -> Targets:
     """Return the nominal speed of every shaft and the tooth ratio asked of every stage.
 
+    They are those of the case whose brakes ground the most sets, the first of several, that leaves no speed open.
+
     Args:
         design: With its machines and stages.
 
     Raises:
-        DesignError: If a speed is not determined, or a differential's speeds allow no teeth.
+        DesignError: If no case determines every speed, or a differential's speeds allow no teeth.
     """
+    refused: DesignError | None = None
+    for held in _as_held(design):
+        try:
+            return _targets(held)
+        except DesignError as error:
+            refused = refused or error
+    raise refused or DesignError([])
+
+
+def _as_held(design: Design) -> list[Design]:
+    """Return the design as each case holds it, the one of the fewest differentials first."""
+    cases = cases_of(design) if design.clutches else cases_of(design)[:1]
+    return sorted((as_held(design, case) for case in cases), key=_differentials)
+
+
+def _differentials(design: Design) -> int:
+    return sum(GROUND not in members_of(planetary) for planetary in design.planetaries.values())
+
+
+def _targets(design: Design) -> Targets:
     edges = {name: edge for name in design.simple_stages if (edge := edge_of(name, design)) is not None}
     speeds = _potentials(design, edges, {})
     stages = design.simple_stages
@@ -69,7 +94,7 @@ def targets(design: Design) -> Targets:
         tooth_ratios[name] = _differential(name, design.planetaries[name], speeds)
     main = _main_stages(design, edges)
     start, end = _ends(design)
-    return Targets(speeds, tooth_ratios, edges, speeds[start] / speeds[end], total_range(design, main, edges))
+    return Targets(speeds, tooth_ratios, edges, speeds[start] / speeds[end], total_range(design, main, edges), design)
 
 
 def _ratio(edge: Edge, speeds: Mapping[str, float]) -> float:
@@ -134,8 +159,7 @@ def _potentials(design: Design, edges: Mapping[str, Edge], fixed: Mapping[str, f
     for name in design.epicyclics:
         (first, speed), *others = list(ties_of(design, name).items()) or [("", 0.0)]
         equations += [({shaft: 1.0, first: -1.0}, math.log(abs(tied / speed)), _GIVEN) for shaft, tied in others]
-    joined = [clutch for clutch in design.clutches.values() if clutch.kind != "open"]
-    joined = [clutch for clutch in joined if GROUND not in (clutch.driving, clutch.driven)]
+    joined = design.clutches.values()
     equations += [({clutch.driving: 1.0, clutch.driven: -1.0}, 0.0, _GIVEN) for clutch in joined]
     matrix = np.zeros((len(equations), len(column)))
     right = np.zeros(len(equations))
@@ -223,7 +247,7 @@ def _neighbours(design: Design, edges: Mapping[str, Edge], shaft: str) -> Iterat
         if shaft in epicyclic.members:
             yield name, epicyclic.members
     for name, clutch in design.clutches.items():
-        if shaft in (clutch.driving, clutch.driven) and GROUND not in (clutch.driving, clutch.driven):
+        if shaft in (clutch.driving, clutch.driven):
             yield name, (clutch.driving, clutch.driven)
 
 

@@ -73,17 +73,15 @@ def choose_teeth(design: Design, train: Train) -> Chosen:
     Raises:
         DesignError: If speeds are not determined, or a stage has no candidate; with what would do.
     """
-    given = all(is_given(stage) and len(planet_counts(stage, design)) == 1 for stage in design.stages.values())
-    if given and design.epicyclics:  # whose speeds the teeth say, with what holds in each case
-        return Chosen(given_teeth(design), {})
+    if all(is_given(stage) and len(planet_counts(stage, design)) == 1 for stage in design.stages.values()):
+        return Chosen(given_teeth(design), {})  # which say every speed, with what holds in each case
     nominal = targets(design)
-    if given:
-        return Chosen(given_teeth(design), {})
     for name, stage in design.planetaries.items():
         ratio = nominal.tooth_ratios[name]
         if not is_given(stage) and ratio <= 1.0:  # a ring no larger than its sun: no torques could be found
             raise refusal(name, stage, design, ratio, fewest=0, nominal=nominal)
     flow, kept = _nominal_flow(design, train, nominal)
+    design = nominal.design
     tasks = [_task(name, design, train, nominal, flow) for name in design.simple_stages]
     front = _joined(design, Front({}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {}))
     while tasks:
@@ -121,7 +119,7 @@ def _nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[
             real |= {pinion: size, wheel: size * ratio}
     turning = Turning(design, train, real)
     free = {yielded.machine for yielded in turning.yielded}
-    kept = {shaft for machine, shaft in train.machines.items() if machine not in free}
+    kept = {machine.shaft for name, machine in nominal.design.machines.items() if name not in free}
     return power_flows(design, turning), kept
 
 
@@ -166,7 +164,7 @@ def _joined(design: Design, front: Front) -> Front:
     for clutch in design.clutches.values():
         ends = (clutch.driving, clutch.driven)
         for here, there in (ends, ends[::-1]):
-            if here in speeds and there not in speeds and there != GROUND and clutch.kind != "open":
+            if here in speeds and there not in speeds:
                 speeds[there] = speeds[here]
     return replace(front, speeds=speeds)
 
