@@ -52,7 +52,7 @@ def test_the_mass_breakdown_adds_up(designs) -> None:
         assert sum(part.share for part in parts) == pytest.approx(1.0, rel=1e-12)
 
 
-def test_only_speeds_that_really_yield_are_listed(in_line_h2) -> None:
+def test_only_speeds_that_really_deviate_are_listed(in_line_h2) -> None:
     """The motor's speed is kept to rounding; the propeller's yields by 0.78 %."""
     assert {(each.case, each.machine) for each in asked_speeds(in_line_h2)} == {
         ("rated", "propeller"), ("cruise", "propeller"),

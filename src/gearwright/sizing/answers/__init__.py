@@ -1,4 +1,4 @@
-"""What a sizing says: masses, speeds that yield, results by name; and that its numbers are numbers.
+"""What a sizing says: masses, speeds that deviate from those asked, results by name; and that its numbers are numbers.
 
 How they are shown is for `render`.
 """

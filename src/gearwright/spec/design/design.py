@@ -99,7 +99,7 @@ class Design(Shown, Record):
     service: Service = Field(default_factory=Service, description="The life that is asked, and the loads in it")
     bearings: dict[str, BearingSeat] = Field(default_factory=dict, description="Bearings of shafts by name")
     joints: dict[str, Joint] = Field(default_factory=dict, description="Shaft-hub joints by gear or machine")
-    speeds: SpeedRules = Field(default_factory=SpeedRules, description="Which speeds are kept")
+    speeds: SpeedRules = Field(default_factory=SpeedRules, description="Which machines' speeds are kept, met exactly")
     cases: dict[str, Case] = Field(
         default_factory=dict,
         description="Load cases that size the gearbox; left out: one, called rated, with every machine at its rating",

@@ -85,12 +85,12 @@ class TeethRules(Record):
     pinion_maximum: int = Field(40, ge=12, le=400, description="Largest tooth number of pinions that are searched")
     planet_minimum: int = Field(12, ge=12, le=400, description="Smallest tooth number of planets")
     planets_maximum: int = Field(
-        5, ge=2, le=12, description="Most planets that are looked at where a set leaves their number out"
+        5, ge=2, le=12, description="Maximum number of planets that are looked at where a set leaves their number out"
     )
     stage_tolerance: Ratio = Field(
         0.025, gt=0, le=0.2, description="Allowed deviation of a stage's ratio from its target"
     )
-    speed_tolerance: Ratio = Field(0.05, gt=0, le=0.2, description="Allowed deviation of a speed that yields")
+    speed_tolerance: Ratio = Field(0.05, gt=0, le=0.2, description="Allowed deviation of a speed from the one asked")
     split: Literal["equal", "optimal"] = Field(
         "equal", description="equal: stages share an open ratio equally (times ψ); optimal: as is lightest"
     )

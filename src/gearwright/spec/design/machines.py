@@ -231,6 +231,6 @@ class SpeedRules(Record):
 
     keep: list[str] | None = Field(
         None,
-        description="Machines whose speed is kept, in order; left out: turbines, motors, propellers, rotors,"
-        " generators, loads",
+        description="Machines whose speed is kept, met exactly, in order; left out: turbines, motors, propellers,"
+        " rotors, generators, loads",
     )

@@ -32,7 +32,7 @@ class BearingSeat(Record):
     dynamic_rating: Force | None = Field(None, gt=0, description="Maker's C, instead of the catalogue's")
     static_rating: Force | None = Field(None, gt=0, description="Maker's C_0, instead of the catalogue's")
     largest_outer_diameter: Length | None = Field(None, gt=0, description="Room in the housing; left out: any")
-    life: Time | None = Field(None, gt=0, description="Least L_10h; left out: service.bearing_life")
+    life: Time | None = Field(None, gt=0, description="Minimum L_10h; left out: service.bearing_life")
 
 
 class Joint(Record):
@@ -54,4 +54,4 @@ class Joint(Record):
         None, gt=0, description="Allowed flank pressure; left out: 150 MPa for keys, 100 MPa for splines"
     )
     friction: Ratio = Field(0.12, gt=0, lt=1, description="Friction coefficient of a press fit")
-    safety: Ratio = Field(1.5, ge=1, le=5, description="Least safety against slip of a press fit")
+    safety: Ratio = Field(1.5, ge=1, le=5, description="Minimum safety against slip of a press fit")

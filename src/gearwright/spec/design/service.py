@@ -14,7 +14,7 @@ class Service(Record):
     """The life that is asked, and the loads in it."""
 
     life: Time = Field(3500 * _HOUR, gt=0, description="Life of gears")
-    bearing_life: Time = Field(5000 * _HOUR, gt=0, description="Least basic rating life L_10h of each bearing")
+    bearing_life: Time = Field(5000 * _HOUR, gt=0, description="Minimum basic rating life L_10h of each bearing")
     application_factor: Ratio = Field(1.25, ge=1, le=5, description="K_A: what the outside adds to the nominal load")
     shares: dict[str, Ratio] = Field(
         default_factory=dict,
@@ -26,7 +26,7 @@ class Service(Record):
         le=1,
         description="Cubic mean load over the rated one, for bearings; with shares it follows from them",
     )
-    static_safety: Ratio = Field(1.5, ge=0.5, le=5, description="Least static safety s_0 of bearings (ISO 76)")
-    shaft_fatigue_safety: Ratio = Field(1.5, ge=1, le=5, description="Least safety of shafts against fatigue")
-    shaft_yield_safety: Ratio = Field(1.5, ge=1, le=5, description="Least safety of shafts against yield")
+    static_safety: Ratio = Field(1.5, ge=0.5, le=5, description="Minimum static safety s_0 of bearings (ISO 76)")
+    shaft_fatigue_safety: Ratio = Field(1.5, ge=1, le=5, description="Minimum safety of shafts against fatigue")
+    shaft_yield_safety: Ratio = Field(1.5, ge=1, le=5, description="Minimum safety of shafts against yield")
     torque_swing: Ratio = Field(0.15, ge=0, le=1, description="Alternating part of the torque over its mean")

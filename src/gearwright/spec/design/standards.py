@@ -20,9 +20,11 @@ class Iso6336Rules(Record):
     hardness_hv: float | None = Field(
         None, ge=100, le=1000, description="Surface hardness; left out: that of the material, 700 for another class"
     )
-    pitting_safety: Ratio = Field(1.2, ge=1, le=5, description="Least safety against pitting S_Hmin")
-    bending_safety: Ratio = Field(1.6, ge=1, le=5, description="Least safety against tooth root fracture S_Fmin")
-    scuffing_safety: Ratio = Field(1.5, ge=1, le=5, description="Least safety against scuffing S_Smin (ISO/TS 6336-21)")
+    pitting_safety: Ratio = Field(1.2, ge=1, le=5, description="Minimum safety against pitting S_Hmin")
+    bending_safety: Ratio = Field(1.6, ge=1, le=5, description="Minimum safety against tooth root fracture S_Fmin")
+    scuffing_safety: Ratio = Field(
+        1.5, ge=1, le=5, description="Minimum safety against scuffing S_Smin (ISO/TS 6336-21)"
+    )
     tolerance_class: int = Field(5, ge=1, le=11, description="Flank tolerance class of ISO 1328-1 or ISO 17485")
     helix_modification: Literal["none", "crowning", "corrected"] = Field(
         "corrected", description="Lead of cylindrical gears: as cut, crowned, or corrected for the shafts' deflection"
@@ -53,8 +55,8 @@ class Agma2001Rules(Record):
     hardness_hb: float = Field(
         300.0, ge=100, le=500, description="HB of through-hardened gears, of the core of nitrided ones: 180 to 400"
     )
-    pitting_safety: Ratio = Field(1.2, ge=1, le=5, description="Least safety against pitting S_H, as with ISO 6336")
-    bending_safety: Ratio = Field(1.6, ge=1, le=5, description="Least safety against bending S_F, as with ISO 6336")
+    pitting_safety: Ratio = Field(1.2, ge=1, le=5, description="Minimum safety against pitting S_H, as with ISO 6336")
+    bending_safety: Ratio = Field(1.6, ge=1, le=5, description="Minimum safety against bending S_F, as with ISO 6336")
     quality_number: int = Field(11, ge=5, le=11, description="Transmission accuracy Q_v, for the dynamic factor K_v")
     reliability: Ratio = Field(0.99, ge=0.5, le=0.9999, description="Part of the gears that survive, for K_R")
     temperature_factor: Ratio = Field(1.0, ge=1, le=2, description="K_T; 1 for blanks up to 120 °C")

@@ -12,6 +12,10 @@ from gearwright.sizing.arrangement import envelope
 from gearwright.train import Branch, branches
 
 NOT_IN_THE_MASS = "Not in the mass: housing, bearings, oil system, accessories, motors."
+_KEPT = (
+    "Whole teeth give them. A speed is kept, met exactly, of the first machine that [speeds] keep names: left out, a"
+    " turbine's, else a motor's."
+)
 _BEARINGS = "Positions from the shaft's first end; shafts that only torque acts on need none for it."
 _THICKEST = "d of a shaft with steps is its thickest; the stress is of a section, listed with its own d under strength."
 _ENVELOPE = "Box around tip circles and shafts, without housing."
@@ -52,8 +56,8 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
     return {
         **mounted_tables(sizing),
         "margins": table("Margins, worst first", judged(sizing.checks), COLUMNS, note=JUST_ENOUGH),
-        "speeds": table("Speeds that yield", asked_speeds(sizing),
-                        ("case", "machine", "asked", "actual", "deviation")),
+        "speeds": table("Speeds that deviate from those asked", asked_speeds(sizing),
+                        ("case", "machine", "asked", "actual", "deviation"), note=_KEPT),
         "gears": table("Gears", sizing.gears, _gear_fields(sizing), mark=mark),
         "meshes": table("Mesh forces", sizing.meshes,
                         ("name", "count", "case", "load_factor", "tangential_force", "radial_force", "axial_force",
