@@ -38,6 +38,14 @@ def test_a_speed_up_has_the_answers_of_those_that_are_pairs_only():
     assert {row.design for row in rows.failed} >= {"in-line", "in-line-h1", "in-line-h2"}
 
 
+def test_a_design_that_cannot_be_fitted_is_a_row_with_its_reason():
+    none = read(shipped_design("off-set")).model_copy(update={"turbines": {}})
+    rows = compare({"off-set": read(shipped_design("off-set")), "none": none}, power=1e6)
+    assert [row.design for row in rows.good] == ["off-set"]
+    (row,) = rows.failed
+    assert (row.design, row.problem.endswith("add a table such as [turbines.gas-turbine]")) == ("none", True)
+
+
 def test_where_no_architecture_exists_each_says_why():
     with pytest.raises(DesignError) as refused:
         compare({name: read(shipped_design(name)) for name in ("in-line", "star")}, power=1e6, engine_speed=100.0,

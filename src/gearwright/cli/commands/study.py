@@ -111,30 +111,25 @@ def compare(
     jsonl: LinesOption = False,
 ) -> None:
     """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
-    from gearwright.shipped import shipped_study
-    from gearwright.spec import read_study
-    from gearwright.study import for_requirement, run
+    from gearwright.study import compare as compared
+    from gearwright.study import for_requirement
+    from gearwright.study.running.compare import comparison_of
     from gearwright.units import RPM
 
-    read = read_study(shipped_study("architectures"))
-    if designs:
-        read = read.model_copy(update={"designs": designs, "name": f"{len(designs)} designs for one engine"})
-    read = read.model_copy(update={"changes": _changes(changes)})
-    fitted = {
-        name: for_requirement(
-            design_of(name),
-            power=None if power_kw is None else power_kw * 1e3,
-            engine_speed=None if engine_rpm is None else engine_rpm * RPM,
-            propeller_speed=None if propeller_rpm is None else propeller_rpm * RPM,
-        )
-        for name in read.designs
-    }
-    table = run(read, fitted)
+    study = comparison_of(designs or None, changes=_changes(changes))
+    power = None if power_kw is None else power_kw * 1e3
+    engine, propeller = (None if rpm is None else rpm * RPM for rpm in (engine_rpm, propeller_rpm))
+    chosen = {name: design_of(name) for name in study.designs}
+    table = compared(chosen, power=power, engine_speed=engine, propeller_speed=propeller, changes=study.changes)
     show_table("compare", table, csv=csv, json=json, jsonl=jsonl)
     if figure is not None:
-        _draw(read, table, figure)
+        _draw(study, table, figure)
     if report is not None:
-        _write_comparison(report, table, fitted, read.changes)
+        fitted = {
+            row.design: for_requirement(chosen[row.design], power=power, engine_speed=engine, propeller_speed=propeller)
+            for row in table.good
+        }
+        _write_comparison(report, table, fitted, study.changes)
 
 
 def _write_comparison(path: Path, table: Table, designs: dict[str, Design], changes: dict[str, Value]) -> None:
@@ -143,7 +138,7 @@ def _write_comparison(path: Path, table: Table, designs: dict[str, Design], chan
     from gearwright.sizing import size
     from gearwright.spec import edited
 
-    sizings = {row.design: size(edited(designs[row.design], changes)) for row in table.rows if not row.problem}
+    sizings = {name: size(edited(design, changes)) for name, design in designs.items()}
     reviews = {name: review_of(sizing) for name, sizing in sizings.items()}
     write_text(path, comparison(table, sizings, reviews))
     tell(f"wrote {path}")

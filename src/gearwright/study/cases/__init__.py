@@ -3,7 +3,7 @@
 Which answers they give together is in `answers`, how thousands are run in `running`.
 """
 
-from gearwright.study.cases.engine import for_engine, for_requirement
+from gearwright.study.cases.engine import for_engine, for_requirement, refuse_no_size
 from gearwright.study.cases.evaluate import evaluate, refuse_unknown_paths, reviewed, sized
 from gearwright.study.cases.sampling import Case, cases, unit_sample
 
@@ -13,6 +13,7 @@ __all__ = [
     "evaluate",
     "for_engine",
     "for_requirement",
+    "refuse_no_size",
     "refuse_unknown_paths",
     "reviewed",
     "sized",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.spec import Design, edited
@@ -37,7 +37,7 @@ def for_engine(
     Raises:
         DesignError: If a design has no turbine, or a value is not allowed.
     """
-    refuse(_not_positive({"power": power, "engine_speed": engine_speed, "propeller_speed": propeller_speed}))
+    refuse_no_size(power=power, engine_speed=engine_speed, propeller_speed=propeller_speed)
     if not design.turbines:
         raise DesignError([Problem("turbines", "there is no turbine to take the place of; add one")])
     turbine, propeller = next(iter(design.turbines.values())), next(iter(design.airscrews.values()))
@@ -112,9 +112,20 @@ def _between(design: Design, motor: Motor, speed: float, known: Mapping[str, flo
     return speed
 
 
-def _not_positive(asked: Mapping[str, float | None]) -> Iterator[Problem]:
-    for name, value in asked.items():
-        if value is not None and not 0.0 < value < math.inf:
-            yield Problem(
-                name, f"{value:g} is asked, and it must be above 0 and finite; leave it out for the design's own"
-            )
+def refuse_no_size(*, power: float | None, engine_speed: float | None, propeller_speed: float | None) -> None:
+    """Raise for every power or speed that is asked and can be none.
+
+    Args:
+        power: Of all machines [W].
+        engine_speed: Of the turbines [rad/s].
+        propeller_speed: Of the propellers [rad/s].
+
+    Raises:
+        DesignError: With the name of each.
+    """
+    asked = {"power": power, "engine_speed": engine_speed, "propeller_speed": propeller_speed}
+    refuse(
+        Problem(name, f"{value:g} is asked, and it must be above 0 and finite; leave it out for the design's own")
+        for name, value in asked.items()
+        if value is not None and not 0.0 < value < math.inf
+    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from gearwright.errors import DesignError, GearwrightError, Problem, refuse
@@ -17,16 +17,19 @@ if TYPE_CHECKING:
     from gearwright.reviews import Review
 
 
-def evaluate(study: Study, design: Design, case: Case) -> Row:
+def evaluate(
+    study: Study, design: Design, case: Case, *, fitted: Callable[[Design], Design] = lambda design: design
+) -> Row:
     """Return the row of a case; a case that fails is a row with its reason.
 
     Args:
         study: Changes, and the results that are asked for.
         design: Where the case starts.
         case: Its inputs.
+        fitted: What becomes of the design before it is changed; left out: it stays as it is.
     """
     try:
-        results = _results(study, design, case.inputs)
+        results = _results(study, fitted(design), case.inputs)
         return Row(case.design, case.inputs, {name: pick(results, name) for name in study.asked})
     except DesignError as error:
         reason = "; ".join(str(problem) for problem in error.problems)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from gearwright.shipped import shipped_study
-from gearwright.spec import Design, read, read_study
+from gearwright.spec import Design, Study, read, read_study
 from gearwright.spec.axis import Value
 from gearwright.study.answers import Table
-from gearwright.study.cases import for_requirement
-from gearwright.study.running.run import run
+from gearwright.study.cases import cases, evaluate, for_requirement, refuse_no_size
+from gearwright.study.running.run import table_of
 from gearwright.verbs import verb
 
 
@@ -35,14 +35,26 @@ def compare(
         changes: Dotted path -> value, the same in every design.
 
     Raises:
-        DesignError: If a design has no turbine, or all of them fail.
+        DesignError: If a power or speed is none, or all designs fail; one that fails is a row with its reason.
+    """
+    study = comparison_of(designs, changes=changes)
+    chosen = {name: read(name) for name in study.designs} if designs is None else designs
+
+    def fitted(design: Design) -> Design:
+        return for_requirement(design, power=power, engine_speed=engine_speed, propeller_speed=propeller_speed)
+
+    refuse_no_size(power=power, engine_speed=engine_speed, propeller_speed=propeller_speed)
+    return table_of(study, [evaluate(study, chosen[case.design], case, fitted=fitted) for case in cases(study)])
+
+
+def comparison_of(designs: Iterable[str] | None, *, changes: Mapping[str, Value] | None = None) -> Study:
+    """Return the study of which `compare` gives the table.
+
+    Args:
+        designs: Their names; left out: those of the shipped study.
+        changes: Dotted path -> value, the same in every design.
     """
     study = read_study(shipped_study("architectures"))
-    designs = {name: read(name) for name in study.designs} if designs is None else designs
-    name = study.name if list(designs) == list(study.designs) else f"{len(designs)} designs for one engine"
-    asked = study.model_copy(update={"designs": list(designs), "name": name, "changes": dict(changes or {})})
-    fitted = {
-        name: for_requirement(design, power=power, engine_speed=engine_speed, propeller_speed=propeller_speed)
-        for name, design in designs.items()
-    }
-    return run(asked, fitted)
+    names = study.designs if designs is None else list(designs)
+    name = study.name if names == list(study.designs) else f"{len(names)} designs for one engine"
+    return study.model_copy(update={"designs": names, "name": name, "changes": dict(changes or {})})
