@@ -37,7 +37,9 @@ def teeth(**values):
     return SimpleNamespace(base_helix_angle=0.0, **values)
 
 
-UNIT = ToothContact(loss_factor=0.2, curvature=1e-3, pressure_angle=math.radians(30.0), base_helix=0.0)
+UNIT = ToothContact(
+    loss_factor=0.2, curvature=1e-3, pressure_angle=math.radians(30.0), base_helix=0.0, pinion_diameter=0.1
+)
 """2 sin 30° = 1: the sum of the rolling speeds is the pitch-line velocity."""
 
 

@@ -17,6 +17,7 @@ from gearwright.mission.gearbox import Oil, Point, drag, efficiencies, gearbox_o
 from gearwright.mission.profile import Moment, moments
 from gearwright.mission.supply import Given, Terms, supply_of
 from gearwright.mission.thrust import Blades, performed, propeller_power
+from gearwright.parts.losses import Friction
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, engine_out, is_map_file, mission_problems
 from gearwright.verbs import verb
@@ -67,8 +68,7 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     """
     problems = mission_problems(mission)
     refuse(problems)
-    oil = Oil(mission.oil.inlet_temperature_k, mission.oil.roughness, _dipping(sizing, mission))
-    gearbox = gearbox_of(sizing, flown_airscrew(sizing), oil)
+    gearbox = gearbox_of(sizing, flown_airscrew(sizing), _oil(sizing, mission))
     blades = Blades(mission.propeller_map, _chart(mission, folder), sizing.design.airscrews[gearbox.propeller].diameter)
     flown = Flown(gearbox, blades, mission, supply_of(sizing, mission))
     before, intervals = _Before(None, mission.battery.start_charge if mission.battery else 0.0, 0.0), list[Interval]()
@@ -82,6 +82,11 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
         burnt = before.burnt + interval.values.fuel_flow * moment.duration * engines
         before = _Before(interval.point, interval.values.state_of_charge, burnt)
     return collect(flown, intervals)
+
+
+def _oil(sizing: Sizing, mission: Mission) -> Oil:
+    rules = mission.oil
+    return Oil(rules.inlet_temperature_k, rules.roughness, _dipping(sizing, mission), Friction(rules.friction))
 
 
 def _dipping(sizing: Sizing, mission: Mission) -> dict[str, float]:

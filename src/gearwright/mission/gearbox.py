@@ -16,6 +16,7 @@ from gearwright.mission.consumers import taken_parts, with_consumers
 from gearwright.parts.gears import ToothShift
 from gearwright.parts.losses import (
     OIL_DENSITY,
+    Friction,
     ToothContact,
     bearing_torque_constant,
     churning_power,
@@ -43,6 +44,8 @@ class Oil(NamedTuple):
     """R_a of the flanks [m]."""
     dip: Mapping[str, float]
     """Gear -> part of it that dips into an oil bath [-]; one left out runs dry."""
+    friction: Friction = Friction.SCHLENK
+    """Whose mean coefficient of friction."""
 
 
 class Drag(NamedTuple):
@@ -262,6 +265,7 @@ def efficiencies(gearbox: Gearbox, point: Point) -> dict[str, float]:
             float((speed[mesh.nodes[0]] - speed[mesh.nodes[2]]) * gearbox.radii[k]),
             viscosity=viscosity,
             roughness=gearbox.oil.roughness,
+            law=gearbox.oil.friction,
         )
         by_stage.setdefault(mesh.stage, []).append(mesh_efficiency(contact, friction))
     return {stage: float(np.mean(values)) for stage, values in by_stage.items()}

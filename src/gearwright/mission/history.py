@@ -17,7 +17,7 @@ from gearwright.units import Marks, Origin, Quantity, marks_of
 
 T = TypeVar("T")
 
-MESH_LOSS = Origin("P μ H_V", "Ohlendorf 1958; Schlenk 1994; ISO/TR 14179-2")
+MESH_LOSS = Origin("P μ H_V", "Ohlendorf 1958; Schlenk 1994, or Niemann and Winter 2003; ISO/TR 14179-2")
 BEARING_LOSS = Origin("M = μ P d/2, μ = 0.0011", "SKF, constant coefficient")
 WINDAGE_LOSS = Origin("n^2.8 R^4.6", "Anderson and Loewenthal, NASA TP-1622")
 CHURNING_LOSS = Origin("f_g ν n³ D^5.7", "ISO/TR 14179-1")

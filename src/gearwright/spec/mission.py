@@ -111,6 +111,9 @@ class OilRules(Record):
     inlet_temperature_k: float = Field(353.15, ge=233, le=450, description="Of the oil into the gearbox")
     rise_k: float = Field(25.0, gt=0, le=150, description="Of its temperature at the greatest heat: sets the flow")
     roughness: Length = Field(0.4e-6, ge=1e-8, le=1e-4, description="R_a of the flanks")
+    friction: Literal["schlenk", "niemann-winter"] = Field(
+        "schlenk", description="Mean friction of the teeth: Schlenk, or Niemann and Winter"
+    )
     dip: dict[str, Ratio] = Field(
         default_factory=dict,
         description="Gear -> part of it that dips into an oil bath, 0 to 1: it churns; left out: a dry sump",

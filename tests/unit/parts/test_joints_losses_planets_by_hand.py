@@ -3,6 +3,7 @@
 import math
 from itertools import pairwise
 
+import numpy as np
 import pytest
 
 from gearwright.errors import DesignError
@@ -30,6 +31,7 @@ from gearwright.parts.joints.spline import SHORTEST_RATIO
 from gearwright.parts.losses import (
     HIGHEST_FRICTION,
     OIL_DENSITY,
+    Friction,
     ToothContact,
     bearing_torque_constant,
     bearing_torque_palmgren,
@@ -168,14 +170,18 @@ def test_tooth_loss_is_ohlendorfs(teeth, shift):
         assert tip_contact_ratio(z, abs(tip), abs(base), alpha_t) == near(ratios[-1])
     total = sum(ratios)
     inverse = abs(1.0 / teeth[0] + 1.0 / teeth[1])
-    factor = PI * inverse / math.cos(beta_b) * (1.0 - total + ratios[0] ** 2 + ratios[1] ** 2)
+    # Past a pitch no pair bears the whole load where the closed form has one: (1 - ε)² counts negative.
+    past = 2.0 * sum((ratio - 1.0) ** 2 / 2.0 for ratio in ratios if ratio > 1.0)
+    factor = PI * inverse / math.cos(beta_b) * (1.0 - total + ratios[0] ** 2 + ratios[1] ** 2 - past)
     assert tooth_loss_factor(teeth, beta_b, approach=ratios[1], recess=ratios[0]) == near(factor)
     made = tooth_contact(
         teeth, m, pressure_angle=alpha, helix_angle=beta, shifts=(ToothShift(shift), ToothShift(-shift))
     )
     r_1, r_2 = (m * z / (2.0 * math.cos(beta)) for z in teeth)
     curvature = math.sin(alpha_t) / math.cos(beta_b) / (1.0 / r_1 + 1.0 / r_2)
-    assert made == ToothContact(near(factor), near(curvature), near(alpha_t), near(beta_b))
+    assert made == ToothContact(
+        near(factor), near(curvature), near(alpha_t), near(beta_b), near(2.0 * min(abs(r_1), abs(r_2)))
+    )
     spur = tooth_contact(teeth, m, pressure_angle=alpha)
     assert (spur.base_helix, spur.pressure_angle) == (0.0, near(alpha))
     assert tip_contact_ratio(20.0, 0.01, 0.02, 0.3) == near(-20.0 / (2.0 * PI) * math.tan(0.3))
@@ -184,7 +190,7 @@ def test_tooth_loss_is_ohlendorfs(teeth, shift):
 
 def test_friction_is_schlenks():
     """0.048 (F/b/(v_ΣC ρ))^0.2 η^−0.05 R_a^0.25 in N/mm, m/s, mm, mPa s and µm; at most 0.2."""
-    contact = ToothContact(0.2, 11e-3, math.radians(23.0), 0.1)
+    contact = ToothContact(0.2, 11e-3, math.radians(23.0), 0.1, 0.08)
     rolling = 2.0 * 14.0 * math.sin(math.radians(23.0))
     expected = 0.048 * (310.0 / (rolling * 11.0)) ** 0.2 * 9.0**-0.05 * 0.7**0.25
     assert mesh_friction(contact, -310e3, -14.0, viscosity=9e-3, roughness=0.7e-6) == near(expected)
@@ -192,6 +198,34 @@ def test_friction_is_schlenks():
     # At rest the sum of the rolling speeds counts as 1 mm/s.
     crept = 0.048 * (1e-3 / (1e-3 * 11.0)) ** 0.2 * 9.0**-0.05 * 0.7**0.25
     assert mesh_friction(contact, 1.0, 0.0, viscosity=9e-3, roughness=0.7e-6) == near(crept)
+
+
+def test_friction_by_niemann_and_winter_weighs_roughness_against_the_pinion():
+    """0.045 and 3.8 (R_a/d_1)^¼ with d_1 in mm, in place of 0.048 and R_a^¼."""
+    contact = ToothContact(0.2, 11e-3, math.radians(23.0), 0.1, 0.08)
+    oil = {"viscosity": 9e-3, "roughness": 0.7e-6}
+    schlenk = mesh_friction(contact, 310e3, 14.0, **oil)
+    niemann = mesh_friction(contact, 310e3, 14.0, law=Friction.NIEMANN_WINTER, **oil)
+    assert niemann / schlenk == near(0.045 / 0.048 * 3.8 / 80.0**0.25)
+    assert mesh_friction(contact, 1e9, 0.01, law=Friction.NIEMANN_WINTER, **oil) == HIGHEST_FRICTION
+
+
+@pytest.mark.parametrize(
+    ("approach", "recess"), [(0.7, 0.8), (-0.2, 1.4), (1.3, -0.1), (0.04, 1.24), (1.1, 1.3), (1.6, 1.7), (1.0, 1.0)]
+)
+def test_the_loss_factor_is_the_sliding_of_all_points_of_the_path_wherever_the_pitch_point_lies(approach, recess):
+    """By 200 000 points of the path, equal shares of the load: the mean of |x| over the number of pairs, twice."""
+    place = (np.arange(200_000) + 0.5) / 200_000 * (approach + recess) - approach
+    pairs = sum((place + k >= -approach) & (place + k <= recess) for k in range(-4, 5))
+    by_points = 2.0 * np.mean(np.abs(place) / pairs) * (approach + recess)
+    expected = PI * (1.0 / 16.0 + 1.0 / 24.0) * by_points
+    assert tooth_loss_factor((16, 24), 0.0, approach=approach, recess=recess) == pytest.approx(expected, rel=2e-5)
+
+
+@pytest.mark.parametrize("recess", [1.0, 1.2, 1.7])
+def test_the_loss_factor_has_no_step_where_the_pitch_point_leaves_the_path(recess):
+    before, after = (tooth_loss_factor((16, 24), 0.0, approach=part, recess=recess) for part in (-1e-9, 1e-9))
+    assert before == pytest.approx(after, rel=1e-7)
 
 
 def test_windage_and_churning_are_those_of_their_reports():

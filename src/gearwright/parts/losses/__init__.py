@@ -6,9 +6,11 @@ Temperatures follow from them in `mission`.
 from gearwright.parts.losses.bearing import bearing_torque_constant, bearing_torque_palmgren
 from gearwright.parts.losses.mesh import (
     HIGHEST_FRICTION,
+    Friction,
     ToothContact,
     mesh_efficiency,
     mesh_friction,
+    ohlendorf_loss_factor,
     tip_contact_ratio,
     tooth_contact,
     tooth_loss_factor,
@@ -25,6 +27,7 @@ from gearwright.parts.losses.oil import (
 __all__ = [
     "HIGHEST_FRICTION",
     "OIL_DENSITY",
+    "Friction",
     "ToothContact",
     "bearing_torque_constant",
     "bearing_torque_palmgren",
@@ -32,6 +35,7 @@ __all__ = [
     "cooler_conductance",
     "mesh_efficiency",
     "mesh_friction",
+    "ohlendorf_loss_factor",
     "oil_flow",
     "oil_viscosity",
     "tip_contact_ratio",

@@ -1,8 +1,9 @@
-"""Power lost in a gear mesh: Ohlendorf's tooth-loss factor and the mean friction of the teeth."""
+"""Power lost in a gear mesh: the tooth-loss factor and the mean friction of the teeth."""
 
 from __future__ import annotations
 
 import math
+from enum import Enum
 from typing import NamedTuple
 
 from gearwright.parts.gears import UNSHIFTED, ToothShift, base_helix_angle, transverse_pressure_angle
@@ -24,26 +25,72 @@ class ToothContact(NamedTuple):
     """Working transverse pressure angle α_wt [rad]."""
     base_helix: float
     """β_b [rad]."""
+    pinion_diameter: float
+    """Reference diameter of the smaller gear d_1 [m]."""
+
+
+class Friction(Enum):
+    """Whose mean coefficient of friction."""
+
+    SCHLENK = "schlenk"
+    """Schlenk 1994, as in ISO/TR 14179-2: R_a^¼."""
+    NIEMANN_WINTER = "niemann-winter"
+    """Niemann and Winter: roughness against the pinion's size, as DIN 3990-4 has it."""
 
 
 def tooth_loss_factor(teeth: tuple[float, float], base_helix: float, *, approach: float, recess: float) -> float:
-    """Return Ohlendorf's tooth-loss factor H_V [-]: the mean of sliding over rolling, weighted with the load.
+    """Return the tooth-loss factor H_V [-]: the mean of sliding over rolling, weighted with the load.
 
     Args:
         teeth: z_1 and z_2, the latter negative for an internal gear [-].
         base_helix: β_b [rad].
-        approach: Part of the contact ratio before the pitch point ε_2 [-].
-        recess: Part after it ε_1 [-].
+        approach: Part of the contact ratio before the pitch point ε_2 [-]; negative where the path starts behind it.
+        recess: Part after it ε_1 [-]; negative where the path ends before it.
 
-    Source: Ohlendorf (1958): H_V = π (1/z_1 + 1/z_2)/cos β_b · (1 - ε_α + ε_1² + ε_2²).
+    Source: Ohlendorf (1958), π (1/z_1 + 1/z_2)/cos β_b · (1 - ε_α + ε_1² + ε_2²), which is the integral of the sliding
+        for parts of 0 to 1 and ε_α of 1 to 2; the same integral, equal pairs sharing the load equally, elsewhere.
 
-    Valid for: 1 ≤ ε_α ≤ 2, the load shared by the pairs in contact.
+    Valid for: ε_α from 1 on; below, Ohlendorf's formula without a meaning of its own.
 
     >>> round(tooth_loss_factor((16, 24), 0.0, approach=0.707, recess=0.728), 3)
     0.195
     """
-    shape = 1.0 - (approach + recess) + approach**2 + recess**2
-    return math.pi * abs(1.0 / teeth[0] + 1.0 / teeth[1]) / math.cos(base_helix) * shape
+    holds = min(approach, recess) >= 0.0 and max(approach, recess) <= 1.0
+    shape = _closed_sliding if holds or approach + recess < 1.0 else _sliding
+    return math.pi * abs(1.0 / teeth[0] + 1.0 / teeth[1]) / math.cos(base_helix) * shape(approach, recess)
+
+
+def ohlendorf_loss_factor(teeth: tuple[float, float], base_helix: float, *, approach: float, recess: float) -> float:
+    """Return H_V by Ohlendorf's formula wherever the pitch point lies [-], as commercial reports print it.
+
+    Args:
+        teeth: z_1 and z_2, the latter negative for an internal gear [-].
+        base_helix: β_b [rad].
+        approach: ε_2 [-].
+        recess: ε_1 [-].
+
+    Source: `tooth_loss_factor`, which leaves the formula where a part is below 0 or above 1.
+    """
+    scale = math.pi * abs(1.0 / teeth[0] + 1.0 / teeth[1]) / math.cos(base_helix)
+    return scale * _closed_sliding(approach, recess)
+
+
+def _closed_sliding(approach: float, recess: float) -> float:
+    """Ohlendorf's closed form of `_sliding`."""
+    return 1.0 - (approach + recess) + approach**2 + recess**2
+
+
+def _sliding(approach: float, recess: float) -> float:
+    """Twice the integral of the distance to the pitch point over the path, each pair bearing its share of the load."""
+    pairs = math.floor(approach + recess)
+    more = approach + recess - pairs
+    crowded = sum(_distance(place - approach, place - approach + more) for place in range(pairs + 1))
+    return 2.0 * (_distance(-approach, recess) / pairs - crowded / (pairs * (pairs + 1)))
+
+
+def _distance(start: float, end: float) -> float:
+    """∫ |x| dx."""
+    return 0.5 * (end * abs(end) - start * abs(start))
 
 
 def tip_contact_ratio(teeth: float, tip_radius: float, base_radius: float, working_angle: float) -> float:
@@ -95,28 +142,39 @@ def tooth_contact(
     stretch = 1.0 if working_angle is None else math.cos(reference) / math.cos(angle)
     curvature = stretch * radii[0] * radii[1] / (radii[0] + radii[1]) * math.sin(angle) / math.cos(base)
     factor = tooth_loss_factor(teeth, base, approach=ratios[1], recess=ratios[0])
-    return ToothContact(factor, curvature, angle, base)
+    return ToothContact(factor, curvature, angle, base, 2.0 * min(abs(radius) for radius in radii))
 
 
 def mesh_friction(
-    contact: ToothContact, line_load: float, velocity: float, *, viscosity: float, roughness: float
+    contact: ToothContact,
+    line_load: float,
+    velocity: float,
+    *,
+    viscosity: float,
+    roughness: float,
+    law: Friction = Friction.SCHLENK,
 ) -> float:
     """Return the mean coefficient of friction of a mesh μ_mz [-].
 
     Args:
         contact: Of the pair.
-        line_load: F_bt/b [N/m].
+        line_load: F_bt/b [N/m], with the application factor and that of load sharing where they are known.
         velocity: Pitch-line velocity v [m/s].
         viscosity: Dynamic viscosity of the oil at its temperature η [Pa s].
         roughness: Mean arithmetic roughness of both flanks R_a [m].
+        law: Whose.
 
     Source: Schlenk (1994): 0.048 (F_bt/b/(v_ΣC ρ_redC))^0.2 η^-0.05 R_a^0.25 with N/mm, m/s, mm, mPa s, µm, and
-        v_ΣC = 2 v sin α_wt; a mineral oil without factor X_L. Held at 0.2.
+        v_ΣC = 2 v sin α_wt; a mineral oil without factor X_L. Niemann and Winter (2003): 0.045, and 3.8 (R_a/d_1)^0.25
+        in place of R_a^0.25, with d_1 in mm. Both held at 0.2.
     """
     rolling = max(2.0 * abs(velocity) * math.sin(contact.pressure_angle), _LEAST_ROLLING)
     loading = abs(line_load) * 1e-3 / (rolling * contact.curvature * 1e3)
     oil, surface = math.pow(viscosity * 1e3, -0.05), math.pow(roughness * 1e6, 0.25)
-    return min(0.048 * math.pow(loading, 0.2) * oil * surface, HIGHEST_FRICTION)
+    if law is Friction.SCHLENK:
+        return min(0.048 * math.pow(loading, 0.2) * oil * surface, HIGHEST_FRICTION)
+    size = 3.8 * math.pow(contact.pinion_diameter * 1e3, -0.25)
+    return min(0.045 * math.pow(loading, 0.2) * oil * size * surface, HIGHEST_FRICTION)
 
 
 def mesh_efficiency(contact: ToothContact, friction: float) -> float:

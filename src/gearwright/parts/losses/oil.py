@@ -6,6 +6,8 @@ import math
 
 OIL_DENSITY = 950.0
 """Of a turbine oil [kg/m³]."""
+TURBINE_OIL = (26e-6, 5e-6)
+"""Kinematic viscosity of a 5 cSt turbine oil at 40 °C and 100 °C [m²/s], typical of a MIL-PRF-23699 oil."""
 _ARRANGEMENT = 0.2
 """A_g of ISO/TR 14179-1 [-]."""
 _LEAST_HELIX = math.radians(10.0)
@@ -81,11 +83,12 @@ def cooler_conductance(heat: float, oil_temperature: float, air_temperature: flo
     return heat / (oil_temperature - air_temperature)
 
 
-def oil_viscosity(temperature: float) -> float:
-    """Return the kinematic viscosity of a 5 cSt turbine oil [m²/s].
+def oil_viscosity(temperature: float, grade: tuple[float, float] = TURBINE_OIL) -> float:
+    """Return the kinematic viscosity of an oil [m²/s].
 
     Args:
         temperature: Of the oil [K].
+        grade: Its kinematic viscosity at 40 °C and at 100 °C [m²/s]; a 5 cSt turbine oil.
 
     Source: Walther's equation (ASTM D341) through 5.0 mm²/s at 100 °C and 26 mm²/s at 40 °C, typical of a
         MIL-PRF-23699 oil.
@@ -93,8 +96,9 @@ def oil_viscosity(temperature: float) -> float:
     >>> round(oil_viscosity(373.15) * 1e6, 2)
     5.0
     """
-    slope = (_walther(26.0) - _walther(5.0)) / math.log10(373.15 / 313.15)
-    at = _walther(26.0) - slope * math.log10(temperature / 313.15)
+    warm, hot = (_walther(viscosity * 1e6) for viscosity in grade)
+    slope = (warm - hot) / math.log10(373.15 / 313.15)
+    at = warm - slope * math.log10(temperature / 313.15)
     return float((10.0 ** (10.0**at) - 0.7) * 1e-6)
 
 
