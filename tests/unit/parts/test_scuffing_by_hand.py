@@ -9,6 +9,7 @@ import pytest
 from gearwright.parts.iso6336 import MeshGeometry
 from gearwright.parts.scuffing import (
     SPRAY,
+    FlashEdition,
     Oil,
     ScuffingMesh,
     contact_ratio_factor_integral,
@@ -99,6 +100,9 @@ def test_friction_of_the_flash_temperature(pair, speed):
     rolling = 2.0 * min(speed, 50.0) * math.sin(pair.working_angle)
     expected = 0.060 * (300.0 / (rolling * radii(pair, 0.0)[2])) ** 0.2 * 0.8 * 11.0**-0.05 * 0.6**0.25
     assert friction_coefficient(mesh_of(pair, speed=speed), OIL) == near(expected)
+    former = friction_coefficient(mesh_of(pair, speed=speed), OIL, FlashEdition.TR2000)
+    assert former == near(expected * 0.6**0.25)
+    assert flash_temperature(mesh_of(pair, speed=speed), OIL, FlashEdition.TR2000).friction == near(former)
 
 
 def test_the_approach_factor_counts_missing_relief_before_the_pitch_point():
@@ -226,6 +230,8 @@ def test_the_oils_test_gives_the_scuffing_temperature():
     torque = 3.726 * 81.0
     expected = 80.0 + 0.23 * torque * 0.8 + 1.25 * 1.5 * 0.2 * torque * (100.0 / 150.0) ** 0.02 * 0.8
     assert scuffing_integral_temperature(OIL, 1.25) == near(expected)
+    told = scuffing_integral_temperature(replace(OIL, test_torque=0.9 * torque), 1.25)
+    assert told == near(80.0 + 0.9 * (expected - 80.0))
 
 
 @pytest.mark.parametrize("pair", [SPUR, HELICAL, WIDE, SHORT])

@@ -5,10 +5,12 @@ Pitting and bending are in `iso6336`.
 
 from gearwright.parts.scuffing.flash_temperature import (
     SPRAY,
+    FlashEdition,
     Oil,
     ScuffingMesh,
     flash_temperature,
     load_sharing,
+    lubricant_factor_scuffing,
     thermo_elastic_factor,
 )
 from gearwright.parts.scuffing.integral_temperature import (
@@ -19,6 +21,7 @@ from gearwright.parts.scuffing.integral_temperature import (
 
 __all__ = [
     "SPRAY",
+    "FlashEdition",
     "IntegralTemperature",
     "Oil",
     "ScuffingMesh",
@@ -26,5 +29,6 @@ __all__ = [
     "flash_temperature",
     "integral_temperature",
     "load_sharing",
+    "lubricant_factor_scuffing",
     "thermo_elastic_factor",
 ]

@@ -151,9 +151,9 @@ def scuffing_integral_temperature(oil: Oil, structure: float) -> float:
         structure: X_W of the gears [-]; the test gears have 1.
 
     Source: ISO/TS 6336-21:2017, eqs 94 to 97: 80 + 0.23 T X_L + X_WrelT 1.5 · 0.2 T (100/ν_40)^0.02 X_L,
-        T = 3.726 S_FZG² N m.
+        T = 3.726 S_FZG² N m unless the oil says the torque of its test.
     """
-    torque = 3.726 * oil.load_stage**2
+    torque = 3.726 * oil.load_stage**2 if oil.test_torque is None else oil.test_torque
     viscous = float(np.exp(0.02 * np.log(100e-6 / oil.viscosity_40)))
     return 80.0 + 0.23 * torque * oil.kind + structure * _WEIGHT * 0.2 * torque * viscous * oil.kind
 
