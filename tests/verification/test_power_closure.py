@@ -22,7 +22,8 @@ def machine_modes(design):
     modes |= {f"{name} alone": {name: drive} for name, drive in {**turbines, **motors}.items()}
     rotors = {name: Drive(power=machine.power) for name in design.rotors for machine in design.generators.values()}
     modes |= {f"{name} turns the generator": {name: drive} for name, drive in rotors.items()}
-    return {name: Case.model_validate(drives) for name, drives in modes.items() if drives}
+    engaged = next((case.engaged for case in design.cases.values()), None)
+    return {name: Case.model_validate({**drives, "engaged": engaged}) for name, drives in modes.items() if drives}
 
 
 def backwards(design):

@@ -28,13 +28,21 @@ def turning_parts(sizing):
         yield from ((machine.inertia, speeds[machine.shaft]) for machine in sizing.machines)
     for carrier in sizing.carriers:
         if carrier.shaft in speeds and carrier.shaft != "ground":
-            planet = next(gear for gear in sizing.gears if gear.name == f"{carrier.stage}.planet")
-            yield carrier.inertia + planet.bodies * planet.mass * carrier.radius**2, speeds[carrier.shaft]
+            planets = [gear for gear in sizing.gears if gear.stage == carrier.stage and gear.role == "planet"]
+            carried = sum(planet.bodies * planet.mass * place(sizing, planet, carrier) ** 2 for planet in planets)
+            yield carrier.inertia + carried, speeds[carrier.shaft]
     for gear in sizing.gears:
-        nodes = (
-            [f"{gear.stage}.planet"] if gear.role == "planet" else [name for name in gear.shafts if name != "ground"]
-        )
+        nodes = [name for name in gear.shafts if name != "ground"]
         yield from ((gear.inertia * gear.bodies / len(nodes), speeds[node]) for node in nodes)
+
+
+def place(sizing, planet, carrier):
+    """Return how far from the axis a planet turns; in a compound set by a sun or ring that it meshes with."""
+    if planet.stage in sizing.design.planetaries:
+        return carrier.radius
+    mates = {name for mesh in sizing.train.meshes if planet.name in mesh.gears for name in mesh.gears}
+    central = next(gear for gear in sizing.gears if gear.name in mates and gear.role != "planet")
+    return (central.pitch_diameter + (1.0 if central.role == "sun" else -1.0) * planet.pitch_diameter) / 2.0
 
 
 @pytest.mark.parametrize("name", shipped_designs())
