@@ -12,10 +12,11 @@ from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.machines import PropellerMap
 from gearwright.mission.collect import Flown, Interval, Lost, collect, recorded
 from gearwright.mission.consumers import flown_airscrew
+from gearwright.mission.endurance import Clocks, bounds_of, endured
 from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Oil, Point, drag, efficiencies, gearbox_of, operate
 from gearwright.mission.profile import Moment, moments
-from gearwright.mission.supply import Given, Terms, supply_of
+from gearwright.mission.supply import Given, Terms, machine_speeds, supply_of
 from gearwright.mission.thrust import Blades, performed, propeller_power
 from gearwright.parts.losses import Friction
 from gearwright.sizing import Sizing
@@ -35,6 +36,8 @@ class _Before(NamedTuple):
     """State of charge [-]."""
     burnt: float
     """Fuel of all engines [kg]."""
+    clocks: Clocks
+    """How long limits of machines have been passed."""
 
 
 class _Asked(NamedTuple):
@@ -71,16 +74,20 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     gearbox = gearbox_of(sizing, flown_airscrew(sizing), _oil(sizing, mission))
     blades = Blades(mission.propeller_map, _chart(mission, folder), sizing.design.airscrews[gearbox.propeller].diameter)
     flown = Flown(gearbox, blades, mission, supply_of(sizing, mission))
-    before, intervals = _Before(None, mission.battery.start_charge if mission.battery else 0.0, 0.0), list[Interval]()
+    before, intervals = (
+        _Before(None, mission.battery.start_charge if mission.battery else 0.0, 0.0, {}),
+        list[Interval](),
+    )
     for moment in moments(mission):
         try:
             interval = _interval(flown, moment, before)
+            clocks = _clocks(flown, moment, interval, before.clocks)
         except DesignError as error:
             raise _placed(error, moment) from None
         intervals.append(interval)
         engines = mission.phases[moment.phase].engines or mission.engines
         burnt = before.burnt + interval.values.fuel_flow * moment.duration * engines
-        before = _Before(interval.point, interval.values.state_of_charge, burnt)
+        before = _Before(interval.point, interval.values.state_of_charge, burnt, clocks)
     return collect(flown, intervals)
 
 
@@ -133,6 +140,17 @@ def _interval(flown: Flown, moment: Moment, before: _Before) -> Interval:
     performance = performed(blades, moment, point.work)
     lost = Lost(point.mesh_loss, friction, drawn.motor_loss + dragged, spin_up)
     return Interval(moment.phase, recorded(moment, point.work, performance, drawn, lost), powers, point)
+
+
+def _clocks(flown: Flown, moment: Moment, interval: Interval, before: Clocks) -> Clocks:
+    """Return how long limits of machines have been passed after an interval."""
+    gearbox, _, mission, supply = flown
+    contingency = mission.engine.contingency if engine_out(mission, mission.phases[moment.phase]) else 1.0
+    overload = dict.fromkeys(supply.motors, mission.motor.overload) | dict.fromkeys(supply.engines, contingency)
+    ratings = {name: rating * overload[name] for name, rating in supply.ratings.items()}
+    speeds = machine_speeds(gearbox, interval.point)
+    points = {name: (power, speeds[name]) for name, power in interval.powers.items()}
+    return endured(bounds_of(gearbox.sizing.design.machines, ratings), before, moment.duration, points)
 
 
 def _operating(flown: Flown, moment: Moment, asked: _Asked, last: Point | None) -> Point:

@@ -26,7 +26,8 @@ from gearwright.machines import (
 from gearwright.mission.gearbox import Gearbox, Point
 from gearwright.mission.profile import Moment
 from gearwright.sizing import Sizing
-from gearwright.spec import BatteryRules, Mission, Phase
+from gearwright.spec import BatteryRules, Machine, Mission, Phase
+from gearwright.spec.design import allowed_for
 from gearwright.units import KWH
 
 _SLACK = 1e-9
@@ -259,9 +260,9 @@ def supply_of(sizing: Sizing, mission: Mission) -> Supply:
     rules, motor = mission.engine, mission.motor
     engines = {
         name: Engine(
-            turbine.power,
-            rules.thermal_power or turbine.power,
-            turbine.power / turbine.speed * (1.0 + _TOLERANCE),
+            (most := allowed_for(turbine, None)).power or turbine.power,
+            rules.thermal_power or most.power or turbine.power,
+            max(most.torque or 0.0, (most.power or turbine.power) / turbine.speed * (1.0 + _TOLERANCE)),
             rules.fuel_kg_kwh / KWH,
             rules.idle_fuel,
             rules.temperature_exponent,
@@ -269,12 +270,21 @@ def supply_of(sizing: Sizing, mission: Mission) -> Supply:
         for name, turbine in sizing.design.turbines.items()
     }
     motors = {
-        name: rated_losses(machine.power, machine.speed, efficiency=motor.efficiency, overload=motor.overload)
+        name: rated_losses(
+            machine.power, machine.speed, efficiency=motor.efficiency, overload=_overload(machine, motor.overload)
+        )
         for name, machine in sizing.design.motors.items()
     }
     ratings = {name: turbine.power for name, turbine in sizing.design.turbines.items()}
     ratings |= {name: machine.power for name, machine in sizing.design.motors.items()}
     return Supply(engines, motors, _pack(mission.battery) if mission.battery and motors else None, ratings)
+
+
+def _overload(machine: Machine, said: float) -> float:
+    """Return the largest power or torque of a motor over the rated one, by the mission or for a time by its limits."""
+    most, rated = allowed_for(machine, None), machine.rating or 1.0
+    torque = (most.torque or 0.0) * (machine.asked_speed or 0.0)
+    return max(said, (most.power or 0.0) / rated, torque / rated)
 
 
 _TOLERANCE = 0.05

@@ -1,6 +1,7 @@
 """Flying: balances, limits, spectra and damage."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -336,6 +337,9 @@ def test_a_bath_for_a_gear_that_is_not_there_is_refused():
 
 
 TWIN = size(read(shipped_design("twin-engine-sprag")))
+BARE = {name: turbine.model_copy(update={"limits": {}}) for name, turbine in TWIN.design.turbines.items()}
+UNLIMITED = replace(TWIN, design=TWIN.design.model_copy(update={"turbines": BARE}))
+"""Its turbines have no limits for a time, so that ratings are all that they give."""
 ONE_OUT = BASE.replace("power_kw = 900", 'power_kw = 900\ninoperative = ["turbine-2"]')
 
 
@@ -355,11 +359,11 @@ def test_a_contingency_rating_holds_only_while_an_engine_is_out():
     """1150 kW from one engine of 1046 kW: flown at a rating of 1.15 only; 1e-5 for the drag of one interval."""
     more = ONE_OUT.replace("power_kw = 900", "power_kw = 1150")
     with pytest.raises(DesignError, match="turbine-1: needs 1150 kW"):
-        flown(more, TWIN)
+        flown(more, UNLIMITED)
     rated = more.replace("thermal_power_kw = 2600", "thermal_power_kw = 2600\ncontingency = 1.15")
-    assert flown(rated, TWIN).machines["turbine-1"].power.max() == pytest.approx(1150e3, rel=1e-5)
+    assert flown(rated, UNLIMITED).machines["turbine-1"].power.max() == pytest.approx(1150e3, rel=1e-5)
     with pytest.raises(DesignError, match="needs 1150 kW"):
-        flown(BASE.replace("power_kw = 900", "power_kw = 2300").replace("2600", "2600\ncontingency = 1.05"), TWIN)
+        flown(BASE.replace("power_kw = 900", "power_kw = 2300").replace("2600", "2600\ncontingency = 1.05"), UNLIMITED)
 
 
 def test_a_contingency_rating_does_not_change_what_a_power_burns():

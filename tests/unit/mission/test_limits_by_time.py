@@ -1,0 +1,81 @@
+"""Machines in flight: their limits for a time raise what they may give, and hold without a break."""
+
+from __future__ import annotations
+
+import pytest
+
+from designs import HYBRID
+from gearwright.errors import DesignError
+from gearwright.mission import fly
+from gearwright.mission.endurance import Bound, endured
+from gearwright.sizing import size
+from gearwright.spec import parse, parse_mission
+
+TEXT = (
+    HYBRID[: HYBRID.index("[cases")].replace("power_kw = 1046", "power_kw = 1700") + "[cases.t.turbine]\nrating = 1\n"
+)
+LIMIT = "[turbines.turbine.limits.take-off]\npower_kw = 2051\nduration_min = 5\n"
+SIZING = size(parse(TEXT + LIMIT))
+MISSION = 'schema = 1\nname = "limits"\npropeller_map = "none"\n[engine]\nthermal_power_kw = 4000\n'
+PHASE = (
+    'mode = "conventional"\nduration_s = {}\naltitude_m = 0\nmach = 0.1\npropeller_speed_rpm = 1212\npower_kw = {}\n'
+)
+
+
+def flown(*phases, sizing=SIZING):
+    """Return the flight of phases of a duration [s] and a power [kW] each."""
+    tables = [f"[phases.p{k}]\n{PHASE.format(*phase)}" for k, phase in enumerate(phases)]
+    return fly(sizing, parse_mission(MISSION + "".join(tables)))
+
+
+def refused(*phases, sizing=SIZING):
+    """Return the one problem of a flight that is refused."""
+    with pytest.raises(DesignError) as caught:
+        flown(*phases, sizing=sizing)
+    (only,) = caught.value.problems
+    return only
+
+
+def test_a_take_off_limit_is_flown_for_its_time():
+    # 1e-5: the drag of the bearings is that of the loads one round before.
+    assert flown((290, 2000)).machines["turbine"].power.max() == pytest.approx(2000e3, rel=1e-5)
+
+
+def test_a_rating_without_a_limit_is_all_that_a_turbine_gives():
+    found = refused((290, 2000), sizing=size(parse(TEXT)))
+    assert (
+        found.path == "phases.p0"
+        and "turbine: needs 2000 kW at 0 m, and gives 1700 kW (by its rating)" in found.message
+    )
+
+
+def test_a_phase_longer_than_the_limit_is_refused():
+    found = refused((400, 2000))
+    assert found.path == "phases.p0"
+    assert "turbine: 2000 kW; more than 1700 kW lasts" in found.message
+    assert "its limits allow 5 min; shorten the phase, or ask for less" in found.message
+
+
+def test_a_phase_stronger_than_the_limit_is_refused():
+    assert "turbine: needs 2100 kW at 0 m, and gives 2051 kW (by its rating)" in refused((60, 2100)).message
+
+
+def test_the_time_counts_across_phases_until_a_break():
+    assert refused((200, 2000), (200, 1900)).path == "phases.p1"
+    assert len(flown((200, 2000), (60, 1700), (200, 2000)).mission.phases) == 3
+
+
+def test_every_level_has_the_time_of_those_above_it():
+    """1 for any time, 2 for 300 s, 3 for 30 s: 2.5 lasts no longer than 30 s, and 1.5 no longer than 300 s."""
+    bounds = (
+        Bound("m", "torque", 1.0, float("inf")),
+        Bound("m", "torque", 2.0, 300.0),
+        Bound("m", "torque", 3.0, 30.0),
+    )
+    clocks = endured(bounds, {}, 30.0, {"m": (-25.0, 10.0)})
+    assert list(clocks.values()) == [30.0, 30.0]
+    assert list(endured(bounds, clocks, 270.0, {"m": (15.0, 10.0)}).values()) == [300.0]
+    with pytest.raises(DesignError, match=r"2\.5 N m; more than 2 N m lasts 0\.6667 min"):
+        endured(bounds, clocks, 10.0, {"m": (25.0, 10.0)})
+    with pytest.raises(DesignError, match="beyond every limit"):
+        endured(bounds, {}, 1.0, {"m": (31.0, 10.0)})
