@@ -22,8 +22,8 @@ MACHINE_HALF, CLUTCH_HALF, STAGE_HALF = 10.0, 4.0, 9.0
 """Least half widths of columns [mm]."""
 TALLEST, LARGEST = 105.0, 36.0
 """Most height of the axes together, and largest radius [mm]."""
-CONSUMERS = ("propeller", "rotor", "load")
-"""Kinds of machines that stand behind their stages."""
+CONSUMERS: Mapping[str, int] = {"load": 4, "propeller": 5, "rotor": 5}
+"""Kinds of machines that stand behind their stages -> rank there."""
 TRUE = 0.01
 """Deviation of a centre distance up to which the drawing counts as to scale [-]."""
 
@@ -239,7 +239,7 @@ def _places(
         if name in leaf:
             return distance[leaf[name]], 1
         if name in machines:
-            return distance[name], 4 if kinds.get(name) in CONSUMERS else 0
+            return distance[name], CONSUMERS.get(kinds.get(name, ""), 0)
         return distance[name], 2 if name in leaf.values() else 3
 
     lines = {name: {axis[seat.shaft] for seat in seats if element(seat) == name} for name in distance}
