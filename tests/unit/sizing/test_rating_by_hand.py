@@ -115,6 +115,24 @@ def test_quality_and_duty_are_what_the_design_says():
     assert duty.application_factor == rating.service.application_factor
 
 
+def test_tip_relief_takes_its_part_of_the_deflection_out_of_the_dynamic_factor_and_cools_the_flank():
+    """By hand: B_k = |1 − c′ C_a b/(F_t K_A K_γ)| with c′ near 14 N/(mm µm); X_Ca of ISO/TS 6336-21 grows with C_a."""
+    told = {"gears.rating": "iso6336", "gears.iso6336.tolerance_class": 6}
+    told |= {"pairs.first.module_mm": 4.0, "pairs.first.face_width_mm": 50.0}
+    plain, half, relieved = (
+        size(edited(OFF_SET, told | {"gears.iso6336.tip_relief_um": relief})).meshes[0].rating
+        for relief in (0.0, 2.0, 4.0)
+    )
+    terms = [float(rated.factors.dynamic.relief_term) for rated in (plain, half, relieved)]
+    loads = plain.factors.loads
+    load = float(plain.factors.tangential_force) * float(loads.application) * float(loads.mesh_load) / 0.050
+    assert terms[0] == 1.0
+    assert 1.0 - terms[2] == pytest.approx(2.0 * (1.0 - terms[1]), rel=1e-9)
+    assert 10e9 < (1.0 - terms[1]) * load / 2e-6 < 18e9
+    assert relieved.factors.dynamic.factor < plain.factors.dynamic.factor
+    assert relieved.scuffing.tip_relief > plain.scuffing.tip_relief
+
+
 @pytest.mark.parametrize(("crowned", "adjusted"), [(False, False), (True, False), (False, True), (True, True)])
 def test_crowned_and_adjusted_gears_of_agma_have_four_fifths(crowned, adjusted):
     rules = {"gears.rating": "agma2001", "gears.agma2001.crowned": crowned, "gears.agma2001.adjusted": adjusted}

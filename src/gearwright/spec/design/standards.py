@@ -31,6 +31,9 @@ class Iso6336Rules(Record):
     )
     flank_roughness: Length = Field(4e-6, ge=1e-8, le=1e-4, description="Mean R_z of the flanks")
     root_roughness: Length = Field(10e-6, ge=1e-8, le=1e-3, description="R_z of the root fillets")
+    tip_relief: Length = Field(
+        0.0, ge=0, le=5e-4, description="Tip relief C_a of both gears of cylindrical pairs, for K_V and scuffing"
+    )
     oil_viscosity: float = Field(25.0, ge=5, le=1000, description="ν_40 of the oil [mm²/s]")
     oil_temperature: float = Field(90.0, ge=-40, le=200, description="Temperature of the oil [°C], for scuffing")
     scuffing_stage: int = Field(10, ge=1, le=14, description="FZG load stage of the oil (A/8.3/90), for scuffing")

@@ -51,6 +51,7 @@ def quality_of(rating: Rating, *, idlers: tuple[bool, bool], shaft: PinionShaft 
         grade=rules.tolerance_class,
         flank_roughness=rules.flank_roughness,
         root_roughness=rules.root_roughness,
+        tip_relief=rules.tip_relief,
         helix=_HELIX[rules.helix_modification],
         shaft=shaft,
         viscosity=rules.oil_viscosity * SQUARE_MM,

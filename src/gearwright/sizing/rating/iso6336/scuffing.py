@@ -35,6 +35,7 @@ def scuffing_of(mesh: LoadedMesh, factors: PairRating) -> IntegralTemperature | 
         grade=rules.tolerance_class,
         elastic_modulus=rating.material.elastic_modulus,
         poisson_ratio=rating.material.poisson_ratio,
+        reliefs=(rules.tip_relief, rules.tip_relief),
     )
     return integral_temperature(scuffed, _oil(rules))
 
