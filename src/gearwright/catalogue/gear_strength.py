@@ -23,6 +23,8 @@ from gearwright.parts.iso6336 import (
 )
 
 _MPA = 1e6
+STATED = "stated in the design"
+"""Source of strengths that a design states without one."""
 USUAL_HARDNESS = 700.0
 """Hardness of flanks of another class than the material's own, where nothing else is said [HV]: 60 HRC."""
 
@@ -124,7 +126,8 @@ def _strengths(material: Material, name: str, grade: str, *, hardness: float, ow
     contact, bending = material.contact_strength, material.bending_strength
     if not own or contact is None or bending is None:
         return gear_steel(name, grade, hardness)
-    source = material.source_of("contact_strength")
+    sources = dict.fromkeys(material.source_of(key) for key in ("contact_strength", "bending_strength"))
+    source = "; ".join(filter(None, sources)) or STATED
     return GearSteel(name, Treatment(_class(name)["treatment"]), grade, hardness, contact, bending, source=source)
 
 

@@ -8,7 +8,7 @@ from designs import PAIR, problem, problems
 from gearwright.catalogue import materials
 from gearwright.catalogue.tables import data_text
 from gearwright.sizing import size
-from gearwright.sizing.rating import rating_of
+from gearwright.sizing.rating import METHODS, rating_of
 from gearwright.sizing.rating.iso6336 import steel_of
 from gearwright.spec import edited, parse
 
@@ -61,6 +61,21 @@ def test_a_design_with_its_own_copy_of_a_catalogue_material_sizes_bit_for_bit_th
     copied = size(parse(PAIR + rules + '"mine"\n' + written("mine", ROWS["AISI-9310"])))
     named = size(parse(PAIR + rules + '"AISI-9310"\n'))
     assert numbers(copied) == numbers(named)
+
+
+@pytest.mark.parametrize(
+    ("text", "clause"),
+    [
+        (RATED + MINE + STATED, "stated in the design"),
+        (RATED + MINE + STATED + 'source = "test report 12"\n', "test report 12"),
+        (RATED + MINE, "ISO 6336-5:2016, table 1, rows 42 and 45"),
+        (PAIR + '[gears]\nrating = "iso6336"\nmaterial = "31CrMoV9"\n', "ISO 6336-5:2016, table 1, rows 57 and 63"),
+    ],
+)
+def test_factors_say_where_the_strengths_come_from(text, clause):
+    mesh = size(parse(text)).meshes[0]
+    rows = METHODS[mesh.rating.method].factors(mesh.rating)
+    assert {row.equation: row.clause for row in rows if row.chapter == "steel"} == {"σ_Hlim": clause, "σ_Flim": clause}
 
 
 def test_an_own_material_serves_gears_stages_and_shafts():

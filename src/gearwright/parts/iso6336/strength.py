@@ -86,9 +86,9 @@ class GearSteel:
     """Material quality ML, MQ or ME."""
     hardness: float
     """Surface hardness [HV, or HBW for St]."""
-    contact_strength: Annotated[float, Quantity("stress"), Origin("σ_Hlim = A x + B", "ISO 6336-5:2016, table 1")]
+    contact_strength: Annotated[float, Quantity("stress"), Origin("σ_Hlim", "as stated, or ISO 6336-5:2016, table 1")]
     """Allowable stress number for contact σ_Hlim [Pa]."""
-    bending_strength: Annotated[float, Quantity("stress"), Origin("σ_Flim = A x + B", "ISO 6336-5:2016, table 1")]
+    bending_strength: Annotated[float, Quantity("stress"), Origin("σ_Flim", "as stated, or ISO 6336-5:2016, table 1")]
     """Nominal stress number for bending σ_Flim of the standard reference test gears [Pa]."""
     elastic_modulus: Annotated[float, Quantity("stress")] = 206e9
     """E [Pa]."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass, replace
 from types import MappingProxyType
 from typing import Any, get_type_hints
 
+from gearwright.parts.iso6336 import GearSteel
 from gearwright.units import marks_in
 
 CHAPTERS: Mapping[str, str] = MappingProxyType({
@@ -55,6 +56,16 @@ def factor_rows(record: object, chapter: str) -> Iterator[Factor]:
             values = value if isinstance(value, tuple) else (value,)
             words = field.name.replace("_", " ")
             yield Factor(chapter, words, origin.equation, values, marks_in(hint).dimension or "number", origin.source)
+
+
+def steel_rows(steel: GearSteel) -> Iterator[Factor]:
+    """Yield the strengths of a steel, each with where it comes from: the rows of a table, or who states it.
+
+    Args:
+        steel: As it is rated.
+    """
+    for row in factor_rows(steel, "steel"):
+        yield replace(row, clause=steel.source or row.clause)
 
 
 def _side_by_side(first: Factor, second: Factor) -> Factor:

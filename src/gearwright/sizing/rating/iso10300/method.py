@@ -13,7 +13,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.identity import PartId
 from gearwright.parts.bevel import WIDEST_MODULES, BevelRating, rate_bevel
 from gearwright.parts.gears import Numbers
-from gearwright.sizing.rating.factors import Factor, factor_rows
+from gearwright.sizing.rating.factors import Factor, factor_rows, steel_rows
 from gearwright.sizing.rating.iso6336 import steel_of
 from gearwright.sizing.rating.iso6336.method import SAFETIES, iso_making, life_slope
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
@@ -107,7 +107,7 @@ class Iso10300:
 
     def factors(self, rated: Iso10300Rating) -> Iterator[Factor]:
         """Yield steel, loads, flanks and roots."""
-        yield from factor_rows(rated.steel, "steel")
+        yield from steel_rows(rated.steel)
         yield from factor_rows(rated.factors, "mesh")
 
     def making(self, rating: Rating) -> Making:

@@ -13,7 +13,7 @@ from gearwright.errors import Problem
 from gearwright.identity import PartId
 from gearwright.parts.gears import Numbers
 from gearwright.parts.iso6336 import Edition, MeshDuty, PairRating, life_curves, rate_mesh
-from gearwright.sizing.rating.factors import Factor, factor_rows
+from gearwright.sizing.rating.factors import Factor, factor_rows, steel_rows
 from gearwright.sizing.rating.iso6336.inputs import duty_of, quality_of, steel_of
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
 from gearwright.sizing.rating.iso6336.record import Iso6336Rating
@@ -127,7 +127,7 @@ class Iso6336:
 
     def factors(self, rated: Iso6336Rating) -> Iterator[Factor]:
         """Yield steel, loads, flanks, roots and scuffing."""
-        yield from factor_rows(rated.steel, "steel")
+        yield from steel_rows(rated.steel)
         yield from factor_rows(rated.factors, "mesh")
         if rated.scuffing is not None:
             yield from factor_rows(rated.scuffing, "scuffing")
