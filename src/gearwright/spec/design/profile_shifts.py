@@ -258,7 +258,7 @@ def _given_centre(basis: _Basis, stage: Pair | Planetary) -> float | None:
     if stage.centre_distance is None:
         return None
     if stage.module is None:
-        message = "shifts follow from a centre distance only with the module; give module_mm (or diametral_pitch), too"
+        message = "shifts follow from a centre distance only with the module; give module_mm, too"
         raise basis.refused("centre_distance", message)
     return stage.centre_distance / stage.module
 
