@@ -12,6 +12,7 @@ from functools import cache
 
 import numpy as np
 
+from gearwright.parts.gears import CylindricalGear, ball_measurement, span_measurement
 from gearwright.parts.hardness import BRINELL_PER_VICKERS
 from gearwright.parts.iso6336 import (
     Edition,
@@ -184,6 +185,19 @@ def _limits() -> list[float]:
     return [float(limit) / _MPA for flank in _flanks() for limit in flank.permissible]
 
 
+_CUT = tuple(
+    CylindricalGear(teeth, 45 * _MM, 491 * _MM, profile_shift=shift)
+    for teeth, shift in ((19, 0.617), (17, 0.8021), (-56, -0.5013))
+)
+"""Sun, planet and ring as an inspector measures them."""
+
+
+def _measures() -> list[float]:
+    spans = [span_measurement(gear, 3) for gear in _CUT[:2]]
+    balls = [ball_measurement(gear, ball * _MM) for gear, ball in zip(_CUT, (95.0, 110.0, 80.0), strict=True)]
+    return [length / _MM for length in (*spans, *balls)]
+
+
 _PRINT = "half a printed digit"
 CASES = (
     Case("s_Fn, ρ_F, h_F, Y_F, Y_S of sun, planet twice, ring", WIND, "m_n", (
@@ -212,6 +226,9 @@ CASES = (
     Case("S_H of sun, planet, planet, ring", WIND, "", (1.37, 1.41, 1.80, 0.96),
          lambda: [float(safety) for flank in _flanks() for safety in flank.safeties], 5e-3,
          "K_V and K_Hβ are printed with two decimals"),
+    Case("W_3 of sun and planet, M_dK of sun, planet, ring", WIND, "mm",
+         (363.082, 367.520, 1050.690, 1008.755, 2445.378), _measures, 2e-3, "x has four decimals, up to 3 µm of M_dK",
+         is_relative=False),
     Case("s_Fn, ρ_F, h_F, Y_F, Y_S of both gears", _RIG, "m_n", (
         2.068, 0.404, 1.762, 2.417, 1.819, 2.197, 0.381, 1.614, 1.970, 1.984,
     ), lambda: _teeth([root.section for root in _rig()]), 1e-3, "x_E of the span allowance has four decimals"),

@@ -1,4 +1,4 @@
-"""Published shafts: the countershaft of Shigley's Mechanical Engineering Design."""
+"""Published shafts: the countershaft of Shigley's Mechanical Engineering Design, a keyed shaft by DIN 743."""
 
 from __future__ import annotations
 
@@ -6,7 +6,19 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gearwright.parts.shafts import PointLoads, diagram, supported
+from gearwright.parts.shafts import (
+    Overload,
+    PointLoads,
+    SectionLoad,
+    ShaftSection,
+    ShaftSteel,
+    SteelGroup,
+    blank_factor,
+    diagram,
+    din743_safety,
+    keyway_factor,
+    supported,
+)
 from gearwright.units import INCH, POUND_FORCE
 from gearwright.validate.case import Case
 
@@ -37,6 +49,23 @@ def moments() -> Sequence[float]:
     return [float(value) for value in np.hypot(y, z)]
 
 
+_KEYED = ShaftSteel(750e6, 520e6, 375e6, 225e6, SteelGroup.TEMPERED)
+"""C50 with σ_bW = 0.5 σ_B and τ_tW = 0.3 σ_B."""
+
+
+def keyed_shaft() -> Sequence[float]:
+    """Return β_σ, S_D and S_F of a hard shaft of 60 mm with one key, load growing at constant σ_m/σ_a."""
+    notch = keyway_factor(0.060, blank_factor(0.080, _KEYED.group, yielding=False) * _KEYED.ultimate)
+    safety = din743_safety(
+        SectionLoad(bending_amplitude=1402.294, torque_mean=1336.902),
+        ShaftSection(0.060, 0.080, notch, 25e-6, hard_surface=True),
+        _KEYED,
+        greatest=SectionLoad(bending_amplitude=2524.1292, torque_mean=2406.4236),
+        overload=Overload.CONSTANT_RATIO,
+    )
+    return [notch.bending, safety.fatigue, safety.yielding]
+
+
 CASES = (
     Case(
         "bearing reactions of a countershaft",
@@ -56,6 +85,16 @@ CASES = (
         moments,
         1.0,
         "printed to 1 lbf in",
+        is_relative=False,
+    ),
+    Case(
+        "β_σ, S_D and S_F of a hard shaft with a key, DIN 743, case 2",
+        "Exam MEL1 2024W, problem 2 (repository hanslhansl/din743, tests/test_1.py)",
+        "",
+        (2.5203, 1.472, 2.568),
+        keyed_shaft,
+        6e-4,
+        "printed to three decimals",
         is_relative=False,
     ),
 )

@@ -26,6 +26,7 @@ from gearwright.parts.joints import (
 from gearwright.parts.shafts import (
     Concentration,
     FatigueStrength,
+    Overload,
     PointLoads,
     SectionLoad,
     Sections,
@@ -222,6 +223,36 @@ def test_din_743_yield_limits_of_hollow_and_hard_sections():
     assert hollow == pytest.approx((full.bending * 1.1 / 1.2, full.torsion / 1.2))
     assert yield_limits(mild, hard).bending == pytest.approx(math.sqrt(3.0) * yield_limits(mild, hard).torsion)
     assert yield_limits(sharp, STEEL_42CRMO4) == pytest.approx((1.15 * full.bending, full.torsion))
+
+
+def test_din_743_at_a_constant_ratio_of_mean_to_amplitude():
+    """Case 2: σ_ADK = min(σ_WK/(1 + ψ σ_m/σ_a), σ_FK/(1 + σ_m/σ_a)); twice the load is half as safe."""
+    load, case_2 = SectionLoad(bending_amplitude=800.0, bending_mean=500.0), Overload.CONSTANT_RATIO
+    double = SectionLoad(bending_amplitude=1600.0, bending_mean=1000.0)
+    once, twice = (din743_safety(grown, SECTION, STEEL_42CRMO4, greatest=grown, overload=case_2).fatigue
+                   for grown in (load, double))  # fmt: skip
+    assert once == pytest.approx(2.0 * twice)
+    reversed_ = SectionLoad(bending_amplitude=800.0)
+    plain = din743_safety(reversed_, SECTION, STEEL_42CRMO4, greatest=load).fatigue
+    limit = plain * 800.0
+    ultimate = math.pi / 32.0 * 0.04**3 * 1100e6 * blank_factor(0.050, SteelGroup.TEMPERED, yielding=False)
+    assert once == pytest.approx(plain / (1.0 + limit / (2.0 * ultimate - limit) * 500.0 / 800.0))
+    # What does not alternate uses up nothing, whatever its mean.
+    twisted = reversed_._replace(torque_mean=1e5)
+    with pytest.raises(DesignError, match="leaves no fatigue strength"):
+        din743_safety(twisted, SECTION, STEEL_42CRMO4, greatest=load)
+    steady = SectionLoad(torque_mean=1e5)
+    assert din743_safety(steady, SECTION, STEEL_42CRMO4, greatest=load, overload=case_2).fatigue == math.inf
+
+
+def test_a_hard_surface_has_no_roughness_and_no_support():
+    """K_F = 1: S_D is that of R_z 1 µm; K_2F = γ_F = 1 where the soft solid section has 1.2 and 1.05."""
+    load = SectionLoad(bending_amplitude=800.0)
+    hard = SECTION._replace(hard_surface=True, roughness=25e-6)
+    smooth = din743_safety(load, SECTION._replace(roughness=1e-6), STEEL_42CRMO4, greatest=load)
+    made = din743_safety(load, hard, STEEL_42CRMO4, greatest=load)
+    assert made.fatigue == pytest.approx(smooth.fatigue)
+    assert smooth.yielding == pytest.approx(1.2 * 1.05 * made.yielding)
 
 
 def test_din_743_refuses_a_mean_stress_beyond_strength():

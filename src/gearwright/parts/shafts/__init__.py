@@ -7,6 +7,7 @@ from gearwright.parts.shafts.beam import Diagram, PointLoads, bearing_reactions,
 from gearwright.parts.shafts.critical_speed import critical_speed, lumped_shaft
 from gearwright.parts.shafts.deflection import BentLine, Sections, bent_line, influence
 from gearwright.parts.shafts.din743 import (
+    Overload,
     ShaftSection,
     ShaftSteel,
     SteelGroup,
@@ -54,6 +55,7 @@ __all__ = [
     "Concentration",
     "Diagram",
     "FatigueStrength",
+    "Overload",
     "PointLoads",
     "SectionLoad",
     "Sections",

@@ -46,6 +46,15 @@ class SteelGroup(Enum):
     """Other case-hardening steels, core."""
 
 
+class Overload(Enum):
+    """How stress would grow until the section fails (DIN 743-1:2012, cases 1 and 2)."""
+
+    CONSTANT_MEAN = 1
+    """The amplitude alone: its limit is σ_WK − ψ σ_mv."""
+    CONSTANT_RATIO = 2
+    """Mean and amplitude together: its limit is σ_WK/(1 + ψ σ_mv/σ_a)."""
+
+
 class ShaftSteel(NamedTuple):
     """Strengths of a steel at its reference diameter."""
 
@@ -76,6 +85,8 @@ class ShaftSection(NamedTuple):
     """Inner diameter [m]."""
     hardening: float = 1.0
     """K_V, above 1 for shot-peened, rolled or case-hardened surfaces [-]."""
+    hard_surface: bool = False
+    """Whether it is hard: K_F = 1 (its roughness is in K_V), K_2F = 1 and γ_F = 1 (its core does not yield first)."""
 
 
 class Din743Safety(NamedTuple):
@@ -133,7 +144,12 @@ def surface_factors(roughness: float, ultimate: float) -> Concentration:
 
 
 def din743_safety(
-    load: SectionLoad, section: ShaftSection, steel: ShaftSteel, *, greatest: SectionLoad
+    load: SectionLoad,
+    section: ShaftSection,
+    steel: ShaftSteel,
+    *,
+    greatest: SectionLoad,
+    overload: Overload = Overload.CONSTANT_MEAN,
 ) -> Din743Safety:
     """Return the safeties of a shaft's section.
 
@@ -142,9 +158,11 @@ def din743_safety(
         section: Diameter and notch [m].
         steel: Strengths [Pa].
         greatest: For yielding: means and amplitudes of the greatest load [N m].
+        overload: How the load would grow.
 
     Source: DIN 743-1:2012: total factor K = (β/K_2 + 1/K_F − 1)/K_V, fatigue limit of the part σ_WK = σ_W K_1/K, mean
-        stress by ψ = σ_WK/(2 K_1 σ_B − σ_WK) at constant mean stress (case 1), and never beyond yielding.
+        stress by ψ = σ_WK/(2 K_1 σ_B − σ_WK) at constant mean stress (case 1) or constant σ_m/σ_a (case 2), and never
+        beyond yielding.
 
     Valid for: bending and torsion, no axial force.
 
@@ -153,7 +171,7 @@ def din743_safety(
     """
     resist = math.pi / 32.0 * section.diameter**3 * (1.0 - (section.bore / section.diameter) ** 4)
     yielding = yield_limits(section, steel)
-    limits = _fatigue_limits(load, section, steel, resist=resist)
+    limits = _fatigue_limits(load, section, steel, resist=resist, overload=overload)
     tired = math.hypot(
         load.bending_amplitude / resist / limits.bending, load.torque_amplitude / (2.0 * resist) / limits.torsion
     )
@@ -176,30 +194,50 @@ def yield_limits(section: ShaftSection, steel: ShaftSteel) -> Concentration:
     strength = steel.yielding * blank_factor(section.blank, steel.group, yielding=True)
     support = _support(section, steel.group)
     raised = next((factor for end, factor in _NOTCH_RAISES if section.notch.bending <= end), _NOTCH_RAISES_MOST)
+    raised = 1.0 if section.hard_surface else raised
     return Concentration(strength * support.bending * raised, strength * support.torsion / math.sqrt(3.0))
 
 
 def _support(section: ShaftSection, group: SteelGroup) -> Concentration:
     """Return K_2F: the core of a section bears on where its surface yields, unless a hard surface would crack."""
-    if group in (SteelGroup.CASE_HARDENED, SteelGroup.NICKEL_CASE_HARDENED):
+    if section.hard_surface or group in (SteelGroup.CASE_HARDENED, SteelGroup.NICKEL_CASE_HARDENED):
         return Concentration(1.0, 1.0)
     return Concentration(1.1, 1.0) if section.bore else Concentration(1.2, 1.2)
 
 
-def _fatigue_limits(load: SectionLoad, section: ShaftSection, steel: ShaftSteel, *, resist: float) -> Concentration:
+def _fatigue_limits(
+    load: SectionLoad, section: ShaftSection, steel: ShaftSteel, *, resist: float, overload: Overload
+) -> Concentration:
     """Return σ_bADK and τ_tADK [Pa]."""
-    size = blank_factor(section.blank, steel.group, yielding=False)
-    ultimate = size * steel.ultimate
-    surface = surface_factors(section.roughness, ultimate)
+    ultimate = blank_factor(section.blank, steel.group, yielding=False) * steel.ultimate
     mean = math.hypot(load.bending_mean / resist, math.sqrt(3.0) * load.torque_mean / (2.0 * resist))
     means, limits = (mean, mean / math.sqrt(3.0)), []
-    smooth = (size * steel.bending_fatigue, size * steel.torsion_fatigue)
-    yields = yield_limits(section, steel)
-    for limit, notch, rough, steady, yielding in zip(smooth, section.notch, surface, means, yields, strict=True):
-        part = limit / (notch / section_factor(section.diameter) + 1.0 / rough - 1.0) * section.hardening
-        amplitude = min(part - part / (2.0 * ultimate - part) * steady, yielding - steady)
+    stresses = (load.bending_amplitude / resist, load.torque_amplitude / (2.0 * resist))
+    reversed_limits, yields = _reversed_limits(section, steel), yield_limits(section, steel)
+    for part, steady, stress, yielding in zip(reversed_limits, means, stresses, yields, strict=True):
+        sensitivity = part / (2.0 * ultimate - part)
+        if overload is Overload.CONSTANT_MEAN:
+            amplitude = min(part - sensitivity * steady, yielding - steady)
+        else:
+            ratio = steady / stress if stress else 0.0
+            amplitude = min(part / (1.0 + sensitivity * ratio), yielding / (1.0 + ratio))
         if amplitude <= 0.0:
             message = f"mean stress of {steady / _MPA:.4g} MPa leaves no fatigue strength; take a larger diameter"
             raise DesignError([Problem("section.diameter", message)])
         limits.append(amplitude)
     return Concentration(*limits)
+
+
+def _reversed_limits(section: ShaftSection, steel: ShaftSteel) -> Concentration:
+    """Return σ_bWK and τ_tWK [Pa]."""
+    size = blank_factor(section.blank, steel.group, yielding=False)
+    hard = Concentration(1.0, 1.0)
+    surface = hard if section.hard_surface else surface_factors(section.roughness, size * steel.ultimate)
+    support = section_factor(section.diameter)
+    smooth = (size * steel.bending_fatigue, size * steel.torsion_fatigue)
+    return Concentration(
+        *(
+            limit / (notch / support + 1.0 / rough - 1.0) * section.hardening
+            for limit, notch, rough in zip(smooth, section.notch, surface, strict=True)
+        )
+    )
