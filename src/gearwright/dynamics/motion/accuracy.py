@@ -65,6 +65,9 @@ class Error(NamedTuple):
 def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: float, order: int) -> list[Error]:
     """Return the errors of runs, one for each row of their forces.
 
+    An amplitude that a step damps or shifts moves peak and root mean square alike, by its order. What a peak moves by
+    beyond that is of oscillations that met at another instant; it follows no order and counts whole.
+
     Args:
         forces: Of runs, shape (runs, lines).
         other: Of the same runs at another pace.
@@ -74,13 +77,20 @@ def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: flo
     """
     share = CAUTION / abs(ratio**order - 1.0) if order else CAUTION
     kinds = np.array([[one == unit for one in units] for unit in units], dtype=bool)
+    moved, swell = np.abs(forces.peak - other.peak), np.abs(forces.rms - other.rms)
+    alike = np.minimum(moved, _over(swell * forces.peak, forces.rms))
+    peak = share * alike + max(share, 1.0) * (moved - alike) + forces.between
+    rms = share * swell + forces.ends
     parts = []
-    for mine, its, known in ((forces.peak, other.peak, forces.between), (forces.rms, other.rms, forces.ends)):
+    for away, mine in ((peak, forces.peak), (rms, forces.rms)):
         largest = np.max(np.where(kinds, mine[:, None, :], 0.0), axis=2)
-        scale = np.maximum(mine, NEGLIGIBLE * largest)
-        away = share * np.abs(mine - its) + known
-        parts.append(np.max(np.divide(away, scale, out=np.zeros_like(mine), where=scale > 0.0), axis=1, initial=0.0))
+        parts.append(np.max(_over(away, np.maximum(mine, NEGLIGIBLE * largest)), axis=1, initial=0.0))
     return [Error(float(peak), float(rms)) for peak, rms in zip(*parts, strict=True)]
+
+
+def _over(part: Floats, whole: Floats) -> Floats:
+    """Return a ratio, zero where there is nothing."""
+    return np.divide(part, whole, out=np.zeros_like(whole), where=whole > 0.0)
 
 
 def finer(over: float, order: int) -> float:

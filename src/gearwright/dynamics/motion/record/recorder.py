@@ -17,6 +17,9 @@ BLOCK = 512
 """Steps in a block; replays start at its multiples."""
 CHECKPOINTS = 1000
 """Most states that are kept for replay."""
+RISE = 0.15
+"""Share of its second difference by which a crest may stand above its instants: 1/8 of many, 0.149 of 6.6 a cycle [-].
+"""
 RUNAWAY = 1e12
 """Line force at which a run has diverged [N or N m]: no gear comes near it."""
 
@@ -105,17 +108,17 @@ class Recorder:
     def _bound(self, first: int, forces: Floats) -> None:
         """Keep forces at the ends of what statistics see, and the height that peaks between steps may have.
 
-        Between steps a force rises above the larger of both by an eighth of its second difference at most.
+        Every crest counts, not the highest instant alone: one that was met less well may be the larger.
         """
         self.last_force = forces[-1].copy()
         seen = forces[max(int(self.edges[0]) - first, 0) :]
         if first <= self.edges[0] < first + len(forces):
             self.first_force = seen[0].copy()
         if len(seen) > 2:
-            size, lines = np.abs(seen), np.arange(seen.shape[1])
-            place = np.clip(np.argmax(size, axis=0), 1, len(seen) - 2)
-            bend = np.abs(seen[place - 1, lines] - 2.0 * seen[place, lines] + seen[place + 1, lines])
-            np.maximum(self.bound, np.max(size, axis=0) + 0.125 * bend, out=self.bound)
+            size, bend = np.abs(seen), np.abs(np.diff(seen, 2, axis=0))
+            size[1:-1] += RISE * bend
+            size[[0, -1]] += RISE * bend[[0, -1]]
+            np.maximum(self.bound, np.max(size, axis=0), out=self.bound)
 
     def _check_maps(self, first: int, record: Floats, summary: Floats) -> None:
         """Refuse what a propeller does outside its map: the laws go on with the nearest cell's edge."""
