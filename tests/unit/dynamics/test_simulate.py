@@ -263,9 +263,9 @@ def kept(trace) -> int:
 
 
 def test_what_is_kept_does_not_grow_with_the_duration():
-    """Samples thin out and checkpoints spread: forty times the time keeps no more than the limits of both allow."""
+    """Samples thin out and checkpoints spread: eighty times the time keeps no more than the limits of both allow."""
     asked = Outputs(samples=200, bins=4, orders=("mesh",))
-    short, long = (simulate(driven_pair(), duration, outputs=asked) for duration in (0.5, 20.0))
+    short, long = (simulate(driven_pair(), duration, outputs=asked) for duration in (0.25, 20.0))
     states, row = 2 * 2 + 6, 2 * 2 + 2 * 1 + 1
     fixed = kept(short) - np.size(short.samples.time) * row - np.size(short.checkpoints.step) * (states + 1)
     assert np.size(short.checkpoints.step) < 100

@@ -22,6 +22,8 @@ CAUTION = 3.0
 """What the error by the order is multiplied by, since peaks are met by chance and orders hold in the limit [-]."""
 NEGLIGIBLE = 1e-2
 """Share of the largest force of its kind below which a line's force is judged beside that share [-]."""
+CHANCE = 0.02
+"""Share of the error of peaks below which that of a root mean square is not told: two of them agree by chance [-]."""
 REFINED = 4
 """Times that a run is repeated at a finer pace."""
 COARSER = 2.0
@@ -85,7 +87,7 @@ def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: flo
     for away, mine in ((peak, forces.peak), (rms, forces.rms)):
         largest = np.max(np.where(kinds, mine[:, None, :], 0.0), axis=2)
         parts.append(np.max(_over(away, np.maximum(mine, NEGLIGIBLE * largest)), axis=1, initial=0.0))
-    return [Error(float(peak), float(rms)) for peak, rms in zip(*parts, strict=True)]
+    return [Error(float(peak), max(float(rms), CHANCE * float(peak))) for peak, rms in zip(*parts, strict=True)]
 
 
 def _over(part: Floats, whole: Floats) -> Floats:
