@@ -16,6 +16,9 @@ from gearwright.errors import DesignError, Problem
 from gearwright.showing import Shown, frame
 from gearwright.verbs import verb
 
+FACTORS = tuple(np.linspace(0.1, 1.5, 29))
+"""Speeds over the operating speed that are looked at [-]."""
+
 
 @dataclass(frozen=True)
 class Order:
@@ -78,12 +81,12 @@ class Campbell(Shown):
 
 
 @verb
-def campbell(system: System, factors: Sequence[float] | Floats) -> Campbell:
+def campbell(system: System, factors: Sequence[float] | Floats = FACTORS) -> Campbell:
     """Return natural frequencies at each speed, followed by their shapes, with all tones and shaft speeds as orders.
 
     Args:
-        system: With reference speeds.
-        factors: Rising speeds over the reference speeds [-].
+        system: With reference speeds, from `assemble`.
+        factors: Rising speeds over the reference speeds [-]; left out: 0.1 to 1.5. `figure` draws the diagram.
 
     Raises:
         DesignError: For speeds that do not rise.

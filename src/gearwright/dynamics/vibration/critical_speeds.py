@@ -16,7 +16,7 @@ from gearwright.arrays import Complexes, Floats, Ints
 from gearwright.dynamics.assembly import assemble, bodies_of
 from gearwright.dynamics.equations import DampedModes, damped_modes, linear, statics
 from gearwright.dynamics.model import System, Tone, line_matrix
-from gearwright.dynamics.vibration.campbell import Campbell, Crossing, campbell
+from gearwright.dynamics.vibration.campbell import FACTORS, Campbell, Crossing, campbell
 from gearwright.errors import Problem, by_name, refuse
 from gearwright.identity import PartId, Role, gear_part
 from gearwright.showing import Shown
@@ -33,8 +33,6 @@ SILENT = 0.01
 """Force at resonance over the mean force below which a mode counts as not excited [-]."""
 SAME = 1e-3
 """Relative distance of frequencies under which modes resonate together [-]."""
-FACTORS = tuple(np.linspace(0.1, 1.5, 29))
-"""Speeds over the operating speed that are looked at [-]."""
 
 
 @dataclass(frozen=True)
