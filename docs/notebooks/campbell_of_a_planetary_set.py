@@ -57,7 +57,7 @@ modes
 # harmonics, and shafts that turn; dots are where the two meet.
 
 # %%
-diagram = gw.campbell(system, np.linspace(0.1, 1.5, 29))
+diagram = gw.campbell(system)
 diagram
 
 # %% [markdown]

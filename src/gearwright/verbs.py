@@ -22,7 +22,7 @@ _R = TypeVar("_R")
 
 MAKES: Mapping[str, str] = types.MappingProxyType(
     {
-        "Campbell": "gw.campbell(system, factors)",
+        "Campbell": "gw.campbell(system)",
         "Checked": "gw.validate()",
         "Comparison": "gw.mass(power, engine_speed, propeller_speed)",
         "Design": "gw.read(path or shipped name)",

@@ -30,6 +30,13 @@ def test_cases_of_equal_speeds_share_a_diagram_and_the_worst_comes_first():
     assert [abs(each.margin) for each in excited] == sorted(abs(each.margin) for each in excited)
 
 
+def test_a_campbell_diagram_without_speeds_is_that_of_the_critical_speeds():
+    diagram = campbell(FOUND.system)
+    assert (diagram.factor[0], diagram.factor[-1]) == (0.1, 1.5)
+    np.testing.assert_array_equal(diagram.frequency, FOUND.campbell.frequency)
+    assert diagram.crossings == FOUND.campbell.crossings
+
+
 def test_at_a_critical_speed_the_order_has_the_natural_frequency():
     """f = l z_s (n_s − n_c)/60 at the critical speed: kinematics with the teeth of the sizing."""
     one = next(each for each in FOUND.critical if each.order == "second mesh × 2")

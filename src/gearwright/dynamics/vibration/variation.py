@@ -8,7 +8,6 @@ exact and no step damps what the system does not.
 from __future__ import annotations
 
 import numpy as np
-from scipy import linalg
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.equations import WORKS, linear, state_matrix, stiffness_at
@@ -51,6 +50,8 @@ def monodromy(system: System, samples: Samples) -> Floats:
     Source: Magnus series to fourth order with Simpson's nodes, Blanes, Casas, Oteo & Ros 2009, Phys. Rep. 470, 151,
         section 5.
     """
+    from scipy import linalg  # statics, whose layer this is, do without it
+
     arrays = system.arrays
     stiffness, share = stiffness_at(system, samples.time), _touching(arrays, samples.line_deflection)
     first, middle, last = (_matrices(arrays, share * stiffness[nodes]) for nodes in NODES)

@@ -71,13 +71,13 @@ def _sizing(sizing: Any) -> Iterator[str]:
 
 def _system(system: Any) -> Iterator[str]:
     yield str(system)
-    yield "next: gw.modes(system), gw.campbell(system, factors), gw.simulate(system, duration)"
+    yield "next: gw.modes(system), gw.campbell(system), gw.simulate(system, duration)"
 
 
 def _modes(modes: Any) -> Iterator[str]:
     groups = [f"{frequency:.1f}" + (f" (×{count})" if count > 1 else "") for frequency, count in modes.groups()]
     yield f"Modes: {len(modes.frequency)}, {modes.rigid} rigid; natural frequencies {_listed(groups[:])} Hz"
-    yield "next: modes.frequency, modes.shapes, modes.line_energy, gw.campbell(system, factors)"
+    yield "next: modes.frequency, modes.shapes, modes.line_energy, gw.campbell(system)"
 
 
 def _trace(trace: Any) -> Iterator[str]:

@@ -68,6 +68,7 @@ def for_engine(
     return edited(design, changes)
 
 
+@verb
 def for_requirement(
     design: Design,
     *,
