@@ -115,7 +115,7 @@ def excerpt(text: str, longest: int = LONGEST_EXCERPT) -> str:
 
 
 def near(name: str, allowed: Iterable[str], shown: Iterable[str] | None = None) -> str:
-    """Return a hint for a name that is not known: the nearest one, or all of them.
+    """Return a hint for a name that is not known: the nearest one in whatever case, or all of them.
 
     Args:
         name: What was written.
@@ -125,9 +125,10 @@ def near(name: str, allowed: Iterable[str], shown: Iterable[str] | None = None) 
     names: Sequence[str] = sorted(allowed)
     if not names:
         return "none is defined"
-    match = get_close_matches(name[:LONGEST_EXCERPT], names, n=1, cutoff=0.6)
+    folded = {allowed_name.casefold(): allowed_name for allowed_name in names}
+    match = get_close_matches(name[:LONGEST_EXCERPT].casefold(), folded, n=1, cutoff=0.6)
     if match:
-        return f"did you mean {match[0]}?"
+        return f"did you mean {folded[match[0]]}?"
     names = names if shown is None else sorted(shown)
     more = f" and {len(names) - MOST_NAMES:,} more" if len(names) > MOST_NAMES else ""
     return f"allowed: {', '.join(names[:MOST_NAMES])}{more}"

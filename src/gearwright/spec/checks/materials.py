@@ -87,8 +87,8 @@ def _strengths(rules: MaterialRules) -> Iterator[tuple[str, str]]:
         yield "yield_strength", message
     for stated, missing in _PAIRS:
         if getattr(rules, stated) is not None and getattr(rules, missing) is None:
-            keys = " or ".join(key for key, meant in keys_of(MaterialRules).items() if meant.field == missing)
-            yield stated, f"is half of what a gear needs; give {keys} too, or leave both to the class"
+            key = next(key for key, meant in keys_of(MaterialRules).items() if meant.field == missing)
+            yield stated, f"is half of what a gear needs; give {key} too, or leave both to the class"
     given = [scale for scale in SCALES if getattr(rules, scale) is not None]
     vickers = {scale: material_of("", {scale: getattr(rules, scale)} | _ELASTIC).hardness or 0.0 for scale in given}
     for scale in given[1:]:
@@ -182,7 +182,7 @@ def _shafts(design: Design) -> Iterator[Problem]:
     name, given = design.shafting.material or design.gears.material, design.shafting.material is not None
     if name in design.known_materials:
         needed = ("yield_strength", "ultimate_strength", "group") if design.bearings else ("yield_strength",)
-        purpose = "shafts with bearings" if design.bearings else "shafts"
+        purpose = "a shaft with bearings" if design.bearings else "a shaft"
         yield from _needs("shafting.material", name, needed, design, purpose)
     elif given:
         yield Problem("shafting.material", f"there is no material {name!r}; {near(name, design.known_materials)}")
