@@ -442,3 +442,9 @@ def test_the_nominal_stress_is_hertz_at_the_pitch_point(wheel, helix):
     hertz = math.sqrt(load * 206e9 / (2.0 * math.pi * (1.0 - 0.3**2)) / (mesh.relative_curvature / lean))
     factors = rated.pitting.geometry
     assert rated.pitting.nominal_stress / (factors.contact_ratio * factors.helix) == pytest.approx(hertz, rel=1e-12)
+
+
+def test_a_stress_that_is_next_to_nothing_is_borne_for_ever():
+    curve = bending_life_curve(Treatment.CASE_HARDENED)
+    assert endurable_cycles(curve, 1e-12) == math.inf
+    assert math.isfinite(endurable_cycles(curve, 0.5))

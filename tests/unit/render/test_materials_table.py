@@ -28,7 +28,8 @@ def test_a_strength_that_no_source_gives_is_marked_with_its_rule(estimated):
     strength = rows(estimated)["strength of flanks σ_Hlim"]
     assert (strength[2].text, strength[2].mark, strength[3].text) == ("1500", "estimated", "MPa")
     assert "does not cover secondary-hardening steels" in strength[4].text
-    assert rows(estimated)["proof stress R_p0.2"][2].mark == ""
+    assert rows(estimated)["proof stress R_p0.2"][2].mark == "estimated"
+    assert rows(estimated)["hardness of flanks HV"][2].mark == ""
 
 
 def test_a_grade_that_the_design_asks_for_is_of_the_standard_and_no_estimate_of_the_material():

@@ -12,6 +12,8 @@ from gearwright.parts.iso6336.strength import GearSteel, LifeCurve, Treatment
 
 STANDARD = 0.85
 """Life factor at 1e10 cycles otherwise [-]."""
+ENDLESS = 600.0
+"""Natural logarithm of a number of cycles that counts as endless [-]: 1e260."""
 
 
 def _contact_corners(treatment: Treatment, *, some_pitting: bool) -> LifeCurve:
@@ -125,5 +127,6 @@ def endurable_cycles(curve: LifeCurve, factor: float) -> float:
     corners = tuple(zip(curve.cycles, curve.factors, strict=True))
     for (n_1, f_1), (n_2, f_2) in pairwise(corners):
         if f_1 > f_2 and (factor >= f_2 or n_2 == curve.cycles[-1]):
-            return n_1 * math.exp(math.log(n_2 / n_1) * math.log(f_1 / factor) / math.log(f_1 / f_2))
+            exponent = math.log(n_2 / n_1) * math.log(f_1 / factor) / math.log(f_1 / f_2)
+            return n_1 * math.exp(exponent) if exponent < ENDLESS else math.inf
     return math.inf

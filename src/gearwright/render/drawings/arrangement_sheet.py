@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import product
 
 from gearwright.identity import carrier_part
@@ -120,6 +121,7 @@ def _parts(sizing: Sizing, plane: Positions, scale: float) -> tuple[list[Entity]
 def _machines(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entity]:
     """Yield the name of every machine, clutch and damper where it joins its shaft."""
     seats = dict(sizing.train.machines) | {link.name: link.driving for link in sizing.train.links}
+    written: list[Words] = []
     for name, shaft in seats.items():
         lying, x = plane.shafts[shaft], plane.places[shaft][name]
         axis = axis_of(lying, scale)
@@ -132,7 +134,20 @@ def _machines(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entity
         flat = abs(outwards.real) > 0.5
         align = ("right" if outwards.real < 0.0 else "left") if flat else "middle"
         drop = 1.5 if flat else (0.0 if outwards.imag > 0.0 else -SMALL)
-        yield Words(place + 1j * drop, name, SMALL, align)
+        written.append(_clear(Words(place + 1j * drop, name, SMALL, align), written))
+        yield written[-1]
+
+
+def _clear(words: Words, written: Sequence[Words]) -> Words:
+    """Return words moved down until they cover none that are written."""
+    while any(_overlap(extent([words]), extent([other])) for other in written):
+        words = replace(words, at=words.at - 1j * (SMALL + 1.0))
+    return words
+
+
+def _overlap(one: Box, other: Box) -> bool:
+    """Tell whether two boxes (left, low, right, high) meet."""
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
 def _ends(sizing: Sizing, plane: Positions, shaft: str) -> tuple[float, float]:

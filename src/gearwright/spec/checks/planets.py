@@ -85,10 +85,12 @@ def _unassembled(teeth: tuple[int, int, int], planets: int, most: int) -> str:
     counts = range(2, min(MOST_PLANETS, most) + 1)
     would = " or ".join(str(count) for count in counts if assembles(sun, ring, count))
     hint = f"give {would} planets, " if would else ""
+    apart = sorted(range(-planets, planets + 1), key=abs)
     near_sets = [
-        (sun + apart, planet, ring + apart) for apart in sorted(range(-planets, planets + 1), key=abs) if apart
+        *((sun + more, planet, ring + more) for more in apart),
+        *((sun, planet, ring + more) for more in apart),
     ]
-    nearest = next(s for s in near_sets if assembles(s[0], s[2], planets))
+    nearest = next(near_set for near_set in near_sets if assembles(near_set[0], near_set[2], planets))
     return (
         f"{planets} planets cannot be assembled at equal places: z_s + z_r = {sun} + {ring} = {sun + ring} is no"
         f" multiple of {planets}; {hint}unequal_places = true, or other teeth, such as"
