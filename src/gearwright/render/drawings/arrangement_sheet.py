@@ -22,7 +22,7 @@ from gearwright.render.drawings.views.positions import Positions, positions
 from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_profile, toothed_piece
 from gearwright.render.drawings.views.teeth import kind_of
 from gearwright.render.schematic.layout import pair_meshes
-from gearwright.render.style.labels import spread
+from gearwright.render.style.labels import overlap, spread
 from gearwright.sizing import GearSizing, Sizing
 
 NAME = "arrangement"
@@ -140,14 +140,9 @@ def _machines(sizing: Sizing, plane: Positions, scale: float) -> Iterator[Entity
 
 def _clear(words: Words, written: Sequence[Words]) -> Words:
     """Return words moved down until they cover none that are written."""
-    while any(_overlap(extent([words]), extent([other])) for other in written):
+    while any(overlap(extent([words]), extent([other])) for other in written):
         words = replace(words, at=words.at - 1j * (SMALL + 1.0))
     return words
-
-
-def _overlap(one: Box, other: Box) -> bool:
-    """Tell whether two boxes (left, low, right, high) meet."""
-    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
 def _ends(sizing: Sizing, plane: Positions, shaft: str) -> tuple[float, float]:

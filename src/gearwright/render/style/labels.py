@@ -63,7 +63,7 @@ class Board:
         lines = text.split("\n")
         width, height = max(text_width(line, size, math=True) for line in lines), len(lines) * size * SPACING * POINT
         boxes = [(x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0) for x, y in places]
-        box = min(boxes, key=lambda place: sum(_overlap(place, taken) for taken in self.taken))
+        box = min(boxes, key=lambda place: sum(overlap(place, taken) for taken in self.taken))
         for k, line in enumerate(lines):
             y = box[3] - (k + 0.5) * size * SPACING * POINT
             self.axes.text((box[0] + box[2]) / 2.0, y, line, ha="center", va="center_baseline", fontsize=size,
@@ -118,7 +118,13 @@ def text_width(text: str, size: float, *, math: bool = False) -> float:
     return float(text_to_path.get_text_width_height_descent(text, font, ismath=math and "$" in text)[0]) * POINT
 
 
-def _overlap(box: Box, other: Box) -> float:
+def overlap(box: Box, other: Box) -> float:
+    """Return the area in which two boxes meet, free room around them counted [mm²].
+
+    Args:
+        box: Of a label.
+        other: Of anything.
+    """
     width = min(box[2], other[2]) - max(box[0], other[0]) + MARGIN
     height = min(box[3], other[3]) - max(box[1], other[1]) + MARGIN
     return max(width, 0.0) * max(height, 0.0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from gearwright.identity import Role, carrier_part, gear_part
@@ -12,30 +12,20 @@ from gearwright.sizing.compound import pins_of
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import CarrierSizing, GearSizing, ShaftSizing
 from gearwright.sizing.rolling import planet_push
-from gearwright.sizing.shafts.compound_carriers import pin_loads
+from gearwright.sizing.shafts.compound_carriers import PinLoad, pin_loads
 from gearwright.sizing.shafts.shafts import shaft_material
-from gearwright.spec import GROUND
 
 ROUNDING = 1e-9
 """Torque on a free carrier over the largest of its parts that counts as none [-]."""
 
 
-class _Load(NamedTuple):
-    """What one case puts on a carrier."""
+class _Pins(NamedTuple):
+    """Equal pins of one planet body."""
 
-    case: str
-    torque: float
-    """T_c [N m]."""
-    tangential: float
-    """On one pin, from the teeth [N]."""
-    centrifugal: float
-    """On one pin, from its planet [N]."""
-    radial: float
-    """On one pin, from the teeth, outwards [N]."""
-
-    @property
-    def pin(self) -> float:
-        return math.hypot(self.tangential, self.centrifugal + self.radial)
+    radius: float
+    """Of the circle that they stand on [m]."""
+    length: float
+    """[m]"""
 
 
 def size_carriers(
@@ -58,78 +48,60 @@ def size_carriers(
 def _carrier(
     context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float]
 ) -> CarrierSizing:
-    stage, rules, given = context.design.planetaries[name], context.design.carriers, context.given
-    material = shaft_material(context)
-    allowable = (material.yield_strength or 0.0) / rules.safety
+    """Return the carrier of a simple set."""
     sun, planet = (gears[str(gear_part(name, role))] for role in (Role.SUN, Role.PLANET))
     centre = context.ratings[name].shifts.centre
     radius = (sun.pitch_diameter + planet.pitch_diameter) / 2.0 if centre is None else centre * sun.module
-    loads = _loads(context, name, planet, radius, push=planet_push(context, gears, name))
-    worst = max(loads, key=lambda load: load.pin)
-    torque = max(load.torque for load in loads)
-    pin = given.get(f"{name}.pin_diameter", pin_diameter(worst.pin, planet.face_width, allowable))
-    hub = diameters.get(stage.carrier, 0.0) if stage.carrier != GROUND else 0.0
-    thickness = _thickness(rules.plate_ratio * planet.face_width, torque, hub, allowable=allowable)
-    thickness = given.get(f"{name}.plate_thickness", thickness)
-    bending = pin_stress(worst.pin, planet.face_width, pin)
-    shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
-    part = carrier_part(name)
-    pins = stage.planets * pin_mass(pin, planet.face_width, material.density)
-    reach = radius + pin / 2.0
-    plate = plate_mass(reach, thickness, material.density, fill=rules.fill)
-    return CarrierSizing(
-        stage=name,
-        shaft=stage.carrier,
-        case=worst.case,
-        torque=torque,
-        tangential_force=worst.tangential,
-        centrifugal_force=worst.centrifugal,
-        radial_force=worst.radial,
-        pin_force=worst.pin,
-        radius=radius,
-        pin_diameter=pin,
-        pin_stress=bending,
-        pin_margin=allowable / bending if bending else math.inf,
-        plate_thickness=thickness,
-        plate_stress=shear,
-        plate_margin=allowable / 2.0 / shear if shear else None,
-        mass=given.get(f"{part}.mass", pins + plate),
-        inertia=given.get(f"{part}.inertia", pins * radius**2 + plate * reach**2 / 2.0),
-    )
+    torques = _torques(context, name)
+    loads = _loads(context, name, planet, radius, torques=torques, push=planet_push(context, gears, name))
+    pins = {str(Role.PLANET): _Pins(radius, planet.face_width)}
+    count = context.design.planetaries[name].planets
+    return _sized(context, name, pins, loads, count=count, torque=max(torques), diameters=diameters)
 
 
 def _compound(
     context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float]
 ) -> CarrierSizing:
-    """Return the carrier of a compound set: equal pins, as strong as the one that is loaded most needs."""
-    stage, rules, given = context.design.epicyclics[name], context.design.carriers, context.given
-    material, own = shaft_material(context), {gear.own: gear for gear in gears.values() if gear.stage == name}
+    """Return the carrier of a compound set."""
+    stage, own = context.design.epicyclics[name], {gear.own: gear for gear in gears.values() if gear.stage == name}
+    pins = {
+        body: _Pins(abs(place), sum(own[step].face_width for step in stage.planets if stage.body(step) == body))
+        for body, place in pins_of(stage, own).items()
+    }
+    torque, loads = max(map(abs, _carrier_torques(context, name))), pin_loads(context, name, own)
+    return _sized(context, name, pins, loads, count=stage.sets, torque=torque, diameters=diameters)
+
+
+def _sized(
+    context: Context, name: str, pins: Mapping[str, _Pins], loads: Sequence[PinLoad],
+    *, count: int, torque: float, diameters: Mapping[str, float],
+) -> CarrierSizing:  # fmt: skip
+    """Return a carrier with equal pins, as strong as the one that is loaded most needs."""
+    rules, given, shaft = context.design.carriers, context.given, context.design.sets[name].carrier
+    material = shaft_material(context)
     allowable = (material.yield_strength or 0.0) / rules.safety
-    places, loads = pins_of(stage, own), pin_loads(context, name, own)
-    lengths = {body: sum(own[step].face_width for step in stage.planets if stage.body(step) == body) for body in places}
-    worst = max(loads, key=lambda load: load.pin * lengths[load.body])
-    length, torque = lengths[worst.body], max(abs(load) for load in _carrier_torques(context, name))
+    worst = max(loads, key=lambda load: load.pin * pins[load.body].length)
+    length, hub = pins[worst.body].length, diameters.get(shaft, 0.0)
     pin = given.get(f"{name}.pin_diameter", pin_diameter(worst.pin, length, allowable))
-    hub = diameters.get(stage.carrier, 0.0)
     thickness = _thickness(rules.plate_ratio * length, torque, hub, allowable=allowable)
     thickness = given.get(f"{name}.plate_thickness", thickness)
     bending = pin_stress(worst.pin, length, pin)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
-    masses = {body: stage.sets * pin_mass(pin, lengths[body], material.density) for body in places}
-    reach = max(map(abs, places.values())) + pin / 2.0
+    masses = {body: count * pin_mass(pin, equal.length, material.density) for body, equal in pins.items()}
+    reach = max(equal.radius for equal in pins.values()) + pin / 2.0
     plate = plate_mass(reach, thickness, material.density, fill=rules.fill)
-    about = sum(mass * abs(places[body]) ** 2 for body, mass in masses.items())
+    about = sum(mass * pins[body].radius ** 2 for body, mass in masses.items())
     part = carrier_part(name)
     return CarrierSizing(
         stage=name,
-        shaft=stage.carrier,
+        shaft=shaft,
         case=worst.case,
         torque=torque,
         tangential_force=worst.tangential,
         centrifugal_force=worst.centrifugal,
         radial_force=worst.radial,
         pin_force=worst.pin,
-        radius=abs(places[worst.body]),
+        radius=pins[worst.body].radius,
         pin_diameter=pin,
         pin_stress=bending,
         pin_margin=allowable / bending if bending else math.inf,
@@ -148,15 +120,24 @@ def _carrier_torques(context: Context, name: str) -> list[float]:
     return [sum(parts) if abs(sum(parts)) > ROUNDING * max(map(abs, parts)) else 0.0 for parts in torques]
 
 
-def _loads(context: Context, name: str, planet: GearSizing, radius: float, *, push: float) -> list[_Load]:
-    stage = context.design.planetaries[name]
-    factor = context.ratings[name].load_factor
+def _torques(context: Context, name: str) -> list[float]:
+    """Return the size of the torque on a simple set's carrier in every case [N m]."""
+    rows = [mesh.name for mesh in context.train.meshes if mesh.stage == name]
+    return [abs(sum(flow.meshes[row].torques[2] for row in rows)) for flow in context.flows.values()]
+
+
+def _loads(
+    context: Context, name: str, planet: GearSizing, radius: float, *, torques: Sequence[float], push: float
+) -> list[PinLoad]:
+    """Return what every case puts on a pin of a simple set."""
+    stage, factor = context.design.planetaries[name], context.ratings[name].load_factor
     loads = []
-    for case, flow in context.flows.items():
-        torque = abs(sum(flow.meshes[mesh.name].torques[2] for mesh in context.train.meshes if mesh.stage == name))
+    for (case, flow), torque in zip(context.flows.items(), torques, strict=True):
         centrifugal = planet.mass * radius * flow.speeds[stage.carrier] ** 2
         tangential = torque * factor / (stage.planets * radius)
-        loads.append(_Load(case, torque, tangential, centrifugal, push * tangential))
+        radial = push * tangential
+        pin = math.hypot(tangential, centrifugal + radial)
+        loads.append(PinLoad(case, str(Role.PLANET), tangential, radial, centrifugal, pin))
     return loads
 
 
