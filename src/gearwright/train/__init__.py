@@ -1,16 +1,21 @@
 """The power train: its graph, speeds, torques and powers, and the ratios asked of its stages."""
 
-from gearwright.train.branches import Attachment, Branch, attachments, branches
-from gearwright.train.edges import Edge, members_of, willis_ratio, willis_speed
-from gearwright.train.flow import MeshFlow, PowerFlow, power_flow, power_flows
-from gearwright.train.graph import Damper, Joint, Train, build_train, gear_of, gears_of
-from gearwright.train.memory import remembered
-from gearwright.train.ranges import speed_range, tooth_ratio_range
-from gearwright.train.recirculation import recirculation
-from gearwright.train.targets import Targets, targets
-from gearwright.train.ties import handed_on, teeth_of, ties_of
-from gearwright.train.toothed import EXTERNAL, INTERNAL, Gear, Mesh
-from gearwright.train.turning import Turning
+from gearwright.train.algebra import remembered
+from gearwright.train.flow import (
+    Attachment,
+    Branch,
+    MeshFlow,
+    PowerFlow,
+    Turning,
+    attachments,
+    branches,
+    power_flow,
+    power_flows,
+    recirculation,
+)
+from gearwright.train.graph import EXTERNAL, INTERNAL, Damper, Gear, Joint, Mesh, Train, build_train, gear_of, gears_of
+from gearwright.train.kinematics import Edge, handed_on, members_of, teeth_of, ties_of, willis_ratio, willis_speed
+from gearwright.train.ratios import Targets, speed_range, targets, tooth_ratio_range
 
 __all__ = [
     "EXTERNAL",

@@ -22,7 +22,7 @@ from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.refusal import refusal
 from gearwright.spec import edited, parse
 from gearwright.train import targets as targets_of
-from gearwright.train.edges import edge_of
+from gearwright.train.kinematics import edge_of
 
 RULES = "[teeth]\nsun_minimum = 20\nsun_maximum = 24\nplanet_minimum = 17\npinion_minimum = 19\npinion_maximum = 22\n"
 

@@ -7,7 +7,7 @@ from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.spec import read
 from gearwright.train import branches
-from gearwright.train.edges import Edge
+from gearwright.train.kinematics import Edge
 
 
 @pytest.mark.parametrize(("grounded", "ratio"), [(Role.RING, 4.6), (Role.SUN, 1.0 + 1.0 / 3.6), (None, 3.6)])

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from gearwright.train.tooth_losses import turned
+from gearwright.train.flow import turned
 
 
 def test_rows_that_disagree_turn_together_and_later_the_first_alone():

@@ -3,7 +3,7 @@
 import pytest
 
 from gearwright.spec.design import Pair, Planetary
-from gearwright.train.edges import asked_tooth_ratio, given_tooth_ratio
+from gearwright.train.kinematics import asked_tooth_ratio, given_tooth_ratio
 
 
 def pair(**entries):

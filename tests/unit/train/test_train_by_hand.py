@@ -11,9 +11,9 @@ from designs import HYBRID, PAIR, changed
 from gearwright.sizing import named_results, size
 from gearwright.spec import parse
 from gearwright.train import Turning, branches, build_train, power_flow, recirculation, targets
-from gearwright.train.edges import willis_ratio, willis_speed
-from gearwright.train.null_space import null_space, row_and_null_space
-from gearwright.train.statics import Sharing, balance, lossy, solve_torques
+from gearwright.train.algebra import null_space, row_and_null_space
+from gearwright.train.flow import Sharing, balance, lossy, solve_torques
+from gearwright.train.kinematics import willis_ratio, willis_speed
 from gearwright.units import RPM
 
 TWO = """\

@@ -10,7 +10,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.dynamics.model import Arrays, Labels, System, finite_numbers, holding, line_matrix, refuse_not_finite
 from gearwright.showing import Shown
-from gearwright.train.null_space import row_and_null_space
+from gearwright.train.algebra import row_and_null_space
 from gearwright.verbs import verb
 
 REPEATED = 1e-6

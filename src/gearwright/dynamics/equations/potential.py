@@ -15,7 +15,7 @@ import numpy as np
 from gearwright.arrays import Bools, Floats
 from gearwright.dynamics.equations.reference import dead_zone
 from gearwright.errors import SolveError
-from gearwright.train.null_space import null_space
+from gearwright.train.algebra import null_space
 
 ROUNDS = 200
 """Rounds in which contact must settle; three are usual."""

@@ -22,7 +22,7 @@ from gearwright.dynamics.equations.instants import errors_at, stiffness_at
 from gearwright.dynamics.equations.modes import split_rigid, stiffness_matrix
 from gearwright.dynamics.model import Labels, System, holding, line_matrix
 from gearwright.errors import SolveError
-from gearwright.train.null_space import RANK_TOLERANCE, null_space
+from gearwright.train.algebra import RANK_TOLERANCE, null_space
 
 SETTLED = 1e-10
 """Change of a mesh force in a round, over the largest force, at which contact has settled [-]."""

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from gearwright.parts.planetary import most_planet_teeth
 from gearwright.spec import Design, Pair, Planetary
 from gearwright.spec.design import SUN_LIMITS
-from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of
+from gearwright.train.kinematics import Edge, asked_tooth_ratio, edge_of
 
 Range = tuple[float, float]
 """Least and largest [-]."""

@@ -16,13 +16,20 @@ from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import GROUND, Design, Machine, Pair, Planetary, cases_of
 from gearwright.spec.design import SUN_LIMITS
-from gearwright.train.edges import Edge, asked_tooth_ratio, edge_of, members_of, willis_ratio, willis_speed
-from gearwright.train.held import as_held
-from gearwright.train.memory import remembered
-from gearwright.train.null_space import null_space
-from gearwright.train.ranges import ratio_range, total_range
-from gearwright.train.ties import handed_on, ties_of
-from gearwright.train.turning import asked_speeds
+from gearwright.train.algebra import null_space, remembered
+from gearwright.train.flow import asked_speeds
+from gearwright.train.kinematics import (
+    Edge,
+    asked_tooth_ratio,
+    edge_of,
+    handed_on,
+    members_of,
+    ties_of,
+    willis_ratio,
+    willis_speed,
+)
+from gearwright.train.ratios.held import as_held
+from gearwright.train.ratios.ranges import ratio_range, total_range
 
 # Weights of what holds first, in log speeds: the kept speed, given teeth and ratios, other machines, equal ratios.
 _KEPT, _GIVEN, _ASKED, _EQUAL = 1e9, 1e6, 1e3, 1.0

@@ -11,9 +11,8 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import GROUND
+from gearwright.train.algebra import RANK_TOLERANCE, null_space, remembered
 from gearwright.train.graph import Joint, Train
-from gearwright.train.memory import remembered
-from gearwright.train.null_space import RANK_TOLERANCE, null_space
 
 
 @dataclass(frozen=True)

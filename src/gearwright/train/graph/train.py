@@ -13,8 +13,8 @@ from functools import cached_property
 
 from gearwright.identity import SIDES, PartId, Role, Row, gear_part
 from gearwright.spec import GROUND, Design, Epicyclic, Pair, Planetary
-from gearwright.train.epicyclics import epicyclic_gears, epicyclic_meshes
-from gearwright.train.toothed import EXTERNAL, INTERNAL, Gear, Mesh
+from gearwright.train.graph.epicyclics import epicyclic_gears, epicyclic_meshes
+from gearwright.train.graph.toothed import EXTERNAL, INTERNAL, Gear, Mesh
 from gearwright.units import TorsionalDamping
 
 

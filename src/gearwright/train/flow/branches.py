@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from gearwright.identity import Kind, PartId, Role, Row, carrier_part
-from gearwright.train.flow import PowerFlow
-from gearwright.train.graph import Train
-from gearwright.train.toothed import Mesh
+from gearwright.train.flow.case import PowerFlow
+from gearwright.train.graph import Mesh, Train
 from gearwright.units import Power, Speed, Torque
 
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.spec import GROUND
+from gearwright.train.flow.statics import lossy
 from gearwright.train.graph import Train
-from gearwright.train.statics import lossy
 
 TOGETHER = 8
 """Rounds in which every row that disagrees is turned; later ones turn the first of them alone [-]."""

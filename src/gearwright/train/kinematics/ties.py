@@ -7,10 +7,9 @@ from typing import TypeVar
 
 from gearwright.arrays import Floats
 from gearwright.spec import GROUND, Design
-from gearwright.train.epicyclics import epicyclic_gears, epicyclic_meshes
-from gearwright.train.graph import Train
-from gearwright.train.kinematics import rows
-from gearwright.train.null_space import null_space
+from gearwright.train.algebra import null_space
+from gearwright.train.graph import Train, epicyclic_gears, epicyclic_meshes
+from gearwright.train.kinematics.speeds import rows
 
 Speed = TypeVar("Speed", float, Floats)
 STANDS = 1e-9

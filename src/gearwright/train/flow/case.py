@@ -11,13 +11,12 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import Problem, SolveError, refuse
 from gearwright.spec import GROUND, RATED, Design, Drive, Pair, case_named, cases_of, drives_of
-from gearwright.train.graph import Damper, Joint, Train
+from gearwright.train.flow.refusals import ambiguous, unbalanced
+from gearwright.train.flow.statics import Sharing, balance, solve_torques, undecided
+from gearwright.train.flow.tooth_losses import MAX_REVERSALS, TOGETHER, rolling, turned, with_losses
+from gearwright.train.flow.turning import Turn, Turning, asked_speeds, holding
+from gearwright.train.graph import Damper, Joint, Mesh, Train
 from gearwright.train.kinematics import Yielded
-from gearwright.train.refusals import ambiguous, unbalanced
-from gearwright.train.statics import Sharing, balance, solve_torques, undecided
-from gearwright.train.tooth_losses import MAX_REVERSALS, TOGETHER, rolling, turned, with_losses
-from gearwright.train.toothed import Mesh
-from gearwright.train.turning import Turn, Turning, asked_speeds, holding
 
 STANDSTILL = 1e-12
 """Speed below this part of the largest one is rounding of a shaft that stands still."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from gearwright.identity import Role, Row, gear_part
 from gearwright.spec import Epicyclic
-from gearwright.train.toothed import EXTERNAL, INTERNAL, Gear, Mesh
+from gearwright.train.graph.toothed import EXTERNAL, INTERNAL, Gear, Mesh
 
 
 def epicyclic_gears(stage: str, epicyclic: Epicyclic) -> Iterator[Gear]:

@@ -9,10 +9,10 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.spec import Design, Drive, case_named, cases_of
+from gearwright.train.algebra import RANK_TOLERANCE
+from gearwright.train.flow.statics import Balance, balance
 from gearwright.train.graph import Joint, Train
 from gearwright.train.kinematics import Yielded, motions_of, rows, solve_speeds
-from gearwright.train.null_space import RANK_TOLERANCE
-from gearwright.train.statics import Balance, balance
 
 
 @dataclass(frozen=True)

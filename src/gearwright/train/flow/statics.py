@@ -13,8 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
-from gearwright.train.memory import remembered
-from gearwright.train.null_space import null_space
+from gearwright.train.algebra import null_space, remembered
 
 BALANCE_TOLERANCE = 1e-9
 """Largest torque left over, as a part of the largest applied, in a train that can balance."""
