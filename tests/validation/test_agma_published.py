@@ -25,7 +25,7 @@ from gearwright.parts.agma2001 import (
 )
 from gearwright.parts.gears import lewis_form_factor
 from gearwright.units import FOOT, HORSEPOWER, INCH, POUND_FORCE, RPM
-from gearwright.validate.gear_rating import AGMA_FACTORS
+from gearwright.validate.gears.rating import AGMA_FACTORS
 
 PSI = POUND_FORCE / INCH**2
 

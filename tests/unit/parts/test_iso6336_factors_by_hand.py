@@ -63,11 +63,11 @@ from gearwright.parts.iso6336 import (
     work_hardening_factor,
 )
 from gearwright.parts.iso6336.bending import RootBody, RootStrengthFactors, bending_rating, slip_layer
-from gearwright.parts.iso6336.distribution import HelixModification
-from gearwright.parts.iso6336.loads import USUAL, MeshQuality, specific_load
+from gearwright.parts.iso6336.loads.distribution import HelixModification
+from gearwright.parts.iso6336.loads.mesh_loads import USUAL, MeshQuality, specific_load
+from gearwright.parts.iso6336.loads.stiffness import mesh_springs
+from gearwright.parts.iso6336.loads.tolerances import flank_tolerances
 from gearwright.parts.iso6336.pitting import ContactStrengthFactors, contact_ratio_factor, zone_factor
-from gearwright.parts.iso6336.stiffness import mesh_springs
-from gearwright.parts.iso6336.tolerances import flank_tolerances
 
 ST, V, EH, IF, NT, NV, NVC = Treatment
 HARD = GearSteel("hard", EH, "MQ", 700.0, 1500e6, 461e6, 206e9, 0.3, 7830.0)

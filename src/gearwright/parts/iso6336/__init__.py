@@ -14,20 +14,6 @@ from gearwright.parts.iso6336.bending import (
     rim_factor,
     surface_factor,
 )
-from gearwright.parts.iso6336.damage import StressBin, damage_parts, spectrum_damage
-from gearwright.parts.iso6336.distribution import (
-    CENTRED,
-    CORRECTED_AND_CROWNED,
-    CROWNED,
-    UNMODIFIED,
-    Misalignment,
-    PinionShaft,
-    deflection_misalignment,
-    face_load_factor,
-    lead_allowance,
-    transverse_load_factor,
-)
-from gearwright.parts.iso6336.dynamic import MeshDeviations, dynamic_factor, reduced_mass, running_in_allowance
 from gearwright.parts.iso6336.film import (
     equivalent_roughness,
     lubricant_factor,
@@ -43,15 +29,27 @@ from gearwright.parts.iso6336.geometry import (
     mesh_geometry,
     shifted_mesh,
 )
-from gearwright.parts.iso6336.life import (
-    bending_life_curve,
-    contact_life_curve,
-    endurable_cycles,
-    knee_curve,
-    life_curves,
-    life_factor,
+from gearwright.parts.iso6336.loads import (
+    CENTRED,
+    CORRECTED_AND_CROWNED,
+    CROWNED,
+    UNMODIFIED,
+    MeshDeviations,
+    MeshDuty,
+    MeshQuality,
+    MeshSprings,
+    Misalignment,
+    PinionShaft,
+    Steels,
+    deflection_misalignment,
+    dynamic_factor,
+    face_load_factor,
+    lead_allowance,
+    mesh_springs,
+    reduced_mass,
+    running_in_allowance,
+    transverse_load_factor,
 )
-from gearwright.parts.iso6336.loads import MeshDuty, MeshQuality, Steels
 from gearwright.parts.iso6336.pitting import LoadFactors, elasticity_factor, pitting_rating, single_contact_factors
 from gearwright.parts.iso6336.rating import PairRating, rate_mesh, rate_pair
 from gearwright.parts.iso6336.root import (
@@ -62,14 +60,22 @@ from gearwright.parts.iso6336.root import (
     root_section,
     shaped_fillet_radius,
 )
-from gearwright.parts.iso6336.stiffness import MeshSprings, mesh_springs
-from gearwright.parts.iso6336.strength import (
+from gearwright.parts.iso6336.steels import (
     STRESS_CORRECTION_TEST_GEAR,
     GearSteel,
     LifeCurve,
     StrengthLine,
+    StressBin,
     Treatment,
     allowable_stress,
+    bending_life_curve,
+    contact_life_curve,
+    damage_parts,
+    endurable_cycles,
+    knee_curve,
+    life_curves,
+    life_factor,
+    spectrum_damage,
 )
 
 __all__ = [

@@ -11,7 +11,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
 from gearwright.parts.iso6336.pitting import LoadFactors
 from gearwright.parts.iso6336.root import Edition, RootSection, outer_single_contact, root_section
-from gearwright.parts.iso6336.strength import STRESS_CORRECTION_TEST_GEAR, GearSteel, Treatment
+from gearwright.parts.iso6336.steels import STRESS_CORRECTION_TEST_GEAR, GearSteel, Treatment
 from gearwright.units import Origin, Quantity
 
 _PART3 = "ISO 6336-3:2019"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gearwright.parts.iso6336.geometry import Value, as_value
-from gearwright.parts.iso6336.strength import Treatment
+from gearwright.parts.iso6336.steels import Treatment
 
 _MPA = 1e6
 _MM2_S = 1e-6

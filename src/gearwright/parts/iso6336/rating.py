@@ -19,8 +19,6 @@ from gearwright.parts.iso6336.bending import (
     notch_sensitivity_factor,
     surface_factor,
 )
-from gearwright.parts.iso6336.distribution import FaceLoadFactor, TransverseLoadFactor
-from gearwright.parts.iso6336.dynamic import DynamicFactor
 from gearwright.parts.iso6336.film import (
     equivalent_roughness,
     lubricant_factor,
@@ -29,19 +27,23 @@ from gearwright.parts.iso6336.film import (
     work_hardening_factor,
 )
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value, mesh_geometry
-from gearwright.parts.iso6336.life import life_curves, life_factor
 from gearwright.parts.iso6336.loads import (
     USUAL,
+    DynamicFactor,
+    FaceLoadFactor,
     MeshDuty,
     MeshQuality,
+    MeshSprings,
     Steels,
+    TransverseLoadFactor,
     load_cycles,
     load_distribution,
+    mesh_springs,
     specific_load,
 )
 from gearwright.parts.iso6336.pitting import ContactStrengthFactors, LoadFactors, PittingRating, pitting_rating
 from gearwright.parts.iso6336.root import Edition, outer_single_contact, root_section
-from gearwright.parts.iso6336.stiffness import MeshSprings, mesh_springs
+from gearwright.parts.iso6336.steels import life_curves, life_factor
 from gearwright.parts.stiffness import LINEAR_LOAD, mesh_stiffness_iso6336
 from gearwright.units import Origin, Quantity
 

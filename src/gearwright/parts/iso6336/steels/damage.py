@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.errors import DesignError, Problem, SolveError
-from gearwright.parts.iso6336.life import endurable_cycles
-from gearwright.parts.iso6336.strength import LifeCurve
+from gearwright.parts.iso6336.steels.life import endurable_cycles
+from gearwright.parts.iso6336.steels.strength import LifeCurve
 from gearwright.units import Origin, Quantity
 
 _PART6 = "ISO 6336-6:2019"

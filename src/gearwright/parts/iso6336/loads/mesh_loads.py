@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.errors import Problem, refuse
-from gearwright.parts.iso6336.distribution import (
+from gearwright.parts.iso6336.geometry import MeshGeometry, Value
+from gearwright.parts.iso6336.loads.distribution import (
     CENTRED,
     UNMODIFIED,
     FaceLoadFactor,
@@ -19,12 +20,17 @@ from gearwright.parts.iso6336.distribution import (
     face_load_factor,
     transverse_load_factor,
 )
-from gearwright.parts.iso6336.dynamic import DynamicFactor, MeshDeviations, dynamic_factor, mean_allowance, reduced_mass
-from gearwright.parts.iso6336.geometry import MeshGeometry, Value
+from gearwright.parts.iso6336.loads.dynamic import (
+    DynamicFactor,
+    MeshDeviations,
+    dynamic_factor,
+    mean_allowance,
+    reduced_mass,
+)
+from gearwright.parts.iso6336.loads.stiffness import MeshSprings
+from gearwright.parts.iso6336.loads.tolerances import flank_tolerances
 from gearwright.parts.iso6336.pitting import contact_ratio_factor
-from gearwright.parts.iso6336.stiffness import MeshSprings
-from gearwright.parts.iso6336.strength import GearSteel
-from gearwright.parts.iso6336.tolerances import flank_tolerances
+from gearwright.parts.iso6336.steels import GearSteel
 
 Steels = tuple[GearSteel, GearSteel]
 

@@ -12,7 +12,7 @@ from gearwright.parts.losses import (
 )
 from gearwright.units import RPM
 from gearwright.validate.case import Case
-from gearwright.validate.gear_reports import PLANET_RING, SUN_PLANET, WIND
+from gearwright.validate.gears.reports import PLANET_RING, SUN_PLANET, WIND
 
 _OIL = oil_viscosity(348.15, (220e-6, 19e-6)) * 890.0 * (1.0 - 7e-4 * 60.0)
 """η at 75 °C of an oil of 890 kg/m³ at 15 °C [Pa s]."""

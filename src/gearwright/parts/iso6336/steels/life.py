@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from gearwright.parts.iso6336.geometry import Value, as_value
-from gearwright.parts.iso6336.strength import GearSteel, LifeCurve, Treatment
+from gearwright.parts.iso6336.steels.strength import GearSteel, LifeCurve, Treatment
 
 STANDARD = 0.85
 """Life factor at 1e10 cycles otherwise [-]."""

@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
-from gearwright.parts.iso6336.strength import GearSteel
+from gearwright.parts.iso6336.steels import GearSteel
 from gearwright.units import Origin, Quantity
 
 _PART1 = "ISO 6336-1:2019"
