@@ -14,18 +14,12 @@ from gearwright.sizing.answers import (
     total_results,
 )
 from gearwright.sizing.arranged import Arrangement, ShaftPlan
+from gearwright.sizing.carrying import CarrierSizing, ShaftDiagram, ShaftSizing
 from gearwright.sizing.compound import pins_of, towards
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
 from gearwright.sizing.pair_data import BevelPairData, CylindricalPairData, pair_data
-from gearwright.sizing.result import (
-    CarrierSizing,
-    GearSizing,
-    MachineSizing,
-    ShaftDiagram,
-    ShaftSizing,
-    Sizing,
-)
+from gearwright.sizing.result import GearSizing, MachineSizing, Sizing
 from gearwright.sizing.size import size
 from gearwright.sizing.stage_summary import StageSummary, stage_summaries
 from gearwright.sizing.tooth_shape import cylindrical_gear, planet_positions

@@ -9,25 +9,23 @@ from functools import cached_property
 from typing import Annotated
 
 from gearwright.checks import Check, worst
-from gearwright.identity import PartId, Role, carrier_part, gear_part
+from gearwright.identity import PartId, Role, gear_part
 from gearwright.parts.bearings import system_life, weibull_slope
 from gearwright.showing import Shown
 from gearwright.sizing.arranged import Arrangement
+from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
 from gearwright.spec import Design
 from gearwright.spec.design import Given
 from gearwright.train import PowerFlow, Train
 from gearwright.units import (
-    Force,
     Inertia,
-    Length,
     Mass,
     Number,
     Origin,
     Power,
     Quantity,
-    Speed,
     Torque,
 )
 
@@ -104,134 +102,6 @@ class GearSizing:
             shaft: That carries the body.
         """
         return self.part if len(self.shafts) == 1 else gear_part(self.stage, self.role, shaft)
-
-
-@dataclass(frozen=True)
-class BearingLoad:
-    """What one bearing gives to its shaft in the case that governs the shaft."""
-
-    position: Length
-    """Middle of the bearing, from the shaft's first end [m]."""
-    force: tuple[Force, Force]
-    """Along y and along z of the cross-section [N]."""
-
-    @property
-    def radial_force(self) -> Force:
-        """Both planes together [N]."""
-        return math.hypot(*self.force)
-
-
-@dataclass(frozen=True)
-class ShaftDiagram:
-    """Shear, bending and torsion just left and just right of every load; straight lines lie between."""
-
-    position: tuple[Length, ...]
-    """From the shaft's first end, each one twice [m]."""
-    shear: tuple[tuple[Force, ...], tuple[Force, ...]]
-    """Along y and along z [N]."""
-    bending: tuple[tuple[Torque, ...], tuple[Torque, ...]]
-    """By the forces along y and by those along z [N m]."""
-    torsion: tuple[Torque, ...]
-    """[N m]"""
-
-
-@dataclass(frozen=True)
-class ShaftSizing:
-    """One shaft."""
-
-    name: str
-    case: str
-    """Load case that governs."""
-    speed: Speed
-    """In the rated case [rad/s]."""
-    torque: Annotated[float, Quantity("torque"), Origin("T(x) = Σ T_k left of x", "equilibrium")]
-    """Torque inside the shaft at the section that governs [N m]."""
-    bending_moment: Annotated[
-        float, Quantity("torque"), Origin("M = √(M_y² + M_z²)", f"{_THESIS}, eqs 2.43–2.46 corrected")
-    ]
-    """Bending moment of both planes at the section that governs [N m]."""
-    axial_force: Annotated[float, Quantity("force"), Origin("Σ F_t tan β of single helices", "ISO 21771:2007")]
-    """What the meshes leave for a thrust bearing, positive towards the shaft's second end [N]."""
-    length: Length
-    """[m]"""
-    diameter: Annotated[float, Quantity("length"), Origin("√(σ_b² + 4 τ²) = R_p0.2 / S", f"{_THESIS}, eq. 2.47")]
-    """Outer diameter; of a built shaft the thickest between its gears [m]."""
-    bore: Length
-    """Inner diameter [m]."""
-    stress: Annotated[float, Quantity("stress"), Origin("√(σ_b² + 4 τ²)", f"{_THESIS}, eq. 2.47")]
-    """Tresca stress [Pa]."""
-    margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", f"{_THESIS}, eq. 2.47")]
-    """Allowable over actual stress [-]."""
-    mass: Annotated[float, Quantity("mass"), Origin("cylinders", "geometry")]
-    """Of a built shaft without what lies inside its gears, which count as solid [kg]."""
-    inertia: Annotated[float, Quantity("inertia"), Origin("cylinder", "geometry")]
-    """[kg m²]"""
-    stiffness: Annotated[
-        float,
-        Quantity("torsional_stiffness"),
-        Origin("K = π G (d⁴ − d_i⁴) / (32 L), steps in series", f"{_THESIS}, eq. 3.12, with a bore"),
-    ]
-    """Torsional stiffness over the whole length [N m/rad]."""
-    axis: tuple[Length, Length]
-    """Where its axis stands in the cross-section, y and z [m]."""
-    bearings: tuple[BearingLoad, ...]
-    """Its two bearings; none where only torque acts."""
-    diagram: ShaftDiagram
-    """In the case that governs."""
-
-
-@dataclass(frozen=True)
-class CarrierSizing:
-    """The carrier of one planetary set."""
-
-    stage: str
-    shaft: str
-    """Shaft that it is part of, or ``ground``."""
-    case: str
-    """Load case that governs the pins."""
-    torque: Torque
-    """Largest torque T_c [N m]."""
-    tangential_force: Annotated[
-        float, Quantity("force"), Origin("F_t = T_c K_γ / (N r_c); compound sets: of all meshes", f"{_THESIS}, §2.4")
-    ]
-    """Force of the teeth of one planet on its pin [N]."""
-    centrifugal_force: Annotated[float, Quantity("force"), Origin("F_c = m_p r_c ω_c²", "kinematics")]
-    """Centrifugal force of one planet on its pin [N]."""
-    radial_force: Annotated[
-        float,
-        Quantity("force"),
-        Origin("F_r = F_t tan((α_ws − α_wr)/2); compound sets: of all meshes", "equilibrium of a planet"),
-    ]
-    """Of the teeth of one planet on its pin, outwards [N]."""
-    pin_force: Annotated[float, Quantity("force"), Origin("F = √(F_t² + (F_c + F_r)²)", "equilibrium of a planet")]
-    """Force of one planet on its pin [N]."""
-    radius: Annotated[float, Quantity("length"), Origin("r_c = a_w", "geometry")]
-    """Radius of the pin circle [m]."""
-    pin_diameter: Annotated[
-        float, Quantity("length"), Origin("d³ = 32 (F b/2) / (π σ)", f"{_THESIS}, §2.4, cantilever")
-    ]
-    """Diameter of a pin [m]."""
-    pin_stress: Annotated[float, Quantity("stress"), Origin("σ = 32 (F b/2) / (π d³)", f"{_THESIS}, §2.4, cantilever")]
-    """Bending stress at the root of a pin [Pa]."""
-    pin_margin: Annotated[float, Quantity("ratio"), Origin("R_p0.2 / S over the stress", "first sizing")]
-    """Allowable over actual stress of the pins [-]."""
-    plate_thickness: Annotated[
-        float, Quantity("length"), Origin("share of b, or by τ = 2 T_c/(π d² t)", "first sizing")
-    ]
-    """Thickness of the plate [m]."""
-    plate_stress: Annotated[float, Quantity("stress"), Origin("τ = 2 T_c / (π d² t)", "equilibrium at the hub")]
-    """Shear stress of the plate at its hub [Pa]; zero on a carrier that stands still."""
-    plate_margin: Annotated[float | None, Quantity("ratio"), Origin("R_p0.2 / (2 S) over the stress", "Tresca")]
-    """Allowable over actual shear stress of the plate [-]; None on a carrier that stands still."""
-    mass: Annotated[float, Quantity("mass"), Origin("pins and plate", "geometry")]
-    """Pins and plate, without planets [kg]."""
-    inertia: Annotated[float, Quantity("inertia"), Origin("pins and plate", "geometry")]
-    """Pins and plate, without planets [kg m²]."""
-
-    @property
-    def part(self) -> PartId:
-        """Who it is."""
-        return carrier_part(self.stage)
 
 
 @dataclass(frozen=True)

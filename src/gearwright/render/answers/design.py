@@ -11,9 +11,10 @@ from gearwright.render.tables.sizing.materials import Property, material_propert
 from gearwright.render.tables.sizing.overview import shaft_by_shaft
 from gearwright.sizing import AskedSpeed, MassPart, Sizing, asked_speeds, mass_parts
 from gearwright.sizing.arrangement.envelope import Envelope, envelope
+from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
-from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, ShaftSizing
+from gearwright.sizing.result import GearSizing, MachineSizing
 from gearwright.train import Branch
 from gearwright.units import Mass, Power, Quantity
 

@@ -11,7 +11,8 @@ from dataclasses import fields, is_dataclass
 from typing import Any
 
 from gearwright.errors import DesignError, Problem
-from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, ShaftSizing, Sizing
+from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
+from gearwright.sizing.result import GearSizing, MachineSizing, Sizing
 from gearwright.spec import Design, Record
 
 _POSITIVE = {

@@ -8,8 +8,9 @@ from typing import NamedTuple, get_args, get_type_hints
 
 from gearwright.errors import DesignError, Problem, near
 from gearwright.sizing.arrangement import envelope
+from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.meshed import MeshSizing
-from gearwright.sizing.result import CarrierSizing, GearSizing, MachineSizing, ShaftSizing, Sizing
+from gearwright.sizing.result import GearSizing, MachineSizing, Sizing
 from gearwright.train import PowerFlow
 from gearwright.units import Quantity, marks_at
 from gearwright.verbs import verb

@@ -18,9 +18,10 @@ from gearwright.arrays import Floats
 from gearwright.identity import Kind, PartId, Role, gear_part
 from gearwright.parts.shafts import PointLoads, bearing_reactions
 from gearwright.sizing.arranged import ShaftPlan
+from gearwright.sizing.carrying import ShaftSizing
 from gearwright.sizing.loads import rotor_side, shaft_loads
 from gearwright.sizing.rating import Context, context_of
-from gearwright.sizing.result import GearSizing, ShaftSizing, Sizing
+from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.sizing.rolling import planet_push
 from gearwright.spec import GROUND, Design
 from gearwright.spec.design import BearingSeat

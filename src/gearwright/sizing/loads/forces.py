@@ -17,9 +17,10 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.parts.shafts import Diagram, PointLoads, diagram, supported
 from gearwright.sizing.arranged import ShaftPlan
+from gearwright.sizing.carrying import BearingLoad, ShaftDiagram
 from gearwright.sizing.loads.shaft_loads import shaft_loads
 from gearwright.sizing.rating import Context
-from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram
+from gearwright.sizing.result import GearSizing
 from gearwright.spec import Airscrew
 
 _ROUNDING = 1e-6

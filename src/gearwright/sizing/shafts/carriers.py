@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 from gearwright.identity import Role, carrier_part, gear_part
 from gearwright.parts.planetary import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
+from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.compound import pins_of
 from gearwright.sizing.rating import Context
-from gearwright.sizing.result import CarrierSizing, GearSizing, ShaftSizing
+from gearwright.sizing.result import GearSizing
 from gearwright.sizing.rolling import planet_push
 from gearwright.sizing.shafts.compound_carriers import PinLoad, pin_loads
 from gearwright.sizing.shafts.shafts import shaft_material

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from gearwright.checks import Check, stressed
 from gearwright.identity import Kind, PartId
 from gearwright.parts.bearings import life_exponent
+from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
-from gearwright.sizing.result import CarrierSizing, ShaftSizing
 from gearwright.sizing.shafts.bending import BEARING_SLOPES, GEAR_SLOPE
 from gearwright.sizing.shafts.building import Built
 from gearwright.spec import Design

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 
 from gearwright.errors import Problem, refuse
-from gearwright.sizing.result import ShaftSizing
+from gearwright.sizing.carrying import ShaftSizing
 from gearwright.units import text
 
 NOTHING = 1e-9

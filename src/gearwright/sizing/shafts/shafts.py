@@ -19,10 +19,11 @@ from gearwright.parts.shafts import (
     torsional_stiffness,
 )
 from gearwright.sizing.arranged import Arrangement, ShaftPlan
+from gearwright.sizing.carrying import BearingLoad, ShaftDiagram, ShaftSizing
 from gearwright.sizing.loads import ShaftForces, pure_torques, shaft_forces
 from gearwright.sizing.mounted import SectionStrength
 from gearwright.sizing.rating import Context
-from gearwright.sizing.result import BearingLoad, GearSizing, ShaftDiagram, ShaftSizing
+from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shafts.building import Built, build_shaft
 from gearwright.spec.design import NOTHING_GIVEN
 

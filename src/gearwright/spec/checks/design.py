@@ -16,8 +16,7 @@ from gearwright.spec.checks.motion import motion_problems
 from gearwright.spec.checks.mounting import mounting_problems
 from gearwright.spec.checks.names import name_problems
 from gearwright.spec.checks.planets import planetary_problems
-from gearwright.spec.design import GROUND, MACHINES, Damper, Design, given_values
-from gearwright.spec.design.stages import gear_named
+from gearwright.spec.design import GROUND, MACHINES, Damper, Design, gear_named, given_values
 from gearwright.units import text
 
 WIDEST = 60

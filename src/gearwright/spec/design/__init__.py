@@ -3,17 +3,14 @@
 What can be wrong with it beyond its types is in `checks`.
 """
 
-from gearwright.spec.design.cases import Case, Drive
 from gearwright.spec.design.design import GROUND, Design
-from gearwright.spec.design.dynamics import DynamicsRules, MeshCurve
-from gearwright.spec.design.epicyclics import CentralGear, Epicyclic, PlanetGear
-from gearwright.spec.design.gears import SUN_LIMITS, GearRules
-from gearwright.spec.design.given import NO_ORIGIN, WEIGHED, Given, given_values
-from gearwright.spec.design.limits import Allowed, allowed_for, allowed_in_case
-from gearwright.spec.design.machines import (
+from gearwright.spec.design.duty import (
     MACHINES,
     Accessory,
     Airscrew,
+    Allowed,
+    Case,
+    Drive,
     ElectricMachine,
     Generator,
     Limit,
@@ -22,25 +19,34 @@ from gearwright.spec.design.machines import (
     Motor,
     Propeller,
     Rotor,
+    Service,
     Turbine,
+    allowed_for,
+    allowed_in_case,
 )
-from gearwright.spec.design.materials import LifeLineRules, MaterialRules
-from gearwright.spec.design.methods import RATINGS, RatingMethod, method_of, uncovered
+from gearwright.spec.design.epicyclics import CentralGear, Epicyclic, PlanetGear
+from gearwright.spec.design.given import NO_ORIGIN, WEIGHED, Given, given_values
 from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
-from gearwright.spec.design.profile_shifts import (
-    PAIR_ROLES,
-    SET_ROLES,
-    StageShifts,
-    stage_shifts,
-    working_angle,
+from gearwright.spec.design.rules import (
+    RATINGS,
+    SUN_LIMITS,
+    Agma2001Rules,
+    DynamicsRules,
+    GearRules,
+    Iso6336Rules,
+    LifeLineRules,
+    MaterialRules,
+    MeshCurve,
+    PartErrors,
+    RatingMethod,
+    method_of,
+    uncovered,
 )
-from gearwright.spec.design.service import Service
 from gearwright.spec.design.shafts import NOTHING_GIVEN, ShaftLayout, Support
 from gearwright.spec.design.sharing import module_owners
 from gearwright.spec.design.spectrum import RATED, case_named, cases_of, drives_of, shares_of
-from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary
-from gearwright.spec.design.standards import Agma2001Rules, Iso6336Rules
-from gearwright.spec.design.tolerance import PartErrors
+from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary, gear_named
+from gearwright.spec.design.teeth import PAIR_ROLES, SET_ROLES, StageShifts, stage_shifts, working_angle
 
 __all__ = [
     "GROUND",
@@ -97,6 +103,7 @@ __all__ = [
     "case_named",
     "cases_of",
     "drives_of",
+    "gear_named",
     "given_values",
     "method_of",
     "module_owners",

@@ -14,30 +14,26 @@ from gearwright.catalogue import material_of, materials
 from gearwright.parts import Material
 from gearwright.showing import Shown
 from gearwright.spec.bounds import Name
-from gearwright.spec.design.cases import Case
-from gearwright.spec.design.dynamics import DynamicsRules
-from gearwright.spec.design.epicyclics import Epicyclic
-from gearwright.spec.design.gears import GearRules, TeethRules
-from gearwright.spec.design.machines import (
+from gearwright.spec.design.duty import (
     MACHINES,
     Accessory,
     Airscrew,
+    Case,
     Generator,
     Load,
     Machine,
     Motor,
     Propeller,
     Rotor,
+    Service,
     SpeedRules,
     Turbine,
 )
-from gearwright.spec.design.materials import MaterialRules
-from gearwright.spec.design.methods import method_of
+from gearwright.spec.design.epicyclics import Epicyclic
 from gearwright.spec.design.mounting import BearingSeat, Joint
-from gearwright.spec.design.service import Service
+from gearwright.spec.design.rules import DynamicsRules, GearRules, MaterialRules, PartErrors, TeethRules, method_of
 from gearwright.spec.design.shafts import CarrierRules, ShaftLayout, ShaftRules, Support
 from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary
-from gearwright.spec.design.tolerance import PartErrors
 from gearwright.spec.record import Record
 from gearwright.units import Mass
 

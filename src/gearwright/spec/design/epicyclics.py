@@ -6,8 +6,7 @@ from pydantic import Field
 
 from gearwright.parts.planetary import CompoundSet
 from gearwright.spec.bounds import Name
-from gearwright.spec.design.gears import GearRules
-from gearwright.spec.design.methods import CYLINDRICAL, INTERNAL
+from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules
 from gearwright.spec.record import Record
 from gearwright.units import Inertia, Length, Mass, Ratio
 

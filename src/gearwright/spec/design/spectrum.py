@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from gearwright.spec.design.cases import Case, Drive
 from gearwright.spec.design.design import Design
+from gearwright.spec.design.duty import Case, Drive
 
 RATED = "rated"
 """Name of the one case of a design without cases: each machine at its rated power."""

@@ -8,9 +8,7 @@ from typing import Literal
 from pydantic import Field
 
 from gearwright.identity import SIDES, Role
-from gearwright.spec.design.dynamics import PlanetaryBearings
-from gearwright.spec.design.gears import GearRules
-from gearwright.spec.design.methods import CYLINDRICAL, INTERNAL
+from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, PlanetaryBearings
 from gearwright.spec.record import Record
 from gearwright.units import Angle, Force, Inertia, Length, Mass, Ratio, Stiffness, TorsionalDamping
 

@@ -7,8 +7,8 @@ from typing import Literal
 
 from pydantic import Field
 
-from gearwright.spec.design.methods import RatingName
-from gearwright.spec.design.standards import Agma2001Rules, Iso6336Rules
+from gearwright.spec.design.rules.methods import RatingName
+from gearwright.spec.design.rules.standards import Agma2001Rules, Iso6336Rules
 from gearwright.spec.record import Record
 from gearwright.units import Angle, Ratio
 

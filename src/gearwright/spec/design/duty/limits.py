@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from gearwright.spec.design.cases import Case
-from gearwright.spec.design.machines import Limit, Machine
+from gearwright.spec.design.duty.cases import Case
+from gearwright.spec.design.duty.machines import Limit, Machine
 
 
 class Allowed(NamedTuple):

@@ -12,7 +12,7 @@ from typing import ClassVar, Literal
 
 from pydantic import Field
 
-from gearwright.spec.design.cases import BALANCES, IDLES, Drive
+from gearwright.spec.design.duty.cases import BALANCES, IDLES, Drive
 from gearwright.spec.record import Record
 from gearwright.units import Force, Inertia, Length, Mass, Power, Speed, Time, Torque
 

@@ -1,0 +1,38 @@
+"""How things are rated, proportioned and modelled: gears and their standards, materials, errors, dynamics.
+
+What is rated stands in the design itself; what a method covers in `methods`.
+"""
+
+from gearwright.spec.design.rules.dynamics import DynamicsRules, MeshCurve, PlanetaryBearings
+from gearwright.spec.design.rules.gears import SUN_LIMITS, GearRules, TeethRules
+from gearwright.spec.design.rules.materials import LifeLineRules, MaterialRules
+from gearwright.spec.design.rules.methods import (
+    CYLINDRICAL,
+    INTERNAL,
+    RATINGS,
+    RatingMethod,
+    method_of,
+    uncovered,
+)
+from gearwright.spec.design.rules.standards import Agma2001Rules, Iso6336Rules
+from gearwright.spec.design.rules.tolerance import PartErrors
+
+__all__ = [
+    "CYLINDRICAL",
+    "INTERNAL",
+    "RATINGS",
+    "SUN_LIMITS",
+    "Agma2001Rules",
+    "DynamicsRules",
+    "GearRules",
+    "Iso6336Rules",
+    "LifeLineRules",
+    "MaterialRules",
+    "MeshCurve",
+    "PartErrors",
+    "PlanetaryBearings",
+    "RatingMethod",
+    "TeethRules",
+    "method_of",
+    "uncovered",
+]

@@ -1,0 +1,9 @@
+"""Profile shifts of stages from what their design gives, and the teeth that cannot be.
+
+The search for tooth numbers is in `sizing`.
+"""
+
+from gearwright.spec.design.teeth.profile_shifts import stage_shifts, working_angle
+from gearwright.spec.design.teeth.shifts import PAIR_ROLES, SET_ROLES, StageShifts
+
+__all__ = ["PAIR_ROLES", "SET_ROLES", "StageShifts", "stage_shifts", "working_angle"]

@@ -1,0 +1,195 @@
+"""What the profile shifts of a stage are found from and how they are divided, balanced and held against each other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from gearwright.errors import DesignError, Problem
+from gearwright.identity import Role
+from gearwright.parts.gears import (
+    ISO53_A,
+    UNSHIFTED,
+    ToothShift,
+    least_profile_shift,
+    shifts_at,
+    tip_shortening,
+    working_centre,
+)
+from gearwright.parts.iso6336 import MeshGeometry, balanced_shift, shifted_mesh
+from gearwright.spec.design.rules import GearRules
+from gearwright.spec.design.stages import Pair, Planetary
+
+DEFAULT_BALANCE = "sliding"
+"""How a sum of shifts is divided where the design says nothing."""
+ROUNDING = 2e-3
+"""Part of a module by which given shifts may miss a centre distance: they are written with three decimals [-]."""
+PAIR_ROLES = (Role.PINION, Role.WHEEL)
+SET_ROLES = (Role.SUN, Role.PLANET, Role.RING)
+_WIDEST = 1.5
+"""Largest shift that is looked at [-]."""
+
+
+class StageShifts(NamedTuple):
+    """Profile shifts and tip alterations of the gears of a stage, and where they mesh."""
+
+    gears: tuple[ToothShift, ...] = (UNSHIFTED, UNSHIFTED)
+    """Of pinion and wheel, or of sun, planet and ring."""
+    centre: float | None = None
+    """Working centre distance over the module a_w/m_n [-]; None: the reference one of every mesh."""
+
+    def mesh(self, *, internal: bool) -> tuple[ToothShift, ToothShift]:
+        """Return the shifts of the two gears of a mesh.
+
+        Args:
+            internal: Of a planet and its ring, or of an internal pair.
+        """
+        first, second = self.gears[-2:] if internal else self.gears[:2]
+        return first, second
+
+    def of(self, role: Role) -> ToothShift:
+        """Return the shift of one gear.
+
+        Args:
+            role: What it is in its stage.
+        """
+        roles = SET_ROLES if len(self.gears) == len(SET_ROLES) else PAIR_ROLES
+        return self.gears[roles.index(role)] if role in roles else UNSHIFTED
+
+
+class Basis(NamedTuple):
+    """What the shifts of a stage are found from."""
+
+    path: str
+    """Of the stage."""
+    rules: GearRules
+    angles: Mapping[str, float]
+    """α_n and β, as the formulas of parts name them [rad]."""
+
+    def sum_at(self, teeth: int, centre: float) -> float:
+        """Return the sum of shifts that closes a mesh at a centre distance over the module [-].
+
+        Args:
+            teeth: z_1 + z_2, with z_2 negative for an internal mesh [-].
+            centre: a_w/m_n [-].
+        """
+        return shifts_at(teeth, centre, **self.angles)
+
+    def centre_of(self, teeth: int, shifts: float) -> float:
+        """Return the centre distance over the module at which a sum of shifts closes a mesh [-].
+
+        Args:
+            teeth: z_1 + z_2, with z_2 negative for an internal mesh [-].
+            shifts: x_1 + x_2 [-].
+        """
+        return working_centre(teeth, shifts, **self.angles)
+
+    def refused(self, key: str, message: str) -> DesignError:
+        """Return the error that names one key of the stage.
+
+        Args:
+            key: Below the stage's table.
+            message: What is wrong with it.
+        """
+        return DesignError([Problem(f"{self.path}.{key}", message)])
+
+
+def given_centre(basis: Basis, stage: Pair | Planetary) -> float | None:
+    """Return the given centre distance over the given module [-].
+
+    Args:
+        basis: Of the stage.
+        stage: As read.
+    """
+    if stage.centre_distance is None:
+        return None
+    if stage.module is None:
+        message = "shifts follow from a centre distance only with the module; give module_mm, too"
+        raise basis.refused("centre_distance", message)
+    return stage.centre_distance / stage.module
+
+
+def agree(basis: Basis, key: str, shifts: tuple[float, ...], teeth: int, centre: float) -> None:
+    """Refuse shifts that close elsewhere than at the centre distance.
+
+    Args:
+        basis: Of the stage.
+        key: To be named.
+        shifts: Of the two gears of a mesh [-].
+        teeth: z_1 + z_2, with z_2 negative for an internal mesh [-].
+        centre: a_w/m_n at which the stage stands [-].
+    """
+    closes = basis.centre_of(teeth, sum(shifts))
+    if abs(closes - centre) > ROUNDING:
+        wanted = basis.sum_at(teeth, centre)
+        message = (
+            f"the shifts {shifts[0]:.4g} and {shifts[1]:.4g} close at {closes:.5g} modules and the stage stands at"
+            f" {centre:.5g}; their sum must be {wanted:.4f}: give {wanted - shifts[0]:.4f} and"
+            f" {shifts[0]:.4g}, or leave one of them out"
+        )
+        raise basis.refused(key, message)
+
+
+def divided(basis: Basis, teeth: tuple[int, int], total: float, centre: float | None) -> float:
+    """Return x_1 of a sum of shifts that balances two gears as the rules say, without undercut of either.
+
+    Args:
+        basis: Of the stage.
+        teeth: z_1 and z_2, negative for internal teeth [-].
+        total: x_1 + x_2 [-].
+        centre: a_w/m_n [-]; None: the reference one.
+    """
+    limits = [
+        least_profile_shift(number, ISO53_A.straight_dedendum, **basis.angles) if number > 0 else -_WIDEST
+        for number in teeth
+    ]
+    least, most = max(limits[0], -_WIDEST), min(total - limits[1], _WIDEST)
+    if least > most:
+        needed = sum(limits)
+        message = (
+            f"no shifts keep {teeth[0]} and {teeth[1]} teeth free of undercut on this centre distance: together they"
+            f" need {needed:.3f} and it leaves {total:.3f}; give a larger centre distance, or more teeth"
+        )
+        raise basis.refused("centre_distance", message)
+    by = basis.rules.balanced_shifts or DEFAULT_BALANCE
+
+    def shape(first: float) -> MeshGeometry:
+        shifts = (first, total - first)
+        tips = _shortening(basis, teeth, shifts, centre)
+        return shifted_mesh(teeth, (ToothShift(shifts[0], tips), ToothShift(shifts[1], tips)), centre, **basis.angles)
+
+    return balanced_shift(shape, least, most, by=by)
+
+
+def altered(
+    basis: Basis,
+    stage: Pair | Planetary,
+    roles: tuple[Role, ...],
+    shifts: tuple[float, ...],
+    teeth: tuple[int, int],
+    centre: float | None,
+) -> tuple[ToothShift, ...]:
+    """Return the shifts with the tip alterations: given, or those that keep the tip clearance.
+
+    Args:
+        basis: Of the stage.
+        stage: As read.
+        roles: Of its gears.
+        shifts: Of its gears [-].
+        teeth: z_1 and z_2 of its external mesh, or of its internal pair [-].
+        centre: a_w/m_n [-]; None: the reference one.
+    """
+    kept = _shortening(basis, teeth, shifts[:2], centre)
+    altered = []
+    for role, shift in zip(roles, shifts, strict=True):
+        given = getattr(stage, f"{role}_tip_alteration")
+        usual = 0.0 if role is Role.RING else kept
+        altered.append(ToothShift(shift, usual if given is None else given))
+    return tuple(altered)
+
+
+def _shortening(basis: Basis, teeth: tuple[int, int], shifts: tuple[float, ...], centre: float | None) -> float:
+    """Return the tip alteration of an external mesh; internal ones keep their tips."""
+    if centre is None or min(teeth) < 0:
+        return 0.0
+    return tip_shortening(sum(teeth), centre, shifts[0] + shifts[1], helix_angle=basis.angles["helix_angle"])
