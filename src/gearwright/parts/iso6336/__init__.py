@@ -23,6 +23,7 @@ from gearwright.parts.iso6336.film import (
 )
 from gearwright.parts.iso6336.geometry import (
     MeshGeometry,
+    ShaperCutter,
     ToothProportions,
     Value,
     as_value,
@@ -99,6 +100,7 @@ __all__ = [
     "PairRating",
     "PinionShaft",
     "RootSection",
+    "ShaperCutter",
     "Steels",
     "StrengthLine",
     "StressBin",

@@ -33,6 +33,16 @@ def as_value(result: Any) -> Value:
 
 
 @dataclass(frozen=True)
+class ShaperCutter:
+    """The pinion-shaped cutter of a ring; the radius of its tip is the tooth's fillet radius."""
+
+    teeth: Value
+    """z_0 [-]."""
+    shift: Value = 0.0
+    """x_0 [-]; 0 where the cutter is half worn."""
+
+
+@dataclass(frozen=True)
 class ToothProportions:
     """Tooth of one gear, in normal modules."""
 
@@ -44,6 +54,8 @@ class ToothProportions:
     """x [-]."""
     undercut: Value = 0.0
     """Residual undercut of a protuberance tool s_pr* [-]."""
+    cutter: ShaperCutter | None = None
+    """Shaper cutter of a ring; None: its fillet radius is what the tool leaves."""
 
 
 @dataclass(frozen=True)

@@ -6,14 +6,15 @@ diameters inside these formulas. Lengths are in normal modules.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from gearwright.errors import SolveError
 from gearwright.parts.iso6336.geometry import MeshGeometry, ToothProportions, Value
+from gearwright.parts.iso6336.shaped_root import shaped_fillet
 from gearwright.units import Origin, Quantity
 
 _PART3 = "ISO 6336-3:2019, clause 6"
@@ -25,9 +26,10 @@ class Edition(Enum):
     """Edition of ISO 6336-3, which changes the load sharing, the helix factor and the fillets of rings."""
 
     ISO2006 = 2006
-    """With its correction of 2007: no f_ε; Y_β = 1 − ε_β β/120°; |z_n| in ρ_F, for rings too."""
+    """With its correction of 2007: no f_ε; Y_β = 1 − ε_β β/120°; |z_n| in ρ_F, for rings too; shaped rings by ρ_fPv."""
     ISO2019 = 2019
-    """f_ε in Y_F; Y_β = (1 − ε_β β/120°)/cos³ β; a ring's z_n is negative in ρ_F as everywhere."""
+    """f_ε in Y_F; Y_β = (1 − ε_β β/120°)/cos³ β; a ring's z_n is negative in ρ_F as everywhere; shaped rings by the
+    contour that their cutter generates."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,7 @@ class LoadedTooth:
     pressure_angle: Value
     """α_n [rad]."""
     tooth: ToothProportions
-    """Proportions; for internal teeth with the fillet radius that the cutter leaves."""
+    """Proportions; of internal teeth with their cutter, or with the fillet radius that it leaves."""
     thickness_shift: Value = 0.0
     """Thickness modification coefficient x_s, used by bevel gears [-]."""
     force_angle: Value | None = None
@@ -123,31 +125,66 @@ def root_section(loaded: LoadedTooth, edition: Edition = Edition.ISO2019) -> Roo
     >>> round(float(root_section(pinion).form), 3)
     2.8
     """
-    tooth, z_n, alpha = loaded.tooth, loaded.teeth, loaded.pressure_angle
-    corner = _corner(loaded)
+    shaped = loaded.tooth.cutter is not None and edition is Edition.ISO2019
+    tangent = _shaped_tangent(loaded) if shaped else _rolled_tangent(loaded, edition)
+    angle, gamma = _load_angle(loaded)
+    arm = (np.cos(gamma) - np.sin(gamma) * np.tan(angle)) * loaded.load_diameter
+    chord, fillet, lever = tangent.chord, tangent.fillet, 0.5 * (arm - tangent.diameter)
+    if not np.all((chord > 0.0) & (lever > 0.0) & (fillet > 0.0)):
+        raise SolveError(_NO_TOOTH)
+    force = loaded.pressure_angle if loaded.force_angle is None else loaded.force_angle
+    form = 6.0 * lever * np.cos(angle) / (chord**2 * np.cos(force))
+    notch = chord / (2.0 * fillet)
+    correction = _stress_correction(chord / lever, notch)
+    return RootSection(tangent.angle, chord, fillet, lever, angle, form, notch, correction)
+
+
+class _Tangent(NamedTuple):
+    """Where the tangent of the critical section touches the fillet, over the module."""
+
+    angle: Value
+    """ϑ [rad]."""
+    chord: Value
+    """s_Fn/m_n [-]."""
+    fillet: Value
+    """ρ_F/m_n [-]."""
+    diameter: Value
+    """Twice the distance of the section from the gear's centre, negative for internal teeth [-]."""
+
+
+def _rolled_tangent(loaded: LoadedTooth, edition: Edition) -> _Tangent:
+    """Touch the fillet that a rack leaves, or the rack that stands for a shaper cutter by its ρ_fPv."""
+    tooth, z_n = _by_rack(loaded.tooth), loaded.teeth
     drop = tooth.fillet_radius - tooth.dedendum + tooth.profile_shift
     internal = np.asarray(z_n) < 0
     opening = np.where(internal, np.pi / 6.0, np.pi / 3.0)
-    theta = _tangent_angle(drop, 2.0 / z_n * (0.5 * np.pi - corner) - opening, z_n, start=0.5 * np.pi - opening)
+    turned = 2.0 / z_n * (0.5 * np.pi - _corner(loaded, tooth)) - opening
+    theta = _tangent_angle(drop, turned, z_n, start=0.5 * np.pi - opening)
     cosine = np.cos(theta)
     offset = drop / cosine - tooth.fillet_radius
     chord = z_n * np.sin(opening - theta) + np.where(internal, 1.0, np.sqrt(3.0)) * offset
     rolling = np.abs(z_n) if edition is Edition.ISO2006 else z_n
     fillet = tooth.fillet_radius + 2.0 * drop**2 / (cosine * (rolling * cosine**2 - 2.0 * drop))
-    angle, gamma = _load_angle(loaded)
-    arm = (np.cos(gamma) - np.sin(gamma) * np.tan(angle)) * loaded.load_diameter
-    lever = 0.5 * (arm - z_n * np.cos(opening - theta) - np.where(internal, np.sqrt(3.0), 1.0) * offset)
-    if not np.all((chord > 0.0) & (lever > 0.0) & (fillet > 0.0)):
-        raise SolveError(_NO_TOOTH)
-    force = alpha if loaded.force_angle is None else loaded.force_angle
-    form = 6.0 * lever * np.cos(angle) / (chord**2 * np.cos(force))
-    notch = chord / (2.0 * fillet)
-    return RootSection(theta, chord, fillet, lever, angle, form, notch, _stress_correction(chord / lever, notch))
+    diameter = z_n * np.cos(opening - theta) + np.where(internal, np.sqrt(3.0), 1.0) * offset
+    return _Tangent(theta, chord, fillet, diameter)
 
 
-def _corner(loaded: LoadedTooth) -> Value:
+def _by_rack(tooth: ToothProportions) -> ToothProportions:
+    """Return a tooth with the fillet radius of the rack that stands for its shaper cutter."""
+    if tooth.cutter is None:
+        return tooth
+    return replace(tooth, fillet_radius=shaped_fillet_radius(tooth, tooth.cutter.teeth, tooth.cutter.shift))
+
+
+def _shaped_tangent(loaded: LoadedTooth) -> _Tangent:
+    """Touch the fillet that the shaper cutter generates."""
+    touched = shaped_fillet(loaded.tooth, np.abs(loaded.teeth), loaded.pressure_angle)
+    return _Tangent(touched.normal, touched.chord, touched.radius, -2.0 * touched.height)
+
+
+def _corner(loaded: LoadedTooth, tooth: ToothProportions) -> Value:
     """Auxiliary length E over the module: half width of the rack's tip between the centres of its roundings."""
-    tooth, alpha = loaded.tooth, loaded.pressure_angle
+    alpha = loaded.pressure_angle
     return (
         np.pi / 4.0
         - loaded.thickness_shift

@@ -83,7 +83,8 @@ def demands_of(context: Context) -> dict[str, Demand]:
 
 def _uncovered(context: Context, mesh: Mesh) -> Iterator[Problem]:
     first, second = (context.teeth[gear] for gear in mesh.gears)
-    return uncovered_teeth(context.ratings[mesh.stage], (first, second), context.design.table(mesh.stage))
+    signed = (first, -second if mesh.sign == INTERNAL else second)
+    return uncovered_teeth(context.ratings[mesh.stage], signed, context.design.table(mesh.stage))
 
 
 def worst_case(context: Context, mesh: Mesh) -> tuple[str, float]:

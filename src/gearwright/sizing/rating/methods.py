@@ -70,7 +70,7 @@ def uncovered_teeth(rating: Rating, teeth: tuple[int, int], path: str) -> Iterat
 
     Args:
         rating: Resolved rules.
-        teeth: Of a mesh of the stage.
+        teeth: Of a mesh of the stage, z_2 < 0 for a ring.
         path: Of the stage, such as ``pairs.first``.
     """
     for problem in method_for(rating).refuse(rating, teeth):

@@ -150,7 +150,7 @@ class Method(Protocol[R]):
     """Mode of failure, ``pitting`` or ``bending`` -> where its asked safety stands under [gears]."""
 
     def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
-        """Yield what it does not cover beyond what files are checked for: teeth, steel; paths below the rules."""
+        """Yield what it does not cover beyond what files are checked for; paths below the rules, z_2 < 0 for a ring."""
 
     def width_ratio(self, rating: Rating, small: Floats, large: Floats) -> Floats:
         """Return λ = b/m_n where the design gives none [-]."""

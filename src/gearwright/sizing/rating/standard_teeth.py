@@ -6,6 +6,7 @@ A bevel gear is carried by its mean cone: module m_mn, helix angle β_m, diamete
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike
 from gearwright.arrays import Floats
 from gearwright.parts.bevel import BevelPair, BevelTooth, cone_forces
 from gearwright.parts.gears import least_teeth
-from gearwright.parts.iso6336 import MeshGeometry, Value, shifted_mesh
+from gearwright.parts.iso6336 import MeshGeometry, ShaperCutter, Value, shifted_mesh
 from gearwright.sizing.rating.rules import Rating
 from gearwright.spec.design import working_angle
 
@@ -136,7 +137,7 @@ def cylindrical_mesh(
     pinion, wheel, size, width = np.broadcast_arrays(
         *(np.asarray(numbers, dtype=float) for numbers in (*teeth, module, face_width))
     )
-    return shifted_mesh(
+    mesh = shifted_mesh(
         (pinion, -wheel if internal else wheel),
         rating.shifts.mesh(internal=internal),
         rating.shifts.centre,
@@ -145,6 +146,18 @@ def cylindrical_mesh(
         module=size,
         face_width=width,
     )
+    return _shaped(mesh, rating) if internal else mesh
+
+
+def _shaped(mesh: MeshGeometry, rating: Rating) -> MeshGeometry:
+    """Return a mesh whose ring is cut by the stage's shaper cutter, if its rules have one."""
+    tool = rating.rules.iso6336.ring_cutter
+    if tool is None:
+        return mesh
+    per_tooth = mesh.virtual_teeth[1] / mesh.teeth[1]
+    cutter = ShaperCutter(tool.teeth * per_tooth, tool.shift)
+    ring = replace(mesh.proportions[1], fillet_radius=tool.tip_radius, cutter=cutter)
+    return replace(mesh, proportions=(mesh.proportions[0], ring))
 
 
 def working_radii(first: float, second: float, rating: Rating, *, internal: bool, module: float) -> tuple[float, float]:

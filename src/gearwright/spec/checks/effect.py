@@ -28,6 +28,7 @@ _OF_CYLINDERS = (
     "helix_modification", "scuffing_safety", "scuffing_stage", "oil_temperature", "widest_diameters", "widest_modules",
 )  # fmt: skip
 """Rules of ISO 6336 that ISO 10300 does not read."""
+_OF_RINGS = ("ring_cutter",)
 _OF_CONES = ("mounting", "profile_crowning")
 
 
@@ -81,6 +82,8 @@ def _pair(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
     written, foreign = pair.gears.iso6336, _OF_CYLINDERS if pair.kind == "bevel" else _OF_CONES
     standard = "ISO 10300 does not read it" if pair.kind == "bevel" else "only bevel gears read it"
     yield from _idle(f"{path}.gears.iso6336", written, foreign, standard)
+    if not pair.internal:
+        yield from _idle(f"{path}.gears.iso6336", written, _OF_RINGS, "this pair has no ring")
 
 
 def _stage_rules(

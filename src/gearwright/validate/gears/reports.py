@@ -22,6 +22,7 @@ from gearwright.parts.iso6336 import (
     MeshGeometry,
     MeshQuality,
     RootSection,
+    ShaperCutter,
     ToothProportions,
     Treatment,
     Value,
@@ -29,7 +30,6 @@ from gearwright.parts.iso6336 import (
     outer_single_contact,
     rate_mesh,
     root_section,
-    shaped_fillet_radius,
     single_contact_factors,
     surface_factor,
 )
@@ -46,7 +46,7 @@ _MM, _MPA = 1e-3, 1e6
 # --- 19/17/-56, m 45, three planets; 5000 kW at 12.1 rpm of the carrier -------------------------------------------
 _RACK, _RING_RACK = ToothProportions(1.25, 0.38), ToothProportions(1.25, 0.30)
 _SUN, _PLANET = replace(_RACK, profile_shift=0.617), replace(_RACK, profile_shift=0.8021)
-_RING = replace(_RING_RACK, fillet_radius=shaped_fillet_radius(_RING_RACK, 36.0), profile_shift=-0.5013)
+_RING = replace(_RING_RACK, cutter=ShaperCutter(36.0), profile_shift=-0.5013)
 SUN_PLANET = MeshGeometry(
     (19.0, 17.0), 45 * _MM, 491 * _MM, 863 * _MM, (489.404 * _MM, 452.735 * _MM), proportions=(_SUN, _PLANET)
 )

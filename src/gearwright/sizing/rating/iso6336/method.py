@@ -9,10 +9,18 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.checks import Check
-from gearwright.errors import Problem
+from gearwright.errors import Problem, SolveError
 from gearwright.identity import PartId
 from gearwright.parts.gears import Numbers
-from gearwright.parts.iso6336 import Edition, MeshDuty, PairRating, life_curves, rate_mesh
+from gearwright.parts.iso6336 import (
+    Edition,
+    MeshDuty,
+    PairRating,
+    life_curves,
+    outer_single_contact,
+    rate_mesh,
+    root_section,
+)
 from gearwright.sizing.rating.factors import Factor, factor_rows, steel_rows
 from gearwright.sizing.rating.iso6336.inputs import duty_of, quality_of, steel_of
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
@@ -50,8 +58,19 @@ class Iso6336:
         self._name, self._part3, self.edition = name, part3, edition
 
     def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
-        """Yield nothing: a file's steels are checked as it is read, and teeth as they are searched."""
-        yield from ()
+        """Yield a cutter that does not cut the ring; steels are checked as a file is read."""
+        tool = rating.rules.iso6336.ring_cutter
+        if tool is None or teeth[1] > 0:
+            return
+        if tool.teeth >= -teeth[1]:
+            message = f"{tool.teeth} given; a ring of {-teeth[1]} teeth is cut by fewer than it has"
+            yield Problem("gears.iso6336.ring_cutter.teeth", message)
+            return
+        try:
+            ring = outer_single_contact(cylindrical_mesh((teeth[0], -teeth[1]), 1.0, 1.0, rating, internal=True), 1)
+            root_section(ring, self._part3)
+        except SolveError as error:
+            yield Problem("gears.iso6336.ring_cutter", str(error))
 
     def width_ratio(self, rating: Rating, small: Floats, large: Floats) -> Floats:
         """Return λ of the widest gears that are allowed; the face width is narrowed later [-]."""

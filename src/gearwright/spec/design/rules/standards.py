@@ -10,6 +10,14 @@ from gearwright.spec.record import Record
 from gearwright.units import Length, Ratio
 
 
+class RingCutter(Record):
+    """The pinion-shaped cutter that cuts the rings of a stage."""
+
+    teeth: int = Field(ge=5, le=400, description="Teeth of the cutter z_0, fewer than the ring's")
+    shift: float = Field(0.0, ge=-1, le=1, description="Profile shift of the cutter x_0; 0 where it is half worn")
+    tip_radius: float = Field(0.25, ge=0, le=0.6, description="Radius of its tip over the module ρ_a0*")
+
+
 class Iso6336Rules(Record):
     """How gears are made, of what, and which safeties they owe: ISO 6336 for cylindrical, ISO 10300 for bevel gears."""
 
@@ -33,6 +41,10 @@ class Iso6336Rules(Record):
     root_roughness: Length = Field(10e-6, ge=1e-8, le=1e-3, description="R_z of the root fillets")
     tip_relief: Length = Field(
         0.0, ge=0, le=5e-4, description="Tip relief C_a of both gears of cylindrical pairs, for K_V and scuffing"
+    )
+    ring_cutter: RingCutter | None = Field(
+        None,
+        description="Shaper cutter of the rings, for their fillets; left out: as by a rack of ISO 53, profile A",
     )
     oil_viscosity: float = Field(25.0, ge=5, le=1000, description="ν_40 of the oil [mm²/s]")
     oil_temperature: float = Field(90.0, ge=-40, le=200, description="Temperature of the oil [°C], for scuffing")
