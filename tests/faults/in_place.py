@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import functools
 import gc
 import os
@@ -55,13 +56,18 @@ class _Loop:
         self.red = ""
         self.items: dict[str, pytest.Item] = {}
         self.functions: dict[tuple[str, str, int], list[FunctionType]] = {}
+        self.caches: list[Any] = []
 
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
         """Run every fault, then the tests that noticed any once more without."""
         self.items = {item.nodeid: item for item in session.items}
-        for function in (thing for thing in gc.get_objects() if isinstance(thing, FunctionType)):
-            self.functions.setdefault(_key(function.__code__), []).append(function)
+        for thing in gc.get_objects():
+            if isinstance(thing, FunctionType):
+                self.functions.setdefault(_key(thing.__code__), []).append(thing)
+            elif isinstance(thing, functools._lru_cache_wrapper):
+                self.caches.append(thing)
         gc.freeze()
+        gc.disable()  # A child lives for seconds; a collection would copy the parent's memory.
         for number, (trial, red) in enumerate(run_all(self.trials, self.jobs, self.faulty), start=1):
             print(
                 f"{number}/{len(self.trials)} {trial.fault} -- {red or 'not noticed in place'}",
@@ -104,21 +110,35 @@ class _Loop:
             return False
         path = sys.modules[fault.module].__file__ or ""
         tree = fault.tree(Path(path).read_text(encoding="utf-8"))
-        changed = False
+        changed = _constants(fault, tree) if fault.name else False
         for code in _inside(compile(tree, path, "exec")):
             for function in self.functions.get(_key(code), ()):
                 if function.__code__ != code and len(function.__code__.co_freevars) == len(code.co_freevars):
                     function.__code__ = code
                     changed = True
-        for thing in self.caches if changed else ():
-            thing.cache_clear()
+        for cache in self.caches if changed else ():
+            cache.cache_clear()
         return changed
 
-    @functools.cached_property
-    def caches(self) -> list[Any]:
-        """What remembers results of functions."""
-        gc.unfreeze()
-        return [thing for thing in gc.get_objects() if isinstance(thing, functools._lru_cache_wrapper)]
+
+def _constants(fault: Fault, tree: ast.Module) -> bool:
+    """Put the faulty constant, and those made of it, wherever the sound one stands under its name; tell whether any."""
+    space, stale = vars(sys.modules[fault.module]), {fault.name}
+    for statement in tree.body:
+        target = statement.targets[0] if isinstance(statement, ast.Assign) else getattr(statement, "target", None)
+        value = getattr(statement, "value", None)
+        if isinstance(target, ast.Name) and value is not None and target.id in space:
+            read = {part.id for part in ast.walk(value) if isinstance(part, ast.Name)}
+            if target.id == fault.name or read & stale:
+                stale.add(target.id)
+                _put(target.id, space[target.id], eval(compile(ast.Expression(value), fault.module, "eval"), space))
+    return fault.name in space
+
+
+def _put(name: str, old: object, new: object) -> None:
+    for module in list(sys.modules.values()):
+        if getattr(module, "__dict__", {}).get(name, module) is old:
+            setattr(module, name, new)
 
 
 def _key(code: CodeType) -> tuple[str, str, int]:

@@ -53,13 +53,13 @@ class Recorder:
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item):
         """Run one test, and its fixtures, under the tracer."""
-        self.running, start = set(), time.perf_counter()
+        self.running, start = set(), time.process_time()
         sys.settrace(self.called)
         threading.settrace(self.called)
         yield
         sys.settrace(None)
         threading.settrace(None)  # type: ignore[arg-type]
-        self.calls[item.nodeid], self.seconds[item.nodeid] = self.running, time.perf_counter() - start
+        self.calls[item.nodeid], self.seconds[item.nodeid] = self.running, time.process_time() - start
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Leave out what is red, or skipped, without any fault."""
