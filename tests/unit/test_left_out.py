@@ -19,8 +19,11 @@ from gearwright.parts.bevel import geometry as bevel_geometry
 from gearwright.parts.bevel import pitting as bevel_pitting
 from gearwright.parts.bevel import rating as bevel_rating
 from gearwright.parts.gears import cylindrical_gear, hertz, lewis
-from gearwright.parts.iso6336 import bending, dynamic, geometry, life, loads, pitting, root, strength
-from gearwright.parts.iso6336 import distribution as face
+from gearwright.parts.iso6336 import bending, geometry, pitting, root
+from gearwright.parts.iso6336.loads import distribution as face
+from gearwright.parts.iso6336.loads import dynamic
+from gearwright.parts.iso6336.loads import mesh_loads as loads
+from gearwright.parts.iso6336.steels import life, strength
 from gearwright.parts.joints import key, press_fit
 from gearwright.parts.losses import mesh as mesh_loss
 from gearwright.parts.losses import oil
