@@ -7,8 +7,21 @@ import math
 
 import pytest
 
+from gearwright.catalogue import centre_allowance
 from gearwright.dynamics.assembly import gear_pairs
-from gearwright.parts.gears import ToothShift, half_angle_at, span_measurement, spanned_teeth, working_centre
+from gearwright.parts.gears import (
+    CylindricalGear,
+    GearPair,
+    ToothShift,
+    centre_play,
+    circumferential_play,
+    half_angle_at,
+    span_allowance,
+    span_measurement,
+    spanned_teeth,
+    thinned,
+    working_centre,
+)
 from gearwright.parts.losses import tooth_contact
 from gearwright.shipped import shipped_design
 from gearwright.sizing import cylindrical_gear, pair_data, size
@@ -162,3 +175,22 @@ def test_teeth_and_spaces_fill_the_working_circle():
         )
         pitch = 2.0 * math.pi * pair.driver.base_radius / cosine / pair.driver.teeth
         assert thick == pytest.approx(pitch, abs=2e-3 * pair.driver.module)
+
+
+def test_backlash_of_a_published_pair_is_the_printed_one():
+    """FVA STplus, pair 51/52, m 1, x 0.2034/0.3143, a 52 js7: spans 278 and 207 µm short leave j_n 0.485 and j_t 0.521
+    mm, and the axes 0.012 and 0.011 mm more or less; the shifts with which the teeth are cut are −0.2030 and 0.0117."""
+    teeth = [CylindricalGear(z, 1e-3, 0.015, profile_shift=x) for z, x in ((51, 0.2034), (52, 0.3143))]
+    assert [1e3 * span_measurement(gear, 6) for gear in teeth] == pytest.approx([17.090, 17.180], abs=6e-4)
+    thickness = [-span * UM / math.cos(math.radians(20.0)) for span in (278.0, 207.0)]
+    cut = [thinned(gear, thin).profile_shift for gear, thin in zip(teeth, thickness, strict=True)]
+    assert cut == pytest.approx([-0.2030, 0.0117], abs=6e-5)
+    angle = GearPair(*teeth, 0.052).working_pressure_angle
+    assert math.degrees(angle) == pytest.approx(21.46, abs=5e-3)
+    normal = -sum(span_allowance(thin, pressure_angle=math.radians(20.0)) for thin in thickness)
+    assert 1e3 * normal == pytest.approx(0.485, abs=5e-4)
+    around = {"working_angle": angle, "helix_angle": 0.0}
+    assert 1e3 * circumferential_play(normal, **around) == pytest.approx(0.521, abs=5e-4)
+    moved = centre_play(centre_allowance(0.052, "js7"), **around)
+    assert 1e3 * moved == pytest.approx(0.011, abs=5e-4)
+    assert 1e3 * circumferential_play(moved, **around) == pytest.approx(0.012, abs=5e-4)

@@ -11,6 +11,7 @@ from gearwright.catalogue.bearing_choice import (
 from gearwright.catalogue.bearings import Bearing, bearing, bearings, with_ratings
 from gearwright.catalogue.engines import Engine, Printed, Series, all_series, engines, nearest, notes, select
 from gearwright.catalogue.fits import LARGEST, SEAT_SOURCE, SMALLEST, seat_tolerance, shaft_limits, standard_tolerance
+from gearwright.catalogue.gear_fits import CENTRE_FITS, THICKNESS_FITS, centre_allowance, thickness_allowances
 from gearwright.catalogue.gear_strength import USUAL_HARDNESS, gear_steel, gear_steel_names, rated_steel
 from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
 from gearwright.catalogue.keys import LENGTHS, StandardKey, key_for_shaft, standard_keys
@@ -27,11 +28,13 @@ from gearwright.catalogue.propellers import (
 )
 
 __all__ = [
+    "CENTRE_FITS",
     "LARGEST",
     "LENGTHS",
     "MAPS",
     "SEAT_SOURCE",
     "SMALLEST",
+    "THICKNESS_FITS",
     "USUAL_HARDNESS",
     "Bearing",
     "BearingCheck",
@@ -44,6 +47,7 @@ __all__ = [
     "all_series",
     "bearing",
     "bearings",
+    "centre_allowance",
     "charted_point",
     "check_bearing",
     "compressed",
@@ -70,6 +74,7 @@ __all__ = [
     "shaft_limits",
     "standard_keys",
     "standard_tolerance",
+    "thickness_allowances",
     "weighed_gearboxes",
     "with_ratings",
 ]

@@ -9,7 +9,7 @@ from gearwright.errors import DesignError, Problem, near
 from gearwright.parts.bearings import BearingKind
 from gearwright.units import Length
 
-SMALLEST, LARGEST = 0.006, 0.500
+SMALLEST, LARGEST = 0.006, 3.150
 """Sizes that the table covers: above the first, up to the second [m]."""
 LARGEST_M6 = 0.100
 """Bore of roller bearings up to which m6 is usual, n6 above [m]."""
@@ -27,7 +27,7 @@ def _range(diameter: float) -> dict[str, float]:
     for row in _ranges():
         if row["over_mm"] < 1e3 * diameter <= row["to_mm"] + 1e-9:
             return row
-    message = f"{1e3 * diameter:.4g} mm given; the table holds above 6 up to 500 mm"
+    message = f"{1e3 * diameter:.4g} mm given; the table holds above 6 up to 3150 mm"
     raise DesignError([Problem("diameter", message)])
 
 
@@ -36,7 +36,7 @@ def standard_tolerance(diameter: float, grade: int) -> Length:
 
     Args:
         diameter: Nominal size [m].
-        grade: Of IT5 to IT10 [-].
+        grade: Of IT5 to IT11 [-].
 
     Raises:
         DesignError: If the table has no such size or grade.

@@ -22,12 +22,14 @@ from gearwright.sizing.pair_data import BevelPairData, CylindricalPairData, pair
 from gearwright.sizing.result import GearSizing, MachineSizing, Sizing
 from gearwright.sizing.size import size
 from gearwright.sizing.stage_summary import StageSummary, stage_summaries
+from gearwright.sizing.tooth_play import Backlash, backlash_of, fit_of, play_in_motion, thickness_of
 from gearwright.sizing.tooth_shape import cylindrical_gear, planet_positions
 
 __all__ = [
     "TEXT",
     "Arrangement",
     "AskedSpeed",
+    "Backlash",
     "BearingSizing",
     "BevelPairData",
     "BuiltShaft",
@@ -46,17 +48,21 @@ __all__ = [
     "Sizing",
     "StageSummary",
     "asked_speeds",
+    "backlash_of",
     "bearing_forces",
     "cylindrical_gear",
+    "fit_of",
     "mass_parts",
     "named_results",
     "pair_data",
     "pick",
     "pins_of",
     "planet_positions",
+    "play_in_motion",
     "refuse_no_numbers",
     "size",
     "stage_summaries",
+    "thickness_of",
     "total_results",
     "towards",
 ]

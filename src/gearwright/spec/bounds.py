@@ -223,6 +223,8 @@ class OneOf:
 
     table: Mapping[str, object]
     """What may be named."""
+    words: str = ""
+    """What it is, of a table too long to be listed."""
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Refuse what the table does not have."""
@@ -235,7 +237,7 @@ class OneOf:
     def _of_table(self, name: str) -> str:
         if name not in self.table:
             *first, last = map(repr, self.table)
-            expected = f"{', '.join(first)} or {last}"
+            expected = self.words or f"{', '.join(first)} or {last}"
             raise PydanticCustomError("literal_error", "Input should be {expected}", {"expected": expected})
         return name
 

@@ -1,5 +1,7 @@
 """Limits and fits of ISO 286."""
 
+import math
+
 import pytest
 
 from gearwright.catalogue import seat_tolerance, shaft_limits, standard_tolerance
@@ -23,9 +25,20 @@ def test_standard_tolerances_grow_by_1_6_each_fifth_grade_of_ten():
         assert standard_tolerance(diameter, 10) / standard_tolerance(diameter, 5) == pytest.approx(10.0, rel=0.1)
 
 
+@pytest.mark.parametrize(
+    ("low", "high"),
+    [(500, 630), (630, 800), (800, 1000), (1000, 1250), (1250, 1600), (1600, 2000), (2000, 2500), (2500, 3150)],
+)
+def test_tolerances_of_large_sizes_are_those_of_iso_286s_formula(low, high):
+    """ISO 286-1:2010: 10, 16, 25, 40, 64 and 100 times I = 0.004 D + 2.1 µm, D the range's geometric mean, rounded."""
+    step = 0.004 * math.sqrt(low * high) + 2.1
+    for grade, steps in zip(range(6, 12), (10, 16, 25, 40, 64, 100), strict=True):
+        assert 1e6 * standard_tolerance(1e-3 * high, grade) == pytest.approx(steps * step, rel=0.035)
+
+
 def test_sizes_and_classes_outside_of_the_table_are_named():
-    with pytest.raises(DesignError, match="above 6 up to 500 mm"):
-        shaft_limits(0.6, "k6")
+    with pytest.raises(DesignError, match="above 6 up to 3150 mm"):
+        shaft_limits(3.2, "k6")
     with pytest.raises(DesignError, match="no IT12"):
         standard_tolerance(0.05, 12)
 

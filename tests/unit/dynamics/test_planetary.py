@@ -114,7 +114,7 @@ def test_mesh_forces_carry_the_torque_of_the_sun():
 
 def test_backlash_does_not_matter_while_every_mesh_is_pressed_and_turns_round_with_the_torque():
     """The dead zone lies on the side that the torque leaves; reversed, the force is reached on the far flanks."""
-    tight, loose = planetary(4), planetary(4, backlash=2e-4)
+    tight, loose = planetary(4), planetary(4, backlash=(2e-4, 2e-4))
     meshes = [n for n, kind in enumerate(loaded(tight).labels.line_kinds) if kind == "mesh"]
     forces = [statics(loaded(each)).force[meshes] for each in (tight, loose)]
     assert forces[0] == pytest.approx(forces[1])

@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.dynamics.assembly.translational import pin_stiffness
 from gearwright.dynamics.model import System
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, play_in_motion
 from gearwright.spec import GROUND, Record, quantity_of
 from gearwright.spec.checks import table_of
 from gearwright.spec.design import DynamicsRules
@@ -79,10 +79,14 @@ def _curves(sizing: Sizing) -> Iterator[Assumption]:
 
 def _backlash(sizing: Sizing) -> Iterator[Assumption]:
     for name, stage in sizing.design.stages.items():
-        words = f"{stage.backlash * 1e6:.4g} µm" if stage.backlash else "none: teeth stay in contact both ways"
-        yield Assumption(
-            f"backlash of {name}", words, _origin(stage, "backlash"), f"{sizing.design.table(name)}.backlash_um"
-        )
+        plays = {mesh.name: play_in_motion(sizing, mesh.name) for mesh in sizing.meshes if mesh.stage == name}
+        given, path = "backlash" in stage.model_fields_set, f"{sizing.design.table(name)}.backlash_um"
+        if given or not any(plays.values()):
+            words = f"{stage.backlash * 1e6:.4g} µm" if stage.backlash else "none: teeth stay in contact both ways"
+            yield Assumption(f"backlash of {name}", words, _origin(stage, "backlash"), path)
+            continue
+        for mesh, play in plays.items():
+            yield Assumption(f"backlash of {mesh}", f"{play * 1e6:.4g} µm, the mean of its fits", "computed", path)
 
 
 def _bearings(sizing: Sizing) -> Iterator[Assumption]:

@@ -14,7 +14,7 @@ from gearwright.dynamics.model import DampingRatio, Owner, Periodic
 from gearwright.identity import PartId, Role, Row, carrier_part, gear_part, mesh_part
 from gearwright.parts.planetary import planet_phases
 from gearwright.parts.stiffness import StiffnessCurve
-from gearwright.sizing import planet_positions
+from gearwright.sizing import planet_positions, play_in_motion
 from gearwright.spec import GROUND, Epicyclic, Planetary
 from gearwright.train import Mesh
 
@@ -94,7 +94,7 @@ def _add_line(assembly: Assembly, mesh: Mesh, teeth: _Teeth) -> None:
         weights,
         stiffness=curve.mean * teeth.count,
         damping=DampingRatio(design.dynamics.mesh_damping),
-        backlash=design.stages[mesh.stage].backlash,
+        backlash=play_in_motion(assembly.sizing, mesh.name),
         variation=variation,
         owner=Owner(teeth.line),
     )

@@ -13,7 +13,7 @@ from gearwright.dynamics.assembly.meshes import gear_of
 from gearwright.dynamics.model import Entries, Member, PlanetarySet, System, add_planetary
 from gearwright.identity import MEMBERS, Kind, Role, Row, carrier_part, gear_part, member_part, mesh_part
 from gearwright.parts.planetary import planet_phases
-from gearwright.sizing import CarrierSizing, GearSizing, Sizing, planet_positions
+from gearwright.sizing import CarrierSizing, GearSizing, Sizing, planet_positions, play_in_motion
 from gearwright.spec import GROUND, Planetary
 from gearwright.train import PowerFlow
 
@@ -34,7 +34,6 @@ def add_moving_set(assembly: Assembly, stage: str) -> None:
 
 
 def _planetary_set(assembly: Assembly, stage: str) -> PlanetarySet:
-    planetary = assembly.sizing.design.planetaries[stage]
     rows = tuple(str(mesh_part(stage, row)) for row in (Row.SUN_PLANET, Row.PLANET_RING))
     inner, outer = (assembly.pairs[row] for row in rows)
     places = planet_positions(assembly.sizing.design, stage, assembly.sizing.teeth)
@@ -47,7 +46,7 @@ def _planetary_set(assembly: Assembly, stage: str) -> PlanetarySet:
         sun_teeth=inner.driver.teeth,
         phases=planet_phases(inner, outer, places),
         damping=assembly.sizing.design.dynamics.mesh_damping,
-        backlash=planetary.backlash,
+        backlash=(play_in_motion(assembly.sizing, rows[0]), play_in_motion(assembly.sizing, rows[1])),
         flank=push_sense(assembly.flow, rows[0]),
     )
 

@@ -188,6 +188,7 @@ def _sun_mesh(writer: _Writer, number: int, position: float) -> None:
         mesh_part(writer.stage, Row.SUN_PLANET, number=number),
         motion,
         curve=p.sun_mesh,
+        backlash=p.backlash[0],
         phase=phase,
         run_out=run_out,
     )
@@ -211,6 +212,7 @@ def _ring_mesh(writer: _Writer, number: int, position: float) -> None:
         mesh_part(writer.stage, Row.PLANET_RING, number=number),
         motion,
         curve=p.ring_mesh,
+        backlash=p.backlash[1],
         phase=phase,
         run_out=run_out,
     )
@@ -239,6 +241,7 @@ def _mesh(
     motion: _Motion,
     *,
     curve: StiffnessCurve,
+    backlash: float,
     phase: float,
     run_out: tuple[Periodic, ...],
 ) -> None:
@@ -259,7 +262,7 @@ def _mesh(
         motion.weights,
         stiffness=curve.mean,
         damping=DampingRatio(p.damping),
-        backlash=p.backlash,
+        backlash=backlash,
         variation=variation,
         errors=(*constant, *run_out),
         owner=Owner(part),

@@ -71,8 +71,8 @@ class PlanetarySet:
     """Planet, counted from 1 -> its error."""
     damping: float = 0.0
     """Damping ratio ζ of every line [-]."""
-    backlash: float = 0.0
-    """Backlash of every mesh along its line of action [m]; 0: linear."""
+    backlash: tuple[float, float] = (0.0, 0.0)
+    """Backlash of the meshes with the sun and with the ring along their lines of action [m]; 0: linear."""
     flank: Literal[1, -1] = 1
     """1: the torque on the sun is positive; −1: it is negative and the other flanks touch."""
 

@@ -78,7 +78,7 @@ def planet_sharing(
 
 
 def _even(planetary: PlanetarySet, number: int) -> PlanetarySet:
-    linear = replace(planetary, positions=even_positions(number), phases=None, errors={}, backlash=0.0)
+    linear = replace(planetary, positions=even_positions(number), phases=None, errors={}, backlash=(0.0, 0.0))
     return replace(
         linear,
         sun_mesh=replace(linear.sun_mesh, cosine=(), sine=()),

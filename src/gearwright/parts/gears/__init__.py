@@ -45,7 +45,16 @@ from gearwright.parts.gears.involute import (
     working_pressure_angle,
 )
 from gearwright.parts.gears.lewis import FEWEST_TEETH, bending_stress_lewis, lewis_form_factor, module_lewis
-from gearwright.parts.gears.tooth_allowance import feed_grade, least_backlash, runout_tolerance, span_allowances
+from gearwright.parts.gears.tooth_allowance import (
+    centre_play,
+    circumferential_play,
+    feed_grade,
+    least_backlash,
+    runout_tolerance,
+    span_allowance,
+    span_allowances,
+    thinned,
+)
 from gearwright.parts.gears.tooth_form import ToothForm, load_point, tooth_form
 from gearwright.parts.gears.tooth_measurement import ball_measurement, span_measurement, spanned_teeth
 from gearwright.parts.gears.working_centre import (
@@ -76,6 +85,8 @@ __all__ = [
     "ball_measurement",
     "base_helix_angle",
     "bending_stress_lewis",
+    "centre_play",
+    "circumferential_play",
     "contact_angles",
     "contact_radii",
     "contact_stress",
@@ -104,9 +115,11 @@ __all__ = [
     "runout_tolerance",
     "shift_sum",
     "shifts_at",
+    "span_allowance",
     "span_allowances",
     "span_measurement",
     "spanned_teeth",
+    "thinned",
     "tip_clearance_angle",
     "tip_room",
     "tip_shortening",

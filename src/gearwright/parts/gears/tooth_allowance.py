@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from gearwright.errors import DesignError, Problem
+from gearwright.parts.gears.cylindrical_gear import CylindricalGear
 
 _MM = 1e-3
 _FEED = {4: (7, 1.26), 5: (8, 1.0), 6: (8, 1.26), 7: (9, 1.0), 8: (9, 1.26), 9: (10, 1.0)}
@@ -85,3 +87,78 @@ def span_allowances(backlash: float, runout: float, feed: float, *, pressure_ang
     upper = -backlash / 2.0
     width = 2.0 * math.tan(pressure_angle) * math.hypot(runout, feed) * math.cos(pressure_angle)
     return upper - width, upper
+
+
+def span_allowance(thickness: float, *, pressure_angle: float) -> float:
+    """Return by how much a span measurement is shorter where teeth are thinner.
+
+    Args:
+        thickness: Allowance of the normal tooth thickness E_sn, negative [m].
+        pressure_angle: α_n [rad].
+
+    Returns:
+        E_bn [m], negative; of two gears that mesh the sum is their normal backlash −j_bn.
+
+    Source: DIN 3967:1978, A_W = A_sn cos α_n.
+
+    >>> round(1e6 * span_allowance(-70e-6, pressure_angle=math.radians(20.0)))
+    -66
+    """
+    return thickness * math.cos(pressure_angle)
+
+
+def thinned(gear: CylindricalGear, thickness: float) -> CylindricalGear:
+    """Return a gear whose teeth are thinner, of the same tip circle: its shift is the one with which it is cut.
+
+    Args:
+        gear: Without backlash.
+        thickness: Allowance of the normal tooth thickness E_sn, negative [m].
+
+    Source: DIN 3960:1987, x_E = x + A_s/(2 m_n tan α_n).
+
+    >>> round(thinned(CylindricalGear(51, 1e-3, 0.017, profile_shift=0.2034), -278e-6 / math.cos(math.radians(20.0)))
+    ...       .profile_shift, 4)
+    -0.203
+    """
+    less = thickness / (2.0 * gear.module * math.tan(gear.rack.pressure_angle))
+    shift, tip = gear.profile_shift + less, gear.tip_alteration - less
+    return replace(gear, profile_shift=shift, tip_alteration=tip)
+
+
+def centre_play(further: float, *, working_angle: float, helix_angle: float) -> float:
+    """Return the normal backlash that an external mesh gains where its axes stand further apart; a ring loses it.
+
+    Args:
+        further: By which the centre distance is larger [m].
+        working_angle: Working transverse pressure angle α_wt [rad].
+        helix_angle: At the base cylinder β_b [rad].
+
+    Returns:
+        Δj_bn [m].
+
+    Source: DIN 3967:1978, Δj = 2 A_a tan α_wt on the working circles, times cos α_wt cos β_b along the flank's normal.
+    Valid for: changes that are small against the centre distance.
+
+    >>> round(1e6 * centre_play(15e-6, working_angle=math.radians(21.46), helix_angle=0.0))
+    11
+    """
+    return 2.0 * further * math.sin(working_angle) * math.cos(helix_angle)
+
+
+def circumferential_play(normal: float, *, working_angle: float, helix_angle: float) -> float:
+    """Return a normal backlash along the working pitch circles.
+
+    Args:
+        normal: j_bn [m].
+        working_angle: Working transverse pressure angle α_wt [rad].
+        helix_angle: At the base cylinder β_b [rad].
+
+    Returns:
+        j_wt [m].
+
+    Source: ISO 21771:2007, j_bn = j_wt cos α_wt cos β_b.
+
+    >>> round(1e6 * circumferential_play(485e-6, working_angle=math.radians(21.46), helix_angle=0.0))
+    521
+    """
+    return normal / (math.cos(working_angle) * math.cos(helix_angle))

@@ -21,6 +21,7 @@ from gearwright.parts.planetary import tip_gap
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
+from gearwright.sizing.tooth_play import backlash_of
 from gearwright.sizing.tooth_shape import cylindrical_gear, planet_positions
 from gearwright.train import INTERNAL, Mesh
 
@@ -53,6 +54,7 @@ def tooth_checks(
             tip = tip_thickness(cylindrical_gear(context.design, gear)) * math.cos(gear.helix_angle) / gear.module
             yield Check(gear.part, "tip thickness", "DIN 3960", tip, THINNEST_TIP, exponent=None, symbol="s_an/m_n")
     for mesh, pair in zip(meshes, pairs, strict=True):
+        yield from _play(context, mesh, gears)
         if pair.side < 0:
             yield from _inside(mesh.part, pair)
     yield from _neighbours(context, stage, gears)
@@ -85,6 +87,13 @@ def _undercut(context: Context, gears: list[GearSizing]) -> Check:
     gear = min(external, key=lambda candidate: candidate.teeth - fewest(candidate))
     limit = math.ceil(fewest(gear) - 1e-9)
     return Check(gear.part, "undercut", "ISO 21771, z_min", gear.teeth, limit, "number", exponent=None, symbol="z")
+
+
+def _play(context: Context, mesh: MeshSizing, gears: Mapping[str, GearSizing]) -> Iterator[Check]:
+    """Yield whether the thickest teeth leave a gap where the axes stand as badly as they may."""
+    if (play := backlash_of(context.design, gears, mesh)) is not None:
+        clause = "DIN 3967, DIN 3964"
+        yield Check(mesh.part, "backlash", clause, play.opened, play.closed, "length", exponent=None, symbol="j_bn")
 
 
 def _inside(part: PartId, pair: GearPair) -> Iterator[Check]:

@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from gearwright.errors import Problem
-from gearwright.spec.design import RATINGS, Design, GearRules, Pair, Planetary, given_values
+from gearwright.identity import SIDES
+from gearwright.spec.design import PAIR_ROLES, RATINGS, SET_ROLES, Design, GearRules, Pair, Planetary, given_values
 from gearwright.spec.record import Record
 
 _DECIDED = {
@@ -30,6 +31,8 @@ _OF_CYLINDERS = (
 """Rules of ISO 6336 that ISO 10300 does not read."""
 _OF_RINGS = ("ring_cutter",)
 _OF_CONES = ("mounting", "profile_crowning")
+_OF_FITS = ("allowance", "centre_allowance")
+"""Rules of gears that only cylindrical ones read."""
 
 
 def effect_problems(design: Design) -> Iterator[Problem]:
@@ -56,6 +59,7 @@ def effect_problems(design: Design) -> Iterator[Problem]:
         path = f"epicyclics.{name}"
         yield from _stage_rules(path, design.rules(name), epicyclic.gears, _OF_PAIRS, "compound sets are spur here")
         yield from _shifted(path, design.rules(name), "compound sets")
+    yield from _axes(design)
     yield from _methods(design)
     yield from _joints(design)
     yield from _bearings(design)
@@ -75,6 +79,7 @@ def _pair(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
     if pair.kind != "bevel":
         yield from _idle(path, pair, _OF_BEVELS, f"only bevel gears have one, and this pair is {pair.kind}")
     yield from _stage_rules(path, rules, pair.gears, _OF_SETS, "only planetary sets have planets and rings")
+    yield from _fits(path, pair)
     if pair.gears is None:
         return
     if pair.kind != "bevel" and not rules.helix_angle:
@@ -84,6 +89,18 @@ def _pair(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
     yield from _idle(f"{path}.gears.iso6336", written, foreign, standard)
     if not pair.internal:
         yield from _idle(f"{path}.gears.iso6336", written, _OF_RINGS, "this pair has no ring")
+
+
+def _fits(path: str, pair: Pair) -> Iterator[Problem]:
+    """Find fits of teeth that are no cylindrical ones, or that another pair owns."""
+    for side in SIDES:
+        if pair.kind != "cylindrical":
+            why = f"allowances of tooth thickness are those of cylindrical gears, and this pair is {pair.kind}"
+            yield from _idle(path, pair, (f"{side}_allowance",), why)
+        elif (owner := pair.shared(side)) is not None:
+            yield from _idle(path, pair, (f"{side}_allowance",), f"the gear is {'.'.join(owner)}; give it there")
+    if pair.kind != "cylindrical" and pair.gears is not None:
+        yield from _idle(f"{path}.gears", pair.gears, _OF_FITS, f"this pair is {pair.kind}")
 
 
 def _stage_rules(
@@ -123,6 +140,17 @@ def _shifted(path: str, rules: GearRules, what: str) -> Iterator[Problem]:
     if rules.profile_shift:
         message = f"{rules.profile_shift:g}, but {what} are cut without profile shift here; write 0 for this stage"
         yield Problem(f"{path}.gears.profile_shift", message)
+
+
+def _axes(design: Design) -> Iterator[Problem]:
+    """Find tolerances of centre distances where no gear says how thick its teeth are, so that no backlash follows."""
+    for name, stage in design.simple_stages.items():
+        rules, roles = design.rules(name), PAIR_ROLES if isinstance(stage, Pair) else SET_ROLES
+        own = stage.gears is not None and "centre_allowance" in stage.gears.model_fields_set
+        fits = (rules.allowance, *(getattr(stage, f"{role}_allowance") for role in roles))
+        if own and not any(fits):
+            why = "backlash follows from it only with the allowance of a tooth thickness"
+            yield Problem(f"{design.table(name)}.gears.centre_allowance", f"has no effect: {why}; give allowance, too")
 
 
 def _methods(design: Design) -> Iterator[Problem]:

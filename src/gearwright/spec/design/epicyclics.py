@@ -6,13 +6,14 @@ from pydantic import Field
 
 from gearwright.parts.planetary import CompoundSet
 from gearwright.spec.bounds import Name
-from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules
+from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, ThicknessFit
 from gearwright.spec.record import Record
 from gearwright.units import Inertia, Length, Mass, Ratio
 
 _TEETH = Field(ge=6, le=2000, description="Tooth number z")
 _MODULE = Field(None, gt=0, description="Module m_n of this gear and of all that mesh with it; left out: sized")
 _WIDTH = Field(None, gt=0, description="Face width b of the meshes of this gear and of its mates; left out: sized")
+_ALLOWANCE = Field(None, description="Its tooth thickness by DIN 3967; left out: gears.allowance")
 _MASS = Field(None, gt=0, description="Of one gear; left out: of the disc or of the ring's wall")
 _INERTIA = Field(None, gt=0, description="Of one gear; left out: of the disc or of the ring's wall")
 
@@ -24,6 +25,7 @@ class CentralGear(Record):
     teeth: int = _TEETH
     module: Length | None = _MODULE
     face_width: Length | None = _WIDTH
+    allowance: ThicknessFit | None = _ALLOWANCE
     mass: Mass | None = _MASS
     inertia: Inertia | None = _INERTIA
 
@@ -40,6 +42,7 @@ class PlanetGear(Record):
     )
     module: Length | None = _MODULE
     face_width: Length | None = _WIDTH
+    allowance: ThicknessFit | None = _ALLOWANCE
     mass: Mass | None = _MASS
     inertia: Inertia | None = _INERTIA
 

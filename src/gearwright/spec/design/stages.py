@@ -8,7 +8,7 @@ from typing import Literal
 from pydantic import Field
 
 from gearwright.identity import SIDES, Role
-from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, PlanetaryBearings
+from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, PlanetaryBearings, ThicknessFit
 from gearwright.spec.record import Record
 from gearwright.units import Angle, Force, Inertia, Length, Mass, Ratio, Stiffness, TorsionalDamping
 
@@ -98,6 +98,12 @@ class Pair(Record):
     wheel_tip_alteration: Ratio | None = Field(
         None, ge=-0.6, le=0.3, description="Tip alteration k_2; left out: keeps the tip clearance"
     )
+    pinion_allowance: ThicknessFit | None = Field(
+        None, description="Tooth thickness of the pinion by DIN 3967; left out: gears.allowance"
+    )
+    wheel_allowance: ThicknessFit | None = Field(
+        None, description="Tooth thickness of the wheel by DIN 3967; left out: gears.allowance"
+    )
     pinion_mass: Mass | None = Field(None, gt=0, description="Of one pinion; left out: of the disc")
     pinion_inertia: Inertia | None = Field(None, gt=0, description="Of one pinion; left out: of the disc")
     wheel_mass: Mass | None = Field(None, gt=0, description="Of one wheel; left out: of the disc")
@@ -175,6 +181,15 @@ class Planetary(Record):
     )
     ring_tip_alteration: Ratio | None = Field(
         None, ge=-0.6, le=0.3, description="Tip alteration k of the ring; left out: 0"
+    )
+    sun_allowance: ThicknessFit | None = Field(
+        None, description="Tooth thickness of the sun by DIN 3967; left out: gears.allowance"
+    )
+    planet_allowance: ThicknessFit | None = Field(
+        None, description="Tooth thickness of planets by DIN 3967; left out: gears.allowance"
+    )
+    ring_allowance: ThicknessFit | None = Field(
+        None, description="Tooth thickness of the ring by DIN 3967; left out: gears.allowance"
     )
     unequal_places: bool = Field(
         False, description="Planets stand at the places nearest to equal ones at which their teeth fit"

@@ -13,9 +13,11 @@ from gearwright.parts.gears import (
     feed_grade,
     least_backlash,
     runout_tolerance,
+    span_allowance,
     span_allowances,
     span_measurement,
     spanned_teeth,
+    thinned,
 )
 from gearwright.render.drawings.sheet.entities import trimmed
 from gearwright.render.drawings.sheet.tables import Grid
@@ -30,7 +32,7 @@ from gearwright.render.drawings.views.teeth import (
     meshes_of,
     sized_mesh,
 )
-from gearwright.sizing import GearSizing, Sizing
+from gearwright.sizing import GearSizing, Sizing, backlash_of, fit_of, thickness_of
 from gearwright.spec import Pair
 
 BALL = 1.75
@@ -84,31 +86,52 @@ def _cylindrical_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
 
 
 def _measurement(sizing: Sizing, gear: GearSizing, teeth: CylindricalGear) -> Iterator[Row]:
-    if is_internal(sizing, gear):
-        ball = max(round(4e3 * BALL * teeth.module), 1) / 4e3
-        yield "Ball diameter (assumed)", "D_{M}", _mm(ball)
-        yield "Distance between balls", "M_{dK}", f"{_mm(ball_measurement(teeth, ball))} without backlash"
-        return
-    count = spanned_teeth(teeth)
-    # The anvils reach over the whole span on a helical gear only if it is wide enough.
-    span = span_measurement(teeth, count)
-    if span * math.sin(teeth.base_helix_angle) > teeth.face_width:
-        ball = max(round(4e3 * BALL * teeth.module), 1) / 4e3
-        yield "Ball diameter (assumed)", "D_{M}", _mm(ball)
-        yield "Distance over balls", "M_{dK}", f"{_mm(ball_measurement(teeth, ball))} without backlash"
-        return
+    thickness = thickness_of(sizing.design, gear)
+    if thickness is not None:
+        yield "Tooth thickness", "DIN 3967", fit_of(sizing.design, gear) or ""
+        yield "Allowances of the tooth thickness", "E_{sns} / E_{sni}", _limits(thickness)
+    # The anvils reach over the whole span on a helical gear only if it is wide enough; into a ring they do not.
+    count = 0 if is_internal(sizing, gear) else spanned_teeth(teeth)
+    span = span_measurement(teeth, count) if count else math.inf
+    if count and span * math.sin(teeth.base_helix_angle) <= teeth.face_width:
+        yield from _span(sizing, gear, teeth, count)
+    else:
+        yield from _balls(teeth, thickness)
+
+
+def _balls(teeth: CylindricalGear, thickness: tuple[float, float] | None) -> Iterator[Row]:
+    """Yield the distance over balls, or between them, and its limits where the thickness has some."""
+    ball = max(round(4e3 * BALL * teeth.module), 1) / 4e3
+    distance = ball_measurement(teeth, ball)
+    name = "Distance between balls" if teeth.side < 0 else "Distance over balls"
+    yield "Ball diameter (assumed)", "D_{M}", _mm(ball)
+    yield name, "M_{dK}", f"{_mm(distance)} without backlash"
+    if thickness is not None:
+        low, high = sorted(ball_measurement(thinned(teeth, allowed), ball) - distance for allowed in thickness)
+        yield f"Allowances of the {name.lower()}", "", _limits((low, high))
+
+
+def _span(sizing: Sizing, gear: GearSizing, teeth: CylindricalGear, count: int) -> Iterator[Row]:
     allowances = _allowances(sizing, gear, teeth)
     yield "Span over teeth", "k", f"{count}"
-    yield "Span without backlash", "W_{k}", _mm(span)
+    yield "Span without backlash", "W_{k}", _mm(span_measurement(teeth, count))
     if allowances is None:
         yield "Allowances of the span", "E_{bn}", "none: no class, or d out of ISO 286-1"
     else:
-        low, high = (f"{1e3 * allowance:.3f}".replace("-", "−") for allowance in allowances)
-        yield "Allowances of the span", "E_{bns} / E_{bni}", f"{high} / {low}"
+        yield "Allowances of the span", "E_{bns} / E_{bni}", _limits(allowances)
+
+
+def _limits(allowances: tuple[float, float]) -> str:
+    """Return lower and upper allowance as a drawing has them, the upper first [mm]."""
+    low, high = (f"{1e3 * allowance:+.3f}".replace("-", "−").replace("+0.000", "0") for allowance in allowances)
+    return f"{high} / {low}"
 
 
 def _allowances(sizing: Sizing, gear: GearSizing, teeth: CylindricalGear) -> tuple[float, float] | None:
-    """Return allowances of the span, where the stage has a tolerance class that they are known for."""
+    """Return allowances of the span by the design's fit, or else by a tolerance class that they are known for."""
+    if (thickness := thickness_of(sizing.design, gear)) is not None:
+        low, high = (span_allowance(allowed, pressure_angle=teeth.rack.pressure_angle) for allowed in thickness)
+        return low, high
     stage = sizing.design.stages[gear.stage]
     grade = making_of(sizing, gear.stage).iso_class
     if grade is None or not 4 <= grade <= 9:
@@ -183,7 +206,12 @@ def _mates(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
         yield "Mating gear", "", f"{name}, z = {mate.teeth}"
         if kind_of(sizing, gear.stage) == "cylindrical":
             row = sized_mesh(sizing, mesh)
-            yield "Centre distance", "a", _mm(row.centre_distance)
+            fit = sizing.design.rules(gear.stage).centre_allowance
+            yield "Centre distance", "a", f"{_mm(row.centre_distance)} {fit or ''}".rstrip()
+            play = backlash_of(sizing.design, {part.name: part for part in sizing.gears}, row)
+            if play is not None:
+                least, most = (_mm(end) for end in play.circumferential)
+                yield "Backlash on the working circles", "j_{wt}", f"{least} to {most}"
             if gear.profile_shift + mate.profile_shift:
                 yield "Working pressure angle", "α_{wt}", _degrees(row.working_pressure_angle)
 

@@ -4,7 +4,7 @@ What is rated stands in the design itself; what a method covers in `methods`.
 """
 
 from gearwright.spec.design.rules.dynamics import DynamicsRules, MeshCurve, PlanetaryBearings
-from gearwright.spec.design.rules.gears import SUN_LIMITS, GearRules, TeethRules
+from gearwright.spec.design.rules.gears import SUN_LIMITS, GearRules, TeethRules, ThicknessFit
 from gearwright.spec.design.rules.materials import LifeLineRules, MaterialRules
 from gearwright.spec.design.rules.methods import (
     CYLINDRICAL,
@@ -33,6 +33,7 @@ __all__ = [
     "PlanetaryBearings",
     "RatingMethod",
     "TeethRules",
+    "ThicknessFit",
     "method_of",
     "uncovered",
 ]

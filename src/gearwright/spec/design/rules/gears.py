@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 import math
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
+from gearwright.catalogue import CENTRE_FITS, THICKNESS_FITS
+from gearwright.spec.bounds import OneOf
 from gearwright.spec.design.rules.methods import RatingName
 from gearwright.spec.design.rules.standards import Agma2001Rules, Iso6336Rules
 from gearwright.spec.record import Record
 from gearwright.units import Angle, Ratio
 
 _DEGREE = math.pi / 180.0
+ThicknessFit = Annotated[
+    str, OneOf(THICKNESS_FITS, 'a series (a, ab, b, bc, c, cd, d, e, f, g, h) and a tolerance (21 to 30): "cd25"')
+]
+"""How much thinner than without backlash teeth are made, by DIN 3967."""
+CentreFit = Annotated[str, OneOf(CENTRE_FITS)]
+"""How far the axes of a mesh may miss their distance, by DIN 3964."""
 
 
 class GearRules(Record):
@@ -55,6 +63,13 @@ class GearRules(Record):
     balanced_shifts: Literal["sliding", "strength"] | None = Field(
         None,
         description="Shifts that are not given balance specific sliding, or the strength of the roots, of two gears",
+    )
+    allowance: ThicknessFit | None = Field(
+        None,
+        description='Allowance and tolerance of tooth thicknesses by DIN 3967: "cd25"; left out: as thick as can be',
+    )
+    centre_allowance: CentreFit | None = Field(
+        None, description='Tolerance of centre distances by DIN 3964: "js7"; left out: the axes stand as drawn'
     )
     contact_angles: Literal["normal", "transverse"] = Field(
         "normal", description="Angles of the helical contact formula: α and β as the thesis prints, or α_t and β_b"
