@@ -128,7 +128,7 @@ def helix_factor(mesh: MeshGeometry, edition: Edition) -> Value:
     """
     angle = np.minimum(mesh.helix_angle, np.radians(30.0))
     factor = 1.0 - np.minimum(mesh.overlap_ratio, 1.0) * angle / np.radians(120.0)
-    return as_value(factor if edition is Edition.ISO2006 else factor / np.cos(angle) ** 3)
+    return as_value(factor / np.cos(angle) ** 3 if edition is Edition.ISO2019 else factor)
 
 
 def rim_factor(rim: Value, height: Value, module: Value, *, internal: bool = False) -> Value:

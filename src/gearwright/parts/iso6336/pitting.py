@@ -8,6 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
+from gearwright.parts.iso6336.root import Edition
 from gearwright.parts.iso6336.steels import GearSteel
 from gearwright.units import Origin, Quantity
 
@@ -171,7 +172,11 @@ def single_contact_factors(mesh: MeshGeometry, *, profile_factor: Value = 1.0) -
 
 
 def contact_geometry_factors(
-    mesh: MeshGeometry, steels: tuple[GearSteel, GearSteel], *, profile_factor: Value = 1.0
+    mesh: MeshGeometry,
+    steels: tuple[GearSteel, GearSteel],
+    *,
+    profile_factor: Value = 1.0,
+    edition: Edition = Edition.ISO2019,
 ) -> ContactGeometryFactors:
     """Return Z_H, Z_B, Z_D, Z_E, Z_ε and Z_β of a mesh.
 
@@ -179,15 +184,17 @@ def contact_geometry_factors(
         mesh: The pair.
         steels: Of the two gears.
         profile_factor: f_ZCa [-], see `single_contact_factors`.
+        edition: DIN 3990 has Z_β = √cos β, ISO 6336 since its correction of 2008 the inverse.
 
-    Source: ISO 6336-2:2019, clauses 6 to 9.
+    Source: ISO 6336-2:2019, clauses 6 to 9; DIN 3990-2:1987.
     """
+    slant = np.sqrt(np.cos(mesh.helix_angle))
     return ContactGeometryFactors(
         zone=zone_factor(mesh),
         single_contact=single_contact_factors(mesh, profile_factor=profile_factor),
         elasticity=elasticity_factor(steels),
         contact_ratio=contact_ratio_factor(mesh),
-        helix=1.0 / np.sqrt(np.cos(mesh.helix_angle)),
+        helix=slant if edition is Edition.DIN1987 else 1.0 / slant,
     )
 
 
@@ -199,6 +206,7 @@ def pitting_rating(
     loads: LoadFactors,
     strengths: tuple[ContactStrengthFactors, ContactStrengthFactors],
     profile_factor: Value = 1.0,
+    edition: Edition = Edition.ISO2019,
 ) -> PittingRating:
     """Return the contact stress, its limit and the safety of both gears.
 
@@ -209,11 +217,12 @@ def pitting_rating(
         loads: K factors.
         strengths: Z_NT, Z_L, Z_v, Z_R, Z_W, Z_X of the two gears.
         profile_factor: f_ZCa [-], see `single_contact_factors`.
+        edition: That gives Z_β.
 
     Source: ISO 6336-2:2019, clause 5.
     Valid for: external and internal involute pairs, 1 < ε_α < 2.5.
     """
-    factors = contact_geometry_factors(mesh, steels, profile_factor=profile_factor)
+    factors = contact_geometry_factors(mesh, steels, profile_factor=profile_factor, edition=edition)
     load = tangential_force / (mesh.pitch_diameters[0] * mesh.face_width) * (mesh.ratio + 1.0) / mesh.ratio
     nominal = factors.zone * factors.elasticity * factors.contact_ratio * factors.helix * np.sqrt(load)
     root = np.sqrt(loads.contact)

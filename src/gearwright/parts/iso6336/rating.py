@@ -20,6 +20,8 @@ from gearwright.parts.iso6336.bending import (
     surface_factor,
 )
 from gearwright.parts.iso6336.film import (
+    SMOOTH,
+    contact_size_factor,
     equivalent_roughness,
     lubricant_factor,
     roughness_factor,
@@ -122,7 +124,7 @@ def rate_mesh(
         steels: Of pinion and wheel.
         duty: Torque, speed, life.
         quality: Flanks, mounting and oil.
-        edition: Edition of part 3.
+        edition: Edition of part 3, or DIN 3990.
         springs: Stiffness; None: that of solid steel gears.
         widths: Face widths of pinion and wheel [m], for the roots; None: the common one.
 
@@ -142,8 +144,16 @@ def rate_mesh(
     force = 2.0 * duty.pinion_torque / mesh.pitch_diameters[0]
     speed = 0.5 * np.abs(duty.pinion_speed) * mesh.pitch_diameters[0]
     cycles = load_cycles(mesh, duty)
-    contact = _contact_strengths(mesh, steels, cycles, quality=quality, speed=speed)
-    pitting = pitting_rating(mesh, steels, force, loads=loads, strengths=contact, profile_factor=quality.profile_factor)
+    contact = _contact_strengths(mesh, steels, cycles, quality=quality, speed=speed, edition=edition)
+    pitting = pitting_rating(
+        mesh,
+        steels,
+        force,
+        loads=loads,
+        strengths=contact,
+        profile_factor=quality.profile_factor,
+        edition=edition,
+    )
     roots = _root_strengths(mesh, steels, cycles, quality=quality, edition=edition)
     first, second = (
         bending_rating(
@@ -161,7 +171,13 @@ def rate_mesh(
 
 
 def _contact_strengths(
-    mesh: MeshGeometry, steels: Steels, cycles: tuple[Value, Value], *, quality: MeshQuality, speed: Value
+    mesh: MeshGeometry,
+    steels: Steels,
+    cycles: tuple[Value, Value],
+    *,
+    quality: MeshQuality,
+    speed: Value,
+    edition: Edition,
 ) -> tuple[ContactStrengthFactors, ContactStrengthFactors]:
     """Z factors of the strength of both gears; the film factors go by the softer one."""
     softer = min(steel.contact_strength for steel in steels)
@@ -171,22 +187,29 @@ def _contact_strengths(
             lubricant=lubricant_factor(quality.viscosity, softer),
             speed=speed_factor(speed, softer),
             roughness=roughness_factor(0.5 * sum(quality.flanks), mesh.relative_curvature, softer),
-            work_hardening=_work_hardening(mesh, steels, gear, quality=quality, speed=speed),
+            work_hardening=_work_hardening(mesh, steels, gear, quality=quality, speed=speed, edition=edition),
+            size=contact_size_factor(mesh.module, steel.treatment) if edition is Edition.DIN1987 else 1.0,
         )
         for gear, (steel, count) in enumerate(zip(steels, cycles, strict=True))
     )
     return first, second
 
 
-def _work_hardening(mesh: MeshGeometry, steels: Steels, gear: int, *, quality: MeshQuality, speed: Value) -> Value:
-    """Z_W of one gear by the Brinell hardness of both."""
+def _work_hardening(
+    mesh: MeshGeometry, steels: Steels, gear: int, *, quality: MeshQuality, speed: Value, edition: Edition
+) -> Value:
+    """Z_W of one gear by the Brinell hardness of both; DIN 3990 knows no roughness in it, and hard mates alone."""
     steel, mate = steels[gear], steels[1 - gear]
+    if edition is Edition.DIN1987 and not mate.treatment.is_surface_hardened:
+        return 1.0
     flanks = (quality.flanks[1 - gear], quality.flanks[gear])
     return work_hardening_factor(
         steel.hardness * BRINELL_PER_VICKERS,
         (steel.treatment, mate.treatment),
         mate_hardness=mate.hardness * BRINELL_PER_VICKERS,
-        mate_roughness=equivalent_roughness(flanks, mesh.relative_curvature, viscosity=quality.viscosity, speed=speed),
+        mate_roughness=SMOOTH
+        if edition is Edition.DIN1987
+        else equivalent_roughness(flanks, mesh.relative_curvature, viscosity=quality.viscosity, speed=speed),
         ratio=np.abs(mesh.ratio),
     )
 

@@ -23,8 +23,11 @@ _NO_TOOTH = "tooth root: no tangent point on the fillet; check dedendum, fillet 
 
 
 class Edition(Enum):
-    """Edition of ISO 6336-3, which changes the load sharing, the helix factor and the fillets of rings."""
+    """Edition of the standard: of ISO 6336-3, its load sharing, helix factor and fillets of rings; or DIN 3990."""
 
+    DIN1987 = 1987
+    """DIN 3990: roots as in 2006, external gears; no drop of the strength beyond the knee, Z_X from m_n = 10 mm, Z_W by
+    hardness alone, Z_β = √cos β."""
     ISO2006 = 2006
     """With its correction of 2007: no f_ε; Y_β = 1 − ε_β β/120°; |z_n| in ρ_F, for rings too; shaped rings by ρ_fPv."""
     ISO2019 = 2019
@@ -163,7 +166,7 @@ def _rolled_tangent(loaded: LoadedTooth, edition: Edition) -> _Tangent:
     cosine = np.cos(theta)
     offset = drop / cosine - tooth.fillet_radius
     chord = z_n * np.sin(opening - theta) + np.where(internal, 1.0, np.sqrt(3.0)) * offset
-    rolling = np.abs(z_n) if edition is Edition.ISO2006 else z_n
+    rolling = z_n if edition is Edition.ISO2019 else np.abs(z_n)
     fillet = tooth.fillet_radius + 2.0 * drop**2 / (cosine * (rolling * cosine**2 - 2.0 * drop))
     diameter = z_n * np.cos(opening - theta) + np.where(internal, np.sqrt(3.0), 1.0) * offset
     return _Tangent(theta, chord, fillet, diameter)

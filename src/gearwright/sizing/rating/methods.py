@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike
 from gearwright.arrays import Floats
 from gearwright.errors import Problem
 from gearwright.parts.gears import Numbers
-from gearwright.parts.iso6336 import Edition
 from gearwright.sizing.rating.agma2001 import Agma2001
 from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.sizing.rating.iso10300 import Iso10300
@@ -25,7 +24,8 @@ from gearwright.sizing.rating.rules import Ask, Rating
 METHODS: dict[str, Method[Any]] = {
     "lewis-hertz": LewisHertz(),
     "iso6336": Iso6336(),
-    "iso6336-2006": Iso6336("iso6336-2006", Edition.ISO2006, "ISO 6336:2006, method B"),
+    "iso6336-2006": Iso6336("iso6336-2006", "ISO 6336:2006, method B"),
+    "din3990": Iso6336("din3990", "DIN 3990:1987, method B"),
     "iso10300": Iso10300(),
     "agma2001": Agma2001(),
 }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -11,16 +13,22 @@ from gearwright.parts.iso6336 import (
     CORRECTED_AND_CROWNED,
     CROWNED,
     UNMODIFIED,
+    Edition,
     GearSteel,
     MeshDuty,
     MeshQuality,
     PinionShaft,
+    bending_life_curve,
+    contact_life_curve,
 )
 from gearwright.sizing.rating.rules import Rating
 
 IDLER_MEAN_STRESS = 0.7
 """Y_M of gears that are loaded on both flanks [-] (ISO 6336-3:2019, annex B)."""
 SQUARE_MM = 1e-6
+_PARTS = tuple((f"ISO 6336-{part}", f"DIN 3990-{part}:1987") for part in (1, 2, 3))
+EDITIONS = {"iso6336": Edition.ISO2019, "iso6336-2006": Edition.ISO2006, "din3990": Edition.DIN1987}
+"""Name of a method -> edition."""
 _HELIX = {"none": UNMODIFIED, "crowning": CROWNED, "corrected": CORRECTED_AND_CROWNED}
 
 
@@ -34,7 +42,31 @@ def steel_of(rating: Rating) -> GearSteel:
         DesignError: Unknown class or grade, or a hardness outside the grade's range.
     """
     rules = rating.rules.iso6336
-    return rated_steel(rating.material, rules.steel, rules.grade, hardness=rules.hardness_hv)
+    steel = rated_steel(rating.material, rules.steel, rules.grade, hardness=rules.hardness_hv)
+    return _endless(steel) if EDITIONS.get(rating.method) is Edition.DIN1987 else steel
+
+
+def _endless(steel: GearSteel) -> GearSteel:
+    """Return a steel whose strength does not fall beyond the knee, as DIN 3990 has it; its own S-N curves stay."""
+    return replace(
+        steel,
+        contact_life=steel.contact_life or contact_life_curve(steel.treatment, at_1e10=1.0),
+        bending_life=steel.bending_life or bending_life_curve(steel.treatment, at_1e10=1.0),
+    )
+
+
+def clause_of(source: str, edition: Edition) -> str:
+    """Return the source of a quantity in the words of an edition; of DIN 3990 its part.
+
+    Args:
+        source: With the edition of 2019.
+        edition: That rates.
+    """
+    if edition is Edition.ISO2006:
+        return source.replace(":2019", ":2006")
+    if edition is Edition.DIN1987:
+        return next((own for part, own in _PARTS if part in source), source)
+    return source
 
 
 def quality_of(rating: Rating, *, idlers: tuple[bool, bool], shaft: PinionShaft = CENTRED) -> MeshQuality:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
@@ -13,7 +14,6 @@ from gearwright.errors import Problem, SolveError
 from gearwright.identity import PartId
 from gearwright.parts.gears import Numbers
 from gearwright.parts.iso6336 import (
-    Edition,
     MeshDuty,
     PairRating,
     life_curves,
@@ -22,7 +22,7 @@ from gearwright.parts.iso6336 import (
     root_section,
 )
 from gearwright.sizing.rating.factors import Factor, factor_rows, steel_rows
-from gearwright.sizing.rating.iso6336.inputs import duty_of, quality_of, steel_of
+from gearwright.sizing.rating.iso6336.inputs import EDITIONS, clause_of, duty_of, quality_of, steel_of
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
 from gearwright.sizing.rating.iso6336.record import Iso6336Rating
 from gearwright.sizing.rating.iso6336.scuffing import scuffing_of
@@ -45,17 +45,14 @@ class Iso6336:
     life_source = "Miner, ISO 6336-6"
     safeties = SAFETIES
 
-    def __init__(
-        self, name: str = "iso6336", part3: Edition = Edition.ISO2019, edition: str = "ISO 6336, method B"
-    ) -> None:
-        """Take the edition of part 3.
+    def __init__(self, name: str = "iso6336", edition: str = "ISO 6336, method B") -> None:
+        """Take the edition.
 
         Args:
             name: Of the method in files.
-            part3: Edition of ISO 6336-3.
             edition: As tables name it.
         """
-        self._name, self._part3, self.edition = name, part3, edition
+        self._name, self._part3, self.edition = name, EDITIONS[name], edition
 
     def refuse(self, rating: Rating, teeth: tuple[int, int]) -> Iterator[Problem]:
         """Yield a cutter that does not cut the ring; steels are checked as a file is read."""
@@ -147,7 +144,8 @@ class Iso6336:
     def factors(self, rated: Iso6336Rating) -> Iterator[Factor]:
         """Yield steel, loads, flanks, roots and scuffing."""
         yield from steel_rows(rated.steel)
-        yield from factor_rows(rated.factors, "mesh")
+        for row in factor_rows(rated.factors, "mesh"):
+            yield replace(row, clause=clause_of(row.clause, self._part3))
         if rated.scuffing is not None:
             yield from factor_rows(rated.scuffing, "scuffing")
 

@@ -48,6 +48,7 @@ RATINGS: dict[str, RatingMethod] = {
     ),
     "iso6336": _ISO6336,
     "iso6336-2006": replace(_ISO6336, title="ISO 6336:2006"),
+    "din3990": replace(_ISO6336, title="DIN 3990", covers=frozenset({CYLINDRICAL})),
     "iso10300": RatingMethod("ISO 10300", frozenset({BEVEL}), ("iso6336",), table="iso6336"),
     "agma2001": RatingMethod("AGMA 2001", frozenset({CYLINDRICAL}), ("agma2001",), table="agma2001"),
 }
