@@ -7,7 +7,14 @@ from collections.abc import Iterator
 from gearwright.checks import Check, not_assessed
 from gearwright.dynamics import Outputs, simulate
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.vibration import RESONANCE, CriticalSpeed, DynamicLoad, critical_speeds, dynamic_loads
+from gearwright.dynamics.vibration import (
+    RESONANCE,
+    SEPARATION,
+    CriticalSpeed,
+    DynamicLoad,
+    critical_speeds,
+    dynamic_loads,
+)
 from gearwright.errors import GearwrightError
 from gearwright.identity import GEARBOX, PartId
 from gearwright.sizing import Sizing
@@ -63,7 +70,7 @@ def _resonances(sizing: Sizing) -> Iterator[Check]:
         yield not_assessed(GEARBOX, "resonances", "ISO 6336-1, clause 6", " ".join(str(error).split()))
         return
     for speeds in cases:
-        for critical in speeds.critical:
+        for critical in (*speeds.critical, *speeds.assumed):
             if critical.excited:
                 known = nearest.get((critical.order, speeds.cases))
                 if known is None or abs(_distance(critical)) < abs(_distance(known)):
@@ -79,9 +86,11 @@ def _distance(critical: CriticalSpeed) -> float:
 
 def _resonance(order: str, names: str, critical: CriticalSpeed) -> Check:
     distance = _distance(critical)
-    limit = 1.0 - RESONANCE[0] if distance < 0.0 else RESONANCE[1] - 1.0
+    lower, upper = SEPARATION if critical.why else RESONANCE
+    limit = 1.0 - lower if distance < 0.0 else upper - 1.0
+    clause = "API 617: 10 %" if critical.why else "ISO 6336-1:2006, clause 6: N < 0.85 or > 1.15"
     mode = f"resonance of {order.replace('×', 'x')}"  # what a waiver calls it is typed on any keyboard
     return Check(
-        GEARBOX, mode, "ISO 6336-1:2006, clause 6: N < 0.85 or > 1.15", abs(distance), limit,
+        GEARBOX, mode, clause, abs(distance), limit,
         "percent", exponent=None, place=f"mode {critical.mode}", case=names,
     )  # fmt: skip

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gearwright.checks import Check, not_assessed
+from gearwright.dynamics.assembly import untold_orders
 from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.sizing import Sizing
 from gearwright.spec.design import RATINGS
@@ -26,6 +27,8 @@ def open_checks(sizing: Sizing, *, flown: bool) -> Iterator[Check]:
         if shaft.name not in built:
             why = "the design gives it no [bearings]: no steps, bearings, joints, slopes, bending modes"
             yield not_assessed(PartId(Kind.SHAFT, shaft.name), "bearings and joints", "ISO 281, ISO 76", why)
+    for machine, why in untold_orders(sizing):
+        yield not_assessed(PartId(Kind.MACHINE, machine), "electrical and slot orders", "", why)
     for stage in sizing.design.stages:
         yield from _teeth(sizing, stage)
     why = "housing, seals, oil system and what heat does to clearances are not modelled"

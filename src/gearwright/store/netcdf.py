@@ -23,7 +23,7 @@ from gearwright.reading import refuse_irregular
 from gearwright.showing import Shown
 from gearwright.spec import Design, cases_of
 from gearwright.store.image import new_netcdf
-from gearwright.store.owners import found_owners, read_owners, written_owners
+from gearwright.store.owners import found_owners, read_orders, read_owners, written_orders, written_owners
 from gearwright.version import __version__
 
 FORMAT, FORMER_FORMAT = "gearwright trace 2", "gearwright trace 1"
@@ -263,6 +263,7 @@ def _write_labels(file: Any, labels: Labels) -> None:
     for name in _OWNERS:
         file.attrs[name] = written_owners(getattr(labels, name))
     file.attrs["tones"] = _joined(map(_written_tone, labels.tones))
+    file.attrs["orders"] = written_orders(labels.orders)
     file.attrs["drives"], file.attrs["drive_unit"] = _joined(labels.drives), _joined(labels.drive_units)
 
 
@@ -281,6 +282,7 @@ def _read_labels(file: Any) -> Labels:
         tones=tuple(map(_read_tone, _lines(file.attrs["tones"]))),
         drives=_lines(file.attrs.get("drives", "")),
         drive_units=_lines(file.attrs.get("drive_unit", "")),
+        orders=read_orders(str(file.attrs.get("orders", ""))),
         **owners,
     )
 

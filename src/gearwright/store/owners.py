@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterable, Sequence
 
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.model import NOBODY, Owner
+from gearwright.dynamics.model import NOBODY, Excitation, Owner
 from gearwright.identity import Kind, PartId, Role, Row
 from gearwright.sizing import size
 from gearwright.spec import Design
@@ -38,6 +38,31 @@ def _owner(record: object) -> Owner:
             which = None if role is None else Row(role) if kind == Kind.MESH else Role(role)
             return Owner(PartId(Kind(kind), name, which, branch, number, *map(str, words)), what)
     raise ValueError(f"{record} is no owner")
+
+
+def written_orders(orders: Iterable[Excitation]) -> str:
+    """Return orders of machines and teeth as text.
+
+    Args:
+        orders: As labelled.
+    """
+    rows = list(orders)
+    return json.dumps({"rows": [row[:5] for row in rows], "owners": written_owners(row.owner for row in rows)})
+
+
+def read_orders(text: str) -> tuple[Excitation, ...]:
+    """Return orders from their text.
+
+    Args:
+        text: From `written_orders`; empty: none.
+    """
+    if not text:
+        return ()
+    stored = json.loads(text)
+    return tuple(
+        Excitation(name, tuple((body, float(times)) for body, times in turns), tuple(on), why, float(rate), owner)
+        for (name, turns, on, why, rate), owner in zip(stored["rows"], read_owners(stored["owners"]), strict=True)
+    )
 
 
 def found_owners(

@@ -32,7 +32,7 @@ def campbell(
     from gearwright.dynamics.assembly import assumptions
     from gearwright.dynamics.vibration import critical_speeds
     from gearwright.render.figures.dynamics import campbell_figure
-    from gearwright.render.tables.dynamics import assumption_table, critical_table
+    from gearwright.render.tables.dynamics import assumption_table, critical_table, machine_table
 
     sizing = sized(design)
     campbells = critical_speeds(sizing, cases=None if case is None else [case])
@@ -42,7 +42,7 @@ def campbell(
 
         show_answer("campbell", campbell_answer(campbells, taken), design=sizing.design.name)
     else:
-        _show(*map(critical_table, campbells), assumption_table(taken))
+        _show(*map(critical_table, campbells), *map(machine_table, campbells), assumption_table(taken))
     if json and figure is None:
         return
     path = figure or named_after(design, "campbell.svg")

@@ -8,6 +8,7 @@ from gearwright.dynamics.assembly.assumptions import Assumption, assumptions
 from gearwright.dynamics.assembly.compound_sets import compound_phases
 from gearwright.dynamics.assembly.contacts import bodies_of, contacts_of
 from gearwright.dynamics.assembly.meshes import gear_pairs, mesh_curve
+from gearwright.dynamics.assembly.orders import untold_orders
 
 __all__ = [
     "Assumption",
@@ -20,4 +21,5 @@ __all__ = [
     "default_case",
     "gear_pairs",
     "mesh_curve",
+    "untold_orders",
 ]

@@ -14,6 +14,7 @@ from gearwright.dynamics.assembly.bodies import Assembly, add_bodies
 from gearwright.dynamics.assembly.contacts import contacts_of
 from gearwright.dynamics.assembly.errors import add_errors
 from gearwright.dynamics.assembly.mesh_lines import add_mesh_row
+from gearwright.dynamics.assembly.orders import add_orders
 from gearwright.dynamics.assembly.shaft_lines import brakes, clutch_line, link_ends, shaft_lines
 from gearwright.dynamics.assembly.supports import add_supports
 from gearwright.dynamics.assembly.translational import add_moving_set, with_preload
@@ -90,6 +91,7 @@ def assemble(
     for mesh in sizing.train.meshes:
         if mesh.stage not in assembly.moving:
             add_mesh_row(assembly, mesh)
+    add_orders(assembly)
     if driving is None:
         _add_torques(assembly)
     else:

@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from gearwright.dynamics.assembly.orders import untold_orders
 from gearwright.dynamics.assembly.translational import pin_stiffness
 from gearwright.dynamics.model import System
 from gearwright.sizing import Sizing, play_in_motion
@@ -48,6 +49,7 @@ def assumptions(sizing: Sizing, system: System) -> tuple[Assumption, ...]:
         *_backlash(sizing),
         *_bearings(sizing),
         *_inertias(sizing),
+        *(Assumption(f"orders of {name}", words, "default", "") for name, words in untold_orders(sizing)),
         *_model(sizing, system),
     )
 

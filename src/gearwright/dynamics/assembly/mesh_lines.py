@@ -84,7 +84,7 @@ def _add_line(assembly: Assembly, mesh: Mesh, teeth: _Teeth) -> None:
     variation = None
     if curve.cosine:
         variation = Periodic(
-            phase=_tone(assembly, mesh),
+            phase=mesh_phase(assembly, mesh),
             cosine=[value / curve.mean for value in curve.cosine],
             sine=[value / curve.mean for value in curve.sine],
             offset=2.0 * math.pi * teeth.phase,
@@ -114,8 +114,13 @@ def _bodies(assembly: Assembly, mesh: Mesh, planet: int) -> tuple[str, str, str]
     return str(first), str(second), GROUND
 
 
-def _tone(assembly: Assembly, mesh: Mesh) -> dict[str, int]:
-    """Return the mesh phase as integers of rotations, growing with time: z (θ − θ_c) of the sun or of gear a."""
+def mesh_phase(assembly: Assembly, mesh: Mesh) -> dict[str, int]:
+    """Return the mesh phase as integers of rotations, growing with time: z (θ − θ_c) of the sun or of gear a.
+
+    Args:
+        assembly: With all bodies.
+        mesh: The row.
+    """
     sizing, speeds = assembly.sizing, assembly.flow.speeds
     stage = sizing.design.stages[mesh.stage]
     if isinstance(stage, Planetary):

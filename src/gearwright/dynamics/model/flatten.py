@@ -10,8 +10,19 @@ import numpy as np
 from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.model.drives import drive_columns, encoded
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
-from gearwright.dynamics.model.system import Arrays, Entries, Labels, Loads, Profile, Schedules, Series, System, Tone
-from gearwright.dynamics.model.written import Load, Pair, Written, problems
+from gearwright.dynamics.model.system import (
+    Arrays,
+    Entries,
+    Excitation,
+    Labels,
+    Loads,
+    Profile,
+    Schedules,
+    Series,
+    System,
+    Tone,
+)
+from gearwright.dynamics.model.written import Load, Order, Pair, Written, problems
 from gearwright.errors import DesignError, Problem, refuse
 
 SPEED_TOLERANCE = 1e-6
@@ -210,4 +221,10 @@ def _labels(model: Written, tones: _Tones) -> Labels:
         coordinate_owners=tuple(body.owner for body in model.bodies),
         line_owners=tuple(line.owner for line in model.lines),
         drive_owners=tuple(column.owner for column in recorded),
+        orders=tuple(_excitation(order, tones) for order in model.orders),
     )
+
+
+def _excitation(order: Order, tones: _Tones) -> Excitation:
+    rate = sum(times * float(tones.speed[tones.index[name]]) for name, times in order.turns.items())
+    return Excitation(order.name, tuple(order.turns.items()), tuple(order.on), order.why, abs(rate), order.owner)

@@ -16,7 +16,7 @@ from gearwright.dynamics.model.drives import Drive
 from gearwright.dynamics.model.flatten import flatten
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.system import NOBODY, Owner, System
-from gearwright.dynamics.model.written import Body, Load, Pair, Written
+from gearwright.dynamics.model.written import Body, Load, Order, Pair, Written
 
 
 @dataclass
@@ -35,6 +35,8 @@ class Model:
     """Speed factor: (time [s], factor [-])."""
     drives: list[Drive] = field(default_factory=list)
     """Propellers, machines and slipping clutches."""
+    orders: list[Order] = field(default_factory=list)
+    """Excitations that no line makes."""
 
     def rotation(self, name: str, *, inertia: float, speed: float | None = None, owner: Owner = NOBODY) -> str:
         """Add a rotation θ and return its name.
@@ -177,6 +179,22 @@ class Model:
         """
         self.drives.append(drive)
 
+    def order(
+        self, name: str, turns: Mapping[str, float], *, on: Sequence[str] = (), why: str = "", owner: Owner = NOBODY
+    ) -> None:
+        """Add an excitation in proportion to speeds that no line makes: blades, poles, slots, planets that pass.
+
+        It is a ray of the Campbell diagram; what it shakes decides which natural frequencies it excites.
+
+        Args:
+            name: Unique name, such as ``"propeller blade pass"``.
+            turns: Rotation -> how often it acts in a turn of it [-]; several add up.
+            on: Coordinates or lines that it shakes.
+            why: Where the multiple is from, such as ``"6 blades"``.
+            owner: Whose it is.
+        """
+        self.orders.append(Order(name, turns, on, why, owner))
+
     def rotating_frame(self, x: str, y: str, *, speed: float) -> None:
         """Write two translations of one mass in a frame that turns: Coriolis and centripetal terms.
 
@@ -205,7 +223,7 @@ class Model:
         Raises:
             DesignError: With every problem: names, inertias, stiffness, phases, speeds that do not fit together.
         """
-        return flatten(Written(self.bodies, self.lines, self.loads, self.pairs, self.profile, self.drives))
+        return flatten(Written(self.bodies, self.lines, self.loads, self.pairs, self.profile, self.drives, self.orders))
 
 
 def _between(first: str, second: str) -> dict[str, float]:

@@ -155,6 +155,23 @@ NOBODY = Owner()
 """Of what was written by hand."""
 
 
+class Excitation(NamedTuple):
+    """An order that no line of the system makes: what a machine or teeth do so often in a turn of their shafts."""
+
+    name: str
+    """What it is called, such as ``propeller blade pass``."""
+    turns: tuple[tuple[str, float], ...]
+    """Rotation and how often it acts in a turn of it, such as (("propeller", 6.0),); they add up."""
+    on: tuple[str, ...]
+    """Coordinates or lines that it shakes."""
+    why: str
+    """Where the multiple is from, such as ``6 blades``."""
+    rate: float
+    """Circular frequency at the reference speeds [rad/s]."""
+    owner: Owner
+    """Whose it is."""
+
+
 @dataclass(frozen=True)
 class Labels:
     """Names and units of coordinates, lines and tones, and whose they are."""
@@ -181,6 +198,8 @@ class Labels:
     """Their units."""
     drive_owners: tuple[Owner, ...] = ()
     """Which machine or clutch each number is of, and what it is."""
+    orders: tuple[Excitation, ...] = ()
+    """Orders of machines and teeth that no line makes: blades, poles, slots, planets that pass."""
 
     def places_of(self, part: PartId) -> tuple[int, ...]:
         """Return the places of a mesh row's lines, one for each planet, or of any other part's lines.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from gearwright.dynamics.model.drives import ClutchDrive, Drive, MachineDrive, PropellerDrive, inputs_of, points_of
@@ -56,6 +56,21 @@ class Pair(NamedTuple):
     """Gyroscopic moment [N m s/rad]; None: from mass and frame speed."""
 
 
+class Order(NamedTuple):
+    """An excitation in proportion to speeds."""
+
+    name: str
+    """What it is called."""
+    turns: Mapping[str, float]
+    """Rotation -> how often it acts in a turn of it."""
+    on: Sequence[str]
+    """Coordinates or lines that it shakes."""
+    why: str
+    """Where the multiple is from."""
+    owner: Owner = NOBODY
+    """Whose it is."""
+
+
 class Written(NamedTuple):
     """A whole model."""
 
@@ -71,6 +86,8 @@ class Written(NamedTuple):
     """(time [s], speed factor [-])."""
     drives: Sequence[Drive] = ()
     """Propellers, machines, slipping clutches."""
+    orders: Sequence[Order] = ()
+    """Excitations that no line makes."""
 
 
 def problems(model: Written) -> list[Problem]:
@@ -86,6 +103,8 @@ def problems(model: Written) -> list[Problem]:
         *_duplicates("lines", [line.name for line in model.lines]),
         *_drives(model, units),
         *_duplicates("drives", [drive.name for drive in model.drives]),
+        *_orders(model, units),
+        *_duplicates("orders", [order.name for order in model.orders]),
     ]
 
 
@@ -101,6 +120,22 @@ def _drives(model: Written, units: dict[str, str]) -> Iterator[Problem]:
         for field, value in _positive(drive).items():
             if not value > 0.0:
                 yield Problem(path, f"{field} is {value:g}; it must be positive")
+
+
+def _orders(model: Written, units: Mapping[str, str]) -> Iterator[Problem]:
+    rotations = [name for name, unit in units.items() if unit == "rad"]
+    parts = [*units, *(line.name for line in model.lines)]
+    for order in model.orders:
+        path = f"orders.{order.name}"
+        for name in order.turns:
+            if name not in rotations:
+                yield Problem(path, f"no such rotation: {name}; {near(name, rotations)}")
+        if not any(order.turns.values()) or not all(math.isfinite(times) for times in order.turns.values()):
+            message = f"turns are {dict(order.turns)}; say how often it acts in a turn, such as 6 for six blades"
+            yield Problem(path, message)
+        for name in order.on:
+            if name not in parts:
+                yield Problem(path, f"it shakes {name}, which is no coordinate and no line; {near(name, parts)}")
 
 
 def _positive(drive: Drive) -> dict[str, float]:

@@ -6,6 +6,8 @@ Single runs through time are in `motion`.
 from gearwright.dynamics.vibration.campbell import Campbell, Order, campbell
 from gearwright.dynamics.vibration.critical_speeds import (
     RESONANCE,
+    SEPARATION,
+    SWING,
     CriticalSpeed,
     SpeedCase,
     critical_speeds,
@@ -23,6 +25,8 @@ from gearwright.dynamics.vibration.transmission import answer, first_meshes
 
 __all__ = [
     "RESONANCE",
+    "SEPARATION",
+    "SWING",
     "Campbell",
     "CriticalSpeed",
     "DynamicLoad",

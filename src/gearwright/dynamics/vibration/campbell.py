@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.arrays import Complexes, Floats
 from gearwright.dynamics.equations import DampedModes, damped_modes, linear
-from gearwright.dynamics.model import System, Tone, finite_numbers, refuse_not_finite
+from gearwright.dynamics.model import Excitation, System, Tone, finite_numbers, refuse_not_finite
 from gearwright.dynamics.vibration.sequences import numbers
 from gearwright.errors import DesignError, Problem
 from gearwright.showing import Shown, frame
@@ -25,9 +25,14 @@ class Order:
     """An excitation whose frequency is proportional to speed."""
 
     tone: Tone
-    """Which shafts' angles it is made of."""
+    """Which shafts' angles it is made of; empty for one of a machine or of teeth that no line makes."""
     frequency: float
     """At the reference speeds [Hz]."""
+    excitation: Excitation | None = None
+    """What makes it, where no line does: blades, poles, slots, planets that pass."""
+
+    def __str__(self) -> str:
+        return str(self.tone) if self.excitation is None else self.excitation.name
 
 
 @dataclass(frozen=True)
@@ -138,16 +143,23 @@ def _pairing(mass: Floats, before: DampedModes, after: DampedModes) -> list[int]
 
 
 def _orders(system: System) -> Iterator[Order]:
-    """Yield every tone that turns and every shaft speed, each frequency once."""
-    seen = set[float]()
-    arrays, labels = system.arrays, system.labels
+    """Yield every tone that turns, every order of machines and teeth, and the speeds of shafts that neither has."""
+    arrays, labels, seen = system.arrays, system.labels, list[float]()
     used = np.unique(np.concatenate([arrays.variation.tone, arrays.error.tone])).astype(int)
-    shafts = [(Tone(((name, 1),)), speed) for name, speed in zip(labels.coordinates, arrays.speed, strict=True)]
-    for tone, rate in [*((labels.tones[i], arrays.tone_rate[i]) for i in used), *shafts]:
-        frequency = abs(float(rate)) / (2.0 * np.pi)
-        if frequency > 0.0 and not any(abs(frequency - known) < 1e-9 * frequency for known in seen):
-            seen.add(frequency)
-            yield Order(tone, frequency)
+    for tone, rate in ((labels.tones[place], float(arrays.tone_rate[place])) for place in used):
+        yield from _new(Order(tone, abs(rate) / (2.0 * np.pi)), seen)
+    stated = [Order(Tone(()), order.rate / (2.0 * np.pi), order) for order in labels.orders if order.rate > 0.0]
+    yield from stated
+    seen += [order.frequency for order in stated]
+    for name, speed in zip(labels.coordinates, arrays.speed, strict=True):
+        yield from _new(Order(Tone(((name, 1),)), abs(float(speed)) / (2.0 * np.pi)), seen)
+
+
+def _new(order: Order, seen: list[float]) -> Iterator[Order]:
+    """Yield an order that turns, unless one of its frequency was seen before."""
+    if order.frequency > 0.0 and not any(abs(order.frequency - known) < 1e-9 * order.frequency for known in seen):
+        seen.append(order.frequency)
+        yield order
 
 
 def _crossings(factor: Floats, frequency: Floats, orders: Sequence[Order]) -> Iterator[Crossing]:

@@ -15,8 +15,8 @@ import numpy as np
 from gearwright.arrays import Complexes, Floats, Ints
 from gearwright.dynamics.assembly import assemble, bodies_of
 from gearwright.dynamics.equations import DampedModes, damped_modes, linear, statics
-from gearwright.dynamics.model import System, Tone, line_matrix
-from gearwright.dynamics.vibration.campbell import FACTORS, Campbell, Crossing, campbell
+from gearwright.dynamics.model import Excitation, System, Tone, line_matrix
+from gearwright.dynamics.vibration.campbell import FACTORS, Campbell, Crossing, Order, campbell
 from gearwright.errors import Problem, by_name, refuse
 from gearwright.identity import PartId, Role, gear_part
 from gearwright.showing import Shown
@@ -29,6 +29,13 @@ RESONANCE = (0.85, 1.15)
 
 Source: ISO 6336-1:2006, clause 6: N_S = 0.85 for F_t K_A/b ≥ 100 N/mm, to 1.15.
 """
+SEPARATION = (0.9, 1.1)
+"""Operating over critical speed within which an order of a machine lies too near a torsional frequency [-].
+
+Source: API 617, 10 %, in Wang, Feese & Pettinato 2012, Proc. 41st Turbomachinery Symposium, table 1.
+"""
+SWING = 0.01
+"""Share of its mean torque or force by which an order is taken to swing whose strength nobody states [-]."""
 SILENT = 0.01
 """Force at resonance over the mean force below which a mode counts as not excited [-]."""
 SAME = 1e-3
@@ -54,6 +61,8 @@ class CriticalSpeed:
     """Critical speed over operating speed, less 1 [-]: positive lies above."""
     dynamic_force: Ratio
     """Estimated amplitude of the worst mesh force at this resonance over its mean [-], from stiffness and errors."""
+    why: str = ""
+    """What makes an order that no line makes, such as ``6 blades``; its strength is `SWING`, by assumption."""
 
     @property
     def mode(self) -> str:
@@ -68,7 +77,8 @@ class CriticalSpeed:
     @property
     def in_resonance(self) -> bool:
         """Whether the operating speed lies in the main resonance range of this critical speed."""
-        return RESONANCE[0] <= 1.0 / (1.0 + self.margin) <= RESONANCE[1]
+        lower, upper = SEPARATION if self.why else RESONANCE
+        return lower <= 1.0 / (1.0 + self.margin) <= upper
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -85,6 +95,8 @@ class SpeedCase(Shown):
     """Against speed over operating speed."""
     critical: tuple[CriticalSpeed, ...]
     """Excited ones first, then by distance to the operating speed."""
+    assumed: tuple[CriticalSpeed, ...]
+    """Those of orders whose strength nobody states, sorted alike: blades, poles, slots, teeth and planets that pass."""
 
 
 @verb
@@ -139,22 +151,28 @@ def _speed_case(sizing: Sizing, cases: list[str], factors: Sequence[float]) -> S
     critical = [
         CriticalSpeed(
             ", ".join(cases),
-            str(order_name(sizing, first.order.tone)),
+            _words(sizing, first.order),
             (first.mode + before, last.mode + before),
             first.frequency,
             first.factor * speed,
             first.factor - 1.0,
             max(shaker.force(first) for shaker in shakers),
+            first.order.excitation.why if first.order.excitation else "",
         )
         for first, last in _together(diagram.crossings)
     ]
     critical.sort(key=lambda speed: (not speed.excited, abs(speed.margin)))
-    return SpeedCase(", ".join(cases), cases[0], systems[0], diagram, tuple(critical))
+    stated, assumed = (tuple(row for row in critical if bool(row.why) is told) for told in (False, True))
+    return SpeedCase(", ".join(cases), cases[0], systems[0], diagram, stated, assumed)
+
+
+def _words(sizing: Sizing, order: Order) -> str:
+    return str(order_name(sizing, order.tone)) if order.excitation is None else order.excitation.name
 
 
 def _together(crossings: Sequence[Crossing]) -> Iterator[tuple[Crossing, Crossing]]:
     """Yield first and last crossing of an order with modes of one frequency that follow each other."""
-    rows = sorted(crossings, key=lambda crossing: (crossing.order.frequency, crossing.mode))
+    rows = sorted(crossings, key=lambda crossing: (crossing.order.frequency, str(crossing.order), crossing.mode))
     first = 0
     for place in range(1, len(rows) + 1):
         begin, before = rows[first], rows[place - 1]
@@ -228,7 +246,7 @@ class Shaker:
 
         Source: see `critical_speeds`.
         """
-        exciting = _exciting(self.system, crossing.order.tone, self.mean)
+        exciting = self._push(crossing.order)
         if not np.any(exciting):
             return 0.0
         modes = self._modes(crossing.factor)
@@ -236,7 +254,7 @@ class Shaker:
         apart = np.abs(modes.rate.imag / rate - 1.0)
         near = apart < max(SAME, 1.01 * float(np.min(apart)))
         resonant = modes.shape[:, near]
-        push = resonant.conj().T @ (self.matrix.T @ exciting)
+        push = resonant.conj().T @ exciting
         # At its peak a mode moves by 1/(2 ζ ω²) = 1/(2 |Re λ| ω) of what pushes it. The shapes of a repeated frequency
         # are any basis of their space: its mass matrix makes the answer independent of which one the solver gave.
         together = resonant.conj().T @ (self.system.arrays.mass[:, None] * resonant)
@@ -245,11 +263,24 @@ class Shaker:
         # The mode decides whether the order excites it at all; how large the force is, all modes say together.
         return self._answer(exciting, rate, crossing.factor) if alone > SILENT else alone
 
+    def _push(self, order: Order) -> Complexes:
+        """Return the complex amplitude with which an order pushes each coordinate [N or N m]."""
+        if order.excitation is None:
+            return np.asarray(self.matrix.T @ _exciting(self.system, order.tone, self.mean))
+        return SWING * self._swinging(order.excitation).astype(np.complex128)
+
+    def _swinging(self, order: Excitation) -> Floats:
+        """Return what an order shakes, at its mean: torques of coordinates, forces of lines [N or N m]."""
+        labels = self.system.labels
+        lines = np.array([name in order.on for name in labels.lines])
+        bodies = np.array([name in order.on for name in labels.coordinates])
+        return np.asarray(bodies * self.system.arrays.loads.constant + self.matrix.T @ (lines * self.mean))
+
     def _answer(self, exciting: Complexes, rate: float, factor: float) -> float:
         """Return the worst mesh force over its mean when all modes answer an excitation [-]."""
         system = linear(self.system.arrays, factor)
         dynamic = np.diag(-(rate**2) * system.mass) + 1j * rate * system.damping + system.stiffness
-        moved = np.linalg.solve(dynamic, self.matrix.T @ exciting)
+        moved = np.linalg.solve(dynamic, exciting)
         return self._worst(np.abs(self.system.arrays.stiffness * (self.matrix @ moved)))
 
     def _modes(self, factor: float) -> DampedModes:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.model import System
+from gearwright.dynamics.model import Excitation, System
 from gearwright.dynamics.motion import (
     GIVEN,
     Accuracy,
@@ -60,6 +60,8 @@ class RunUp(Shown):
     """Measured error of the peaks of line forces over them [-], shape (speeds,)."""
     rms_error: Floats
     """And of their root mean squares [-], shape (speeds,)."""
+    machine_orders: tuple[Excitation, ...]
+    """Orders of machines, teeth and planets that no line makes."""
     notes: tuple[str, ...]
     """Speeds whose error is larger than asked, and why."""
 
@@ -136,6 +138,7 @@ def run_up(
         lines=tuple(lines),
         error=np.array([error.peak for error in errors]),
         rms_error=np.array([error.rms for error in errors]),
+        machine_orders=system.labels.orders,
         notes=tuple(notes),
     )
 

@@ -9,7 +9,7 @@ from typing import Annotated
 from gearwright.dynamics.assembly import Assumption
 from gearwright.dynamics.sharing import Allocation, Distribution, SharingStudy
 from gearwright.dynamics.vibration import Loudest, Peak, SpeedCase
-from gearwright.render.tables.dynamics import Critical, critical_rows
+from gearwright.render.tables.dynamics import ByMachine, Critical, critical_rows, machine_rows
 from gearwright.units import Angle, Length, Quantity, Ratio, Speed
 
 PERCENTILES = (50.0, 95.0, 99.0)
@@ -23,6 +23,8 @@ class CriticalSpeeds:
     """Load cases that run at it."""
     critical_speeds: tuple[Critical, ...]
     """The worst first."""
+    orders_of_machines: tuple[ByMachine, ...]
+    """Those of blades, poles, slots, teeth and planets that pass, the worst first; their strength is assumed."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +43,8 @@ def campbell_answer(cases: Iterable[SpeedCase], assumptions: Sequence[Assumption
         cases: From `critical_speeds`.
         assumptions: Of the dynamic model.
     """
-    return CampbellAnswer(tuple(CriticalSpeeds(case.cases, critical_rows(case)) for case in cases), tuple(assumptions))
+    rows = (CriticalSpeeds(case.cases, critical_rows(case.critical), machine_rows(case)) for case in cases)
+    return CampbellAnswer(tuple(rows), tuple(assumptions))
 
 
 @dataclass(frozen=True)

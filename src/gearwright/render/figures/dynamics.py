@@ -12,6 +12,8 @@ from matplotlib.figure import Figure
 
 from gearwright.dynamics.vibration import (
     RESONANCE,
+    SEPARATION,
+    SWING,
     Campbell,
     CriticalSpeed,
     Order,
@@ -20,6 +22,7 @@ from gearwright.dynamics.vibration import (
     order_name,
     turning_shaft,
 )
+from gearwright.render.figures.low_orders import draw_low, has_low_modes
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
 from gearwright.sizing import Sizing
@@ -39,10 +42,14 @@ def campbell_figure(sizing: Sizing, speeds: SpeedCase) -> Figure:
         sizing: As sized.
         speeds: From `critical_speeds`.
     """
-    near = [critical for critical in speeds.critical if critical.excited][:MOST_MARGINS]
-    figure = theme.sheet(WIDTH, 105.0 + 5.0 * max(len(near), 1))
-    diagram, margins = figure.subplots(2, 1, height_ratios=(85.0, 12.0 + 5.0 * max(len(near), 1)))
+    excited = [critical for critical in (*speeds.critical, *speeds.assumed) if critical.excited]
+    near = sorted(excited, key=lambda critical: abs(critical.margin))[:MOST_MARGINS]
+    heights = [85.0, *([75.0] if has_low_modes(speeds) else []), 12.0 + 5.0 * max(len(near), 1)]
+    figure = theme.sheet(WIDTH, sum(heights) + 8.0 + 8.0 * len(heights))
+    diagram, *low, margins = figure.subplots(len(heights), 1, height_ratios=heights)
     _draw_campbell(diagram, sizing, speeds)
+    for axes in low:
+        draw_low(axes, sizing, speeds, operating=operating_speed(sizing, speeds))
     _draw_margins(margins, near)
     return figure
 
@@ -60,7 +67,7 @@ def diagram_figure(campbell: Campbell) -> Figure:
     axes.plot(campbell.factor, campbell.frequency, color=theme.MUTED, lw=0.8)
     axes.plot([], [], color=theme.MUTED, lw=0.8, label="natural frequency")
     for colour, order in zip(cycle(theme.CYCLE), campbell.orders, strict=False):
-        axes.plot([0.0, end], [0.0, order.frequency * end], color=colour, lw=0.9, label=str(order.tone))
+        axes.plot([0.0, end], [0.0, order.frequency * end], color=colour, lw=0.9, label=str(order))
     crossings = campbell.crossings
     axes.scatter([at.factor for at in crossings], [at.frequency for at in crossings], s=9.0, color=theme.ORANGE, lw=0.0)
     axes.axvline(1.0, color=theme.INK, lw=0.9)
@@ -80,14 +87,13 @@ class _Frame:
 
 
 def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
-    case = speed_case.first
-    shaft = turning_shaft(sizing, case) or sizing.machines[0].shaft
+    shaft, speed = operating_speed(sizing, speed_case)
     excited = [critical for critical in speed_case.critical if critical.excited]
     highest = max(
         (critical.frequency for critical in excited or speed_case.critical),
         default=float(np.max(speed_case.campbell.frequency)),
     )
-    frame = _Frame(abs(sizing.flows[case].speeds[shaft]) / RPM, 1.12e-3 * highest)
+    frame = _Frame(speed, 1.12e-3 * highest)
     speeds = speed_case.campbell.factor * frame.speed
     axes.axvspan(RESONANCE[0] * frame.speed, RESONANCE[1] * frame.speed, color=theme.STEEL, lw=0.0, zorder=0)
     axes.axvline(frame.speed, color=theme.INK, lw=0.9)
@@ -107,13 +113,13 @@ def _draw_campbell(axes: Axes, sizing: Sizing, speed_case: SpeedCase) -> None:
     axes.scatter(
         [], [], s=LARGEST_DOT, color=theme.ORANGE, lw=0.0, label="resonance; area: force amplitude over mean force"
     )
-    axes.legend(loc="upper left", bbox_to_anchor=(0.0, -0.17), ncols=3, borderaxespad=0.0, fontsize=6.5)
+    axes.legend(loc="upper left", bbox_to_anchor=(0.0, -0.17), ncols=2, borderaxespad=0.0, fontsize=6.5)
 
 
 def _draw_orders(axes: Axes, sizing: Sizing, orders: Sequence[Order], frame: _Frame) -> None:
     """Draw the rays: mesh orders named, in the colour of their stage; shafts dotted."""
     stages, end, free = list(sizing.design.stages), axes.get_xlim()[1], 0.0
-    for order in sorted(orders, key=lambda order: -order.frequency):
+    for order in sorted((order for order in orders if order.excitation is None), key=lambda order: -order.frequency):
         name, top = order_name(sizing, order.tone), order.frequency / 1e3 * end / frame.speed
         if not name.stage:
             axes.plot([0.0, end], [0.0, top], color=theme.MUTED, lw=0.6, ls=":", zorder=1)
@@ -124,8 +130,10 @@ def _draw_orders(axes: Axes, sizing: Sizing, orders: Sequence[Order], frame: _Fr
         if leaves >= free or leaves == end:
             _name_ray(axes, name.short, (leaves, min(top, frame.top)), colour)
             free = leaves + 0.028 * end
-    if not all(order_name(sizing, order.tone).stage for order in orders):
-        axes.plot([], [], color=theme.MUTED, lw=0.6, ls=":", label="shaft turning")
+    for order in (order for order in orders if order.excitation is not None):
+        axes.plot([0.0, end], [0.0, order.frequency / 1e3 * end / frame.speed], color=theme.MUTED, lw=0.4, ls="--")
+    axes.plot([], [], color=theme.MUTED, lw=0.6, ls=":", label="shaft turning")
+    axes.plot([], [], color=theme.MUTED, lw=0.4, ls="--", label="machines, sidebands, planets that pass")
 
 
 def _name_ray(axes: Axes, word: str, at: tuple[float, float], colour: str) -> None:
@@ -134,6 +142,17 @@ def _name_ray(axes: Axes, word: str, at: tuple[float, float], colour: str) -> No
     axes.annotate(word, at, (3, 0) if right else (1, 2), textcoords="offset points", fontsize=6.0, color=colour,
                   rotation=0.0 if right else 45.0, va="center" if right else "bottom",
                   annotation_clip=False)  # fmt: skip
+
+
+def operating_speed(sizing: Sizing, speeds: SpeedCase) -> tuple[str, float]:
+    """Return the shaft whose speed stands for all, and that speed [rpm].
+
+    Args:
+        sizing: As sized.
+        speeds: From `critical_speeds`.
+    """
+    shaft = turning_shaft(sizing, speeds.first) or sizing.machines[0].shaft
+    return shaft, abs(sizing.flows[speeds.first].speeds[shaft]) / RPM
 
 
 def _draw_margins(axes: Axes, near: Sequence[CriticalSpeed]) -> None:
@@ -145,18 +164,25 @@ def _draw_margins(axes: Axes, near: Sequence[CriticalSpeed]) -> None:
         return
     band = [100.0 * (1.0 / bound - 1.0) for bound in reversed(RESONANCE)]
     axes.axvspan(*band, color=theme.STEEL, lw=0.0, zorder=0)
+    apart = [100.0 * (1.0 / bound - 1.0) for bound in reversed(SEPARATION)]
+    axes.axvspan(*apart, color=theme.MUTED, alpha=0.25, lw=0.0, zorder=0)
     axes.axvline(0.0, color=theme.INK, lw=0.9)
     place = np.arange(len(near))
     margin = np.array([100.0 * critical.margin for critical in near])
     axes.hlines(place, 0.0, margin, color=theme.MUTED, lw=0.7)
     area = [max(2.0, LARGEST_DOT * min(critical.dynamic_force, 2.0)) for critical in near]
-    axes.scatter(margin, place, s=area, color=theme.ORANGE, zorder=3, lw=0.0)
+    face = [theme.PAPER if critical.why else theme.ORANGE for critical in near]
+    axes.scatter(margin, place, s=area, c=face, edgecolors=theme.ORANGE, zorder=3, lw=0.8)
     names = [f"{critical.order}, mode {critical.mode} ({critical.frequency:.0f} Hz)" for critical in near]
     axes.set_yticks(place, names, fontsize=6.5)
     axes.set_ylim(len(near) - 0.4, -0.6)
     reach = 1.15 * max(float(np.max(np.abs(margin))), band[1])
     axes.set_xlim(-reach, reach)
-    axes.set_xlabel("critical over operating speed, less 1 [%]; shaded: main resonance range, ISO 6336-1")
+    axes.set_xlabel(
+        "critical over operating speed, less 1 [%]\n"
+        "shaded: main resonance range, ISO 6336-1; darker: 10 %, API 617\n"
+        f"hollow: {100.0 * SWING:g} % of a torque or mesh force is assumed to swing"
+    )
     theme.only_grid(axes, "x")
 
 

@@ -21,6 +21,8 @@ CELLS = 160
 """Cells of a waterfall along its frequencies: a cell shows the largest amplitude in it."""
 MOST_ORDERS = 6
 """Orders whose course is drawn, at most."""
+NAME = 0.027
+"""Height of a name over the height of the map [-]."""
 QUIET = 0.02
 """Amplitude over the largest below which an order is not drawn [-]."""
 _SHADES = LinearSegmentedColormap.from_list("gearwright", [theme.PAPER, "#c5dcec", theme.BLUE, "#0b2d4a", "#05121f"])
@@ -63,10 +65,25 @@ def _draw_map(figure: Figure, axes: Axes, run_up: RunUp, *, line: str, rpm: Floa
     axes.set(ylabel="frequency [kHz]", ylim=(0.0, frequency[-1] / 1e3), xlim=(rpm[0], rpm[-1]))
     axes.set_title(f"Waterfall of the force in {line}")
     axes.grid(visible=False)
-    for name, end in zip(run_up.orders, run_up.order_frequency * run_up.factor[-1], strict=True):
-        if end < frequency[-1]:
-            axes.annotate(name.short, (rpm[-1], end / 1e3), (3, 0), textcoords="offset points",
-                          fontsize=6.0, va="center", color=theme.MUTED, annotation_clip=False)  # fmt: skip
+    _draw_orders(axes, run_up, rpm)
+
+
+def _draw_orders(axes: Axes, run_up: RunUp, rpm: Floats) -> None:
+    """Name every order where it leaves the map; those of machines, which no line makes, are drawn as well."""
+    reach, top = float(run_up.factor[-1]), 1e3 * axes.get_ylim()[1]
+    tones = zip(run_up.orders, run_up.order_frequency.tolist(), strict=True)
+    rows = [(end * reach, name.short, theme.MUTED) for name, end in tones]
+    rows += [(order.rate / (2.0 * np.pi) * reach, order.name, theme.ORANGE) for order in run_up.machine_orders]
+    named: list[float] = []
+    for end, word, colour in rows:
+        if colour != theme.MUTED:
+            axes.plot(rpm, end / 1e3 * rpm / rpm[-1], color=colour, lw=0.4, ls="--")
+        if 0.0 < end < top and all(abs(end - other) > NAME * top for other in named):
+            named.append(end)
+            axes.annotate(word, (rpm[-1], end / 1e3), (3, 0), textcoords="offset points", fontsize=6.0, va="center",
+                          color=colour, annotation_clip=False)  # fmt: skip
+    axes.plot([], [], color=theme.ORANGE, lw=0.4, ls="--", label="machines, sidebands, planets that pass")
+    axes.legend(loc="upper left", fontsize=6.5)
 
 
 def _cells(run_up: RunUp, line: str) -> tuple[Floats, Floats]:

@@ -15,7 +15,7 @@ from gearwright.render.figures.paths import moving_centres, orbit_figure, phase_
 from gearwright.render.pages.report_parts import Figure, Section
 from gearwright.render.schematic.mode_shapes import drawn_modes_figure
 from gearwright.render.style import theme
-from gearwright.render.tables.dynamics import assumption_table, critical_table
+from gearwright.render.tables.dynamics import assumption_table, critical_table, machine_table
 from gearwright.sizing import Sizing
 
 MOST_DRAWN = 4
@@ -59,7 +59,8 @@ def _figure(drawing: Drawing, name: str, caption: str) -> Figure:
 def _critical(sizing: Sizing, campbell: Sequence[SpeedCase]) -> Section:
     caption = "Natural frequencies, orders and excited resonances against speed; margins of the nearest ones."
     figures = [_figure(campbell_figure(sizing, case), f"campbell-{n}", caption) for n, case in enumerate(campbell)]
-    return Section("Critical speeds", tables=tuple(map(critical_table, campbell)), figures=tuple(figures))
+    tables = (*map(critical_table, campbell), *map(machine_table, campbell))
+    return Section("Critical speeds", tables=tables, figures=tuple(figures))
 
 
 def _shapes(sizing: Sizing, system: System, modes: Modes | None, campbell: Sequence[SpeedCase]) -> Section:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.dynamics.assembly import Assumption
-from gearwright.dynamics.vibration import CriticalSpeed, Response, RunUp, SpeedCase, loudest_speeds, peaks
+from gearwright.dynamics.vibration import SWING, CriticalSpeed, Response, RunUp, SpeedCase, loudest_speeds, peaks
 from gearwright.render.grid.table import Table, table
 from gearwright.units import Frequency, Origin, Quantity, Speed
 
@@ -29,6 +29,24 @@ class Critical:
     verdict: str
 
 
+@dataclass(frozen=True)
+class ByMachine:
+    """One critical speed of an order that no line makes, in words."""
+
+    order: str
+    why: str
+    mode: str
+    frequency: Frequency
+    """[Hz]"""
+    speed: Speed
+    """Of the first machine's shaft [rad/s]."""
+    margin: Annotated[float, Quantity("percent"), Origin("n_crit/n − 1", "definition")]
+    """[-]"""
+    dynamic_force: Annotated[float, Quantity("percent"), Origin("q = φᵀf/(2 ζ ω²)", "first order, at resonance")]
+    """Amplitude over mean, of an assumed swing [-]."""
+    verdict: str
+
+
 def critical_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
     """Return the critical speeds of one set of speeds, worst first.
 
@@ -36,7 +54,7 @@ def critical_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
         speeds: From `critical_speeds`.
         maximum: Rows at most; what is not excited stands last.
     """
-    rows = critical_rows(speeds)[:maximum]
+    rows = critical_rows(speeds.critical)[:maximum]
     left = f" {len(speeds.critical) - maximum} more are left out." if len(speeds.critical) > maximum else ""
     note = (
         "n: critical speed of the first machine's shaft; f: damped frequency there. Margin: over the operating speed,"
@@ -47,11 +65,49 @@ def critical_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
     return table(f"Critical speeds, case {speeds.cases}", rows, fields, note=note)
 
 
-def critical_rows(speeds: SpeedCase) -> tuple[Critical, ...]:
-    """Return the critical speeds of one set of speeds in words, worst first.
+def machine_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
+    """Return the critical speeds of blades, poles, slots, teeth and planets that pass, worst first.
 
     Args:
         speeds: From `critical_speeds`.
+        maximum: Rows at most; what is not excited stands last.
+    """
+    rows = machine_rows(speeds)
+    left = f" {len(rows) - maximum} more are left out." if len(rows) > maximum else ""
+    note = (
+        f"Nobody states how hard they shake: dynamic force is what follows if {100.0 * SWING:g} % of the mean torque of"
+        f" the machine, or of the force of one mesh, swings. In resonance: within 10 % (API 617).{left}"
+    )
+    fields = ("order", "why", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
+    return table(f"Orders of machines, teeth and planets, case {speeds.cases}", rows[:maximum], fields, note=note)
+
+
+def machine_rows(speeds: SpeedCase) -> tuple[ByMachine, ...]:
+    """Return the critical speeds of orders that no line makes in words, worst first.
+
+    Args:
+        speeds: From `critical_speeds`.
+    """
+    return tuple(
+        ByMachine(
+            critical.order,
+            critical.why,
+            critical.mode,
+            critical.frequency,
+            critical.speed,
+            critical.margin,
+            critical.dynamic_force,
+            _verdict(critical),
+        )
+        for critical in speeds.assumed
+    )
+
+
+def critical_rows(critical_speeds: Sequence[CriticalSpeed]) -> tuple[Critical, ...]:
+    """Return critical speeds in words, in their order.
+
+    Args:
+        critical_speeds: Of one set of speeds.
     """
     return tuple(
         Critical(
@@ -63,7 +119,7 @@ def critical_rows(speeds: SpeedCase) -> tuple[Critical, ...]:
             critical.dynamic_force,
             _verdict(critical),
         )
-        for critical in speeds.critical
+        for critical in critical_speeds
     )
 
 

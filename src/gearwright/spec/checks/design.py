@@ -69,6 +69,9 @@ def _machines(design: Design) -> Iterator[Problem]:
                 yield Problem(path, f"{GROUND!r} stands still, and no machine turns there; name a shaft that turns")
             else:
                 yield from _shaft(path, machine.shaft, design)
+            poles = getattr(machine, "poles", None)
+            if poles is not None and poles % 2:
+                yield Problem(f"{table}.{name}.poles", f"{poles} is odd; poles come in pairs: give an even number")
     if not design.machines:
         yield Problem("", "no machine drives or loads this train; add a table such as [turbines.gas-turbine]")
 

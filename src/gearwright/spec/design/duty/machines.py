@@ -97,6 +97,10 @@ class ElectricMachine(Machine):
     )
     mass: Mass | None = Field(None, gt=0, description="Known mass, instead of the law")
     inertia: Inertia | None = Field(None, gt=0, description="Polar inertia of its rotor; estimated if left out")
+    poles: int | None = Field(
+        None, ge=2, le=400, description="Number of poles, an even number, for its electrical orders"
+    )
+    slots: int | None = Field(None, ge=3, le=2000, description="Number of stator slots, for its slot orders")
 
 
 class Motor(ElectricMachine):
