@@ -9,11 +9,12 @@ import argparse
 import math
 import os
 import time
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -32,9 +33,11 @@ from gearwright.dynamics import (
 )
 from gearwright.dynamics.assembly import assemble
 from gearwright.errors import SolveError
-from gearwright.shipped import shipped_design
+from gearwright.mission import fly
+from gearwright.mission.windows import fly_window
+from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
-from gearwright.spec import read
+from gearwright.spec import read, read_mission
 
 OMEGA = 3e4
 """Of the mesh mode [rad/s]."""
@@ -176,15 +179,28 @@ def mathieu(points: int) -> None:
     print(f"Mathieu, {points**2} points: {wrong} wrong verdicts, {border} on the border, multipliers within {away:.1e}")
 
 
+def used(work: Callable[[], Any]) -> tuple[float, Any]:
+    """Return processor time of some work after one try [s], and what came of it."""
+    work()
+    start = time.process_time()
+    result = work()
+    return time.process_time() - start, result
+
+
 def cost() -> None:
-    """Processor time of 0.2 s of shipped designs, code ready."""
+    """Processor time of 0.2 s of shipped designs, of a speed map and of ten seconds of a flight, code ready."""
     for name in ("single-planetary", "in-line-h2", "face-gear-split-torque", "ec120b"):
         system = assemble(size(read(shipped_design(name))))
-        simulate(system, 0.2)
-        start = time.process_time()
-        trace = simulate(system, 0.2)
-        seconds = time.process_time() - start
+        seconds, trace = used(partial(simulate, system, 0.2))
         print(f"{name}: {seconds:.3f} s at {trace.step:.2e} s, error {trace.error:.1e}, {trace.rms_error:.1e}")
+    system = assemble(size(read(shipped_design("single-planetary"))))
+    seconds, swept = used(partial(speed_map, system, np.linspace(0.5, 1.5, 64), settle=0.05, duration=0.1))
+    forces = swept.forces
+    print(f"speed map of 64: {seconds:.2f} s at {forces.step:.2e} s, error {np.max(forces.error):.1e}")
+    flight = fly(size(read(shipped_design("in-line-h2"))), read_mission(shipped_mission("thesis")))
+    rules = flight.mission.windows["cruise"].model_copy(update={"stiffness": "varying"})
+    seconds, seen = used(partial(fly_window, flight, "cruise", rules))
+    print(f"window of 10 s: {seconds:.2f} s at {seen.trace.step:.2e} s, error {seen.trace.error:.1e}")
 
 
 def main() -> None:

@@ -5,21 +5,28 @@ What is solved with it is decided in `motion`.
 
 from gearwright.dynamics.codegen.assembler import aligned
 from gearwright.dynamics.codegen.clock import clock, waves_of
+from gearwright.dynamics.codegen.crests import AFTER, BEFORE, blank_crests, crester, lagrange
 from gearwright.dynamics.codegen.native import Compiled, compiled
 from gearwright.dynamics.codegen.recurrence import SIDE, Size, recurrence
 from gearwright.dynamics.codegen.summary import summariser
-from gearwright.dynamics.codegen.topology import Topology, parameter_rows, parameters, topology
+from gearwright.dynamics.codegen.topology import Topology, filled, parameter_rows, parameters, topology
 from gearwright.dynamics.codegen.writer import drive_width, record_width, table_width, wave_width
 
 __all__ = [
+    "AFTER",
+    "BEFORE",
     "SIDE",
     "Compiled",
     "Size",
     "Topology",
     "aligned",
+    "blank_crests",
     "clock",
     "compiled",
+    "crester",
     "drive_width",
+    "filled",
+    "lagrange",
     "parameter_rows",
     "parameters",
     "record_width",

@@ -18,12 +18,15 @@ PARTING = 1
 """Order where teeth part or touch inside a step: by steps of second, but one step may meet them and the next not."""
 CHAOTIC = 0
 """Motions that part from their neighbours: no step brings two runs together, and what they differ by is the error."""
-CAUTION = 3.0
+CAUTION = 4.0
 """What the error by the order is multiplied by, since peaks are met by chance and orders hold in the limit [-]."""
 NEGLIGIBLE = 1e-2
 """Share of the largest force of its kind below which a line's force is judged beside that share [-]."""
-CHANCE = 0.02
-"""Share of the error of peaks below which that of a root mean square is not told: two of them agree by chance [-]."""
+CHANCE = 0.04
+"""Share of the error of peaks below which that of a root mean square is not told: two of them agree by chance [-].
+
+A peak is not told to be nearer than the root mean square, for the same reason.
+"""
 REFINED = 4
 """Times that a run is repeated at a finer pace."""
 COARSER = 2.0
@@ -87,7 +90,7 @@ def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: flo
     for away, mine in ((peak, forces.peak), (rms, forces.rms)):
         largest = np.max(np.where(kinds, mine[:, None, :], 0.0), axis=2)
         parts.append(np.max(_over(away, np.maximum(mine, NEGLIGIBLE * largest)), axis=1, initial=0.0))
-    return [Error(float(peak), max(float(rms), CHANCE * float(peak))) for peak, rms in zip(*parts, strict=True)]
+    return [Error(max(peak, rms), max(rms, CHANCE * peak)) for peak, rms in zip(*np.array(parts).tolist(), strict=True)]
 
 
 def _over(part: Floats, whole: Floats) -> Floats:

@@ -50,7 +50,7 @@ class Pass(NamedTuple):
         rms = np.sqrt(np.maximum(square + ends, 0.0))
         late = abs(float(recorder.edges[0]) * self.pace.step - recorder.outputs.start) / float(np.sum(length))
         missed = late * np.maximum(extremes**2 - square, square) / np.maximum(2.0 * rms, 1e-300)
-        between = np.maximum(recorder.bound - extremes, 0.0)
+        between = np.maximum(recorder.between.bound - extremes, 0.0)
         return Forces(extremes[None], rms[None], between[None], (np.abs(rms - np.sqrt(square)) + missed)[None])
 
 

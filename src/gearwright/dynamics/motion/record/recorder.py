@@ -8,6 +8,7 @@ import numpy as np
 
 from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.model import OUTSIDE_MAP, PITCH, SPEED, Owner, System
+from gearwright.dynamics.motion.record.between import Between
 from gearwright.dynamics.motion.record.orders import OrderSums
 from gearwright.dynamics.motion.record.trace import Checkpoints, Samples, Statistics
 from gearwright.errors import DesignError, Problem, SolveError
@@ -17,9 +18,6 @@ BLOCK = 512
 """Steps in a block; replays start at its multiples."""
 CHECKPOINTS = 1000
 """Most states that are kept for replay."""
-RISE = 0.15
-"""Share of its second difference by which a crest may stand above its instants: 1/8 of many, 0.149 of 6.6 a cycle [-].
-"""
 RUNAWAY = 1e12
 """Line force at which a run has diverged [N or N m]: no gear comes near it."""
 
@@ -57,7 +55,8 @@ class Recorder:
         width, bins = self.past - self.size, len(self.edges) - 1
         self.sums = np.zeros((2, bins, width))
         self.minimum, self.maximum = np.full((bins, width), np.inf), np.full((bins, width), -np.inf)
-        self.first_force, self.last_force, self.bound = np.zeros((3, len(system.labels.lines)))
+        self.first_force, self.last_force = np.zeros((2, len(system.labels.lines)))
+        self.between = Between(len(system.labels.lines), self.edges, BLOCK)
         self.kept: list[list[tuple[int, Floats]]] = [[] for _ in range(1 + len(self.spans))]
         self.points: list[tuple[int, Floats]] = []
         self.spacing = BLOCK * max(1, -(-steps // (BLOCK * CHECKPOINTS)))
@@ -103,22 +102,11 @@ class Recorder:
             if self.orders is not None:
                 self.orders.add(place, low, rows[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
         self._watch(first, record)
-        self._bound(first, record[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
-
-    def _bound(self, first: int, forces: Floats) -> None:
-        """Keep forces at the ends of what statistics see, and the height that peaks between steps may have.
-
-        Every crest counts, not the highest instant alone: one that was met less well may be the larger.
-        """
+        forces = record[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)]
+        self.between.take(first, forces)
         self.last_force = forces[-1].copy()
-        seen = forces[max(int(self.edges[0]) - first, 0) :]
-        if first <= self.edges[0] < first + len(forces):
-            self.first_force = seen[0].copy()
-        if len(seen) > 2:
-            size, bend = np.abs(seen), np.abs(np.diff(seen, 2, axis=0))
-            size[1:-1] += RISE * bend
-            size[[0, -1]] += RISE * bend[[0, -1]]
-            np.maximum(self.bound, np.max(size, axis=0), out=self.bound)
+        if first <= self.edges[0] < first + len(record):
+            self.first_force = forces[int(self.edges[0]) - first].copy()
 
     def _check_maps(self, first: int, record: Floats, summary: Floats) -> None:
         """Refuse what a propeller does outside its map: the laws go on with the nearest cell's edge."""
@@ -180,15 +168,15 @@ class Recorder:
 
         Args:
             names: Lines or coordinates.
-            first: Column of the first.
+            first: Column of the first; extremes of line forces, the first after q̇, are those between steps too.
             what: ``"line"``, ``"coordinate"`` or ``"drive"``.
         """
-        columns = slice(first, first + len(names))
-        count = np.diff(self.edges)[:, None]
-        mean, square = self.sums[:, :, columns] / count
-        rms = np.sqrt(square)
-        edges = self.edges.astype(np.float64) * self.step
-        return Statistics(names, what, edges, mean, self.minimum[:, columns], self.maximum[:, columns], rms)
+        columns, bins = slice(first, first + len(names)), len(self.edges) - 1
+        mean, square = self.sums[:, :, columns] / np.diff(self.edges)[:, None]
+        least, most = self.minimum[:, columns], self.maximum[:, columns]
+        if first == self.size:
+            least, most = np.minimum(least, self.between.low[:bins]), np.maximum(most, self.between.high[:bins])
+        return Statistics(names, what, self.edges.astype(np.float64) * self.step, mean, least, most, np.sqrt(square))
 
     def checkpoints(self) -> Checkpoints:
         """Return the states that were kept for replay."""

@@ -1,0 +1,68 @@
+"""Between: how far line forces reach between the steps of a run, block by block."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gearwright.arrays import Floats, Ints
+from gearwright.dynamics.codegen import AFTER, BEFORE, aligned, blank_crests, crester, filled, lagrange
+
+LEAD = BEFORE + AFTER
+"""Rows of the block before that the next one needs."""
+END = np.linspace(0.0, BEFORE, 16 * BEFORE + 1)
+"""Where crests are looked for beside the first and last instants, in intervals from the end."""
+
+
+class Between:
+    """Crests of line forces, of each bin, and what they may be off by, of all bins together."""
+
+    def __init__(self, lines: int, edges: Ints, block: int) -> None:
+        self.lines, self.edges = lines, edges
+        self.bring, self.rows = crester(filled(lines)), aligned(LEAD + block, filled(lines))
+        self.crests = blank_crests(filled(lines))
+        self.blank = self.crests[:4].copy()
+        self.high, self.low = np.full((len(edges) - 1, lines), -np.inf), np.full((len(edges) - 1, lines), np.inf)
+        self.bound = np.zeros(lines)
+
+    def take(self, first: int, forces: Floats) -> None:
+        """Take a block.
+
+        Args:
+            first: Step of its first row; blocks follow each other without a gap.
+            forces: Of the lines, shape (steps, lines).
+        """
+        count, steps = len(forces), int(self.edges[-1])
+        self.rows[LEAD : LEAD + count, : self.lines] = forces
+        start, stop = max(first - AFTER, BEFORE, int(self.edges[0])), min(first + count - AFTER, steps)
+        place = int(np.searchsorted(self.edges, start, side="right")) - 1
+        while start < stop:
+            end = min(int(self.edges[place + 1]), stop)
+            self._look(place, start - first + LEAD, end - start)
+            start, place = end, place + 1
+        if first == 0 == self.edges[0]:
+            self._look_at_end(0, forces[: LEAD + 1])
+        if first + count > steps:
+            self._look_at_end(-1, self.rows[max(count - 1, LEAD - first) : LEAD + count, : self.lines][::-1])
+        self.rows[:LEAD] = self.rows[count : count + LEAD].copy()
+
+    def _look(self, place: int, row: int, count: int) -> None:
+        """Look into intervals that lie in one bin."""
+        self.crests[:4] = self.blank
+        self.bring(self.rows, row, count, self.crests)
+        high, low, above, below = self.crests[:4, : self.lines]
+        self._keep(place, high, low, np.maximum(above, -below))
+
+    def _look_at_end(self, place: int, rows: Floats) -> None:
+        """Look into the outermost intervals, the end first: rows on one side are too few for the others' way."""
+        if len(rows) < 2:
+            return
+        nodes = np.arange(float(len(rows)))
+        here = END[nodes[-1] >= END]
+        force = np.array([lagrange(nodes, theta) for theta in here]) @ rows
+        off = np.abs(np.array([lagrange(nodes[:-1], theta) for theta in here]) @ rows[:-1] - force)
+        self._keep(place, np.max(force, axis=0), np.min(force, axis=0), np.max(np.abs(force) + off, axis=0))
+
+    def _keep(self, place: int, high: Floats, low: Floats, bound: Floats) -> None:
+        np.maximum(self.high[place], high, out=self.high[place])
+        np.minimum(self.low[place], low, out=self.low[place])
+        np.maximum(self.bound, bound, out=self.bound)
