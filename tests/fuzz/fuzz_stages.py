@@ -33,7 +33,7 @@ LONGEST = 20.0
 SIMULATED, MOST_STEPS = 0.002, 20_000
 """Time that is simulated [s], and most steps: a stiff train is simulated for less."""
 FLOWN = MappingProxyType({
-    "ec120b-sortie": ("ec120b-as-reported", "face-gear-split-torque", "off-set", "star"),
+    "ec120b-sortie": ("ec120b", "face-gear-split-torque", "off-set", "star"),
     "equal-power": ("in-line", "mixed-h1", "off-set-h2", "single-planetary", "twin-engine-sprag"),
     "regional-250nm": ("in-line", "mixed", "star"),
     "rotor-schedule": ("face-gear-split-torque",),

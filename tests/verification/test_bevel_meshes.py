@@ -19,7 +19,7 @@ SIZING = size(DESIGN)
 
 
 def loads_on(sizing, shaft):
-    """Return the point loads of the bevel gear on a shaft (force y, z; couple; torque; all axial force), rated case."""
+    """Return the point loads of the bevel gear on a shaft (force y, z; couple; torque; all axial force), first case."""
     given = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, sizing.given)
     plan, axes = sizing.arrangement.plans[shaft], sizing.arrangement.axes
     loads, axial = shaft_loads(given, shaft, plan, axes=axes, gears={gear.name: gear for gear in sizing.gears})
@@ -31,7 +31,7 @@ def loads_on(sizing, shaft):
 def test_both_shafts_of_a_bevel_mesh_feel_one_force():
     """Same length of the force in space; F_a of one is F_r of the other on square axes (ISO 23509); rounding only."""
     pair = next(mesh for mesh in SIZING.meshes if mesh.name == "bevel").rating.factors.virtual.bevel
-    torque = SIZING.flows["rated"].meshes["bevel"].torques[0]
+    torque = SIZING.reference.meshes["bevel"].torques[0]
     forces = bevel_forces(pair, abs(torque), hand=Hand.LEFT, rotation=Rotation.CLOCKWISE)
     lengths = []
     for shaft, side in (("intermediate", 0), ("mast", 1)):
@@ -47,7 +47,7 @@ def test_both_shafts_of_a_bevel_mesh_feel_one_force():
 
 def test_the_bevel_wheel_turns_its_shaft_with_the_torque_of_the_power_flow():
     across, _, torque, _ = loads_on(SIZING, "mast")
-    assert torque == pytest.approx(SIZING.flows["rated"].meshes["bevel"].torques[1], rel=1e-12)
+    assert torque == pytest.approx(SIZING.reference.meshes["bevel"].torques[1], rel=1e-12)
     assert math.hypot(*across) > 0.0
 
 

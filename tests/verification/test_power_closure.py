@@ -4,7 +4,7 @@ import pytest
 
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
-from gearwright.spec import Case, Drive, drives_of, parse, read
+from gearwright.spec import Case, Drive, case_named, cases_of, drives_of, parse, read
 from gearwright.train import build_train, power_flow
 
 CLOSURE = 1e-12
@@ -28,8 +28,10 @@ def machine_modes(design):
 
 def backwards(design):
     """Return the cases that last, with every stated power and torque the other way round, whatever a machine is for."""
-    named = {case: drives_of(design, case) for case in design.cases if not design.cases[case].static}
-    return {case: {name: reversed_drive(drive) for name, drive in drives.items()} for case, drives in named.items()}
+    lasting = [case for case in cases_of(design) if not case_named(design, case).static]
+    drives = {case: drives_of(design, case) for case in lasting}
+    turned = {case: {name: reversed_drive(drive) for name, drive in drives[case].items()} for case in lasting}
+    return {case: {**turned[case], "engaged": case_named(design, case).engaged} for case in lasting}
 
 
 def reversed_drive(drive):
@@ -44,7 +46,7 @@ def test_power_closes_in_every_case_of_every_shipped_design(name):
         assert flow.residual < CLOSURE
 
 
-@pytest.mark.parametrize("name", ["twin-engine-helicopter", "wind-turbine-5mw", "e-axle", "in-line-h2"])
+@pytest.mark.parametrize("name", shipped_designs())
 def test_power_closes_backwards_in_every_case_that_lasts(name):
     """Freewheels made rigid: what drives is driven, and speeds stay what they are."""
     sizing = SIZED[name]

@@ -10,7 +10,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import stored_energy
-from gearwright.mission.flight import Balance, Flight, fuel_energy
+from gearwright.mission.flight import Balance, Flight, consumed, fuel_energy
 from gearwright.mission.gearbox import Drag, Gearbox, Point
 from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, stacked
 from gearwright.mission.profile import Moment
@@ -109,6 +109,11 @@ def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
     heat = history.gearbox_heat
     oil_outlet = mission.oil.inlet_temperature_k + mission.oil.rise_k * heat / heat.max()
     nodes = _nodes(gearbox, intervals)
+    machines = {
+        name: MachineHistory(np.array([interval.powers[name] for interval in intervals]), nodes[shaft].speed)
+        for name, shaft in gearbox.sizing.train.machines.items()
+        if name != gearbox.propeller
+    }
     return Flight(
         mission=mission,
         sizing=gearbox.sizing,
@@ -116,13 +121,9 @@ def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
         history=history,
         oil_outlet=oil_outlet,
         nodes=nodes,
-        machines={
-            name: MachineHistory(np.array([interval.powers[name] for interval in intervals]), nodes[shaft].speed)
-            for name, shaft in gearbox.sizing.train.machines.items()
-            if name != gearbox.propeller
-        },
+        machines=machines,
         meshes=_meshes(gearbox, intervals),
-        balance=_balance(flown, history),
+        balance=_balance(flown, history, consumed(gearbox.sizing, machines, history.time)),
         oil_flow=oil_flow(float(heat.max()), mission.oil.rise_k),
         cooler_conductance=_cooler(mission, history, oil_outlet),
         inertia=gearbox.inertia,
@@ -156,7 +157,7 @@ def _cooler(mission: Mission, history: History[Floats], oil_outlet: Floats) -> f
     return max(cooler_conductance(float(power), float(warm), float(cold)) for power, warm, cold in rows)
 
 
-def _balance(flown: Flown, history: History[Floats]) -> Balance:
+def _balance(flown: Flown, history: History[Floats], taken: Floats) -> Balance:
     gearbox, _, mission, supply = flown
 
     def total(power: Floats) -> float:
@@ -169,6 +170,7 @@ def _balance(flown: Flown, history: History[Floats]) -> Balance:
         fuel=fuel,
         battery=_drawn(mission, supply, float(history.state_of_charge[-1])),
         propeller=total(history.propeller_power),
+        consumers=total(taken),
         turbine_heat=fuel - total(history.turbine_power),
         mesh_loss=total(history.mesh_loss),
         bearing_loss=total(history.bearing_loss),

@@ -1,4 +1,4 @@
-"""What takes power in flight: the one propeller or rotor that balances, and the others by their part of the power."""
+"""What takes power in flight: the propeller or rotor that balances, accessories by demand, others by their part."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from gearwright.errors import DesignError, Problem
 from gearwright.sizing import Sizing
-from gearwright.spec import drives_of
+from gearwright.spec import Accessory, drives_of
 
 
 def flown_airscrew(sizing: Sizing) -> str:
@@ -29,15 +29,29 @@ def flown_airscrew(sizing: Sizing) -> str:
 def taken_parts(sizing: Sizing) -> dict[str, float]:
     """Return every other machine that only takes -> its part of the power that the train is given [-].
 
-    Tail rotors, pumps and generators take in flight the part that they take in the case that speaks for the design.
+    Tail rotors, generators and loads take in flight the part that they take in the case that speaks for the design;
+    accessories are not among them: they take their own power at any speed, as in a case that says nothing of them.
 
     Args:
         sizing: What was sized.
     """
     flown, powers = flown_airscrew(sizing), sizing.reference.machine_powers
     given = sum(power for power in powers.values() if power > 0.0)
-    takers = [name for name, machine in sizing.design.machines.items() if name != flown and not machine.drives]
+    takers = [
+        name
+        for name, machine in sizing.design.machines.items()
+        if name != flown and not machine.drives and not isinstance(machine, Accessory)
+    ]
     return {name: powers[name] / given for name in takers} if given else dict.fromkeys(takers, 0.0)
+
+
+def own_demand(sizing: Sizing) -> float:
+    """Return what all accessories take in flight, whatever the machines give [W].
+
+    Args:
+        sizing: What was sized.
+    """
+    return sum(accessory.power for accessory in sizing.design.accessories.values())
 
 
 def with_consumers(powers: Mapping[str, float], taken: Mapping[str, float]) -> dict[str, float]:
@@ -47,5 +61,5 @@ def with_consumers(powers: Mapping[str, float], taken: Mapping[str, float]) -> d
         powers: Machine -> power into the train [W].
         taken: From `taken_parts`; one whose power is among the others keeps that.
     """
-    given = sum(power for name, power in powers.items() if name not in taken)
+    given = abs(sum(power for name, power in powers.items() if name not in taken))
     return {**{name: part * given for name, part in taken.items()}, **powers}

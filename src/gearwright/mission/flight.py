@@ -42,6 +42,8 @@ class Balance:
     """Taken from the battery's store, by its state of charge [J]."""
     propeller: Energy
     """Work of the propeller's shaft [J]."""
+    consumers: Energy
+    """Work of what else takes power: accessories, tail rotors, generators, loads [J]."""
     turbine_heat: Annotated[Energy, TURBINE_HEAT]
     """Of the fuel, what does not reach the shaft [J]."""
     mesh_loss: Annotated[Energy, MESH_LOSS]
@@ -67,7 +69,7 @@ class Balance:
     @property
     def residual(self) -> Ratio:
         """What is missing, as a part of what came in [-]."""
-        spent = self.propeller + self.turbine_heat + self.gearbox_loss
+        spent = self.propeller + self.consumers + self.turbine_heat + self.gearbox_loss
         spent += self.motor_loss + self.battery_loss + self.stored
         return abs(self.fuel + self.battery - spent) / (self.fuel + abs(self.battery))
 
@@ -156,9 +158,26 @@ class Flight(Shown):
         return frame({"phase": (self.phase, ""), **series}, "time")
 
     def passed(self) -> tuple[Floats, Floats]:
-        """Return what the gearbox takes and gives in every interval [W]; a propeller that the air drives gives."""
-        work, loss = self.history.propeller_power, self.history.gearbox_heat
+        """Return what the gearbox takes and gives in every interval [W]; a propeller that the air drives gives.
+
+        What accessories and other machines take is given, like the propeller's power.
+        """
+        taken = consumed(self.sizing, self.machines, self.history.time)
+        work, loss = self.history.propeller_power + taken, self.history.gearbox_heat
         return np.maximum(work + loss, -work), np.maximum(np.maximum(work, -work - loss), 0.0)
+
+
+def consumed(sizing: Sizing, machines: Mapping[str, MachineHistory], time: Floats) -> Floats:
+    """Return the power that accessories, tail rotors, generators and loads take in every interval [W].
+
+    Args:
+        sizing: What flew.
+        machines: Its machines without the propeller.
+        time: Of the intervals [s].
+    """
+    drives = {name: machine.drives for name, machine in sizing.design.machines.items()}
+    taken = [-history.power for name, history in machines.items() if not drives[name]]
+    return sum(taken, np.zeros_like(time))
 
 
 @dataclass(frozen=True)

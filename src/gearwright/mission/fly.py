@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
 from gearwright.catalogue import propeller_map, read_propeller_map
-from gearwright.errors import DesignError, Problem, near, refuse
+from gearwright.errors import DesignError, Problem, SolveError, near, refuse
 from gearwright.machines import PropellerMap
 from gearwright.mission.collect import Flown, Interval, Lost, collect, recorded
 from gearwright.mission.consumers import flown_airscrew
@@ -25,6 +25,10 @@ from gearwright.verbs import verb
 
 TRIAL_POWER = 1e5
 """Power at which an operating point is found before it is scaled [W]; torques and powers are proportional."""
+MET = 1e-12
+"""Difference of the propeller's power from the asked one that is met, over all that is given [-]."""
+MOST_TRIALS = 20
+"""Trials for it: the power is nearly linear in what is given, and two or three do."""
 
 
 class _Before(NamedTuple):
@@ -161,15 +165,36 @@ def _operating(flown: Flown, moment: Moment, asked: _Asked, last: Point | None) 
     """
     gearbox, _, _, supply = flown
     efficiency = efficiencies(gearbox, last) if last is not None else {}
-    trial_power = math.copysign(TRIAL_POWER, asked.propeller or 0.0)
-    trial = {name: part * trial_power for name, part in asked.parts.items()}
-    point = operate(gearbox, trial, moment.propeller_speed, efficiency)
+
+    def given(power: float) -> Point:
+        """Return the point at which the machines give a power [W]."""
+        machines = {name: part * power for name, part in asked.parts.items()}
+        return operate(gearbox, machines, moment.propeller_speed, efficiency)
+
+    if asked.propeller is not None and gearbox.demand:
+        return _met(given, asked.propeller, asked.propeller + gearbox.demand)
+    point = given(math.copysign(TRIAL_POWER, asked.propeller or 0.0))
     if asked.propeller is not None:
         return point.scaled(asked.propeller / point.work)
-    before = point.scaled((moment.power or 0.0) / TRIAL_POWER)
-    left = (moment.power or 0.0) - asked.spin_up - sum(drag(gearbox, before))
+    at = given if gearbox.demand else lambda power: point.scaled(power / TRIAL_POWER)
+    left = (moment.power or 0.0) - asked.spin_up - sum(drag(gearbox, at(moment.power or 0.0)))
     left -= supply.dragged(gearbox, point, asked.parts)
     if left <= 0.0:
         message = f"{(moment.power or 0.0) / 1e3:.4g} kW only spin the train up; give more, or a longer ramp_s"
         raise DesignError([Problem("power", message)])
-    return point.scaled(left / TRIAL_POWER)
+    return at(left)
+
+
+def _met(given: Callable[[float], Point], wanted: float, power: float) -> Point:
+    """Return the point at which the propeller has its power, by secants from a first guess of what is given [W]."""
+    point, slope = given(power), 1.0
+    for _ in range(MOST_TRIALS):
+        missing = wanted - point.work
+        if abs(missing) <= MET * (abs(wanted) + abs(power)):
+            return point
+        power += missing / slope
+        before, point = point, given(power)
+        slope *= (point.work - before.work) / missing
+        if not slope:
+            break
+    raise SolveError(f"no power of the machines gives the propeller its {wanted / 1e3:.4g} kW")

@@ -12,7 +12,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.identity import Role
-from gearwright.mission.consumers import taken_parts, with_consumers
+from gearwright.mission.consumers import own_demand, taken_parts, with_consumers
 from gearwright.parts.gears import ToothShift
 from gearwright.parts.losses import (
     OIL_DENSITY,
@@ -84,7 +84,7 @@ class Point(NamedTuple):
         return float(self.machine_powers.sum()) - self.mesh_loss
 
     def scaled(self, factor: float) -> Point:
-        """Return the point with all torques and powers changed by one factor; the balance is homogeneous.
+        """Return the point with all torques and powers changed by one factor, accessories' among them.
 
         Args:
             factor: [-].
@@ -111,7 +111,9 @@ class Gearbox:
     turning: Turning
     """Speeds of the train: intervals often turn alike."""
     taken: Mapping[str, float]
-    """What else takes power -> its part of the power that the train is given [-]."""
+    """What takes its part of the power that the train is given -> this part [-]."""
+    demand: float
+    """What accessories take whatever is given [W]; without any, torques and powers are proportional."""
     seats: tuple[Seat, ...]
     """Of the bearings whose load follows from the meshes."""
 
@@ -144,6 +146,7 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
         inertia=_inertia(sizing, propeller),
         turning=Turning(sizing.design, sizing.train, sizing.teeth),
         taken=taken_parts(sizing),
+        demand=own_demand(sizing),
         seats=bearing_seats(sizing),
     )
 
@@ -196,7 +199,7 @@ def operate(
 
     Args:
         gearbox: The gearbox.
-        powers: Machine -> power into the train [W]; one left out idles, or takes its part of the others' power.
+        powers: Machine -> power into the train [W]; one left out idles, or takes its demand or its part of the power.
         propeller_speed: [rad/s].
         efficiency: Stage -> efficiency of each of its meshes [-].
 

@@ -1,7 +1,11 @@
-"""Machines as the gearbox needs them: torque, mass of motors, inertia of what turns."""
+"""Machines as the gearbox needs them: torque, mass of motors, inertia of what turns; how fast tips of rotors are."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from gearwright.checks import Check
+from gearwright.identity import Kind, PartId
 from gearwright.machines import (
     LENGTH_RATIO,
     motor_diameter,
@@ -15,7 +19,11 @@ from gearwright.machines import (
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import MachineSizing
 from gearwright.spec import Airscrew, ElectricMachine, Machine, Turbine
+from gearwright.spec.design import Rotor
 
+FASTEST_TIP = 250.0
+"""Tip speed of a rotor that leaves the advancing blade some forward speed [m/s]: Mach 0.73 at sea level. The UH-1H with
+14.63 m at 324 rpm has 248 m/s, faster than helicopters since; 200 to 225 m/s are usual."""
 _MASS_LAWS = {"ndarc": motor_mass_ndarc, "thesis": motor_mass_power_law}
 
 
@@ -26,6 +34,24 @@ def size_machines(context: Context) -> tuple[MachineSizing, ...]:
         context: What sizing reads.
     """
     return tuple(_machine(context, name, machine) for name, machine in context.design.machines.items())
+
+
+def machine_checks(context: Context) -> Iterator[Check]:
+    """Yield the tip speed of every rotor in the case that turns it the fastest.
+
+    Args:
+        context: What sizing reads.
+    """
+    for name, machine in context.design.machines.items():
+        if isinstance(machine, Rotor):
+            case, speed = max(
+                ((case, abs(flow.speeds[machine.shaft])) for case, flow in context.flows.items()),
+                key=lambda turning: turning[1],
+            )
+            yield Check(
+                PartId(Kind.MACHINE, name), "tip speed", "UH-1H: 248 m/s, Mach 0.73", speed * machine.diameter / 2.0,
+                FASTEST_TIP, "velocity", at_most=True, exponent=None, case=case,
+            )  # fmt: skip
 
 
 def _machine(context: Context, name: str, machine: Machine) -> MachineSizing:

@@ -10,7 +10,7 @@ from gearwright.sizing.answers import refuse_no_numbers
 from gearwright.sizing.arrangement import arrange
 from gearwright.sizing.bearings import named_room
 from gearwright.sizing.limits import refuse_beyond
-from gearwright.sizing.machines import size_machines
+from gearwright.sizing.machines import machine_checks, size_machines
 from gearwright.sizing.rating import context_of, demands_of
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import (
@@ -67,6 +67,7 @@ def size(design: Design) -> Sizing:
         *(check for carrier in carriers for check in carrier_checks(carrier)),
         *(check for shaft in built for check in built_checks(shaft, design)),
         *named_room(design, gears),
+        *machine_checks(context),
     ]
     refuse(unknown_waivers(checks, design.waivers, left=BEYOND_SIZING))
     sizing = Sizing(

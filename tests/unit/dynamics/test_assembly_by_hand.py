@@ -37,8 +37,8 @@ def test_a_contact_in_space_turns_its_gears_as_its_line_does(name):
     """Levers of a contact are the weights of its line on the two gears: base radii, signed so that the force is
     positive; and their torques are those of the case."""
     sizing = size(read(shipped_design(name)))
-    flow = sizing.flows["rated"]
-    lines, bodies = weights_of(assemble(sizing, "rated")), bodies_of(sizing)
+    flow = sizing.reference
+    lines, bodies = weights_of(assemble(sizing, flow.case)), bodies_of(sizing)
     for contact in contacts_of(sizing, flow):
         for side in contact.sides:
             assert side.gear in bodies

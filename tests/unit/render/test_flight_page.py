@@ -59,8 +59,9 @@ def test_what_flows_into_the_sankey_flows_out():
     """Sum of sources against sum of sinks, a battery and a propeller that give or take; 1e-12 is rounding."""
     for battery, stored in ((0.3, 0.01), (-0.2, -0.01), (-0.8, 0.0)):
         rest = dict.fromkeys(("mesh_loss", "bearing_loss", "windage_loss", "churning_loss"), 0.01)
-        work = 1.0 + battery - 0.7 - 0.04 - 0.02 - 0.01 - stored
-        balance = Balance(1.0, battery, work, 0.7, motor_loss=0.02, battery_loss=0.01, stored=stored, **rest)
+        work = 1.0 + battery - 0.7 - 0.04 - 0.02 - 0.01 - 0.03 - stored
+        balance = Balance(1.0, battery, work, 0.03, 0.7, motor_loss=0.02, battery_loss=0.01, stored=stored, **rest)
+        assert balance.residual == pytest.approx(0.0, abs=1e-12)
         flows = energies(balance)
         out = sum(sink.energy for sinks in (flows.hot, flows.used, flows.lost) for sink in sinks)
         assert balance.came_in == pytest.approx(out, rel=1e-12)

@@ -20,7 +20,8 @@ SIZING = size(DESIGN)
 
 
 def test_every_factor_of_both_standards_stands_in_a_table_with_its_clause():
-    helical, bevel = factor_tables(SIZING).values()
+    tables = factor_tables(SIZING)
+    helical, bevel = tables["helical"], tables["bevel"]
     for one, standard in ((helical, "ISO 6336"), (bevel, "ISO 10300")):
         rows = {row[2].text.partition(" = ")[0]: [cell.text for cell in row] for row in one.rows}
         assert all(row[-1] for row in rows.values())

@@ -78,7 +78,8 @@ def energies(balance: Balance) -> Energies:
         generated=max(-from_motors, 0.0),
         hot=_positive([Sink("heat of the turbines", balance.turbine_heat, theme.MUTED)]),
         used=_positive([
-            Sink("work of the propeller", balance.propeller, theme.GREEN), *gearbox,
+            Sink("work of the propeller", balance.propeller, theme.GREEN),
+            Sink("accessories and other loads", balance.consumers, theme.BLUE), *gearbox,
             Sink("spin of rotors and gears", max(balance.stored, 0.0), theme.SKY),
         ]),
         lost=_positive([

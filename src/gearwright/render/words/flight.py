@@ -96,6 +96,8 @@ def _totals(flight: Flight) -> list[str]:
         f" the gearbox; a cooler of {flight.cooler_conductance:.0f} W/K",
         f"Energies close {energy_text(balance.residual)}",
     ]
+    if balance.consumers:
+        lines.insert(1, f"Accessories, tail rotors and other loads take {balance.consumers / KWH:.2f} kWh")
     if flight.has_battery:
         lines.insert(1, f"State of charge at the end {history.state_of_charge[-1]:.3f}")
     return lines

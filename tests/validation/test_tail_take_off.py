@@ -1,0 +1,67 @@
+"""A main gearbox of the UH-60's class whose tail rotor has a demand: the take-off is sized for it, not for a guess.
+
+Reference: 350 kW at 4115 rpm want about 45 kg of bevel gears; where no case said what the tail rotor takes, equilibrium
+left it 2525 of 3000 kW, and its gears weighed 235 kg. Tooth numbers are searched between 17 and 25 for the pinions.
+"""
+
+import pytest
+
+from designs import problem
+from gearwright.sizing import size
+from gearwright.spec import parse
+
+TRAIN = """\
+schema = 1
+name = "main gearbox of the UH-60's class"
+shafts = ["engine-1", "engine-2", "quill-1", "quill-2", "collector", "main", "tail"]
+[turbines]
+t700-1 = { shaft = "engine-1", power_kw = 1500, speed_rpm = 20900, limits.one-out = { power_kw = 1800 } }
+t700-2 = { shaft = "engine-2", power_kw = 1500, speed_rpm = 20900 }
+[rotors]
+main-rotor = { shaft = "main", speed_rpm = 258, diameter_m = 16.36, thrust_kn = 98, hub_moment_nm = 20000 }
+tail-rotor = { shaft = "tail", speed_rpm = 4115, diameter_m = 3.35 }
+[pairs]
+input-1 = { kind = "bevel", axis_angle_deg = 90, spiral_angle_deg = 35, pinion = "engine-1", wheel = "quill-1" }
+input-2 = { kind = "bevel", axis_angle_deg = 90, spiral_angle_deg = 35, pinion = "engine-2", wheel = "quill-2" }
+combining = { kind = "bevel", axis_angle_deg = 90, spiral_angle_deg = 35, pinion = ["quill-1", "quill-2"], \
+wheel = "collector" }
+tail-take-off = { kind = "bevel", axis_angle_deg = 90, spiral_angle_deg = 35, pinion = "tail", wheel = "collector" }
+[planetaries]
+main = { sun = "collector", ring = "ground", carrier = "main", planets = 5 }
+[gears]
+rating = "iso6336"
+material = "carburised-9310"
+web_ratio = 0.5
+[teeth]
+pinion_minimum = 17
+pinion_maximum = 25
+"""
+CASES = """\
+[cases.hover]
+share = 0.99
+t700-1.rating = 1
+t700-2.rating = 1
+tail-rotor.power_kw = -350
+[cases.one-engine-out]
+share = 0.01
+t700-1.power_kw = 1800
+tail-rotor.power_kw = -250
+"""
+
+
+def test_the_tail_take_off_is_sized_for_what_the_tail_rotor_takes():
+    """45 kg, as told; 2 kg for what a change of the rating's factors may make of it."""
+    sizing = size(parse(TRAIN + CASES))
+    assert sum(gear.mass for gear in sizing.gears if gear.stage == "tail-take-off") == pytest.approx(45.0, abs=2.0)
+    for case, taken in (("hover", 350e3), ("one-engine-out", 250e3)):
+        flow = sizing.flows[case]
+        assert flow.machine_powers["tail-rotor"] == pytest.approx(-taken, rel=1e-12)
+        assert flow.residual < 1e-12
+    assert sizing.flows["hover"].machine_powers["main-rotor"] == pytest.approx(-2650e3, rel=1e-12)
+
+
+def test_two_rotors_without_a_demand_are_refused():
+    """No split of the power is guessed; the message names both rotors and shows what to write."""
+    found = problem(TRAIN, sized=True)
+    assert found.path == "cases.rated"
+    assert found.message.startswith("main-rotor and tail-rotor both balance one branch")
