@@ -56,9 +56,10 @@ of it as a page, `gearwright draw ec120b` [draws it](drawings.md), `gearwright f
 """
 _TAIL = """
 Torques and forces of `ec120b` are those of its take-off of {minutes:.0f} minutes in an hour's flight, {power:.0f} kW
-with {tail:.0f} kW to the tail rotor. Forces of the bevel pair act at its mean diameters. Tooth numbers, all places along the
-shafts, powers of the cases, the rotor's loads, the life of {life:.0f} h and the oil are assumptions in the design file,
-which says what is published. The hand design is an earlier calculation by the same standards for the report's inputs.
+with {tail:.0f} kW to the tail rotor. Forces of the bevel pair act at its mean diameters. Tooth numbers, all places
+along the shafts, powers of the cases, the rotor's loads, the life of {life:.0f} h and the oil are assumptions in the
+design file, which says what is published. The hand design is an earlier calculation by the same standards for the
+report's inputs.
 What else differs:
 
 * **Speed.** At 406 instead of 600 rpm the mast has {more:.2f} times the torque of the hand design's; masses follow it.
