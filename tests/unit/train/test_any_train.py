@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from random_trains import design_of, shuffled, tables
+from random_trains import COMPOUND, KINDS, design_of, shuffled, tables
 
+from gearwright.errors import SolveError
 from gearwright.spec import GROUND
 from gearwright.train import build_train, power_flow
 
@@ -53,6 +54,24 @@ def test_power_closes_and_every_shaft_is_in_balance(drawn, lossy):
         assert sum(mesh.torques) == pytest.approx(0.0, abs=CLOSURE * max(largest, 1e-300))
     for name, shaft in train.machines.items():
         assert flow.machine_powers[name] == flow.machine_torques[name] * flow.speeds[shaft]
+
+
+@settings(max_examples=60, deadline=None)
+@given(drawn=tables((*KINDS, *COMPOUND), least=0.8))
+def test_trains_of_compound_sets_and_poor_meshes_close_or_say_what_locks(drawn):
+    """Wolfrom's and stepped sets reach ratios at which 0.8 a mesh locks them: that is said by name, or power closes."""
+    table, teeth, efficiency = drawn
+    design = design_of(table)
+    train = build_train(design)
+    try:
+        flow = power_flow(design, train, teeth, "case", efficiency=efficiency)
+    except SolveError as error:
+        assert "is self-locking" in str(error) or "in a circle" in str(error)
+        return
+    powers = np.array([*flow.machine_powers.values(), -flow.loss])
+    assert abs(powers.sum()) <= CLOSURE * max(largest_power(flow), 1e-300)
+    for mesh in flow.meshes.values():
+        assert mesh.loss >= -IDLE * largest_power(flow)
 
 
 @settings(max_examples=60)

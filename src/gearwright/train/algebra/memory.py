@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 
-Result = TypeVar("Result", Floats, tuple[Floats, Floats, Floats, Floats])
+Result = TypeVar("Result", Floats, tuple[Floats, Floats, Floats])
 KEPT = 1024
 """Latest matrices of which the result is kept: some 1 MB."""
 

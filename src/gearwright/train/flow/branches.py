@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from gearwright.identity import Kind, PartId, Role, Row, carrier_part
-from gearwright.train.flow.case import PowerFlow
+from gearwright.train.flow.carried import PowerFlow
 from gearwright.train.graph import Mesh, Train
 from gearwright.units import Power, Speed, Torque
 

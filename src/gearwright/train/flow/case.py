@@ -3,94 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from dataclasses import replace
 
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.errors import Problem, SolveError, refuse
-from gearwright.spec import GROUND, RATED, Design, Drive, Pair, case_named, cases_of, drives_of
-from gearwright.train.flow.refusals import ambiguous, unbalanced
-from gearwright.train.flow.statics import Sharing, balance, solve_torques, undecided
-from gearwright.train.flow.tooth_losses import MAX_REVERSALS, TOGETHER, rolling, turned, with_losses
+from gearwright.errors import Problem, refuse
+from gearwright.spec import GROUND, RATED, Design, Drive, case_named, cases_of, drives_of
+from gearwright.train.flow.balanced import STANDSTILL, Balanced, balanced, dragged
+from gearwright.train.flow.carried import MeshFlow, PowerFlow
+from gearwright.train.flow.efficiencies import efficiencies
+from gearwright.train.flow.jams import jammed
 from gearwright.train.flow.turning import Turn, Turning, asked_speeds, holding
-from gearwright.train.graph import Damper, Joint, Mesh, Train
+from gearwright.train.graph import Joint, Mesh, Train
 from gearwright.train.kinematics import Yielded
-
-STANDSTILL = 1e-12
-"""Speed below this part of the largest one is rounding of a shaft that stands still."""
-
-
-@dataclass(frozen=True)
-class MeshFlow:
-    """What one row of equal meshes carries."""
-
-    name: str
-    multiplier: float
-    """Torque per tooth of all equal meshes together, λ [N m]."""
-    torques: tuple[float, float, float]
-    """Torque on the nodes of gear a, gear b and carrier, all equal meshes together [N m]."""
-    tooth_power: float
-    """Power through the teeth relative to the carrier, positive from a to b [W]."""
-    loss: float
-    """Power lost in the teeth [W]."""
-
-
-@dataclass(frozen=True)
-class Dragged:
-    """What a damper carries."""
-
-    torque: float
-    """That it gives to its driven shaft [N m]."""
-    slip: float
-    """Speed of its driving shaft over the driven one [rad/s]."""
-
-    @property
-    def loss(self) -> float:
-        """Heat [W]."""
-        return self.torque * self.slip
-
-
-@dataclass(frozen=True)
-class PowerFlow:
-    """A balanced load case."""
-
-    case: str
-    speeds: Mapping[str, float]
-    """Node -> speed [rad/s]; the ground is in it with zero."""
-    machine_torques: Mapping[str, float]
-    """Machine -> torque on its shaft [N m]."""
-    machine_powers: Mapping[str, float]
-    """Machine -> power into the train [W]; negative takes power out."""
-    meshes: Mapping[str, MeshFlow]
-    """Mesh row -> what it carries."""
-    joints: Mapping[str, float] = field(default_factory=dict)
-    """Engaged clutch -> torque that it gives to its driven shaft [N m]; an open one is not in it."""
-    dampers: Mapping[str, Dragged] = field(default_factory=dict)
-    """Damper -> what it carries."""
-    yielded: tuple[Yielded, ...] = ()
-    """Machines whose asked speed the teeth give only nearly."""
-
-    @property
-    def loss(self) -> float:
-        """Power lost in all meshes and dampers [W]."""
-        return sum(mesh.loss for mesh in self.meshes.values()) + sum(damper.loss for damper in self.dampers.values())
-
-    def given(self, link: str) -> float:
-        """Return the torque that a clutch or damper gives to its driven shaft [N m]; zero of an open clutch.
-
-        Args:
-            link: Its name.
-        """
-        return self.dampers[link].torque if link in self.dampers else self.joints.get(link, 0.0)
-
-    @property
-    def residual(self) -> float:
-        """Power in minus power out minus losses, as a part of the power in [-]."""
-        powers = self.machine_powers.values()
-        supplied = sum(power for power in powers if power > 0.0)
-        return abs(sum(powers) - self.loss) / supplied if supplied else 0.0
 
 
 def power_flow(
@@ -109,7 +35,7 @@ def power_flow(
 
     Raises:
         DesignError: If shafts are locked or free, or no torques balance.
-        SolveError: If losses leave no steady direction of the power.
+        SolveError: If losses leave no state in which the train turns, or several.
     """
     return _flow(design, turning or Turning(design, train, teeth), case, efficiency or {})
 
@@ -141,16 +67,32 @@ def _flow(design: Design, turning: Turning, case: str, efficiency: Mapping[str, 
         signed = {name: abs(speed) * turning.senses[train.machines[name]] for name, speed in asked.items()}
         turn = turning.turn(signed, joints)
         stated, balancing = _machine_torques(design, turning, turn, case=case, locked=locked)
-        balanced = _balance(design, train, turn, efficiency, stated, balancing=balancing, case=case)
+        torques = balanced(design, train, turn, efficiency, stated, balancing=balancing, case=case)
+        state = torques.found[0] if torques.found else torques.lossless
         slipping = [
             joint
             for k, joint in enumerate(joints)
-            if _overruns(joint, balanced.multipliers[len(train.meshes) + k], train, turn.speeds)
+            if _overruns(joint, state.multipliers[len(train.meshes) + k], train, turn.speeds)
         ]
         if not slipping:
             break
         joints.remove(slipping[0])
-    return _collect(train, case, replace(turn, yielded=_blamed(design, train, case, turn.yielded)), balanced, joints)
+    turn = replace(turn, yielded=_blamed(design, train, case, turn.yielded))
+    found = [_collect(train, case, turn, state, joints) for state in torques.found]
+    if len(found) == 1 and torques.complete:
+        return found[0]
+    lossless = _collect(train, case, turn, torques.lossless, joints)
+    alike = [flow for flow in found if _gives_alike(flow, lossless)]
+    if len(alike) == 1 and torques.complete:
+        return alike[0]
+    ways = efficiencies(design, train, turning.teeth, lossless, efficiency)
+    raise jammed(train, lossless, found, ways, complete=torques.complete)
+
+
+def _gives_alike(flow: PowerFlow, lossless: PowerFlow) -> bool:
+    """Tell whether every machine gives or takes as it does without losses: so a train of several states is meant."""
+    pairs = [(flow.machine_powers[machine], power) for machine, power in lossless.machine_powers.items()]
+    return all(one * other >= 0.0 for one, other in pairs)
 
 
 def _blamed(design: Design, train: Train, case: str, yielded: tuple[Yielded, ...]) -> tuple[Yielded, ...]:
@@ -202,66 +144,6 @@ def _overruns(joint: Joint, multiplier: float, train: Train, speeds: Floats) -> 
     return bool(-multiplier * np.sign(turning or 1.0) <= 1e-9)
 
 
-class _Balanced(NamedTuple):
-    """The torques of a case in balance."""
-
-    machine_torques: dict[str, float]
-    """Machine -> torque on its shaft [N m]."""
-    multipliers: Floats
-    """Torque per tooth of every mesh row, then torque of every engaged clutch [N m]."""
-    effective: Floats
-    """(rows, nodes): torque on a node per multiplier [-], losses included."""
-
-
-def _balance(
-    design: Design, train: Train, turn: Turn, efficiency: Mapping[str, float], stated: Mapping[str, float], *,
-    balancing: Sequence[str], case: str,
-) -> _Balanced:  # fmt: skip
-    """Return the torques that balance a case, with losses in the direction of the power."""
-    matrix, speeds = turn.matrix, turn.speeds
-    applied = _applied(train, speeds, stated)
-    taking = [train.column[train.machines[name]] for name in balancing]
-    sharing = _sharing(design, train)
-    rolls = rolling(train, matrix, speeds)
-    noise = 1e-9 * float(np.abs(applied * speeds).max(initial=0.0))
-    effective, known = matrix, turn.balance(taking)
-    open_ = undecided(known, len(matrix))
-    if open_.any():
-        raise ambiguous(design, case, [name for name, free in zip(balancing, open_, strict=True) if free])
-    direction: Floats | None = None
-    for attempt in range(MAX_REVERSALS):
-        solved = solve_torques(known, applied, sharing=sharing)
-        if solved is None:
-            raise unbalanced(train, balancing, case)
-        multipliers, rest = solved[: len(matrix)], solved[len(matrix) :]
-        if all(value == 1.0 for value in efficiency.values()):
-            break
-        before, power = direction, multipliers * rolls
-        direction = turned(before, power, noise, together=attempt < TOGETHER)
-        if before is not None and np.array_equal(before, direction):
-            break
-        effective = with_losses(train, matrix, direction, efficiency)
-        known = balance(effective, taking)
-    else:
-        raise SolveError(
-            f"cases.{case}: no direction of the power through the teeth agrees with their losses: more power"
-            " circulates than the machines give, and the train locks itself. Use higher efficiencies, or other teeth"
-        )
-    return _Balanced({**stated, **dict(zip(balancing, rest.tolist(), strict=True))}, multipliers, effective)
-
-
-def _applied(train: Train, speeds: Floats, stated: Mapping[str, float]) -> Floats:
-    """Return the torques on every node that are given: of machines and dampers [N m]."""
-    applied = np.zeros(len(train.nodes))
-    for name, torque in stated.items():
-        applied[train.column[train.machines[name]]] += torque
-    for damper in train.dampers:
-        torque = _dragged(train, damper, speeds).torque
-        applied[train.column[damper.driven]] += torque
-        applied[train.column[damper.driving]] -= torque
-    return applied
-
-
 def _machine_torques(
     design: Design, turning: Turning, turn: Turn, *, case: str, locked: frozenset[str]
 ) -> tuple[dict[str, float], list[str]]:
@@ -289,21 +171,8 @@ def _machine_torques(
     return stated, balancing
 
 
-def _sharing(design: Design, train: Train) -> list[Sharing]:
-    groups = []
-    for stage, pair in design.pairs.items():
-        rows = tuple(k for k, mesh in enumerate(train.meshes) if mesh.stage == stage)
-        if len(rows) > 1:
-            groups.append(Sharing(rows, _shares(pair, len(rows)), stated=pair.share is not None))
-    return groups
-
-
-def _shares(pair: Pair, count: int) -> tuple[float, ...]:
-    return tuple(pair.share) if pair.share is not None else (1.0 / count,) * count
-
-
-def _collect(train: Train, case: str, turn: Turn, balanced: _Balanced, joints: list[Joint]) -> PowerFlow:
-    torques, carried, by_node = balanced.machine_torques, balanced.multipliers.tolist(), balanced.effective.tolist()
+def _collect(train: Train, case: str, turn: Turn, state: Balanced, joints: list[Joint]) -> PowerFlow:
+    torques, carried, by_node = state.machine_torques, state.multipliers.tolist(), state.effective.tolist()
     solved_speeds = turn.speeds.tolist()
     noise = STANDSTILL * max(map(abs, solved_speeds), default=0.0)
     speed = {name: value if abs(value) > noise else 0.0 for name, value in zip(train.nodes, solved_speeds, strict=True)}
@@ -317,16 +186,9 @@ def _collect(train: Train, case: str, turn: Turn, balanced: _Balanced, joints: l
         machine_powers={name: torque * speed[train.machines[name]] for name, torque in torques.items()},
         meshes=meshes,
         joints={joint.name: -carried[start + k] for k, joint in enumerate(joints)},
-        dampers={damper.name: _dragged(train, damper, turn.speeds) for damper in train.dampers},
+        dampers={damper.name: dragged(train, damper, turn.speeds) for damper in train.dampers},
         yielded=turn.yielded,
     )
-
-
-def _dragged(train: Train, damper: Damper, speeds: Floats) -> Dragged:
-    """Return what a damper carries; a slip that is rounding of the speeds is none."""
-    slip = float(speeds[train.column[damper.driving]] - speeds[train.column[damper.driven]])
-    slip = slip if abs(slip) > STANDSTILL * float(np.abs(speeds).max(initial=0.0)) else 0.0
-    return Dragged(damper.damping * slip, slip)
 
 
 def _mesh_flow(

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from gearwright.spec import GROUND
-from gearwright.train.flow.case import PowerFlow
+from gearwright.train.flow.carried import PowerFlow
 from gearwright.train.graph import Train
 
 SMALLEST_SHARE = 1e-9

@@ -1,19 +1,19 @@
 """Torques of every mesh and of the machines that balance: T + Aᵀ λ = 0, with losses that follow the power.
 
 Parallel paths leave λ undetermined: a share that the design states holds, and what is left is shared as equally as
-equilibrium allows. The elastic answer comes from the System.
+equilibrium allows (`sharing.py`). The elastic answer comes from the System.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Bools, Floats
 from gearwright.train.algebra import null_space, remembered
+from gearwright.train.flow.sharing import Sharing, completing
 
 BALANCE_TOLERANCE = 1e-9
 """Largest torque left over, as a part of the largest applied, in a train that can balance."""
@@ -23,65 +23,67 @@ UNDECIDED = 1e-9
 """Torque of a machine in a unit of what balances by itself, above which equilibrium does not decide it [-]."""
 
 
-@dataclass(frozen=True)
-class Sharing:
-    """Rows that run in parallel and the share of each; `stated` if the design says so."""
-
-    rows: tuple[int, ...]
-    """Rows of the graph."""
-    share: tuple[float, ...]
-    """Part of the group's load on each row [-]; the sum is one."""
-    stated: bool
-    """True if the design gives the shares, so that they hold before any other."""
-
-
 class Balance(NamedTuple):
     """The equations of a train's torques, ready to be solved for one load after the other."""
 
+    matrix: Floats
+    """(rows, nodes) Torque on each node per unit multiplier of each row."""
+    balancing: tuple[int, ...]
+    """Nodes of the machines whose torque balances."""
+    completion: Floats
+    """(freedoms, unknowns): what is zero besides the torques on the nodes, so that parallel paths share."""
+    free: Floats
+    """(unknowns, freedoms) Basis of what balances by itself without losses."""
     system: Floats
-    """(nodes, unknowns): torque on each node per unit of each unknown."""
+    """(nodes and freedoms, unknowns): torque on each node per unit of each unknown, then the completion."""
     scaled: Floats
     """The same with columns of unit length, which lets powers close to rounding."""
     scale: Floats
     """(unknowns,) Lengths of the columns."""
     inverse: Floats
-    """(unknowns, nodes) Of `scaled`, in the least-squares sense."""
-    free: Floats
-    """(unknowns, freedoms) Basis of what balances by itself."""
+    """(unknowns, nodes and freedoms) Of `scaled`, in the least-squares sense."""
+
+    def with_losses(self, matrix: Floats) -> Balance:
+        """Return the same equations where the rows' torques have losses.
+
+        Args:
+            matrix: (rows, nodes) torque on each node per unit multiplier of each row.
+        """
+        system = np.vstack([_written(matrix, self.balancing), self.completion])
+        return Balance(matrix, self.balancing, self.completion, self.free, system, *_prepared(system))
 
 
-def balance(matrix: Floats, balancing: Sequence[int]) -> Balance:
-    """Return the equations T + Aᵀ λ = 0.
+def balance(matrix: Floats, balancing: Sequence[int], sharing: Sequence[Sharing] = ()) -> Balance:
+    """Return the equations T + Aᵀ λ = 0 without losses, and what makes their solution one where paths are parallel.
 
     Args:
-        matrix: (rows, nodes) torque on each node per unit multiplier of each row; A itself where nothing is lost.
+        matrix: (rows, nodes) A: torque on each node per unit multiplier of each row.
         balancing: Nodes of the machines whose torque balances.
+        sharing: Groups of parallel rows.
     """
-    rows, nodes = matrix.shape
-    system = np.zeros((nodes, rows + len(balancing)))
-    system[:, :rows] = matrix.T
-    for k, node in enumerate(balancing, start=rows):
-        system[node, k] = 1.0
-    return Balance(system, *_prepared(system))
+    system = _written(matrix, balancing)
+    free = _free(system)
+    scale = np.maximum(np.linalg.norm(system, axis=0), 1e-300)
+    completion = completing(free, scale, sharing) if free.shape[1] else free.T
+    completed = np.vstack([system, completion])
+    return Balance(matrix, tuple(balancing), completion, free, completed, *_prepared(completed))
 
 
-def solve_torques(known: Balance, applied: Floats, *, sharing: Sequence[Sharing] = ()) -> Floats | None:
+def solve_torques(known: Balance, applied: Floats) -> Floats | None:
     """Return the multipliers of the rows, then the torques of the balancing machines.
 
     Args:
         known: The equations.
         applied: (nodes,) torques that are given [N m].
-        sharing: Groups of parallel rows.
 
     Returns:
         λ of every row [N m per tooth] and torque of every machine [N m], or None where no torques balance.
     """
-    first = known.inverse @ applied
-    solution: Floats = (known.inverse @ (known.scaled @ first - applied) - first) / known.scale
-    left = abs(known.system @ solution + applied).max(initial=0.0)
-    if left > BALANCE_TOLERANCE * max(abs(applied).max(initial=0.0), 1e-30):
-        return None
-    return _share(solution, known.free, sharing) if known.free.shape[1] else solution
+    asked = np.concatenate([applied, np.zeros(len(known.completion))])
+    first = known.inverse @ asked
+    solution: Floats = (known.inverse @ (known.scaled @ first - asked) - first) / known.scale
+    left = abs(known.system @ solution + asked).max(initial=0.0)
+    return None if left > BALANCE_TOLERANCE * max(abs(applied).max(initial=0.0), 1e-30) else solution
 
 
 def undecided(known: Balance, rows: int) -> Bools:
@@ -97,19 +99,39 @@ def undecided(known: Balance, rows: int) -> Bools:
     return swing
 
 
+def _written(matrix: Floats, balancing: Sequence[int]) -> Floats:
+    """Return the torque on each node per unit multiplier of each row, then per unit torque of each machine."""
+    rows, nodes = matrix.shape
+    system = np.zeros((nodes, rows + len(balancing)))
+    system[:, :rows] = matrix.T
+    for k, node in enumerate(balancing, start=rows):
+        system[node, k] = 1.0
+    return system
+
+
 @remembered
-def _prepared(system: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-    """Return the columns of a system scaled to unit length, their lengths, the inverse, and the freedoms."""
+def _free(system: Floats) -> Floats:
+    """Return what balances by itself, (unknowns, freedoms)."""
+    scaled = system / np.maximum(np.linalg.norm(system, axis=0), 1e-300)
+    none = np.zeros((system.shape[1], 0))
+    if _inverse(scaled) is not None:
+        return none
+    values = np.linalg.svd(scaled, compute_uv=False)
+    determined = len(values) == system.shape[1] and bool(np.all(values > 1e-10 * values.max(initial=0.0)))
+    return none if determined else null_space(system)
+
+
+@remembered
+def _prepared(system: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return the columns of a system scaled to unit length, their lengths, and the inverse."""
     scale = np.maximum(np.linalg.norm(system, axis=0), 1e-300)
     scaled = system / scale
     direct = _inverse(scaled)
     if direct is not None:
-        return scaled, scale, direct, np.zeros((system.shape[1], 0))
+        return scaled, scale, direct
     left, values, right = np.linalg.svd(scaled, full_matrices=False)
-    largest = values.max(initial=0.0)
-    inverse = (right.T / np.where(values > 1e-12 * largest, values, np.inf)) @ left.T
-    determined = len(values) == system.shape[1] and bool(np.all(values > 1e-10 * largest))
-    return scaled, scale, inverse, np.zeros((system.shape[1], 0)) if determined else null_space(system)
+    inverse = (right.T / np.where(values > 1e-12 * values.max(initial=0.0), values, np.inf)) @ left.T
+    return scaled, scale, inverse
 
 
 def _inverse(matrix: Floats) -> Floats | None:
@@ -121,46 +143,3 @@ def _inverse(matrix: Floats) -> Floats | None:
     except np.linalg.LinAlgError:
         return None
     return inverse if abs(inverse).max() < LARGEST_INVERSE else None
-
-
-def _share(solution: Floats, free: Floats, sharing: Sequence[Sharing]) -> Floats:
-    """Move along the torques that balance by themselves until the shares hold: stated ones first, then equal ones."""
-    for stated in (True, False):
-        equations = [row for group in sharing if group.stated is stated for row in _equal(group, len(solution))]
-        if not equations or not free.shape[1]:
-            continue
-        left = np.array(equations)
-        move, *_ = np.linalg.lstsq(left @ free, -left @ solution, rcond=None)
-        solution = np.asarray(solution + free @ move, dtype=np.float64)
-        free = free @ null_space(left @ free)
-    return solution
-
-
-def _equal(group: Sharing, size: int) -> list[Floats]:
-    """Return the equations λ_i / share_i = λ_0 / share_0 of a group."""
-    equations = []
-    for row, share in zip(group.rows[1:], group.share[1:], strict=True):
-        equation = np.zeros(size)
-        equation[group.rows[0]], equation[row] = share, -group.share[0]
-        equations.append(equation)
-    return equations
-
-
-def lossy(matrix: Floats, driving: Floats, driven: Floats, efficiency: Floats) -> Floats:
-    """Return the torque matrix with tooth losses: the driven gear receives η times what the driving one gives.
-
-    Args:
-        matrix: (rows, nodes) kinematic rows relative to the carrier.
-        driving: (rows, nodes) the part of each row that belongs to the gear that drives.
-        driven: (rows, nodes) the part of the gear that is driven.
-        efficiency: (rows,) η of each row [-].
-
-    Returns:
-        (rows, nodes); the carrier takes what keeps the three torques of a mesh in balance.
-    """
-    carrier = matrix - driving - driven
-    loss = (1.0 - efficiency)[:, None]
-    drop = driven * loss
-    on_carrier = np.where(carrier != 0.0, 1.0, 0.0) * drop.sum(axis=1, keepdims=True)
-    result: Floats = matrix - drop + on_carrier
-    return result

@@ -1,43 +1,66 @@
-"""Losses of the teeth: which side of a mesh drives, and the torque matrix with what the driven side receives."""
+"""Losses of the teeth: what torques change by the side of a mesh that drives, since the driven one receives less."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.spec import GROUND
-from gearwright.train.flow.statics import lossy
 from gearwright.train.graph import Train
 
-TOGETHER = 8
-"""Rounds in which every row that disagrees is turned; later ones turn the first of them alone [-]."""
-MAX_REVERSALS = 1000
-"""Rounds in which the direction of the tooth power may still change while losses are found [-]."""
+ROLLS = 1e-10
+"""Part of their speed from the ground below which teeth do not roll on each other: their set turns as a block [-]."""
 
 
-def turned(direction: Floats | None, power: Floats, noise: float, *, together: bool) -> Floats:
-    """Return the senses to try next of each row's tooth power, +1 from a to b; the same where all agree.
+class Laws(NamedTuple):
+    """What holds per unit multiplier of every row, by the sign of the multiplier; each (rows, …)."""
 
-    The torques with losses are a linear complementarity problem: each row loses on the side that it drives. Turning all
-    rows that disagree converges at once as a rule, and may go in circles; turning the first one alone ends wherever
-    losses leave one solution. Power within the noise agrees with either sense: such a row loses nothing.
+    positive: Floats
+    negative: Floats
+
+    def of(self, multipliers: Floats) -> Floats:
+        """Return what holds with multipliers of given signs, shape (rows, …).
+
+        Args:
+            multipliers: Of every row [N m], shape (rows,).
+        """
+        return np.where(multipliers[:, None] < 0.0, self.negative, self.positive)
+
+
+def lost(train: Train, matrix: Floats, speeds: Floats) -> Laws:
+    """Return what the torques change where a row loses all that it carries, by the sign of the multiplier.
+
+    The driven gear receives less and the carrier bears it. What does not roll loses nothing, whatever it carries.
 
     Args:
-        direction: Senses with which the power was found; None: without losses.
-        power: From gear a to gear b of every row [W], shape (rows,).
-        noise: What counts as rounding [W].
-        together: Turn all rows that disagree, not only the first.
-
-    Source: Murty 1974, Note on a Bard-type scheme for solving the complementarity problem, Opsearch 11.
+        train: The graph.
+        matrix: Rows of meshes and clutches over the nodes, shape (rows, nodes).
+        speeds: Of the nodes [rad/s], shape (nodes,).
     """
-    if direction is None:
-        return np.where(power < -noise, -1.0, 1.0)
-    wrong = np.flatnonzero(direction * power < -noise)
-    following = direction.copy()
-    following[wrong if together else wrong[:1]] *= -1.0
-    return following
+    rolls = rolling(train, matrix, speeds)
+    fastest = np.abs(matrix).max(axis=1, initial=0.0) * np.abs(speeds).max(initial=0.0)
+    still = (np.abs(rolls) <= ROLLS * fastest)[:, None]
+    first, second = (np.where(still, 0.0, _change(train, matrix, driven)) for driven in (0, 1))
+    forwards = rolls[:, None] > 0.0
+    return Laws(np.where(forwards, second, first), np.where(forwards, first, second))
+
+
+def lost_parts(train: Train, rows: int, efficiency: Mapping[str, float]) -> Floats:
+    """Return the part 1 − η of what it carries that each row loses [-], shape (rows,); none of clutches.
+
+    Args:
+        train: The graph.
+        rows: Number of meshes and clutches.
+        efficiency: Stage, or mesh row -> efficiency of one mesh [-]; 1 where it is left out.
+    """
+    part = np.zeros(rows)
+    part[: len(train.meshes)] = [
+        1.0 - efficiency.get(mesh.name, efficiency.get(mesh.stage, 1.0)) for mesh in train.meshes
+    ]
+    return part
 
 
 def rolling(train: Train, matrix: Floats, speeds: Floats) -> Floats:
@@ -63,23 +86,14 @@ def _teeth_of(train: Train, matrix: Floats, row: int) -> float:
     return float(entry[first] if first in entry else -entry[second] - entry[carrier])
 
 
-def with_losses(train: Train, matrix: Floats, direction: Floats, efficiency: Mapping[str, float]) -> Floats:
-    """Return the torque matrix of meshes whose driving side is known, shape (rows, nodes).
-
-    Args:
-        train: The graph.
-        matrix: Rows of meshes and clutches over the nodes, shape (rows, nodes).
-        direction: Sense of each row's tooth power, from `turned`.
-        efficiency: Stage, or mesh row -> efficiency of one mesh [-]; 1 where it is left out.
-    """
-    kept = np.ones(len(matrix))
-    kept[: len(train.meshes)] = [efficiency.get(mesh.name, efficiency.get(mesh.stage, 1.0)) for mesh in train.meshes]
+def _change(train: Train, matrix: Floats, driven: int) -> Floats:
+    """Return what the torques change where the first (0) or second (1) gear of every row receives nothing."""
     # The ground gets a column here: a ring that stands still is driven too, and its losses load the carrier.
     grounded = np.hstack([matrix, -matrix.sum(axis=1, keepdims=True)])
     column = {node: k for k, node in enumerate((*train.nodes, GROUND))}
-    driving, driven = np.zeros_like(grounded), np.zeros_like(grounded)
+    change = np.zeros_like(grounded)
     for k, mesh in enumerate(train.meshes):
-        ends = mesh.nodes[:2] if direction[k] > 0.0 else mesh.nodes[1::-1]
-        for node, part in zip(ends, (driving, driven), strict=True):
-            part[k, column[node]] = grounded[k, column[node]]
-    return lossy(grounded, driving, driven, kept)[:, :-1]
+        gear, carrier = column[mesh.nodes[driven]], column[mesh.nodes[2]]
+        change[k, gear] -= grounded[k, gear]
+        change[k, carrier] += grounded[k, gear]
+    return change[:, :-1]

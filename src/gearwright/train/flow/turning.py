@@ -10,7 +10,10 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.spec import Design, Drive, case_named, cases_of
 from gearwright.train.algebra import RANK_TOLERANCE
-from gearwright.train.flow.statics import Balance, balance
+from gearwright.train.flow.lossy import Lossy, lossy
+from gearwright.train.flow.sharing import Sharing, sharing_of
+from gearwright.train.flow.statics import balance
+from gearwright.train.flow.tooth_losses import Laws, lost
 from gearwright.train.graph import Joint, Train
 from gearwright.train.kinematics import Yielded, motions_of, rows, solve_speeds
 
@@ -25,19 +28,23 @@ class Turn:
     """Of every node [rad/s]."""
     yielded: tuple[Yielded, ...]
     """Machines whose asked speed the teeth give only nearly."""
-    balances: dict[tuple[int, ...], Balance] = field(default_factory=dict)
-    """Nodes of balancing machines -> equations of the torques, without losses."""
+    lost: Laws
+    """What the torques change where teeth lose all that they carry."""
+    sharing: Sequence[Sharing]
+    """Parallel rows."""
+    equations: dict[tuple[int, ...], Lossy] = field(default_factory=dict)
+    """Nodes of balancing machines -> equations of the torques."""
 
-    def balance(self, balancing: Sequence[int]) -> Balance:
-        """Return the equations of the torques without losses, made once.
+    def lossy(self, balancing: Sequence[int]) -> Lossy:
+        """Return the equations of the torques, made once.
 
         Args:
             balancing: Nodes of the machines whose torque balances.
         """
         key = tuple(balancing)
-        if key not in self.balances:
-            self.balances[key] = balance(self.matrix, balancing)
-        return self.balances[key]
+        if key not in self.equations:
+            self.equations[key] = lossy(balance(self.matrix, balancing, self.sharing), self.lost)
+        return self.equations[key]
 
 
 class Turning:
@@ -46,6 +53,8 @@ class Turning:
     def __init__(self, design: Design, train: Train, teeth: Mapping[str, float]) -> None:
         self.train, self.teeth = train, teeth
         self._known: dict[tuple[object, ...], Turn] = {}
+        self.sharing = sharing_of(design, train)
+        """Parallel rows, and the share of each that the design states."""
         self.asked = asked_speeds(design, {})
         """Machine -> rated speed [rad/s], the one to be kept first."""
         rated = self.turn(self.asked, holding(design, train, cases_of(design)[0]))
@@ -70,7 +79,7 @@ class Turning:
         if key not in self._known:
             matrix = rows(self.train, self.teeth, joints)
             speeds, yielded = solve_speeds(self.train, matrix, asked, joints=joints)
-            self._known[key] = Turn(matrix, speeds, tuple(yielded))
+            self._known[key] = Turn(matrix, speeds, tuple(yielded), lost(self.train, matrix, speeds), self.sharing)
         return self._known[key]
 
     def locked(self, joints: Sequence[Joint]) -> frozenset[str]:
