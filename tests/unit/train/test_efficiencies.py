@@ -139,7 +139,9 @@ def test_layshafts_of_unequal_loads_have_one_state(engine):
     """Equal shares cannot be had in all pairs; rounds of senses went in a circle, and the train was said to lock."""
     design = parse(LAYSHAFTS.replace("power_kw = 0.001", f"power_kw = {engine}"))
     sizes = {"a": (31, 49), "b": (49, 80), "c": (51, 113), "d": (43, 47), "e": (47, 90), "f": (36, 75)}
-    teeth = {f"{pair}.{gear}": z for pair, ends in sizes.items() for gear, z in zip(("pinion", "wheel"), ends)}
+    teeth = {
+        f"{pair}.{gear}": z for pair, ends in sizes.items() for gear, z in zip(("pinion", "wheel"), ends, strict=True)
+    }
     flow = power_flow(design, build_train(design), teeth, "case", efficiency=design.efficiencies)
     assert flow.residual < 1e-12
     assert all(mesh.loss >= -1e-9 for mesh in flow.meshes.values())
