@@ -100,6 +100,11 @@ def _joined(gear: Gear, parts: Sequence[float]) -> float:
     return max(parts) if gear.role is Role.PLANET else sum(parts)
 
 
+def _loads(flight: Flight) -> dict[str, list[float]]:
+    """Return mesh row -> torque on its first gear in every interval [N m]."""
+    return {name: mesh.torque.tolist() for name, mesh in flight.meshes.items()}
+
+
 def _mesh_damage(flight: Flight, mesh: Mesh) -> tuple[Damage, Damage]:
     """Return what the flight does to gear a and gear b of a mesh."""
     bins = [duty for duty in mesh_spectrum(flight, mesh.name) if duty.load > _LEAST_TORQUE and duty.turns > 0.0]
@@ -109,7 +114,7 @@ def _mesh_damage(flight: Flight, mesh: Mesh) -> tuple[Damage, Damage]:
     gears = [gear for name in mesh.gears for gear in flight.sizing.gears if gear.name == name]
     spectrum = MeshSpectrum(
         rating=replace(rating, service=rating.service.model_copy(update={"application_factor": 1.0})),
-        ask=row_ask(flight.sizing.train, flight.sizing.teeth, mesh),
+        ask=row_ask(flight.sizing.train, flight.sizing.teeth, mesh, _loads(flight)),
         module=gears[0].module,
         face_width=min(gear.face_width for gear in gears),
         torques=[duty.load * rating.load_factor for duty in bins],

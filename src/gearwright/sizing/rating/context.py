@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -12,7 +12,7 @@ from gearwright.sizing.rating.methods import modules, stage_width_ratio, uncover
 from gearwright.sizing.rating.rules import Ask, Rating, rating_of
 from gearwright.spec import Design
 from gearwright.spec.design import RATINGS, Given, case_named
-from gearwright.train import INTERNAL, Gear, Mesh, PowerFlow, Train
+from gearwright.train import INTERNAL, Mesh, PowerFlow, Train
 
 _IDLE = 1e-6
 """Part of the largest load below which a case does not load the other flank [-]."""
@@ -121,37 +121,28 @@ def ask_of(context: Context, mesh: Mesh, case: str, per_tooth: float) -> Ask:
         case: Of the design.
         per_tooth: Torque per tooth of one mesh, load factor included [N m].
     """
-    speeds, ask = context.flows[case].speeds, row_ask(context.train, context.teeth, mesh)
+    speeds, ask = context.flows[case].speeds, row_ask(context.train, context.teeth, mesh, _loads(context))
     return ask._replace(
-        idlers=(True, True) if reverses(context, mesh) else ask.idlers,
         per_tooth=per_tooth,
         width_ratio=width_ratio_of(context, mesh.stage),
         speed=abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]),
     )
 
 
-def reverses(context: Context, mesh: Mesh) -> bool:
-    """Tell whether the teeth of a row are loaded on both flanks, in one case on one and in another on the other.
-
-    Their roots then bear alternating bending, as those of idlers (ISO 6336-3:2019, annex B).
-
-    Args:
-        context: What gear sizing reads.
-        mesh: A row of the train.
-    """
+def _loads(context: Context) -> dict[str, list[float]]:
+    """Return mesh row -> what its rows of teeth bear, with its sense, in every case that lasts."""
     lasting = [flow for case, flow in context.flows.items() if not case_named(context.design, case).static]
-    loads = [flow.meshes[mesh.name].multiplier for flow in lasting]
-    idle = _IDLE * max(map(abs, loads), default=0.0)
-    return min(loads, default=0.0) < -idle and max(loads, default=0.0) > idle
+    return {mesh.name: [flow.meshes[mesh.name].multiplier for flow in lasting] for mesh in context.train.meshes}
 
 
-def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh) -> Ask:
+def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh, loads: Mapping[str, Sequence[float]]) -> Ask:
     """Return teeth and kind of a mesh, without load; a tooth meets as many mates in a turn as equal ones pass it.
 
     Args:
         train: The graph.
         teeth: Tooth number of every gear [-].
         mesh: A row of the train.
+        loads: Mesh row -> torque on its first gear in everything that lasts, or in proportion to it, with its sense.
     """
     first, second = (train.gear(gear) for gear in mesh.gears)
     return Ask(
@@ -159,14 +150,31 @@ def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh) -> Ask:
         (teeth[first.name], teeth[second.name]),
         1.0,
         internal=mesh.sign == INTERNAL,
-        idlers=(_is_idler(train, first), _is_idler(train, second)),
+        idlers=(bends_both_ways(train, first.name, loads), bends_both_ways(train, second.name, loads)),
         passes=(max(mesh.count / first.bodies, 1.0), max(mesh.count / second.bodies, 1.0)),
     )
 
 
-def _is_idler(train: Train, gear: Gear) -> bool:
-    """Tell whether a gear is loaded on both flanks: a planet with two mates or more, not a step with one."""
-    return gear.role is Role.PLANET and sum(gear.name in mesh.gears for mesh in train.meshes) > 1
+def bends_both_ways(train: Train, gear: str, loads: Mapping[str, Sequence[float]]) -> bool:
+    """Tell whether the teeth of a gear are loaded on both flanks: by one mate and on to another, or in two cases.
+
+    An idler between two pairs and a planet between sun and ring are driven on one flank and drive with the other; a
+    pair that drives in one case and is driven in another has both of its gears so. A planet with two mates or more is
+    taken for one whatever the cases are.
+
+    Args:
+        train: The graph.
+        gear: Name of a gear of it.
+        loads: Mesh row -> torque on its first gear in everything that lasts, or in proportion to it, with its sense.
+
+    Source: ISO 6336-3:2019, annex B: Y_M of idlers and planets, 0.7 for R = -1.
+    """
+    own = [(mesh, mesh.gears.index(gear)) for mesh in train.meshes if gear in mesh.gears]
+    if train.gear(gear).role is Role.PLANET and len(own) > 1:
+        return True
+    torques = [load * (-mesh.sign if side else 1) for mesh, side in own for load in loads[mesh.name]]
+    idle = _IDLE * max(map(abs, torques), default=0.0)
+    return min(torques, default=0.0) < -idle and max(torques, default=0.0) > idle
 
 
 def width_ratio_of(context: Context, stage: str) -> float:
