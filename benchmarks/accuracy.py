@@ -1,6 +1,6 @@
 """Accuracy: what results promise beside closed forms, finer runs and multipliers of another solver.
 
-python benchmarks/accuracy.py [--only peaks coverage cost mathieu] [--count N] [--seed N] [--processes N]
+python benchmarks/accuracy.py [--only peaks coverage cost mathieu orbits] [--count N] [--seed N] [--processes N]
 """
 
 from __future__ import annotations
@@ -8,18 +8,22 @@ from __future__ import annotations
 import argparse
 import math
 import os
+import runpy
+import sys
 import time
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
 from gearwright.dynamics import (
+    Accuracy,
     DampingRatio,
     Model,
     Outputs,
@@ -179,6 +183,20 @@ def mathieu(points: int) -> None:
     print(f"Mathieu, {points**2} points: {wrong} wrong verdicts, {border} on the border, multipliers within {away:.1e}")
 
 
+def orbits() -> None:
+    """Orbits with backlash beside exact piecewise linear ones, by default and at 1e-5."""
+    tests = Path(__file__).parents[1] / "tests" / "verification" / "dynamics"
+    sys.path.insert(0, str(tests))
+    exact = runpy.run_path(str(tests / "test_backlash_orbits.py"))
+    for case in exact["CASES"]:
+        rows = []
+        for asked in (Accuracy(), Accuracy(1e-5)):
+            orbit = periodic(exact["gear"](case), step=asked)
+            away, contacts = exact["apart"](case, orbit)
+            rows.append(f"{len(orbit.samples.time) - 1} steps {away:.1e} (stated {orbit.error:.1e})")
+        print(f"{case}: {contacts} contacts, stable {orbit.stable}: {', '.join(rows)}")
+
+
 def used(work: Callable[[], Any]) -> tuple[float, Any]:
     """Return processor time of some work after one try [s], and what came of it."""
     work()
@@ -205,7 +223,7 @@ def cost() -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parts = ("peaks", "coverage", "cost", "mathieu")
+    parts = ("peaks", "coverage", "cost", "mathieu", "orbits")
     parser.add_argument("--only", nargs="+", choices=parts, default=parts)
     parser.add_argument("--count", type=int, default=1000, help="random runs (a twentieth of them for peaks)")
     parser.add_argument("--seed", type=int, default=1)
@@ -216,6 +234,7 @@ def main() -> None:
         "coverage": lambda: coverage(asked.count, asked.seed, asked.processes),
         "cost": cost,
         "mathieu": lambda: mathieu(20),
+        "orbits": orbits,
     }
     for part in asked.only:
         work[part]()

@@ -41,7 +41,11 @@ ROUNDS = 30
 NUDGE = 1e-6
 """Displacement of a start, over the size of its kind of state, for the derivative [-]."""
 HALVED = 6
-"""Times that the steps of a period are halved."""
+"""Times that the steps of a period are halved, whatever their number."""
+QUICK = 30_000
+"""Steps of a period up to which they are halved on, since they cost little: contact converges by second order."""
+SETTLING = 64
+"""Periods that a motion is left to itself where Newton's method does not find it from static equilibrium."""
 MULTIPLIER_ROUNDING = 1e-10
 """What rounding leaves of the size of a multiplier [-]."""
 LARGEST_DENOMINATOR = 10_000
@@ -118,7 +122,8 @@ def periodic(system: System, *, period: float | None = None, step: float | Accur
     start = np.zeros(2 * len(arrays.mass))
     start[: len(arrays.mass)] = statics(system, balance="accelerate").position
     orbit = _orbit(system, _closed(system, start, period, steps), period=period, steps=steps)
-    for _ in range(HALVED if given is None else 1):
+    most = 2 * steps if given is not None else max(steps * 2**HALVED, QUICK)
+    while steps < most:
         steps, other = 2 * steps, orbit
         orbit = _orbit(system, _closed(system, _start(other), period, steps), period=period, steps=steps)
         error, uncertain = _error(arrays, orbit, other), _uncertain(orbit, other)
@@ -126,23 +131,39 @@ def periodic(system: System, *, period: float | None = None, step: float | Accur
         if error.over(asked) <= 1.0 and sure:
             break
     notes = [] if sure else [f"the largest multiplier is 1 to within {uncertain:.1e}: on the border of stability"]
-    notes += shortfall(error, asked, f"{HALVED} halvings did not bring it down" if given is None else GIVEN)
+    notes += shortfall(error, asked, f"{steps} steps did not bring it down" if given is None else GIVEN)
     return replace(orbit, error=error.peak, rms_error=error.rms, multiplier_error=uncertain, notes=tuple(notes))
 
 
 def _closed(system: System, start: Floats, period: float, steps: int) -> Floats:
-    """Return the start of a motion that repeats itself."""
+    """Return the start of a motion that repeats itself: by Newton's method, then from where the motion goes by itself.
+
+    Raises:
+        SolveError: If neither closes.
+    """
+    gap = np.inf
+    for wait in (0, SETTLING):
+        left = ends_of(system, start[None], wait * period, period / steps)[0] if wait else start
+        found, gap = _newton(system, left, period, steps)
+        if gap < CLOSED:
+            return found
+    raise SolveError(
+        f"no motion of period {period:.4g} s closed, neither in {ROUNDS} rounds of Newton's method nor after "
+        f"{SETTLING} periods; the gap is {gap:.1e}: try a multiple of the period, or simulate"
+    )
+
+
+def _newton(system: System, start: Floats, period: float, steps: int) -> tuple[Floats, float]:
+    """Return the start of a motion that nearly repeats itself, and the gap that is left."""
     for _ in range(ROUNDS):
         end, matrix, scale = _period(system, start, period, steps)
         gap = (end - start) / scale
         if np.max(np.abs(gap)) < CLOSED:
-            return start
+            break
         # Rigid motions may start anywhere: the shortest step leaves them where they are.
         change = np.linalg.lstsq(np.eye(len(start)) - matrix / scale[:, None] * scale, gap, rcond=1e-9)[0]
         start = start + change * scale
-    raise SolveError(
-        f"no motion of period {period:.4g} s closed in {ROUNDS} rounds; the gap is {np.max(np.abs(gap)):.1e}"
-    )
+    return start, float(np.max(np.abs(gap)))
 
 
 def _period(system: System, start: Floats, period: float, steps: int) -> tuple[Floats, Floats, Floats]:
