@@ -15,6 +15,7 @@ from gearwright.sizing.answers import (
 )
 from gearwright.sizing.arranged import Arrangement, ShaftPlan
 from gearwright.sizing.carrying import CarrierSizing, ShaftDiagram, ShaftSizing
+from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.compound import pins_of, towards
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
@@ -47,6 +48,7 @@ __all__ = [
     "ShaftStep",
     "Sizing",
     "StageSummary",
+    "TeethSearch",
     "asked_speeds",
     "backlash_of",
     "bearing_forces",

@@ -14,6 +14,7 @@ from gearwright.parts.bearings import system_life, weibull_slope
 from gearwright.showing import Shown
 from gearwright.sizing.arranged import Arrangement
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
+from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
 from gearwright.spec import Design
@@ -151,6 +152,8 @@ class Sizing(Shown):
     """Every check of gears, shafts, carriers, bearings and joints, the worst first."""
     given: Mapping[str, Given] = field(default_factory=dict)
     """Path -> value that the user gave instead of the computed one, such as ``first.module``."""
+    search: TeethSearch | None = None
+    """How the teeth were chosen; None where the design gives them all."""
 
     @property
     def level(self) -> str:

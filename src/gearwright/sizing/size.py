@@ -43,7 +43,7 @@ def size(design: Design) -> Sizing:
     """
     given = given_values(design)
     refuse(given.problems)
-    teeth, planets = choose_teeth(design, build_train(design))
+    teeth, planets, search = choose_teeth(design, build_train(design))
     if planets:
         design = edited(design, {f"planetaries.{stage}.planets": count for stage, count in planets.items()})
     train = build_train(design)
@@ -86,5 +86,6 @@ def size(design: Design) -> Sizing:
         joints=tuple(joint for shaft in built for joint in shaft.joints),
         checks=accepted(checks, design.waivers),
         given=given.values,
+        search=search,
     )
     return refuse_no_numbers(sizing)

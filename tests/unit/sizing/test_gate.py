@@ -81,14 +81,3 @@ def test_a_margin_of_a_part_that_nothing_loads_may_be_infinite():
     first, *rest = sizing.shafts
     changed_ = replace(sizing, shafts=(replace(first, margin=math.inf), *rest))
     assert refuse_no_numbers(changed_) is changed_
-
-
-def test_more_combinations_of_teeth_than_can_be_held_are_refused_with_their_number():
-    """Five pairs in a row, all open: each multiplies the choices of those before it."""
-    shafts = [f"s{k}" for k in range(6)]
-    text = PAIR.replace('["fast", "slow"]', str(shafts)).replace('"fast"', '"s0"').replace('"slow"', '"s5"')
-    text = text.split("[pairs.stage]")[0].replace("speed_rpm = 2000", "speed_rpm = 200")
-    text += "".join(f'[pairs.p{k}]\npinion = "s{k}"\nwheel = "s{k + 1}"\n' for k in range(5))
-    found = refused(text)
-    assert found.path in ("pairs.p2", "pairs.p3", "pairs.p4")
-    assert "combinations of tooth numbers are to be weighed, and 1,000,000 can be" in found.message

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from types import MappingProxyType
@@ -66,7 +67,17 @@ def _sizing(sizing: Any) -> Iterator[str]:
         f"{text(sizing.rated_power, 'power')} rated, worst margin {sizing.worst_margin:.3f}"
     )
     yield f"teeth {_listed(f'{gear} {teeth}' for gear, teeth in sizing.teeth.items())}; cases {_listed(sizing.flows)}"
+    yield from _chosen(sizing.search)
     yield "next: gw.review(sizing.design), gw.assemble(sizing, case), gw.fly(sizing, mission), gw.report(sizing)"
+
+
+def _chosen(search: Any) -> Iterator[str]:
+    if search is None:
+        return
+    proof = "proven" if search.proven else "not proven: too many to hold"
+    heavier = search.next_mass / search.gear_mass - 1.0
+    following = f"; the next is {heavier:.2%} heavier" if math.isfinite(heavier) else ""
+    yield f"the lightest gears of {search.combinations:,.0f} combinations ({proof}){following}"
 
 
 def _system(system: Any) -> Iterator[str]:

@@ -8,7 +8,6 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
-from gearwright.errors import DesignError, Problem
 from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.parts.planetary import assembles, neighbours_clear
 from gearwright.sizing.rating import Rating, fewest_virtual_teeth
@@ -31,9 +30,6 @@ REACHES = (Reach(1, SUN_LIMITS[0]), Reach(4, SUN_LIMITS[0]), *(Reach(1, largest)
 """The integers next to the exact ratio, then more of them, then larger suns, where none of those before will do."""
 LARGEST_FREE_RATIO = 10
 """Largest tooth ratio z_2/z_1 that is looked at where a stage's ratio is the search's own choice."""
-MOST_COMBINATIONS = 1_000_000
-"""Largest number of combinations of teeth that are held at once [-]: a million of them took 0.3 GB and 10 s where bevel
-stages are rated by ISO 10300 (12.5 million: 3.7 GB, 125 s)."""
 MOST_TEETH = 1_000_000
 """Where an absurd ratio stops [-]."""
 ROUNDING = 1e-12
@@ -85,15 +81,11 @@ def candidates(front: Front, task: Task, design: Design, target: Floats, *, reac
         design: With the rules of the search.
         target: Tooth ratio asked of every choice [-].
         reach: How far it looks.
-
-    Raises:
-        DesignError: If these are more combinations than can be held.
     """
     stage, rules = task.stage, design.teeth
     if isinstance(stage, Planetary):
         first, second, _ = stage.known_teeth or (stage.sun_teeth, stage.planet_teeth, None)
         small = np.array([first]) if first else np.arange(rules.sun_minimum, rules.largest_sun(reach.largest_sun) + 1)
-        _refuse_many(task, len(target) * len(small) * (1 if second else 2 * reach.around))
         wanted = (target[:, None] - 1.0) / 2.0 * small
         if stage.ring_teeth and second is None:
             wanted = np.broadcast_to((stage.ring_teeth - small) / 2.0, wanted.shape)
@@ -109,19 +101,7 @@ def candidates(front: Front, task: Task, design: Design, target: Floats, *, reac
         return parent, small_, large
     fewest = rules.pinion_minimum or fewest_teeth(task.rating)
     small = np.array([stage.pinion_teeth]) if stage.pinion_teeth else np.arange(fewest, rules.pinion_maximum + 1)
-    _refuse_many(task, len(target) * len(small) * (1 if stage.wheel_teeth else 2 * reach.around))
     return _neighbours(target[:, None] * small, small, stage.wheel_teeth, reach.around)
-
-
-def _refuse_many(task: Task, count: int) -> None:
-    """Raise where a stage multiplies the combinations of the stages before it beyond what can be held."""
-    if count > MOST_COMBINATIONS:
-        message = (
-            f"with this stage {count:,} combinations of tooth numbers are to be weighed, and"
-            f" {MOST_COMBINATIONS:,} can be; give the teeth of a stage or two, or narrow the limits in [teeth]"
-        )
-        table = "planetaries" if isinstance(task.stage, Planetary) else "pairs"
-        raise DesignError([Problem(f"{table}.{task.name}", message)])
 
 
 def _virtual_pinion(small: Ints, large: Ints) -> Floats:
@@ -148,7 +128,6 @@ def all_candidates(task: Task, design: Design) -> tuple[Ints, Ints, Ints]:
             else np.arange(fewest, rules.pinion_maximum + 1)
         )
         second = np.arange(fewest, LARGEST_FREE_RATIO * int(first.max()) + 1)
-    _refuse_many(task, len(first) * len(second))
     small, large = (grid.ravel() for grid in np.meshgrid(first, second, indexing="ij"))
     return np.zeros(len(small), dtype=np.int64), small, large
 

@@ -28,6 +28,13 @@ class Front:
     """Group -> mass of its bodies over m_n³ [kg/m³]."""
     planets: Mapping[str, Ints] = field(default_factory=dict)
     """Planetary set -> number of its planets [-]."""
+    tally: Mapping[str, Floats] = field(default_factory=dict)
+    """What a choice stands for: ``combinations`` of teeth that it was the lightest of [-], and the mass of the
+    ``second`` lightest of them [kg]."""
+
+    def __len__(self) -> int:
+        """Return how many choices there are."""
+        return len(next(iter(self.speeds.values())))
 
     @property
     def mass(self) -> Floats:
@@ -65,3 +72,7 @@ class Task:
     """Nominal speed that belongs to it [rad/s]."""
     rolling: float
     """Nominal speed of pinion or sun against the carrier [rad/s]."""
+    twin: str = ""
+    """Stage before it whose teeth it has, because what both do is the same; empty where it has none."""
+    known: dict[tuple[int, int, int], float] = field(default_factory=dict, compare=False, repr=False)
+    """Teeth of pinion or sun, of wheel or planet, number of planets -> m_n³ at nominal load, as far as found [m³]."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -32,10 +33,9 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
     by_ring = isinstance(stage, Planetary) and task.edge is not None and task.edge.grounded is Role.SUN
     reference = ring_teeth(stage, small, large) if by_ring and isinstance(stage, Planetary) else small
     speed = front.speeds[task.edge.fast[0]] if task.edge is not None else np.full(len(small), task.speed)
-    per_tooth = task.torque * task.speed / speed / reference / planets
     width_ratio = stage_width_ratio(rating, small, large)
     ask = Ask(
-        per_tooth,
+        task.torque * task.speed / speed / reference / planets,
         (small, large),
         width_ratio,
         internal=isinstance(stage, Pair) and stage.internal,
@@ -43,14 +43,44 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
         speed=task.rolling,
         passes=(planets, 1.0),
     )
-    bending, contact = modules(ask, rating)
-    module = np.maximum(bending, contact)
-    cube = module * module * module
+    cube = _cubes(ask, task) if rating.proportions is None else _known_cubes(ask, task, reference, speed)
     group = task.group
     cubes = {**front.cubes, group: np.maximum(front.cubes.get(group, 0.0), cube)}
     volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + width_ratio * discs}
     counts = {task.name: np.full(len(small), planets)} if isinstance(stage, Planetary) else {}
-    return Front({**front.teeth, **names}, front.speeds, cubes, volumes, {**front.planets, **counts})
+    weighed = Front({**front.teeth, **names}, front.speeds, cubes, volumes, {**front.planets, **counts})
+    return replace(weighed, tally=tallied(front.tally, weighed.mass - front.mass))
+
+
+def tallied(tally: Mapping[str, Floats], added: Floats) -> Mapping[str, Floats]:
+    """Return what choices stand for when each of them grows heavier.
+
+    Args:
+        tally: Before.
+        added: By how much [kg].
+    """
+    return {**tally, "second": tally["second"] + added} if tally else tally
+
+
+def _cubes(ask: Ask, task: Task) -> Floats:
+    """Return the cube of the module that each mesh asks for [m³]."""
+    module = np.maximum(*modules(ask, task.rating))
+    return np.asarray(module * module * module)
+
+
+def _known_cubes(ask: Ask, task: Task, reference: Ints, speed: Floats) -> Floats:
+    """Return the same where a standard rates the stage: of each pair of tooth numbers once, scaled by m³ ∝ T."""
+    small, large = (np.asarray(teeth) for teeth in ask.teeth)
+    planets, load = int(ask.passes[0]), task.speed / speed
+    keys = [(first, second, planets) for first, second in zip(small.tolist(), large.tolist(), strict=True)]
+    if missing := list({key: place for place, key in enumerate(keys) if key not in task.known}.values()):
+        new = ask._replace(
+            per_tooth=task.torque / reference[missing] / planets,
+            teeth=(small[missing], large[missing]),
+            width_ratio=np.asarray(ask.width_ratio)[missing],
+        )
+        task.known.update(zip([keys[k] for k in missing], _cubes(new, task).tolist(), strict=True))
+    return np.array([task.known[key] for key in keys]) * load
 
 
 def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict[str, Ints], Floats]:

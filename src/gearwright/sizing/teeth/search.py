@@ -1,36 +1,33 @@
-"""Choose the tooth numbers: every admissible combination is evaluated, and the lightest gears win.
+"""Choose the tooth numbers: every admissible combination counts, and the lightest gears win.
 
 Stages are taken from the kept machines outwards, so that a stage's target is what the teeth chosen so far leave of the
-asked speeds. A front holds all partial choices at once as arrays; each stage multiplies it by its candidates.
+asked speeds. A front holds all partial choices at once as arrays; each stage multiplies it by its candidates, and of
+those that leave the same to the stages after them the lightest is kept (`states`). Where they are still many, those go
+that cannot become lighter than a train that is found already (`bounds`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
 
-from gearwright.arrays import Bools, Floats, Ints
+from gearwright.arrays import Bools
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role
+from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.rating import rating_of
-from gearwright.sizing.teeth.candidates import (
-    REACHES,
-    Reach,
-    admissible,
-    all_candidates,
-    candidates,
-    fewest_teeth,
-    given_teeth,
-    is_given,
-    planet_counts,
-    ring_teeth,
-)
+from gearwright.sizing.teeth.bounds import Branch, branches_of, rest_of
+from gearwright.sizing.teeth.candidates import given_teeth, is_given, planet_counts
 from gearwright.sizing.teeth.front import Front, Task
-from gearwright.sizing.teeth.masses import aligned, weigh
-from gearwright.sizing.teeth.refusal import contradiction, refusal
+from gearwright.sizing.teeth.masses import aligned
+from gearwright.sizing.teeth.refusal import refusal
+from gearwright.sizing.teeth.stage import extend
+from gearwright.sizing.teeth.states import EQUAL, needs_of
+from gearwright.sizing.teeth.twins import with_twins
 from gearwright.spec import GROUND, Design, Pair, Planetary
 from gearwright.spec.design import module_owners
 from gearwright.train import (
@@ -46,12 +43,14 @@ from gearwright.train import (
     targets,
     teeth_of,
     ties_of,
-    willis_ratio,
-    willis_speed,
 )
 
-EQUAL = 1e-9
-"""Masses that differ by less are equal: the first of them, of the fewest teeth, is taken, whatever the rounding."""
+MANY = 5_000
+"""Choices of a front beyond which those that cannot win are looked for [-]."""
+MOST = 50_000
+"""Choices of a front that are held; the lightest of more, and then nothing is proven [-]."""
+BEAM = 300
+"""Choices with which a first good train is looked for [-]."""
 
 
 class Chosen(NamedTuple):
@@ -61,6 +60,8 @@ class Chosen(NamedTuple):
     """Gear -> tooth number [-]."""
     planets: dict[str, int]
     """Planetary set whose number of planets the design leaves out -> that number [-]."""
+    search: TeethSearch | None = None
+    """How it was found; None where the design gives all teeth."""
 
 
 def choose_teeth(design: Design, train: Train) -> Chosen:
@@ -83,22 +84,126 @@ def choose_teeth(design: Design, train: Train) -> Chosen:
     flow, kept = _nominal_flow(design, train, nominal)
     design = nominal.design
     tasks = [_task(name, design, train, nominal, flow) for name in design.simple_stages]
-    front = _joined(design, Front({}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {}))
-    while tasks:
-        task = next((task for task in tasks if _ready(task, front)), None)
-        if task is None:
-            raise DesignError(
-                Problem(waiting.name, "no speed that is known leads to this stage; give its teeth") for waiting in tasks
-            )
-        tasks.remove(task)
-        front = _joined(design, _extend(front, task, design, nominal, later=tasks))
-    mass = aligned(front, design).mass
-    best = front.take(np.array([int(np.argmax(mass <= mass.min() * (1.0 + EQUAL)))]))
+    start = Front(
+        {}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {},
+        tally={"combinations": np.ones(1), "second": np.full(1, np.inf)},
+    )  # fmt: skip
+    found = _searched(_Search(design, nominal), start, with_twins(tasks, design, nominal))
+    mass = aligned(found.front, design).mass
+    first = int(np.argmax(mass <= mass.min() * (1.0 + EQUAL)))
+    best = found.front.take(np.array([first]))
     left_out = {name for name, stage in design.planetaries.items() if stage.planets_given is None}
     return Chosen(
         {name: int(value[0]) for name, value in best.teeth.items()} | _compound_teeth(design),
         {name: int(value[0]) for name, value in best.planets.items() if name in left_out},
+        TeethSearch(
+            combinations=float(found.front.tally["combinations"].sum()) + found.left_out,
+            weighed=found.weighed,
+            gear_mass=float(mass[first]),
+            next_mass=float(min(np.delete(mass, first).min(initial=np.inf), found.front.tally["second"].min())),
+            proven=found.proven,
+        ),
     )
+
+
+class _Search(NamedTuple):
+    """What a search reads all the way."""
+
+    design: Design
+    """As the case holds it that asks for the speeds."""
+    nominal: Targets
+
+
+@dataclass(frozen=True)
+class _Found:
+    """Whole combinations of teeth, and what it took to find them."""
+
+    front: Front
+    weighed: int = 0
+    """Candidates of stages that were weighed [-]."""
+    left_out: float = 0.0
+    """Partial combinations that cannot win, or were too many [-]."""
+    proven: bool = True
+    """Nothing was left out that might have won."""
+
+
+def _searched(search: _Search, front: Front, tasks: Sequence[Task], *, beam: int | None = None) -> _Found:
+    """Return all whole combinations that may be the lightest, or those that a narrow search finds.
+
+    Args:
+        search: What it reads.
+        front: Choices of the stages before.
+        tasks: Stages to come.
+        beam: Keep so many lightest choices of every front; left out: all that may win.
+    """
+    design, later, limit = search.design, list(tasks), math.inf
+    found = _Found(_joined(design, front))
+    while later:
+        task = next((task for task in later if _ready(task, found.front)), None)
+        if task is None:
+            raise DesignError(
+                Problem(waiting.name, "no speed that is known leads to this stage; give its teeth") for waiting in later
+            )
+        later.remove(task)
+        rule = _MayWin(search, tuple(later), limit)
+        grown = extend(found.front, task, design, search.nominal, needs=needs_of(later, design), may_win=rule)
+        left_out = found.left_out + grown.left_out
+        found = _Found(_joined(design, grown.front), found.weighed + grown.weighed, left_out, found.proven)
+        if later and beam is None and len(found.front) > MANY:
+            limit = min(limit, _known(search, found.front, later))
+            found = _only(found, _MayWin(search, tuple(later), limit)(found.front))
+        found = _narrowed(search, found, later, beam or MOST)
+    return found
+
+
+def _known(search: _Search, front: Front, later: Sequence[Task]) -> float:
+    """Return the mass of the gears of a train that a narrow search finds from a front; infinite where it finds none."""
+    try:
+        narrow = _searched(search, front, later, beam=BEAM)
+    except DesignError:
+        return math.inf
+    return float(aligned(narrow.front, search.design).mass.min())
+
+
+@dataclass(frozen=True)
+class _MayWin:
+    """Tells the choices that may become lighter than a train that is known."""
+
+    search: _Search
+    later: tuple[Task, ...]
+    """Stages to come."""
+    limit: float
+    """Mass of the gears of that train [kg]."""
+    tables: dict[tuple[str, ...], list[Branch]] = field(default_factory=dict)
+    """Shafts that a front knows -> the least masses beyond them."""
+
+    def __call__(self, front: Front) -> Bools:
+        """Return which choices of a front may.
+
+        Args:
+            front: Choices with one stage more.
+        """
+        if self.limit == math.inf:
+            return np.ones(len(front), dtype=bool)
+        shafts = tuple(front.speeds)
+        if shafts not in self.tables:
+            self.tables[shafts] = branches_of(front, self.later, self.search.design, self.search.nominal)
+        return np.asarray(front.mass + rest_of(front, self.tables[shafts]) <= self.limit * (1.0 + EQUAL))
+
+
+def _narrowed(search: _Search, found: _Found, later: Sequence[Task], most: int) -> _Found:
+    """Keep the choices of a front that has too many from which the lightest trains may come."""
+    front = found.front
+    if len(front) <= most or not later:
+        return found
+    mass = front.mass + rest_of(front, branches_of(front, later, search.design, search.nominal))
+    return replace(_only(found, mass <= np.partition(mass, most - 1)[most - 1]), proven=False)
+
+
+def _only(found: _Found, kept: Bools) -> _Found:
+    """Leave out all choices but those that are marked."""
+    gone = float(found.front.tally["combinations"][~kept].sum())
+    return replace(found, front=found.front.take(kept), left_out=found.left_out + gone)
 
 
 def _compound_teeth(design: Design) -> dict[str, int]:
@@ -167,141 +272,3 @@ def _joined(design: Design, front: Front) -> Front:
             if here in speeds and there not in speeds:
                 speeds[there] = speeds[here]
     return replace(front, speeds=speeds)
-
-
-def _is_alone(task: Task, reached: Iterable[str], later: Sequence[Task], design: Design) -> bool:
-    """Tell whether a stage's teeth change nothing for others: no speed, no module, no common centre distance."""
-    tied = {name: pair.coaxial_with for name, pair in design.pairs.items() if pair.coaxial_with is not None}
-    owners = list(module_owners(design).values())
-    if task.name in {*tied, *tied.values()} or owners.count(task.group) > 1:
-        return False
-    touched = {shaft for clutch in design.clutches.values() for shaft in (clutch.driving, clutch.driven)}
-    for other in later:
-        ends = () if other.edge is None else (*other.edge.fast, *other.edge.slow)
-        touched |= {*ends, *(members_of(other.stage) if isinstance(other.stage, Planetary) else ())}
-    return touched.isdisjoint(reached)
-
-
-def _extend(front: Front, task: Task, design: Design, nominal: Targets, *, later: Sequence[Task]) -> Front:
-    """Multiply the front by a stage's candidates and keep those that its rules admit; look further only if none is.
-
-    Of a stage that is alone only the lightest candidate of every choice is kept.
-    """
-    target = _target(front, task, nominal)
-    for reach in REACHES:
-        parent, small, large = _near_target(front, task, design, target, reach=reach)
-        actual = _tooth_ratio(task.stage, small, large)
-        grown = front.take(parent)
-        speeds = _new_speeds(grown, task, actual)
-        good = _speeds_hold(task, design, speeds, len(small))
-        if good.any():
-            break
-    else:
-        if len(actual):
-            raise contradiction(task.name, task.stage, design, float(np.median(actual)))
-        ratio, fewest = float(np.median(target)), fewest_teeth(task.rating)
-        raise refusal(task.name, task.stage, design, ratio, fewest=fewest, nominal=nominal)
-    grown = replace(grown, speeds={**grown.speeds, **speeds})
-    alike = parent if _is_alone(task, speeds, later, design) else np.arange(len(parent))
-    if not good.all():
-        grown, small, large, alike = grown.take(good), small[good], large[good], alike[good]
-    return _lightest(grown, task, design, (small, large), alike)
-
-
-def _near_target(front: Front, task: Task, design: Design, target: Floats, *, reach: Reach) -> tuple[Ints, Ints, Ints]:
-    """Return a stage's candidates that some number of planets admits and that are near enough to what is asked."""
-    open_ = _is_open(front, task, design)
-    found = all_candidates(task, design) if open_ else candidates(front, task, design, target, reach=reach)
-    parent, small, large = found
-    counts = planet_counts(task.stage, design)
-    fits = np.any([admissible(task, design, small, large, planets=planets) for planets in counts], axis=0)
-    parent, small, large = parent[fits], small[fits], large[fits]
-    if open_:
-        return parent, small, large
-    near = _near(task, design, _tooth_ratio(task.stage, small, large), target[parent])
-    return parent[near], small[near], large[near]
-
-
-def _lightest(front: Front, task: Task, design: Design, gears: tuple[Ints, Ints], alike: Ints) -> Front:
-    """Add a stage's teeth and bodies to the front, with every number of planets; keep the lightest of those alike."""
-    fronts, groups = list[Front](), list[Ints]()
-    small, large = gears
-    for planets in planet_counts(task.stage, design):
-        fits = admissible(task, design, small, large, planets=planets)
-        if fits.any():
-            fronts.append(weigh(front.take(fits), task, small[fits], large[fits], planets=planets))
-            groups.append(alike[fits])
-    weighed, group = fronts[0].joined(fronts[1:]), np.concatenate(groups)
-    mass, least = weighed.mass, np.full(int(group.max()) + 1, np.inf)
-    np.minimum.at(least, group, mass)
-    light = np.flatnonzero(mass <= least[group] * (1.0 + EQUAL))
-    return weighed.take(light[np.unique(group[light], return_index=True)[1]])
-
-
-def _tooth_ratio(stage: Pair | Planetary, small: Ints, large: Ints) -> Floats:
-    """Return z_2/z_1 or z_r/z_s [-]."""
-    if not isinstance(stage, Planetary):
-        return np.asarray(large / small)
-    if stage.known_teeth is not None:
-        return np.asarray(ring_teeth(stage, small, large) / small)
-    return np.asarray(1.0 + 2.0 * large / small)
-
-
-def _is_open(front: Front, task: Task, design: Design) -> bool:
-    """Tell whether a stage's ratio is the search's own choice: the first of those that share an open ratio."""
-    if design.teeth.split == "equal" or task.edge is None or is_given(task.stage) or task.stage.ratio is not None:
-        return False
-    known = {machine.shaft for machine in design.machines.values()} | set(front.speeds)
-    far = task.edge.slow if task.edge.fast[0] in front.speeds else task.edge.fast
-    return len(next(iter(front.speeds.values()))) == 1 and not known & set(far)
-
-
-def _near(task: Task, design: Design, actual: Floats, asked: Floats) -> Bools:
-    """Tell which tooth ratios are within the tolerance; given teeth are as they are."""
-    if is_given(task.stage):
-        return np.ones(len(actual), dtype=bool)
-    carrier_part = 1.0 if isinstance(task.stage, Planetary) else 0.0
-    return np.asarray(np.abs((carrier_part + actual) / (carrier_part + asked) - 1.0) <= design.teeth.stage_tolerance)
-
-
-def _target(front: Front, task: Task, nominal: Targets) -> Floats:
-    """Return the tooth ratio asked of every choice in the front [-]."""
-    count = len(next(iter(front.speeds.values())))
-
-    def speed(shaft: str) -> Floats:
-        return front.speeds.get(shaft, np.full(count, nominal.speeds.get(shaft, 0.0)))
-
-    if isinstance(task.stage, Planetary):
-        return willis_ratio(task.stage, {member: speed(member) for member in members_of(task.stage)})
-    edge = nominal.edges[task.name]
-    return np.asarray(speed(_known(edge.fast, front)) / speed(_known(edge.slow, front)))
-
-
-def _known(shafts: tuple[str, ...], front: Front) -> str:
-    return next((shaft for shaft in shafts if shaft in front.speeds), shafts[0])
-
-
-def _new_speeds(front: Front, task: Task, ratio: Floats) -> dict[str, Floats]:
-    """Return the speeds of the shafts that a stage reaches."""
-    known = front.speeds
-    if isinstance(task.stage, Planetary):
-        missing = [member for member in members_of(task.stage) if member != GROUND and member not in known]
-        return {member: willis_speed(task.stage, member, ratio, known) for member in missing}
-    edge = task.edge
-    if edge is None:
-        return {}
-    source = next(shaft for shaft in (*edge.fast, *edge.slow) if shaft in known)
-    fast = known[source] if source in edge.fast else known[source] * ratio
-    reached = {**dict.fromkeys(edge.fast, fast), **dict.fromkeys(edge.slow, fast / ratio)}
-    return {shaft: speed for shaft, speed in reached.items() if shaft not in known}
-
-
-def _speeds_hold(task: Task, design: Design, speeds: Mapping[str, Floats], count: int) -> Bools:
-    """Tell which choices keep the machines' speeds within the tolerance; given teeth are as they are."""
-    good = np.ones(count, dtype=bool)
-    if is_given(task.stage):
-        return good
-    for machine in design.machines.values():
-        if machine.shaft in speeds and machine.asked_speed is not None:
-            good &= np.abs(speeds[machine.shaft] / machine.asked_speed - 1.0) <= design.teeth.speed_tolerance
-    return good

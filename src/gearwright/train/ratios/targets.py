@@ -156,13 +156,15 @@ def _potentials(design: Design, edges: Mapping[str, Edge], fixed: Mapping[str, f
     column = {name: k for k, name in enumerate(design.shafts)}
     main = _main_stages(design, edges)
     equations: list[tuple[dict[str, float], float, float]] = []
-    for rank, (shaft, speed) in enumerate(_strong_speeds(design).items()):
+    strong = _strong_speeds(design)
+    for rank, (shaft, speed) in enumerate(strong.items()):
         equations.append(({shaft: 1.0}, math.log(speed), _KEPT if rank == 0 else _ASKED))
     for name, edge in edges.items():
         ratio, weight = _edge_ratio(design.simple_stages[name], edge, fixed.get(name))
         ends = [(fast, slow) for fast in edge.fast for slow in edge.slow]
         part = weight / math.sqrt(len(ends)) * (1.0 if name in main else _SIDE)
         equations += [({fast: 1.0, slow: -1.0}, math.log(ratio), part) for fast, slow in ends]
+        equations += [({shaft: 1.0, first: -1.0}, 0.0, _GIVEN) for shaft, first in _alike(edge, strong)]
     for name in design.epicyclics:
         (first, speed), *others = list(ties_of(design, name).items()) or [("", 0.0)]
         equations += [({shaft: 1.0, first: -1.0}, math.log(abs(tied / speed)), _GIVEN) for shaft, tied in others]
@@ -178,6 +180,14 @@ def _potentials(design: Design, edges: Mapping[str, Edge], fixed: Mapping[str, f
     _require_connected(matrix, design)
     solution, *_ = np.linalg.lstsq(matrix, right, rcond=1e-14)
     return {name: math.exp(solution[k]) for name, k in column.items()}
+
+
+def _alike(edge: Edge, strong: Mapping[str, float]) -> Iterator[tuple[str, str]]:
+    """Yield shafts that turn alike, because equal gears on them mesh with one mate; not those whose speed is asked."""
+    for side in (edge.fast, edge.slow):
+        free = [shaft for shaft in side if shaft not in strong]
+        if len(free) == len(side):
+            yield from ((shaft, side[0]) for shaft in side[1:])
 
 
 def _strong_speeds(design: Design) -> dict[str, float]:

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.parts.bevel import rate_bevel
+from gearwright.parts.bevel import BevelRating, rate_bevel
 from gearwright.parts.iso6336 import GearSteel
 from gearwright.sizing.rating.iso6336.inputs import steel_of
 from gearwright.sizing.rating.iso10300.inputs import bevel_duty, bevel_surfaces
@@ -54,16 +54,23 @@ def _one_bevel(
     teeth: tuple[int, int], rating: Rating, steel: GearSteel, torque: float, speed: float, ratio: float
 ) -> tuple[float, float]:
     rules, surfaces = rating.rules.iso6336, bevel_surfaces(rating)
-    needed = []
-    for mode in (0, 1):
-        module = 1e-3 * _START * math.cbrt(torque)
-        for _ in range(_STEPS):
-            pair = bevel_pair(teeth, module, ratio * module, rating)
-            duty = bevel_duty(rating, pair, torque, speed)
-            rated = rate_bevel(pair, (steel, steel), duty, rating.service.life, surfaces=surfaces)
-            if mode == 0:
-                module *= math.cbrt(rules.bending_safety / min(root.safety for root in rated.bending))
-            else:
-                module *= math.cbrt((rules.pitting_safety / min(rated.pitting.safeties)) ** 2)
-        needed.append(module)
-    return needed[0], needed[1]
+
+    def rated(module: float) -> BevelRating:
+        pair = bevel_pair(teeth, module, ratio * module, rating)
+        duty = bevel_duty(rating, pair, torque, speed)
+        return rate_bevel(pair, (steel, steel), duty, rating.service.life, surfaces=surfaces)
+
+    def bending(found: BevelRating) -> float:
+        return rules.bending_safety / min(root.safety for root in found.bending)
+
+    def contact(found: BevelRating) -> float:
+        return (rules.pitting_safety / min(found.pitting.safeties)) ** 2
+
+    start = 1e-3 * _START * math.cbrt(torque)
+    first = rated(start)  # the same for both
+    modules = [start * math.cbrt(gap(first)) for gap in (bending, contact)]
+    for _ in range(_STEPS - 1):
+        modules = [
+            module * math.cbrt(gap(rated(module))) for module, gap in zip(modules, (bending, contact), strict=True)
+        ]
+    return modules[0], modules[1]

@@ -1,0 +1,25 @@
+"""How the teeth of a sizing were chosen: how many combinations there were, and how far the next one is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from gearwright.units import Mass, Origin, Quantity
+
+
+@dataclass(frozen=True)
+class TeethSearch:
+    """What the search for teeth looked at."""
+
+    combinations: Annotated[float, Quantity("number"), Origin("Π of candidates within the rules of [teeth]", "search")]
+    """Combinations of tooth numbers and planets that were told apart; what cannot win before all stages have teeth
+    counts once [-]."""
+    weighed: int
+    """Candidates of single stages that were weighed for it [-]."""
+    gear_mass: Mass
+    """What the gears weigh by the search's own estimate [kg]."""
+    next_mass: Mass
+    """What the gears of the next-lightest combination weigh by it; infinite where there is none [kg]."""
+    proven: bool
+    """True where none of the combinations can be lighter by that estimate; False where there were too many to hold."""
