@@ -17,6 +17,7 @@ from gearwright.sizing.arranged import Arrangement, ShaftPlan
 from gearwright.sizing.carrying import CarrierSizing, ShaftDiagram, ShaftSizing
 from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.compound import pins_of, towards
+from gearwright.sizing.insight import Beside, MeshBeside, methods_beside
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
 from gearwright.sizing.pair_data import BevelPairData, CylindricalPairData, pair_data
@@ -32,6 +33,7 @@ __all__ = [
     "AskedSpeed",
     "Backlash",
     "BearingSizing",
+    "Beside",
     "BevelPairData",
     "BuiltShaft",
     "CarrierSizing",
@@ -40,6 +42,7 @@ __all__ = [
     "JointSizing",
     "MachineSizing",
     "MassPart",
+    "MeshBeside",
     "MeshSizing",
     "Named",
     "ShaftDiagram",
@@ -55,6 +58,7 @@ __all__ = [
     "cylindrical_gear",
     "fit_of",
     "mass_parts",
+    "methods_beside",
     "named_results",
     "pair_data",
     "pick",

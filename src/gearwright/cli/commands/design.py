@@ -65,6 +65,9 @@ def size(
     factors: Annotated[
         bool, typer.Option("--factors", help="Print every factor of gears that a standard rates")
     ] = False,
+    methods: Annotated[
+        bool, typer.Option("--methods", help="Compare every method of rating on the sized gears, factor by factor")
+    ] = False,
 ) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
     sizing = sized(design)
@@ -73,9 +76,11 @@ def size(
 
         show_answer("size", size_answer(sizing), design=sizing.design.name)
         return
-    from gearwright.render.words.text import factors_text, sizing_text
+    from gearwright.render.words.text import factors_text, methods_text, sizing_text
 
-    show(sizing_text(sizing), *([factors_text(sizing)] if factors else []))
+    show(
+        sizing_text(sizing), *([factors_text(sizing)] if factors else []), *([methods_text(sizing)] if methods else [])
+    )
 
 
 def modes(design: DesignArgument, case: CaseOption = None, json: JsonOption = False) -> None:

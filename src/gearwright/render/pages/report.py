@@ -23,6 +23,7 @@ from gearwright.render.tables.dynamic_load import dynamic_table
 from gearwright.render.tables.motion import energy_table, mode_table, motion_tables
 from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing.factors import factor_tables
+from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, tables_of
 from gearwright.render.words.inputs import entries
 from gearwright.reviews import Review
@@ -108,6 +109,7 @@ def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
     factors = tuple(factor_tables(sizing).values())
     if factors:
         yield Section("Rating of the gears", tables=factors)
+        yield Section("The gears by every method", tables=tuple(method_tables(sizing).values()))
     caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
     bent = (_figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
     loaded = ("shafts", "shaft_sizes", "bearings", "carriers", "machines")

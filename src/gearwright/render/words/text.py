@@ -12,6 +12,7 @@ from gearwright.render.grid.table import MARKS, Cell, Column, Table
 from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing.factors import factor_tables
 from gearwright.render.tables.sizing.materials import estimated_only
+from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, tables_of
 from gearwright.render.words.headline import headline, sizing_headline
 from gearwright.sizing import Sizing
@@ -68,6 +69,15 @@ def factors_text(sizing: Sizing) -> RenderableType:
         sizing: As sized.
     """
     return Group(*map(table_text, factor_tables(sizing).values()))
+
+
+def methods_text(sizing: Sizing) -> RenderableType:
+    """Return every cylindrical mesh by every method, factor by factor.
+
+    Args:
+        sizing: As sized.
+    """
+    return Group(*map(table_text, method_tables(sizing).values()))
 
 
 def summary(sizing: Sizing) -> str:

@@ -1,0 +1,8 @@
+"""What a rating rests on: the same mesh by every method, side by side, and what would move its safeties.
+
+It rates anew what is sized; it sizes nothing.
+"""
+
+from gearwright.sizing.insight.side_by_side import Beside, MeshBeside, methods_beside
+
+__all__ = ["Beside", "MeshBeside", "methods_beside"]

@@ -1,0 +1,137 @@
+"""One sized mesh by every method that rates cylindrical gears: teeth, module, width and loads are the same."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from gearwright.errors import DesignError, SolveError
+from gearwright.sizing.insight.aspects import ASPECTS, FAMILIES, Aspect
+from gearwright.sizing.rating import METHODS, Context, Factor, MeshRating, context_of, factor_rows, rate_row
+from gearwright.sizing.result import Sizing
+from gearwright.spec.design import RATINGS
+from gearwright.train import INTERNAL, Mesh
+from gearwright.verbs import verb
+
+CLOSE = 0.005
+"""Part by which values may differ and still count as equal [-]."""
+
+
+class Beside(NamedTuple):
+    """One aspect of a mesh by every method."""
+
+    aspect: str
+    """In words, with symbols."""
+    values: Mapping[str, tuple[float, ...]]
+    """Method -> of both gears, or one of the mesh [SI]; methods that know no such factor are left out."""
+    dimension: str
+    why: str
+    """Why the values differ; empty where they do not."""
+
+
+@dataclass(frozen=True)
+class MeshBeside:
+    """A mesh by every method."""
+
+    mesh: str
+    """Name of the mesh."""
+    rows: tuple[Beside, ...]
+    margins: Mapping[str, tuple[float, float]]
+    """Method -> margins of flanks and of roots over the asked safeties [-]."""
+    refused: Mapping[str, str]
+    """Method -> why it does not rate this mesh."""
+
+
+@verb
+def methods_beside(sizing: Sizing) -> tuple[MeshBeside, ...]:
+    """Return every cylindrical mesh of a design by every method, factor by factor, with the reasons of differences.
+
+    Args:
+        sizing: As sized; its teeth, modules, widths and loads are kept.
+    """
+    context = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, sizing.given)
+    sizes = {gear.name: (gear.module, gear.face_width) for gear in sizing.gears}
+    rows = {mesh.name: mesh for mesh in sizing.train.meshes}
+    return tuple(
+        _beside(context, rows[sized.name], sizes[sized.gears[0]])
+        for sized in sizing.meshes
+        if sized.rating.method in FAMILIES
+    )
+
+
+def _beside(context: Context, mesh: Mesh, sizes: tuple[float, float]) -> MeshBeside:
+    rated: dict[str, MeshRating] = {}
+    refused: dict[str, str] = {}
+    for name in FAMILIES:
+        why = _uncovered(context, mesh, name)
+        try:
+            if not why:
+                rated[name] = rated_by(context, mesh, sizes, name)
+        except (DesignError, SolveError) as error:
+            why = error.problems[0].message if isinstance(error, DesignError) else str(error)
+        if why:
+            refused[name] = why
+    margins = {name: (record.contact_margin, record.bending_margin) for name, record in rated.items()}
+    return MeshBeside(mesh.name, tuple(_lines(rated)), margins, refused)
+
+
+def rated_by(context: Context, mesh: Mesh, sizes: tuple[float, float], method: str) -> MeshRating:
+    """Return a sized mesh as a method rates it.
+
+    Args:
+        context: What sizing read.
+        mesh: Row of the train.
+        sizes: Its module and face width [m].
+        method: Name of the method.
+
+    Raises:
+        DesignError: What the method does not cover.
+    """
+    rating = replace(context.ratings[mesh.stage], method=method)
+    other = replace(context, ratings={**context.ratings, mesh.stage: rating})
+    return rate_row(other, mesh, *sizes)
+
+
+def _uncovered(context: Context, mesh: Mesh, method: str) -> str:
+    """Return why a method does not rate a mesh; empty where it does."""
+    kind = "internal" if mesh.sign == INTERNAL else "cylindrical"
+    if kind not in RATINGS[method].covers:
+        return f"{RATINGS[method].title} rates no {kind} meshes here"
+    material = context.ratings[mesh.stage].material
+    lacking = [need for need in RATINGS[method].needs if getattr(material, need, None) is None]
+    if lacking:
+        return f"{material.name} has no {' and no '.join(lacking)}"
+    first, second = (context.teeth[gear] for gear in mesh.gears)
+    rating = replace(context.ratings[mesh.stage], method=method)
+    problem = next(iter(METHODS[method].refuse(rating, (first, -second if mesh.sign == INTERNAL else second))), None)
+    return "" if problem is None else problem.message
+
+
+def _lines(rated: Mapping[str, MeshRating]) -> Iterator[Beside]:
+    rows = {name: {(row.chapter, row.quantity): row for row in _rows(name, record)} for name, record in rated.items()}
+    for aspect in ASPECTS:
+        shown = {name: rows[name].get(_key(aspect, name)) for name in rated}  # type: ignore[arg-type]
+        known = {name: row for name, row in shown.items() if row is not None}
+        if known:
+            values = {name: tuple(float(value) for value in row.values) for name, row in known.items()}
+            differ = len(known) < len(rated) or _differ(list(values.values()))
+            yield Beside(aspect.name, values, next(iter(known.values())).dimension, aspect.why if differ else "")
+
+
+def _rows(method: str, record: MeshRating) -> list[Factor]:
+    """Return the factors of a rating; of a method without such a list the numbers of its record."""
+    return [*METHODS[method].factors(record)] or [*factor_rows(record, "mesh")]
+
+
+def _key(aspect: Aspect, method: str) -> tuple[str, str] | None:
+    return {"iso": aspect.iso, "agma": aspect.agma, "lewis": aspect.lewis}[FAMILIES[method]]
+
+
+def _differ(values: list[tuple[float, ...]]) -> bool:
+    first = values[0]
+    return any(
+        len(other) != len(first)
+        or any(abs(a - b) > CLOSE * max(abs(a), abs(b)) for a, b in zip(first, other, strict=True))
+        for other in values[1:]
+    )
