@@ -43,8 +43,8 @@ REFERENCE = Path(__file__).parents[2] / "docs" / "reference" / "api.md"
 SHOWN_ELSEWHERE = (
     critical_speeds, run_up, elastic_shares, load_sharing, sharing_problem, sharing_study, support_sweep,
     shaft_displacement, fly_window, window_rules, response_figure, waterfall_figure, mesh_frequencies,
-    find_mission, find_study, shipped_file, shipped_mission, shipped_study, pick, methods_beside, edited_mission, read_mission,
-    read_study,
+    find_mission, find_study, shipped_file, shipped_mission, shipped_study, pick, methods_beside, edited_mission,
+    read_mission, read_study,
 )  # fmt: skip
 """Verbs of the how-to pages and of the commands beside those of the reference."""
 
