@@ -25,6 +25,7 @@ from gearwright.spec.design import (
     case_named,
     cases_of,
     drives_of,
+    levels_of,
     shares_of,
 )
 from gearwright.spec.edit import edited, edited_mission, path_problem
@@ -110,6 +111,7 @@ __all__ = [
     "is_name",
     "key_lines",
     "keys_of",
+    "levels_of",
     "line_of",
     "mission_changed",
     "mission_problems",

@@ -10,7 +10,7 @@ import numpy as np
 from gearwright.sizing.rating.context import Context, ask_of, worst_case
 from gearwright.sizing.rating.methods import method_for
 from gearwright.sizing.rating.protocol import Load, LoadedMesh, MeshRating, Unloaded
-from gearwright.spec import case_named, shares_of
+from gearwright.spec import case_named, levels_of, shares_of
 from gearwright.train import Mesh
 
 _LEAST_TORQUE = 1e-9
@@ -56,13 +56,11 @@ def row_reserve(context: Context, mesh: Mesh, module: float, face_width: float) 
 
 def _loads(context: Context, mesh: Mesh) -> Iterator[Load]:
     """Yield the cases that make up the life; where none is said, the heaviest lasts all of it."""
-    service, shares = context.design.service, shares_of(context.design)
-    if not shares:
-        case, _ = worst_case(context, mesh)
-        yield _load(context, mesh, case, service.life)
-    for case, share in shares.items():
-        if share > 0.0:
-            yield _load(context, mesh, case, share * service.life)
+    life, shares = context.design.service.life, shares_of(context.design)
+    for case, share in (shares or {worst_case(context, mesh)[0]: 1.0}).items():
+        for level, part in levels_of(context.design, case):
+            if share * part > 0.0:
+                yield _load(context, mesh, case, share * part * life, level)
     for case in context.flows:
         if case_named(context.design, case).static:
             yield _once(_load(context, mesh, case, 0.0))
@@ -74,7 +72,7 @@ def _once(load: Load) -> Load:
     return load._replace(ask=load.ask._replace(speed=speed), life=2.0 * math.pi / speed)
 
 
-def _load(context: Context, mesh: Mesh, case: str, life: float) -> Load:
-    multiplier = abs(context.flows[case].meshes[mesh.name].multiplier)
+def _load(context: Context, mesh: Mesh, case: str, life: float, level: float = 1.0) -> Load:
+    multiplier = level * abs(context.flows[case].meshes[mesh.name].multiplier)
     per_tooth = multiplier / mesh.count * context.ratings[mesh.stage].load_factor
     return Load(case, per_tooth * context.teeth[mesh.gears[0]], ask_of(context, mesh, case, per_tooth), life)

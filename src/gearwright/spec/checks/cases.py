@@ -41,6 +41,7 @@ def case_problems(design: Design) -> Iterator[Problem]:
         yield from _engaged(name, case, design)
     yield from _balanced(design)
     yield from _lasting(design)
+    yield from _spectra(design)
 
 
 def _drive(path: str, drive: Drive, machine: Machine) -> Iterator[Problem]:
@@ -135,6 +136,29 @@ def _lasting(design: Design) -> Iterator[Problem]:
         yield Problem("cases", message)
     if shares_of(design) and "mean_load" in design.service.model_fields_set:
         yield Problem("service.mean_load", "it follows from the cases' durations or shares; keep one of the two")
+
+
+def _spectra(design: Design) -> Iterator[Problem]:
+    """Find spectra that are no spectra, and names that none has."""
+    for name, spectrum in design.spectra.items():
+        path, levels, total = f"spectra.{name}", spectrum.load, sum(spectrum.share)
+        if len(levels) != len(spectrum.share):
+            yield Problem(path, f"{len(levels)} levels of load and {len(spectrum.share)} shares; give one for each")
+        elif abs(total - 1.0) > WHOLE or min(spectrum.share) < 0.0:
+            yield Problem(f"{path}.share", f"their sum is {total:.6g}; give positive shares with sum 1")
+        if min(levels) < 0.0 or max(levels) > 1.0:
+            message = "a level is a part of what the case says, which is the highest; give 0 to 1"
+            yield Problem(f"{path}.load", f"{min(levels):g} to {max(levels):g}: {message}")
+    named = {f"cases.{name}": case for name, case in design.cases.items()} | {"service": design.service}
+    for path, holder in named.items():
+        if holder.spectrum is not None and holder.spectrum not in design.spectra:
+            message = f"there is no spectrum {holder.spectrum!r}; {near(holder.spectrum, design.spectra)}"
+            yield Problem(f"{path}.spectrum", message)
+    for name, case in design.cases.items():
+        if case.static and case.spectrum is not None:
+            yield Problem(f"cases.{name}.spectrum", "a static case counts no cycles; leave it out")
+    if design.service.spectrum is not None and "mean_load" in design.service.model_fields_set:
+        yield Problem("service.mean_load", "it follows from service.spectrum; keep one of the two")
 
 
 def _written(shares: list[float]) -> str:

@@ -20,6 +20,7 @@ from gearwright.spec.design.duty import (
     Propeller,
     Rotor,
     Service,
+    Spectrum,
     Turbine,
     allowed_for,
     allowed_in_case,
@@ -44,7 +45,7 @@ from gearwright.spec.design.rules import (
 )
 from gearwright.spec.design.shafts import NOTHING_GIVEN, ShaftLayout, Support
 from gearwright.spec.design.sharing import module_owners
-from gearwright.spec.design.spectrum import RATED, case_named, cases_of, drives_of, shares_of
+from gearwright.spec.design.spectrum import RATED, case_named, cases_of, drives_of, levels_of, shares_of
 from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary, gear_named
 from gearwright.spec.design.teeth import PAIR_ROLES, SET_ROLES, StageShifts, stage_shifts, working_angle
 
@@ -95,6 +96,7 @@ __all__ = [
     "Rotor",
     "Service",
     "ShaftLayout",
+    "Spectrum",
     "StageShifts",
     "Support",
     "Turbine",
@@ -105,6 +107,7 @@ __all__ = [
     "drives_of",
     "gear_named",
     "given_values",
+    "levels_of",
     "method_of",
     "module_owners",
     "shares_of",

@@ -26,6 +26,7 @@ from gearwright.spec.design.duty import (
     Propeller,
     Rotor,
     Service,
+    Spectrum,
     SpeedRules,
     Turbine,
 )
@@ -99,6 +100,9 @@ class Design(Shown, Record):
     cases: dict[str, Case] = Field(
         default_factory=dict,
         description="Load cases that size the gearbox; left out: one, called rated, with every machine at its rating",
+    )
+    spectra: dict[str, Spectrum] = Field(
+        default_factory=dict, description="Load spectra by name, for the cases or the service that name them"
     )
     waivers: dict[str, str] = Field(
         default_factory=dict,

@@ -56,6 +56,20 @@ def _drive(unsaid: Drive, said: Drive, rating: float | None) -> Drive:
     return Drive(balances=True, speed=said.speed) if unsaid.idles else unsaid.model_copy(update={"speed": said.speed})
 
 
+def levels_of(design: Design, case: str) -> tuple[tuple[float, float], ...]:
+    """Return the levels of a case: part of its loads [-], share of its time [-]; of a static case its own alone.
+
+    Args:
+        design: With its cases and spectra.
+        case: Name of one of its cases, or ``rated``.
+    """
+    said = case_named(design, case)
+    name = None if said.static else said.spectrum or design.service.spectrum
+    if name is None:
+        return ((1.0, 1.0),)
+    return tuple(zip(design.spectra[name].load, design.spectra[name].share, strict=True))
+
+
 def shares_of(design: Design) -> Mapping[str, float]:
     """Return case -> share of the life [-]; empty where none is said: then one case lasts all of it.
 

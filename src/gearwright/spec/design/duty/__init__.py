@@ -3,7 +3,7 @@
 Which case speaks for a design is in `spectrum`, which knows the design.
 """
 
-from gearwright.spec.design.duty.cases import Case, Drive
+from gearwright.spec.design.duty.cases import Case, Drive, Spectrum
 from gearwright.spec.design.duty.limits import Allowed, allowed_for, allowed_in_case
 from gearwright.spec.design.duty.machines import (
     MACHINES,
@@ -38,6 +38,7 @@ __all__ = [
     "Propeller",
     "Rotor",
     "Service",
+    "Spectrum",
     "SpeedRules",
     "Turbine",
     "allowed_for",

@@ -45,6 +45,13 @@ class Drive(Record):
 IDLES, BALANCES = Drive(power=0.0), Drive(balances=True)
 
 
+class Spectrum(Record):
+    """A load spectrum, said once for all cases that name it: levels of their loads, and how long each lasts."""
+
+    load: list[Ratio] = Field(min_length=1, description="Levels: parts of the loads of the case that names it, 0 to 1")
+    share: list[Ratio] = Field(min_length=1, description="Share of the time of that case for each level, with sum 1")
+
+
 class Case(Record):
     """A load case: besides its own keys one table for each machine that does something else than usual."""
 
@@ -60,6 +67,11 @@ class Case(Record):
     )
     static: bool = Field(
         False, description="A limit load: it is judged against static strength and yield, and counts no cycles"
+    )
+    spectrum: str | None = Field(
+        None,
+        description="Name of a load spectrum, [spectra.NAME]; what the case says is its level 1;"
+        " left out: that of [service], else this level all the time",
     )
     engaged: list[str] | None = Field(
         None,

@@ -20,11 +20,14 @@ class Service(Record):
         default_factory=dict,
         description="Share of the life that each case lasts, with sum 1; left out: all of it at rated power",
     )
+    spectrum: str | None = Field(
+        None, description="Load spectrum of every case that lasts and names none, [spectra.NAME]; left out: none"
+    )
     mean_load: Ratio = Field(
         1.0,
         gt=0,
         le=1,
-        description="Cubic mean load over the rated one, for bearings; with shares it follows from them",
+        description="Cubic mean load over the rated one, for bearings; with shares or a spectrum it follows from them",
     )
     static_safety: Ratio = Field(1.5, ge=0.5, le=5, description="Minimum static safety s_0 of bearings (ISO 76)")
     shaft_fatigue_safety: Ratio = Field(1.5, ge=1, le=5, description="Minimum safety of shafts against fatigue")
