@@ -129,6 +129,18 @@ class Quantity:
 
 
 @dataclass(frozen=True)
+class Reciprocal:
+    """Marks a quantity of a file that may be written as its reciprocal, too, under a name that is usual for it."""
+
+    key: str
+    """As written, such as ``diametral_pitch``."""
+    scale: float
+    """What the quantity is where the key has 1, in SI: the quantity is this over the key."""
+    suffix: str
+    """Its unit, as a suffix would name it, such as ``per_in``."""
+
+
+@dataclass(frozen=True)
 class Origin:
     """Where a computed field comes from."""
 
@@ -185,7 +197,7 @@ _SYMBOLS: Mapping[str, str] = MappingProxyType({
     "kn": "kN", "hz": "Hz", "khz": "kHz", "kg_m2": "kg m²", "um": "µm", "kw": "kW", "w": "W", "mw": "MW",
     "rad_s": "rad/s", "n_m": "N/m", "n_um": "N/µm", "n_mm": "N/mm", "mpa": "MPa", "pa": "Pa", "gpa": "GPa",
     "nm": "N m", "knm": "kN m", "lbf_ft": "lbf ft", "nm_rad": "N m/rad", "knm_rad": "kN m/rad", "m_s": "m/s",
-    "km_h": "km/h", "ft_min": "ft/min", "m3": "m³", "mm3": "mm³",
+    "km_h": "km/h", "ft_min": "ft/min", "m3": "m³", "mm3": "mm³", "per_in": "1/in",
 })  # fmt: skip
 """Suffix of a key -> symbol of its unit, where they differ."""
 

@@ -1,7 +1,7 @@
 """What users write: the design file, its types, its reader and its JSON Schema."""
 
 from gearwright.spec.axis import MOST_VALUES, Axis, axis_values, value_at
-from gearwright.spec.bounds import LONGEST_NAME, OneOf, Range, is_name, quantity_of, range_of
+from gearwright.spec.bounds import LONGEST_NAME, OneOf, Range, is_name, quantity_of, range_of, reciprocals_of
 from gearwright.spec.design import (
     GROUND,
     RATED,
@@ -125,6 +125,7 @@ __all__ = [
     "read",
     "read_mission",
     "read_study",
+    "reciprocals_of",
     "records",
     "schema",
     "shares_of",

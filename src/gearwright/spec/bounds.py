@@ -6,6 +6,7 @@ give zeros, infinities and numbers that are none. What is sensible for one field
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -17,7 +18,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from gearwright.errors import excerpt
-from gearwright.units import SUFFIXES, Quantity, suffix_unit
+from gearwright.units import SUFFIXES, Quantity, Reciprocal, suffix_unit
 
 SIZES: Mapping[str, tuple[float, float, float]] = MappingProxyType({
     "angle": (1e-9, 1e-6, 1e2),
@@ -88,6 +89,18 @@ class Range:
         high = value < self.maximum if self.below else value <= self.maximum
         return low and high and (value == 0.0 or abs(value) >= self.smallest)
 
+    def over(self, scale: float) -> Range:
+        """Return the numbers that are taken of what a quantity is the reciprocal of.
+
+        Args:
+            scale: Over the one is the other.
+
+        >>> Range(1e-6, 0.0254).over(0.0254)
+        Range(minimum=1.0, maximum=25400.0, above=False, below=False, smallest=0.0)
+        """
+        low, high = (scale / bound if bound > 0.0 else math.inf for bound in (self.maximum, self.minimum))
+        return Range(low, high, above=self.below, below=self.above)
+
     def words(self, factor: float = 1.0, unit: str = "") -> str:
         """Return the numbers that are taken, as a message says it.
 
@@ -117,6 +130,15 @@ def quantity_of(info: FieldInfo) -> Quantity | None:
     """
     mark = _mark(info)
     return mark if mark is not None and mark.dimension in SUFFIXES else None
+
+
+def reciprocals_of(info: FieldInfo) -> tuple[Reciprocal, ...]:
+    """Return the names under which a quantity may be written as its reciprocal.
+
+    Args:
+        info: Field of a record.
+    """
+    return tuple(mark for mark in info.metadata if isinstance(mark, Reciprocal))
 
 
 def range_of(info: FieldInfo) -> Range:

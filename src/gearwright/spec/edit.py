@@ -129,12 +129,15 @@ def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value, writ
             continue
         if part not in keys:
             return Problem(path, f"there is no {'.'.join(parts[: depth + 1])}; {near(part, keys)}")
-        name, factor, suffix = keys[part]
-        if last and suffix and (isinstance(value, bool) or not isinstance(value, int | float)):
+        meant = keys[part]
+        name, suffix = meant.field, meant.suffix
+        if last and suffix and value is not None and (isinstance(value, bool) or not isinstance(value, int | float)):
             return Problem(path, f"{value!r} is not a number; give a number in {suffix_unit(suffix)}")
         if last:
-            table[name] = value * factor if suffix and isinstance(value, int | float) else value
-            written.note((*location, name), path, value, model=record, unit=(factor, suffix))
+            if (*location, name) in written.keys:
+                return Problem(path, f"{name} is given twice; keep one of {written.keys[(*location, name)]} and {path}")
+            table[name] = meant.si(value) if suffix and isinstance(value, int | float) else value
+            written.note((*location, name), path, value, model=record, unit=meant)
             return None
         annotation = _plain(record.model_fields[name].annotation)
         if not _holds_tables(annotation):

@@ -10,8 +10,8 @@ from typing import NamedTuple
 from pydantic import BaseModel
 
 from gearwright.errors import near
-from gearwright.spec.bounds import quantity_of
-from gearwright.units import SUFFIXES
+from gearwright.spec.bounds import Range, quantity_of, reciprocals_of
+from gearwright.units import SUFFIXES, suffix_unit
 
 
 class Key(NamedTuple):
@@ -23,6 +23,35 @@ class Key(NamedTuple):
     """To SI [-]."""
     suffix: str
     """Of the unit; empty for what has none."""
+    inverse: bool = False
+    """True where the quantity is the factor over what is written, as a module over its diametral pitch."""
+
+    def si(self, value: float) -> float:
+        """Return what is written in SI; what no reciprocal has, 0 and below, as it is.
+
+        Args:
+            value: As written.
+        """
+        if self.inverse:
+            return self.factor / value if value > 0.0 else value
+        return value * self.factor
+
+    def written(self, value: float) -> float:
+        """Return a value as it would be written.
+
+        Args:
+            value: In SI.
+        """
+        return self.factor / value if self.inverse else value / self.factor
+
+    def words(self, allowed: Range) -> str:
+        """Return the numbers that a field takes, in the unit of this key.
+
+        Args:
+            allowed: In SI.
+        """
+        symbol = suffix_unit(self.suffix) if self.suffix else ""
+        return allowed.over(self.factor).words(1.0, symbol) if self.inverse else allowed.words(self.factor, symbol)
 
 
 Keys = Mapping[str, Key]
@@ -46,6 +75,8 @@ def keys_of(model: type[BaseModel]) -> Keys:
             continue
         for suffix, factor in SUFFIXES[quantity.dimension].items():
             keys[f"{name}_{suffix}"] = Key(name, factor, suffix)
+        for mark in reciprocals_of(info):
+            keys[mark.key] = Key(name, mark.scale, mark.suffix, inverse=True)
     return MappingProxyType(keys)
 
 
@@ -66,6 +97,8 @@ def unknown_key(key: str, model: type[BaseModel]) -> str:
     foreign = _foreign(key, model, keys)
     if foreign:
         return foreign
+    if longer := [name for name in keys if name.endswith(f"_{key}")]:
+        return f"no such field; write {' or '.join(longer)}"
     usual = {meant.field: name for name, meant in reversed(list(keys.items()))}
     return f"no such field; {near(key, keys, usual.values())}"
 

@@ -20,7 +20,7 @@ from pydantic.fields import FieldInfo
 from gearwright.errors import Problem
 from gearwright.spec.bounds import NAME_RULE, allowed_in, checked, is_path, parts, range_of
 from gearwright.spec.former import FORMER, today
-from gearwright.spec.keys import Keys, keys_of, unknown_key
+from gearwright.spec.keys import Key, Keys, keys_of, unknown_key
 from gearwright.units import suffix_unit
 
 
@@ -52,8 +52,8 @@ class Written:
     """Location of the field -> dotted path as written."""
     values: dict[Location, object] = field(default_factory=dict)
     """Location of the field -> value as written."""
-    factors: dict[Location, tuple[float, str]] = field(default_factory=dict)
-    """Location of a quantity -> (SI value of its unit, suffix)."""
+    units: dict[Location, Key] = field(default_factory=dict)
+    """Location of a quantity -> the key by which it is written."""
     fields: dict[Location, FieldInfo] = field(default_factory=dict)
     """Location of the field -> what it takes."""
     problems: list[Problem] = field(default_factory=list)
@@ -61,14 +61,12 @@ class Written:
     incomplete: bool = False
     """True where a whole table is unreadable or misnamed: what refers to it is no mistake of its own."""
 
-    def note(
-        self, location: Location, path: str, value: object, *, model: type[Record], unit: tuple[float, str]
-    ) -> None:
+    def note(self, location: Location, path: str, value: object, *, model: type[Record], unit: Key) -> None:
         """Note what is written at a location, whose last part is a field of the model."""
         self.keys[location], self.values[location] = path, value
         self.fields[location] = _field(model, location[-1])
-        if unit[1]:
-            self.factors[location] = unit
+        if unit.suffix:
+            self.units[location] = unit
 
     def report(self, location: Location, message: str) -> None:
         """Add a problem at a location."""
@@ -100,16 +98,16 @@ def convert(raw: Mapping[str, object], model: type[Record], written: Written, at
             written.problems.append(Problem(path, unknown_key(key, model)))
             written.incomplete |= isinstance(value, Mapping)
             continue
-        name, factor, suffix = keys[key]
-        location = (*at, name)
+        meant = keys[key]
+        name, location = meant.field, (*at, meant.field)
         if name in result:
             written.problems.append(
                 Problem(path, f"{name} is given twice; keep one of {written.keys[location]} and {path}")
             )
             continue
-        written.note(location, path, value, model=model, unit=(factor, suffix))
-        if suffix:
-            result[name] = _number(value, factor, suffix, written, location)
+        written.note(location, path, value, model=model, unit=meant)
+        if meant.suffix:
+            result[name] = _number(value, meant, written, location)
         else:
             result[name] = _nested(value, _field(model, name).annotation, written, location)
     _require(model, keys, result, written, prefix)
@@ -135,17 +133,17 @@ def _field(model: type[Record], key: str) -> FieldInfo:
     return next(info for name, info in model.model_fields.items() if key in (name, info.alias))
 
 
-def _number(value: object, factor: float, suffix: str, written: Written, location: Location) -> object:
+def _number(value: object, meant: Key, written: Written, location: Location) -> object:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        written.report(location, f"{brief(value)} is not a number; give a number in {suffix_unit(suffix)}")
+        written.report(location, f"{brief(value)} is not a number; give a number in {suffix_unit(meant.suffix)}")
         return _stand_in_of(written.fields[location])
     try:
-        converted = float(value) * factor
+        converted = meant.si(float(value))
     except OverflowError:
         converted = math.inf
     if not math.isfinite(converted):
         written.report(
-            location, f"{brief(value)} is not a finite number; give a finite number in {suffix_unit(suffix)}"
+            location, f"{brief(value)} is not a finite number; give a finite number in {suffix_unit(meant.suffix)}"
         )
         return _stand_in_of(written.fields[location])
     return converted
@@ -317,9 +315,9 @@ def message_of(details: Any, written: Written, location: Location) -> str:
     if details["type"] == "name":
         return f"{shown} {details['msg']}"
     if details["type"] in _BOUNDS and location in written.fields and not inside:
-        factor, suffix = written.factors.get(location, (1.0, ""))
-        symbol = suffix_unit(suffix) if suffix else ""
-        words = range_of(written.fields[location]).words(factor, symbol)
+        meant = written.units.get(location, Key("", 1.0, ""))
+        symbol = suffix_unit(meant.suffix) if meant.suffix else ""
+        words = meant.words(range_of(written.fields[location]))
         return f"{shown}{f' {symbol}' if symbol else ''} is not allowed; give {words}"
     if details["type"] == "literal_error":
         return f"{shown} is not known; allowed: {details['ctx']['expected']}"

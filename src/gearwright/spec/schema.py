@@ -14,11 +14,11 @@ from typing import Any
 from gearwright.errors import DesignError, Problem, near
 from gearwright.spec.bounds import Range, quantity_of, range_of
 from gearwright.spec.design import Design
-from gearwright.spec.keys import keys_of
+from gearwright.spec.keys import Key, keys_of
 from gearwright.spec.mission import Mission
 from gearwright.spec.record import Record
 from gearwright.spec.study import Study
-from gearwright.units import SUFFIXES, suffix_unit
+from gearwright.units import suffix_unit
 from gearwright.verbs import verb
 
 FILES: Mapping[str, type[Record]] = MappingProxyType({"design": Design, "mission": Mission, "study": Study})
@@ -93,8 +93,8 @@ def _expand(table: dict[str, Any], model: type[Record]) -> None:
             continue
         entry = properties.pop(name)
         options = [key for key, meant in keys_of(model).items() if meant.field == name]
-        for key, (suffix, factor) in zip(options, SUFFIXES[quantity.dimension].items(), strict=True):
-            properties[key] = _number(entry, (name, suffix), factor, range_of(info))
+        for key in options:
+            properties[key] = _number(entry, key, keys_of(model)[key], range_of(info))
         choices: list[dict[str, Any]] = [{"required": [key]} for key in options]
         if name in required:
             wanted = [part for part in wanted if part != {"required": [name]}]
@@ -105,19 +105,23 @@ def _expand(table: dict[str, Any], model: type[Record]) -> None:
         table |= {"if": {"propertyNames": {"enum": list(properties)}}, "then": {"allOf": wanted}}
 
 
-def _number(entry: dict[str, Any], names: tuple[str, str], factor: float, allowed: Range) -> dict[str, Any]:
+def _number(entry: dict[str, Any], key: str, meant: Key, allowed: Range) -> dict[str, Any]:
     """Return the property of one unit, its bounds converted from SI."""
-    name, suffix = names
-    symbol = suffix_unit(suffix)
+    symbol = suffix_unit(meant.suffix)
+    name = (key if meant.inverse else meant.field).replace("_", " ")
     number: dict[str, Any] = {
-        "title": f"{name.replace('_', ' ')} [{symbol}]",
+        "title": f"{name} [{symbol}]",
         "type": "number",
         "description": f"{entry.get('description', '')} [{symbol}]",
     }
-    number["exclusiveMinimum" if allowed.above else "minimum"] = allowed.minimum / factor
-    number["exclusiveMaximum" if allowed.below else "maximum"] = allowed.maximum / factor
+    low, high = ("exclusiveMinimum" if allowed.above else "minimum", "exclusiveMaximum" if allowed.below else "maximum")
+    if meant.inverse:
+        allowed = allowed.over(meant.factor)
+        number[low], number[high] = allowed.minimum, allowed.maximum
+    else:
+        number[low], number[high] = allowed.minimum / meant.factor, allowed.maximum / meant.factor
     if isinstance(entry.get("default"), int | float):
-        number["default"] = entry["default"] / factor
+        number["default"] = meant.written(entry["default"])
     return number
 
 

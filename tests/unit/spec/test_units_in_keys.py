@@ -43,7 +43,7 @@ def test_a_key_gives_its_unit_in_si(key, si):
 
 def test_every_suffix_of_every_dimension_is_a_key():
     for name, info in Everything.model_fields.items():
-        keys = {key for key, (field, _, _) in keys_of(Everything).items() if field == name}
+        keys = {key for key, meant in keys_of(Everything).items() if meant.field == name}
         dimension = next(iter(info.annotation.__args__[0].__metadata__)).dimension
         assert keys == {f"{name}_{suffix}" for suffix in SUFFIXES[dimension]}
 

@@ -15,7 +15,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from gearwright.render.grid.table import written
-from gearwright.spec import Mission, OneOf, Record, Study, quantity_of, range_of
+from gearwright.spec import Mission, OneOf, Record, Study, quantity_of, range_of, reciprocals_of
 from gearwright.spec.design import Design
 from gearwright.units import SUFFIXES, shown, unit
 
@@ -127,7 +127,8 @@ def _key(name: str, info: FieldInfo) -> str:
         return f"`{info.alias or name}`"
     first = _suffix(quantity.dimension)
     others = [f"`_{suffix}`" for suffix in SUFFIXES[quantity.dimension] if suffix != first]
-    return f"`{name}_{first}`" + (f" ({', '.join(others)})" if others else "")
+    named = "".join(f", or `{mark.key}`" for mark in reciprocals_of(info))
+    return f"`{name}_{first}`" + (f" ({', '.join(others)})" if others else "") + named
 
 
 def _suffix(dimension: str) -> str:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from pydantic import Field
 
 from gearwright.parts.planetary import CompoundSet
 from gearwright.spec.bounds import Name
 from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, ThicknessFit
+from gearwright.spec.design.stages import NORMAL_PITCH, PITCH
 from gearwright.spec.record import Record
 from gearwright.units import Inertia, Length, Mass, Ratio
 
@@ -23,7 +26,7 @@ class CentralGear(Record):
 
     shaft: Name = Field(description="Shaft that carries it, or ground")
     teeth: int = _TEETH
-    module: Length | None = _MODULE
+    module: Annotated[Length | None, PITCH, NORMAL_PITCH] = _MODULE
     face_width: Length | None = _WIDTH
     allowance: ThicknessFit | None = _ALLOWANCE
     mass: Mass | None = _MASS
@@ -40,7 +43,7 @@ class PlanetGear(Record):
     in_one_piece_with: Name | None = Field(
         None, description="Planet of the set with which it turns as one piece: the steps of a stepped planet"
     )
-    module: Length | None = _MODULE
+    module: Annotated[Length | None, PITCH, NORMAL_PITCH] = _MODULE
     face_width: Length | None = _WIDTH
     allowance: ThicknessFit | None = _ALLOWANCE
     mass: Mass | None = _MASS

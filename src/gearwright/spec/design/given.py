@@ -10,12 +10,14 @@ from typing import NamedTuple
 
 from gearwright.errors import Problem, near
 from gearwright.identity import SIDES
-from gearwright.spec.bounds import quantity_of, range_of
+from gearwright.spec.bounds import range_of
 from gearwright.spec.design.design import Design
 from gearwright.spec.design.shafts import NOTHING_GIVEN
 from gearwright.spec.design.sharing import gear_owner, module_owners
+from gearwright.spec.keys import Key as Written
+from gearwright.spec.keys import keys_of
 from gearwright.spec.record import Record
-from gearwright.units import SUFFIXES
+from gearwright.units import suffix_unit
 
 NO_ORIGIN = "user's design file"
 """Origin of a value that the user gave without saying where it comes from."""
@@ -62,18 +64,20 @@ class Key(NamedTuple):
         return value
 
     @property
-    def suffixes(self) -> Mapping[str, float]:
-        """Suffix -> SI value of that unit."""
-        quantity = quantity_of(type(self.record).model_fields[self.field])
-        return SUFFIXES[quantity.dimension] if quantity is not None else {}
+    def entries(self) -> Mapping[str, Written]:
+        """Name in [overrides] -> how a value is written under it."""
+        stem = self.path.removesuffix(self.field)
+        keys = {key: meant for key, meant in keys_of(type(self.record)).items() if meant.field == self.field}
+        named = {key: meant for key, meant in keys.items() if meant.inverse}
+        suffixed = {f"{self.path}_{meant.suffix}": meant for meant in keys.values() if not meant.inverse}
+        return suffixed | {f"{stem}{key}": meant for key, meant in named.items()}
 
 
 class _Entry(NamedTuple):
     """A name that [overrides] may have."""
 
     key: Key
-    suffix: str
-    factor: float
+    meant: Written
 
 
 class Given(NamedTuple):
@@ -108,11 +112,7 @@ def given_values(design: Design) -> GivenValues:
     values = {key.path: _own(key, key.written) for key in keys if key.written is not None}
     problems = [*_without_effect(design)]
     if design.overrides or design.origins:
-        entries = {
-            f"{key.path}_{suffix}": _Entry(key, suffix, factor)
-            for key in keys
-            for suffix, factor in key.suffixes.items()
-        }
+        entries = {name: _Entry(key, meant) for key in keys for name, meant in key.entries.items()}
         problems += _add_overrides(design, entries, values)
         problems += _add_origins(design, entries, values)
     return GivenValues(values, tuple(problems))
@@ -125,8 +125,8 @@ def _add_overrides(design: Design, entries: Mapping[str, _Entry], values: dict[s
         if fault:
             yield Problem(f"overrides.{entry}", fault)
         else:
-            key, _, factor = entries[entry]
-            values[key.path] = Given(amount * factor, entry, amount)
+            key, meant = entries[entry]
+            values[key.path] = Given(meant.si(amount), entry, amount)
 
 
 def _add_origins(design: Design, entries: Mapping[str, _Entry], values: dict[str, Given]) -> Iterator[Problem]:
@@ -136,24 +136,24 @@ def _add_origins(design: Design, entries: Mapping[str, _Entry], values: dict[str
         if path in values:
             values[path] = values[path]._replace(origin=origin)
         elif entry not in design.overrides:
-            known = [name for name, (key, _, _) in entries.items() if key.path in values]
+            known = [name for name, (key, _) in entries.items() if key.path in values]
             yield Problem(f"origins.{entry}", f"nothing of this name is given; {near(entry, known)}")
 
 
 def _own(key: Key, value: float) -> Given:
-    suffix, factor = next(iter(key.suffixes.items()))
-    return Given(value, f"{key.table}.{key.field}_{suffix}", value / factor)
+    meant = next(iter(key.entries.values()))
+    return Given(value, f"{key.table}.{key.field}_{meant.suffix}", meant.written(value))
 
 
 def _fault(entry: str, amount: float, entries: Mapping[str, _Entry], values: Mapping[str, Given]) -> str | None:
     """Return what is wrong with an entry of [overrides], if anything is."""
     if entry not in entries:
-        usual = {key.path: name for name, (key, _, _) in reversed(list(entries.items()))}
+        usual = {key.path: name for name, (key, _) in reversed(list(entries.items()))}
         return f"nothing of this name is computed; {near(entry, entries, usual.values())}"
-    key, suffix, factor = entries[entry]
+    key, meant = entries[entry]
     allowed = range_of(type(key.record).model_fields[key.field])
-    if not allowed.holds(amount * factor):
-        return f"{amount:g} {suffix} is not allowed; give {allowed.words(factor, suffix)}"
+    if not allowed.holds(meant.si(amount)):
+        return f"{amount:g} {suffix_unit(meant.suffix)} is not allowed; give {meant.words(allowed)}"
     if key.path in values:
         first = values[key.path].entry
         place = f"overrides.{first}" if first in entries else first

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import math
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from gearwright.identity import SIDES, Role
 from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, PlanetaryBearings, ThicknessFit
 from gearwright.spec.record import Record
-from gearwright.units import Angle, Force, Inertia, Length, Mass, Ratio, Stiffness, TorsionalDamping
+from gearwright.units import INCH, Angle, Force, Inertia, Length, Mass, Ratio, Reciprocal, Stiffness, TorsionalDamping
 
 _DEGREE = math.pi / 180.0
+NORMAL_PITCH = Reciprocal("normal_diametral_pitch", INCH, "per_in")
+"""P_nd = 25.4 mm/m_n."""
+PITCH = Reciprocal("diametral_pitch", INCH, "per_in")
+"""P_d = 25.4 mm/m, of spur gears."""
+OUTER_PITCH = Reciprocal("outer_diametral_pitch", INCH, "per_in")
+"""P_d = 25.4 mm/m_et, of bevel gears."""
 NOMINAL_PLANETS = 3
 """Planets of a set while their number is to be chosen [-]."""
 
@@ -78,8 +84,10 @@ class Pair(Record):
     backlash: Length = Field(
         0.0, ge=0, le=0.01, description="Along the line of action; 0: teeth stay in contact both ways"
     )
-    module: Length | None = Field(None, gt=0, description="Normal module m_n; left out: sized")
-    outer_module: Length | None = Field(
+    module: Annotated[Length | None, NORMAL_PITCH] = Field(
+        None, gt=0, description="Normal module m_n, P_nd = 25.4 mm/m_n; left out: sized"
+    )
+    outer_module: Annotated[Length | None, OUTER_PITCH] = Field(
         None, gt=0, description="Outer transverse module m_et of a bevel pair; left out: sized"
     )
     face_width: Length | None = Field(None, gt=0, description="Face width b; left out: sized")
@@ -158,7 +166,7 @@ class Planetary(Record):
     backlash: Length = Field(
         0.0, ge=0, le=0.01, description="Of each mesh, along the line of action; 0: contact both ways"
     )
-    module: Length | None = Field(None, gt=0, description="Module m_n; left out: sized")
+    module: Annotated[Length | None, PITCH, NORMAL_PITCH] = Field(None, gt=0, description="Module m_n; left out: sized")
     face_width: Length | None = Field(None, gt=0, description="Face width b; left out: sized")
     centre_distance: Length | None = Field(
         None, gt=0, description="Working centre distance a_w of both meshes; shifts follow; left out: they give it"
