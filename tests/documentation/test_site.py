@@ -66,7 +66,7 @@ def test_every_key_of_a_file_is_on_its_page(model, page):
     """One row for each field of each record, with the unit that is shown first and all others."""
     for record in records(model, {}):
         for name, info in record.model_fields.items():
-            keys = [key for key, (field, _, _) in keys_of(record).items() if field in (name, info.alias)]
+            keys = [key for key, meant in keys_of(record).items() if meant.field in (name, info.alias)]
             rows = [line for line in page.splitlines() if line.startswith(f"| `{info.alias or name}")]
             assert any(all(f"`{key}`" in row or f"`{key[len(name) :]}`" in row for key in keys) for row in rows), name
             assert info.description.replace("|", "\\|") in page, f"{record.__name__}.{name}"

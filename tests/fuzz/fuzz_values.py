@@ -57,17 +57,17 @@ def parts(annotation: object) -> tuple[object, ...]:
 
 def plausible(model: type[Record], key: str, names: list[str], rng: random.Random) -> object:
     """Return a value that the field of a key may take, as far as its type can say."""
-    field_name, factor, _ = keys_of(model)[key]
-    info = next(each for name, each in model.model_fields.items() if field_name in (name, each.alias))
+    meant = keys_of(model)[key]
+    info = next(each for name, each in model.model_fields.items() if meant.field in (name, each.alias))
     bounds = {
-        side: float(getattr(mark, side)) / factor
+        side: meant.written(float(getattr(mark, side)))
         for mark in info.metadata
         for side in ("gt", "ge", "lt", "le")
-        if getattr(mark, side, None) is not None
+        if getattr(mark, side, None) is not None and not meant.inverse
     }
     low = bounds.get("ge", bounds.get("gt"))
     high = bounds.get("le", bounds.get("lt"))
-    default = info.default / factor if isinstance(info.default, float) else None
+    default = meant.written(info.default) if isinstance(info.default, float) else None
     return _of_type(info.annotation, (low, high, default), names, rng)
 
 
@@ -97,8 +97,8 @@ def table(model: type[Record], names: list[str], rng: random.Random) -> dict[str
     """Return a table with what a record requires and a few of its other keys."""
     keys = keys_of(model)
     by_field: dict[str, list[str]] = {}
-    for key, (name, _, _) in keys.items():
-        by_field.setdefault(name, []).append(key)
+    for key, meant in keys.items():
+        by_field.setdefault(meant.field, []).append(key)
     filled = {}
     for name, info in model.model_fields.items():
         if info.is_required() or rng.random() < 0.15:
