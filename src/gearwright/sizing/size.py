@@ -6,7 +6,7 @@ import numpy as np
 
 from gearwright.checks import BEYOND_SIZING, accepted, unknown_waivers
 from gearwright.errors import refuse
-from gearwright.sizing.answers import refuse_no_numbers
+from gearwright.sizing.answers import locking_checks, refuse_no_numbers
 from gearwright.sizing.arrangement import arrange
 from gearwright.sizing.bearings import named_room
 from gearwright.sizing.limits import refuse_beyond
@@ -67,6 +67,7 @@ def size(design: Design) -> Sizing:
         *(check for carrier in carriers for check in carrier_checks(carrier)),
         *(check for shaft in built for check in built_checks(shaft, design)),
         *named_room(design, gears),
+        *locking_checks(design, train, teeth, flows),
         *machine_checks(context),
     ]
     refuse(unknown_waivers(checks, design.waivers, left=BEYOND_SIZING))

@@ -9,7 +9,7 @@ from typing import Annotated
 from gearwright.render.tables.checks import Judged, judged
 from gearwright.render.tables.sizing.materials import Property, material_properties
 from gearwright.render.tables.sizing.overview import shaft_by_shaft
-from gearwright.sizing import AskedSpeed, MassPart, Sizing, asked_speeds, mass_parts
+from gearwright.sizing import AskedSpeed, MassPart, Passing, Sizing, asked_speeds, mass_parts, passing
 from gearwright.sizing.arrangement.envelope import Envelope, envelope
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.meshed import MeshSizing
@@ -54,6 +54,8 @@ class SizeAnswer:
     """Gear -> tooth number."""
     cases: Mapping[str, tuple[Branch, ...]]
     """Load case -> every part on every shaft."""
+    efficiencies: tuple[Passing, ...]
+    """Of the gearbox and its epicyclic sets, forwards and backwards in every case; what is self-locking, by name."""
     margins: tuple[Judged, ...]
     """Every check, the worst first."""
     asked_speeds: tuple[AskedSpeed, ...]
@@ -94,6 +96,7 @@ def size_answer(sizing: Sizing) -> SizeAnswer:
         worst_margin=sizing.worst_margin,
         teeth=sizing.teeth,
         cases={case: tuple(shaft_by_shaft(sizing, case)) for case in sizing.flows},
+        efficiencies=passing(sizing),
         margins=judged(sizing.checks),
         asked_speeds=asked_speeds(sizing),
         gears=sizing.gears,

@@ -24,7 +24,7 @@ from gearwright.render.tables.motion import energy_table, mode_table, motion_tab
 from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing.factors import factor_tables
 from gearwright.render.tables.sizing.methods import method_tables
-from gearwright.render.tables.sizing.overview import flow_tables, tables_of
+from gearwright.render.tables.sizing.overview import flow_tables, passing_table, tables_of
 from gearwright.render.words.inputs import entries
 from gearwright.reviews import Review
 from gearwright.sizing import Sizing
@@ -97,7 +97,7 @@ def _power(sizing: Sizing, speeds: Table, shown: str) -> Section:
     """Return the architecture, and the power flow of every case that the summary does not show."""
     skeleton = _figure(schematic_figure(sizing), "train", "Skeleton of the train with tooth numbers.")
     others = [_flow(sizing, case) for case in sizing.flows if case != shown]
-    tables = _filled(speeds, *flow_tables(sizing), path_table(sizing))
+    tables = _filled(speeds, *flow_tables(sizing), passing_table(sizing), path_table(sizing))
     return Section("Architecture and power flow", tables=tables, figures=(skeleton, *others))
 
 

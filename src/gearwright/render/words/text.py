@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from gearwright.reviews import Review
 
 _ORDER = (
+    "passing",
     "margins",
     "speeds",
     "gears",

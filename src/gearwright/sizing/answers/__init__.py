@@ -1,4 +1,4 @@
-"""What a sizing says: masses, speeds that deviate from those asked, results by name; and that its numbers are numbers.
+"""What a sizing says: masses, efficiencies, speeds that deviate, results by name; and that its numbers are numbers.
 
 How they are shown is for `render`.
 """
@@ -6,16 +6,20 @@ How they are shown is for `render`.
 from gearwright.sizing.answers.breakdown import AskedSpeed, MassPart, asked_speeds, bearing_forces, mass_parts
 from gearwright.sizing.answers.gate import refuse_no_numbers
 from gearwright.sizing.answers.named import TEXT, Named, named_results, pick, total_results
+from gearwright.sizing.answers.passing import Passing, locking_checks, passing
 
 __all__ = [
     "TEXT",
     "AskedSpeed",
     "MassPart",
     "Named",
+    "Passing",
     "asked_speeds",
     "bearing_forces",
+    "locking_checks",
     "mass_parts",
     "named_results",
+    "passing",
     "pick",
     "refuse_no_numbers",
     "total_results",

@@ -7,6 +7,7 @@ from dataclasses import fields
 from typing import NamedTuple, get_args, get_type_hints
 
 from gearwright.errors import DesignError, Problem, near
+from gearwright.sizing.answers.passing import ways_of
 from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.meshed import MeshSizing
@@ -58,7 +59,14 @@ def total_results(sizing: Sizing) -> dict[str, Named]:
         "total_power_density": Named(sizing.total_power_density, "specific_power"),
         "worst_margin": Named(sizing.worst_margin, "ratio"),
         "efficiency": Named(_efficiency(sizing.reference), "ratio"),
+        **_backwards(sizing),
     }
+
+
+def _backwards(sizing: Sizing) -> dict[str, Named]:
+    """Return the efficiency of a gearbox that its driven machines drive; what is not above zero locks itself."""
+    ways = ways_of(sizing, sizing.reference) if sizing.reference.loss else {}
+    return {"efficiency_backwards": Named(ways[""].backwards if "" in ways else 1.0, "ratio")}
 
 
 def _efficiency(flow: PowerFlow) -> float:

@@ -176,14 +176,14 @@ def _passing(rows: _Rows, torques: Floats) -> _Passing | None:
 
 
 def _passed(rows: _Rows, torques: Floats, held: list[int], *, giving: list[int], taking: list[int]) -> float:
-    """Return power out over power in; minus infinity where rows can be driven in no state [-]."""
+    """Return power out over power in; nothing where they can be driven in no state [-]."""
     for first, last in ((taking, giving), (giving, taking)):
         outside = rows.driven(torques, [*held, *first, *last[::-1]])
         if outside is not None:
             powers = outside * rows.speeds
             given = float(powers[giving].sum())
-            return -float(powers[taking].sum()) / given if given > 0.0 else -np.inf
-    return -np.inf
+            return -float(powers[taking].sum()) / given if given > 0.0 else 0.0
+    return 0.0
 
 
 def _ends(powers: Floats) -> tuple[list[int], list[int]]:

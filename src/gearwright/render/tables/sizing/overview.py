@@ -7,7 +7,7 @@ from gearwright.render.tables.checks import COLUMNS, JUST_ENOUGH, judged
 from gearwright.render.tables.sizing.given import given_by_user, overrides_table
 from gearwright.render.tables.sizing.materials import materials_table
 from gearwright.render.tables.sizing.mounted import mounted_tables
-from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_parts
+from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_parts, passing
 from gearwright.sizing.arrangement import envelope
 from gearwright.train import Branch, branches
 
@@ -16,6 +16,7 @@ _KEPT = (
     "Whole teeth give them. A speed is kept, met exactly, of the first machine that [speeds] keep names: left out, a"
     " turbine's, else a motor's."
 )
+_PASSING = "Backwards: with every torque turned; what gives nothing then is self-locking. Clutches stay as they are."
 _BEARINGS = "Positions from the shaft's first end; shafts that only torque acts on need none for it."
 _THICKEST = "d of a shaft with steps is its thickest; the stress is of a section, listed with its own d under strength."
 _ENVELOPE = "Box around tip circles and shafts, without housing."
@@ -43,6 +44,16 @@ def shaft_by_shaft(sizing: Sizing, case: str) -> list[Branch]:
     return [branch for shaft in sizing.design.shafts for branch in of_case if branch.shaft == shaft]
 
 
+def passing_table(sizing: Sizing) -> Table:
+    """Return how the gearbox and its epicyclic sets pass power, forwards and backwards, in every case.
+
+    Args:
+        sizing: As sized.
+    """
+    fields = ("case", "part", "driving", "driven", "forwards", "backwards", "locking")
+    return table("Efficiency of the teeth", passing(sizing), fields, note=_PASSING)
+
+
 def tables_of(sizing: Sizing) -> dict[str, Table]:
     """Return every table of a sizing, by a short name.
 
@@ -58,6 +69,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "margins": table("Margins, worst first", judged(sizing.checks), COLUMNS, note=JUST_ENOUGH),
         "speeds": table("Speeds that deviate from those asked", asked_speeds(sizing),
                         ("case", "machine", "asked", "actual", "deviation"), note=_KEPT),
+        "passing": passing_table(sizing),
         "gears": table("Gears", sizing.gears, _gear_fields(sizing), mark=mark),
         "meshes": table("Mesh forces", sizing.meshes,
                         ("name", "count", "case", "load_factor", "tangential_force", "radial_force", "axial_force",
