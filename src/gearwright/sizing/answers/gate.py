@@ -8,9 +8,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
+from functools import lru_cache
+from types import NoneType
 from typing import Any
 
 from gearwright.errors import DesignError, Problem
+from gearwright.identity import PartId, Role, Row
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.result import GearSizing, MachineSizing, Sizing
 from gearwright.spec import Design, Record
@@ -27,6 +30,9 @@ _UNSTATED = ("accessory", "load")
 _ENDLESS = ("margin", "safety", "safeties", "life", "value", "limit", "pressure")
 """How the names of fields end that are infinite where nothing loads the part, limits it, or bears (a key too short)."""
 
+_PLAIN = (int, str, bool, NoneType, Role, Row, PartId)
+"""Kinds of values that hold no number which could be none."""
+
 
 def refuse_no_numbers(sizing: Sizing) -> Sizing:
     """Return a sizing whose every result is a number that a part can have.
@@ -37,7 +43,7 @@ def refuse_no_numbers(sizing: Sizing) -> Sizing:
     Raises:
         DesignError: With part, field and value of what is none, and the number of the design that is likely to blame.
     """
-    wrong = [*_parts(sizing)]
+    wrong = [] if _all_numbers(sizing) else [*_parts(sizing)]
     if not wrong and not 0.0 < sizing.mass < math.inf:
         wrong = [("gearbox", "mass", sizing.mass)]
     if not wrong:
@@ -50,15 +56,55 @@ def refuse_no_numbers(sizing: Sizing) -> Sizing:
     raise DesignError([Problem(key, f"{message} that is farthest from any real one is {key} = {size:g} (in SI)")])
 
 
+def _all_numbers(sizing: Sizing) -> bool:
+    """Tell quickly whether every result is a number that a part can have; which is none is for `_parts`."""
+    groups = (*_groups(sizing), tuple(sizing.flows.values()))
+    return all(_is_number(part, False) for group in groups for part in group) and all(
+        getattr(part, field) > 0.0 for group in _groups(sizing) for part in group for field in _positive(part)
+    )
+
+
+def _is_number(value: Any, endless: bool) -> bool:  # noqa: FBT001 (one of two recursions, called a thousand times)
+    """Tell whether every number inside a value is one; infinite only where it may be."""
+    kind = type(value)
+    if kind is float:
+        return math.isfinite(value) or (endless and not math.isnan(value))
+    if kind in _PLAIN:
+        return True
+    if kind is tuple:
+        return all(_is_number(item, endless) for item in value)
+    if kind is dict:
+        return all(_is_number(item, endless) for item in value.values())
+    names = _numbers_of(kind)
+    if names:
+        return all(_is_number(getattr(value, name), may_be) for name, may_be in names)
+    return not any(True for _ in _wrong(value, "life" if endless else ""))
+
+
+@lru_cache(maxsize=256)
+def _numbers_of(kind: type) -> tuple[tuple[str, bool], ...]:
+    """Return the fields of a kind of record, each with whether it may be infinite."""
+    return tuple((entry.name, entry.name.endswith(_ENDLESS)) for entry in fields(kind)) if is_dataclass(kind) else ()
+
+
+def _groups(sizing: Sizing) -> tuple[tuple[Any, ...], ...]:
+    return (sizing.gears, sizing.meshes, sizing.shafts, sizing.carriers, sizing.machines, sizing.built_shafts,
+            sizing.bearings, sizing.joints, sizing.checks)  # fmt: skip
+
+
+def _positive(part: Any) -> tuple[str, ...]:
+    """Return the fields of a part that are above zero."""
+    unstated = isinstance(part, MachineSizing) and part.kind in _UNSTATED
+    return () if unstated else _POSITIVE.get(type(part), ())
+
+
 def _parts(sizing: Sizing) -> Iterator[tuple[str, str, float]]:
     """Yield part, field and value of every result that is no number, or not above zero where it should be."""
-    groups = (sizing.gears, sizing.meshes, sizing.shafts, sizing.carriers, sizing.machines, sizing.built_shafts)
-    for group in (*groups, sizing.bearings, sizing.joints, sizing.checks):
+    for group in _groups(sizing):
         for part in group:
             name = str(getattr(part, "name", getattr(part, "part", getattr(part, "stage", ""))))
             yield from ((name, field, value) for field, value in _wrong(part, ""))
-            unstated = isinstance(part, MachineSizing) and part.kind in _UNSTATED
-            for field in () if unstated else _POSITIVE.get(type(part), ()):
+            for field in _positive(part):
                 if not getattr(part, field) > 0.0:
                     yield name, field, getattr(part, field)
     for case, flow in sizing.flows.items():
