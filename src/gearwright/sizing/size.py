@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from gearwright.checks import BEYOND_SIZING, accepted, unknown_waivers
-from gearwright.errors import refuse
+from gearwright.errors import DesignError, refuse
 from gearwright.sizing.answers import locking_checks, refuse_no_numbers
 from gearwright.sizing.arrangement import arrange
 from gearwright.sizing.bearings import named_room
@@ -23,9 +25,9 @@ from gearwright.sizing.shafts import (
     size_shafts,
 )
 from gearwright.sizing.stages import compound_sizes, gear_checks, size_gears, size_meshes, stage_sizes
-from gearwright.sizing.teeth import choose_teeth, refuse_contradictions
+from gearwright.sizing.teeth import EQUAL, Chosen, choose_teeth, refuse_contradictions
 from gearwright.spec import Design, edited
-from gearwright.spec.design import given_values
+from gearwright.spec.design import Given, given_values
 from gearwright.train import Turning, build_train, power_flows
 from gearwright.verbs import verb
 
@@ -43,15 +45,32 @@ def size(design: Design) -> Sizing:
     """
     given = given_values(design)
     refuse(given.problems)
-    teeth, planets, search = choose_teeth(design, build_train(design))
-    if planets:
-        design = edited(design, {f"planetaries.{stage}.planets": count for stage, count in planets.items()})
+    best: Sizing | None = None
+    refused: DesignError | None = None
+    for choice in choose_teeth(design, build_train(design)):
+        try:
+            sizing = _sized(design, choice, given.values)
+        except DesignError as error:
+            refused = refused or error
+            continue
+        if best is None or sizing.mass < best.mass * (1.0 - EQUAL):
+            best = sizing
+    if best is None:
+        raise refused or DesignError([])
+    return best
+
+
+def _sized(design: Design, choice: Chosen, given: Mapping[str, Given]) -> Sizing:
+    """Return the transmission with chosen teeth and numbers of planets."""
+    teeth = choice.teeth
+    if choice.planets:
+        design = edited(design, {f"planetaries.{stage}.planets": count for stage, count in choice.planets.items()})
     train = build_train(design)
     efficiency = design.efficiencies
     flows = power_flows(design, Turning(design, train, teeth), efficiency=efficiency)
     refuse_contradictions(design, flows)
     refuse_beyond(design, flows)
-    context = context_of(design, train, teeth, flows, given.values)
+    context = context_of(design, train, teeth, flows, given)
     demands = demands_of(context)
     sizes = stage_sizes(context, demands) | compound_sizes(context, demands)
     gears = size_gears(context, sizes)
@@ -86,7 +105,7 @@ def size(design: Design) -> Sizing:
         bearings=tuple(bearing for shaft in built for bearing in shaft.bearings),
         joints=tuple(joint for shaft in built for joint in shaft.joints),
         checks=accepted(checks, design.waivers),
-        given=given.values,
-        search=search,
+        given=given,
+        search=choice.search,
     )
     return refuse_no_numbers(sizing)

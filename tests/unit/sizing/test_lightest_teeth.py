@@ -11,8 +11,9 @@ from designs import PAIR, changed
 from gearwright.errors import DesignError
 from gearwright.sizing import size
 from gearwright.sizing.rating import Ask, modules, rating_of
-from gearwright.sizing.teeth import search, stage
-from gearwright.spec import Planetary, parse
+from gearwright.sizing.teeth import choose_teeth, search, stage
+from gearwright.spec import Planetary, edited, parse
+from gearwright.train import build_train
 from gearwright.units import RPM
 
 RULES = "[teeth]\npinion_minimum = 18\npinion_maximum = {most}\nsun_minimum = 18\nsun_maximum = {most}\n"
@@ -168,3 +169,20 @@ def test_twins_have_the_same_teeth_and_count_once():
         assert alike.teeth[f"in-1.{side}"] == alike.teeth[f"in-2.{side}"]
     assert alike.search.combinations < unlike.search.combinations / 5.0
     assert alike.gear_mass == pytest.approx(unlike.gear_mass, rel=0.05)
+
+
+@pytest.mark.parametrize("kinds", ["pp", "sp", "ss"])
+def test_of_the_lightest_gears_that_are_sized_in_full_the_lightest_transmission_is_taken(kinds: str):
+    """Shafts and carriers count, too: as many are sized as there are combinations; each again with its teeth given."""
+    design = parse(chain(kinds, 4.2 ** len(kinds), most=21))
+    first, every = size(design), size(edited(design, {"teeth.sized": 1000}))
+    least, count = math.inf, 0
+    for choice in choose_teeth(every.design, build_train(every.design)):
+        changes = {}
+        for name, record in design.stages.items():
+            parts = ("sun", "planet") if isinstance(record, Planetary) else ("pinion", "wheel")
+            table = "planetaries" if isinstance(record, Planetary) else "pairs"
+            changes |= {f"{table}.{name}.{part}_teeth": choice.teeth[f"{name}.{part}"] for part in parts}
+        least, count = min(least, size(edited(design, changes)).mass), count + 1
+    assert count > 2 and every.mass == pytest.approx(least, rel=1e-9)
+    assert every.mass <= first.mass

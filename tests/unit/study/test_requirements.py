@@ -6,7 +6,7 @@ import pytest
 
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
-from gearwright.spec import read
+from gearwright.spec import parse, read
 from gearwright.study import compare, for_engine, for_requirement
 from gearwright.units import RPM
 
@@ -63,3 +63,18 @@ def test_what_is_no_power_or_speed_is_refused_by_its_name(name, value):
         (problem,) = refused.value.problems
         assert problem.path == name
         assert "must be above 0 and finite" in problem.message
+
+
+def test_limits_by_time_are_scaled_with_the_engine():
+    """Half again the power at half the speed: 1.5 times the limit in power, half of it in speed, 3 times in torque."""
+    limits = "[turbines.gas-turbine.limits.take-off]\npower_kw = 1200\ntorque_nm = 700\n"
+    limits += "speed_rpm = 21000\nduration_min = 5\n"
+    limited = parse(shipped_design("in-line-h2").read_text(encoding="utf-8") + limits)
+    total = sum(machine.power for machine in (limited.turbines | limited.motors).values())
+    speed = limited.turbines["gas-turbine"].speed
+    fitted = for_engine(limited, power=1.5 * total, engine_speed=0.5 * speed)
+    limit = fitted.turbines["gas-turbine"].limits["take-off"]
+    assert limit.power == pytest.approx(1800e3)
+    assert limit.speed == pytest.approx(10500 * RPM)
+    assert limit.torque == pytest.approx(2100.0)
+    assert limit.duration == 300.0

@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
-from functools import lru_cache
 from types import NoneType
 from typing import Any
 
@@ -32,6 +31,8 @@ _ENDLESS = ("margin", "safety", "safeties", "life", "value", "limit", "pressure"
 
 _PLAIN = (int, str, bool, NoneType, Role, Row, PartId)
 """Kinds of values that hold no number which could be none."""
+_FIELDS: dict[type, tuple[tuple[str, bool], ...]] = {}
+"""Kind of record -> its fields, each with whether it may be infinite; as far as any was asked."""
 
 
 def refuse_no_numbers(sizing: Sizing) -> Sizing:
@@ -59,12 +60,12 @@ def refuse_no_numbers(sizing: Sizing) -> Sizing:
 def _all_numbers(sizing: Sizing) -> bool:
     """Tell quickly whether every result is a number that a part can have; which is none is for `_parts`."""
     groups = (*_groups(sizing), tuple(sizing.flows.values()))
-    return all(_is_number(part, False) for group in groups for part in group) and all(
+    return all(_is_number(part) for group in groups for part in group) and all(
         getattr(part, field) > 0.0 for group in _groups(sizing) for part in group for field in _positive(part)
     )
 
 
-def _is_number(value: Any, endless: bool) -> bool:  # noqa: FBT001 (one of two recursions, called a thousand times)
+def _is_number(value: Any, *, endless: bool = False) -> bool:
     """Tell whether every number inside a value is one; infinite only where it may be."""
     kind = type(value)
     if kind is float:
@@ -72,19 +73,20 @@ def _is_number(value: Any, endless: bool) -> bool:  # noqa: FBT001 (one of two r
     if kind in _PLAIN:
         return True
     if kind is tuple:
-        return all(_is_number(item, endless) for item in value)
+        return all(_is_number(item, endless=endless) for item in value)
     if kind is dict:
-        return all(_is_number(item, endless) for item in value.values())
-    names = _numbers_of(kind)
-    if names:
-        return all(_is_number(getattr(value, name), may_be) for name, may_be in names)
+        return all(_is_number(item) for item in value.values())
+    if names := _numbers_of(kind):
+        return all(_is_number(getattr(value, name), endless=may_be) for name, may_be in names)
     return not any(True for _ in _wrong(value, "life" if endless else ""))
 
 
-@lru_cache(maxsize=256)
 def _numbers_of(kind: type) -> tuple[tuple[str, bool], ...]:
     """Return the fields of a kind of record, each with whether it may be infinite."""
-    return tuple((entry.name, entry.name.endswith(_ENDLESS)) for entry in fields(kind)) if is_dataclass(kind) else ()
+    if kind not in _FIELDS:
+        names = [entry.name for entry in fields(kind)] if is_dataclass(kind) else []
+        _FIELDS[kind] = tuple((name, name.endswith(_ENDLESS)) for name in names)
+    return _FIELDS[kind]
 
 
 def _groups(sizing: Sizing) -> tuple[tuple[Any, ...], ...]:

@@ -64,8 +64,10 @@ class Chosen(NamedTuple):
     """How it was found; None where the design gives all teeth."""
 
 
-def choose_teeth(design: Design, train: Train) -> Chosen:
-    """Return the tooth number of every gear, and how many planets each set has.
+def choose_teeth(design: Design, train: Train) -> list[Chosen]:
+    """Return the tooth number of every gear, and how many planets each set has, of the lightest gears first.
+
+    As many of the lightest as the rules of the search size in full.
 
     Args:
         design: Given teeth are kept, those left out are chosen.
@@ -75,7 +77,7 @@ def choose_teeth(design: Design, train: Train) -> Chosen:
         DesignError: If speeds are not determined, or a stage has no candidate; with what would do.
     """
     if all(is_given(stage) and len(planet_counts(stage, design)) == 1 for stage in design.stages.values()):
-        return Chosen(given_teeth(design), {})  # which say every speed, with what holds in each case
+        return [Chosen(given_teeth(design), {})]  # which say every speed, with what holds in each case
     nominal = targets(design)
     for name, stage in design.planetaries.items():
         ratio = nominal.tooth_ratios[name]
@@ -91,18 +93,24 @@ def choose_teeth(design: Design, train: Train) -> Chosen:
     found = _searched(_Search(design, nominal), start, with_twins(tasks, design, nominal))
     mass = aligned(found.front, design).mass
     first = int(np.argmax(mass <= mass.min() * (1.0 + EQUAL)))
-    best = found.front.take(np.array([first]))
+    others = [place for place in np.argsort(mass, kind="stable").tolist() if place != first]
+    search = TeethSearch(
+        combinations=float(found.front.tally["combinations"].sum()) + found.left_out,
+        weighed=found.weighed,
+        gear_mass=float(mass[first]),
+        next_mass=float(min(mass[others].min(initial=np.inf), found.front.tally["second"].min())),
+        proven=found.proven,
+    )
+    return [_chosen(design, found.front, place, search) for place in (first, *others)[: design.teeth.sized]]
+
+
+def _chosen(design: Design, front: Front, place: int, search: TeethSearch) -> Chosen:
+    """Return one of the whole combinations of a front."""
     left_out = {name for name, stage in design.planetaries.items() if stage.planets_given is None}
     return Chosen(
-        {name: int(value[0]) for name, value in best.teeth.items()} | _compound_teeth(design),
-        {name: int(value[0]) for name, value in best.planets.items() if name in left_out},
-        TeethSearch(
-            combinations=float(found.front.tally["combinations"].sum()) + found.left_out,
-            weighed=found.weighed,
-            gear_mass=float(mass[first]),
-            next_mass=float(min(np.delete(mass, first).min(initial=np.inf), found.front.tally["second"].min())),
-            proven=found.proven,
-        ),
+        {name: int(values[place]) for name, values in front.teeth.items()} | _compound_teeth(design),
+        {name: int(values[place]) for name, values in front.planets.items() if name in left_out},
+        search,
     )
 
 
@@ -146,7 +154,8 @@ def _searched(search: _Search, front: Front, tasks: Sequence[Task], *, beam: int
             )
         later.remove(task)
         rule = _MayWin(search, tuple(later), limit)
-        grown = extend(found.front, task, design, search.nominal, needs=needs_of(later, design), may_win=rule)
+        needs = needs_of(later, design, kept=design.teeth.sized)
+        grown = extend(found.front, task, design, search.nominal, needs=needs, may_win=rule)
         left_out = found.left_out + grown.left_out
         found = _Found(_joined(design, grown.front), found.weighed + grown.weighed, left_out, found.proven)
         if later and beam is None and len(found.front) > MANY:

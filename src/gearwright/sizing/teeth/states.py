@@ -37,21 +37,24 @@ class Needs(NamedTuple):
     """Whose teeth."""
     groups: frozenset[str]
     """Whose modules are not settled yet."""
+    kept: int = 1
+    """How many of the lightest that leave the same; more than one only of whole combinations [-]."""
 
 
-def needs_of(later: Sequence[Task], design: Design) -> Needs:
+def needs_of(later: Sequence[Task], design: Design, *, kept: int = 1) -> Needs:
     """Return what stages that are still to come read of the choices before them.
 
     Args:
         later: Those stages.
         design: The design.
+        kept: How many of the lightest whole combinations are asked for [-].
     """
     owners = module_owners(design)
     tied = {name: pair.coaxial_with for name, pair in design.pairs.items() if pair.coaxial_with is not None}
     groups = {task.group for task in later} | {owners[name] for name in (*tied, *tied.values())}
     gears = {str(gear) for name in (*tied, *tied.values()) for gear in gears_of(name, design.pairs[name])}
     if not later:
-        return Needs(frozenset(), frozenset(gears), frozenset(groups))
+        return Needs(frozenset(), frozenset(gears), frozenset(groups), kept)
     shafts = {shaft for clutch in design.clutches.values() for shaft in (clutch.driving, clutch.driven)}
     shafts |= {shaft for epicyclic in design.epicyclics.values() for shaft in epicyclic.members}
     for task in later:
@@ -72,6 +75,8 @@ def lightest(front: Front, needs: Needs) -> Front:
         front: Choices, those of the fewest teeth first.
         needs: What the stages after them read.
     """
+    if needs.kept > 1:
+        return _several(front, needs.kept)
     state, mass = _states(front, needs), front.mass
     count = int(state.max()) + 1
     least = np.full(count, np.inf)
@@ -87,6 +92,18 @@ def lightest(front: Front, needs: Needs) -> Front:
     kept = front.take(chosen)
     tally: dict[str, Floats] = {"combinations": np.asarray(stands, dtype=float)[state[chosen]]}
     return replace(kept, tally={**tally, "second": second[state[chosen]]})
+
+
+def _several(front: Front, kept: int) -> Front:
+    """Return the lightest whole combinations of a front; the first of them stands for those that are left out."""
+    if len(front) <= kept:
+        return front
+    order = np.argsort(front.mass, kind="stable")
+    chosen = front.take(order[:kept])
+    combinations, second = chosen.tally["combinations"].copy(), chosen.tally["second"].copy()
+    combinations[0] += front.tally["combinations"][order[kept:]].sum()
+    second[0] = min(second[0], front.mass[order[kept]], front.tally["second"][order[kept:]].min())
+    return replace(chosen, tally={"combinations": combinations, "second": second})
 
 
 def _states(front: Front, needs: Needs) -> Ints:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.spec import Design, edited
-from gearwright.spec.design import SUN_LIMITS, Motor
+from gearwright.spec.design import SUN_LIMITS, Motor, Turbine
 from gearwright.spec.edit import Value
 from gearwright.train import speed_range
 from gearwright.units import RPM
@@ -58,6 +58,10 @@ def for_engine(
         speed = motor.speed * fast if along else _between(design, motor, motor.speed * math.sqrt(fast * slow), known)
         changes[f"motors.{name}.power_kw"] = motor.power * share / 1e3
         changes[f"motors.{name}.speed_rpm"] = speed / RPM
+    for name, engine in design.turbines.items():
+        changes |= _limits(f"turbines.{name}", engine, share, changes)
+    for name, motor in design.motors.items():
+        changes |= _limits(f"motors.{name}", motor, share, changes)
     for name, turned in design.airscrews.items():
         table = "propellers" if name in design.propellers else "rotors"
         changes[f"{table}.{name}.speed_rpm"] = turned.speed * slow / RPM
@@ -66,6 +70,20 @@ def for_engine(
             if drive.power is not None:
                 changes[f"cases.{case}.{machine}.power_kw"] = drive.power * share / 1e3
     return edited(design, changes)
+
+
+def _limits(path: str, engine: Turbine | Motor, share: float, changes: Mapping[str, Value]) -> dict[str, Value]:
+    """Return the limits of an engine, scaled as its power and its speed are."""
+    faster = float(str(changes[f"{path}.speed_rpm"])) * RPM / engine.speed
+    scaled: dict[str, Value] = {}
+    for name, limit in engine.limits.items():
+        if limit.power is not None:
+            scaled[f"{path}.limits.{name}.power_kw"] = limit.power * share / 1e3
+        if limit.torque is not None:
+            scaled[f"{path}.limits.{name}.torque_nm"] = limit.torque * share / faster
+        if limit.speed is not None:
+            scaled[f"{path}.limits.{name}.speed_rpm"] = limit.speed * faster / RPM
+    return scaled
 
 
 @verb

@@ -110,6 +110,12 @@ class TeethRules(Record):
         "equal", description="equal: stages share an open ratio equally (times ψ); optimal: as is lightest"
     )
     hunting: bool = Field(False, description="Ask for tooth numbers without a common factor")
+    sized: int = Field(
+        1,
+        ge=1,
+        le=1000,
+        description="How many combinations of the lightest gears are sized in full, to take the lightest",
+    )
 
     def largest_sun(self, otherwise: int = SUN_LIMITS[0]) -> int:
         """Return the largest tooth number of suns that is looked at [-].
