@@ -2,12 +2,10 @@
 
 import ast
 import re
-from pathlib import Path
 
 import pytest
+from sources import MODULES, breaking, tree
 
-ROOT = Path(__file__).parents[2] / "src" / "gearwright"
-MODULES = {str(path.relative_to(ROOT)): path for path in sorted(ROOT.rglob("*.py"))}
 TAKING_APART = {"startswith", "endswith", "partition", "rpartition", "split", "rsplit", "removeprefix", "removesuffix"}
 """Methods with which a text is taken apart."""
 ALLOWED = {
@@ -47,11 +45,11 @@ NAMED_BY_HAND = re.compile(r"\.(sun|planet|ring|pinion|wheel|carrier)\b|sun-plan
 """A piece of a label that `identity` makes."""
 
 
-def taken_apart(tree):
+def taken_apart(module):
     """Return the calls of a module that take a text apart, and its use of regular expressions."""
-    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)]
+    calls = [node for node in ast.walk(module) if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)]
     found = [ast.unparse(call) for call in calls if call.func.attr in TAKING_APART and not is_of_arrays(call)]
-    imports = [node for node in ast.walk(tree) if isinstance(node, ast.Import)]
+    imports = [node for node in ast.walk(module) if isinstance(node, ast.Import)]
     return found + [ast.unparse(node) for node in imports if any(alias.name == "re" for alias in node.names)]
 
 
@@ -60,32 +58,29 @@ def is_of_arrays(call):
     return isinstance(call.func.value, ast.Name) and call.func.value.id == "np"
 
 
-def made_by_hand(tree):
+def made_by_hand(module):
     """Return the pieces of f-strings of a module that are pieces of a label."""
-    joined = [node for node in ast.walk(tree) if isinstance(node, ast.JoinedStr)]
+    joined = [node for node in ast.walk(module) if isinstance(node, ast.JoinedStr)]
     pieces = [piece.value for node in joined for piece in node.values if isinstance(piece, ast.Constant)]
     return [piece for piece in pieces if NAMED_BY_HAND.search(piece)]
 
 
-def parsed(path):
-    return ast.parse(path.read_text(encoding="utf-8"))
+def outside(rooms):
+    """Return the modules that stand in none of some rooms."""
+    return {name: path for name, path in MODULES.items() if not name.startswith(rooms)}
 
 
-@pytest.mark.parametrize("name", MODULES)
-def test_no_label_is_taken_apart(name):
-    if not name.startswith(tuple(ALLOWED)):
-        assert taken_apart(parsed(MODULES[name])) == []
+def test_no_label_is_taken_apart():
+    assert breaking(lambda path: taken_apart(tree(path)), outside(tuple(ALLOWED))) == {}
 
 
-@pytest.mark.parametrize("name", MODULES)
-def test_labels_of_gears_meshes_and_carriers_are_made_in_one_place(name):
-    if not name.startswith(("identity.py", "spec/")):
-        assert made_by_hand(parsed(MODULES[name])) == []
+def test_labels_of_gears_meshes_and_carriers_are_made_in_one_place():
+    assert breaking(lambda path: made_by_hand(tree(path)), outside(("identity.py", "spec/"))) == {}
 
 
-@pytest.mark.parametrize("room", ALLOWED)
-def test_what_is_allowed_is_needed(room):
-    assert any(taken_apart(parsed(path)) for name, path in MODULES.items() if name.startswith(room))
+def test_what_is_allowed_is_needed():
+    needed = breaking(lambda path: taken_apart(tree(path)))
+    assert [room for room in ALLOWED if not any(name.startswith(room) for name in needed)] == []
 
 
 @pytest.mark.parametrize("text", ['name.partition(".")', 'line.startswith(f"{row}-")', "label.split()[0]", "import re"])
