@@ -69,7 +69,7 @@ class Task:
     torque: float
     """Largest nominal torque on the stage's reference gear, of one mesh or of all planets, K_γ included [N m]."""
     speed: float
-    """Nominal speed that belongs to it [rad/s]."""
+    """Nominal speed of the edge's fast shaft; where the teeth let it turn faster, the torque is less [rad/s]."""
     rolling: float
     """Nominal speed of pinion or sun against the carrier [rad/s]."""
     twin: str = ""

@@ -244,15 +244,15 @@ def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapp
     meshes = [mesh for mesh in train.meshes if mesh.stage == name]
     ring = edge is not None and edge.grounded is Role.SUN
     own_rows = meshes[1:] if ring else (meshes[:1] if isinstance(stage, Planetary) else meshes)
-    torque, speed, rolling = 0.0, 1.0, 1.0
+    torque, rolling = 0.0, 1.0
     for flow in flows.values():
         for mesh in own_rows:
             meshes_alike = 1 if isinstance(stage, Planetary) else mesh.count
             load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / meshes_alike * rating.load_factor
             if load > torque:
                 torque = load
-                speed = abs(flow.speeds[mesh.nodes[1 if ring else 0]])
                 rolling = abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])
+    speed = 1.0 if edge is None else nominal.speeds[edge.fast[0]]
     return Task(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling)
 
 
