@@ -79,7 +79,8 @@ class Calls:
 
         Args:
             fault: That they may notice.
-            budget: Time that all of them may take together [s]; the most telling ones come first.
+            budget: Time that all of them may take together [s]. First come those whose file imports from the faulty
+                module or its room, then those that compare every number of a design with golden ones.
         """
         file = f"{fault.module.removeprefix(f'{ROOT}.').replace('.', '/')}.py"
         own = [
@@ -97,9 +98,34 @@ class Calls:
         # A test that reads a constant calls nothing: its file has the name.
         named = fault.name and fault.function == "<module>"
         rank |= {test: -1 for test in self.seconds if named and fault.name in _text(test.partition("::")[0])}
-        tests = sorted(rank, key=lambda test: (rank[test], self.seconds[test]))
+        tests = sorted(rank, key=lambda test: (_distance(test, fault.module), rank[test], self.seconds[test]))
         spent = accumulate(self.seconds[test] for test in tests)
         return [test for test, time in zip(tests, spent, strict=True) if time <= budget]
+
+
+def _distance(test: str, module: str) -> int:
+    """Return how far a test is from a module: 0 if its file imports from it, 1 from its room, 2 golden, 3 any other."""
+    file = test.partition("::")[0]
+    imported = _imported(file)
+    if module in imported:
+        return 0
+    if module.rpartition(".")[0] in imported:
+        return 1
+    return 2 if file.startswith("tests/golden") else 3
+
+
+@cache
+def _imported(file: str) -> frozenset[str]:
+    """Return the modules that a file imports from, and those that it imports."""
+    nodes = [node for node in ast.walk(ast.parse(_text(file))) if isinstance(node, ast.Import | ast.ImportFrom)]
+    found: set[str] = set()
+    for node in nodes:
+        names = [alias.name for alias in node.names]
+        if isinstance(node, ast.ImportFrom):
+            found |= {node.module or "", *(f"{node.module}.{name}" for name in names)}
+        else:
+            found |= set(names)
+    return frozenset(found)
 
 
 @cache
