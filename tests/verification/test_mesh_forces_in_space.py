@@ -5,20 +5,17 @@ import math
 import numpy as np
 import pytest
 
-from gearwright.shipped import shipped_design, shipped_designs
-from gearwright.sizing import size
+import shipped_work
+from gearwright.shipped import shipped_designs
 from gearwright.sizing.loads import shaft_loads
 from gearwright.sizing.rating import context_of
-from gearwright.spec import read
 from mounted_designs import PAIR, ROTOR, sized
 
-SIZED = {name: size(read(shipped_design(name))) for name in shipped_designs()}
 
-
-@pytest.mark.parametrize("name", SIZED)
+@pytest.mark.parametrize("name", shipped_designs())
 def test_the_three_forces_of_a_mesh_make_the_normal_force_of_its_flank(name):
     """F_t² + F_r² + F_a² = (F_t/(cos α_n cos β))², also of bevel gears at the mean cone: rounding only."""
-    sizing = SIZED[name]
+    sizing = shipped_work.sized(name)
     helix = {gear.name: gear.helix_angle for gear in sizing.gears}
     shifted = {gear.stage for gear in sizing.gears if gear.profile_shift}
     for mesh in sizing.meshes:

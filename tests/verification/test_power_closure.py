@@ -2,14 +2,13 @@
 
 import pytest
 
-from gearwright.shipped import shipped_design, shipped_designs
-from gearwright.sizing import size
-from gearwright.spec import Case, Drive, case_named, cases_of, drives_of, parse, read
+from gearwright.shipped import shipped_designs
+from gearwright.spec import Case, Drive, case_named, cases_of, drives_of, parse
 from gearwright.train import build_train, power_flow
+from shipped_work import sized
 
 CLOSURE = 1e-12
 """Part of the supplied power that rounding may leave."""
-SIZED = {name: size(read(shipped_design(name))) for name in shipped_designs()}
 
 
 def machine_modes(design):
@@ -42,14 +41,14 @@ def reversed_drive(drive):
 
 @pytest.mark.parametrize("name", shipped_designs())
 def test_power_closes_in_every_case_of_every_shipped_design(name):
-    for flow in SIZED[name].flows.values():
+    for flow in sized(name).flows.values():
         assert flow.residual < CLOSURE
 
 
 @pytest.mark.parametrize("name", shipped_designs())
 def test_power_closes_backwards_in_every_case_that_lasts(name):
     """Freewheels made rigid: what drives is driven, and speeds stay what they are."""
-    sizing = SIZED[name]
+    sizing = sized(name)
     held = {
         key: clutch.model_copy(update={"kind": "engaged"}) if clutch.kind == "overrunning" else clutch
         for key, clutch in sizing.design.clutches.items()
@@ -70,7 +69,7 @@ def test_power_closes_backwards_in_every_case_that_lasts(name):
 @pytest.mark.parametrize("name", [name for name in shipped_designs() if name != "differential-hybrid"])
 def test_power_closes_when_machines_drive_alone_or_motors_generate(name, lossy):
     """A machine left out idles. Losses follow the direction of the power: no case makes any."""
-    sizing = SIZED[name]
+    sizing = sized(name)
     modes = machine_modes(sizing.design)
     design = sizing.design.model_copy(update={"cases": modes})
     efficiency = dict.fromkeys(design.stages, 0.99) if lossy else None
@@ -83,7 +82,7 @@ def test_power_closes_when_machines_drive_alone_or_motors_generate(name, lossy):
 
 
 def test_a_differential_closes_with_both_speeds_given_and_losses():
-    sizing = SIZED["differential-hybrid"]
+    sizing = sized("differential-hybrid")
     efficiency = dict.fromkeys(sizing.design.stages, 0.99)
     flow = power_flow(sizing.design, sizing.train, sizing.teeth, efficiency=efficiency)
     assert flow.residual < CLOSURE
@@ -126,5 +125,5 @@ def test_the_efficiency_of_a_planetary_set_is_the_closed_form(driving, driven, p
 
 
 def test_a_lossless_mesh_loses_nothing():
-    flow = SIZED["in-line-h2"].flows["rated"]
+    flow = sized("in-line-h2").flows["rated"]
     assert all(abs(mesh.loss) <= CLOSURE * abs(mesh.tooth_power) for mesh in flow.meshes.values())

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -30,10 +31,9 @@ from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import parse_mission, read, read_mission
 from gearwright.units import si_unit
+from shipped_work import flown as thesis
+from shipped_work import sized
 
-HYBRID = size(read(shipped_design("in-line-h2")))
-CONVENTIONAL = size(read(shipped_design("in-line")))
-THESIS = fly(HYBRID, read_mission(shipped_mission("thesis")))
 BASE = """
 schema = 1
 name = "test"
@@ -50,15 +50,15 @@ propeller_speed_rpm = 1212
 """
 
 
-def flown(text, sizing=HYBRID):
-    """Return a flight of a mission text."""
-    return fly(sizing, parse_mission(text))
+def flown(text, sizing=None):
+    """Return a flight of a mission text, of the hybrid if no sizing is given."""
+    return fly(sizing or sized(), parse_mission(text))
 
 
 def test_energy_closes_over_a_mission_with_every_mode():
     """Charge and speeds at the ends against powers summed over the way; 1e-9 is rounding of 533 intervals."""
-    assert THESIS.balance.residual < 1e-9
-    assert THESIS.balance.battery > 0.1 * THESIS.balance.fuel
+    assert thesis().balance.residual < 1e-9
+    assert thesis().balance.battery > 0.1 * thesis().balance.fuel
 
 
 def test_energy_closes_while_the_propeller_spins_up():
@@ -70,17 +70,17 @@ def test_energy_closes_while_the_propeller_spins_up():
 
 def test_powers_balance_in_every_interval():
     """Machines = propeller + meshes + bearings and windage + spin-up + dragged motors; 1e-9 of the power."""
-    h = THESIS.history
-    whole = sum(machine.power for machine in THESIS.machines.values())
+    h = thesis().history
+    whole = sum(machine.power for machine in thesis().machines.values())
     out = h.propeller_power + h.mesh_loss + h.bearing_loss + h.windage_loss + h.spin_up
-    dragged = np.array([phase in ("descent", "approach") for phase in THESIS.phase])
+    dragged = np.array([phase in ("descent", "approach") for phase in thesis().phase])
     assert whole[~dragged] == pytest.approx(out[~dragged], rel=1e-9)
     assert whole[dragged] == pytest.approx((out + h.motor_loss)[dragged], rel=1e-9)
 
 
 def test_a_loss_free_torque_follows_the_teeth():
     """The shaft torques of a lossless planetary train are in the ratio of its speeds; 2 % for the mesh losses."""
-    flight = flown(BASE.replace("power_kw = 900", "power_kw = 1000"), CONVENTIONAL)
+    flight = flown(BASE.replace("power_kw = 900", "power_kw = 1000"), sized("in-line"))
     propeller = flight.history.propeller_power / flight.history.propeller_speed
     turbine = flight.machines["gas-turbine"].power / flight.nodes["input"].speed
     ratio = flight.nodes["input"].speed / flight.history.propeller_speed
@@ -88,9 +88,9 @@ def test_a_loss_free_torque_follows_the_teeth():
 
 
 def test_the_propeller_holds_its_pitch_on_taxi():
-    taxi = np.array([phase == "taxi-out" for phase in THESIS.phase])
-    assert np.degrees(THESIS.history.pitch[taxi]) == pytest.approx(10.0, abs=1e-6)
-    assert THESIS.history.fuel_flow[taxi] == pytest.approx(0.0)
+    taxi = np.array([phase == "taxi-out" for phase in thesis().phase])
+    assert np.degrees(thesis().history.pitch[taxi]) == pytest.approx(10.0, abs=1e-6)
+    assert thesis().history.fuel_flow[taxi] == pytest.approx(0.0)
 
 
 def test_regeneration_charges_the_battery():
@@ -115,7 +115,7 @@ def windmill(tmp_path):
 def test_a_propeller_that_the_air_drives_charges_through_the_teeth_at_a_loss(windmill):
     """Propeller → gearbox → motor: the teeth lose in this sense, too, as much as at the same power in the other."""
     text, folder = windmill
-    flight = fly(HYBRID, parse_mission(text), folder=folder)
+    flight = fly(sized(), parse_mission(text), folder=folder)
     history, row = flight.history, phase_summaries(flight)[0]
     assert history.propeller_power.max() < -500e3
     assert history.mesh_loss.min() > 0.0
@@ -130,13 +130,13 @@ def test_a_propeller_that_the_air_drives_charges_through_the_teeth_at_a_loss(win
 def test_a_turbine_does_not_take_what_the_air_drives(windmill):
     text, folder = windmill
     with pytest.raises(DesignError, match="a turbine only gives"):
-        fly(HYBRID, parse_mission(text.replace("electric", "conventional")), folder=folder)
+        fly(sized(), parse_mission(text.replace("electric", "conventional")), folder=folder)
 
 
 def test_a_fast_propeller_loses_thrust_to_compressibility_as_its_charts_say():
     """The cruise of the thesis, Mach 0.52, by the method of the charts from its power: 0.963; 1e-4: the map's grid."""
-    h, k = THESIS.history, THESIS.phase.index("cruise") + 5
-    turns, diameter = h.propeller_speed[k] / (2 * np.pi), HYBRID.design.propellers["propeller"].diameter
+    h, k = thesis().history, thesis().phase.index("cruise") + 5
+    turns, diameter = h.propeller_speed[k] / (2 * np.pi), sized().design.propellers["propeller"].diameter
     power = h.propeller_power[k] / (h.air_density[k] * turns**3 * diameter**5)
     found = performance(hamilton_standard_charts(), MAPS["6-blades-af115"], h.advance_ratio[k],
                         power_coefficient=power, mach=h.mach[k])  # fmt: skip
@@ -161,7 +161,7 @@ def test_thrust_carries_the_weight_up_the_slope(turning):
     """
     aircraft = "[aircraft]\nmass_kg = 9000\nwing_area_m2 = 61\nzero_lift_drag = 0.028\ninduced_drag = 0.034\n"
     text = BASE.replace("power_kw = 900\n", "from_altitude_ft = 4000\n").replace("[engine]", aircraft + "[engine]")
-    flight = flown(text.replace("1212", str(turning)), CONVENTIONAL)
+    flight = flown(text.replace("1212", str(turning)), sized("in-line"))
     k, h = len(flight.phase) // 2, flight.history
     speed, slope = h.true_airspeed[k], 1000 * 0.3048 / 120 / h.true_airspeed[k]
     from gearwright.air import air_at
@@ -223,21 +223,21 @@ def test_a_full_battery_is_told_to_start_with_less(windmill):
     text, folder = windmill
     full = text.replace("start_charge = 0.5", "start_charge = 1")
     with pytest.raises(DesignError, match=r"full: .*\(maximum 1\); start with a lower start_charge, charge less"):
-        fly(HYBRID, parse_mission(full), folder=folder)
+        fly(sized(), parse_mission(full), folder=folder)
 
 
 def test_an_electric_phase_needs_a_motor():
     with pytest.raises(DesignError, match="the design has no motor"):
-        flown(BASE.replace("power_kw = 900", 'power_kw = 900\nmode = "electric"'), CONVENTIONAL)
+        flown(BASE.replace("power_kw = 900", 'power_kw = 900\nmode = "electric"'), sized("in-line"))
 
 
 def test_a_spectrum_keeps_every_second_and_every_turn():
     """Classes sort the flight and lose nothing; 1e-12 is rounding."""
-    for mesh in HYBRID.train.meshes:
-        bins = mesh_spectrum(THESIS, mesh.name)
-        assert sum(each.time for each in bins) == pytest.approx(THESIS.duration, rel=1e-12)
-    bins = shaft_spectrum(THESIS, "output", classes=10)
-    turns = (THESIS.nodes["output"].speed * THESIS.history.duration).sum() / (2 * np.pi)
+    for mesh in sized().train.meshes:
+        bins = mesh_spectrum(thesis(), mesh.name)
+        assert sum(each.time for each in bins) == pytest.approx(thesis().duration, rel=1e-12)
+    bins = shaft_spectrum(thesis(), "output", classes=10)
+    turns = (thesis().nodes["output"].speed * thesis().history.duration).sum() / (2 * np.pi)
     assert sum(each.turns for each in bins) == pytest.approx(turns, rel=1e-12)
     assert len(bins) <= 10
 
@@ -254,31 +254,31 @@ def test_damage_grows_with_the_time_under_load():
 
 
 def test_the_worst_gear_comes_first():
-    rows = gear_damage(THESIS)
+    rows = gear_damage(thesis())
     assert [row.damage for row in rows] == sorted((row.damage for row in rows), reverse=True)
-    assert len(rows) == 2 * len(HYBRID.gears)
+    assert len(rows) == 2 * len(sized().gears)
 
 
 def test_a_flight_is_told_in_words_numbers_and_histories():
-    parts = durability(THESIS)
-    told = flight_text(THESIS, parts, review_of(THESIS.sizing, THESIS, parts))
+    parts = durability(thesis())
+    told = flight_text(thesis(), parts, review_of(thesis().sizing, thesis(), parts))
     assert f"First to fail: {parts.parts[0].name}" in told
-    assert all(row.name in told for row in phase_summaries(THESIS))
-    table = flight_csv(THESIS).splitlines()
-    assert len(table) == len(THESIS.phase) + 1
+    assert all(row.name in told for row in phase_summaries(thesis()))
+    table = flight_csv(thesis()).splitlines()
+    assert len(table) == len(thesis().phase) + 1
     assert "bearing.second.planet" in table[0]
-    assert plain(fly_answer(THESIS, parts, review_of(THESIS.sizing, THESIS, parts)))["fuel_kg"] == THESIS.fuel
+    assert plain(fly_answer(thesis(), parts, review_of(thesis().sizing, thesis(), parts)))["fuel_kg"] == thesis().fuel
 
 
 def test_every_recorded_quantity_has_a_unit_and_every_loss_a_source():
     """CSV, JSON and figures take them from the marks of the fields."""
-    recorded = {series.name: series for series in flight_series(THESIS)}
+    recorded = {series.name: series for series in flight_series(thesis())}
     units = {name: si_unit(series.marks.dimension) for name, series in recorded.items()}
     assert units["propeller_speed"] == units["speed.output"] == "rad/s"
     assert units["air_temperature"] == units["oil_outlet"] == "K"
     assert units["power.electric"] == "W"
     assert all(series.marks.origin for name, series in recorded.items() if name.endswith("_loss"))
-    assert all(len(series.values) == len(THESIS.phase) for series in recorded.values())
+    assert all(len(series.values) == len(thesis().phase) for series in recorded.values())
     definitions = {}
     described(Moment, definitions)
     loss = definitions["History"]["properties"]["mesh_loss_kw"]
@@ -286,12 +286,12 @@ def test_every_recorded_quantity_has_a_unit_and_every_loss_a_source():
 
 
 def test_a_machine_has_a_torque_by_its_power_and_its_speed():
-    motor = THESIS.machines["electric"]
-    assert motor.torque * THESIS.speed("intermediate") == pytest.approx(motor.power, rel=1e-12)
+    motor = thesis().machines["electric"]
+    assert motor.torque * thesis().speed("intermediate") == pytest.approx(motor.power, rel=1e-12)
 
 
 def test_the_ground_stands_still_in_a_flight():
-    assert not THESIS.speed("ground").any()
+    assert not thesis().speed("ground").any()
 
 
 def test_lives_beyond_any_sense_are_not_printed_in_full():
@@ -304,7 +304,7 @@ def test_lives_beyond_any_sense_are_not_printed_in_full():
 def test_a_verdict_without_all_bearings_is_of_what_is_rated():
     """Without [bearings] the planets' bearings are unknown; with it, one that falls short is rated all the same."""
     assert verdict_text(durability(flown(BASE))).startswith("First to fail of what is rated: ")
-    parts = durability(THESIS)
+    parts = durability(thesis())
     assert parts.notes
     assert verdict_text(parts).startswith("First to fail: ")
 
@@ -336,17 +336,27 @@ def test_a_bath_for_a_gear_that_is_not_there_is_refused():
         flown(BASE.replace("[engine]", '[oil.dip]\n"third.ring" = 0.3\n[engine]'))
 
 
-TWIN = size(read(shipped_design("twin-engine-sprag")))
-BARE = {name: turbine.model_copy(update={"limits": {}}) for name, turbine in TWIN.design.turbines.items()}
-UNLIMITED = replace(TWIN, design=TWIN.design.model_copy(update={"turbines": BARE}))
+def twin():
+    """Return two engines on sprag clutches."""
+    return sized("twin-engine-sprag")
+
+
+@cache
+def unlimited():
+    """Return two engines on sprag clutches without limits by time."""
+    design = twin().design
+    bare = {name: turbine.model_copy(update={"limits": {}}) for name, turbine in design.turbines.items()}
+    return replace(twin(), design=design.model_copy(update={"turbines": bare}))
+
+
 """Its turbines have no limits for a time, so that ratings are all that they give."""
 ONE_OUT = BASE.replace("power_kw = 900", 'power_kw = 900\ninoperative = ["turbine-2"]')
 
 
 def test_one_engine_of_a_gearbox_stops_and_the_other_drives_alone():
     """The overrunning clutch lets go: the dead turbine stands still, gives nothing and burns nothing."""
-    flight = flown(ONE_OUT, TWIN)
-    both = flown(BASE, TWIN)
+    flight = flown(ONE_OUT, twin())
+    both = flown(BASE, twin())
     assert np.abs(flight.machines["turbine-2"].power).max() == 0.0
     assert flight.machines["turbine-1"].power == pytest.approx(
         sum(machine.power for machine in both.machines.values()), rel=1e-3
@@ -359,16 +369,18 @@ def test_a_contingency_rating_holds_only_while_an_engine_is_out():
     """1150 kW from one engine of 1046 kW: flown at a rating of 1.15 only; 1e-5 for the drag of one interval."""
     more = ONE_OUT.replace("power_kw = 900", "power_kw = 1150")
     with pytest.raises(DesignError, match="turbine-1: needs 1150 kW"):
-        flown(more, UNLIMITED)
+        flown(more, unlimited())
     rated = more.replace("thermal_power_kw = 2600", "thermal_power_kw = 2600\ncontingency = 1.15")
-    assert flown(rated, UNLIMITED).machines["turbine-1"].power.max() == pytest.approx(1150e3, rel=1e-5)
+    assert flown(rated, unlimited()).machines["turbine-1"].power.max() == pytest.approx(1150e3, rel=1e-5)
     with pytest.raises(DesignError, match="needs 1150 kW"):
-        flown(BASE.replace("power_kw = 900", "power_kw = 2300").replace("2600", "2600\ncontingency = 1.05"), UNLIMITED)
+        flown(
+            BASE.replace("power_kw = 900", "power_kw = 2300").replace("2600", "2600\ncontingency = 1.05"), unlimited()
+        )
 
 
 def test_a_contingency_rating_does_not_change_what_a_power_burns():
     rated = ONE_OUT.replace("thermal_power_kw = 2600", "thermal_power_kw = 2600\ncontingency = 1.15")
-    assert flown(rated, TWIN).fuel == pytest.approx(flown(ONE_OUT, TWIN).fuel, rel=1e-12)
+    assert flown(rated, twin()).fuel == pytest.approx(flown(ONE_OUT, twin()).fuel, rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -377,4 +389,4 @@ def test_a_contingency_rating_does_not_change_what_a_power_burns():
 )
 def test_machines_that_cannot_be_out_are_refused(given, expected):
     with pytest.raises(DesignError, match=expected):
-        flown(ONE_OUT.replace('["turbine-2"]', given), TWIN)
+        flown(ONE_OUT.replace('["turbine-2"]', given), twin())

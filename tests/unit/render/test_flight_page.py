@@ -1,6 +1,7 @@
 """The page of a flight: whole, alone, and the same each time."""
 
 import re
+from functools import cache
 
 import pytest
 
@@ -12,29 +13,31 @@ from gearwright.reviews import review_of
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import parse_mission, read, read_mission
+from shipped_work import flown, flown_review, lives
 
-FLIGHT = fly(size(read(shipped_design("in-line-h2"))), read_mission(shipped_mission("thesis")))
-LIVES = durability(FLIGHT)
-REVIEW = review_of(FLIGHT.sizing, FLIGHT, LIVES)
-PAGE = flight_page(FLIGHT, LIVES, REVIEW)
+
+@cache
+def page():
+    """Return the page of the flight."""
+    return flight_page(flown(), lives(), flown_review())
 
 
 def test_the_page_asks_nothing_of_any_other_place():
-    assert not re.search(r"(?:src|href)=[\"'](?!#)|url\((?!#)|@import", PAGE)
-    assert "<script" not in PAGE
+    assert not re.search(r"(?:src|href)=[\"'](?!#)|url\((?!#)|@import", page())
+    assert "<script" not in page()
 
 
 def test_the_page_answers_what_a_reader_asks_first():
     for words in ("375 kg", "498 kWh", "105 °C", "First to fail: bearing of first.planet", "after 531 flights"):
-        assert words in PAGE
+        assert words in page()
 
 
 def test_the_page_is_the_same_each_time():
-    assert flight_page(FLIGHT, LIVES, REVIEW) == PAGE
+    assert flight_page(flown(), lives(), flown_review()) == page()
 
 
 def test_every_id_is_there_once():
-    ids = re.findall(r'\bid="([^"]+)"', PAGE)
+    ids = re.findall(r'\bid="([^"]+)"', page())
     assert len(ids) == len(set(ids))
 
 
@@ -80,7 +83,7 @@ def test_a_flight_that_only_charges_has_a_page(tmp_path):
         'schema = 1\nname = "descent"\npropeller_map = "own.csv"\n[battery]\nenergy_kwh = 300\nstart_charge = 0.5\n'
         f"[phases.down]\n{words}\npropeller_speed_rpm = 1212"
     )
-    flight = fly(FLIGHT.sizing, mission, folder=tmp_path)
+    flight = fly(flown().sizing, mission, folder=tmp_path)
     page = flight_page(flight, durability(flight), review_of(flight.sizing, flight))
     assert "from the air" in page
     assert "charge of the battery" in page

@@ -3,13 +3,13 @@
 import html
 import io
 import re
+from functools import cache
 
 import pytest
 from rich.console import Console
 
 from gearwright.checks import Check, Status
 from gearwright.identity import Kind, PartId
-from gearwright.mission import durability, fly
 from gearwright.render.figures.sizing import margin_figure
 from gearwright.render.pages.comparison import comparison
 from gearwright.render.pages.flight import flight_page
@@ -20,21 +20,23 @@ from gearwright.render.words.flight import flight_text
 from gearwright.render.words.headline import energy_text, headline, sizing_headline
 from gearwright.render.words.review import review_text
 from gearwright.reviews import Review, review_of
-from gearwright.shipped import shipped_design, shipped_mission
+from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.spec import parse, parse_study, read, read_mission
+from gearwright.spec import parse, parse_study, read
 from gearwright.study import run
+from shipped_work import flown, flown_review, ground_review, lives, sized
 
 DESIGN = read(shipped_design("in-line-h2"))
-SIZING = size(DESIGN)
-FLIGHT = fly(SIZING, read_mission(shipped_mission("thesis")))
-LIVES = durability(FLIGHT)
-GROUND, FLOWN = review_of(SIZING), review_of(SIZING, FLIGHT, LIVES)
 STUDY = parse_study(
     'schema = 1\nname = "one"\ndesigns = ["in-line-h2"]\nresults = ["review.worst", "review.margin", "review.verdict",'
     ' "mass", "worst_margin"]\n[objectives]\nmass = "minimum"\n'
 )
-TABLE = run(STUDY, {"in-line-h2": DESIGN})
+
+
+@cache
+def table():
+    """Return the one row of the study."""
+    return run(STUDY, {"in-line-h2": DESIGN})
 
 
 def plain(shown):
@@ -55,42 +57,42 @@ def shows(page, reviewed):
 
 
 PAGES = {
-    "review": lambda: plain(review_text(GROUND)),
-    "report": lambda: report(SIZING, review=GROUND),
-    "comparison": lambda: comparison(TABLE, {"in-line-h2": SIZING}, {"in-line-h2": GROUND}),
-    "study page": lambda: study_page(STUDY, TABLE, {"in-line-h2": DESIGN}),
+    "review": lambda: plain(review_text(ground_review())),
+    "report": lambda: report(sized(), review=ground_review()),
+    "comparison": lambda: comparison(table(), {"in-line-h2": sized()}, {"in-line-h2": ground_review()}),
+    "study page": lambda: study_page(STUDY, table(), {"in-line-h2": DESIGN}),
 }
 FLOWN_PAGES = {
-    "review": lambda: plain(review_text(FLOWN)),
-    "fly": lambda: flight_text(FLIGHT, LIVES, FLOWN),
-    "flight page": lambda: flight_page(FLIGHT, LIVES, FLOWN),
+    "review": lambda: plain(review_text(flown_review())),
+    "fly": lambda: flight_text(flown(), lives(), flown_review()),
+    "flight page": lambda: flight_page(flown(), lives(), flown_review()),
 }
 
 
 @pytest.mark.parametrize("page", PAGES)
 def test_pages_without_a_mission_show_the_worst_entry_of_the_review(page):
-    assert shows(PAGES[page](), GROUND)
+    assert shows(PAGES[page](), ground_review())
     assert "worst margin 1.000" not in said(PAGES[page]())
 
 
 @pytest.mark.parametrize("page", FLOWN_PAGES)
 def test_pages_of_a_flight_show_the_worst_entry_of_the_flown_review(page):
-    assert shows(FLOWN_PAGES[page](), FLOWN)
-    assert not shows(FLOWN_PAGES[page](), GROUND)
+    assert shows(FLOWN_PAGES[page](), flown_review())
+    assert not shows(FLOWN_PAGES[page](), ground_review())
 
 
 def test_a_study_gives_the_worst_entry_by_name():
-    (row,) = TABLE.rows
-    assert row.results["review.worst"].value == GROUND.worst.name
-    assert row.results["review.margin"].value == GROUND.worst.margin
-    assert row.results["review.verdict"].value == str(GROUND.verdict)
+    (row,) = table().rows
+    assert row.results["review.worst"].value == ground_review().worst.name
+    assert row.results["review.margin"].value == ground_review().worst.margin
+    assert row.results["review.verdict"].value == str(ground_review().verdict)
 
 
 def test_a_sizing_says_what_it_did_not_look_at():
-    told = sizing_headline(SIZING)
+    told = sizing_headline(sized())
     assert told.startswith("27 sizing checks pass, the worst: ")
     assert told.endswith("peaks, resonances and lives: gearwright review")
-    assert " ".join(told.split()) in " ".join(said(report(SIZING)).split())
+    assert " ".join(told.split()) in " ".join(said(report(sized())).split())
 
 
 def test_a_headline_counts_what_fails_what_is_waived_and_what_is_open():
@@ -132,4 +134,4 @@ def test_the_review_of_a_case_can_still_be_asked_after_a_study_had_results_of_re
     """A module loaded on the way, named as the function, once took its place."""
     from gearwright.study import cases
 
-    assert TABLE.rows[0].results["review.worst"].value == cases.reviewed(STUDY, DESIGN, {})[1].worst.name
+    assert table().rows[0].results["review.worst"].value == cases.reviewed(STUDY, DESIGN, {})[1].worst.name

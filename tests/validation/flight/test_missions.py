@@ -7,21 +7,19 @@ from gearwright.mission import fly, phase_summaries
 from gearwright.shipped import shipped_design, shipped_mission
 from gearwright.sizing import size
 from gearwright.spec import parse, parse_mission, read, read_mission
-
-HYBRID = size(read(shipped_design("in-line-h2")))
-FLIGHT = fly(HYBRID, read_mission(shipped_mission("thesis")))
+from shipped_work import flown
 
 
 def phase(name):
     """Return the intervals of a phase."""
-    return np.array([each == name for each in FLIGHT.phase])
+    return np.array([each == name for each in flown().phase])
 
 
 def test_green_taxi_leaves_the_first_stage_without_force():
     """Pulvirenti 2023, §4.2.1: the motor drives behind stage 1, whose forces are zero; 1e-9 of the cruise force."""
-    cruise = np.abs(FLIGHT.meshes["first.sun-planet"].force[phase("cruise")]).max()
-    assert np.abs(FLIGHT.meshes["first.sun-planet"].force[phase("taxi-out")]).max() < 1e-9 * cruise
-    assert np.abs(FLIGHT.meshes["second.sun-planet"].force[phase("taxi-out")]).min() > 0.0
+    cruise = np.abs(flown().meshes["first.sun-planet"].force[phase("cruise")]).max()
+    assert np.abs(flown().meshes["first.sun-planet"].force[phase("taxi-out")]).max() < 1e-9 * cruise
+    assert np.abs(flown().meshes["second.sun-planet"].force[phase("taxi-out")]).min() > 0.0
 
 
 def test_cruise_has_the_torque_ratios_of_the_thesis():
@@ -31,17 +29,17 @@ def test_cruise_has_the_torque_ratios_of_the_thesis():
     motor on the same shaft 6.45 T_GT.
     """
     k = int(np.flatnonzero(phase("cruise"))[0])
-    turbine = FLIGHT.machines["gas-turbine"].power[k] / FLIGHT.nodes["input"].speed[k]
-    motor = FLIGHT.machines["electric"].power[k] / FLIGHT.nodes["intermediate"].speed[k]
-    output = FLIGHT.history.propeller_power[k] / FLIGHT.nodes["output"].speed[k]
+    turbine = flown().machines["gas-turbine"].power[k] / flown().nodes["input"].speed[k]
+    motor = flown().machines["electric"].power[k] / flown().nodes["intermediate"].speed[k]
+    output = flown().history.propeller_power[k] / flown().nodes["output"].speed[k]
     assert motor / turbine == pytest.approx(2.0, abs=0.1)
-    assert FLIGHT.nodes["intermediate"].torque[k] / turbine == pytest.approx(6.0, abs=0.5)
+    assert flown().nodes["intermediate"].torque[k] / turbine == pytest.approx(6.0, abs=0.5)
     assert output / turbine > 20.0
 
 
 def test_cruise_is_313_knots_at_mach_052():
     """Pulvirenti 2023, figure 4.1; Saint-Venant gives M 0.520 at FL250 (printed digit)."""
-    assert FLIGHT.history.mach[phase("cruise")] == pytest.approx(0.520, abs=5e-4)
+    assert flown().history.mach[phase("cruise")] == pytest.approx(0.520, abs=5e-4)
 
 
 def test_two_planetary_stages_lose_about_half_a_percent_each_at_power():
@@ -50,7 +48,7 @@ def test_two_planetary_stages_lose_about_half_a_percent_each_at_power():
     The OH-58A's whole transmission, a bevel stage, accessories and pumps more, measured 98.3 to 98.8 % (Coy,
     Mitchell and Hamrock 1987); a gear train alone must not lie below it.
     """
-    cruise = next(row for row in phase_summaries(FLIGHT) if row.name == "cruise")
+    cruise = next(row for row in phase_summaries(flown()) if row.name == "cruise")
     assert 0.984 < cruise.efficiency < 0.996
 
 
