@@ -10,7 +10,7 @@ have no seat here unless the design gives them bearings.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -25,7 +25,7 @@ from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.sizing.rolling import planet_push
 from gearwright.spec import GROUND, Design
 from gearwright.spec.design import BearingSeat
-from gearwright.train import INTERNAL, Mesh, MeshFlow, PowerFlow
+from gearwright.train import INTERNAL, Mesh, PowerFlow
 from gearwright.units import Force, Length
 
 ENDS = ("first", "second")
@@ -104,10 +104,11 @@ def _unit_loads(sizing: Sizing) -> Context:
 
 def _unit(sizing: Sizing, rated: PowerFlow, loaded: Mesh, sign: int) -> PowerFlow:
     """Return a flow in which one row of meshes carries ±1 N m on gear a of each single mesh, without losses."""
-    meshes = {mesh.name: MeshFlow(mesh.name, 0.0, (0.0, 0.0, 0.0), 0.0, 0.0) for mesh in sizing.train.meshes}
+    meshes = {name: replace(flow, torques=(0.0, 0.0, 0.0)) for name, flow in rated.meshes.items()}
     torque = sign * loaded.count
     ratio = loaded.sign * sizing.teeth[loaded.gears[1]] / sizing.teeth[loaded.gears[0]]
-    meshes[loaded.name] = MeshFlow(loaded.name, 0.0, (torque, -torque * ratio, torque * (ratio - 1.0)), 0.0, 0.0)
+    torques = (torque, -torque * ratio, torque * (ratio - 1.0))
+    meshes[loaded.name] = replace(rated.meshes[loaded.name], torques=torques)
     return PowerFlow("", rated.speeds, {}, {}, meshes)
 
 
