@@ -98,7 +98,7 @@ def _sized(
         shaft=shaft,
         case=worst.case,
         torque=torque,
-        tangential_force=worst.tangential,
+        tangential_force=abs(worst.tangential),
         centrifugal_force=worst.centrifugal,
         radial_force=worst.radial,
         pin_force=worst.pin,

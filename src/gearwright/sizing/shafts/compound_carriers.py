@@ -18,7 +18,7 @@ class PinLoad(NamedTuple):
     case: str
     body: str
     tangential: float
-    """From its teeth, around the axis of the carrier [N]."""
+    """From its teeth, around the axis of the carrier, signed as torques are [N]."""
     radial: float
     """From its teeth, outwards [N]."""
     centrifugal: float
@@ -46,24 +46,30 @@ def pin_loads(context: Context, name: str, gears: Mapping[str, GearSizing]) -> l
             mass = sum(gears[step].mass for step in epicyclic.planets if epicyclic.body(step) == body)
             outwards = mass * speed**2 * place
             force = teeth[body] / place * abs(place)
-            loads.append(PinLoad(case, body, abs(force.imag), force.real, abs(outwards), abs(teeth[body] + outwards)))
+            loads.append(PinLoad(case, body, force.imag, force.real, abs(outwards), abs(teeth[body] + outwards)))
     return loads
 
 
 def _tooth_forces(
     context: Context, name: str, gears: Mapping[str, GearSizing], pins: Mapping[str, complex], flow: PowerFlow
 ) -> dict[str, complex]:
-    """Return the force of all teeth on each planet body of one set [N]."""
+    """Return the force of all teeth on each planet body of one set [N].
+
+    Both gears of a mesh bear one force. Its moment about the carrier's axis, of the two pins that it ends in, is what
+    the mesh puts on the carrier: so it balances with the losses, with which neither gear's own torque does.
+    """
     epicyclic, rating = context.design.epicyclics[name], context.ratings[name]
     forces = dict.fromkeys(pins, 0j)
     parts = {gear.name: own for own, gear in gears.items()}
     for mesh in (mesh for mesh in context.train.meshes if mesh.stage == name):
-        for end in (0, 1):
-            own, mate = parts[mesh.gears[end]], parts[mesh.gears[1 - end]]
-            if own in epicyclic.planets:
-                torque = flow.meshes[mesh.name].torques[end] / mesh.count * rating.load_factor
-                tangential = torque / (gears[own].pitch_diameter / 2.0)
-                separating = -abs(tangential) * math.tan(rating.rules.pressure_angle)
-                force = towards(epicyclic, pins, own, mate) * (1j * tangential + separating)
-                forces[epicyclic.body(own)] += force
+        first, second = (parts[gear] for gear in mesh.gears)
+        bodies = [epicyclic.body(own) if own in epicyclic.planets else "" for own in (first, second)]
+        here, there = (pins.get(body, 0j) for body in bodies)
+        moment = flow.meshes[mesh.name].torques[2] / mesh.count * rating.load_factor
+        tangential = moment / abs(here - there)
+        separating = abs(tangential) * math.tan(rating.rules.pressure_angle)
+        around = 1j * (here - there) / abs(here - there) * tangential
+        for body, own, mate, sense in ((bodies[0], first, second, 1.0), (bodies[1], second, first, -1.0)):
+            if body:
+                forces[body] += sense * around - separating * towards(epicyclic, pins, own, mate)
     return forces
