@@ -18,6 +18,7 @@ from gearwright.dynamics.model import (
     entry_matrix,
     finite_numbers,
     line_matrix,
+    refuse_following,
     refuse_not_finite,
 )
 from gearwright.errors import SolveError
@@ -55,6 +56,7 @@ def statics(system: System, *, time: float = 0.0, balance: Balance = "required")
         SolveError: If loads do not balance on a motion that no line holds, or push bodies away from all that could hold
             them; with that motion.
     """
+    refuse_following(system)
     with finite_numbers(system):
         equilibrium = _equilibrium(system, time, balance)
     refuse_not_finite(equilibrium.position, system.labels.coordinates, "static position")

@@ -33,13 +33,16 @@ from gearwright.dynamics.model.drives import (
     drive_effects,
     points_of,
 )
+from gearwright.dynamics.model.elastic_body import Placed
 from gearwright.dynamics.model.family import check_structure, envelope, own_groups, stacked, weight_numbers
-from gearwright.dynamics.model.finite import check_finite, finite_numbers, refuse_not_finite
+from gearwright.dynamics.model.finite import check_finite, finite_numbers, refuse_following, refuse_not_finite
 from gearwright.dynamics.model.flatten import profile_of
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Model
 from gearwright.dynamics.model.planetary import PIN, add_planetary
 from gearwright.dynamics.model.planetary_set import Member, PlanetarySet, PlanetError, rotational
+from gearwright.dynamics.model.rotor import Disc, Rotor, add_rotor
+from gearwright.dynamics.model.rotor_joints import Bearing, GearContact, add_bearing, add_gear_contact
 from gearwright.dynamics.model.system import (
     NOBODY,
     Arrays,
@@ -74,14 +77,17 @@ __all__ = [
     "TORQUE",
     "Acting",
     "Arrays",
+    "Bearing",
     "Carried",
     "ClutchDrive",
     "Contact",
     "Curve",
     "DampingRatio",
+    "Disc",
     "Drives",
     "Entries",
     "Excitation",
+    "GearContact",
     "Labels",
     "Line",
     "MachineDrive",
@@ -89,17 +95,22 @@ __all__ = [
     "Model",
     "Owner",
     "Periodic",
+    "Placed",
     "PlanetError",
     "PlanetarySet",
     "Profile",
     "PropellerDrive",
+    "Rotor",
     "Schedules",
     "Segment",
     "Series",
     "System",
     "Tone",
     "Turns",
+    "add_bearing",
+    "add_gear_contact",
     "add_planetary",
+    "add_rotor",
     "bending_shaft",
     "check_finite",
     "check_structure",
@@ -116,6 +127,7 @@ __all__ = [
     "points_of",
     "profile_of",
     "push_direction",
+    "refuse_following",
     "refuse_not_finite",
     "rotational",
     "shift_weights",

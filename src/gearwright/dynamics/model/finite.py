@@ -32,7 +32,7 @@ def refuse_not_finite(values: ArrayLike, parts: Sequence[str], what: str) -> Non
 
 
 def check_finite(system: System) -> None:
-    """Refuse a system with numbers that are not finite.
+    """Refuse a system that cannot be run: with numbers that are not finite, or with forces that have no potential.
 
     Args:
         system: As assembled, or built by hand.
@@ -40,6 +40,25 @@ def check_finite(system: System) -> None:
     Raises:
         SolveError: With the part whose number it is.
     """
+    refuse_following(system)
+    _check_numbers(system)
+
+
+def refuse_following(system: System) -> None:
+    """Refuse unequal cross terms of bearings, which the linear verbs alone know.
+
+    Args:
+        system: As built.
+
+    Raises:
+        SolveError: If there are such terms.
+    """
+    if any(len(entries.value) for entries in system.arrays.following):
+        message = "bearings have unequal cross terms (k_xy and k_yx): campbell and frequency_response know them"
+        raise SolveError(f"{message}; give equal ones for statics and runs")
+
+
+def _check_numbers(system: System) -> None:
     arrays, labels = system.arrays, system.labels
     for what, values, parts in (
         ("mass or inertia", np.where(arrays.mass > 0.0, arrays.mass, np.nan), labels.coordinates),
@@ -62,7 +81,7 @@ def finite_numbers(system: System) -> Iterator[None]:
     Raises:
         SolveError: If a number is not finite, with its part; if the equations have no solution.
     """
-    check_finite(system)
+    _check_numbers(system)
     try:
         # What overflows is refused with its part when it comes out.
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):

@@ -62,6 +62,7 @@ def flatten(model: Written) -> System:
         loads=_loads(model.loads, index),
         profile=profile_of(model.profile),
         drives=encoded(model.drives, index, speed),
+        following=(_following(model, index, "stiffness"), _following(model, index, "damping")),
     )
     return System(arrays, _labels(model, tones))
 
@@ -164,6 +165,19 @@ def _gyroscopic(pairs: Sequence[Pair], mass: Floats, index: Mapping[str, int]) -
         moment = -2.0 * float(mass[x]) * pair.frame_speed if pair.moment is None else pair.moment
         row, column, value = [*row, x, y], [*column, y, x], [*value, moment, -moment]
     return Entries(_ints(row), _ints(column), np.array(value, dtype=float))
+
+
+def _following(model: Written, index: Mapping[str, int], what: str) -> Entries:
+    size = len(index)
+    matrix = np.zeros((size, size))
+    for film in model.following:
+        x, y = np.zeros(size), np.zeros(size)
+        for vector, motion in ((x, film.x), (y, film.y)):
+            for name, weight in motion.items():
+                vector[index[name]] += weight
+        matrix += getattr(film, what) * (np.outer(x, y) - np.outer(y, x))
+    row, column = np.nonzero(matrix)
+    return Entries(row.astype(np.int64), column.astype(np.int64), matrix[row, column])
 
 
 def _centripetal(pairs: Sequence[Pair], mass: Floats, index: Mapping[str, int]) -> Entries:

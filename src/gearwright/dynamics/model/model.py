@@ -16,7 +16,7 @@ from gearwright.dynamics.model.drives import Drive
 from gearwright.dynamics.model.flatten import flatten
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.system import NOBODY, Owner, System
-from gearwright.dynamics.model.written import Body, Load, Order, Pair, Written
+from gearwright.dynamics.model.written import Body, Following, Load, Order, Pair, Written
 
 
 @dataclass
@@ -37,6 +37,8 @@ class Model:
     """Propellers, machines and slipping clutches."""
     orders: list[Order] = field(default_factory=list)
     """Excitations that no line makes."""
+    follows: list[Following] = field(default_factory=list)
+    """Unsymmetric terms of bearings."""
 
     def rotation(self, name: str, *, inertia: float, speed: float | None = None, owner: Owner = NOBODY) -> str:
         """Add a rotation θ and return its name.
@@ -195,6 +197,19 @@ class Model:
         """
         self.orders.append(Order(name, turns, on, why, owner))
 
+    def following(self, x: Mapping[str, float], y: Mapping[str, float], *, stiffness: float, damping: float) -> None:
+        """Add what a turning film does to a journal: F_x = −k y − c ẏ, F_y = +k x + c ẋ.
+
+        It is in `campbell` and `frequency_response`; runs and statics, which need a potential, refuse it.
+
+        Args:
+            x: Motion along x, by coordinates.
+            y: Motion along y.
+            stiffness: k = ½ (k_xy − k_yx) [N/m].
+            damping: c = ½ (c_xy − c_yx) [N s/m].
+        """
+        self.follows.append(Following(x, y, stiffness, damping))
+
     def rotating_frame(self, x: str, y: str, *, speed: float) -> None:
         """Write two translations of one mass in a frame that turns: Coriolis and centripetal terms.
 
@@ -223,7 +238,18 @@ class Model:
         Raises:
             DesignError: With every problem: names, inertias, stiffness, phases, speeds that do not fit together.
         """
-        return flatten(Written(self.bodies, self.lines, self.loads, self.pairs, self.profile, self.drives, self.orders))
+        return flatten(
+            Written(
+                self.bodies,
+                self.lines,
+                self.loads,
+                self.pairs,
+                self.profile,
+                self.drives,
+                self.orders,
+                self.follows,
+            )
+        )
 
 
 def _between(first: str, second: str) -> dict[str, float]:

@@ -45,6 +45,10 @@ class Entries(NamedTuple):
     """Value at the reference speeds, shape (entries,)."""
 
 
+NOTHING = Entries(np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64), np.zeros(0))
+"""No entry."""
+
+
 class Schedules(NamedTuple):
     """Loads that are piecewise linear in time, in compressed rows; held before the first and after the last point."""
 
@@ -130,6 +134,8 @@ class Arrays(NamedTuple):
     """Speed factor against time."""
     drives: Drives
     """Propellers, machines and slipping clutches."""
+    following: tuple[Entries, Entries] = (NOTHING, NOTHING)
+    """Unsymmetric stiffness [N/m] and damping [N s/m] of bearings: force = −K q − C q̇, whatever the speed."""
 
 
 class Tone(NamedTuple):

@@ -71,6 +71,19 @@ class Order(NamedTuple):
     """Whose it is."""
 
 
+class Following(NamedTuple):
+    """What a turning film does to a journal: force along x from a motion along y, and back with the other sign."""
+
+    x: Mapping[str, float]
+    """Motion along x."""
+    y: Mapping[str, float]
+    """Motion along y."""
+    stiffness: float
+    """½ (k_xy − k_yx) [N/m]."""
+    damping: float
+    """½ (c_xy − c_yx) [N s/m]."""
+
+
 class Written(NamedTuple):
     """A whole model."""
 
@@ -88,6 +101,8 @@ class Written(NamedTuple):
     """Propellers, machines, slipping clutches."""
     orders: Sequence[Order] = ()
     """Excitations that no line makes."""
+    following: Sequence[Following] = ()
+    """Unsymmetric terms of bearings."""
 
 
 def problems(model: Written) -> list[Problem]:

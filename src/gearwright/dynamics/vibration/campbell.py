@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from gearwright.arrays import Complexes, Floats
+from gearwright.arrays import Floats
 from gearwright.dynamics.equations import DampedModes, damped_modes, linear
-from gearwright.dynamics.model import Excitation, System, Tone, finite_numbers, refuse_not_finite
+from gearwright.dynamics.model import Excitation, System, Tone, entry_matrix, finite_numbers, refuse_not_finite
 from gearwright.dynamics.vibration.sequences import numbers
 from gearwright.errors import DesignError, Problem
 from gearwright.showing import Shown, frame
@@ -59,6 +59,9 @@ class Campbell(Shown):
     """Damped natural frequencies [Hz], shape (speeds, modes)."""
     damping: Floats
     """Damping ratios [-], shape (speeds, modes)."""
+    whirl: Floats
+    """How far gyroscopic terms raise each frequency, dω/ω over dΩ/Ω [-], shape (speeds, modes): positive for forward
+    whirl, negative for backward whirl, zero for modes that do not turn."""
     orders: tuple[Order, ...]
     """What excites."""
     crossings: tuple[Crossing, ...]
@@ -105,25 +108,35 @@ def campbell(system: System, factors: Sequence[float] | Floats = FACTORS) -> Cam
     if len(speeds) < 2 or np.any(np.diff(speeds) <= 0.0):
         raise DesignError([Problem("factors", f"give at least two rising speeds; given {speeds.tolist()}")])
     with finite_numbers(system):
-        table = np.array(_tracked(system, speeds), dtype=np.complex128)
+        tracked = _tracked(system, speeds)
+        table = np.array([modes.rate for modes in tracked], dtype=np.complex128)
     modes = [f"mode {number}" for number in range(1, 1 + table.shape[1])]
     refuse_not_finite(table, modes, "frequency")
     frequency, orders = table.imag / (2.0 * np.pi), tuple(_orders(system))
     damping = -table.real / np.abs(table)
+    whirl = np.array([_whirl(system, at, factor) for at, factor in zip(tracked, speeds.tolist(), strict=True)])
     crossings = sorted(_crossings(speeds, frequency, orders), key=lambda crossing: crossing.factor)
-    return Campbell(speeds, frequency, damping, orders, tuple(crossings))
+    return Campbell(speeds, frequency, damping, whirl, orders, tuple(crossings))
 
 
-def _tracked(system: System, speeds: Floats) -> list[Complexes]:
-    """Return eigenvalues at each speed, each mode in its own column."""
-    modes = damped_modes(linear(system.arrays, float(speeds[0])))
-    rows = [modes.rate]
+def _tracked(system: System, speeds: Floats) -> list[DampedModes]:
+    """Return the modes at each speed, each in its own place."""
+    rows = [damped_modes(linear(system.arrays, float(speeds[0])))]
     for factor in speeds[1:].tolist():
         later = damped_modes(linear(system.arrays, factor))
-        order = _pairing(system.arrays.mass, modes, later)
-        modes = DampedModes(later.rate[order], later.shape[:, order])
-        rows.append(modes.rate)
+        order = _pairing(system.arrays.mass, rows[-1], later)
+        rows.append(DampedModes(later.rate[order], later.shape[:, order]))
     return rows
+
+
+def _whirl(system: System, modes: DampedModes, factor: float) -> Floats:
+    """Return how far gyroscopic terms raise each frequency at one speed [-].
+
+    Source: derivative of λ² M + λ s G + K by s at a mode of unit length in M: dω/ds = Im(φᴴ G φ)/(−2).
+    """
+    turning = entry_matrix(system.arrays.gyroscopic, len(system.arrays.mass))
+    shares = np.einsum("am,ab,bm->m", modes.shape.conj(), turning, modes.shape, optimize=True)
+    return np.asarray(-0.5 * factor * shares.imag / np.abs(modes.rate))
 
 
 def _pairing(mass: Floats, before: DampedModes, after: DampedModes) -> list[int]:

@@ -1,0 +1,147 @@
+"""An elastic body by its mass and stiffness matrices, written as its own modes, so that the system's mass is diagonal.
+
+With M Φ = K Φ ω⁻² and Φᵀ M Φ = m I its coordinates p have the mass m each and are held by m ω²; points of the body
+move by u = Φ p, exactly, if all modes are kept. A shaft is such a body, and so is a housing that was reduced elsewhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.dynamics.model.line import DampingRatio, Line
+from gearwright.dynamics.model.model import Model
+from gearwright.errors import by_name
+
+RIGID = 1e-11
+"""ω² over the largest one of a body below which a mode is rigid [-]."""
+
+Motion = Mapping[str, float]
+"""Coordinate -> its weight in a displacement or a rotation."""
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A body in a model: how its points move."""
+
+    name: str
+    """As it was added."""
+    motions: Mapping[str, Motion]
+    """Point and direction, such as ``3 x`` -> its motion by coordinates of the model."""
+
+    def motion(self, point: str) -> Motion:
+        """Return how a point moves, as weights for `Model.mesh` or `Line`.
+
+        Args:
+            point: Such as ``3 x`` of a shaft, or as the file of a housing names it.
+
+        Raises:
+            DesignError: If there is no such point.
+        """
+        return by_name(point, self.motions, f"point of {self.name}")
+
+    def at(self, place: int | str) -> dict[str, Motion]:
+        """Return how a station or a seat moves, by direction: what bearings and meshes join.
+
+        Args:
+            place: Station of a shaft, or the name of a seat.
+
+        Raises:
+            DesignError: If there is no such place.
+        """
+        places = {point.partition(" ")[0]: point for point in self.motions}
+        by_name(str(place), places, f"place of {self.name}")
+        here = f"{place} "
+        return {point.removeprefix(here): motion for point, motion in self.motions.items() if point.startswith(here)}
+
+
+class ModalBasis(NamedTuple):
+    """Modes of a body, rigid ones first."""
+
+    square: Floats
+    """ω² [1/s²], shape (modes,); zero for rigid ones."""
+    shapes: Floats
+    """Φ, shape (coordinates, modes), of modal mass m each."""
+    mass: float
+    """m [kg or kg m²]."""
+
+
+def modal_basis(mass: Floats, stiffness: Floats, *, modal_mass: float, highest: float | None = None) -> ModalBasis:
+    """Return the modes of a body.
+
+    Args:
+        mass: M, symmetric and positive definite [kg …].
+        stiffness: K, symmetric and positive semi-definite [N/m …].
+        modal_mass: m of every mode [kg or kg m²].
+        highest: Modes above are left out [Hz]; None: all are kept.
+
+    Source: Craig & Kurdila 2006, Fundamentals of Structural Dynamics, ch. 10: eigenproblem by M = L Lᵀ.
+    """
+    inverse = np.linalg.inv(np.linalg.cholesky(mass))
+    square, vectors = np.linalg.eigh(inverse @ (0.5 * (stiffness + stiffness.T)) @ inverse.T)
+    square = np.where(square < RIGID * square[-1], 0.0, square)
+    kept = len(square) if highest is None else int(np.sum(square <= (2.0 * np.pi * highest) ** 2))
+    shapes = np.sqrt(modal_mass) * (inverse.T @ vectors[:, :kept])
+    return ModalBasis(square[:kept], shapes, modal_mass)
+
+
+class Spring(NamedTuple):
+    """What modal coordinates are called and how they are held."""
+
+    label: str
+    """Before the number of the mode, such as ``shaft bending x``."""
+    unit: str
+    """``"m"`` or ``"rad"``."""
+    damping: float
+    """ζ of each mode that is not rigid [-]."""
+
+
+def add_modes(model: Model, basis: ModalBasis, spring: Spring) -> list[str]:
+    """Add a body's modal coordinates and what holds them; return their names.
+
+    Args:
+        model: That gets them.
+        basis: Of the body.
+        spring: Names, unit, damping.
+    """
+    names = [f"{spring.label} {number}" for number in range(1, 1 + len(basis.square))]
+    for name, square in zip(names, basis.square.tolist(), strict=True):
+        if spring.unit == "rad":
+            model.rotation(name, inertia=basis.mass, speed=0.0)
+        else:
+            model.translation(name, mass=basis.mass)
+        if square > 0.0:
+            damping = DampingRatio(spring.damping)
+            model.add(Line(f"{name} elastic", {name: 1.0}, basis.mass * square, damping, kind="shaft"))
+    return names
+
+
+def motions(names: Sequence[str], shapes: Floats, points: Iterable[str]) -> dict[str, Motion]:
+    """Return how each point moves.
+
+    Args:
+        names: Of the modal coordinates.
+        shapes: A row for each point.
+        points: Their names.
+    """
+    return {
+        point: {name: weight for name, weight in zip(names, row, strict=True) if weight}
+        for point, row in zip(points, shapes.tolist(), strict=True)
+    }
+
+
+def between(first: Motion, second: Motion | None = None) -> dict[str, float]:
+    """Return the motion of one point against another's, or against the ground.
+
+    Args:
+        first: Of the point.
+        second: Of the other; None: the ground.
+    """
+    weights = dict(first)
+    for name, weight in (second or {}).items():
+        weights[name] = weights.get(name, 0.0) - weight
+    return weights
