@@ -10,6 +10,7 @@ from gearwright.validate import (
     gearbox_mass,
     gears,
     planetary_sets,
+    rotors,
     shafts,
     torsional,
 )
@@ -21,6 +22,7 @@ ALL = (
     *compound_trains.CASES,
     *torsional.CASES,
     *beams.CASES,
+    *rotors.CASES,
     *gears.CASES,
     *bearings.CASES,
     *shafts.CASES,

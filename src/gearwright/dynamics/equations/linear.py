@@ -32,9 +32,9 @@ def linear(arrays: Arrays, factor: float = 1.0) -> Linear:
     size, matrix, loads = len(arrays.mass), line_matrix(arrays), arrays.loads
     damping = matrix.T @ (arrays.damping[:, None] * matrix)
     damping += np.diag(loads.damping + 2.0 * loads.quadratic * np.abs(arrays.speed * factor))
-    damping += factor * entry_matrix(arrays.gyroscopic, size) + entry_matrix(arrays.following[1], size)
+    damping += factor * entry_matrix(arrays.gyroscopic, size) + entry_matrix(arrays.following.damping, size)
     stiffness = stiffness_matrix(arrays, arrays.stiffness) - factor**2 * entry_matrix(arrays.centripetal, size)
-    stiffness += entry_matrix(arrays.following[0], size)
+    stiffness += entry_matrix(arrays.following.stiffness, size)
     return Linear(arrays.mass, damping, stiffness)
 
 

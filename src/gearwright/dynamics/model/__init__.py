@@ -33,7 +33,7 @@ from gearwright.dynamics.model.drives import (
     drive_effects,
     points_of,
 )
-from gearwright.dynamics.model.elastic_body import Placed
+from gearwright.dynamics.model.elastic_body import Placed, add_body
 from gearwright.dynamics.model.family import check_structure, envelope, own_groups, stacked, weight_numbers
 from gearwright.dynamics.model.finite import check_finite, finite_numbers, refuse_following, refuse_not_finite
 from gearwright.dynamics.model.flatten import profile_of
@@ -108,6 +108,7 @@ __all__ = [
     "Tone",
     "Turns",
     "add_bearing",
+    "add_body",
     "add_gear_contact",
     "add_planetary",
     "add_rotor",

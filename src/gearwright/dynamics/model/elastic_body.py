@@ -16,6 +16,8 @@ from gearwright.arrays import Floats
 from gearwright.dynamics.model.line import DampingRatio, Line
 from gearwright.dynamics.model.model import Model
 from gearwright.errors import by_name
+from gearwright.spec.bodies import ReducedBody
+from gearwright.verbs import verb
 
 RIGID = 1e-11
 """ω² over the largest one of a body below which a mode is rigid [-]."""
@@ -24,28 +26,21 @@ Motion = Mapping[str, float]
 """Coordinate -> its weight in a displacement or a rotation."""
 
 
+Point = Mapping[str, Motion]
+"""Direction -> motion of one place: what bearings and meshes join."""
+
+
 @dataclass(frozen=True)
 class Placed:
-    """A body in a model: how its points move."""
+    """A body in a model: how its places move."""
 
     name: str
     """As it was added."""
-    motions: Mapping[str, Motion]
-    """Point and direction, such as ``3 x`` -> its motion by coordinates of the model."""
+    places: Mapping[str, Point]
+    """Station or seat -> its motion in each direction, by coordinates of the model."""
 
-    def motion(self, point: str) -> Motion:
-        """Return how a point moves, as weights for `Model.mesh` or `Line`.
-
-        Args:
-            point: Such as ``3 x`` of a shaft, or as the file of a housing names it.
-
-        Raises:
-            DesignError: If there is no such point.
-        """
-        return by_name(point, self.motions, f"point of {self.name}")
-
-    def at(self, place: int | str) -> dict[str, Motion]:
-        """Return how a station or a seat moves, by direction: what bearings and meshes join.
+    def at(self, place: int | str) -> Point:
+        """Return how a station or a seat moves, by direction: ``x``, ``y``, ``z``, ``tilt x``, ``tilt y``, ``twist``.
 
         Args:
             place: Station of a shaft, or the name of a seat.
@@ -53,10 +48,7 @@ class Placed:
         Raises:
             DesignError: If there is no such place.
         """
-        places = {point.partition(" ")[0]: point for point in self.motions}
-        by_name(str(place), places, f"place of {self.name}")
-        here = f"{place} "
-        return {point.removeprefix(here): motion for point, motion in self.motions.items() if point.startswith(here)}
+        return by_name(str(place), self.places, f"place of {self.name}")
 
 
 class ModalBasis(NamedTuple):
@@ -70,7 +62,9 @@ class ModalBasis(NamedTuple):
     """m [kg or kg m²]."""
 
 
-def modal_basis(mass: Floats, stiffness: Floats, *, modal_mass: float, highest: float | None = None) -> ModalBasis:
+def modal_basis(
+    mass: Floats, stiffness: Floats, *, modal_mass: float, highest: float | None = None, rigid: int | None = None
+) -> ModalBasis:
     """Return the modes of a body.
 
     Args:
@@ -78,12 +72,14 @@ def modal_basis(mass: Floats, stiffness: Floats, *, modal_mass: float, highest: 
         stiffness: K, symmetric and positive semi-definite [N/m …].
         modal_mass: m of every mode [kg or kg m²].
         highest: Modes above are left out [Hz]; None: all are kept.
+        rigid: Number of motions without stiffness, where it is known; None: those below `RIGID`.
 
     Source: Craig & Kurdila 2006, Fundamentals of Structural Dynamics, ch. 10: eigenproblem by M = L Lᵀ.
     """
     inverse = np.linalg.inv(np.linalg.cholesky(mass))
     square, vectors = np.linalg.eigh(inverse @ (0.5 * (stiffness + stiffness.T)) @ inverse.T)
-    square = np.where(square < RIGID * square[-1], 0.0, square)
+    loose = np.arange(len(square)) < rigid if rigid is not None else square < RIGID * square[-1]
+    square = np.where(loose, 0.0, square)
     kept = len(square) if highest is None else int(np.sum(square <= (2.0 * np.pi * highest) ** 2))
     shapes = np.sqrt(modal_mass) * (inverse.T @ vectors[:, :kept])
     return ModalBasis(square[:kept], shapes, modal_mass)
@@ -120,18 +116,19 @@ def add_modes(model: Model, basis: ModalBasis, spring: Spring) -> list[str]:
     return names
 
 
-def motions(names: Sequence[str], shapes: Floats, points: Iterable[str]) -> dict[str, Motion]:
-    """Return how each point moves.
+def motions(names: Sequence[str], shapes: Floats, points: Iterable[tuple[str, str]]) -> dict[str, dict[str, Motion]]:
+    """Return how each place moves in each direction.
 
     Args:
         names: Of the modal coordinates.
         shapes: A row for each point.
-        points: Their names.
+        points: Place and direction of each.
     """
-    return {
-        point: {name: weight for name, weight in zip(names, row, strict=True) if weight}
-        for point, row in zip(points, shapes.tolist(), strict=True)
-    }
+    places: dict[str, dict[str, Motion]] = {}
+    for (place, direction), row in zip(points, shapes.tolist(), strict=True):
+        weights = {name: weight for name, weight in zip(names, row, strict=True) if weight}
+        places.setdefault(place, {})[direction] = weights
+    return places
 
 
 def between(first: Motion, second: Motion | None = None) -> dict[str, float]:
@@ -145,3 +142,23 @@ def between(first: Motion, second: Motion | None = None) -> dict[str, float]:
     for name, weight in (second or {}).items():
         weights[name] = weights.get(name, 0.0) - weight
     return weights
+
+
+@verb
+def add_body(
+    model: Model, name: str, body: ReducedBody, *, damping_ratio: float = 0.0, highest: float | None = None
+) -> Placed:
+    """Add a housing or another elastic body by its reduced matrices; return how its places move.
+
+    Args:
+        model: That gets it.
+        name: Unique name.
+        body: From `read_body`.
+        damping_ratio: ζ of each of its modes [-].
+        highest: Modes above are left out [Hz]; None: all are kept, and the coupling is exact.
+
+    Source: Craig & Bampton 1968, AIAA J. 6, 1313-1319, in the modes of the reduced body.
+    """
+    basis = modal_basis(body.mass, body.stiffness, modal_mass=1.0, highest=highest)
+    names = add_modes(model, basis, Spring(f"{name} mode", "m", damping_ratio))
+    return Placed(name, motions(names, basis.shapes, body.places))

@@ -14,6 +14,7 @@ from gearwright.dynamics.model.system import (
     Arrays,
     Entries,
     Excitation,
+    Films,
     Labels,
     Loads,
     Profile,
@@ -62,7 +63,7 @@ def flatten(model: Written) -> System:
         loads=_loads(model.loads, index),
         profile=profile_of(model.profile),
         drives=encoded(model.drives, index, speed),
-        following=(_following(model, index, "stiffness"), _following(model, index, "damping")),
+        following=Films(_following(model, index, "stiffness"), _following(model, index, "damping")),
     )
     return System(arrays, _labels(model, tones))
 
@@ -92,7 +93,7 @@ def _slip(lines: Sequence[Line], index: Mapping[str, int], speed: Floats) -> Flo
 
 def _speeds(model: Written, index: Mapping[str, int]) -> Floats:
     """Solve for the speeds that are not given: no line with a stiffness may stretch steadily."""
-    lines = [line for line in model.lines if line.kind != "damper"]
+    lines = [line for line in model.lines if line.kind != "damper" and not line.turns_along]
     matrix = np.zeros((len(lines), len(index)))
     for row, line in enumerate(lines):
         for name, weight in line.weights.items():

@@ -87,3 +87,5 @@ class Line:
     """What it stands for, for tables and figures."""
     owner: Owner = NOBODY
     """Whose it is."""
+    turns_along: bool = False
+    """Whether its other end turns with the rigid motion, as a heavy machine does: it holds what turns beside it."""

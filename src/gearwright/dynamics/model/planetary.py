@@ -10,7 +10,7 @@ Coordinates are named ``sun``, ``sun.x``, ``sun.y`` (likewise ``ring``, ``carrie
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -20,7 +20,7 @@ from gearwright.dynamics.model.planetary_set import Member, PlanetarySet, Planet
 from gearwright.dynamics.model.system import Owner
 from gearwright.dynamics.model.written import Body
 from gearwright.errors import refuse
-from gearwright.identity import Kind, PartId, Role, Row, gear_part, member_part, mesh_part
+from gearwright.identity import MEMBERS, Kind, PartId, Role, Row, gear_part, member_part, mesh_part
 from gearwright.parts.stiffness import StiffnessCurve
 
 PIN = ("radial", "tangential")
@@ -38,6 +38,7 @@ def add_planetary(
         name: Put before every name, with a point.
         speeds: Reference speeds [rad/s] of sun, ring or carrier that are given; the others follow from the lines. The
             carrier's brings Coriolis and centripetal terms and the centrifugal load of the planets on their pins.
+            The torsional spring of a member whose speed is given holds it beside its turning, as a heavy machine does.
 
     Source: Lin & Parker 1999, J. Vib. Acoust. 121, 316-321. The geometric stiffness of the preload is left out, so that
         with a carrier speed the rigid rotation diverges slowly.
@@ -87,13 +88,32 @@ class _Writer:
         """Return who a planet is, counted from 1."""
         return gear_part(self.stage, Role.PLANET, number=number)
 
+    def turns(self, part: PartId | None) -> bool:
+        """Tell whether a speed is given for a member, and it is not zero."""
+        return any(speed and self.member(which) == part for which, speed in self._given())
+
+    def _given(self) -> Iterator[tuple[Role | Kind, float]]:
+        for which in MEMBERS:
+            yield which, self.speeds.get(which, 0.0)
+
     def line(self, owner: Owner, motion: _Motion, stiffness: float) -> None:
         """Add a spring on a motion, unless it is zero or infinite."""
         if motion.weights and 0.0 < stiffness < math.inf:
             errors = (Periodic(constant=-motion.constant),) if motion.constant else ()
             damping = DampingRatio(self.planetary.damping)
-            name = _name(owner)
-            self.model.add(Line(name, motion.weights, stiffness, damping, errors=errors, kind="support", owner=owner))
+            # A member that turns is held beside its turning, as by the heavy machine on its shaft.
+            self.model.add(
+                Line(
+                    _name(owner),
+                    motion.weights,
+                    stiffness,
+                    damping,
+                    errors=errors,
+                    kind="support",
+                    owner=owner,
+                    turns_along=owner.what == "support.rotation" and self.turns(owner.part),
+                )
+            )
 
 
 def _name(owner: Owner) -> str:

@@ -1,8 +1,7 @@
 """Rotors: shafts as beams that bend, stretch and twist, with discs on their stations, in bearings, coupled by gears.
 
 Stations count from 0, one at each end of every segment. A shaft is written as its own free modes: ``NAME`` is its rigid
-rotation, ``NAME bending x 1`` and so on are the others; `Placed.motion` says how a station moves by them, in one of the
-`DIRECTIONS`, such as ``"3 tilt y"``.
+rotation, ``NAME bending x 1`` and so on are the others; `Placed.at` says how a station moves by them in each direction.
 """
 
 from __future__ import annotations
@@ -107,18 +106,19 @@ def add_rotor(
     """
     refuse(_problems(name, rotor))
     elements = [element(segment) for segment in rotor.segments]
-    places = dict[str, Motion]()
+    stations = [str(station) for station in range(len(elements) + 1)]
+    basis = _bending(rotor, elements, highest)
+    moves = list[dict[str, dict[str, Motion]]]()
     for axis, tilt, sense in (("x", "tilt y", 1.0), ("y", "tilt x", -1.0)):
-        basis = _bending(rotor, elements, highest)
         names = add_modes(model, basis, Spring(f"{name} bending {axis}", "m", damping_ratio))
-        stations = range(len(elements) + 1)
-        places |= motions(names, basis.shapes[0::2], (f"{station} {axis}" for station in stations))
-        places |= motions(names, sense * basis.shapes[1::2], (f"{station} {tilt}" for station in stations))
-    places |= _axial(model, name, rotor, elements, Spring(f"{name} axial", "m", damping_ratio), highest=highest)
-    places |= _twist(model, name, rotor, elements, speed=speed, damping=damping_ratio, highest=highest)
+        moves.append(motions(names, basis.shapes[0::2], ((station, axis) for station in stations)))
+        moves.append(motions(names, sense * basis.shapes[1::2], ((station, tilt) for station in stations)))
+    moves.append(_axial(model, name, rotor, elements, Spring(f"{name} axial", "m", damping_ratio), highest=highest))
+    moves.append(_twist(model, name, rotor, elements, speed=speed, damping=damping_ratio, highest=highest))
     if speed:
         _add_gyroscopic(model, name, basis, speed * _polar(rotor, elements))
-    return Placed(name, places)
+    merged = {station: {key: motion for move in moves for key, motion in move[station].items()} for station in stations}
+    return Placed(name, merged)
 
 
 def _problems(name: str, rotor: Rotor) -> Iterator[Problem]:
@@ -151,7 +151,7 @@ def _bending(rotor: Rotor, elements: Sequence[Element], highest: float | None) -
         mass[2 * station, 2 * station] += disc.mass
         mass[2 * station + 1, 2 * station + 1] += disc.diametral
     stiffness = _assembled([part.stiffness for part in elements], 2)
-    return modal_basis(mass, stiffness, modal_mass=rotor.mass, highest=highest)
+    return modal_basis(mass, stiffness, modal_mass=rotor.mass, highest=highest, rigid=2)
 
 
 def _polar(rotor: Rotor, elements: Sequence[Element]) -> Floats:
@@ -164,14 +164,14 @@ def _polar(rotor: Rotor, elements: Sequence[Element]) -> Floats:
 
 def _axial(
     model: Model, name: str, rotor: Rotor, elements: Sequence[Element], spring: Spring, *, highest: float | None
-) -> dict[str, Motion]:
+) -> dict[str, dict[str, Motion]]:
     mass = _assembled([part.axial_mass for part in elements], 1)
     for station, disc in rotor.discs.items():
         mass[station, station] += disc.mass
     stiffness = _assembled([part.axial_stiffness for part in elements], 1)
-    basis = modal_basis(mass, stiffness, modal_mass=rotor.mass, highest=highest)
+    basis = modal_basis(mass, stiffness, modal_mass=rotor.mass, highest=highest, rigid=1)
     names = add_modes(model, basis, spring)
-    return motions(names, basis.shapes, (f"{station} z" for station in range(len(mass))))
+    return motions(names, basis.shapes, ((str(station), "z") for station in range(len(mass))))
 
 
 def _twist(
@@ -183,19 +183,19 @@ def _twist(
     speed: float | None,
     damping: float,
     highest: float | None,
-) -> dict[str, Motion]:
+) -> dict[str, dict[str, Motion]]:
     """Add the rigid rotation, which turns at speed, and the modes of torsion."""
     mass = _assembled([part.torsion_mass for part in elements], 1)
     for station, disc in rotor.discs.items():
         mass[station, station] += disc.polar
     stiffness = _assembled([part.torsion_stiffness for part in elements], 1)
     inertia = float(np.sum(mass))
-    basis = modal_basis(mass, stiffness, modal_mass=inertia, highest=highest)
+    basis = modal_basis(mass, stiffness, modal_mass=inertia, highest=highest, rigid=1)
     elastic = ModalBasis(basis.square[1:], basis.shapes[:, 1:], inertia)
     model.rotation(name, inertia=inertia, speed=speed)
     names = [name, *add_modes(model, elastic, Spring(f"{name} torsion", "rad", damping))]
     shapes = np.hstack([np.ones((len(mass), 1)), elastic.shapes])
-    return motions(names, shapes, (f"{station} twist" for station in range(len(mass))))
+    return motions(names, shapes, ((str(station), "twist") for station in range(len(mass))))
 
 
 def _add_gyroscopic(model: Model, name: str, basis: ModalBasis, moments: Floats) -> None:

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.model.elastic_body import Motion, between
+from gearwright.dynamics.model.elastic_body import Motion, Point, between
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Model
 from gearwright.errors import Problem, refuse
 from gearwright.verbs import verb
 
-Point = Mapping[str, Motion]
-"""Direction -> motion of a station or of a housing's seat: `Placed.at`."""
 ACROSS, TILTS = ("x", "y"), ("tilt x", "tilt y")
 
 

@@ -49,6 +49,15 @@ NOTHING = Entries(np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64), np.z
 """No entry."""
 
 
+class Films(NamedTuple):
+    """Unsymmetric terms of bearings, as of a turning oil film: force = −K q − C q̇, whatever the speed."""
+
+    stiffness: Entries = NOTHING
+    """K [N/m]."""
+    damping: Entries = NOTHING
+    """C [N s/m]."""
+
+
 class Schedules(NamedTuple):
     """Loads that are piecewise linear in time, in compressed rows; held before the first and after the last point."""
 
@@ -134,8 +143,8 @@ class Arrays(NamedTuple):
     """Speed factor against time."""
     drives: Drives
     """Propellers, machines and slipping clutches."""
-    following: tuple[Entries, Entries] = (NOTHING, NOTHING)
-    """Unsymmetric stiffness [N/m] and damping [N s/m] of bearings: force = −K q − C q̇, whatever the speed."""
+    following: Films = Films()
+    """Unsymmetric terms of bearings."""
 
 
 class Tone(NamedTuple):

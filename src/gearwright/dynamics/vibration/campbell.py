@@ -132,11 +132,12 @@ def _tracked(system: System, speeds: Floats) -> list[DampedModes]:
 def _whirl(system: System, modes: DampedModes, factor: float) -> Floats:
     """Return how far gyroscopic terms raise each frequency at one speed [-].
 
-    Source: derivative of λ² M + λ s G + K by s at a mode of unit length in M: dω/ds = Im(φᴴ G φ)/(−2).
+    Source: derivative of φᴴ (λ² M + λ s G + K) φ = 0 by s at a mode of unit length in M, exact without damping:
+        λ'/λ = −φᴴ G φ/(2 λ + s φᴴ G φ).
     """
     turning = entry_matrix(system.arrays.gyroscopic, len(system.arrays.mass))
     shares = np.einsum("am,ab,bm->m", modes.shape.conj(), turning, modes.shape, optimize=True)
-    return np.asarray(-0.5 * factor * shares.imag / np.abs(modes.rate))
+    return np.asarray((-factor * shares / (2.0 * modes.rate + factor * shares)).real)
 
 
 def _pairing(mass: Floats, before: DampedModes, after: DampedModes) -> list[int]:
