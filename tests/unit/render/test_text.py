@@ -71,6 +71,6 @@ def test_a_run_interrupted_before_its_statistics_begin_is_told_all_the_same(in_l
 
 def test_modes_and_runs_are_told_in_words_and_as_answers(modal, run) -> None:
     assert "first.mesh" in on_screen(modes_text(modal))
-    assert "estimated force error" in on_screen(trace_text(run))
+    assert "peaks of line forces are right to" in on_screen(trace_text(run))
     assert plain(modes_answer(modal, "rated"))["modes"][0]["frequency_hz"] == 0.0
     assert plain(simulate_answer(run, "rated"))["energy"]["imbalance"] < 1e-6

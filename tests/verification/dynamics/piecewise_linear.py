@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import brentq, fsolve
 
-GRID = 400
+GRID = 200
 """Instants of a period between which at most one contact begins or ends."""
 
 
@@ -118,6 +118,19 @@ def orbit(case: Case, near: tuple[float, float], instants: np.ndarray) -> tuple[
     start = fsolve(gap, near, xtol=1e-12)
     assert np.max(np.abs(gap(start))) < 1e-10
     return flown(case, *start, instants)[2:]
+
+
+def exponent(case: Case, start: tuple[float, float], periods: int) -> float:
+    """Return the largest Lyapunov exponent: two motions side by side, brought together again after each period."""
+    none, nudge, total = np.zeros(0), 1e-8, 0.0
+    one, other = start, (start[0] + nudge, start[1])
+    for _ in range(periods):
+        one, other = flown(case, *one, none)[:2], flown(case, *other, none)[:2]
+        away = np.subtract(other, one)
+        distance = float(np.hypot(*away))
+        total += math.log(distance / nudge)
+        other = tuple(np.add(one, away * nudge / distance))
+    return total / (periods * case.period)
 
 
 CASES = (

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from piecewise_linear import CASES, Case, orbit
+from piecewise_linear import CASES, Case, exponent, orbit
 
-from gearwright.dynamics import Accuracy, DampingRatio, Model, Orbit, Periodic, System, periodic
+from gearwright.dynamics import Accuracy, DampingRatio, Model, Orbit, Outputs, Periodic, System, periodic, simulate
 
 
 def gear(case: Case) -> System:
@@ -44,3 +44,29 @@ def test_orbits_with_backlash_are_the_exact_ones_to_1e_5(case):
 def test_by_default_an_orbit_is_as_near_as_it_says(case):
     found = periodic(gear(case))
     assert apart(case, found)[0] < found.error <= 0.01
+
+
+@pytest.mark.parametrize(("shake", "rate", "chaotic"), [
+    (0.05, 1.0, False), (0.2, 1.0, False), (0.3, 0.6, False), (0.3, 0.8, True), (0.3, 1.0, True),
+])  # fmt: skip
+def test_chaos_is_told_with_its_exponent_and_what_holds(shake, rate, chaotic):
+    """The pair of Kahraman and Singh (1990, J. Sound Vib. 142, 49): ζ = 0.05, F = 0.1, half the backlash 1.
+
+    Three motions that repeat themselves, then two that no period closes. The exponent is that of the exact solution
+    from the end of the run on, within a fifth of the damping: about what 200 periods leave of either mean.
+    """
+    case = Case(0.05, 0.1, shake * rate**2, rate, 2.0)
+    length = 400.0 * case.period
+    late = Outputs(start=0.25 * length, windows=((0.99 * length, length),))
+    run, longer = (simulate(gear(case), many * length, outputs=late) for many in (1.0, 4.0))
+    end = run.windows[0]
+    wanted = exponent(case, (end.deflection("mesh")[-1], end.velocity[-1, 1]), 200)
+    assert (wanted > 0.0) is chaotic
+    assert run.exponent == pytest.approx(wanted, abs=0.01)
+    assert any("chaotic" in note and "root mean squares and distributions" in note for note in run.notes) is chaotic
+    assert run.force.rms[0, 0] == pytest.approx(longer.force.rms[0, 0], rel=max(run.rms_error, 1e-3))
+
+
+def test_teeth_that_never_part_have_no_exponent():
+    case = Case(0.05, 1.0, 0.1, 0.5, 2.0)
+    assert simulate(gear(case), 20.0 * case.period).exponent is None

@@ -114,7 +114,8 @@ def runup(
     if json:
         from gearwright.render.answers.vibration import RunUpAnswer
 
-        told = RunUpAnswer(shaft, speed, tuple(loudest_speeds(swept, speed)))
+        errors = float(np.max(swept.error)), float(np.max(swept.rms_error))
+        told = RunUpAnswer(shaft, speed, tuple(loudest_speeds(swept, speed)), *errors, swept.notes)
         show_answer("runup", told, design=sizing.design.name)
     else:
         _show(table)

@@ -27,6 +27,8 @@ CHANCE = 0.04
 
 A peak is not told to be nearer than the root mean square, for the same reason.
 """
+UNRELATED = 0.25
+"""The same of chaotic motions, whose two runs see different parts of what the motion does [-]."""
 REFINED = 4
 """Times that a run is repeated at a finer pace."""
 COARSER = 2.0
@@ -90,7 +92,8 @@ def errors_of(forces: Forces, other: Forces, units: Sequence[str], *, ratio: flo
     for away, mine in ((peak, forces.peak), (rms, forces.rms)):
         largest = np.max(np.where(kinds, mine[:, None, :], 0.0), axis=2)
         parts.append(np.max(_over(away, np.maximum(mine, NEGLIGIBLE * largest)), axis=1, initial=0.0))
-    return [Error(max(peak, rms), max(rms, CHANCE * peak)) for peak, rms in zip(*np.array(parts).tolist(), strict=True)]
+    chance = CHANCE if order else UNRELATED
+    return [Error(max(peak, rms), max(rms, chance * peak)) for peak, rms in zip(*np.array(parts).tolist(), strict=True)]
 
 
 def _over(part: Floats, whole: Floats) -> Floats:
@@ -125,7 +128,7 @@ REPEATED = f"{REFINED} repetitions at finer steps did not bring it down; contact
 """Why a result falls short that was not given its step."""
 GIVEN = "the step was given"
 """Why a result falls short that was."""
-UNPREDICTABLE = "neighbouring motions part, so that peaks are those of one motion among many"
+UNPREDICTABLE = "the motion is chaotic, so that peaks are those of one motion among many"
 """Why a chaotic one does."""
 STOPPED = "the run was interrupted"
 """Why one does that was stopped."""

@@ -17,6 +17,8 @@ from gearwright.dynamics.motion.steps import Pace, Stepper, blank_record, check_
 class Pass(NamedTuple):
     """One pass."""
 
+    method: str
+    """Of its steps."""
     pace: Pace
     """Its steps."""
     advance: Stepper
@@ -73,7 +75,7 @@ def marched(
     recorder = Recorder(system, outputs, step=pace.step, steps=steps)
     advance, state = stepper(system.arrays, method, pace.step, tolerance=pace.tolerance), start.copy()
     done = _run(advance, recorder, state, progress)
-    return Pass(pace, advance, recorder, start, state, done)
+    return Pass(method, pace, advance, recorder, start, state, done)
 
 
 def blocks(first: int, steps: int) -> Iterator[tuple[int, int]]:

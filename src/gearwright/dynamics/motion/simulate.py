@@ -29,7 +29,7 @@ from gearwright.dynamics.motion.accuracy import (
 )
 from gearwright.dynamics.motion.marching import Pass, blocks, marched
 from gearwright.dynamics.motion.record import BLOCK, Outputs, Recorder, Samples, Trace
-from gearwright.dynamics.motion.sensitivity import PARTED, parting
+from gearwright.dynamics.motion.sensitivity import Exponent, largest_exponent
 from gearwright.dynamics.motion.steps import (
     ADAPTIVE,
     METHODS,
@@ -68,6 +68,8 @@ class Ran(NamedTuple):
     """Kind of its steps."""
     error: Error
     """Measured."""
+    exponent: Exponent | None
+    """Of a motion whose teeth part."""
     notes: tuple[str, ...]
     """What a reader should know of it."""
 
@@ -113,52 +115,54 @@ def simulate(
     if step is None or isinstance(step, Accuracy):
         pace = pace._replace(step=whole_step(duration, pace.step))
     run = marched(system, method, pace, duration, start=state, outputs=outputs, progress=progress)
-    run, error, chaos = _verified(run, method, step, duration, progress)
-    left = unbalanced(system)
-    notes = [reason, *([f"at the start {left}; the train speeds up or slows down"] if left else [])]
-    slack = slack_lines(system, state[: len(system.arrays.mass)])
+    run, error, exponent, short = _verified(run, step, duration, progress)
+    left, slack = unbalanced(system), slack_lines(system, state[: len(system.arrays.mass)])
+    notes = [reason, *([exponent.words] if exponent and exponent.chaotic else []), *short]
+    notes += [f"at the start {left}; the train speeds up or slows down"] if left else []
     notes += [f"at the start no tooth touches: {', '.join(slack)} stand between their flanks"] if slack else []
-    notes += [*chaos, *_notes(run)]
-    return _trace(run, Ran(method, error, tuple(notes)))
+    return _trace(run, Ran(method, error, exponent, (*notes, *_notes(run))))
 
 
 def _verified(
-    run: Pass, method: str, step: float | Accuracy | None, duration: float, progress: Callable[[float], None] | None
-) -> tuple[Pass, Error, list[str]]:
-    """Return a run as accurate as asked, or as near as repetitions bring it, its error and what to say of it."""
+    run: Pass, step: float | Accuracy | None, duration: float, progress: Callable[[float], None] | None
+) -> tuple[Pass, Error, Exponent | None, list[str]]:
+    """Return a run as accurate as asked, or as near as repetitions bring it, its error and what to say of it.
+
+    A chaotic one is repeated once, since steps that are too large may alone be what makes it so, or not.
+    """
     asked = step if isinstance(step, Accuracy) else Accuracy()
     system, outputs, units = run.recorder.system, run.recorder.outputs, run.recorder.system.labels.line_units
-    order, notes = _order(run, method)
-    other, why = _beside(run, method), REPEATED
-    error = errors_of(run.forces, other.forces, units, ratio=other.pace.over(run.pace), order=order)[0]
-    if run.interrupted or isinstance(step, float | int) or order == CHAOTIC:
-        why = STOPPED if run.interrupted else UNPREDICTABLE if order == CHAOTIC else GIVEN
-        return run, error, [*notes, *shortfall(error, asked, why)]
-    for _ in range(REFINED):
-        if error.over(asked) <= 1.0 or run.interrupted:
+    other, tried = _beside(run), 0
+    while True:
+        exponent = _exponent(run)
+        order, ratio = _order(run.method, exponent), other.pace.over(run.pace)
+        error = errors_of(run.forces, other.forces, units, ratio=ratio, order=order)[0]
+        most = 0 if isinstance(step, float | int) or run.interrupted else 1 if order == CHAOTIC else REFINED
+        if error.over(asked) <= 1.0 or tried >= most:
             break
-        pace, other = run.pace.times(finer(error.over(asked), order)), run
-        run = marched(system, method, pace, duration, start=run.start, outputs=outputs, progress=progress)
-        error = errors_of(run.forces, other.forces, units, ratio=other.pace.over(pace), order=order)[0]
-    return run, error, [*notes, *shortfall(error, asked, why)]
+        pace, other, tried = run.pace.times(finer(error.over(asked), order)), run, tried + 1
+        run = marched(system, run.method, pace, duration, start=run.start, outputs=outputs, progress=progress)
+    why = STOPPED if run.interrupted else UNPREDICTABLE if order == CHAOTIC else REPEATED if most else GIVEN
+    return run, error, exponent, shortfall(error, asked, why)
 
 
-def _order(run: Pass, method: str) -> tuple[int, list[str]]:
-    """Return the power of the step that the error follows, and what to say if it follows none."""
-    if np.any(run.recorder.lost >= 0):
-        growth, exponent = parting(run.recorder.system.arrays, run.advance, run.done, run.end, run.pace.step)
-        if growth >= PARTED:
-            return CHAOTIC, [
-                f"neighbouring motions part (by a factor of {growth:.0e} after the run, largest exponent about"
-                f" +{exponent:.2g} 1/s): judge it by its statistics only"
-            ]
-        return PARTING, []
-    return (SECOND if method == "implicit" else SMOOTH), []
+def _exponent(run: Pass) -> Exponent | None:
+    """Return how fast neighbours part where teeth do; else their distance follows from the modes' damping."""
+    if not np.any(run.recorder.lost >= 0):
+        return None
+    return largest_exponent(run.recorder.system.arrays, run.advance, run.done, run.end, run.pace.step)
 
 
-def _beside(run: Pass, method: str) -> Pass:
+def _order(method: str, exponent: Exponent | None) -> int:
+    """Return the power of the step that the error follows."""
+    if exponent is not None:
+        return CHAOTIC if exponent.chaotic else PARTING
+    return SECOND if method == "implicit" else SMOOTH
+
+
+def _beside(run: Pass) -> Pass:
     """Return the same run at another pace: a coarser one if that can be taken, else a finer."""
-    recorder = run.recorder
+    recorder, method = run.recorder, run.method
     system, span = recorder.system, run.done * run.pace.step
     outputs = Outputs(samples=2, start=float(recorder.edges[0]) * run.pace.step)
     if run.done >= LEAST_STEPS and may_take(system.arrays, method, run.pace.times(COARSER)):
@@ -258,6 +262,7 @@ def _trace(run: Pass, ran: Ran) -> Trace:
         duration=done * recorder.step,
         error=ran.error.peak,
         rms_error=ran.error.rms,
+        exponent=None if ran.exponent is None else ran.exponent.value,
         work=_work(run),
         samples=recorder.samples(),
         windows=tuple(recorder.samples(number) for number in range(1, 1 + len(recorder.spans))),

@@ -244,7 +244,9 @@ class WindowAnswer:
     duration: Time
     step: Time
     error: Ratio
-    """Estimated, of the line forces."""
+    """Measured, of the peaks of line forces."""
+    rms_error: Ratio
+    """And of their root mean squares."""
     energy_imbalance: Ratio
     limit_cycle: GovernorCycle | None
     """Null where the governor comes to rest."""
@@ -269,6 +271,7 @@ def window_answer(window: DynamicWindow) -> WindowAnswer:
         duration=trace.duration,
         step=trace.step,
         error=trace.error,
+        rms_error=trace.rms_error,
         energy_imbalance=trace.work.imbalance,
         limit_cycle=None if cycle is None else GovernorCycle(cycle.frequency, cycle.amplitude),
         ranges=ranges(window),

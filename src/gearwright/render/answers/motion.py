@@ -18,7 +18,7 @@ from gearwright.render.tables.motion import (
     mode_rows,
 )
 from gearwright.sizing import Sizing
-from gearwright.units import Force, Ratio, Time, Torque
+from gearwright.units import Force, Number, Ratio, Time, Torque
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,11 @@ class SimulateAnswer:
     duration: Time
     step: Time
     error: Ratio
-    """Estimated, of the forces."""
+    """Measured, of the peaks of line forces."""
+    rms_error: Ratio
+    """And of their root mean squares."""
+    exponent: Number | None
+    """Largest Lyapunov exponent where teeth part, about [1/s]; positive, the motion is chaotic."""
     interrupted: bool
     """True if the run was stopped before its end."""
     notes: tuple[str, ...]
@@ -87,6 +91,8 @@ def simulate_answer(trace: Trace, case: str) -> SimulateAnswer:
         duration=trace.duration,
         step=trace.step,
         error=trace.error,
+        rms_error=trace.rms_error,
+        exponent=trace.exponent,
         interrupted=trace.interrupted,
         notes=tuple(trace.notes),
         forces=line_forces(trace),

@@ -68,6 +68,12 @@ class RunUpAnswer:
     speed: Speed
     """Its operating speed."""
     loudest: tuple[Loudest, ...]
+    error: Ratio
+    """Measured at the worst speed, of the peaks of line forces."""
+    rms_error: Ratio
+    """And of their root mean squares."""
+    notes: tuple[str, ...]
+    """Speeds that are less accurate than promised, and why."""
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure as Drawing
 
 from gearwright.dynamics import Modes, System, Trace
 from gearwright.dynamics.assembly import default_case
+from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import SpeedCase
 from gearwright.render.figures.motion import every_step, mesh_frequencies, mode_figure, spectrum_figure, time_figure
 from gearwright.render.figures.sizing import bent_shafts, margin_figure, mass_figure, shaft_figure
@@ -140,7 +141,7 @@ def _dynamics(sizing: Sizing, trace: Trace, case: str) -> Section:
     figures = [_figure(time_figure(trace), "time", "Forces and torques against time.")]
     notes = [
         f"Case {case}. {trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
-        f" estimated force error {trace.error:.1e} of the largest force."
+        f" {Error(trace.error, trace.rms_error).words()}."
     ]
     if every_step(trace) is not None:
         drawing = spectrum_figure(trace, mesh_frequencies(sizing, case))

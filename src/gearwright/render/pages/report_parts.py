@@ -18,8 +18,8 @@ from gearwright.spec.design import RATINGS
 from gearwright.train import recirculation
 from gearwright.units import text
 
-LARGE_ERROR = 1e-3
-"""Estimated error of a run above which the report warns, over the largest force [-]."""
+TOLD = ("contact", "interrupted", "chaotic", "asked were")
+"""Words of a run's notes that its reader is warned of."""
 
 
 @dataclass(frozen=True)
@@ -98,11 +98,8 @@ def warnings(sizing: Sizing, trace: Trace | None, review: Review | None = None) 
             for load in dynamic_loads(sizing, trace)
             if min(load.bending_margin, load.contact_margin) < 1.0
         ]
-        sentences += [
-            f"{note[0].upper()}{note[1:]}." for note in trace.notes if "contact" in note or "interrupted" in note
-        ]
-        if trace.error > LARGE_ERROR:
-            sentences.append(f"The run's estimated force error is {trace.error:.1%}; take a smaller step.")
+        telling = (note for note in trace.notes if any(words in note for words in TOLD))
+        sentences += [f"{note[0].upper()}{note[1:]}." for note in telling]
     return tuple(sentences)
 
 

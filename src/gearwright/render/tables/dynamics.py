@@ -6,7 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
+import numpy as np
+
 from gearwright.dynamics.assembly import Assumption
+from gearwright.dynamics.motion import Error
 from gearwright.dynamics.vibration import SWING, CriticalSpeed, Response, RunUp, SpeedCase, loudest_speeds, peaks
 from gearwright.render.grid.table import Table, table
 from gearwright.units import Frequency, Origin, Quantity, Speed
@@ -156,7 +159,9 @@ def loudest_table(run_up: RunUp, speed: float) -> Table:
         run_up: Speeds and spectra.
         speed: Operating speed of the first machine's shaft [rad/s].
     """
-    note = "Steady running at each speed with the torques of the case."
+    worst = Error(float(np.max(run_up.error)), float(np.max(run_up.rms_error)))
+    note = f"Steady running at each speed with the torques of the case; {worst.words()}, at the worst speed."
+    note = " ".join([note, *(f"{less[0].upper()}{less[1:]}." for less in run_up.notes)])
     return table(
         "Loudest speeds", loudest_speeds(run_up, speed), ("line", "speed", "swing", "mean", "order"), note=note
     )

@@ -93,10 +93,58 @@ def _modes(modes: Any) -> Iterator[str]:
 
 def _trace(trace: Any) -> Iterator[str]:
     stopped = ", interrupted" if trace.interrupted else ""
-    yield f"Trace: {trace.duration:g} s by {trace.method}, step {trace.step:.3g} s, error {trace.error:.1e}{stopped}"
+    yield f"Trace: {trace.duration:g} s by {trace.method}, step {trace.step:.3g} s{stopped}"
+    yield _right_to(trace)
     yield f"lines {_listed(trace.labels.lines)}"
-    yield from (note[: 2 * LONGEST] for note in trace.notes[:2])
+    yield from (note[: 3 * LONGEST] for note in trace.notes[:3])
     yield "next: trace.force.of(line), trace.samples.force(line), trace.to_xarray(), gw.save(trace, 'run.nc')"
+
+
+def _right_to(result: Any) -> str:
+    """Return how right forces are, the least right of many."""
+    from gearwright.dynamics.motion import Error
+
+    return Error(float(np.max(result.error)), float(np.max(result.rms_error))).words()
+
+
+def _orbit(orbit: Any) -> Iterator[str]:
+    stable = "stable" if orbit.stable else "not stable"
+    largest = float(np.max(np.abs(orbit.multipliers), initial=0.0))
+    yield f"Orbit: period {orbit.period:.6g} s in {len(orbit.samples.time) - 1} steps, {stable}"
+    yield f"largest multiplier {largest:.6g}, right to {orbit.multiplier_error:.1e}; {_right_to(orbit)}"
+    yield from (note[: 3 * LONGEST] for note in orbit.notes)
+    yield "next: orbit.samples.force(line), orbit.multipliers"
+
+
+def _ensemble(many: Any) -> Iterator[str]:
+    yield f"Ensemble: {len(many.rms)} trajectories, step {many.step:.3g} s; lines {_listed(many.labels.lines)}"
+    yield from _of_all(many)
+    yield "next: many.of(line)"
+
+
+def _speed_map(swept: Any) -> Iterator[str]:
+    forces = swept.forces
+    yield f"SpeedMap: {len(swept.factor)} speeds, step {forces.step:.3g} s; lines {_listed(forces.labels.lines)}"
+    yield from _of_all(forces)
+    yield "next: swept.swing(line), swept.forces.of(line)"
+
+
+def _run_up(swept: Any) -> Iterator[str]:
+    yield f"RunUp: {len(swept.factor)} speeds, {len(swept.orders)} orders; lines {_listed(swept.lines)}"
+    yield from _of_all(swept)
+    yield "next: swept.amplitude, swept.order_amplitude, gw.figure(swept)"
+
+
+def _of_all(many: Any) -> Iterator[str]:
+    yield f"in the worst of them {_right_to(many)}"
+    yield from (note[: 3 * LONGEST] for note in many.notes[:3])
+    if len(many.notes) > 3:
+        yield f"and {len(many.notes) - 3} more that are less accurate than asked"
+
+
+def _window(window: Any) -> Iterator[str]:
+    yield f"DynamicWindow {window.name[:LONGEST]!r}: {window.rules.phase}, event {window.rules.event}"
+    yield from _trace(window.trace)
 
 
 def _samples(samples: Any) -> Iterator[str]:
@@ -150,9 +198,9 @@ def _table(table: Any) -> Iterator[str]:
 
 _LINES: Mapping[str, Callable[[Any], Iterator[str]]] = MappingProxyType(
     {
-        "Campbell": _campbell, "Design": _design, "Flight": _flight, "Modes": _modes, "Review": _review,
-        "Samples": _samples, "Sizing": _sizing, "SpeedCase": _speed_case, "System": _system, "Table": _table,
-        "Trace": _trace,
+        "Campbell": _campbell, "Design": _design, "DynamicWindow": _window, "Ensemble": _ensemble, "Flight": _flight,
+        "Modes": _modes, "Orbit": _orbit, "Review": _review, "RunUp": _run_up, "Samples": _samples, "Sizing": _sizing,
+        "SpeedCase": _speed_case, "SpeedMap": _speed_map, "System": _system, "Table": _table, "Trace": _trace,
     }
 )  # fmt: skip
 """Type -> its lines; by name, so that a design is shown without loading dynamics."""

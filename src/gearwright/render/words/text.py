@@ -119,12 +119,13 @@ def trace_text(trace: Trace, sizing: Sizing | None = None) -> RenderableType:
         trace: As simulated.
         sizing: That it is a run of: with it, peaks stand beside the rated loads.
     """
+    from gearwright.dynamics.motion import Error
     from gearwright.render.tables.dynamic_load import dynamic_table
     from gearwright.render.tables.motion import energy_table, motion_tables
 
     head = Text(
         f"{trace.duration:.4g} s in steps of {trace.step:.3g} s, {trace.method};"
-        f" estimated force error {trace.error:.1e}"
+        f" {Error(trace.error, trace.rms_error).words()}"
     )
     notes = [Text(note, style="yellow") for note in trace.notes]
     beside = [dynamic_table(sizing, trace)] if sizing is not None and trace.force.bins else []

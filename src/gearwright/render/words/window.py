@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.dynamics import Trace
-from gearwright.dynamics.motion import Statistics
+from gearwright.dynamics.motion import Error, Statistics
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.words.headline import energy_text
 from gearwright.units import shown, unit
@@ -88,7 +88,7 @@ def window_text(window: DynamicWindow) -> str:
         *(_line(row) for row in ranges(window)),
         "",
         window_verdict(window),
-        f"Steps of {trace.step * 1e6:.3g} µs; line forces within {trace.error:.1e}; energies close"
+        f"Steps of {trace.step * 1e6:.3g} µs; {Error(trace.error, trace.rms_error).words()}; energies close"
         f" {energy_text(trace.work.imbalance)}",
     ]
     return "\n".join([*lines, *trace.notes[1:]])

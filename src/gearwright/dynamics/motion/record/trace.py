@@ -228,6 +228,8 @@ class Trace(Shown):
     """Measured error of the root mean squares of line forces over them [-]."""
     interrupted: bool = False
     """Whether the user stopped the run before its end."""
+    exponent: float | None = None
+    """Largest Lyapunov exponent where teeth part, about: positive, the motion is chaotic; None where none do [1/s]."""
 
     def to_xarray(self) -> Any:
         """Return the samples of the whole run as an xarray ``Dataset``, as `Samples.to_xarray`."""
