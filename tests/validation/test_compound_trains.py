@@ -4,9 +4,12 @@ import math
 
 import pytest
 
+from designs import problems
+from gearwright.parts.planetary import CompoundSet, assembles, can_assemble
+from gearwright.sizing import size
 from gearwright.spec import parse
-from gearwright.train import build_train, power_flow, recirculation, teeth_of
-from gearwright.validate.automatics import FORD_6R_80, FORD_AOD, GM_8L_90, THM_440_T4
+from gearwright.train import build_train, efficiencies, power_flow, recirculation, teeth_of
+from gearwright.validate.automatics import FORD_6R_80, FORD_AOD, GM_8L_90, THM_440_T4, ZF_8HP_70
 from gearwright.validate.compound_trains import WOLFROM, wolfrom
 
 EACH = {"sun-planet": math.sqrt(0.98), "planet-ring": math.sqrt(0.98)}
@@ -145,3 +148,92 @@ def test_a_wolfrom_train_of_poor_meshes_needs_power_at_both_ends_to_be_turned_ba
         powers[driver] = flow.machine_powers["load"]
     assert powers["fast"] == pytest.approx(-443.607, rel=1e-5)
     assert powers["slow"] > 0.0
+
+
+CH_47 = """\
+schema = 1
+name = "CH-47, forward transmission"
+shafts = ["input", "first-sun", "between", "mast"]
+turbines.engine = { shaft = "input", power_kw = 2500, speed_rpm = 7000 }
+rotors.rotor = { shaft = "mast", speed_rpm = 228, diameter_m = 18.3 }
+gears.rating = "iso6336"
+pairs.bevel = { kind = "bevel", pinion = "input", wheel = "first-sun", pinion_teeth = 29, wheel_teeth = 51, \
+axis_angle_deg = 90 }
+[planetaries.first]
+sun = "first-sun"
+carrier = "between"
+ring = "ground"
+planets = 4
+sun_teeth = 28
+planet_teeth = 39
+unequal_places = true
+[planetaries.second]
+sun = "between"
+carrier = "mast"
+ring = "ground"
+planets = 6
+sun_teeth = 40
+planet_teeth = 33
+unequal_places = true
+"""
+
+
+def test_the_forward_transmission_of_the_ch_47_has_its_printed_ratio():
+    """51/29 (1 + 106/28)(1 + 106/40) = 30.7193, printed as 30.72; with square bevel axes, on which no ratio depends."""
+    sizing = size(parse(CH_47))
+    speeds = sizing.reference.speeds
+    assert abs(speeds["input"] / speeds["mast"]) == pytest.approx(30.719335, rel=1e-7)
+    assert sizing.reference.residual < 1e-12
+    assert {gear.name: gear.teeth for gear in sizing.gears if gear.role == "ring"} == {
+        "first.ring": 106, "second.ring": 106
+    }  # fmt: skip
+
+
+def test_no_set_of_the_ch_47_takes_its_planets_at_equal_places():
+    """28 + 106 is no multiple of 4, and 40 + 106 none of 6."""
+    messages = {problem.path: problem.message for problem in problems(CH_47.replace("unequal_places = true\n", ""))}
+    assert "z_s + z_r = 28 + 106 = 134 is no multiple of 4" in messages["planetaries.first.planets"]
+    assert "z_s + z_r = 40 + 106 = 146 is no multiple of 6" in messages["planetaries.second.planets"]
+
+
+@pytest.mark.parametrize(
+    "sun, ring, planets, even",
+    [
+        (27, 99, 3, True),  # OH-58A
+        (62, 228, 5, True),  # UH-60A
+        (21, 99, 3, True),  # NREL GRC
+        (19, 56, 3, True),  # NREL 5 MW, first
+        (16, 74, 3, True),  # AGMA 6123, annex C
+        (28, 106, 4, False),  # CH-47, first
+        (40, 106, 6, False),  # CH-47, second
+    ],
+)
+def test_published_sets_have_equal_places_where_the_sum_of_teeth_is_a_multiple_of_the_planets(sun, ring, planets, even):
+    """(z_s + z_r)/N whole; the compound set's condition, written for any planets, says the same."""
+    planet = (ring - sun) // 2
+    compound = CompoundSet(planets, {"s": sun, "r": -ring}, {"p": planet}, {"p": "p"}, (("s", "p"), ("p", "r")))
+    assert bool(assembles(sun, ring, planets)) is even
+    assert can_assemble(compound) is even
+
+
+@pytest.mark.parametrize("automatic", [GM_8L_90, ZF_8HP_70, FORD_6R_80, FORD_AOD, THM_440_T4], ids=lambda a: a.name)
+def test_every_gear_of_an_automatic_passes_backwards_what_its_output_drives(automatic):
+    """Efficiency backwards is that of a flow in which the wheels drive and the engine takes what is left."""
+    for gear in automatic.gears:
+        design = automatic.design(gear)
+        teeth = {name: value for stage in design.epicyclics for name, value in teeth_of(design, stage).items()}
+        train = build_train(design)
+        lost = {mesh.name: math.sqrt(0.98) for mesh in train.meshes}
+        flow = power_flow(design, train, teeth, efficiency=lost)
+        way = efficiencies(design, train, teeth, flow, lost)[""]
+        assert flow.residual < 1e-12
+        assert way.forwards == pytest.approx(1.0 - flow.loss / flow.machine_powers["engine"], rel=1e-12)
+        engine, load = design.turbines["engine"], design.propellers["load"]
+        turned = design.model_copy(
+            update={
+                "turbines": {"engine": engine.model_copy(update={"shaft": load.shaft})},
+                "propellers": {"load": load.model_copy(update={"shaft": engine.shaft})},
+            }
+        )
+        driven = power_flow(turned, build_train(turned), teeth, efficiency=lost)
+        assert way.backwards == pytest.approx(1.0 - driven.loss / driven.machine_powers["engine"], rel=1e-12)
