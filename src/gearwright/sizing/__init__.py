@@ -19,7 +19,7 @@ from gearwright.sizing.arranged import Arrangement, ShaftPlan
 from gearwright.sizing.carrying import CarrierSizing, ShaftDiagram, ShaftSizing
 from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.compound import pins_of, towards
-from gearwright.sizing.insight import Beside, MeshBeside, methods_beside
+from gearwright.sizing.insight import Beside, Influence, MeshBeside, MeshInfluences, influences, methods_beside
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
 from gearwright.sizing.pair_data import BevelPairData, CylindricalPairData, pair_data
@@ -41,10 +41,12 @@ __all__ = [
     "CarrierSizing",
     "CylindricalPairData",
     "GearSizing",
+    "Influence",
     "JointSizing",
     "MachineSizing",
     "MassPart",
     "MeshBeside",
+    "MeshInfluences",
     "MeshSizing",
     "Named",
     "Passing",
@@ -60,6 +62,7 @@ __all__ = [
     "bearing_forces",
     "cylindrical_gear",
     "fit_of",
+    "influences",
     "mass_parts",
     "methods_beside",
     "named_results",

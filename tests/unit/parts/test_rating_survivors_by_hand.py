@@ -1,6 +1,7 @@
 """Formulas of gear rating in the places where faults once went unnoticed, written out a second time."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from gearwright.parts.iso6336 import (
     Treatment,
     balanced_shift,
     dynamic_factor,
+    load_sharing_factor,
     outer_single_contact,
     root_section,
     shifted_mesh,
@@ -132,6 +134,17 @@ def test_the_dynamic_factor_in_every_region_and_overlap(ratio, width):
     )
     terms = (14e9 * 6e-6 / load, 14e9 * 9e-6 / load, abs(1.0 - 14e9 * 12e-6 / load))
     assert float(found.factor) == near(dynamic_by_hand(ratio, float(mesh.total_contact_ratio), terms))
+
+
+@pytest.mark.parametrize(
+    ("overlap", "ratio", "expected"),
+    [(0.0, 1.9, 1.0), (0.0, 2.2, 0.7), (0.4, 1.9, math.sqrt(0.6 + 0.4 / 1.9)), (0.4, 2.2, math.sqrt(0.3 + 0.4 / 2.2)),
+     (1.0, 2.2, 1.0 / math.sqrt(2.2)), (2.0, 1.6, 1.0 / math.sqrt(1.6))],
+)  # fmt: skip
+def test_load_sharing_on_both_sides_of_two_pairs_in_contact(overlap, ratio, expected):
+    """ISO 6336-3:2019, clause 6.2: from ε_αn = 2 on two pairs halve the spur part of the load."""
+    mesh = SimpleNamespace(transverse_contact_ratio=ratio, base_helix_angle=0.0, overlap_ratio=overlap)
+    assert float(load_sharing_factor(mesh)) == near(expected)
 
 
 def test_proportions_of_a_made_pair_are_the_racks():

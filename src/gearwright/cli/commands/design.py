@@ -68,6 +68,10 @@ def size(
     methods: Annotated[
         bool, typer.Option("--methods", help="Compare every method of rating on the sized gears, factor by factor")
     ] = False,
+    wish: Annotated[
+        float | None,
+        typer.Option(min=0.1, max=10.0, help="What moves the margins of the gears, and what raises the worst to this"),
+    ] = None,
 ) -> None:
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
     sizing = sized(design)
@@ -76,11 +80,12 @@ def size(
 
         show_answer("size", size_answer(sizing), design=sizing.design.name)
         return
-    from gearwright.render.words.text import factors_text, methods_text, sizing_text
+    from gearwright.render.words.text import factors_text, influences_text, methods_text, sizing_text
 
-    show(
-        sizing_text(sizing), *([factors_text(sizing)] if factors else []), *([methods_text(sizing)] if methods else [])
-    )
+    asked = ((factors, factors_text), (methods, methods_text))
+    show(sizing_text(sizing), *(text(sizing) for wanted, text in asked if wanted))
+    if wish is not None:
+        show(influences_text(sizing, wish))
 
 
 def modes(design: DesignArgument, case: CaseOption = None, json: JsonOption = False) -> None:

@@ -11,6 +11,7 @@ from gearwright.render.grid.grid import Grid
 from gearwright.render.grid.table import MARKS, Cell, Column, Table
 from gearwright.render.tables.paths import path_table
 from gearwright.render.tables.sizing.factors import factor_tables
+from gearwright.render.tables.sizing.influences import influence_tables
 from gearwright.render.tables.sizing.materials import estimated_only
 from gearwright.render.tables.sizing.methods import method_tables
 from gearwright.render.tables.sizing.overview import flow_tables, tables_of
@@ -70,6 +71,16 @@ def factors_text(sizing: Sizing) -> RenderableType:
         sizing: As sized.
     """
     return Group(*map(table_text, factor_tables(sizing).values()))
+
+
+def influences_text(sizing: Sizing, wish: float) -> RenderableType:
+    """Return what moves the margins of every mesh.
+
+    Args:
+        sizing: As sized.
+        wish: Margin that is wished [-].
+    """
+    return Group(*map(table_text, influence_tables(sizing, wish).values()))
 
 
 def methods_text(sizing: Sizing) -> RenderableType:

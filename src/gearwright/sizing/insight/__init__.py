@@ -3,6 +3,7 @@
 It rates anew what is sized; it sizes nothing.
 """
 
+from gearwright.sizing.insight.sensitivity import Influence, MeshInfluences, influences
 from gearwright.sizing.insight.side_by_side import Beside, MeshBeside, methods_beside
 
-__all__ = ["Beside", "MeshBeside", "methods_beside"]
+__all__ = ["Beside", "Influence", "MeshBeside", "MeshInfluences", "influences", "methods_beside"]

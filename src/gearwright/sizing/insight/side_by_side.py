@@ -8,10 +8,11 @@ from typing import NamedTuple
 
 from gearwright.errors import DesignError, SolveError
 from gearwright.sizing.insight.aspects import ASPECTS, FAMILIES, Aspect
-from gearwright.sizing.rating import METHODS, Context, Factor, MeshRating, context_of, factor_rows, rate_row
+from gearwright.sizing.insight.meshes import SizedMesh, sized_meshes
+from gearwright.sizing.rating import METHODS, Factor, MeshRating, factor_rows
 from gearwright.sizing.result import Sizing
 from gearwright.spec.design import RATINGS
-from gearwright.train import INTERNAL, Mesh
+from gearwright.train import INTERNAL
 from gearwright.verbs import verb
 
 CLOSE = 0.005
@@ -50,61 +51,38 @@ def methods_beside(sizing: Sizing) -> tuple[MeshBeside, ...]:
     Args:
         sizing: As sized; its teeth, modules, widths and loads are kept.
     """
-    context = context_of(sizing.design, sizing.train, sizing.teeth, sizing.flows, sizing.given)
-    sizes = {gear.name: (gear.module, gear.face_width) for gear in sizing.gears}
-    rows = {mesh.name: mesh for mesh in sizing.train.meshes}
-    return tuple(
-        _beside(context, rows[sized.name], sizes[sized.gears[0]])
-        for sized in sizing.meshes
-        if sized.rating.method in FAMILIES
-    )
+    return tuple(_beside(mesh) for mesh in sized_meshes(sizing) if mesh.rating.method in FAMILIES)
 
 
-def _beside(context: Context, mesh: Mesh, sizes: tuple[float, float]) -> MeshBeside:
+def _beside(mesh: SizedMesh) -> MeshBeside:
     rated: dict[str, MeshRating] = {}
     refused: dict[str, str] = {}
     for name in FAMILIES:
-        why = _uncovered(context, mesh, name)
+        why = _uncovered(mesh, name)
         try:
             if not why:
-                rated[name] = rated_by(context, mesh, sizes, name)
+                rated[name] = mesh.rated(replace(mesh.rating, method=name))
         except (DesignError, SolveError) as error:
             why = error.problems[0].message if isinstance(error, DesignError) else str(error)
         if why:
             refused[name] = why
     margins = {name: (record.contact_margin, record.bending_margin) for name, record in rated.items()}
-    return MeshBeside(mesh.name, tuple(_lines(rated)), margins, refused)
+    return MeshBeside(mesh.row.name, tuple(_lines(rated)), margins, refused)
 
 
-def rated_by(context: Context, mesh: Mesh, sizes: tuple[float, float], method: str) -> MeshRating:
-    """Return a sized mesh as a method rates it.
-
-    Args:
-        context: What sizing read.
-        mesh: Row of the train.
-        sizes: Its module and face width [m].
-        method: Name of the method.
-
-    Raises:
-        DesignError: What the method does not cover.
-    """
-    rating = replace(context.ratings[mesh.stage], method=method)
-    other = replace(context, ratings={**context.ratings, mesh.stage: rating})
-    return rate_row(other, mesh, *sizes)
-
-
-def _uncovered(context: Context, mesh: Mesh, method: str) -> str:
+def _uncovered(mesh: SizedMesh, method: str) -> str:
     """Return why a method does not rate a mesh; empty where it does."""
-    kind = "internal" if mesh.sign == INTERNAL else "cylindrical"
+    internal = mesh.row.sign == INTERNAL
+    kind = "internal" if internal else "cylindrical"
     if kind not in RATINGS[method].covers:
         return f"{RATINGS[method].title} rates no {kind} meshes here"
-    material = context.ratings[mesh.stage].material
+    material = mesh.rating.material
     lacking = [need for need in RATINGS[method].needs if getattr(material, need, None) is None]
     if lacking:
         return f"{material.name} has no {' and no '.join(lacking)}"
-    first, second = (context.teeth[gear] for gear in mesh.gears)
-    rating = replace(context.ratings[mesh.stage], method=method)
-    problem = next(iter(METHODS[method].refuse(rating, (first, -second if mesh.sign == INTERNAL else second))), None)
+    first, second = (mesh.context.teeth[gear] for gear in mesh.row.gears)
+    teeth = (first, -second if internal else second)
+    problem = next(METHODS[method].refuse(replace(mesh.rating, method=method), teeth), None)
     return "" if problem is None else problem.message
 
 

@@ -35,6 +35,8 @@ class Factor:
     """Of first and second gear, or one of the mesh; more are one list [SI]."""
     dimension: str
     clause: str
+    limit: str = ""
+    """Limit of the standard at which it stands; empty where it stands at none that is known."""
 
 
 def factor_rows(record: object, chapter: str) -> Iterator[Factor]:

@@ -14,7 +14,7 @@ from gearwright.units import shown, unit
 
 _NOTE = (
     "In the heaviest case over the whole life, application factor included; a single value holds for both gears."
-    " The safeties under all cases stand in the table of checks."
+    " The safeties under all cases stand in the table of checks. At a limit: the standard holds the factor there."
 )
 
 
@@ -32,6 +32,8 @@ class FactorView:
     wheel: str
     """Second gear; empty where there is one value."""
     unit: str
+    limit: str
+    """Limit of the standard at which it stands."""
     clause: str
 
 
@@ -66,7 +68,9 @@ def _view(row: Factor) -> FactorView:
     if len(values) > 2:
         values = [", ".join(values)]
     pinion, wheel = (*values, "")[:2]
-    return FactorView(row.chapter, row.quantity, row.equation, pinion, wheel, unit(row.dimension), row.clause)
+    return FactorView(
+        row.chapter, row.quantity, row.equation, pinion, wheel, unit(row.dimension), row.limit, row.clause
+    )
 
 
 def _read(value: Any, dimension: str) -> str:

@@ -23,6 +23,7 @@ from gearwright.parts.iso6336 import (
 )
 from gearwright.sizing.rating.factors import Factor, factor_rows, steel_rows
 from gearwright.sizing.rating.iso6336.inputs import EDITIONS, clause_of, duty_of, quality_of, steel_of
+from gearwright.sizing.rating.iso6336.limits import limited
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
 from gearwright.sizing.rating.iso6336.record import Iso6336Rating
 from gearwright.sizing.rating.iso6336.scuffing import scuffing_of
@@ -144,7 +145,7 @@ class Iso6336:
     def factors(self, rated: Iso6336Rating) -> Iterator[Factor]:
         """Yield steel, loads, flanks, roots and scuffing."""
         yield from steel_rows(rated.steel)
-        for row in factor_rows(rated.factors, "mesh"):
+        for row in limited(factor_rows(rated.factors, "mesh"), rated.factors, rated.steel):
             yield replace(row, clause=clause_of(row.clause, self._part3))
         if rated.scuffing is not None:
             yield from factor_rows(rated.scuffing, "scuffing")

@@ -1,0 +1,58 @@
+"""At which limit of the standard a factor stands: there it no longer answers to what it depends on."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+from gearwright.parts.iso6336 import GearSteel, PairRating, life_curves
+from gearwright.sizing.rating.factors import Factor
+
+_WORN, _SOFT = 1200e6, 850e6
+"""σ_Hlim between which the film's constants run [Pa] (ISO 6336-2, clause 12.3)."""
+_FIXED: Mapping[tuple[str, str], tuple[tuple[float, str], ...]] = {
+    ("load factors", "transverse contact"): ((1.0, "least"),),
+    ("load factors", "transverse bending"): ((1.0, "least"),),
+    ("pitting", "single contact"): ((1.0, "least: pitch point"),),
+    ("strength of flanks", "work hardening"): ((1.0, "least"), (1.2, "greatest: 130 HB")),
+    ("strength of flanks", "size"): ((1.0, "greatest"),),
+    ("strength of roots", "size"): ((1.0, "greatest"), (0.8, "least"), (0.85, "least")),
+    ("tooth root", "rim"): ((1.0, "least: thick rim"),),
+    ("tooth root", "deep tooth"): ((1.0, "greatest"), (0.7, "least")),
+}
+"""Chapter and quantity -> values at which it is held, and which limit each is."""
+_FILM = ("lubricant", "speed", "roughness")
+
+
+def limited(rows: Iterable[Factor], rated: PairRating, steel: GearSteel) -> Iterator[Factor]:
+    """Yield the rows of a rating, each with the limit at which it stands.
+
+    Args:
+        rows: Of the rating.
+        rated: That they show.
+        steel: Of both gears.
+    """
+    own = _own_limits(rated, steel)
+    for row in rows:
+        known = (*_FIXED.get((row.chapter, row.quantity), ()), *own.get((row.chapter, row.quantity), ()))
+        words = dict.fromkeys(
+            word for value in row.values for bound, word in known if math.isclose(float(value), bound, rel_tol=1e-12)
+        )
+        yield replace(row, limit=", ".join(words))
+
+
+def _own_limits(rated: PairRating, steel: GearSteel) -> dict[tuple[str, str], tuple[tuple[float, str], ...]]:
+    """Return the limits that depend on the mesh and its steel."""
+    limits: dict[tuple[str, str], tuple[tuple[float, str], ...]] = {
+        ("load factors", "transverse contact"): ((float(rated.transverse.contact_limit), "greatest"),),
+        ("load factors", "transverse bending"): ((float(rated.transverse.bending_limit), "greatest"),),
+    }
+    for chapter, curve in zip(("strength of flanks", "strength of roots"), life_curves(steel), strict=True):
+        limits[chapter, "life"] = ((curve.factors[0], "greatest: static"), (curve.factors[-1], "least: 1e10 cycles"))
+    if not _SOFT < steel.contact_strength < _WORN:
+        end = "σ_Hlim counts as 1200" if steel.contact_strength >= _WORN else "σ_Hlim counts as 850"
+        film = rated.contact_strength[0]
+        for name in _FILM:
+            limits["strength of flanks", name] = ((float(getattr(film, name)), end),)
+    return limits
