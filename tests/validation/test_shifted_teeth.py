@@ -16,6 +16,7 @@ from gearwright.parts.gears import (
     centre_play,
     circumferential_play,
     half_angle_at,
+    shifts_at,
     span_allowance,
     span_measurement,
     spanned_teeth,
@@ -52,6 +53,24 @@ def test_both_meshes_of_a_published_set_close_within_five_micrometres_of_each_ot
     outer = module * working_centre(teeth[1] + teeth[2], shifts[1] + shifts[2], **TWENTY)
     assert (inner, outer) == (pytest.approx(published[0], abs=0.6 * UM), pytest.approx(published[1], abs=0.6 * UM))
     assert abs(inner - outer) <= 5.0 * UM
+
+
+@pytest.mark.parametrize(
+    ("module", "teeth", "shifts", "housing", "missed"),
+    [
+        (45e-3, (19, 17, -56), (0.617, 0.802, -0.501), 863e-3, (-4.4, -9.1)),
+        (21e-3, (18, 36, -93), (0.389, 0.504, 0.117), 584e-3, (2.3, -0.4)),
+    ],
+)
+def test_printed_shifts_miss_the_housing_by_less_than_their_third_decimal_is_worth(
+    module, teeth, shifts, housing, missed
+):
+    """What the page says: 4.4, 9.1, 2.3 and 0.4 µm; half a thousandth of the sum is worth 9 to 26 µm."""
+    meshes = ((teeth[0] + teeth[1], shifts[0] + shifts[1]), (teeth[1] + teeth[2], shifts[1] + shifts[2]))
+    for (number, total), told in zip(meshes, missed, strict=True):
+        closed = module * working_centre(number, total, **TWENTY)
+        assert (closed - housing) / UM == pytest.approx(told, abs=0.06)
+        assert abs(shifts_at(number, housing / module, **TWENTY) - total) < 5e-4
 
 
 def test_the_gearbox_turns_at_the_published_ratios():

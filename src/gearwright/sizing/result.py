@@ -69,7 +69,8 @@ class GearSizing:
         float,
         Quantity("mass"),
         Origin(
-            "m = π r² b ρ, wheels times their web ratio; rings π ((r + s)² − r²) b ρ", f"{_THESIS}, eq. 3.3; annulus"
+            "m = π r² b ρ, wheels times their web ratio; rings π ((d/2 + s)² − r²) b ρ; r = d/2 ± x m_n",
+            f"{_THESIS}, eq. 3.3; annulus",
         ),
     ]
     """Mass of one body [kg]."""

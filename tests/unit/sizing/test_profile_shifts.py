@@ -8,6 +8,7 @@ import pytest
 
 from designs import PAIR
 from gearwright.dynamics.assembly import gear_pairs
+from gearwright.errors import DesignError
 from gearwright.mission import Oil, gearbox_of
 from gearwright.render.drawings.views.teeth import cylindrical_gear
 from gearwright.sizing import Sizing, size
@@ -79,3 +80,41 @@ def test_teeth_inside_are_neither_undercut_nor_pointed_as_teeth_outside_are():
     sizing = size(parse(f"{slower}{keys}\n[gears]\nhelix_angle_deg = 0\nprofile_shift = 0.5\n"))
     of = {mode: [check.part for check in sizing.checks if check.mode == mode] for mode in ("undercut", "tip thickness")}
     assert of == {"undercut": [sizing.gears[0].part], "tip thickness": [sizing.gears[0].part]}
+
+
+def test_a_shifted_gear_weighs_what_its_mean_circle_holds():
+    """By hand: x m_n outside of the pitch circle of a gear, and inside of that of a ring whose outside stays."""
+    keys = "module_mm = 4\nface_width_mm = 40\ncentre_distance_mm = 148\npinion_shift = 0.5\n"
+    sizing = size(parse(f"{PAIR}{TEETH}{keys}\n[gears]\nhelix_angle_deg = 0\n"))
+    density = sizing.design.material(sizing.design.rules("stage").material).density
+    for gear in sizing.gears:
+        radius = 0.5 * gear.pitch_diameter + 0.004 * gear.profile_shift
+        assert gear.mass == pytest.approx(density * 0.040 * math.pi * radius**2)
+        assert gear.inertia == pytest.approx(0.5 * gear.mass * radius**2)
+    ring = "internal = true\nmodule_mm = 4\nface_width_mm = 40\npinion_shift = 0.3\nwheel_shift = -0.3\n"
+    wheel = size(parse(f"{PAIR}{TEETH}{ring}\n[gears]\nhelix_angle_deg = 0\n")).gears[1]
+    inner, outer = 0.108 + 0.004 * 0.3, 0.108 + wheel.rim
+    assert wheel.mass == pytest.approx(density * 0.040 * math.pi * (outer**2 - inner**2))
+
+
+def test_the_search_knows_the_shift_that_is_given():
+    """z_min = 2 (1 − x)/sin² 20° = 17.1, 12.0 and 23.9: a shift outwards lets fewer teeth in, one inwards asks more."""
+    teeth = [
+        size(parse(f"{PAIR}{shift}[gears]\nhelix_angle_deg = 0\n")).teeth["stage.pinion"]
+        for shift in ("pinion_shift = 0.3\n", "", "pinion_shift = -0.4\n", "wheel_shift = 0.4\n")
+    ]
+    assert teeth[0] < teeth[1] < teeth[2] == teeth[3] == 24
+
+
+def test_teeth_are_chosen_for_a_centre_distance_that_is_given():
+    """By hand: 121 mm of module 3 are 40.33 modules, 79 teeth stand at 39.5; without it others are lighter."""
+    keys = "module_mm = 3\ncentre_distance_mm = 121\n"
+    sizing = size(parse(f"{PAIR}{keys}[gears]\nhelix_angle_deg = 0\n"))
+    pinion, wheel = (sizing.teeth[f"stage.{side}"] for side in ("pinion", "wheel"))
+    assert -0.4 <= 121.0 / 3.0 - 0.5 * (pinion + wheel) <= 0.9
+    assert sizing.meshes[0].centre_distance == pytest.approx(0.121)
+
+
+def test_a_centre_distance_that_no_teeth_of_the_search_reach_is_refused_with_it():
+    with pytest.raises(DesignError, match=r"at a centre distance of 100 modules; change centre_distance or module"):
+        size(parse(f"{PAIR}module_mm = 2\ncentre_distance_mm = 200\n[gears]\nhelix_angle_deg = 0\n"))

@@ -7,6 +7,7 @@ import pytest
 from designs import PAIR, changed, problem, problems
 from gearwright.dynamics.assembly import assemble
 from gearwright.identity import Role
+from gearwright.parts.gears import working_centre
 from gearwright.parts.iso6336 import specific_slidings
 from gearwright.sizing import cylindrical_gear, planet_positions, size
 from gearwright.sizing.rating import cylindrical_mesh, rating_of
@@ -199,3 +200,44 @@ def test_less_crowned_bevel_flanks_spread_their_load_further():
         size(parse(PAIR + 'kind = "bevel"\n' + sizes + rules.format(how))).meshes[0].rating for how in ("high", "low")
     )
     assert low.contact_stress < 0.98 * high.contact_stress
+
+
+@pytest.mark.parametrize("distance", [60, 76, 86.5, 90, 120, 1e4])
+def test_a_centre_distance_that_no_shift_reaches_is_refused_with_those_that_are(distance):
+    """20/60 of module 2 reach 38 to 42.5 modules, by x_1 + x_2 of −3 to 3."""
+    told = problem(f"{PAIR}{SPUR}centre_distance_mm = {distance}\n{RULES}")
+    assert told.path == "pairs.stage.centre_distance_mm"
+    assert "modules" in told.message
+
+
+def test_one_shift_given_leaves_no_more_than_a_tooth_can_take_to_the_other():
+    told = problem(f"{PAIR}{SPUR}centre_distance_mm = 83\npinion_shift = 0\n{RULES}")
+    assert told.path == "pairs.stage.centre_distance_mm"
+    assert "of the wheel; shifts up to ±1.5 reach" in told.message
+
+
+@pytest.mark.parametrize("total", [-0.4, 0.0, 0.3, 0.9, 1.4])
+def test_the_sum_of_shifts_at_a_centre_distance_is_the_same_however_it_is_divided(total):
+    """x_1 + x_2 belongs to a_w; balance, a given shift or the mate's shift divide it, and mirrored teeth mirror it."""
+    centre = 2.0 * working_centre(80, total, pressure_angle=math.radians(20.0), helix_angle=0.0)
+    ways = ("", "pinion_shift = 0.2\n", f"wheel_shift = {total - 0.3}\n")
+    sums = [sum(shifts_of(pair_shifts(f"centre_distance_mm = {centre!r}\n{way}"))) for way in ways]
+    assert sums == pytest.approx([total] * 3, abs=1e-6)
+    even = f"{PAIR}pinion_teeth = 40\nwheel_teeth = 40\nmodule_mm = 2\ncentre_distance_mm = {centre!r}\n{RULES}"
+    slower = changed(even, "speed_rpm = 2000", "speed_rpm = 6000")
+    first, second = shifts_of(stage_shifts(parse(slower), "stage", {Role.PINION: 40, Role.WHEEL: 40}))
+    assert first == pytest.approx(second, abs=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("teeth", "ways"), [((33, 18, 69), "give 2 or 3 or 6 planets"), ((27, 36, 99), "give 2 or 3 planets")]
+)
+def test_four_planets_that_do_not_go_together_are_refused_and_stand_where_they_fit(teeth, ways):
+    """33 + 69 = 102 and 27 + 99 = 126 are no multiples of 4; places are multiples of 360°/(z_s + z_r)."""
+    told = problem(one_set(*teeth, "module_mm = 2\n", planets=4))
+    assert told.path == "planetaries.first.planets"
+    assert ways in told.message
+    design = parse(one_set(*teeth, "module_mm = 2\nunequal_places = true\n", planets=4))
+    places = planet_positions(design, "first", {"first.sun": teeth[0], "first.ring": teeth[2]})
+    steps = [place * (teeth[0] + teeth[2]) / (2.0 * math.pi) for place in places]
+    assert steps == pytest.approx([round(step) for step in steps])

@@ -1,4 +1,4 @@
-"""Mass and inertia of gear bodies: discs at the pitch diameter and rings."""
+"""Mass and inertia of gear bodies: discs and rings, to the circle that is the pitch circle without profile shift."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ def disc_mass(diameter: float, width: float, density: float) -> float:
     """Return the mass of a solid disc [kg].
 
     Args:
-        diameter: Outer diameter, for a gear its pitch diameter [m].
+        diameter: Outer diameter; of a gear that of its mean circle, d + 2 x m_n [m].
         width: Face width [m].
         density: ρ [kg/m³].
 
@@ -37,8 +37,8 @@ def ring_mass(inner_diameter: float, wall: float, width: float, *, density: floa
     """Return the mass of a ring gear's body, from its pitch circle outwards [kg].
 
     Args:
-        inner_diameter: Pitch diameter [m].
-        wall: Radial thickness outside the pitch circle [m].
+        inner_diameter: Of its mean circle, d − 2 x m_n [m].
+        wall: Radial thickness outside of it [m].
         width: Face width [m].
         density: ρ [kg/m³].
 

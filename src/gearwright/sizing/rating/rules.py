@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple, Protocol
 
 from gearwright.parts import Material
 from gearwright.parts.gears import Numbers, ToothShift
-from gearwright.spec import Design, GearRules, Pair, Planetary
+from gearwright.spec import Design, Epicyclic, GearRules, Pair, Planetary
 from gearwright.spec.design import (
     PAIR_ROLES,
     RATINGS,
@@ -90,14 +90,20 @@ def rating_of(design: Design, name: str, teeth: Mapping[str, int] | None = None)
         material=design.material(rules.material),
         helix_angle=helix,
         service=design.service,
-        shifts=_open_shifts(pair, rules) if teeth is None else _shifts(design, name, teeth),
+        shifts=_open_shifts(stage, rules) if teeth is None else _shifts(design, name, teeth),
     )
 
 
-def _open_shifts(pair: Pair | None, rules: GearRules) -> StageShifts:
+def _open_shifts(stage: Pair | Planetary | Epicyclic, rules: GearRules) -> StageShifts:
     """Return the shifts that a stage surely has before its teeth are chosen: those that keep the reference centre."""
-    shift = rules.profile_shift
-    signs = (1.0, -1.0, 1.0) if pair is None else (1.0, -1.0)
+    shift: float | None = None
+    if isinstance(stage, Planetary):
+        shift = stage.sun_shift
+    elif isinstance(stage, Pair) and stage.kind != "bevel":
+        opposite = None if stage.wheel_shift is None else -stage.wheel_shift
+        shift = opposite if stage.pinion_shift is None else stage.pinion_shift
+    shift = rules.profile_shift if shift is None else shift
+    signs = (1.0, -1.0) if isinstance(stage, Pair) else (1.0, -1.0, 1.0)
     return StageShifts(tuple(ToothShift(sign * shift + 0.0) for sign in signs))
 
 

@@ -37,13 +37,17 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
     density = rating.material.density
     ring = gear.name in context.train.internal
     wall = rating.rules.rim_thickness_ratio * module if ring else 0.0
-    if ring:
-        mass = ring_mass(diameter, wall, width, density=density)
-    else:
-        mass = disc_mass(diameter, width, density) * (rating.rules.web_ratio if gear.role is Role.WHEEL else 1.0)
-    mass = given.get(f"{gear.name}.mass", mass)
-    inertia = ring_inertia(mass, diameter, wall) if ring else disc_inertia(mass, diameter)
     shift = rating.shifts.of(gear.role)
+    # Profile shift moves teeth and roots as they are; what is cut off thin tips is left out.
+    thicker = shift.profile_shift * module if rating.kind == "cylindrical" else 0.0
+    if ring:
+        mean, depth = diameter - 2.0 * thicker, wall + thicker
+        mass = ring_mass(mean, depth, width, density=density)
+    else:
+        mean, depth = diameter + 2.0 * thicker, 0.0
+        mass = disc_mass(mean, width, density) * (rating.rules.web_ratio if gear.role is Role.WHEEL else 1.0)
+    mass = given.get(f"{gear.name}.mass", mass)
+    inertia = ring_inertia(mass, mean, depth) if ring else disc_inertia(mass, mean)
     return GearSizing(
         stage=gear.stage,
         role=gear.role,

@@ -34,6 +34,8 @@ MOST_TEETH = 1_000_000
 """Where an absurd ratio stops [-]."""
 ROUNDING = 1e-12
 """Of a wanted tooth number [-]."""
+NEAREST_CENTRES = (-0.4, 0.9)
+"""By how many modules a given centre distance may differ from that of teeth without shift, to be chosen [-]."""
 LEAST_LEWIS = 12
 """Fewest teeth for which the Lewis form factor is tabulated."""
 LEAST_BEVEL = 8
@@ -144,19 +146,20 @@ def ring_teeth(stage: Planetary, sun: Ints, planet: Ints) -> Ints:
     return sun + 2 * planet if known is None else np.full_like(sun, known[2])
 
 
-def fewest_teeth(rating: Rating) -> int:
-    """Return the smallest tooth number of pinions without undercut [-].
+def fewest_teeth(rating: Rating, gear: int = 0) -> int:
+    """Return the smallest tooth number of a gear without undercut [-].
 
     Args:
-        rating: Resolved rules: pressure angle, helix angle and profile shift of pinions.
+        rating: Resolved rules: pressure angle, helix angle and the shifts that are sure before teeth are chosen.
+        gear: 0 of the pinion, 1 of the wheel.
 
     Source: z_min = 2 cos β (1 − x) / sin² α_t; Pulvirenti 2023, eq. (2.6), approximates it: 2 cos³ β (1 − x)/sin² α.
     """
     if rating.kind == "bevel":
         return LEAST_BEVEL
-    angle, rules = rating.helix_angle, rating.rules
-    transverse = transverse_pressure_angle(rules.pressure_angle, angle)
-    return max(math.ceil(2.0 * math.cos(angle) * (1.0 - rules.profile_shift) / math.sin(transverse) ** 2), LEAST_LEWIS)
+    angle, shift = rating.helix_angle, rating.shifts.gears[gear].profile_shift
+    transverse = transverse_pressure_angle(rating.rules.pressure_angle, angle)
+    return max(math.ceil(2.0 * math.cos(angle) * (1.0 - shift) / math.sin(transverse) ** 2), LEAST_LEWIS)
 
 
 def _whole(wanted: Floats) -> Ints:
@@ -226,9 +229,22 @@ def admissible(task: Task, design: Design, small: Ints, large: Ints, *, planets:
         if rules.hunting:
             good &= (np.gcd(small, large) == 1) & (np.gcd(large, ring) == 1)
         return good
-    good = np.minimum(small, large) >= (rules.pinion_minimum or fewest_teeth(task.rating))
+    least = [rules.pinion_minimum or fewest_teeth(task.rating, gear) for gear in (0, 0 if stage.internal else 1)]
+    good = (small >= least[0]) & (large >= least[1]) & _reached(stage, small, large, helix=task.rating.helix_angle)
     if task.rating.kind == "bevel":
         good &= _virtual_pinion(small, large) >= fewest_virtual_teeth(task.rating)
     if rules.hunting:
         good &= np.gcd(small, large) == 1
     return good
+
+
+def _reached(stage: Pair, small: Ints, large: Ints, *, helix: float) -> Bools:
+    """Tell which teeth usual shifts bring to a given centre distance; all, where none is given.
+
+    Source: DIN 3992:1964, whose sums of shifts are −0.5 to 1 or little more; the distance gains a little less.
+    """
+    if stage.centre_distance is None or stage.module is None:
+        return np.ones(small.shape, dtype=bool)
+    total = large - small if stage.internal else large + small
+    gained = stage.centre_distance / stage.module - total / (2.0 * math.cos(helix))
+    return np.asarray((gained >= NEAREST_CENTRES[0]) & (gained <= NEAREST_CENTRES[1]))

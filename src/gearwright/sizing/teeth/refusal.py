@@ -51,6 +51,9 @@ def _pair(stage: Pair, design: Design, tooth_ratio: float, smallest: int) -> str
         )
     )
     hunting = " and have no common factor" if rules.hunting else ""
+    if stage.centre_distance is not None and stage.module is not None:
+        hunting += f" at a centre distance of {stage.centre_distance / stage.module:.4g} modules"
+        fix = f"change centre_distance or module, {fix}"
     return (
         f"{start} the ratio {tooth_ratio:.4g} within {rules.stage_tolerance:.1%}{hunting}; {fix}, or change the speeds"
     )

@@ -17,6 +17,7 @@ from gearwright.spec.design.teeth.shifts import (
     altered,
     divided,
     given_centre,
+    refuse_wide,
 )
 
 
@@ -48,6 +49,8 @@ def pair_shifts(basis: Basis, pair: Pair, teeth: tuple[int, int], borrowed: Mapp
     wanted = basis.sum_at(total, centre)
     shifts = _completed((first, second), wanted, lambda: divided(basis, signed, wanted, centre))
     agree(basis, "wheel_shift", shifts, total, centre)
+    for role, shift in zip(PAIR_ROLES, shifts, strict=True):
+        refuse_wide(basis, role, shift, signed)
     return StageShifts(altered(basis, pair, PAIR_ROLES, shifts, signed, centre), centre)
 
 
@@ -107,6 +110,8 @@ def set_shifts(basis: Basis, planetary: Planetary, teeth: tuple[int, int, int]) 
     )
     agree(basis, "planet_shift", shifts[:2], outer, centre)
     agree(basis, "ring_shift", shifts[1:], inner, centre)
+    for role, shift in zip(SET_ROLES, shifts, strict=True):
+        refuse_wide(basis, role, shift, (teeth[1], -teeth[2]) if role is Role.RING else (teeth[0], teeth[1]))
     place = None if at_reference else centre
     return StageShifts(altered(basis, planetary, SET_ROLES, shifts, (teeth[0], teeth[1]), place), place)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem
@@ -26,8 +27,12 @@ ROUNDING = 2e-3
 """Part of a module by which given shifts may miss a centre distance: they are written with three decimals [-]."""
 PAIR_ROLES = (Role.PINION, Role.WHEEL)
 SET_ROLES = (Role.SUN, Role.PLANET, Role.RING)
-_WIDEST = 1.5
+WIDEST = 1.5
 """Largest shift that is looked at [-]."""
+_ROUNDED = 1e-9
+"""By which rounding may miss it [-]."""
+_STEPS = 24
+"""In which the centre distances that shifts reach are looked for, to either side [-]."""
 
 
 class StageShifts(NamedTuple):
@@ -130,6 +135,39 @@ def agree(basis: Basis, key: str, shifts: tuple[float, ...], teeth: int, centre:
         raise basis.refused(key, message)
 
 
+def refuse_wide(basis: Basis, role: Role, shift: float, mates: tuple[int, int]) -> None:
+    """Refuse a shift that is wider than any that is looked at, as a centre distance far away asks for it.
+
+    Args:
+        basis: Of the stage.
+        role: Whose shift was found.
+        shift: x [-].
+        mates: z_1 and z_2 of the mesh that it closes, negative for internal teeth [-].
+
+    Raises:
+        DesignError: With the centre distances that are reached.
+    """
+    if abs(shift) > WIDEST + _ROUNDED:
+        message = f"it closes only with the shift {shift:.4g} of the {role}; {_reach(basis, mates)}"
+        raise basis.refused("centre_distance", message)
+
+
+def _out_of_reach(basis: Basis, teeth: tuple[int, int], total: float) -> str:
+    return f"it asks x_1 + x_2 = {total:.4g} of {teeth[0]} and {abs(teeth[1])} teeth; {_reach(basis, teeth)}"
+
+
+def _reach(basis: Basis, teeth: tuple[int, int]) -> str:
+    """Return between which centre distances shifts close a mesh, and what else would do."""
+    ends: list[float] = []
+    for steps in range(-_STEPS, _STEPS + 1):
+        with suppress(DesignError):
+            ends.append(basis.centre_of(sum(teeth), 2.0 * WIDEST * steps / _STEPS))
+    return (
+        f"shifts up to ±{WIDEST:g} reach {min(ends):.4g} to {max(ends):.4g} modules: give a centre distance between"
+        " them, another module, or other teeth"
+    )
+
+
 def divided(basis: Basis, teeth: tuple[int, int], total: float, centre: float | None) -> float:
     """Return x_1 of a sum of shifts that balances two gears as the rules say, without undercut of either.
 
@@ -140,10 +178,12 @@ def divided(basis: Basis, teeth: tuple[int, int], total: float, centre: float | 
         centre: a_w/m_n [-]; None: the reference one.
     """
     limits = [
-        least_profile_shift(number, ISO53_A.straight_dedendum, **basis.angles) if number > 0 else -_WIDEST
+        max(least_profile_shift(number, ISO53_A.straight_dedendum, **basis.angles), -WIDEST) if number > 0 else -WIDEST
         for number in teeth
     ]
-    least, most = max(limits[0], -_WIDEST), min(total - limits[1], _WIDEST)
+    least, most = max(limits[0], total - WIDEST), min(total - limits[1], WIDEST)
+    if total > 2.0 * WIDEST or total < -2.0 * WIDEST:
+        raise basis.refused("centre_distance", _out_of_reach(basis, teeth, total))
     if least > most:
         needed = sum(limits)
         message = (
