@@ -40,6 +40,7 @@ MAKES: Mapping[str, str] = types.MappingProxyType(
         "SharingProblem": "gearwright.dynamics.sharing.sharing_problem(sizing, stage)",
         "SharingStudy": "gw.sharing(sizing, stage)",
         "Sizing": "gw.size(design)",
+        "Sizings": "gw.size_many(design, axes)",
         "SpeedMap": "gw.speed_map(system, factors, settle=..., duration=...)",
         "Study": "gw.read_study(path or shipped name)",
         "System": "gw.assemble(sizing, case)",

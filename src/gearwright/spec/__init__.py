@@ -28,7 +28,7 @@ from gearwright.spec.design import (
     levels_of,
     shares_of,
 )
-from gearwright.spec.edit import edited, edited_mission, path_problem
+from gearwright.spec.edit import edited, edited_mission, path_problem, path_problems
 from gearwright.spec.keys import keys_of
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.mission import (
@@ -119,6 +119,7 @@ __all__ = [
     "parse_mission",
     "parse_study",
     "path_problem",
+    "path_problems",
     "placed",
     "quantity_of",
     "range_of",

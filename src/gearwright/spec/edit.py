@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from types import UnionType
 from typing import Any, TypeVar, Union, get_args, get_origin
 
@@ -74,11 +74,23 @@ def path_problem(record: Record, path: str) -> Problem | None:
         record: The design or mission.
         path: Dotted path with the unit in its last part.
     """
-    data = _opened(record)
-    problem = _set(type(record), data, path, 0.0, Written())
-    if problem is not None or not isinstance(record, Design):
-        return problem
-    return _misnamed(data, path)
+    return next(iter(path_problems(record, [path])), None)
+
+
+def path_problems(record: Record, paths: Iterable[str]) -> list[Problem]:
+    """Return which paths have no place in a design or mission, and which mean an entry that another one means.
+
+    Args:
+        record: The design or mission.
+        paths: Dotted paths with the unit in their last part.
+    """
+    data, written, problems = _opened(record), Written(), list[Problem]()
+    for path in paths:
+        problem = _set(type(record), data, path, 0.0, written)
+        if problem is None and isinstance(record, Design):
+            problem = _misnamed(data, path)
+        problems += [] if problem is None else [problem]
+    return problems
 
 
 def _misnamed(data: dict[str, Any], path: str) -> Problem | None:

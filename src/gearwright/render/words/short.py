@@ -71,6 +71,14 @@ def _sizing(sizing: Any) -> Iterator[str]:
     yield "next: gw.review(sizing.design), gw.assemble(sizing, case), gw.fly(sizing, mission), gw.report(sizing)"
 
 
+def _sizings(sizings: Any) -> Iterator[str]:
+    refused = len(sizings.reasons)
+    yield f"Sizings: {len(sizings)} designs of {len(sizings.structures)} structures, {refused} refused"
+    yield f"columns {_listed(sizings.columns)}"
+    yield from (f"row {row}: {reason[: 2 * LONGEST]}" for row, reason in list(sizings.reasons.items())[:2])
+    yield "next: sizings.columns[name], sizings.at(row), sizings.reasons"
+
+
 def _chosen(search: Any) -> Iterator[str]:
     if search is None:
         return
@@ -200,6 +208,7 @@ _LINES: Mapping[str, Callable[[Any], Iterator[str]]] = MappingProxyType(
     {
         "Campbell": _campbell, "Design": _design, "DynamicWindow": _window, "Ensemble": _ensemble, "Flight": _flight,
         "Modes": _modes, "Orbit": _orbit, "Review": _review, "RunUp": _run_up, "Samples": _samples, "Sizing": _sizing,
+        "Sizings": _sizings,
         "SpeedCase": _speed_case, "SpeedMap": _speed_map, "System": _system, "Table": _table, "Trace": _trace,
     }
 )  # fmt: skip
