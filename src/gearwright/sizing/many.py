@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from gearwright.errors import DesignError, GearwrightError, Problem, near, refuse
-from gearwright.sizing.answers import TEXT, Named, named_results, total_results
+from gearwright.sizing.answers import TEXT, Named, asked_results, named_results, total_results
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.size import size
 from gearwright.sizing.sizings import Sizings, Structure, stacked, structure_of
@@ -120,9 +120,7 @@ def _plain(cell: Any) -> Any:
 
 def _numbers(sizing: Sizing, results: Sequence[str] | None) -> dict[str, Named]:
     """Return the asked numbers of a sizing, as far as it has them."""
-    named = total_results(sizing)
     if results is None:
-        return named
-    if not named.keys() >= set(results):
-        named = named_results(sizing)
+        return total_results(sizing)
+    named = asked_results(sizing, results)
     return {name: named[name] for name in results if name in named}

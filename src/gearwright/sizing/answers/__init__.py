@@ -5,7 +5,7 @@ How they are shown is for `render`.
 
 from gearwright.sizing.answers.breakdown import AskedSpeed, MassPart, asked_speeds, bearing_forces, mass_parts
 from gearwright.sizing.answers.gate import refuse_no_numbers
-from gearwright.sizing.answers.named import TEXT, Named, named_results, pick, total_results
+from gearwright.sizing.answers.named import TEXT, Named, asked_results, named_results, pick, total_results
 from gearwright.sizing.answers.passing import Passing, locking_checks, passing
 
 __all__ = [
@@ -14,6 +14,7 @@ __all__ = [
     "MassPart",
     "Named",
     "Passing",
+    "asked_results",
     "asked_speeds",
     "bearing_forces",
     "locking_checks",

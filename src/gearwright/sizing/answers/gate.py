@@ -73,12 +73,19 @@ def _is_number(value: Any, *, endless: bool = False) -> bool:
     if kind in _PLAIN:
         return True
     if kind is tuple:
-        return all(_is_number(item, endless=endless) for item in value)
-    if kind is dict:
-        return all(_is_number(item) for item in value.values())
-    if names := _numbers_of(kind):
-        return all(_is_number(getattr(value, name), endless=may_be) for name, may_be in names)
-    return not any(True for _ in _wrong(value, "life" if endless else ""))
+        pairs = [(item, endless) for item in value]
+    elif kind is dict:
+        pairs = [(item, False) for item in value.values()]
+    elif names := _numbers_of(kind):
+        pairs = [(getattr(value, name), may_be) for name, may_be in names]
+    else:
+        return not any(True for _ in _wrong(value, "life" if endless else ""))
+    for item, may_be in pairs:
+        if type(item) is float and math.isfinite(item):
+            continue
+        if not _is_number(item, endless=may_be):
+            return False
+    return True
 
 
 def _numbers_of(kind: type) -> tuple[tuple[str, bool], ...]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import fields
+from types import MappingProxyType
 from typing import NamedTuple, get_args, get_type_hints
 
 from gearwright.errors import DesignError, Problem, near
@@ -48,30 +49,46 @@ def total_results(sizing: Sizing) -> dict[str, Named]:
     Args:
         sizing: What was sized.
     """
-    return {
-        "mass": Named(sizing.mass, "mass"),
-        "gear_mass": Named(sizing.gear_mass, "mass"),
-        "shaft_mass": Named(sizing.shaft_mass, "mass"),
-        "carrier_mass": Named(sizing.carrier_mass, "mass"),
-        "motor_mass": Named(sizing.motor_mass, "mass"),
-        "total_mass": Named(sizing.mass + sizing.motor_mass, "mass"),
-        "power_density": Named(sizing.power_density, "specific_power"),
-        "total_power_density": Named(sizing.total_power_density, "specific_power"),
-        "worst_margin": Named(sizing.worst_margin, "ratio"),
-        "efficiency": Named(_efficiency(sizing.reference), "ratio"),
-        **_backwards(sizing),
-    }
+    return {name: total(sizing) for name, total in _TOTALS.items()}
 
 
-def _backwards(sizing: Sizing) -> dict[str, Named]:
+def asked_results(sizing: Sizing, asked: Collection[str]) -> dict[str, Named]:
+    """Return results of a sizing with those that are asked among them, where it has them; little more than need be.
+
+    Args:
+        sizing: What was sized.
+        asked: Their names.
+    """
+    if all(name in _TOTALS for name in asked):
+        return {name: _TOTALS[name](sizing) for name in asked}
+    return named_results(sizing)
+
+
+def _backwards(sizing: Sizing) -> Named:
     """Return the efficiency of a gearbox that its driven machines drive; what is not above zero locks itself."""
     ways = ways_of(sizing, sizing.reference) if sizing.reference.loss else {}
-    return {"efficiency_backwards": Named(ways[""].backwards if "" in ways else 1.0, "ratio")}
+    return Named(ways[""].backwards if "" in ways else 1.0, "ratio")
 
 
 def _efficiency(flow: PowerFlow) -> float:
     """Return power out over power in, of mesh losses alone [-]."""
     return 1.0 - flow.loss / sum(power for power in flow.machine_powers.values() if power > 0.0)
+
+
+_TOTALS: Mapping[str, Callable[[Sizing], Named]] = MappingProxyType({
+    "mass": lambda sizing: Named(sizing.mass, "mass"),
+    "gear_mass": lambda sizing: Named(sizing.gear_mass, "mass"),
+    "shaft_mass": lambda sizing: Named(sizing.shaft_mass, "mass"),
+    "carrier_mass": lambda sizing: Named(sizing.carrier_mass, "mass"),
+    "motor_mass": lambda sizing: Named(sizing.motor_mass, "mass"),
+    "total_mass": lambda sizing: Named(sizing.mass + sizing.motor_mass, "mass"),
+    "power_density": lambda sizing: Named(sizing.power_density, "specific_power"),
+    "total_power_density": lambda sizing: Named(sizing.total_power_density, "specific_power"),
+    "worst_margin": lambda sizing: Named(sizing.worst_margin, "ratio"),
+    "efficiency": lambda sizing: Named(_efficiency(sizing.reference), "ratio"),
+    "efficiency_backwards": _backwards,
+})  # fmt: skip
+"""What a sizing amounts to, each computed only where it is asked for."""
 
 
 @verb

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from gearwright.errors import DesignError, GearwrightError, Problem, refuse
-from gearwright.sizing import TEXT, Named, Sizing, named_results, pick, size, total_results
+from gearwright.sizing import TEXT, Named, Sizing, asked_results, pick, size
 from gearwright.spec import MISSION_PATH, Design, Mission, Study, edited, edited_mission, path_problem, value_at
 from gearwright.spec.axis import Value
 from gearwright.study.answers import Row
@@ -121,9 +121,7 @@ def _results(study: Study, design: Design, inputs: Mapping[str, Value]) -> dict[
     """Return the results of every verb that a name asks for."""
     asked = study.asked
     sizing, flights = _flown(study, design, inputs) if study.flies else (sized(study, design, inputs), {})
-    results = total_results(sizing)
-    if not results.keys() >= set(asked):
-        results = named_results(sizing)
+    results = asked_results(sizing, asked)
     # The compiled kernel takes a second to load: only for those who ask for it.
     if _asks(study, "modes"):
         from gearwright.study.cases.motion import modal_results
