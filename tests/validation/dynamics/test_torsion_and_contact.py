@@ -122,3 +122,46 @@ def test_a_lightly_damped_mesh_resonates_as_high_as_its_damping_lets_it(damping)
     place = window.position[:, system.labels.coordinates.index("gear")]
     deflection = place - error * np.cos(window.time)
     assert 0.5 * np.ptp(deflection) == pytest.approx(error / (2.0 * damping), rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("place", "expected"),
+    [(2.0, (-1.2649114, -0.7905692)), (1.9, (-1.20691872, -0.82855621)), (1.0, (1.05404372, 0.94872725))],
+)
+def test_multipliers_of_mathieus_equation_are_those_of_an_independent_solver(place, expected):
+    """ε = 0.3 without damping, by an integrator at 1e-13; product one."""
+    found = np.sort(periodic(mesh(place, swing=0.3, damping=1e-9)).multipliers.real)
+    np.testing.assert_allclose([value for value in found if abs(value - 1.0) > 1e-4], np.sort(expected), rtol=1e-4)
+
+
+FLOQUET = {
+    56365.1961: (1.178632, 0.956681), 68313.0051: (1.192667, 1.192667), 111757.0192: (1.198831, 0.983562),
+    62339.1006: (0.970729, 0.970729), 90035.0121: (0.979638, 0.979638),
+}  # fmt: skip
+"""Mesh frequency [rad/s] at twice w1, w2, w3, at w1 + w2 and w2 + w3 -> largest moduli, by an independent program."""
+
+
+def four_planets(mesh_rate):
+    """Rotations of a set by their paths: sun 0.5, carrier with planets 8, four planets 0.6 kg; meshes in phase."""
+    model = Model()
+    model.rotation("clock", inertia=1e30, speed=mesh_rate)
+    model.rotation("sun", inertia=0.5, speed=0.0)
+    model.rotation("carrier", inertia=8.0, speed=0.0)
+    for number in range(4):
+        planet = f"planet {number}"
+        model.rotation(planet, inertia=0.6, speed=0.0)
+        model.mesh(f"sun {number}", {"sun": 1.0, planet: 1.0, "carrier": -1.0}, stiffness=3e8, damping=177.899836,
+                   variation=Periodic({"clock": 1}, cosine=[0.3]))  # fmt: skip
+        model.mesh(f"ring {number}", {planet: -1.0, "carrier": -1.0}, stiffness=4e8, damping=298.834947,
+                   variation=Periodic({"clock": 1}, cosine=[0.25]))  # fmt: skip
+    model.load("sun", constant=10.0)
+    model.load("carrier", constant=-20.0)
+    return model.build()
+
+
+@pytest.mark.parametrize("mesh_rate", FLOQUET)
+def test_phasing_decides_which_instabilities_of_a_planetary_set_there_are(mesh_rate):
+    """Lin & Parker 2002: in phase no combination of rotational and planet modes is unstable, every single one is."""
+    found = np.sort(np.abs(periodic(four_planets(mesh_rate)).multipliers))[::-1]
+    moving = [value for value in found if abs(value - 1.0) > 1e-6]
+    np.testing.assert_allclose(moving[:2], FLOQUET[mesh_rate], atol=2e-4)
