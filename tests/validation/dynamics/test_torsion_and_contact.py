@@ -165,3 +165,11 @@ def test_phasing_decides_which_instabilities_of_a_planetary_set_there_are(mesh_r
     found = np.sort(np.abs(periodic(four_planets(mesh_rate)).multipliers))[::-1]
     moving = [value for value in found if abs(value - 1.0) > 1e-6]
     np.testing.assert_allclose(moving[:2], FLOQUET[mesh_rate], atol=2e-4)
+
+
+def test_stability_is_told_without_a_load_as_well():
+    """The multipliers of a linear system do not know its load; nothing is divided by a motion that stands still."""
+    still, loaded = (
+        np.sort(periodic(mesh(1.9, swing=0.3, damping=0.01, load=load)).multipliers.real) for load in (0.0, 1.0)
+    )
+    np.testing.assert_allclose(still, loaded, rtol=1e-6)

@@ -38,6 +38,8 @@ CLOSED = 1e-9
 """Gap between end and start of the period over the size of the motion, at which it counts as closed [-]."""
 ROUNDS = 30
 """Newton rounds before giving up."""
+STILL = 1e-6
+"""Size of the states of what stands still, without load and error [m or rad]."""
 NUDGE = 1e-6
 """Displacement of a start, over the size of its kind of state, for the derivative [-]."""
 HALVED = 6
@@ -169,7 +171,7 @@ def _newton(system: System, start: Floats, period: float, steps: int) -> tuple[F
 def _period(system: System, start: Floats, period: float, steps: int) -> tuple[Floats, Floats, Floats]:
     """Return the end of a period, its derivative by the start, and the size of each state."""
     size = len(start) // 2
-    position = np.max(np.abs(start[:size]))
+    position = float(np.max(np.abs(start[:size]))) or STILL
     rate = 2.0 * np.pi / period
     scale = np.repeat([position, max(position * rate, float(np.max(np.abs(start[size:]))))], size)
     starts = np.vstack([start, start + NUDGE * np.diag(scale), start - NUDGE * np.diag(scale)])
