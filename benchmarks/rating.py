@@ -1,7 +1,8 @@
 """How fast gears are rated and a whole gearbox is sized: ``python benchmarks/rating.py``.
 
 Checks first that an array of pairs is rated as each pair alone, then times one pair alone, pairs in arrays, and the
-sizing of the shipped helicopter gearbox with its ratings, shafts, bearings and joints. Medians of seven.
+sizing of the shipped helicopter gearbox with its ratings, shafts, bearings and joints. Medians of seven,
+in processor time: what others do on the machine does not count.
 """
 
 from __future__ import annotations
@@ -41,13 +42,13 @@ def rated(widths: np.ndarray | float) -> PairRating:
 
 
 def median(work: Callable[[], object], calls: int) -> float:
-    """Return the median time of one call [s]."""
+    """Return the median processor time of one call [s]."""
     found = []
     for _ in range(REPEATS):
-        start = time.perf_counter()
+        start = time.process_time()
         for _ in range(calls):
             work()
-        found.append((time.perf_counter() - start) / calls)
+        found.append((time.process_time() - start) / calls)
     return statistics.median(found)
 
 

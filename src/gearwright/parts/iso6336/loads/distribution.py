@@ -87,10 +87,6 @@ class TransverseLoadFactor:
     """Transverse load factor for contact K_Hα [-]."""
     bending: Annotated[Value, Quantity("ratio"), Origin("K_Fα by c_γα (f_pb − y_α) b/F_tH", f"{_PART1}, 8.3")]
     """Transverse load factor for the root K_Fα [-]."""
-    contact_limit: Annotated[Value, Quantity("ratio"), Origin("K_Hα ≤ ε_γ/(ε_α Z_ε²)", f"{_PART1}, 8.3")]
-    """Limit of K_Hα, where one pair carries all [-]."""
-    bending_limit: Annotated[Value, Quantity("ratio"), Origin("K_Fα ≤ ε_γ/(0.25 ε_α + 0.75)", f"{_PART1}, 8.3")]
-    """Limit of K_Fα [-]."""
 
 
 def deflection_misalignment(mesh: MeshGeometry, specific_load: Value, shaft: PinionShaft, *, paths: float = 1) -> Value:
@@ -201,7 +197,6 @@ def transverse_load_factor(
     error = stiffness * pitch_deviation / specific_load
     wide = np.sqrt(2.0 * (np.maximum(total, 2.0) - 1.0) / np.maximum(total, 2.0))
     factor = np.where(np.asarray(total) <= 2.0, 0.5 * total * (0.9 + 0.4 * error), 0.9 + 0.4 * wide * error)
-    one_pair = np.maximum(1.0, total / (alpha * contact_ratio_factor**2))
-    at_root = np.maximum(1.0, total / (0.25 * alpha + 0.75))
-    contact, bending = np.clip(factor, 1.0, one_pair), np.clip(factor, 1.0, at_root)
-    return TransverseLoadFactor(as_value(contact), as_value(bending), as_value(one_pair), as_value(at_root))
+    contact = np.clip(factor, 1.0, np.maximum(1.0, total / (alpha * contact_ratio_factor**2)))
+    bending = np.clip(factor, 1.0, np.maximum(1.0, total / (0.25 * alpha + 0.75)))
+    return TransverseLoadFactor(as_value(contact), as_value(bending))

@@ -43,11 +43,8 @@ def limited(rows: Iterable[Factor], rated: PairRating, steel: GearSteel) -> Iter
 
 
 def _own_limits(rated: PairRating, steel: GearSteel) -> dict[tuple[str, str], tuple[tuple[float, str], ...]]:
-    """Return the limits that depend on the mesh and its steel."""
-    limits: dict[tuple[str, str], tuple[tuple[float, str], ...]] = {
-        ("load factors", "transverse contact"): ((float(rated.transverse.contact_limit), "greatest"),),
-        ("load factors", "transverse bending"): ((float(rated.transverse.bending_limit), "greatest"),),
-    }
+    """Return the limits that depend on the steel."""
+    limits: dict[tuple[str, str], tuple[tuple[float, str], ...]] = {}
     for chapter, curve in zip(("strength of flanks", "strength of roots"), life_curves(steel), strict=True):
         limits[chapter, "life"] = ((curve.factors[0], "greatest: static"), (curve.factors[-1], "least: 1e10 cycles"))
     if not _SOFT < steel.contact_strength < _WORN:
