@@ -28,6 +28,7 @@ from gearwright.dynamics.motion.record import (
 )
 from gearwright.dynamics.motion.rigid_pass import followed, with_profile
 from gearwright.dynamics.motion.simulate import replay, simulate
+from gearwright.dynamics.motion.standing import UNDAMPED, endless, equilibrium
 from gearwright.dynamics.motion.steps import (
     STABLE,
     Accuracy,
@@ -46,6 +47,7 @@ __all__ = [
     "PARTING",
     "SMOOTH",
     "STABLE",
+    "UNDAMPED",
     "Accuracy",
     "Checkpoints",
     "Ensemble",
@@ -60,7 +62,9 @@ __all__ = [
     "blank_summary",
     "check_shared_load",
     "default_step",
+    "endless",
     "ends_of",
+    "equilibrium",
     "errors_of",
     "fastest_rate",
     "followed",

@@ -23,7 +23,7 @@ from gearwright.dynamics.codegen import (
     wave_width,
     waves_of,
 )
-from gearwright.dynamics.equations import WORKS, statics
+from gearwright.dynamics.equations import WORKS, unbalanced
 from gearwright.dynamics.model import (
     Arrays,
     Labels,
@@ -49,6 +49,7 @@ from gearwright.dynamics.motion.accuracy import (
     shortfall,
 )
 from gearwright.dynamics.motion.record import RUNAWAY, index_of
+from gearwright.dynamics.motion.standing import endless, equilibrium
 from gearwright.dynamics.motion.steps import (
     STABLE,
     Accuracy,
@@ -95,7 +96,7 @@ class Ensemble(Shown):
     rms_error: Floats = field(default_factory=lambda: np.zeros(0))
     """And of their root mean squares [-], shape (trajectories,)."""
     notes: tuple[str, ...] = ()
-    """Trajectories whose error is larger than asked, and why."""
+    """Trajectories whose error is larger than asked, or that never come to rest, and why."""
 
     def of(self, line: str) -> dict[str, Floats]:
         """Return mean, least, most and rms of one line's force, shape (trajectories,) each.
@@ -149,13 +150,21 @@ def simulate_many(
         if over <= 1.0 or given is not None or tried == REFINED:
             break
         other, found = found, march.at(found.step * finer(over, order), progress)
+    why = REPEATED if given is None else GIVEN
     notes = tuple(
         f"trajectory {number}: {note}"
-        for number, one in enumerate(error)
-        for note in shortfall(one, asked, REPEATED if given is None else GIVEN)
+        for number, (system, one) in enumerate(zip(systems, error, strict=True))
+        for note in [*shortfall(one, asked, why), *_warnings(system, duration)]
     )
     measured = np.array(error)
     return replace(found, error=measured[:, 0], rms_error=measured[:, 1], notes=notes)
+
+
+def _warnings(system: System, duration: float) -> list[str]:
+    """Return what of a trajectory never comes to rest."""
+    left = unbalanced(system)
+    speeds_up = [f"at the start {left}; the train speeds up or slows down"] if left else []
+    return [*endless(system, 2.0 * np.pi / duration), *speeds_up]
 
 
 def _errors(systems: Sequence[System], found: Ensemble, other: Ensemble) -> tuple[list[Error], int]:
@@ -238,7 +247,7 @@ def _states(systems: Sequence[System], start: Floats | None) -> Floats:
     size = len(systems[0].arrays.mass)
     states = np.zeros((len(systems), 2 * size + WORKS))
     if start is None:
-        states[:, :size] = [statics(system, balance="accelerate").position for system in systems]
+        states[:, :size] = [equilibrium(system) for system in systems]
     elif np.shape(start) != (len(systems), 2 * size):
         raise DesignError([Problem("start", f"its shape is {np.shape(start)}; it must be {(len(systems), 2 * size)}")])
     else:

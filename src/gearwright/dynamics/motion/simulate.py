@@ -9,7 +9,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.equations import WORKS, Work, statics, stored_energy, unbalanced
+from gearwright.dynamics.equations import WORKS, Work, stored_energy, unbalanced
 from gearwright.dynamics.model import Arrays, System, check_finite, refuse_not_finite
 from gearwright.dynamics.motion.accuracy import (
     CHAOTIC,
@@ -30,6 +30,7 @@ from gearwright.dynamics.motion.accuracy import (
 from gearwright.dynamics.motion.marching import Pass, blocks, marched
 from gearwright.dynamics.motion.record import BLOCK, Outputs, Recorder, Samples, Trace
 from gearwright.dynamics.motion.sensitivity import Exponent, largest_exponent
+from gearwright.dynamics.motion.standing import endless, equilibrium
 from gearwright.dynamics.motion.steps import (
     ADAPTIVE,
     METHODS,
@@ -118,6 +119,7 @@ def simulate(
     run, error, exponent, short = _verified(run, step, duration, progress)
     left, slack = unbalanced(system), slack_lines(system, state[: len(system.arrays.mass)])
     notes = [reason, *([exponent.words] if exponent and exponent.chaotic else []), *short]
+    notes += endless(system, 2.0 * np.pi / duration)
     notes += [f"at the start {left}; the train speeds up or slows down"] if left else []
     notes += [f"at the start no tooth touches: {', '.join(slack)} stand between their flanks"] if slack else []
     return _trace(run, Ran(method, error, exponent, (*notes, *_notes(run))))
@@ -226,7 +228,7 @@ def _start(system: System, start: Start) -> Floats:
     size = len(system.arrays.mass)
     state = np.concatenate([np.zeros(2 * size + WORKS), system.arrays.drives.start])
     if start == "static":
-        state[:size] = statics(system, balance="accelerate").position
+        state[:size] = equilibrium(system)
     elif start != "rigid":
         parts = [np.asarray(part, dtype=float) for part in start]
         if len(parts) != 2 or any(part.shape != (size,) or not np.all(np.isfinite(part)) for part in parts):

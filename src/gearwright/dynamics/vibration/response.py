@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.arrays import Complexes, Floats
-from gearwright.dynamics.equations import linear
+from gearwright.dynamics.equations import damped_modes, linear
 from gearwright.dynamics.model import Arrays, Labels, System, finite_numbers, line_matrix, refuse_not_finite
-from gearwright.dynamics.motion import index_of
+from gearwright.dynamics.motion import UNDAMPED, index_of
 from gearwright.dynamics.vibration.sequences import positive_numbers
+from gearwright.errors import SolveError
 from gearwright.showing import Shown
 from gearwright.units import Force, Frequency
 from gearwright.verbs import verb
@@ -92,6 +93,11 @@ def frequency_response(
 def _solved(arrays: Arrays, rates: Floats, error: Complexes, load: Complexes) -> tuple[Complexes, Complexes]:
     """Return coordinates and line forces, shapes (frequencies, …)."""
     matrix, model = line_matrix(arrays), linear(arrays)
+    modes = damped_modes(model).rate
+    met = np.abs(1j * rates[:, None] - modes) < UNDAMPED * rates[:, None]
+    if np.any(met):
+        hertz = rates[np.argmax(np.any(met, axis=1))] / (2.0 * np.pi)
+        raise SolveError(f"the mode at {hertz:.6g} Hz has no damping: vibration has no end there; give it damping")
     dynamic = arrays.stiffness + 1j * rates[:, None] * arrays.damping
     inertia = np.diag(model.mass)
     left = model.stiffness + 1j * rates[:, None, None] * model.damping - (rates**2)[:, None, None] * inertia

@@ -9,6 +9,8 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 
+NUMBERS = "iuf"
+"""Kinds of arrays that are numbers: no texts that read like one, no truth values."""
 LONGEST = 60
 """Characters of what was given that a message repeats."""
 
@@ -24,7 +26,8 @@ def numbers(values: Sequence[float] | Floats, path: str) -> Floats:
         DesignError: If they are anything else.
     """
     try:
-        array = np.asarray(values, dtype=np.float64)
+        given = np.asarray(values)
+        array = given.astype(np.float64) if given.dtype.kind in NUMBERS else np.zeros((0, 0))
     except (TypeError, ValueError):
         array = np.zeros((0, 0))
     if array.ndim != 1 or not len(array) or not np.all(np.isfinite(array)):

@@ -14,7 +14,7 @@ from math import gcd, lcm
 import numpy as np
 
 from gearwright.arrays import Complexes, Floats
-from gearwright.dynamics.equations import split_rigid, statics
+from gearwright.dynamics.equations import split_rigid, unbalanced
 from gearwright.dynamics.model import Arrays, System
 from gearwright.dynamics.motion import (
     GIVEN,
@@ -25,7 +25,9 @@ from gearwright.dynamics.motion import (
     Forces,
     Samples,
     default_step,
+    endless,
     ends_of,
+    equilibrium,
     errors_of,
     shortfall,
 )
@@ -46,6 +48,8 @@ HALVED = 6
 """Times that the steps of a period are halved, whatever their number."""
 QUICK = 30_000
 """Steps of a period up to which they are halved on, since they cost little: contact converges by second order."""
+LOCKED = 1e-2
+"""Angle by which an undamped mode may leave a tone in a period and still count as met by it [rad]."""
 SETTLING = 64
 """Periods that a motion is left to itself where Newton's method does not find it from static equilibrium."""
 MULTIPLIER_ROUNDING = 1e-10
@@ -120,9 +124,12 @@ def periodic(system: System, *, period: float | None = None, step: float | Accur
     asked = step if isinstance(step, Accuracy) else Accuracy()
     given = None if step is None or isinstance(step, Accuracy) else step
     period = common_period(arrays) if period is None else period
+    for path, value in (("period", period), ("step", period if given is None else given)):
+        if not 0.0 < value < np.inf:
+            raise DesignError([Problem(path, f"{value:g} s; it must be positive and finite")])
     steps = 2 * int(np.ceil(0.5 * period / (default_step(arrays, asked) if given is None else given)))
     start = np.zeros(2 * len(arrays.mass))
-    start[: len(arrays.mass)] = statics(system, balance="accelerate").position
+    start[: len(arrays.mass)] = equilibrium(system)
     orbit = _orbit(system, _closed(system, start, period, steps), period=period, steps=steps)
     most = 2 * steps if given is not None else max(steps * 2**HALVED, QUICK)
     while steps < most:
@@ -149,10 +156,12 @@ def _closed(system: System, start: Floats, period: float, steps: int) -> Floats:
         found, gap = _newton(system, left, period, steps)
         if gap < CLOSED:
             return found
-    raise SolveError(
+    reasons = [*endless(system, LOCKED / period), *filter(None, [unbalanced(system)])]
+    missed = (
         f"no motion of period {period:.4g} s closed, neither in {ROUNDS} rounds of Newton's method nor after "
         f"{SETTLING} periods; the gap is {gap:.1e}: try a multiple of the period, or simulate"
     )
+    raise SolveError("; ".join([*reasons, missed]))
 
 
 def _newton(system: System, start: Floats, period: float, steps: int) -> tuple[Floats, float]:

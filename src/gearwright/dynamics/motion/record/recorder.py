@@ -127,10 +127,12 @@ class Recorder:
         forces = record[:, 2 * self.size : self.past - len(self.system.labels.drives)]
         row = int(np.argmin(np.all(np.abs(forces) < RUNAWAY, axis=1)))
         lines = self.system.labels.lines
-        column = int(np.argmin(np.abs(forces[row, : len(lines)]) < RUNAWAY))
+        column = int(np.argmin(np.abs(forces[row]) < RUNAWAY))
+        does = "carries" if column < len(lines) else "is deflected by"
+        fix = f"take a smaller step than {self.step:.3g} s, or more damping" if first + row else "look at the start"
         raise SolveError(
-            f"the run diverged at {(first + row) * self.step:.6g} s: line {lines[column]} carries "
-            f"{forces[row, column]:.3g}; take a smaller step than {self.step:.3g} s, or more damping"
+            f"the run diverged at {(first + row) * self.step:.6g} s: line {lines[column % len(lines)]} {does} "
+            f"{forces[row, column]:.3g}; {fix}"
         )
 
     def _keep(self, number: int, first: int, record: Floats, steps: range) -> None:

@@ -78,8 +78,8 @@ class Accuracy:
     """Largest error of a peak over the peak [-]."""
 
     def __post_init__(self) -> None:
-        if not ROUNDING < self.value < 1.0:
-            message = f"accuracy {self.value:g}; it must lie between {ROUNDING:g} and 1"
+        if not isinstance(self.value, float | int) or not ROUNDING < self.value < 1.0:
+            message = f"accuracy {self.value}; it must be a number between {ROUNDING:g} and 1"
             raise DesignError([Problem("step", message)])
 
 

@@ -1,0 +1,55 @@
+"""Standing: the static equilibrium that runs begin from, and what of a system never comes to rest."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.dynamics.equations import damped_modes, linear, statics
+from gearwright.dynamics.model import System
+from gearwright.dynamics.motion.record import RUNAWAY
+from gearwright.errors import SolveError
+
+UNDAMPED = 1e-9
+"""Damping ratio below which a mode has none but that of rounding [-]."""
+
+
+def equilibrium(system: System) -> Floats:
+    """Return q in static equilibrium; loads that do not balance speed it up.
+
+    Args:
+        system: Bodies, lines, loads.
+
+    Raises:
+        SolveError: If a line would carry more than any gear comes near, with the line and its load.
+    """
+    found = statics(system, balance="accelerate")
+    place = int(np.argmax(np.abs(found.force))) if len(found.force) else -1
+    if place >= 0 and not abs(found.force[place]) < RUNAWAY:
+        line, force = system.labels.lines[place], found.force[place]
+        raise SolveError(
+            f"the loads press line {line} with {force:.3g} before anything moves; at most {RUNAWAY:.0e} N or N m can "
+            "be followed: look at the units of the loads"
+        )
+    return found.position
+
+
+def endless(system: System, width: float) -> list[str]:
+    """Return what to say of modes without damping that a tone meets: their force grows as long as the run lasts.
+
+    Args:
+        system: Bodies, lines, loads.
+        width: Distance of a mode from a tone below which they meet [rad/s].
+    """
+    arrays, notes = system.arrays, dict[str, None]()
+    used = np.unique(np.concatenate([arrays.variation.tone, arrays.error.tone])).astype(int)
+    for factor in {float(np.min(arrays.profile.factor)), float(np.max(arrays.profile.factor))}:
+        rates = damped_modes(linear(arrays, factor)).rate
+        for rate in rates[-rates.real < UNDAMPED * np.abs(rates)]:
+            if np.any(np.abs(np.abs(arrays.tone_rate[used] * factor) - rate.imag) < width):
+                hertz = rate.imag / (2.0 * np.pi)
+                notes[
+                    f"the mode at {hertz:.4g} Hz has no damping and is excited at its own frequency: its force grows "
+                    "without end, and statistics are those of this start and this duration; give it damping"
+                ] = None
+    return list(notes)
