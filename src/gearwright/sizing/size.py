@@ -28,7 +28,7 @@ from gearwright.sizing.stages import compound_sizes, gear_checks, size_gears, si
 from gearwright.sizing.teeth import EQUAL, Chosen, choose_teeth, refuse_contradictions
 from gearwright.spec import Design, edited
 from gearwright.spec.design import Given, given_values
-from gearwright.train import Turning, build_train, power_flows
+from gearwright.train import Train, Turning, build_train, power_flows
 from gearwright.verbs import verb
 
 
@@ -47,9 +47,10 @@ def size(design: Design) -> Sizing:
     refuse(given.problems)
     best: Sizing | None = None
     refused: DesignError | None = None
-    for choice in choose_teeth(design, build_train(design)):
+    train = build_train(design)
+    for choice in choose_teeth(design, train):
         try:
-            sizing = _sized(design, choice, given.values)
+            sizing = _sized(design, train, choice, given=given.values)
         except DesignError as error:
             refused = refused or error
             continue
@@ -60,12 +61,12 @@ def size(design: Design) -> Sizing:
     return best
 
 
-def _sized(design: Design, choice: Chosen, given: Mapping[str, Given]) -> Sizing:
+def _sized(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given]) -> Sizing:
     """Return the transmission with chosen teeth and numbers of planets."""
     teeth = choice.teeth
     if choice.planets:
         design = edited(design, {f"planetaries.{stage}.planets": count for stage, count in choice.planets.items()})
-    train = build_train(design)
+        train = build_train(design)
     efficiency = design.efficiencies
     flows = power_flows(design, Turning(design, train, teeth), efficiency=efficiency)
     refuse_contradictions(design, flows)
