@@ -13,6 +13,7 @@ from typing import Literal, NamedTuple
 from gearwright.dynamics.assembly.bodies import Assembly, add_bodies
 from gearwright.dynamics.assembly.contacts import contacts_of
 from gearwright.dynamics.assembly.errors import add_errors
+from gearwright.dynamics.assembly.friction import add_friction
 from gearwright.dynamics.assembly.mesh_lines import add_mesh_row
 from gearwright.dynamics.assembly.orders import add_orders
 from gearwright.dynamics.assembly.shaft_lines import brakes, clutch_line, link_ends, shaft_lines
@@ -94,6 +95,7 @@ def assemble(
     add_orders(assembly)
     if driving is None:
         _add_torques(assembly)
+        add_friction(assembly)
     else:
         _add_driving(assembly, driving)
     contacts = contacts_of(sizing, flow)

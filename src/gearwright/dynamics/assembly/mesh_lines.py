@@ -75,7 +75,7 @@ def _add_line(assembly: Assembly, mesh: Mesh, teeth: _Teeth) -> None:
     design, curve = assembly.sizing.design, teeth.curve
     sense, circles = push_sense(assembly.flow, mesh.name), base_circles(assembly.sizing, mesh)
     first, second = sense * circles.first, -sense * mesh.sign * circles.second
-    bodies = _bodies(assembly, mesh, teeth.planet)
+    bodies = mesh_bodies(assembly, mesh, teeth.planet)
     weights = {
         body: weight
         for body, node, weight in zip(bodies, mesh.nodes, (first, second, -first - second), strict=True)
@@ -100,8 +100,14 @@ def _add_line(assembly: Assembly, mesh: Mesh, teeth: _Teeth) -> None:
     )
 
 
-def _bodies(assembly: Assembly, mesh: Mesh, planet: int) -> tuple[str, str, str]:
-    """Return the bodies of gear a, gear b and carrier."""
+def mesh_bodies(assembly: Assembly, mesh: Mesh, planet: int) -> tuple[str, str, str]:
+    """Return the bodies of gear a, gear b and carrier.
+
+    Args:
+        assembly: With all bodies.
+        mesh: A row.
+        planet: Counted from 1; 0 without planets.
+    """
     if planet:
         gears = [assembly.sizing.train.gear(gear).part for gear in mesh.gears]
         first, second = (
@@ -128,11 +134,11 @@ def mesh_phase(assembly: Assembly, mesh: Mesh) -> dict[str, int]:
         bodies = (gear, str(carrier_part(mesh.stage)))
     elif isinstance(stage, Epicyclic):
         gear, node, carrier = mesh.gears[0], mesh.nodes[0], stage.carrier
-        first, _, third = _bodies(assembly, mesh, 1)
+        first, _, third = mesh_bodies(assembly, mesh, 1)
         bodies = (first, third)
     else:
         gear, node, carrier = mesh.gears[0], mesh.nodes[0], GROUND
-        bodies = (_bodies(assembly, mesh, 0)[0], GROUND)
+        bodies = (mesh_bodies(assembly, mesh, 0)[0], GROUND)
     teeth = sizing.teeth[gear] if speeds[node] >= speeds[carrier] else -sizing.teeth[gear]
     counts = {bodies[0]: teeth} if node != GROUND else {}
     if carrier != GROUND:
