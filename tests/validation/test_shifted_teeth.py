@@ -8,6 +8,7 @@ import math
 import pytest
 
 from gearwright.catalogue import centre_allowance
+from gearwright.checks import Status
 from gearwright.dynamics.assembly import gear_pairs
 from gearwright.parts.gears import (
     CylindricalGear,
@@ -21,6 +22,7 @@ from gearwright.parts.gears import (
     span_measurement,
     spanned_teeth,
     thinned,
+    tip_clearance_angle,
     working_centre,
 )
 from gearwright.parts.losses import tooth_contact
@@ -213,3 +215,19 @@ def test_backlash_of_a_published_pair_is_the_printed_one():
     moved = centre_play(centre_allowance(0.052, "js7"), **around)
     assert 1e3 * moved == pytest.approx(0.011, abs=5e-4)
     assert 1e3 * circumferential_play(moved, **around) == pytest.approx(0.012, abs=5e-4)
+
+
+@pytest.mark.parametrize("stage", ["first", "second"])
+@pytest.mark.parametrize("mode", ["involute interference", "tip interference", "radial assembly"])
+def test_published_rings_are_free_of_all_three_interferences(stage, mode):
+    """Built gearboxes run: z_r − z_p of 39 and 57 is far above the 10 and 17 below which teeth of 20° foul."""
+    found = [check for check in TURBINE.checks if check.mode == mode and str(check.part).startswith(stage)]
+    assert all(check.status is Status.PASSES for check in found)
+    assert found or mode == "tip interference"
+
+
+@pytest.mark.parametrize(("ring", "fouls"), [(-25, True), (-27, True), (-40, False), (-60, False)])
+def test_full_teeth_of_twenty_degrees_foul_a_ring_with_few_more(ring, fouls):
+    """Pinions of 20 teeth and rings of 5 and 7 more foul at the tips; 20 and 40 more do not (Colbourne 1987)."""
+    pair = GearPair(CylindricalGear(20, 1e-3, 0.01), CylindricalGear(ring, 1e-3, 0.01))
+    assert (tip_clearance_angle(pair) < 0.0) is fouls

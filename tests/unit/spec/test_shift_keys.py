@@ -6,6 +6,7 @@ import pytest
 
 from designs import PAIR, changed, problem, problems
 from gearwright.dynamics.assembly import assemble
+from gearwright.errors import DesignError
 from gearwright.identity import Role
 from gearwright.parts.gears import working_centre
 from gearwright.parts.iso6336 import specific_slidings
@@ -241,3 +242,12 @@ def test_four_planets_that_do_not_go_together_are_refused_and_stand_where_they_f
     places = planet_positions(design, "first", {"first.sun": teeth[0], "first.ring": teeth[2]})
     steps = [place * (teeth[0] + teeth[2]) / (2.0 * math.pi) for place in places]
     assert steps == pytest.approx([round(step) for step in steps])
+
+
+@pytest.mark.parametrize(("key", "wrong"), [("pinion_shift = 1.4", "at most"), ("pinion_shift = -0.9", "needs")])
+def test_shifts_of_bevel_gears_that_point_or_undercut_them_are_refused_by_their_key(key, wrong):
+    """20/60: virtual teeth 21.1; x_hm1 = 1.4 leaves nothing at the tip, −0.9 is far below −0.18."""
+    text = PAIR + 'kind = "bevel"\naxis_angle_deg = 90\npinion_teeth = 20\nwheel_teeth = 60\n' + key
+    rules = '\n[gears]\nrating = "iso6336"\nmaterial = "carburised-9310"\n'
+    with pytest.raises(DesignError, match=rf"pairs.stage.pinion_shift: .*({wrong})"):
+        size(parse(text + rules))

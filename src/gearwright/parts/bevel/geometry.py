@@ -251,5 +251,5 @@ def _undercut(pair: BevelPair) -> list[Problem]:
                 f"x_hm{gear + 1} = {shift:.4g} undercuts {pair.teeth[gear]} teeth (virtual {virtual:.1f}); "
                 f"needs {needed:.3f} or more teeth"
             )
-            problems.append(Problem("tooth.profile_shift", message))
+            problems.append(Problem(f"{('pinion', 'wheel')[gear]}_shift", message))
     return problems

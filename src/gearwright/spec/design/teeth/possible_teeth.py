@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import Role
-from gearwright.parts.gears import CylindricalGear, GearPair, Room, involute_room, tip_room, tip_thickness
+from gearwright.parts.gears import BasicRack, CylindricalGear, GearPair, Room, involute_room, tip_room, tip_thickness
 
 _NEAREST = 60
 """Teeth that are tried one after the other to find some that can be [-]."""
@@ -30,6 +31,28 @@ def impossible_teeth(
         yield from _undercut(path, role, gears[role])
     if ring is not None:
         yield from _fouling(path, ring, (gears[outside[-1]], gears[ring]), centre)
+
+
+def pointed_cones(
+    path: str, teeth: tuple[int, int], shift: float, *, pressure_angle: float, spiral_angle: float
+) -> Iterator[Problem]:
+    """Yield which gear of a bevel pair on square axes its profile shift points, by its virtual teeth z/cos δ.
+
+    Args:
+        path: Of the stage.
+        teeth: z_1 and z_2 [-].
+        shift: x_hm1 = −x_hm2 [-].
+        pressure_angle: α_n [rad].
+        spiral_angle: β_m [rad].
+    """
+    rack, cone = BasicRack(pressure_angle=pressure_angle), math.hypot(*teeth)
+    virtual = {"pinion": (teeth[0] * cone / teeth[1], shift), "wheel": (teeth[1] * cone / teeth[0], -shift)}
+    for role, (count, x) in virtual.items():
+        gear = CylindricalGear(max(math.ceil(count), 5), 1.0, 1.0, spiral_angle, x, rack)
+        if tip_thickness(gear) <= 0.0:
+            less = next(x for x in _falling(x) if tip_thickness(replace(gear, profile_shift=x)) > 0.0)
+            message = f"{x:.4g} points its teeth below their tips, {count:.3g} virtual ones; give at most {less:.2f}"
+            yield Problem(f"{path}.{role}_shift", message)
 
 
 def _pointed(path: str, role: Role, gear: CylindricalGear) -> Iterator[Problem]:

@@ -23,7 +23,7 @@ from gearwright.spec.design.design import Design
 from gearwright.spec.design.rules import GearRules
 from gearwright.spec.design.stages import Pair, Planetary
 from gearwright.spec.design.teeth.completed import cone_shifts, pair_shifts, set_shifts
-from gearwright.spec.design.teeth.possible_teeth import impossible_teeth
+from gearwright.spec.design.teeth.possible_teeth import impossible_teeth, pointed_cones
 from gearwright.spec.design.teeth.shifts import PAIR_ROLES, Basis, StageShifts
 
 _SHORTEST = 0.5
@@ -51,7 +51,11 @@ def stage_shifts(design: Design, name: str, teeth: Mapping[Role, int]) -> StageS
     path = f"{'planetaries' if planetary else 'pairs'}.{name}"
     basis = Basis(path, rules, {"pressure_angle": rules.pressure_angle, "helix_angle": helix})
     if isinstance(stage, Pair) and stage.kind == "bevel":
-        return cone_shifts(basis, stage, (teeth[Role.PINION], teeth[Role.WHEEL]))
+        teeth_of_cones = teeth[Role.PINION], teeth[Role.WHEEL]
+        cones = cone_shifts(basis, stage, teeth_of_cones)
+        shift, angle = cones.gears[0].profile_shift, rules.pressure_angle
+        refuse(pointed_cones(path, teeth_of_cones, shift, pressure_angle=angle, spiral_angle=stage.spiral_angle))
+        return cones
     try:
         if isinstance(stage, Planetary):
             shifts = set_shifts(basis, stage, (teeth[Role.SUN], teeth[Role.PLANET], teeth[Role.RING]))
