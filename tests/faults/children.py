@@ -14,8 +14,8 @@ from dataclasses import dataclass, field
 
 from mutators import Fault
 
-PATIENCE = 10.0
-"""A child that takes a minute and this many times its tests' own time of the processor hangs."""
+PATIENCE = 5.0
+"""A child that takes 20 s and this many times its tests' own time of the processor hangs."""
 HANGS = "it hangs"
 
 
@@ -31,7 +31,7 @@ class Trial:
     @property
     def limit(self) -> float:
         """Processor time after which a child hangs [s]."""
-        return 60.0 + PATIENCE * sum(self.seconds[test] for test in self.tests)
+        return 20.0 + PATIENCE * sum(self.seconds[test] for test in self.tests)
 
 
 def run_all(trials: Sequence[Trial], jobs: int, work: Callable[[Trial], str]) -> Iterator[tuple[Trial, str]]:

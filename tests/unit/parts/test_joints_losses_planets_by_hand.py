@@ -39,6 +39,7 @@ from gearwright.parts.losses import (
     cooler_conductance,
     mesh_efficiency,
     mesh_friction,
+    ohlendorf_loss_factor,
     oil_flow,
     oil_viscosity,
     tip_contact_ratio,
@@ -53,6 +54,7 @@ from gearwright.parts.planetary import (
     even_positions,
     excited_modes,
     most_planets,
+    nearest_positions,
     neighbours_clear,
     pin_diameter,
     pin_error_share,
@@ -360,3 +362,31 @@ def test_materials_shear_and_bear_by_two_formulas():
     """G = E/(2 (1 + ν)); σ_H0 = 2.5 HB."""
     assert Material("steel", 210e9, 0.27, 7850.0).shear_modulus == near(210e9 / 2.54)
     assert contact_strength(280.0) == near(700e6)
+
+
+def test_ohlendorfs_formula_leans_with_the_base_helix():
+    """π (1/z_1 + 1/z_2)/cos β_b (1 − ε_α + ε_1² + ε_2²), also where the path starts behind the pitch point."""
+    for approach, recess in ((0.7, 0.8), (-0.1, 1.4)):
+        shape = 1.0 - (approach + recess) + approach**2 + recess**2
+        factor = PI * (1.0 / 20.0 + 1.0 / 50.0) / math.cos(0.4) * shape
+        assert ohlendorf_loss_factor((20.0, 50.0), 0.4, approach=approach, recess=recess) == near(factor)
+
+
+@pytest.mark.parametrize("teeth", [(20, 50), (20, -50)])
+def test_curvature_at_the_pitch_point_is_that_of_the_working_circles(teeth):
+    """ρ = r_w1 r_w2/(r_w1 + r_w2) sin α_wt/cos β_b, with r_w = r cos α_t/cos α_wt."""
+    alpha, beta, working = math.radians(20.0), math.radians(15.0), math.radians(24.0)
+    made = tooth_contact(teeth, 3e-3, pressure_angle=alpha, helix_angle=beta, working_angle=working)
+    transverse = math.atan(math.tan(alpha) / math.cos(beta))
+    rolls = [3e-3 * z / (2.0 * math.cos(beta)) * math.cos(transverse) / math.cos(working) for z in teeth]
+    base = math.asin(math.sin(beta) * math.cos(alpha))
+    assert made.curvature == near(math.sin(working) / math.cos(base) / (1.0 / rolls[0] + 1.0 / rolls[1]))
+
+
+@pytest.mark.parametrize(("sun", "ring", "planets"), [(27, 99, 4), (25, 86, 3), (30, 83, 5), (20, 61, 6), (24, 72, 4)])
+def test_planets_stand_at_the_nearest_places_where_teeth_meet(sun, ring, planets):
+    """Whole multiples of 2π/(z_s + z_r), none further than half of that from its equal share of the circle."""
+    step = 2.0 * PI / (sun + ring)
+    for number, place in enumerate(nearest_positions(sun, ring, planets)):
+        assert place / step == near(round(place / step))
+        assert abs(place - 2.0 * PI * number / planets) <= 0.5 * step * (1.0 + 1e-9)

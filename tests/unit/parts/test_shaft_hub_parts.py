@@ -350,3 +350,11 @@ def test_loads_outside_the_shaft_are_refused():
         bent_line(drawn, plain_shaft(0.03, 1.0), [0.5, 0.5], elastic_modulus=STEEL)
     with pytest.raises(DesignError, match=r"masses: .* some are above"):
         critical_speed(np.eye(2), [0.0, 0.0])
+
+
+def test_din_743_at_a_constant_ratio_yields_where_mean_and_amplitude_together_do():
+    """σ_ADK = σ_FK/(1 + σ_m/σ_a) where a great mean makes that the lesser: S (σ_a + σ_m) is the yield limit."""
+    load = SectionLoad(bending_amplitude=100.0, bending_mean=3000.0)
+    safety = din743_safety(load, SECTION, STEEL_42CRMO4, greatest=load, overload=Overload.CONSTANT_RATIO).fatigue
+    resist = math.pi / 32.0 * SECTION.diameter**3
+    assert safety * (100.0 + 3000.0) / resist == pytest.approx(yield_limits(SECTION, STEEL_42CRMO4).bending)

@@ -68,6 +68,18 @@ def test_a_plain_shaft_has_its_thickest_stretch_between_its_bearings():
         laid([A, B], {}, rings=RINGS, core=0.044)
 
 
+def test_of_two_free_stretches_the_longer_one_is_the_thickest_place():
+    """A third bearing parts the shaft between the radial ones; it is slid on over the thinner side."""
+    third = Item("c", "bearing", 0.13, 0.016)
+    rings = {**RINGS, "c": ring(0.046, 0.080)}
+    found, _, _ = laid([A, third, B], {"after a": 0.0551}, rings=rings)
+    assert dict(found)["after a"] == 56.0 and dict(found)["c"] == 46.0
+    early = Item("c", "bearing", 0.07, 0.016)
+    rings = {**RINGS, "c": ring(0.041, 0.080)}
+    found, _, _ = laid([A, early, B], {"after c": 0.0551}, rings=rings)
+    assert dict(found)["after c"] == 56.0
+
+
 def test_bearings_are_asked_for_what_must_pass_through_them():
     """An end that carries torque is grown first; what is further in is not thinner."""
     found, asked, _ = laid([A, B], {"after": 0.0331, "b": 0.0412}, rings=RINGS)

@@ -19,10 +19,14 @@ def loads_on(text, shaft):
     return loads, axial, plan, axes, sizing
 
 
-@pytest.mark.parametrize(("text", "outward"), [(SINGLE_HELIX, -1.0), (INTERNAL, 1.0)])
-def test_a_mesh_force_stands_square_to_the_teeth_and_turns_its_shaft(text, outward):
-    """Force and lever as vectors: r × F gives torque and couples; F has no part along the tooth; the radial part is
-    F_t tan α_n / cos β, outwards on a ring. Closed forms; rounding only.
+@pytest.mark.parametrize(
+    ("text", "outward", "uneven"),
+    [(SINGLE_HELIX, -1.0, 1.0), (INTERNAL, 1.0, 1.0), (SINGLE_HELIX + "mesh_load_factor = 1.3\n", -1.0, 1.3)],
+)
+def test_a_mesh_force_stands_square_to_the_teeth_and_turns_its_shaft(text, outward, uneven):
+    """Force and lever as vectors: r × F gives K_γ times the torque, and couples; F has no part along the tooth.
+
+    The radial part is F_t tan α_n / cos β, outwards on a ring. Closed forms; rounding only.
     """
     loads, axial, _, axes, sizing = loads_on(text, "output")
     gear = sizing.gears[-1]
@@ -32,7 +36,7 @@ def test_a_mesh_force_stands_square_to_the_teeth_and_turns_its_shaft(text, outwa
     force = loads.force[0, 0, first] + 1j * loads.force[0, 1, first]
     normal = (mate - axes["output"]) / abs(mate - axes["output"])
     radial, tangential = (force / normal).real, (force / normal).imag
-    assert tangential * radius == pytest.approx(loads.torque[0, first])
+    assert tangential * radius == pytest.approx(uneven * loads.torque[0, first])
     slope = math.tan(sizing.design.gears.pressure_angle) / math.cos(gear.helix_angle)
     assert radial == pytest.approx(outward * abs(tangential) * slope)
     meshes = np.count_nonzero(loads.force[0, 0])

@@ -10,7 +10,7 @@ from test_senses import HYBRID as SPRAG
 from designs import HYBRID, PAIR, changed
 from gearwright.sizing import named_results, size
 from gearwright.spec import parse
-from gearwright.train import Turning, branches, build_train, power_flow, recirculation, targets
+from gearwright.train import Turning, branches, build_train, handed_on, power_flow, recirculation, targets
 from gearwright.train.algebra import null_space, row_and_null_space
 from gearwright.train.flow import Sharing, balance, solve_torques
 from gearwright.train.kinematics import willis_ratio, willis_speed
@@ -222,3 +222,11 @@ def test_efficiency_is_what_arrives_of_what_is_given():
     sizing = size(parse(PAIR + "[gears]\nmesh_efficiency = 0.97\n"))
     assert named_results(sizing)["efficiency"].value == pytest.approx(0.97)
     assert named_results(size(parse(PAIR + "[gears]\nmesh_efficiency = 1\n")))["efficiency"].value == pytest.approx(1.0)
+
+
+def test_a_compound_set_hands_on_speeds_in_the_ratio_of_its_ties():
+    """Without their sense; what is known stays as it is, and where nothing is known nothing is handed on."""
+    ties = {"a": 2.0, "b": -3.0, "c": 0.5}
+    assert handed_on(ties, {"b": 12.0}) == {"a": pytest.approx(8.0), "c": pytest.approx(2.0)}
+    assert handed_on(ties, {"a": 10.0, "b": 99.0}) == {"c": pytest.approx(2.5)}
+    assert handed_on(ties, {"other": 1.0}) == {}
