@@ -5,17 +5,18 @@ import re
 import numpy as np
 import pytest
 
-from gearwright.dynamics import Outputs, modes, simulate
+from gearwright.dynamics import Model, Outputs, campbell, modes, simulate
 from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.model import Bearing, Rotor, Segment, add_bearing, add_rotor
 from gearwright.dynamics.vibration import answer, critical_speeds, first_meshes, run_up
 from gearwright.errors import DesignError
-from gearwright.render.figures.dynamics import campbell_figure, response_figure
+from gearwright.render.figures.dynamics import campbell_figure, diagram_figure, response_figure
 from gearwright.render.figures.maps import waterfall_figure
 from gearwright.render.figures.paths import moving_centres, orbit_figure, phase_figure, transmission_error_figure
 from gearwright.render.pages.dynamics_sections import dynamics_sections
 from gearwright.render.schematic.mode_shapes import drawn_modes_figure
 from gearwright.render.style.theme import to_svg
-from gearwright.render.tables.dynamics import critical_table, loudest_table, peak_table
+from gearwright.render.tables.dynamics import critical_table, loudest_table, machine_table, peak_table
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import size
 from gearwright.spec import parse
@@ -126,3 +127,29 @@ def test_chapters_of_the_report_hold_every_figure_with_ids_of_its_own():
 def test_chapters_without_run_and_modes_are_the_assumptions_alone():
     sections = dynamics_sections(SIZING, SYSTEM, case="rated")
     assert [section.title for section in sections] == ["Assumptions of the dynamic model"]
+
+
+def test_the_diagram_of_a_rotor_tells_forward_from_backward_whirl():
+    """Bending splits by the gyroscopic effect; torsion and axial motion do not turn."""
+    model = Model()
+    shaft = add_rotor(model, "shaft", Rotor([Segment(0.1, 0.05)] * 3), speed=2000.0)
+    for station in (0, 3):
+        add_bearing(model, f"bearing {station}", shaft.at(station), Bearing((1e8, 1e8)))
+    axes = diagram_figure(campbell(model.build(), [0.5, 1.0])).axes[0]
+    words = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert [word.split(",")[0] for word in words][:3] == ["natural frequency", "forward whirl", "backward whirl"]
+
+
+def test_what_lies_below_300_hz_has_a_panel_with_every_order_by_name():
+    figure = campbell_figure(SIZING, FOUND)
+    titles = [axes.get_title(loc="left") or axes.get_title() for axes in figure.axes]
+    low = next(axes for axes, title in zip(figure.axes, titles, strict=True) if "300 Hz" in title)
+    assert low.get_ylim() == (0.0, 300.0)
+    words = {text.get_text() for text in low.texts}
+    assert {"propeller blade pass", "gas-turbine 1P", "second planet pass"} <= words
+
+
+def test_the_table_of_machines_says_why_each_order_is_there():
+    rows = {row.order: row for row in FOUND.assumed}
+    assert rows["propeller blade pass"].why == "6 blades"
+    assert "1 % of the mean torque" in machine_table(FOUND).note

@@ -30,6 +30,8 @@ from gearwright.units import RPM
 
 MOST_MARGINS = 12
 """Critical speeds whose margins are drawn."""
+PLANE = 1e-6
+"""Relative slope of a frequency by gyroscopic terms below which a mode counts as one that does not turn [-]."""
 LARGEST_DOT = 70.0
 """Area of the dot of a dynamic force as large as the mean one [pt²]."""
 
@@ -64,8 +66,16 @@ def diagram_figure(campbell: Campbell) -> Figure:
     figure = theme.sheet(WIDTH, 105.0)
     axes = figure.subplots()
     end, top = campbell.factor[-1], 1.05 * float(np.max(campbell.frequency))
-    axes.plot(campbell.factor, campbell.frequency, color=theme.MUTED, lw=0.8)
-    axes.plot([], [], color=theme.MUTED, lw=0.8, label="natural frequency")
+    whirl = np.max(campbell.whirl, axis=0) + np.min(campbell.whirl, axis=0)
+    looks = (
+        ("natural frequency", np.abs(whirl) <= PLANE, theme.MUTED, "-"),
+        ("forward whirl, raised by gyroscopic terms", whirl > PLANE, theme.INK, "-"),
+        ("backward whirl, lowered", whirl < -PLANE, theme.INK, "--"),
+    )
+    for name, chosen, colour, dashes in looks:
+        if np.any(chosen):
+            axes.plot(campbell.factor, campbell.frequency[:, chosen], color=colour, lw=0.8, ls=dashes)
+            axes.plot([], [], color=colour, lw=0.8, ls=dashes, label=name)
     for colour, order in zip(cycle(theme.CYCLE), campbell.orders, strict=False):
         axes.plot([0.0, end], [0.0, order.frequency * end], color=colour, lw=0.9, label=str(order))
     crossings = campbell.crossings
