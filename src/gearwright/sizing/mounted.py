@@ -49,7 +49,9 @@ class SectionStrength:
     ]
     """K_fs [-]."""
     fatigue_safety: Annotated[
-        float, Quantity("ratio"), Origin("DE-ASME elliptic or DE-Goodman", "Shigley, 10th ed., ch. 7")
+        float,
+        Quantity("ratio"),
+        Origin("DE-ASME elliptic, -Goodman, -Gerber, -Soderberg", "Shigley, 10th ed., ch. 7"),
     ]
     """n_f [-]."""
     yield_safety: Annotated[float, Quantity("ratio"), Origin("R_p0.2/σ_vM,max", "Shigley, 10th ed., eq. 7-16")]

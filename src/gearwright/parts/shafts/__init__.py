@@ -18,14 +18,17 @@ from gearwright.parts.shafts.din743 import (
     yield_limits,
 )
 from gearwright.parts.shafts.fatigue import (
+    CRITERIA,
     NO_NOTCH,
     RELIABILITY_DEVIATES,
     FatigueStrength,
     SectionLoad,
     asme_safety,
     endurance_limit,
+    gerber_safety,
     goodman_safety,
     section_stress,
+    soderberg_safety,
     yield_safety,
 )
 from gearwright.parts.shafts.hub_notch import keyseat_concentration, keyway_factor, press_fit_factor, spline_factor
@@ -48,6 +51,7 @@ from gearwright.parts.shafts.shaft import (
 )
 
 __all__ = [
+    "CRITERIA",
     "LEAST_RADIUS",
     "NO_NOTCH",
     "RELIABILITY_DEVIATES",
@@ -73,6 +77,7 @@ __all__ = [
     "endurance_limit",
     "fatigue_notch_factor",
     "felt_concentration",
+    "gerber_safety",
     "goodman_safety",
     "influence",
     "keyseat_concentration",
@@ -87,6 +92,7 @@ __all__ = [
     "shaft_inertia",
     "shaft_mass",
     "shaft_stress",
+    "soderberg_safety",
     "spline_factor",
     "stress_concentration",
     "supported",

@@ -1,4 +1,4 @@
-"""Fatigue of shafts under bending and torsion by the distortion energy: Goodman, ASME-elliptic, and the first yield.
+"""Fatigue of shafts by the distortion energy: Goodman, Gerber, Soderberg, ASME-elliptic, and the first yield.
 
 Moments and torques are split into a mean and an amplitude. A rotating shaft turns a steady bending moment into an
 amplitude, and a steady torque stays a mean.
@@ -7,6 +7,8 @@ amplitude, and a steady torque stays a mean.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 from gearwright.errors import Problem, refuse
@@ -145,6 +147,31 @@ def asme_safety(stress: SectionStress, strength: FatigueStrength) -> float:
     return _inverse(math.hypot(stress.amplitude / strength.endurance, stress.mean / strength.yielding))
 
 
+def gerber_safety(stress: SectionStress, strength: FatigueStrength) -> float:
+    """Return the safety against fatigue by Gerber's parabola [-].
+
+    Args:
+        stress: From `section_stress` [Pa].
+        strength: [Pa].
+
+    Source: Gerber 1874: n σ_a′/S_e + (n σ_m′/S_ut)² = 1, solved for n.
+    """
+    half = 0.5 * stress.amplitude / strength.endurance
+    return _inverse(half + math.hypot(half, stress.mean / strength.ultimate))
+
+
+def soderberg_safety(stress: SectionStress, strength: FatigueStrength) -> float:
+    """Return the safety against fatigue by Soderberg's line [-].
+
+    Args:
+        stress: From `section_stress` [Pa].
+        strength: [Pa].
+
+    Source: Soderberg 1930: 1/n = σ_a′/S_e + σ_m′/S_y.
+    """
+    return _inverse(stress.amplitude / strength.endurance + stress.mean / strength.yielding)
+
+
 def yield_safety(stress: SectionStress, strength: FatigueStrength) -> float:
     """Return the safety against yielding in the first turn [-].
 
@@ -155,6 +182,12 @@ def yield_safety(stress: SectionStress, strength: FatigueStrength) -> float:
     Source: Budynas & Nisbett, Shigley's Mechanical Engineering Design, eqs (7-15) and (7-16).
     """
     return _inverse(stress.greatest / strength.yielding)
+
+
+CRITERIA: Mapping[str, Callable[[SectionStress, FatigueStrength], float]] = MappingProxyType(
+    {"asme": asme_safety, "goodman": goodman_safety, "gerber": gerber_safety, "soderberg": soderberg_safety}
+)
+"""Name in design files -> criterion of fatigue."""
 
 
 def _inverse(use: float) -> float:

@@ -58,10 +58,14 @@ def built_checks(built: Built, design: Design) -> Iterator[Check]:
     yield from built.fits
 
 
+_LAWS = {"asme": "DE-ASME", "goodman": "DE-Goodman", "gerber": "DE-Gerber", "soderberg": "DE-Soderberg"}
+"""Criterion -> as tables name it."""
+
+
 def _strength(shaft: BuiltShaft, design: Design) -> Iterator[Check]:
     service, part = design.service, PartId(Kind.SHAFT, shaft.name)
     tired, strained = shaft.weakest, min(shaft.sections, key=lambda section: section.yield_safety)
-    law = "DE-ASME" if design.shafting.fatigue == "asme" else "DE-Goodman"
+    law = _LAWS[design.shafting.fatigue]
     yield Check(
         part, "fatigue", f"{law}, Shigley ch. 7", tired.fatigue_safety, service.shaft_fatigue_safety,
         symbol="n_f", place=tired.place, case=tired.case,

@@ -13,6 +13,7 @@ import numpy as np
 from gearwright.errors import DesignError
 from gearwright.parts import Material
 from gearwright.parts.shafts import (
+    CRITERIA,
     LEAST_RADIUS,
     NO_NOTCH,
     Concentration,
@@ -22,13 +23,11 @@ from gearwright.parts.shafts import (
     ShaftSteel,
     Shoulder,
     SteelGroup,
-    asme_safety,
     blank_factor,
     din743_safety,
     endurance_limit,
     fatigue_notch_factor,
     felt_concentration,
-    goodman_safety,
     keyseat_concentration,
     keyway_factor,
     notch_sensitivity,
@@ -170,7 +169,7 @@ def _strength(
     ultimate, yielding = steel.ultimate_strength or 0.0, steel.yield_strength or 0.0
     limit = endurance_limit(ultimate, section.diameter, surface=rules.surface, reliability=rules.reliability)
     strength, notch = FatigueStrength(limit, ultimate, yielding), _felt(section, ultimate)
-    criterion = asme_safety if rules.fatigue == "asme" else goodman_safety
+    criterion = CRITERIA[rules.fatigue]
     loads = [
         SectionLoad(float(moment), 0.0, service.torque_swing * float(torque), float(torque))
         for moment, torque in zip(moments, torques, strict=True)

@@ -29,8 +29,10 @@ class ShaftRules(Record):
         lt=0.95,
         description="Bore over outer diameter, on a shaft with bearings over its thinnest bearing seat; 0 is solid",
     )
-    fatigue: Literal["asme", "goodman"] = Field(
-        "asme", description="Criterion of fatigue for shafts with bearings: the ASME ellipse or Goodman's line"
+    fatigue: Literal["asme", "goodman", "gerber", "soderberg"] = Field(
+        "asme",
+        description="Criterion of fatigue for shafts with bearings: ASME's ellipse, Goodman's or Soderberg's line,"
+        " or Gerber's parabola",
     )
     reliability: Ratio = Field(
         0.999, ge=0.5, le=0.9999, description="Part of the shafts that reaches the endurance limit (Shigley, table 6-5)"
