@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import Design
-from gearwright.spec.keys import keys_of
+from gearwright.spec.keys import keys_of, longer_keys
 from gearwright.spec.mission import Mission, mission_problems
 from gearwright.spec.record import Location, Record, Written, message_of
 from gearwright.units import suffix_unit
@@ -140,7 +140,8 @@ def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value, writ
             annotation, table, depth, location = record.others, table[part], depth + 1, (*location, part)
             continue
         if part not in keys:
-            return Problem(path, f"there is no {'.'.join(parts[: depth + 1])}; {near(part, keys)}")
+            hint = longer_keys(part, keys) or near(part, keys)
+            return Problem(path, f"there is no {'.'.join(parts[: depth + 1])}; {hint}")
         meant = keys[part]
         name, suffix = meant.field, meant.suffix
         if last and suffix and value is not None and (isinstance(value, bool) or not isinstance(value, int | float)):

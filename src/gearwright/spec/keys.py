@@ -80,6 +80,17 @@ def keys_of(model: type[BaseModel]) -> Keys:
     return MappingProxyType(keys)
 
 
+def longer_keys(key: str, keys: Keys) -> str:
+    """Return which keys a word may mean that they end with; empty where none does.
+
+    Args:
+        key: As written.
+        keys: Of the table.
+    """
+    longer = [name for name in keys if name.endswith(f"_{key}")]
+    return f"write {' or '.join(longer)}" if longer else ""
+
+
 def unknown_key(key: str, model: type[BaseModel]) -> str:
     """Return what to do about a key that a table does not have.
 
@@ -97,8 +108,8 @@ def unknown_key(key: str, model: type[BaseModel]) -> str:
     foreign = _foreign(key, model, keys)
     if foreign:
         return foreign
-    if longer := [name for name in keys if name.endswith(f"_{key}")]:
-        return f"no such field; write {' or '.join(longer)}"
+    if longer := longer_keys(key, keys):
+        return f"no such field; {longer}"
     usual = {meant.field: name for name, meant in reversed(list(keys.items()))}
     return f"no such field; {near(key, keys, usual.values())}"
 

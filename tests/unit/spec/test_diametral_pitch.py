@@ -73,6 +73,8 @@ def test_a_change_of_the_pitch_is_a_change_of_the_module():
     assert edited(design, {"pairs.stage.normal_diametral_pitch": None}).pairs["stage"].module is None
     with pytest.raises(DesignError, match="module is given twice"):
         edited(design, {"pairs.stage.normal_diametral_pitch": 10, "pairs.stage.module_mm": 3})
+    with pytest.raises(DesignError, match="write normal_diametral_pitch or outer_diametral_pitch"):
+        edited(design, {"pairs.stage.diametral_pitch": 10})
     with pytest.raises(DesignError, match=r"0 1/in is not allowed"):
         edited(design, {"pairs.stage.normal_diametral_pitch": 0})
 
