@@ -53,10 +53,10 @@ TORQUE = 100e3 / (4000 * np.pi / 30)
 def test_what_holds_a_set_bears_the_torque_of_the_ring(case, line, torque):
     """Braked ring: T_s z_r/z_s. Locked set: of the motor's torque on the carrier the ring has z_r/(z_s + z_r).
 
-    Means of a run that starts in equilibrium; 1e-6 for the accuracy of the run.
+    Means of a run that starts in equilibrium; 1e-5, as meshes vibrate and it ends within a cycle.
     """
     trace = simulate(assemble(SIZING, case), 0.05)
-    assert abs(np.mean(trace.force.of(line)["mean"])) == pytest.approx(torque, rel=1e-6)
+    assert abs(np.mean(trace.force.of(line)["mean"])) == pytest.approx(torque, rel=1e-5)
 
 
 def test_another_brake_is_another_ratio():
