@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -53,11 +54,19 @@ class Caller:
 
 
 @pytest.fixture(scope="session")
-def parent() -> Iterator[subprocess.Popen[str]]:
+def answers(tmp_path_factory) -> Path:
+    """A folder for what was computed, which workers that run side by side share."""
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "answers"
+    folder.mkdir(exist_ok=True)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def parent(answers) -> Iterator[subprocess.Popen[str]]:
     """One process that forks for all commands."""
-    started = subprocess.Popen(
-        [sys.executable, str(HERE / "forks.py")], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-    )
+    command = [sys.executable, str(HERE / "forks.py"), str(answers)]
+    started = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
     yield started
     started.stdin.close()
     started.wait()

@@ -3,6 +3,7 @@
 The parent is one process with one thread. A child gets its own terminal or files, folder and environment, makes its
 standard streams as an interpreter makes them, runs `gearwright.cli.main`, and ends as an interpreter ends: what is left
 in the buffers is written, and what cannot be written is complained of. One request and one answer a line, as JSON.
+Children compute what none has computed before (`remembering`), in the folder that the parent is given.
 """
 
 from __future__ import annotations
@@ -20,7 +21,10 @@ import sys
 import termios
 import time
 import traceback
+from pathlib import Path
 from typing import Any
+
+from remembering import remember
 
 PATIENCE = 120.0
 """Time after which a command hangs [s]."""
@@ -29,6 +33,7 @@ PATIENCE = 120.0
 def serve() -> None:
     """Answer requests until the input ends."""
     preload()
+    remember(Path(sys.argv[1]))
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     for line in sys.stdin:
         answers.write(json.dumps(answer(json.loads(line))) + "\n")
