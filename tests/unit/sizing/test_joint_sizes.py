@@ -6,6 +6,7 @@ import pytest
 
 from gearwright.catalogue import materials
 from gearwright.errors import DesignError
+from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.sizing.shafts.joints import (
     Seat,
     joint_fits,
@@ -15,7 +16,6 @@ from gearwright.sizing.shafts.joints import (
     size_joint,
     spline_root,
 )
-from gearwright.sizing.stages.stage_sizes import STANDARD_MODULES
 from gearwright.spec.design import Joint
 
 STEEL = materials()["carburised-9310"]

@@ -29,6 +29,18 @@ TWINS = changed(TWINS, 'pinion = "fast"', 'pinion = ["fast", "second"]')
 TWINS += '[turbines.other]\nshaft = "second"\npower_kw = 60\nspeed_rpm = 6000\n'
 CASES = PAIR + "[cases.climb.turbine]\npower_kw = 95\nspeed_rpm = 4500\n[cases.climb]\nshare = 1\n"
 RULES = "[gears]\nhelix_angle_deg = 25\nweb_ratio = 0.6\nrim_thickness_ratio = 3\nmesh_load_factor = 1.3\n"
+BEVEL = changed(PAIR, 'wheel = "slow"', 'wheel = "slow"\nkind = "bevel"\naxis_angle_deg = 90\nspiral_angle_deg = 35')
+TWO_BEVELS = changed(TWINS, 'wheel = "slow"', 'wheel = "slow"\nkind = "bevel"\naxis_angle_deg = 90')
+ISO = '[gears]\nrating = "iso6336"\nmaterial = "carburised-9310"\n'
+FREE = "[gears.iso6336]\nstandard_modules = false\n"
+PARKED = "[cases.parked]\nstatic = true\nturbine.torque_nm = 200\n[cases.climb]\nshare = 1\nturbine.power_kw = 95\n"
+BEVELS = {
+    "standard modules": BEVEL + ISO,
+    "modules as they come": BEVEL + ISO + FREE,
+    "a given width": BEVEL + ISO + "face_width_ratio = 6\n",
+    "a limit load": BEVEL + ISO + PARKED,
+    "two pinions": TWO_BEVELS + ISO,
+}
 DESIGNS = {
     "pair": PAIR,
     "internal pair": PAIR + "internal = true\n",
@@ -64,4 +76,10 @@ def test_chosen_teeth_weigh_in_the_search_what_sized_gears_weigh(name, rules, mo
 @pytest.mark.parametrize("name", SHIPPED)
 def test_shipped_designs_weigh_in_the_search_what_their_sized_gears_weigh(name, monkeypatch):
     searched, sized = masses(gw.shipped_design(name).read_text(encoding="utf-8"), monkeypatch)
+    assert searched == pytest.approx(sized, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", BEVELS)
+def test_chosen_teeth_of_bevel_pairs_weigh_in_the_search_what_sized_ones_weigh(name, monkeypatch):
+    searched, sized = masses(BEVELS[name], monkeypatch)
     assert searched == pytest.approx(sized, rel=1e-9)

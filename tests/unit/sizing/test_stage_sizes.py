@@ -6,7 +6,7 @@ import pytest
 
 from designs import PAIR
 from gearwright.sizing import size
-from gearwright.sizing.stages import STANDARD_MODULES
+from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import edited, parse
 from mounted_designs import HELICOPTER
 

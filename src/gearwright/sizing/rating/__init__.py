@@ -14,7 +14,16 @@ from gearwright.sizing.rating.context import (
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.lewis_hertz import width_ratio
 from gearwright.sizing.rating.methods import METHODS, method_for, modules, stage_width_ratio
-from gearwright.sizing.rating.protocol import Damage, LoadedMesh, Making, MeshRating, MeshSpectrum, Method, Unloaded
+from gearwright.sizing.rating.protocol import (
+    Damage,
+    Load,
+    LoadedMesh,
+    Making,
+    MeshRating,
+    MeshSpectrum,
+    Method,
+    Unloaded,
+)
 from gearwright.sizing.rating.rows import rate_row, row_reserve
 from gearwright.sizing.rating.rules import Ask, Rating, rating_of
 from gearwright.sizing.rating.standard_teeth import (
@@ -27,14 +36,26 @@ from gearwright.sizing.rating.standard_teeth import (
     push_angle,
     working_radii,
 )
+from gearwright.sizing.rating.widths import (
+    CORRECTIONS,
+    STANDARD_MODULES,
+    bevel_width,
+    narrowest,
+    next_standard,
+    overlap_width,
+    under_spectrum,
+)
 
 __all__ = [
+    "CORRECTIONS",
     "METHODS",
+    "STANDARD_MODULES",
     "Ask",
     "Context",
     "Damage",
     "Demand",
     "Factor",
+    "Load",
     "LoadedMesh",
     "Making",
     "MeshRating",
@@ -44,6 +65,7 @@ __all__ = [
     "Unloaded",
     "bevel_pair",
     "bevel_push",
+    "bevel_width",
     "cone_ratio",
     "context_of",
     "cylindrical_mesh",
@@ -53,12 +75,16 @@ __all__ = [
     "mean_module",
     "method_for",
     "modules",
+    "narrowest",
+    "next_standard",
+    "overlap_width",
     "push_angle",
     "rate_row",
     "rating_of",
     "row_ask",
     "row_reserve",
     "stage_width_ratio",
+    "under_spectrum",
     "width_ratio",
     "width_ratio_of",
     "working_radii",

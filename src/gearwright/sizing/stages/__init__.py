@@ -6,10 +6,9 @@ Where they stand is for `arrangement`.
 from gearwright.sizing.stages.compound_sizes import compound_sizes
 from gearwright.sizing.stages.gear_checks import gear_checks
 from gearwright.sizing.stages.gears import size_gears, size_meshes
-from gearwright.sizing.stages.stage_sizes import STANDARD_MODULES, stage_sizes
+from gearwright.sizing.stages.stage_sizes import stage_sizes
 
 __all__ = [
-    "STANDARD_MODULES",
     "compound_sizes",
     "gear_checks",
     "size_gears",

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from functools import partial
 
 from gearwright.errors import DesignError, Problem
-from gearwright.sizing.rating import Context, Demand, row_reserve, width_ratio_of
-from gearwright.sizing.stages.stage_sizes import CORRECTIONS, StageSize, narrowest, rounded
+from gearwright.sizing.rating import CORRECTIONS, Context, Demand, narrowest, row_reserve, width_ratio_of
+from gearwright.sizing.stages.stage_sizes import StageSize, rounded
 from gearwright.spec.checks import relative_modules
 from gearwright.train import Mesh
 

@@ -3,31 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from functools import partial
 from typing import NamedTuple
 
 from gearwright.parts.bevel import WIDEST, WIDEST_MODULES
 from gearwright.sizing.rating import (
     Context,
     Demand,
-    Rating,
     bevel_pair,
+    bevel_width,
     cone_ratio,
     mean_module,
+    narrowest,
+    next_standard,
+    overlap_width,
     row_reserve,
+    under_spectrum,
     width_ratio_of,
 )
 from gearwright.sizing.stages.idle import refuse_idle_stages
 from gearwright.spec.design import module_owners
-
-STANDARD_MODULES = (
-    1.0, 1.125, 1.25, 1.375, 1.5, 1.75, 2.0, 2.25, 2.5, 2.75, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0, 7.0, 8.0, 9.0, 10.0,
-    11.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 32.0, 36.0, 40.0, 45.0, 50.0,
-)  # fmt: skip
-"""Modules of series I and II [mm] (ISO 54:1996; ISO 678:1996 for bevel gears, outer transverse)."""
-_MM = 1e-3
-CORRECTIONS = 6
-"""Corrections of a module under the load spectrum; each closes most of what is left."""
 
 
 class StageSize(NamedTuple):
@@ -111,19 +107,12 @@ def _size(context: Context, stage: str, needed: float) -> StageSize:
         module = given.get(f"{stage}.module", needed)
         width = given.get(f"{stage}.face_width", ratio * module)
         return StageSize(module, width, width)
-    needed = _under_spectrum(context, stage, needed, ratio)
+    needed = under_spectrum(needed, ratio, partial(_gap, context, stage))
     return (
         _bevel_size(context, stage, needed, ratio)
         if rating.kind == "bevel"
         else _cylinder(context, stage, needed, ratio)
     )
-
-
-def _under_spectrum(context: Context, stage: str, module: float, ratio: float) -> float:
-    """Return the module with which every asked safety is just met under all cases of the life."""
-    for _ in range(CORRECTIONS):
-        module /= math.cbrt(_gap(context, stage, module, ratio * module))
-    return module
 
 
 def _gap(context: Context, stage: str, module: float, width: float) -> float:
@@ -139,33 +128,9 @@ def _cylinder(context: Context, stage: str, needed: float, ratio: float) -> Stag
     module = given.get(f"{stage}.module", rounded(context, stage, needed))
     width = ratio * module
     if rating.width_is_open:
-        width = narrowest(_overlap_width(rating, module), width, lambda tried: _gap(context, stage, module, tried))
+        width = narrowest(overlap_width(rating, module), width, partial(_gap, context, stage, module))
     width = given.get(f"{stage}.face_width", width)
     return StageSize(module, width, width)
-
-
-def _overlap_width(rating: Rating, module: float) -> float:
-    """Return the face width that gives the asked overlap ratio [m]; one module for straight teeth."""
-    lean = math.sin(rating.helix_angle)
-    return rating.rules.overlap_ratio * math.pi * module / lean if lean else module
-
-
-def narrowest(least: float, widest: float, gap: Callable[[float], float]) -> float:
-    """Return the least face width in whole millimetres that meets the safeties, or the most that is allowed [m].
-
-    Args:
-        least: To look from [m].
-        widest: To look to [m].
-        gap: Factor by which the loads could grow at a face width [-].
-    """
-    low, high = math.ceil(min(least, widest) / _MM - 1e-9), max(math.floor(widest / _MM + 1e-9), 1)
-    while low < high:
-        middle = (low + high) // 2
-        if gap(middle * _MM) >= 1.0:
-            high = middle
-        else:
-            low = middle + 1
-    return high * _MM
 
 
 def rounded(context: Context, stage: str, needed: float) -> float:
@@ -181,7 +146,7 @@ def rounded(context: Context, stage: str, needed: float) -> float:
     rules = context.ratings[stage].proportions
     if stage in tied or rules is None or not rules.standard_modules:
         return needed
-    return next((standard * _MM for standard in STANDARD_MODULES if standard * _MM >= needed * (1.0 - 1e-9)), needed)
+    return next_standard(needed)
 
 
 def _bevel_size(context: Context, stage: str, needed: float, ratio: float) -> StageSize:
@@ -189,15 +154,7 @@ def _bevel_size(context: Context, stage: str, needed: float, ratio: float) -> St
     rating, given, teeth = context.ratings[stage], context.given, _teeth(context, stage)
     outer = bevel_pair(teeth, needed, ratio * needed, rating).outer_module
     outer = given.get(f"{stage}.outer_module", rounded(context, stage, outer))
-    cone = float(cone_ratio(*teeth)) * outer
-    limit = min(WIDEST * cone, WIDEST_MODULES * outer)
-    width = ratio * outer / (1.0 / math.cos(rating.helix_angle) + 0.5 * ratio * outer / cone)
-
-    def gap(tried: float) -> float:
-        return _gap(context, stage, mean_module(teeth, outer, tried, rating), tried)
-
-    if rating.width_is_open:
-        width = narrowest(_overlap_width(rating, mean_module(teeth, outer, width, rating)), width, gap)
+    width = bevel_width(teeth, outer, ratio, rating, partial(_gap, context, stage))
     asked = given.get(f"{stage}.face_width", width)
-    width = min(asked, limit)
+    width = min(asked, min(WIDEST * float(cone_ratio(*teeth)), WIDEST_MODULES) * outer)
     return StageSize(mean_module(teeth, outer, width, rating), width, asked)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from gearwright.arrays import Bools, Floats, Ints
-from gearwright.sizing.rating import Rating
+from gearwright.sizing.rating import Load, Rating
 from gearwright.spec import Pair, Planetary
 from gearwright.train import Edge
 
@@ -72,7 +72,10 @@ class Task:
     """Nominal speed of the edge's fast shaft; where the teeth let it turn faster, the torque is less [rad/s]."""
     rolling: float
     """Nominal speed of pinion or sun against the carrier [rad/s]."""
+    rows: tuple[Load, ...] = ()
+    """Of each loaded row of a bevel pair the heaviest case over the whole life, without teeth."""
     twin: str = ""
     """Stage before it whose teeth it has, because what both do is the same; empty where it has none."""
-    known: dict[tuple[int, int, int], float] = field(default_factory=dict, compare=False, repr=False)
-    """Teeth of pinion or sun, of wheel or planet, number of planets -> m_n³ at nominal load, as far as found [m³]."""
+    known: dict[tuple[int, int, int], tuple[float, float]] = field(default_factory=dict, compare=False, repr=False)
+    """Teeth of pinion or sun, of wheel or planet, number of planets -> m_n³ [m³] and λ = b/m_n [-] at nominal load, as
+    far as found."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from gearwright.arrays import Floats, Ints
 from gearwright.identity import Role
 from gearwright.sizing.rating import Ask, modules, rating_of, stage_width_ratio
+from gearwright.sizing.teeth.bevels import bevel_size
 from gearwright.sizing.teeth.candidates import ring_teeth
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Pair, Planetary
@@ -43,7 +44,10 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
         speed=task.rolling,
         passes=(planets, 1.0),
     )
-    cube = _cubes(ask, task) if rating.proportions is None else _known_cubes(ask, task, reference, speed)
+    if rating.proportions is None:
+        cube = _cubes(ask, task)
+    else:
+        cube, width_ratio = _known_sizes(ask, task, reference, speed)
     group = task.group
     cubes = {**front.cubes, group: np.maximum(front.cubes.get(group, 0.0), cube)}
     volumes = {**front.volumes, group: front.volumes.get(group, 0.0) + width_ratio * discs}
@@ -68,8 +72,8 @@ def _cubes(ask: Ask, task: Task) -> Floats:
     return np.asarray(module * module * module)
 
 
-def _known_cubes(ask: Ask, task: Task, reference: Ints, speed: Floats) -> Floats:
-    """Return the same where a standard rates the stage: of each pair of tooth numbers once, scaled by m³ ∝ T."""
+def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats) -> tuple[Floats, Floats]:
+    """Return the same where a standard rates the stage, and λ: of each pair of tooth numbers once, scaled by m³ ∝ T."""
     small, large = (np.asarray(teeth) for teeth in ask.teeth)
     planets, load = int(ask.passes[0]), task.speed / speed
     keys = [(first, second, planets) for first, second in zip(small.tolist(), large.tolist(), strict=True)]
@@ -79,8 +83,20 @@ def _known_cubes(ask: Ask, task: Task, reference: Ints, speed: Floats) -> Floats
             teeth=(small[missing], large[missing]),
             width_ratio=np.asarray(ask.width_ratio)[missing],
         )
-        task.known.update(zip([keys[k] for k in missing], _cubes(new, task).tolist(), strict=True))
-    return np.array([task.known[key] for key in keys]) * load
+        task.known.update(zip([keys[k] for k in missing], _sizes(new, task), strict=True))
+    cubes, widths = np.array([task.known[key] for key in keys]).reshape(-1, 2).T
+    return cubes * load, widths
+
+
+def _sizes(ask: Ask, task: Task) -> Iterator[tuple[float, float]]:
+    """Yield m_n³ [m³] and λ of every choice: of bevel pairs as sizing makes them, of others before they are rounded."""
+    small, large, ratios = (np.asarray(column).tolist() for column in (*ask.teeth, ask.width_ratio))
+    if task.rating.kind == "bevel":
+        for teeth, ratio in zip(zip(small, large, strict=True), ratios, strict=True):
+            module, width = bevel_size(task.rating, task.rows, teeth, ratio)
+            yield module * module * module, width / module
+    else:
+        yield from zip(_cubes(ask, task).tolist(), ratios, strict=True)
 
 
 def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict[str, Ints], Floats]:

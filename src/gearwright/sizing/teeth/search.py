@@ -20,6 +20,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role
 from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.rating import rating_of
+from gearwright.sizing.teeth.bevels import bevel_rows
 from gearwright.sizing.teeth.bounds import Branch, branches_of, rest_of
 from gearwright.sizing.teeth.candidates import given_teeth, is_given, planet_counts
 from gearwright.sizing.teeth.front import Front, Task
@@ -28,8 +29,8 @@ from gearwright.sizing.teeth.refusal import refusal
 from gearwright.sizing.teeth.stage import extend
 from gearwright.sizing.teeth.states import EQUAL, needs_of
 from gearwright.sizing.teeth.twins import with_twins
-from gearwright.spec import GROUND, Design, Pair, Planetary
-from gearwright.spec.design import module_owners
+from gearwright.spec import GROUND, Design, Pair, Planetary, case_named
+from gearwright.spec.design import RATINGS, module_owners
 from gearwright.train import (
     PowerFlow,
     Targets,
@@ -244,8 +245,10 @@ def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapp
     meshes = [mesh for mesh in train.meshes if mesh.stage == name]
     ring = edge is not None and edge.grounded is Role.SUN
     own_rows = meshes[1:] if ring else (meshes[:1] if isinstance(stage, Planetary) else meshes)
-    torque, rolling = 0.0, 1.0
-    for flow in flows.values():
+    torque, rolling, fatigue = 0.0, 1.0, RATINGS[rating.method].fatigue
+    for case, flow in flows.items():
+        if fatigue and case_named(design, case).static:
+            continue
         for mesh in own_rows:
             meshes_alike = 1 if isinstance(stage, Planetary) else mesh.count
             load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / meshes_alike * rating.load_factor
@@ -253,7 +256,8 @@ def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapp
                 torque = load
                 rolling = abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])
     speed = 1.0 if edge is None else nominal.speeds[edge.fast[0]]
-    return Task(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling)
+    rows = bevel_rows(design, meshes, flows, rating) if rating.kind == "bevel" else ()
+    return Task(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling, rows)
 
 
 def _ready(task: Task, front: Front) -> bool:
