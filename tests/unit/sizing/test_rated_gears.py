@@ -8,8 +8,7 @@ from gearwright.parts.bevel import BevelRating
 from gearwright.parts.iso6336 import PairRating, StressBin, Treatment, contact_life_curve, spectrum_damage
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.rating import Ask, modules, rating_of
-from gearwright.sizing.stages import STANDARD_MODULES
+from gearwright.sizing.rating import STANDARD_MODULES, Ask, modules, rating_of
 from gearwright.spec import edited, parse, read
 
 HELICOPTER = read(shipped_design("ec120b"))
