@@ -13,7 +13,7 @@ from gearwright import __version__
 from gearwright.cli import app, main
 from gearwright.cli.answers import ANSWERS, answer_schema, schema_id
 from gearwright.render.answers.plain import plain
-from gearwright.shipped import shipped_designs
+from gearwright.shipped import shipped_designs, shipped_mission
 from json_schema import faults
 
 STUDY = """\
@@ -27,6 +27,17 @@ results = ["mass", "power_density", "worst_margin"]
 method = "sobol"
 count = 4
 """
+MISSION = (
+    shipped_mission("thesis").read_text(encoding="utf-8")
+    + """
+[windows.cut]
+phase = "cruise"
+at_min = 10
+event = "motor-cut"
+event_at_s = 0.2
+duration_s = 0.5
+"""
+)
 SHORT = "--duration 0.001 --stiffness constant"
 LINES = {
     "new": "new",
@@ -41,7 +52,7 @@ LINES = {
     "runup": "runup pair.toml --speeds 2",
     "sharing": "sharing face-gear-split-torque --target 55/45",
     "fly": "fly in-line-h2 thesis --life-h 2000",
-    "window": "window in-line-h2 thesis motor-cut",
+    "window": "window in-line-h2 short.toml cut",
     "compare": "compare in-line star",
     "study": "study small.toml --workers 0",
     "resume": "resume journal --workers 0",
@@ -56,9 +67,10 @@ WITH_LINES = [command for command, (_, row) in ANSWERS.items() if row]
 
 @pytest.fixture
 def call(monkeypatch, capsys, tmp_path):
-    """Run the command line in a folder with a pair, a hybrid and a finished study; gives code, out, err, new files."""
+    """Run the command line in a folder with designs, a mission and a study; gives code, out, err, new files."""
     monkeypatch.chdir(tmp_path)
-    for name, text in {"pair.toml": PAIR, "hybrid.toml": HYBRID, "small.toml": STUDY}.items():
+    files = {"pair.toml": PAIR, "hybrid.toml": HYBRID, "small.toml": STUDY, "short.toml": MISSION}
+    for name, text in files.items():
         Path(name).write_text(text, encoding="utf-8")
 
     def run(line):
