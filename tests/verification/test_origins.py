@@ -288,19 +288,26 @@ def test_no_number_of_a_mesh_is_said_to_come_from_another_method(name):
             assert not any(word in row[-1].text for word in wrong[mesh.rating.method]), row[-1].text
 
 
+def mean_radius(gear, rules):
+    """Return r of what a gear's body is weighed by: shift thickens cylindrical teeth, a ring's towards its axis [m]."""
+    thicker = gear.profile_shift * gear.module if rules.kind == "cylindrical" else 0.0
+    return gear.pitch_diameter / 2.0 + (-thicker if gear.role is Role.RING else thicker)
+
+
 def gear_mass(gear, rules):
-    radius, density = gear.pitch_diameter / 2.0, rules.material.density
+    radius, density = mean_radius(gear, rules), rules.material.density
     if gear.role is Role.RING:
-        return math.pi * ((radius + gear.rim) ** 2 - radius**2) * gear.face_width * density
+        outer = gear.pitch_diameter / 2.0 + gear.rim
+        return math.pi * (outer**2 - radius**2) * gear.face_width * density
     web = rules.rules.web_ratio if gear.role is Role.WHEEL else 1.0
     return math.pi * radius**2 * gear.face_width * density * web
 
 
 def gear_inertia(gear, rules):
-    radius = gear.pitch_diameter / 2.0
+    radius = mean_radius(gear, rules)
     if gear.role is Role.RING:
-        return gear.mass * (radius**2 + (radius + gear.rim) ** 2) / 2.0
-    return gear.mass * gear.pitch_diameter**2 / 8.0
+        return gear.mass * (radius**2 + (gear.pitch_diameter / 2.0 + gear.rim) ** 2) / 2.0
+    return gear.mass * radius**2 / 2.0
 
 
 def shift(gear, sizing):
@@ -325,7 +332,7 @@ OF_GEARS = {
     "d = m_n z / cos β": lambda gear, rules: gear.module * gear.teeth / math.cos(rules.helix_angle),
     "s = k m_n outside the pitch circle, k of the rules": lambda gear, rules: (
         rules.rules.rim_thickness_ratio * gear.module if gear.role is Role.RING else 0.0),
-    "m = π r² b ρ, wheels times their web ratio; rings π ((r + s)² − r²) b ρ": gear_mass,
+    "m = π r² b ρ, wheels times their web ratio; rings π ((d/2 + s)² − r²) b ρ; r = d/2 ± x m_n": gear_mass,
     "I = m d²/8; rings m (r² + (r + s)²)/2": gear_inertia,
 }  # fmt: skip
 
