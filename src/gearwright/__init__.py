@@ -49,7 +49,7 @@ if TYPE_CHECKING:
         shipped_studies,
         shipped_study,
     )
-    from gearwright.sizing import named_results, size
+    from gearwright.sizing import named_results, size, size_many
     from gearwright.spec import edited, edited_mission, parse, read, read_mission, read_study, schema
     from gearwright.store import StoredRun, load, save
     from gearwright.study import compare, for_engine

@@ -222,6 +222,7 @@ UNKNOWN = {
     "sharing method": lambda: gw.sharing(sizing("face-gear-split-torque"), method="quasi"),
     "sharing stage": lambda: gw.sharing(sizing(), "firs"),
     "sharing_study method": lambda: sharing_study(split(), method="quasi"),
+    "size_many axes": lambda: gw.size_many(sizing().design, {"gears.face_width_rati": [1.0]}),
     "sheets names": lambda: gw.draw(sizing(), ["shaf"]),
     "shipped_file name": lambda: shipped_file("thesi"),
     "shipped_mission name": lambda: shipped_mission("thesi"),

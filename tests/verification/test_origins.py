@@ -333,7 +333,7 @@ OF_GEARS = {
     "s = k m_n outside the pitch circle, k of the rules": lambda gear, rules: (
         rules.rules.rim_thickness_ratio * gear.module if gear.role is Role.RING else 0.0),
     "m = π r² b ρ, wheels times their web ratio; rings π ((d/2 + s)² − r²) b ρ; r = d/2 ± x m_n": gear_mass,
-    "I = m d²/8; rings m (r² + (r + s)²)/2": gear_inertia,
+    "I = m r²/2; rings m (r² + (d/2 + s)²)/2; r = d/2 ± x m_n": gear_inertia,
 }  # fmt: skip
 
 

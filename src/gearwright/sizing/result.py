@@ -75,7 +75,9 @@ class GearSizing:
     ]
     """Mass of one body [kg]."""
     inertia: Annotated[
-        float, Quantity("inertia"), Origin("I = m d²/8; rings m (r² + (r + s)²)/2", f"{_THESIS}, eq. 3.6; annulus")
+        float,
+        Quantity("inertia"),
+        Origin("I = m r²/2; rings m (r² + (d/2 + s)²)/2; r = d/2 ± x m_n", f"{_THESIS}, eq. 3.6; annulus"),
     ]
     """Polar inertia of one body about its own axis [kg m²]."""
     profile_shift: Annotated[float, Quantity("ratio"), Origin("x", "design; DIN 3992 where balanced")]

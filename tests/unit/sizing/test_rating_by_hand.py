@@ -73,8 +73,9 @@ def test_an_ask_is_of_two_external_gears_loaded_on_one_flank():
 def test_a_tooth_meets_as_many_mates_in_a_turn_as_pass_it(name):
     """Of a sun and a ring every planet, of a planet one of each, of a pinion between two wheels both."""
     sizing = size(read(shipped_design(name)))
+    loads = {row: [mesh.torques[0]] for row, mesh in sizing.flows["rated"].meshes.items()}
     for mesh in sizing.train.meshes:
-        ask = row_ask(sizing.train, sizing.teeth, mesh)
+        ask = row_ask(sizing.train, sizing.teeth, mesh, loads)
         stage = sizing.design.stages[mesh.stage]
         planets = getattr(stage, "planets", 0)
         for gear, idler, passes in zip(mesh.gears, ask.idlers, ask.passes, strict=True):
