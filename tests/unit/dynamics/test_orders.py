@@ -118,7 +118,7 @@ def test_an_order_written_by_hand_is_a_ray_of_the_diagram():
         ({"turns": {"propelle": 4}}, "no such rotation: propelle; did you mean propeller"),
         ({"turns": {}}, "say how often it acts in a turn"),
         ({"turns": {"propeller": math.nan}}, "say how often it acts in a turn"),
-        ({"turns": {"propeller": 4}, "on": ["shoft"]}, "it shakes shoft, which is no coordinate and no line"),
+        ({"turns": {"propeller": 4}, "on": ["shaf"]}, "it shakes shaf, which is no coordinate and no line"),
     ],
 )
 def test_an_order_of_nothing_is_refused(given, message):
