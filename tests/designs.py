@@ -74,6 +74,33 @@ share = 1
 share = 0
 """
 """In-Line hybrid 2 of Pulvirenti 2023."""
+BRAKED = """\
+schema = 1
+name = "one set, two gears"
+shafts = ["in", "ring", "out"]
+[motors.m]
+shaft = "in"
+power_kw = 100
+speed_rpm = 4000
+[loads.wheel]
+shaft = "out"
+[planetaries.set]
+sun = "in"
+ring = "ring"
+carrier = "out"
+sun_teeth = 33
+planet_teeth = 18
+planets = 3
+[clutches.brake]
+driving = "ring"
+driven = "ground"
+kind = "open"
+[clutches.lock]
+driving = "in"
+driven = "ring"
+kind = "open"
+"""
+"""One set with a brake and a clutch, which cases engage; z_r/z_s = 69/33."""
 
 
 def changed(text: str, old: str, new: str) -> str:

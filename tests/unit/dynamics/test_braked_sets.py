@@ -3,44 +3,24 @@
 import numpy as np
 import pytest
 
+from designs import BRAKED
 from gearwright.dynamics import simulate
 from gearwright.dynamics.assembly import assemble
 from gearwright.sizing import size
 from gearwright.spec import parse
 
 SIZING = size(
-    parse("""\
-schema = 1
-name = "one set, two gears"
-shafts = ["in", "ring", "out"]
-[motors.m]
-shaft = "in"
-power_kw = 100
-speed_rpm = 4000
-[loads.wheel]
-shaft = "out"
-[planetaries.set]
-sun = "in"
-ring = "ring"
-carrier = "out"
-sun_teeth = 33
-planet_teeth = 18
-planets = 3
-[clutches.brake]
-driving = "ring"
-driven = "ground"
-kind = "open"
-[clutches.lock]
-driving = "in"
-driven = "ring"
-kind = "open"
+    parse(
+        BRAKED
+        + """\
 [cases.low]
 engaged = ["brake"]
 m.rating = 1
 [cases.high]
 engaged = ["lock"]
 m.rating = 1
-""")
+"""
+    )
 )
 TORQUE = 100e3 / (4000 * np.pi / 30)
 """Of the motor [N m]."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from designs import HYBRID, PAIR, changed, problem
+from designs import BRAKED, HYBRID, PAIR, changed, problem
 from gearwright.errors import DesignError
 from gearwright.mission import fly
 from gearwright.sizing import size
@@ -152,35 +152,6 @@ def test_a_hybrid_takes_off_on_the_turbine_alone():
     flight = fly(sizing, parse_mission(mission))
     # 1e-5: the drag of the bearings is that of the loads one round before.
     assert flight.machines["turbine"].power.max() == pytest.approx(2000e3, rel=1e-5)
-
-
-BRAKED = """\
-schema = 1
-name = "one set, two gears"
-shafts = ["in", "ring", "out"]
-[motors.m]
-shaft = "in"
-power_kw = 100
-speed_rpm = 4000
-[loads.wheel]
-shaft = "out"
-[planetaries.set]
-sun = "in"
-ring = "ring"
-carrier = "out"
-sun_teeth = 33
-planet_teeth = 18
-planets = 3
-[clutches.brake]
-driving = "ring"
-driven = "ground"
-kind = "open"
-[clutches.lock]
-driving = "in"
-driven = "ring"
-kind = "open"
-"""
-"""z_r/z_s = 69/33."""
 
 
 def gear(engaged: str) -> str:
