@@ -21,14 +21,18 @@ from gearwright.sizing.carrying import CarrierSizing, ShaftDiagram, ShaftSizing
 from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.compound import pins_of, towards
 from gearwright.sizing.insight import Beside, Influence, MeshBeside, MeshInfluences, influences, methods_beside
-from gearwright.sizing.many import size_many
+from gearwright.sizing.many import Sizings, Structure, size_many, structure_of
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
-from gearwright.sizing.pair_data import BevelPairData, CylindricalPairData, pair_data
 from gearwright.sizing.result import GearSizing, MachineSizing, Sizing
 from gearwright.sizing.size import size
-from gearwright.sizing.sizings import Sizings, Structure, structure_of
-from gearwright.sizing.stage_summary import StageSummary, stage_summaries
+from gearwright.sizing.summaries import (
+    BevelPairData,
+    CylindricalPairData,
+    StageSummary,
+    pair_data,
+    stage_summaries,
+)
 from gearwright.sizing.tooth_play import Backlash, backlash_of, fit_of, play_in_motion, thickness_of
 from gearwright.sizing.tooth_shape import cylindrical_gear, planet_positions
 

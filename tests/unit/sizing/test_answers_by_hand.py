@@ -8,7 +8,7 @@ from shaft_designs import INTERNAL
 from gearwright.shipped import shipped_design, shipped_designs
 from gearwright.sizing import named_results, pair_data, size
 from gearwright.sizing.arrangement import envelope
-from gearwright.sizing.stage_summary import stage_summaries
+from gearwright.sizing.summaries import stage_summaries
 from gearwright.spec import edited, parse, read
 
 KINDS = {

@@ -4,7 +4,7 @@ import pytest
 
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
-from gearwright.sizing.stage_summary import stage_summaries
+from gearwright.sizing.summaries import stage_summaries
 from gearwright.spec import read
 
 

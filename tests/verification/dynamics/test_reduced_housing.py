@@ -9,7 +9,7 @@ from scipy.linalg import eigh
 
 from gearwright.dynamics import Model, modes
 from gearwright.dynamics.model import Bearing, Disc, Rotor, Segment, add_bearing, add_body, add_rotor
-from gearwright.dynamics.model.shaft_element import element
+from gearwright.dynamics.model.rotors import element
 from gearwright.errors import DesignError
 from gearwright.spec.bodies import ReducedBody, read_body
 

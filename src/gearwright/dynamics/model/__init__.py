@@ -33,7 +33,6 @@ from gearwright.dynamics.model.drives import (
     drive_effects,
     points_of,
 )
-from gearwright.dynamics.model.elastic_body import Placed, add_body
 from gearwright.dynamics.model.family import check_structure, envelope, own_groups, stacked, weight_numbers
 from gearwright.dynamics.model.finite import check_finite, finite_numbers, refuse_following, refuse_not_finite
 from gearwright.dynamics.model.flatten import profile_of
@@ -41,8 +40,17 @@ from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Model
 from gearwright.dynamics.model.planetary import PIN, add_planetary
 from gearwright.dynamics.model.planetary_set import Member, PlanetarySet, PlanetError, rotational
-from gearwright.dynamics.model.rotor import Disc, Rotor, add_rotor
-from gearwright.dynamics.model.rotor_joints import Bearing, GearContact, add_bearing, add_gear_contact
+from gearwright.dynamics.model.rotors import (
+    Bearing,
+    Disc,
+    GearContact,
+    Placed,
+    Rotor,
+    add_bearing,
+    add_body,
+    add_gear_contact,
+    add_rotor,
+)
 from gearwright.dynamics.model.system import (
     NOBODY,
     Arrays,

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.arrays import Floats
-from gearwright.dynamics.model.elastic_body import Motion, Point, between
 from gearwright.dynamics.model.line import DampingRatio, Line, Periodic
 from gearwright.dynamics.model.model import Model
+from gearwright.dynamics.model.rotors.elastic_body import Motion, Point, between
 from gearwright.errors import Problem, refuse
 from gearwright.verbs import verb
 

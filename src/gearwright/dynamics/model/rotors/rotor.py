@@ -15,7 +15,8 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.dynamics.model.beam import Segment
-from gearwright.dynamics.model.elastic_body import (
+from gearwright.dynamics.model.model import Model
+from gearwright.dynamics.model.rotors.elastic_body import (
     ModalBasis,
     Motion,
     Placed,
@@ -24,8 +25,7 @@ from gearwright.dynamics.model.elastic_body import (
     modal_basis,
     motions,
 )
-from gearwright.dynamics.model.model import Model
-from gearwright.dynamics.model.shaft_element import Element, element
+from gearwright.dynamics.model.rotors.shaft_element import Element, element
 from gearwright.errors import Problem, refuse
 from gearwright.verbs import verb
 

@@ -10,9 +10,9 @@ import numpy as np
 
 from gearwright.errors import DesignError, GearwrightError, Problem, near, refuse
 from gearwright.sizing.answers import TEXT, Named, asked_results, named_results, total_results
+from gearwright.sizing.many.sizings import Sizings, Structure, stacked, structure_of
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.size import size
-from gearwright.sizing.sizings import Sizings, Structure, stacked, structure_of
 from gearwright.spec import Design, edited, path_problems
 from gearwright.verbs import verb
 

@@ -1,0 +1,14 @@
+"""Many designs sized at once, into columns with a reason for every row that cannot be sized.
+
+Each row is what `size` gives of it alone.
+"""
+
+from gearwright.sizing.many.size_many import size_many
+from gearwright.sizing.many.sizings import Sizings, Structure, structure_of
+
+__all__ = [
+    "Sizings",
+    "Structure",
+    "size_many",
+    "structure_of",
+]
