@@ -101,6 +101,21 @@ driven = "ring"
 kind = "open"
 """
 """One set with a brake and a clutch, which cases engage; z_r/z_s = 69/33."""
+ONE_SET = """\
+schema = 1
+name = "one set"
+shafts = ["fast", "slow"]
+[turbines.turbine]
+shaft = "fast"
+power_kw = 500
+speed_rpm = 6000
+[propellers.propeller]
+shaft = "slow"
+speed_rpm = {speed}
+diameter_m = 2
+[planetaries.set]
+"""
+"""The start of one planetary set between a turbine and a propeller of a speed that is open."""
 
 
 def changed(text: str, old: str, new: str) -> str:

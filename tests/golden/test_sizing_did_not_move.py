@@ -11,7 +11,7 @@ DESIGNS = designs()
 
 NOISE = 1e-6
 """Speeds [rad/s], powers [W] and, in diagrams, forces [N] and moments [N m] below this are zeros with rounding."""
-CLOSING = ("cases.", ".diagram.", ".bearings.", ".bending_moment")
+CLOSING = ("cases.", ".diagram.", ".bearings.", ".bending_moment", ".tangential_force")
 """What closes to zero by subtraction."""
 ORDER = 1e-9
 """What sums of unlike signs may differ by, over the sum of their sizes [-]."""

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from designs import PAIR
+from designs import ONE_SET, PAIR
 from gearwright.errors import DesignError
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
@@ -77,25 +77,16 @@ def test_no_pinion_is_undercut():
         assert pair(gears=gears, teeth=f"pinion_maximum = {fewest}").teeth["stage.pinion"] == fewest
 
 
-SET = """\
-schema = 1
-name = "one set"
-shafts = ["fast", "slow"]
-[turbines.turbine]
-shaft = "fast"
-power_kw = 500
-speed_rpm = 6000
-[propellers.propeller]
-shaft = "slow"
-speed_rpm = {speed}
-diameter_m = 2
-[planetaries.set]
+SET = (
+    ONE_SET
+    + """\
 sun = "{sun}"
 ring = "{ring}"
 carrier = "{carrier}"
 planets = {planets}
 {given}
 """
+)
 MEMBERS = {
     "planetary": ("fast", "ground", "slow"),
     "star": ("fast", "slow", "ground"),

@@ -14,6 +14,7 @@ from gearwright.train.flow import (
     power_flow,
     power_flows,
     recirculation,
+    shaft_powers,
 )
 from gearwright.train.graph import EXTERNAL, INTERNAL, Damper, Gear, Joint, Mesh, Train, build_train, gear_of, gears_of
 from gearwright.train.kinematics import Edge, handed_on, members_of, teeth_of, ties_of, willis_ratio, willis_speed
@@ -47,6 +48,7 @@ __all__ = [
     "power_flows",
     "recirculation",
     "remembered",
+    "shaft_powers",
     "speed_range",
     "targets",
     "teeth_of",

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from designs import problem
+from designs import ONE_SET, problem
 from gearwright.errors import DesignError
 from gearwright.parts.planetary import most_planet_teeth, neighbours_clear
 from gearwright.shipped import shipped_design
@@ -13,23 +13,14 @@ from gearwright.spec import edited, read
 from gearwright.study import for_engine, for_requirement
 from gearwright.units import RPM
 
-SET = """\
-schema = 1
-name = "one set"
-shafts = ["fast", "slow"]
-[turbines.turbine]
-shaft = "fast"
-power_kw = 500
-speed_rpm = 6000
-[propellers.propeller]
-shaft = "slow"
-speed_rpm = {speed}
-diameter_m = 2
-[planetaries.set]
+SET = (
+    ONE_SET
+    + """\
 sun = "fast"
 ring = "ground"
 carrier = "slow"
 """
+)
 
 
 def fitted(name, ratio, **changes):

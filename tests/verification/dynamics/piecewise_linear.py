@@ -115,7 +115,7 @@ def orbit(case: Case, near: tuple[float, float], instants: np.ndarray) -> tuple[
     def gap(state):
         return np.array(flown(case, *state, instants[:0])[:2]) - state
 
-    start = fsolve(gap, near, xtol=1e-12)
+    start = fsolve(gap, near, xtol=1e-12, full_output=True)[0]  # the next line, not its own words, judges it
     assert np.max(np.abs(gap(start))) < 1e-10
     return flown(case, *start, instants)[2:]
 

@@ -57,15 +57,14 @@ def critical_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
         speeds: From `critical_speeds`.
         maximum: Rows at most; what is not excited stands last.
     """
-    rows = critical_rows(speeds.critical)[:maximum]
-    left = f" {len(speeds.critical) - maximum} more are left out." if len(speeds.critical) > maximum else ""
+    rows = critical_rows(speeds.critical)
     note = (
         "n: critical speed of the first machine's shaft; f: damped frequency there. Margin: over the operating speed,"
         " less 1. Dynamic force: estimated amplitude of the worst mesh force at the resonance over its mean, from the"
-        f" stiffness variation and errors of the design.{left}"
+        f" stiffness variation and errors of the design.{_left_out(len(rows), maximum)}"
     )
     fields = ("order", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
-    return table(f"Critical speeds, case {speeds.cases}", rows, fields, note=note)
+    return table(f"Critical speeds, case {speeds.cases}", rows[:maximum], fields, note=note)
 
 
 def machine_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
@@ -76,13 +75,18 @@ def machine_table(speeds: SpeedCase, *, maximum: int = 25) -> Table:
         maximum: Rows at most; what is not excited stands last.
     """
     rows = machine_rows(speeds)
-    left = f" {len(rows) - maximum} more are left out." if len(rows) > maximum else ""
     note = (
         f"Nobody states how hard they shake: dynamic force is what follows if {100.0 * SWING:g} % of the mean torque of"
-        f" the machine, or of the force of one mesh, swings. In resonance: within 10 % (API 617).{left}"
+        " the machine, or of the force of one mesh, swings. In resonance: within 10 % (API 617)."
+        f"{_left_out(len(rows), maximum)}"
     )
     fields = ("order", "why", "mode", "frequency", "speed", "margin", "dynamic_force", "verdict")
     return table(f"Orders of machines, teeth and planets, case {speeds.cases}", rows[:maximum], fields, note=note)
+
+
+def _left_out(rows: int, maximum: int) -> str:
+    """Return how many rows a table does not show, as the last sentence of its note."""
+    return f" {rows - maximum} more are left out." if rows > maximum else ""
 
 
 def machine_rows(speeds: SpeedCase) -> tuple[ByMachine, ...]:
@@ -91,19 +95,7 @@ def machine_rows(speeds: SpeedCase) -> tuple[ByMachine, ...]:
     Args:
         speeds: From `critical_speeds`.
     """
-    return tuple(
-        ByMachine(
-            critical.order,
-            critical.why,
-            critical.mode,
-            critical.frequency,
-            critical.speed,
-            critical.margin,
-            critical.dynamic_force,
-            _verdict(critical),
-        )
-        for critical in speeds.assumed
-    )
+    return tuple(ByMachine(critical.order, critical.why, *_met(critical)) for critical in speeds.assumed)
 
 
 def critical_rows(critical_speeds: Sequence[CriticalSpeed]) -> tuple[Critical, ...]:
@@ -112,18 +104,13 @@ def critical_rows(critical_speeds: Sequence[CriticalSpeed]) -> tuple[Critical, .
     Args:
         critical_speeds: Of one set of speeds.
     """
-    return tuple(
-        Critical(
-            critical.order,
-            critical.mode,
-            critical.frequency,
-            critical.speed,
-            critical.margin,
-            critical.dynamic_force,
-            _verdict(critical),
-        )
-        for critical in critical_speeds
-    )
+    return tuple(Critical(critical.order, *_met(critical)) for critical in critical_speeds)
+
+
+def _met(critical: CriticalSpeed) -> tuple[str, float, float, float, float, str]:
+    """Return the mode that is met, its frequency, speed, margin and dynamic force, and the verdict."""
+    force = critical.dynamic_force
+    return critical.mode, critical.frequency, critical.speed, critical.margin, force, _verdict(critical)
 
 
 def _verdict(critical: CriticalSpeed) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -10,7 +10,7 @@ from gearwright.checks import Check
 from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.sizing.result import Sizing
 from gearwright.spec import Design, Pair
-from gearwright.train import Efficiency, PowerFlow, Train, efficiencies
+from gearwright.train import Efficiency, PowerFlow, Train, efficiencies, shaft_powers
 from gearwright.units import Origin, Ratio
 
 SOURCE = "equilibrium with the loss of every mesh, relative to its carrier (Müller 1998, Die Umlaufgetriebe)"
@@ -71,31 +71,22 @@ def locking_checks(
         flows: Its cases.
     """
     for case, flow in flows.items():
-        swallowing = [stage for stage in design.stages if _swallows(train, flow, stage)]
+        powers = shaft_powers(train, flow)
+        given = {stage: [power for (giver, _), power in powers.items() if giver == stage] for stage in design.stages}
+        swallowing = [stage for stage, own in given.items() if _swallows(own)]
         ways = efficiencies(design, train, teeth, flow, design.efficiencies) if swallowing else {}
         for stage in swallowing:
             way = ways.get(stage)
             if way is not None and way.forwards <= 0.0:
                 yield Check(
                     part=PartId(Kind.STAGE, stage), mode="self-locking", clause=SOURCE, case=case, exponent=None,
-                    value=sum(-power for power in _given(train, flow, stage).values()), limit=0.0, dimension="power",
+                    value=-sum(given[stage]), limit=0.0, dimension="power",
                     at_most=True, why=way.locking,
                 )  # fmt: skip
 
 
-def _given(train: Train, flow: PowerFlow, stage: str) -> dict[str, float]:
-    """Return what a stage gives to each of its shafts [W]."""
-    powers: dict[str, float] = {}
-    for mesh in train.meshes:
-        if mesh.stage == stage:
-            for node, torque in zip(mesh.nodes, flow.meshes[mesh.name].torques, strict=True):
-                powers[node] = powers.get(node, 0.0) + torque * flow.speeds[node]
-    return {node: power for node, power in powers.items() if node not in train.planet_nodes}
-
-
-def _swallows(train: Train, flow: PowerFlow, stage: str) -> bool:
-    """Tell whether a stage gives no shaft any of the power that it gets; beside rounding."""
-    powers = _given(train, flow, stage).values()
+def _swallows(powers: Sequence[float]) -> bool:
+    """Tell whether a stage that gives such powers to its shafts [W] gives none any of what it gets; beside rounding."""
     least, most = min(powers, default=0.0), max(powers, default=0.0)
     return least < 0.0 and most <= -1e-9 * least
 

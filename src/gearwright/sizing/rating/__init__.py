@@ -15,6 +15,7 @@ from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.lewis_hertz import width_ratio
 from gearwright.sizing.rating.methods import METHODS, method_for, modules, stage_width_ratio
 from gearwright.sizing.rating.protocol import (
+    LEAST_TORQUE,
     Damage,
     Load,
     LoadedMesh,
@@ -48,6 +49,7 @@ from gearwright.sizing.rating.widths import (
 
 __all__ = [
     "CORRECTIONS",
+    "LEAST_TORQUE",
     "METHODS",
     "STANDARD_MODULES",
     "Ask",

@@ -21,6 +21,9 @@ from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.spec.mission import GearLifeRules
 from gearwright.units import Origin, Quantity
 
+LEAST_TORQUE = 1e-9
+"""Below it a case does no damage [N m]."""
+
 
 class Load(NamedTuple):
     """One load case as a mesh feels it."""

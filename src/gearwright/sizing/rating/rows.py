@@ -9,12 +9,10 @@ import numpy as np
 
 from gearwright.sizing.rating.context import Context, ask_of, worst_case
 from gearwright.sizing.rating.methods import method_for
-from gearwright.sizing.rating.protocol import Load, LoadedMesh, MeshRating, Unloaded
+from gearwright.sizing.rating.protocol import LEAST_TORQUE, Load, LoadedMesh, MeshRating, Unloaded
 from gearwright.spec import case_named, levels_of, shares_of
 from gearwright.train import Mesh
 
-_LEAST_TORQUE = 1e-9
-"""Below it a case does no damage [N m]."""
 _CREEP = 1e-3
 """Speed of gears that a limit load finds at rest [rad/s]."""
 _NONE_ASKED = (0.0, 0.0)
@@ -33,10 +31,10 @@ def rate_row(
         asked: Modules that bending and contact ask for, for its record [m].
     """
     rating, (case, per_tooth) = context.ratings[mesh.stage], worst_case(context, mesh)
-    if per_tooth * context.teeth[mesh.gears[0]] <= _LEAST_TORQUE:
+    if per_tooth * context.teeth[mesh.gears[0]] <= LEAST_TORQUE:
         return Unloaded(case)
     heaviest = _load(context, mesh, case, rating.service.life)
-    loads = tuple(load for load in _loads(context, mesh) if load.torque > _LEAST_TORQUE)
+    loads = tuple(load for load in _loads(context, mesh) if load.torque > LEAST_TORQUE)
     rated: MeshRating = method_for(rating).rate(LoadedMesh(rating, module, face_width, heaviest, loads, asked))
     return rated
 

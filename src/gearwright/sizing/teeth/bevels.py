@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from gearwright.sizing.rating import (
+    LEAST_TORQUE,
     Ask,
     Load,
     LoadedMesh,
@@ -23,9 +24,6 @@ from gearwright.sizing.rating import (
 )
 from gearwright.spec import Design, case_named
 from gearwright.train import Mesh, PowerFlow
-
-_LEAST_TORQUE = 1e-9
-"""Below it a row is not loaded [N m]."""
 
 
 def bevel_size(rating: Rating, rows: Sequence[Load], teeth: tuple[int, int], ratio: float) -> tuple[float, float]:
@@ -70,7 +68,7 @@ def bevel_rows(
         max((_load(case, mesh, flow, rating) for case, flow in lasting.items()), key=lambda load: load.torque)
         for mesh in meshes
     )
-    return tuple(load for load in rows if load.torque > _LEAST_TORQUE)
+    return tuple(load for load in rows if load.torque > LEAST_TORQUE)
 
 
 def _load(case: str, mesh: Mesh, flow: PowerFlow, rating: Rating) -> Load:

@@ -1,7 +1,7 @@
 """What a load case sends through a train: torques and powers with losses, by branch, and what circulates."""
 
 from gearwright.train.flow.branches import Attachment, Branch, attachments, branches
-from gearwright.train.flow.carried import MeshFlow, PowerFlow
+from gearwright.train.flow.carried import MeshFlow, PowerFlow, shaft_powers
 from gearwright.train.flow.case import power_flow, power_flows
 from gearwright.train.flow.efficiencies import Efficiency, efficiencies
 from gearwright.train.flow.recirculation import recirculation
@@ -25,5 +25,6 @@ __all__ = [
     "power_flow",
     "power_flows",
     "recirculation",
+    "shaft_powers",
     "solve_torques",
 ]

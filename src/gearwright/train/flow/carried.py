@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from gearwright.spec import GROUND
+from gearwright.train.graph import Train
 from gearwright.train.kinematics import Yielded
 
 
@@ -77,3 +79,22 @@ class PowerFlow:
         powers = self.machine_powers.values()
         supplied = sum(power for power in powers if power > 0.0)
         return abs(sum(powers) - self.loss) / supplied if supplied else 0.0
+
+
+def shaft_powers(train: Train, flow: PowerFlow) -> dict[tuple[str, str], float]:
+    """Return what every stage gives to each shaft that it meshes with [W]; negative where it takes.
+
+    Args:
+        train: The graph.
+        flow: A load case.
+
+    Returns:
+        (stage, shaft) -> power; planets are within their stage.
+    """
+    powers: dict[tuple[str, str], float] = {}
+    for mesh in train.meshes:
+        for node, torque in zip(mesh.nodes, flow.meshes[mesh.name].torques, strict=True):
+            if node != GROUND and node not in train.planet_nodes:
+                key = (mesh.stage, node)
+                powers[key] = powers.get(key, 0.0) + torque * flow.speeds[node]
+    return powers

@@ -172,13 +172,11 @@ def _machine_torques(
 
 
 def _collect(train: Train, case: str, turn: Turn, state: Balanced, joints: list[Joint]) -> PowerFlow:
-    torques, carried, by_node = state.machine_torques, state.multipliers.tolist(), state.effective.tolist()
-    solved_speeds = turn.speeds.tolist()
-    noise = STANDSTILL * max(map(abs, solved_speeds), default=0.0)
-    speed = {name: value if abs(value) > noise else 0.0 for name, value in zip(train.nodes, solved_speeds, strict=True)}
+    torques, by_node, start = state.machine_torques, state.effective.tolist(), len(train.meshes)
+    speed = dict(zip(train.nodes, _told_from_zero(turn.speeds.tolist()), strict=True))
     speed[GROUND] = 0.0
+    carried = _told_from_zero(state.multipliers[:start].tolist()) + state.multipliers[start:].tolist()
     meshes = {mesh.name: _mesh_flow(train, mesh, speed, carried[k], by_node[k]) for k, mesh in enumerate(train.meshes)}
-    start = len(train.meshes)
     return PowerFlow(
         case=case,
         speeds=speed,
@@ -189,6 +187,12 @@ def _collect(train: Train, case: str, turn: Turn, state: Balanced, joints: list[
         dampers={damper.name: dragged(train, damper, turn.speeds) for damper in train.dampers},
         yielded=turn.yielded,
     )
+
+
+def _told_from_zero(values: list[float]) -> list[float]:
+    """Return values of which those that are rounding beside the largest are zero: an idle mesh pushes neither way."""
+    noise = STANDSTILL * max(map(abs, values), default=0.0)
+    return [value if abs(value) > noise else 0.0 for value in values]
 
 
 def _mesh_flow(

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from gearwright.spec import GROUND
-from gearwright.train.flow.carried import PowerFlow
+from gearwright.train.flow.carried import PowerFlow, shaft_powers
 from gearwright.train.graph import Train
 
 SMALLEST_SHARE = 1e-9
@@ -46,12 +45,7 @@ def recirculation(train: Train, flow: PowerFlow) -> tuple[Loop, ...]:
 
 def _edges(train: Train, flow: PowerFlow) -> dict[str, dict[str, float]]:
     """Return the power from every stage to the shafts that it drives, and to it from those that drive it [W]."""
-    powers: dict[tuple[str, str], float] = {}
-    for mesh in train.meshes:
-        for node, torque in zip(mesh.nodes, flow.meshes[mesh.name].torques, strict=True):
-            if node != GROUND and node not in train.planet_nodes:
-                key = (f"stage {mesh.stage}", node)
-                powers[key] = powers.get(key, 0.0) + torque * flow.speeds[node]
+    powers = {(f"stage {stage}", shaft): power for (stage, shaft), power in shaft_powers(train, flow).items()}
     for link in train.links:
         torque = flow.given(link.name)
         powers[(f"link {link.name}", link.driven)] = torque * flow.speeds[link.driven]
