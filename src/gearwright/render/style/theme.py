@@ -170,6 +170,9 @@ def to_svg(figure: Figure, prefix: str = "") -> str:
     text = buffer.getvalue()
     text = text[text.index("<svg") :]
     text = re.sub(r"<metadata>.*?</metadata>\s*", "", text, flags=re.DOTALL)
+    numbers: dict[str, int] = {}
+    # matplotlib names clips and markers by a digest of coordinates, whose last bits differ between processors.
+    text = re.sub(r"(?<=[\"#][a-z])[0-9a-f]{10}\b", lambda found: str(numbers.setdefault(found[0], len(numbers))), text)
     if prefix:
         text = re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{prefix}-", text)
     return re.sub(r"[ \t]+\n", "\n", text)
