@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from functools import cached_property
 from typing import Annotated
 
 from gearwright.errors import Problem, near
@@ -83,7 +84,7 @@ class Check:
         """Mode, symbol and place, as tables show them: ``fatigue n_f, shoulder at bearing 1a``."""
         return ", ".join(text for text in (f"{self.mode} {self.symbol}".strip(), self.place) if text)
 
-    @property
+    @cached_property
     def ratio(self) -> float | None:
         """Value over limit, or limit over value where less is better [-]: 1 is just enough; None if not assessed."""
         if self.value is None or self.limit is None:
@@ -91,7 +92,7 @@ class Check:
         over, under = (self.limit, self.value) if self.at_most else (self.value, self.limit)
         return over / under if under else math.inf
 
-    @property
+    @cached_property
     def reserve(self) -> float | None:
         """Factor by which the loads could grow [-], 1 is just enough; None where that says nothing.
 

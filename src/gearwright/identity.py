@@ -7,6 +7,7 @@ Only the reader of files turns what a user wrote (``off.wheel``) into fields.
 from __future__ import annotations
 
 from enum import StrEnum
+from functools import lru_cache
 from typing import NamedTuple
 
 
@@ -70,12 +71,7 @@ class PartId(NamedTuple):
 
     def __str__(self) -> str:
         """Return the label: ``first.sun``, ``first.sun-planet-1``, ``off.left``, ``first.carrier``, ``mast``."""
-        if self.kind is Kind.JOINT and self.branch:
-            return f"{self.name} on {self.branch}"
-        role = "carrier" if self.kind is Kind.CARRIER else "" if self.role in (None, Row.PAIR) else str(self.role)
-        role = self.own or role
-        label = ".".join(part for part in (self.name, role, self.branch) if part)
-        return label if self.number is None else f"{label}-{self.number}"
+        return _label(self)
 
     def is_of(self, whole: PartId) -> bool:
         """Tell whether this is a part, or one of its several planets.
@@ -84,6 +80,16 @@ class PartId(NamedTuple):
             whole: Without number it means them all.
         """
         return whole in (self, self._replace(number=None))
+
+
+@lru_cache(maxsize=4096)
+def _label(part: PartId) -> str:
+    """Return the label of a part; sizing asks for it again and again."""
+    if part.kind is Kind.JOINT and part.branch:
+        return f"{part.name} on {part.branch}"
+    role = "carrier" if part.kind is Kind.CARRIER else "" if part.role in (None, Row.PAIR) else str(part.role)
+    label = ".".join(word for word in (part.name, part.own or role, part.branch) if word)
+    return label if part.number is None else f"{label}-{part.number}"
 
 
 GEARBOX = PartId(Kind.GEARBOX, "gearbox")

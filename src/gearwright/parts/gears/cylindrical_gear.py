@@ -59,22 +59,16 @@ class CylindricalGear:
     """Tip alteration coefficient k [-]; negative shortens the tooth."""
 
     def __post_init__(self) -> None:
-        refuse(
-            Problem(name, f"{value:.6g} given; must be {allowed}")
-            for name, value, allowed, good in (
-                ("teeth", self.teeth, "at least 5, or at most −5 for an internal gear", abs(self.teeth) >= 5),
-                ("module", self.module, "above 0 m", 0.0 < self.module < math.inf),
-                ("face_width", self.face_width, "above 0 m", 0.0 < self.face_width < math.inf),
-                (
-                    "helix_angle",
-                    self.helix_angle,
-                    "from 0 to below π/3 rad",
-                    0.0 <= self.helix_angle < math.pi / 3.0,
-                ),
-                ("profile_shift", self.profile_shift, "between −2 and 2", abs(self.profile_shift) <= 2.0),
-            )
-            if not good
+        limits = (
+            ("teeth", self.teeth, "at least 5, or at most −5 for an internal gear", abs(self.teeth) >= 5),
+            ("module", self.module, "above 0 m", 0.0 < self.module < math.inf),
+            ("face_width", self.face_width, "above 0 m", 0.0 < self.face_width < math.inf),
+            ("helix_angle", self.helix_angle, "from 0 to below π/3 rad", 0.0 <= self.helix_angle < math.pi / 3.0),
+            ("profile_shift", self.profile_shift, "between −2 and 2", abs(self.profile_shift) <= 2.0),
         )
+        if not all(good for *_, good in limits):
+            wrong = [(name, value, allowed) for name, value, allowed, good in limits if not good]
+            refuse(Problem(name, f"{value:.6g} given; must be {allowed}") for name, value, allowed in wrong)
 
     @property
     def side(self) -> int:
@@ -91,17 +85,17 @@ class CylindricalGear:
         """Helix angle at the base cylinder β_b [rad]."""
         return base_helix_angle(self.rack.pressure_angle, self.helix_angle)
 
-    @property
+    @cached_property
     def transverse_module(self) -> float:
         """Transverse module m_t [m]."""
         return self.module / math.cos(self.helix_angle)
 
-    @property
+    @cached_property
     def pitch_radius(self) -> float:
         """Reference radius r [m]."""
         return 0.5 * abs(self.teeth) * self.transverse_module
 
-    @property
+    @cached_property
     def base_radius(self) -> float:
         """Base radius r_b [m]."""
         return self.pitch_radius * math.cos(self.transverse_pressure_angle)
@@ -111,7 +105,7 @@ class CylindricalGear:
         """Transverse base pitch p_bt [m]."""
         return math.pi * self.transverse_module * math.cos(self.transverse_pressure_angle)
 
-    @property
+    @cached_property
     def tip_radius(self) -> float:
         """Tip radius r_a [m]."""
         height = self.rack.addendum + self.profile_shift + self.tip_alteration

@@ -40,7 +40,7 @@ class GearPair:
         """+1 for an external pair, −1 for an internal one [-]."""
         return self.driven.side
 
-    @property
+    @cached_property
     def base_centre_distance(self) -> float:
         """Sum (external) or difference (internal) of the base radii, a cos α_t [m]."""
         return self.driven.base_radius + self.side * self.driver.base_radius
@@ -57,7 +57,7 @@ class GearPair:
             helix_angle=self.driver.helix_angle,
         )
 
-    @property
+    @cached_property
     def centre_distance(self) -> float:
         """Working centre distance a_w [m]."""
         return self.base_centre_distance / math.cos(self.working_pressure_angle)
@@ -72,7 +72,7 @@ class GearPair:
         )
         return 2.0 * math.pi * radii[0] / self.driver.teeth - thickness
 
-    @property
+    @cached_property
     def approach(self) -> float:
         """Length of the path of contact before the pitch point, ended by the driven gear's tip [m].
 
@@ -80,7 +80,7 @@ class GearPair:
         """
         return _path(self.driven, self.driver, self.working_pressure_angle)
 
-    @property
+    @cached_property
     def recess(self) -> float:
         """Length of the path of contact after the pitch point, ended by the driver's tip [m]."""
         return _path(self.driver, self.driven, self.working_pressure_angle)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
+from functools import cache
 from types import NoneType
 from typing import Any
 
@@ -31,8 +32,8 @@ _ENDLESS = ("margin", "safety", "safeties", "life", "value", "limit", "pressure"
 
 _PLAIN = (int, str, bool, NoneType, Role, Row, PartId)
 """Kinds of values that hold no number which could be none."""
-_FIELDS: dict[type, tuple[tuple[str, bool], ...]] = {}
-"""Kind of record -> its fields, each with whether it may be infinite; as far as any was asked."""
+_WORDS = {"str", "bool", "int", "PartId", "Role", "Row", "tuple[str, str]"}
+"""Annotations of fields that hold no number which could be none."""
 
 
 def refuse_no_numbers(sizing: Sizing) -> Sizing:
@@ -67,7 +68,7 @@ def _all_numbers(sizing: Sizing) -> bool:
 
 def _is_number(value: Any, *, endless: bool = False) -> bool:
     """Tell whether every number inside a value is one; infinite only where it may be."""
-    kind = type(value)
+    kind: Any = type(value)
     if kind is float:
         return math.isfinite(value) or (endless and not math.isnan(value))
     if kind in _PLAIN:
@@ -88,12 +89,11 @@ def _is_number(value: Any, *, endless: bool = False) -> bool:
     return True
 
 
+@cache
 def _numbers_of(kind: type) -> tuple[tuple[str, bool], ...]:
-    """Return the fields of a kind of record, each with whether it may be infinite."""
-    if kind not in _FIELDS:
-        names = [entry.name for entry in fields(kind)] if is_dataclass(kind) else []
-        _FIELDS[kind] = tuple((name, name.endswith(_ENDLESS)) for name in names)
-    return _FIELDS[kind]
+    """Return the fields of a kind of record that hold numbers, each with whether it may be infinite."""
+    names = [entry.name for entry in fields(kind) if entry.type not in _WORDS] if is_dataclass(kind) else []
+    return tuple((name, name.endswith(_ENDLESS)) for name in names)
 
 
 def _groups(sizing: Sizing) -> tuple[tuple[Any, ...], ...]:

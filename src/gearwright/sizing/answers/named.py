@@ -66,7 +66,7 @@ def asked_results(sizing: Sizing, asked: Collection[str]) -> dict[str, Named]:
 
 def _backwards(sizing: Sizing) -> Named:
     """Return the efficiency of a gearbox that its driven machines drive; what is not above zero locks itself."""
-    ways = ways_of(sizing, sizing.reference) if sizing.reference.loss else {}
+    ways = ways_of(sizing, sizing.reference, ("",)) if sizing.reference.loss else {}
     return Named(ways[""].backwards if "" in ways else 1.0, "ratio")
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -49,14 +49,15 @@ def passing(sizing: Sizing) -> tuple[Passing, ...]:
     )
 
 
-def ways_of(sizing: Sizing, flow: PowerFlow) -> dict[str, Efficiency]:
+def ways_of(sizing: Sizing, flow: PowerFlow, parts: Collection[str] | None = None) -> dict[str, Efficiency]:
     """Return how every stage passes power in a case, and the gearbox under an empty name.
 
     Args:
         sizing: As sized.
         flow: One of its cases.
+        parts: Stages that are asked for, or the empty name; left out: all.
     """
-    return efficiencies(sizing.design, sizing.train, sizing.teeth, flow, sizing.design.efficiencies)
+    return efficiencies(sizing.design, sizing.train, sizing.teeth, flow, sizing.design.efficiencies, parts=parts)
 
 
 def locking_checks(

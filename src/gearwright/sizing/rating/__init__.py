@@ -9,7 +9,6 @@ from gearwright.sizing.rating.context import (
     context_of,
     demands_of,
     row_ask,
-    width_ratio_of,
 )
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.lewis_hertz import width_ratio
@@ -88,6 +87,5 @@ __all__ = [
     "stage_width_ratio",
     "under_spectrum",
     "width_ratio",
-    "width_ratio_of",
     "working_radii",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 from gearwright.errors import Problem, refuse
@@ -45,6 +46,27 @@ class Context:
     """Path -> value that the user gives instead of the computed one [SI]."""
     ratings: Mapping[str, Rating]
     """Stage -> resolved rules."""
+
+    @cached_property
+    def lasting(self) -> dict[str, list[float]]:
+        """Mesh row -> what its rows of teeth bear, with its sense, in every case that lasts [N m]."""
+        lasting = [flow for case, flow in self.flows.items() if not case_named(self.design, case).static]
+        return {mesh.name: [flow.meshes[mesh.name].multiplier for flow in lasting] for mesh in self.train.meshes}
+
+    @cached_property
+    def width_ratios(self) -> dict[str, float]:
+        """Stage -> λ = b/m_n before its face width is rounded or given [-]; by the teeth of its first mesh."""
+        first = {mesh.stage: mesh for mesh in reversed(self.train.meshes)}
+        teeth = {stage: [self.teeth[gear] for gear in mesh.gears] for stage, mesh in first.items()}
+        return {stage: float(stage_width_ratio(self.ratings[stage], *pair)) for stage, pair in teeth.items()}
+
+    @cached_property
+    def asks(self) -> dict[str, Ask]:
+        """Mesh row -> teeth, kind and width of its mesh, without load."""
+        rows = {mesh.name: row_ask(self.train, self.teeth, mesh, self.lasting) for mesh in self.train.meshes}
+        return {
+            mesh.name: rows[mesh.name]._replace(width_ratio=self.width_ratios[mesh.stage]) for mesh in self.train.meshes
+        }
 
     @property
     def reference(self) -> PowerFlow:
@@ -121,18 +143,9 @@ def ask_of(context: Context, mesh: Mesh, case: str, per_tooth: float) -> Ask:
         case: Of the design.
         per_tooth: Torque per tooth of one mesh, load factor included [N m].
     """
-    speeds, ask = context.flows[case].speeds, row_ask(context.train, context.teeth, mesh, _loads(context))
-    return ask._replace(
-        per_tooth=per_tooth,
-        width_ratio=width_ratio_of(context, mesh.stage),
-        speed=abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]),
-    )
-
-
-def _loads(context: Context) -> dict[str, list[float]]:
-    """Return mesh row -> what its rows of teeth bear, with its sense, in every case that lasts."""
-    lasting = [flow for case, flow in context.flows.items() if not case_named(context.design, case).static]
-    return {mesh.name: [flow.meshes[mesh.name].multiplier for flow in lasting] for mesh in context.train.meshes}
+    speeds = context.flows[case].speeds
+    speed = abs(speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]])
+    return context.asks[mesh.name]._replace(per_tooth=per_tooth, speed=speed)
 
 
 def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh, loads: Mapping[str, Sequence[float]]) -> Ask:
@@ -175,15 +188,3 @@ def bends_both_ways(train: Train, gear: str, loads: Mapping[str, Sequence[float]
     torques = [load * (-mesh.sign if side else 1) for mesh, side in own for load in loads[mesh.name]]
     idle = _IDLE * max(map(abs, torques), default=0.0)
     return min(torques, default=0.0) < -idle and max(torques, default=0.0) > idle
-
-
-def width_ratio_of(context: Context, stage: str) -> float:
-    """Return λ = b/m_n of a stage before its face width is rounded or given [-].
-
-    Args:
-        context: What gear sizing reads.
-        stage: Pair or planetary set.
-    """
-    mesh = next(mesh for mesh in context.train.meshes if mesh.stage == stage)
-    small, large = (context.teeth[gear] for gear in mesh.gears)
-    return float(stage_width_ratio(context.ratings[stage], small, large))

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import partial
 
 from gearwright.errors import DesignError, Problem
-from gearwright.sizing.rating import CORRECTIONS, Context, Demand, narrowest, row_reserve, width_ratio_of
+from gearwright.sizing.rating import CORRECTIONS, Context, Demand, narrowest, row_reserve
 from gearwright.sizing.stages.stage_sizes import StageSize, rounded
 from gearwright.spec.checks import relative_modules
 from gearwright.train import Mesh
@@ -57,7 +57,7 @@ def _unit(
         raise DesignError([Problem(f"{context.design.table(name)}.planets.{path}", message)])
     if context.ratings[name].proportions is None:
         return needed
-    width_ratio = width_ratio_of(context, name)
+    width_ratio = context.width_ratios[name]
     for _ in range(CORRECTIONS):
         gaps = [
             _gap(context, meshes, needed * ratios[group], width_ratio * needed * ratios[group])
@@ -70,7 +70,7 @@ def _unit(
 def _size(context: Context, meshes: list[Mesh], module: float) -> StageSize:
     """Return a group's size: its module, and the width that is given, or the least that serves."""
     stage = meshes[0].stage
-    rating, width = context.ratings[stage], width_ratio_of(context, stage) * module
+    rating, width = context.ratings[stage], context.width_ratios[stage] * module
     if rating.width_is_open:
         width = narrowest(module, width, partial(_gap, context, meshes, module))
     names = {gear for mesh in meshes for gear in mesh.gears}

@@ -20,7 +20,6 @@ from gearwright.sizing.rating import (
     overlap_width,
     row_reserve,
     under_spectrum,
-    width_ratio_of,
 )
 from gearwright.sizing.stages.idle import refuse_idle_stages
 from gearwright.spec.design import module_owners
@@ -72,7 +71,7 @@ def _like(context: Context, stage: str, owner: str, size: StageSize) -> StageSiz
     """Return the size of a stage that has its owner's module, and its own face width."""
     if stage == owner:
         return size
-    width = context.given.get(f"{stage}.face_width", width_ratio_of(context, stage) * size.module)
+    width = context.given.get(f"{stage}.face_width", context.width_ratios[stage] * size.module)
     return StageSize(size.module, width, width)
 
 
@@ -102,7 +101,7 @@ def _teeth(context: Context, stage: str) -> tuple[int, int]:
 
 
 def _size(context: Context, stage: str, needed: float) -> StageSize:
-    rating, given, ratio = context.ratings[stage], context.given, width_ratio_of(context, stage)
+    rating, given, ratio = context.ratings[stage], context.given, context.width_ratios[stage]
     if rating.proportions is None:
         module = given.get(f"{stage}.module", needed)
         width = given.get(f"{stage}.face_width", ratio * module)

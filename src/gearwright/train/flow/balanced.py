@@ -10,7 +10,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.spec import Design
 from gearwright.train.flow.carried import Dragged
-from gearwright.train.flow.lossy import State, solve_lossy
+from gearwright.train.flow.lossy import State, solve_lossless, solve_lossy
 from gearwright.train.flow.refusals import ambiguous, unbalanced
 from gearwright.train.flow.statics import undecided
 from gearwright.train.flow.tooth_losses import lost_parts
@@ -62,11 +62,12 @@ def balanced(
         DesignError: If no torques balance, or equilibrium leaves open what a machine gives.
     """
     applied = _applied(train, turn.speeds, stated)
-    equations = turn.lossy([train.column[train.machines[name]] for name in balancing])
-    open_ = undecided(equations.known, len(turn.matrix))
+    nodes = [train.column[train.machines[name]] for name in balancing]
+    known, part = turn.balance(nodes), lost_parts(train, len(turn.matrix), efficiency)
+    open_ = undecided(known, len(turn.matrix))
     if open_.any():
         raise ambiguous(design, case, [name for name, free in zip(balancing, open_, strict=True) if free])
-    solved = solve_lossy(equations, lost_parts(train, len(turn.matrix), efficiency), applied)
+    solved = solve_lossy(turn.lossy(nodes), part, applied) if part.any() else solve_lossless(known, applied)
     if solved is None:
         raise unbalanced(train, balancing, case)
 

@@ -58,7 +58,7 @@ def power_flows(
 
 
 def _flow(design: Design, turning: Turning, case: str, efficiency: Mapping[str, float]) -> PowerFlow:
-    train, drives = turning.train, drives_of(design, case)
+    train, drives, said = turning.train, drives_of(design, case), case_named(design, case).machines
     joints = list(holding(design, train, case))
     while True:
         locked = turning.locked(joints)
@@ -66,7 +66,7 @@ def _flow(design: Design, turning: Turning, case: str, efficiency: Mapping[str, 
         asked = _asked(design, turning, case, still)
         signed = {name: abs(speed) * turning.senses[train.machines[name]] for name, speed in asked.items()}
         turn = turning.turn(signed, joints)
-        stated, balancing = _machine_torques(design, turning, turn, case=case, locked=locked)
+        stated, balancing = _machine_torques(said, turning, turn, case=case, locked=locked, drives=drives)
         torques = balanced(design, train, turn, efficiency, stated, balancing=balancing, case=case)
         state = torques.found[0] if torques.found else torques.lossless
         slipping = [
@@ -145,10 +145,16 @@ def _overruns(joint: Joint, multiplier: float, train: Train, speeds: Floats) -> 
 
 
 def _machine_torques(
-    design: Design, turning: Turning, turn: Turn, *, case: str, locked: frozenset[str]
+    said: Mapping[str, Drive],
+    turning: Turning,
+    turn: Turn,
+    *,
+    case: str,
+    locked: frozenset[str],
+    drives: Mapping[str, Drive],
 ) -> tuple[dict[str, float], list[str]]:
     """Return the torques that the case states, and the machines that balance the rest."""
-    train, drives, said = turning.train, drives_of(design, case), case_named(design, case).machines
+    train = turning.train
     stated: dict[str, float] = {}
     balancing: list[str] = []
     problems: list[Problem] = []

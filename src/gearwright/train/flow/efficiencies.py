@@ -6,7 +6,7 @@ because its teeth lose all that goes in, locks itself against that side.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -54,8 +54,9 @@ class Efficiency:
 
 
 def efficiencies(
-    design: Design, train: Train, teeth: Mapping[str, float], flow: PowerFlow, efficiency: Mapping[str, float]
-) -> dict[str, Efficiency]:
+    design: Design, train: Train, teeth: Mapping[str, float], flow: PowerFlow, efficiency: Mapping[str, float], *,
+    parts: Collection[str] | None = None,
+) -> dict[str, Efficiency]:  # fmt: skip
     """Return the efficiency of every stage through which power passes in a case, and of the train under its case.
 
     Args:
@@ -64,6 +65,7 @@ def efficiencies(
         teeth: Tooth number of every gear.
         flow: The case.
         efficiency: Stage, or mesh row -> efficiency of one mesh [-]; 1 where it is left out.
+        parts: Stages that are asked for, or an empty name; left out: all.
 
     Returns:
         Stage -> how it passes power; the whole train is under an empty name.
@@ -73,11 +75,11 @@ def efficiencies(
     speeds = np.array([flow.speeds[node] for node in train.nodes])
     part = lost_parts(train, len(matrix), efficiency)
     whole = _Rows(matrix, lost(train, matrix, speeds), part, speeds, sharing_of(design, train))
-    passing = {"": _passing(whole, _outside(train, flow))}
-    for stage in dict.fromkeys(mesh.stage for mesh in train.meshes):
-        its = [k for k, mesh in enumerate(train.meshes) if mesh.stage == stage]
-        passing[stage] = _passing(whole.only(its), _on_stage(train, flow, stage))
-    return {stage: _named(train, found) for stage, found in passing.items() if found is not None}
+    outside, passing = _outside(train, flow), dict[str, _Passing | None]()
+    for name in dict.fromkeys(["", *(mesh.stage for mesh in train.meshes)]) if parts is None else parts:
+        its = [k for k, mesh in enumerate(train.meshes) if mesh.stage == name]
+        passing[name] = _passing(whole.only(its), _on_stage(train, flow, name)) if name else _passing(whole, outside)
+    return {name: _named(train, found) for name, found in passing.items() if found is not None}
 
 
 @dataclass(frozen=True)
@@ -107,11 +109,11 @@ class _Rows:
             order: Nodes that may balance, the first first.
         """
         balancing: list[int] = []
-        bound = self.matrix
+        bound, rank, unit = self.matrix, np.linalg.matrix_rank(self.matrix), np.eye(len(torques))
         for node in order:
-            more = np.vstack([bound, np.eye(len(torques))[[node]]])
-            if np.linalg.matrix_rank(more) > np.linalg.matrix_rank(bound):
-                balancing, bound = [*balancing, node], more
+            more = np.vstack([bound, unit[[node]]])
+            if (higher := np.linalg.matrix_rank(more)) > rank:
+                balancing, bound, rank = [*balancing, node], more, higher
         outside = torques.copy()
         outside[balancing] = 0.0
         equations = lossy(balance(self.matrix, balancing, self.sharing), self.change)

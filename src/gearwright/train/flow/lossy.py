@@ -54,6 +54,20 @@ def lossy(known: Balance, change: Laws) -> Lossy:
     return Lossy(known, change, Laws(*(inverse @ (law.T / scale) for law in change)))
 
 
+def solve_lossless(known: Balance, applied: Floats) -> Solved | None:
+    """Return the one state of balance under a load where no teeth lose anything, or None where no torques balance.
+
+    Args:
+        known: The equations without losses.
+        applied: (nodes,) torques that are given [N m].
+    """
+    solution, rows = solve_torques(known, applied), len(known.matrix)
+    if solution is None:
+        return None
+    state = State(solution[:rows], solution[rows:], known.matrix)
+    return Solved(state, [state], complete=True)
+
+
 def solve_lossy(equations: Lossy, part: Floats, applied: Floats) -> Solved | None:
     """Return every state of balance under a load, or None where no torques balance.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from gearwright.spec import Design, Drive, case_named, cases_of
 from gearwright.train.algebra import RANK_TOLERANCE
 from gearwright.train.flow.lossy import Lossy, lossy
 from gearwright.train.flow.sharing import Sharing, sharing_of
-from gearwright.train.flow.statics import balance
+from gearwright.train.flow.statics import Balance, balance
 from gearwright.train.flow.tooth_losses import Laws, lost
 from gearwright.train.graph import Joint, Train
 from gearwright.train.kinematics import Yielded, motions_of, rows, solve_speeds
@@ -28,12 +29,30 @@ class Turn:
     """Of every node [rad/s]."""
     yielded: tuple[Yielded, ...]
     """Machines whose asked speed the teeth give only nearly."""
-    lost: Laws
-    """What the torques change where teeth lose all that they carry."""
+    train: Train
+    """What turns."""
     sharing: Sequence[Sharing]
     """Parallel rows."""
+    balances: dict[tuple[int, ...], Balance] = field(default_factory=dict)
+    """Nodes of balancing machines -> equations of the torques without losses."""
     equations: dict[tuple[int, ...], Lossy] = field(default_factory=dict)
-    """Nodes of balancing machines -> equations of the torques."""
+    """The same with losses."""
+
+    @cached_property
+    def lost(self) -> Laws:
+        """What the torques change where teeth lose all that they carry."""
+        return lost(self.train, self.matrix, self.speeds)
+
+    def balance(self, balancing: Sequence[int]) -> Balance:
+        """Return the equations of the torques without losses, made once.
+
+        Args:
+            balancing: Nodes of the machines whose torque balances.
+        """
+        key = tuple(balancing)
+        if key not in self.balances:
+            self.balances[key] = balance(self.matrix, balancing, self.sharing)
+        return self.balances[key]
 
     def lossy(self, balancing: Sequence[int]) -> Lossy:
         """Return the equations of the torques, made once.
@@ -43,7 +62,7 @@ class Turn:
         """
         key = tuple(balancing)
         if key not in self.equations:
-            self.equations[key] = lossy(balance(self.matrix, balancing, self.sharing), self.lost)
+            self.equations[key] = lossy(self.balance(balancing), self.lost)
         return self.equations[key]
 
 
@@ -79,7 +98,7 @@ class Turning:
         if key not in self._known:
             matrix = rows(self.train, self.teeth, joints)
             speeds, yielded = solve_speeds(self.train, matrix, asked, joints=joints)
-            self._known[key] = Turn(matrix, speeds, tuple(yielded), lost(self.train, matrix, speeds), self.sharing)
+            self._known[key] = Turn(matrix, speeds, tuple(yielded), self.train, self.sharing)
         return self._known[key]
 
     def locked(self, joints: Sequence[Joint]) -> frozenset[str]:
