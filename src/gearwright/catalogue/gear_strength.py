@@ -5,7 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from gearwright.catalogue.tables import data_text
@@ -74,6 +74,7 @@ def gear_steel(name: str, grade: str, hardness: float, *, yield_strength: float 
     )
 
 
+@lru_cache(maxsize=256)
 def rated_steel(
     material: Material, name: str | None = None, grade: str | None = None, *, hardness: float | None = None
 ) -> GearSteel:

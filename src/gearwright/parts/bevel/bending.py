@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Annotated
 
 from gearwright.parts.bevel.pitting import BevelDuty, virtual_force
@@ -15,6 +16,7 @@ from gearwright.parts.iso6336 import (
     LoadFactors,
     RootSection,
     ToothProportions,
+    Treatment,
     bending_size_factor,
     notch_sensitivity_factor,
     root_section,
@@ -76,7 +78,19 @@ def tip_loaded_section(virtual: VirtualPair, gear: int) -> RootSection:
         ToothProportions(tooth.dedendum, tooth.edge_radii[gear], shift),
         thickness_shift=tooth.thickness_shifts[gear],
     )
+    return _section(loaded)
+
+
+@lru_cache(maxsize=4096)
+def _section(loaded: LoadedTooth) -> RootSection:
+    """Critical section in modules; it is the same in all sizes of a pair."""
     return root_section(loaded)
+
+
+@lru_cache(maxsize=1024)
+def _surface(roughness: float, treatment: Treatment) -> float:
+    """Y_R,relT of roots that many pairs have."""
+    return float(surface_factor(roughness, treatment))
 
 
 def contact_ratio_factor_bending(virtual: VirtualPair) -> float:
@@ -146,7 +160,7 @@ def bevel_bending(
     nominal *= float(section.stress_correction) * ratio * spiral * sharing
     stress = nominal * float(loads.bending)
     notch = float(notch_sensitivity_factor(section.notch, steel))
-    surface = float(surface_factor(roughness, steel.treatment))
+    surface = _surface(roughness, steel.treatment)
     size = float(bending_size_factor(pair.mean_module, steel.treatment))
     limit = steel.bending_strength * STRESS_CORRECTION_TEST_GEAR * life * notch * surface * size
     return BevelBending(section, ratio, spiral, sharing, notch, surface, size, nominal, stress, limit, limit / stress)

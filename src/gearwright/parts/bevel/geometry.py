@@ -213,14 +213,19 @@ def cone_forces(
 def _limits(pair: BevelPair) -> list[Problem]:
     """What no bevel pair may be."""
     checks = (
-        ("teeth", f"{pair.teeth}", "at least 5 teeth each, the pinion first", 5 <= pair.teeth[0] <= pair.teeth[1]),
-        ("outer_module", f"{pair.outer_module:.4g} m", "above 0", 0.0 < pair.outer_module < math.inf),
-        ("face_width", f"{pair.face_width:.4g} m", "above 0", pair.face_width > 0.0),
-        ("spiral_angle", f"{pair.spiral_angle:.4g} rad", "from 0 to 45°", 0.0 <= pair.spiral_angle <= math.pi / 4.0),
-        ("shaft_angle", f"{pair.shaft_angle:.4g} rad", "above 0 and below π", 0.0 < pair.shaft_angle < math.pi),
+        ("teeth", "", "at least 5 teeth each, the pinion first", 5 <= pair.teeth[0] <= pair.teeth[1]),
+        ("outer_module", "m", "above 0", 0.0 < pair.outer_module < math.inf),
+        ("face_width", "m", "above 0", pair.face_width > 0.0),
+        ("spiral_angle", "rad", "from 0 to 45°", 0.0 <= pair.spiral_angle <= math.pi / 4.0),
+        ("shaft_angle", "rad", "above 0 and below π", 0.0 < pair.shaft_angle < math.pi),
     )
-    wrong = [Problem(name, f"{value} given; must be {allowed}") for name, value, allowed, good in checks if not good]
-    return wrong or _too_wide(pair) + _undercut(pair)
+    if all(good for *_, good in checks):
+        return _too_wide(pair) + _undercut(pair)
+    wrong = ((name, unit, getattr(pair, name), allowed) for name, unit, allowed, good in checks if not good)
+    return [
+        Problem(name, f"{f'{value:.4g} {unit}' if unit else value} given; must be {allowed}")
+        for name, unit, value, allowed in wrong
+    ]
 
 
 def _too_wide(pair: BevelPair) -> list[Problem]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Annotated
 
 from gearwright.parts.bevel.bending import BevelBending, bevel_bending
@@ -17,7 +18,7 @@ from gearwright.parts.bevel.pitting import (
     virtual_force,
 )
 from gearwright.parts.bevel.virtual import HIGH_CROWNING, VirtualPair
-from gearwright.parts.iso6336 import LoadFactors, Steels, life_curves, life_factor
+from gearwright.parts.iso6336 import LifeCurve, LoadFactors, Steels, life_curves, life_factor
 from gearwright.units import Origin, Quantity
 
 _MM, _MICRON = 1e-3, 1e-6
@@ -89,7 +90,7 @@ def rate_bevel(
     loads, dynamic = bevel_load_factors(virtual, duty)
     turns = abs(duty.pinion_speed) * life / (2.0 * math.pi)
     cycles = (turns, turns * pair.teeth[0] / pair.teeth[1])
-    contact, root = _lives(0, steels, cycles), _lives(1, steels, cycles)
+    contact, root = _lives(steels, cycles)
     pitting = bevel_pitting(
         virtual,
         steels,
@@ -110,10 +111,21 @@ def rate_bevel(
     return BevelRating(virtual, force, speed, cycles, dynamic, loads, contact, root, pitting, (first, second))
 
 
-def _lives(mode: int, steels: Steels, cycles: tuple[float, float]) -> tuple[float, float]:
-    """Life factors of pinion and wheel, of flanks or of roots."""
-    first, second = (float(life_factor(life_curves(steel)[mode], n)) for steel, n in zip(steels, cycles, strict=True))
-    return first, second
+def _lives(steels: Steels, cycles: tuple[float, float]) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Life factors of pinion and wheel, of the flanks and of the roots."""
+    first = life_curves(steels[0])
+    second = first if steels[1] is steels[0] else life_curves(steels[1])
+    (flank_1, flank_2), (root_1, root_2) = zip(first, second, strict=True)
+    return (
+        (_life(flank_1, cycles[0]), _life(flank_2, cycles[1])),
+        (_life(root_1, cycles[0]), _life(root_2, cycles[1])),
+    )
+
+
+@lru_cache(maxsize=1024)
+def _life(curve: LifeCurve, cycles: float) -> float:
+    """Life factor of one gear; those of one pair in many sizes are the same."""
+    return float(life_factor(curve, cycles))
 
 
 def bevel_pitch_tolerance(diameter: float, module: float, grade: int) -> float:

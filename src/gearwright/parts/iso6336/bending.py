@@ -232,8 +232,8 @@ def bending_size_factor(module: Value, treatment: Treatment) -> Value:
     Source: ISO 6336-3:2006, table 5: 1.05 − 0.01 m_n to 25 mm for hard cases, 1.03 − 0.006 m_n to 30 mm for others.
     """
     if treatment.is_surface_hardened:
-        return np.clip(1.05 - 0.01 * module / 1e-3, 0.8, 1.0)
-    return np.clip(1.03 - 0.006 * module / 1e-3, 0.85, 1.0)
+        return np.minimum(np.maximum(1.05 - 0.01 * module / 1e-3, 0.8), 1.0)
+    return np.minimum(np.maximum(1.03 - 0.006 * module / 1e-3, 0.85), 1.0)
 
 
 def bending_rating(

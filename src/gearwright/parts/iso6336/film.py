@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from gearwright.parts.iso6336.geometry import Value, as_value
@@ -16,7 +18,20 @@ SMOOTH = 3.0 * _MICRON
 
 def _film_constant(contact_strength: Value, at_850: float, at_1200: float) -> Value:
     """Constant that runs linearly between σ_Hlim of 850 and 1200 N/mm²."""
-    part = (np.clip(np.asarray(contact_strength) / _MPA, 850.0, 1200.0) - 850.0) / 350.0
+    if isinstance(contact_strength, float):
+        return _constant_of_one(contact_strength, at_850, at_1200)
+    return _constant(contact_strength, at_850, at_1200)
+
+
+@lru_cache(maxsize=256)
+def _constant_of_one(contact_strength: float, at_850: float, at_1200: float) -> Value:
+    """The same of one steel, which many pairs have."""
+    return _constant(contact_strength, at_850, at_1200)
+
+
+def _constant(contact_strength: Value, at_850: float, at_1200: float) -> Value:
+    strength = np.asarray(contact_strength) / _MPA
+    part = (np.minimum(np.maximum(strength, 850.0), 1200.0) - 850.0) / 350.0
     return as_value(at_850 + (at_1200 - at_850) * part)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -27,6 +28,7 @@ def _contact_corners(treatment: Treatment, *, some_pitting: bool) -> LifeCurve:
     return LifeCurve((1e5, 5e7), (1.6, 1.0))
 
 
+@cache
 def contact_life_curve(treatment: Treatment, *, some_pitting: bool = False, at_1e10: float = STANDARD) -> LifeCurve:
     """Return the S-N curve of the flank.
 
@@ -41,6 +43,7 @@ def contact_life_curve(treatment: Treatment, *, some_pitting: bool = False, at_1
     return LifeCurve((*corners.cycles, 1e10), (*corners.factors, at_1e10))
 
 
+@cache
 def bending_life_curve(treatment: Treatment, *, at_1e10: float = STANDARD) -> LifeCurve:
     """Return the S-N curve of the tooth root.
 
