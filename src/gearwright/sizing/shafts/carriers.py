@@ -10,10 +10,10 @@ from gearwright.identity import Role, carrier_part, gear_part
 from gearwright.parts.planetary import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.compound import pins_of
+from gearwright.sizing.loads import PinLoad, pin_length, pin_loads
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.rolling import planet_push
-from gearwright.sizing.shafts.compound_carriers import PinLoad, pin_loads
 from gearwright.sizing.shafts.shafts import shaft_material
 
 ROUNDING = 1e-9
@@ -66,8 +66,7 @@ def _compound(
     """Return the carrier of a compound set."""
     stage, own = context.design.epicyclics[name], {gear.own: gear for gear in gears.values() if gear.stage == name}
     pins = {
-        body: _Pins(abs(place), sum(own[step].face_width for step in stage.planets if stage.body(step) == body))
-        for body, place in pins_of(stage, own).items()
+        body: _Pins(abs(place), pin_length(stage, body, own)) for body, place in pins_of(stage, own).items()
     }
     torque, loads = max(map(abs, _carrier_torques(context, name))), pin_loads(context, name, own)
     return _sized(context, name, pins, loads, count=stage.sets, torque=torque, diameters=diameters)
@@ -81,12 +80,12 @@ def _sized(
     rules, given, shaft = context.design.carriers, context.given, context.design.sets[name].carrier
     material = shaft_material(context)
     allowable = (material.yield_strength or 0.0) / rules.safety
-    worst = max(loads, key=lambda load: load.pin * pins[load.body].length)
+    worst = max(loads, key=lambda load: load.pin * load.lever)
     length, hub = pins[worst.body].length, diameters.get(shaft, 0.0)
-    pin = given.get(f"{name}.pin_diameter", pin_diameter(worst.pin, length, allowable))
+    pin = given.get(f"{name}.pin_diameter", pin_diameter(worst.pin, worst.lever, allowable))
     thickness = _thickness(rules.plate_ratio * length, torque, hub, allowable=allowable)
     thickness = given.get(f"{name}.plate_thickness", thickness)
-    bending = pin_stress(worst.pin, length, pin)
+    bending = pin_stress(worst.pin, worst.lever, pin)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
     masses = {body: count * pin_mass(pin, equal.length, material.density) for body, equal in pins.items()}
     reach = max(equal.radius for equal in pins.values()) + pin / 2.0
@@ -138,7 +137,7 @@ def _loads(
         tangential = torque * factor / (stage.planets * radius)
         radial = push * tangential
         pin = math.hypot(tangential, centrifugal + radial)
-        loads.append(PinLoad(case, str(Role.PLANET), tangential, radial, centrifugal, pin))
+        loads.append(PinLoad(case, str(Role.PLANET), tangential, radial, centrifugal, pin, planet.face_width))
     return loads
 
 

@@ -9,7 +9,7 @@ from pydantic import Field
 from gearwright.parts.planetary import CompoundSet
 from gearwright.spec.bounds import Name
 from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, ThicknessFit
-from gearwright.spec.design.stages import NORMAL_PITCH, PITCH
+from gearwright.spec.design.stages import NORMAL_PITCH, PITCH, PlanetBearing
 from gearwright.spec.record import Record
 from gearwright.units import Inertia, Length, Mass, Ratio
 
@@ -17,6 +17,9 @@ _TEETH = Field(ge=6, le=2000, description="Tooth number z")
 _MODULE = Field(None, gt=0, description="Module m_n of this gear and of all that mesh with it; left out: sized")
 _WIDTH = Field(None, gt=0, description="Face width b of the meshes of this gear and of its mates; left out: sized")
 _ALLOWANCE = Field(None, description="Its tooth thickness by DIN 3967; left out: gears.allowance")
+_PLACE = Field(
+    None, gt=0, le=10, description="Middle of its face along the axis, from the carrier's plate; left out: not known"
+)
 _MASS = Field(None, gt=0, description="Of one gear; left out: of the disc or of the ring's wall")
 _INERTIA = Field(None, gt=0, description="Of one gear; left out: of the disc or of the ring's wall")
 
@@ -28,6 +31,7 @@ class CentralGear(Record):
     teeth: int = _TEETH
     module: Annotated[Length | None, PITCH, NORMAL_PITCH] = _MODULE
     face_width: Length | None = _WIDTH
+    place: Length | None = _PLACE
     allowance: ThicknessFit | None = _ALLOWANCE
     mass: Mass | None = _MASS
     inertia: Inertia | None = _INERTIA
@@ -45,9 +49,13 @@ class PlanetGear(Record):
     )
     module: Annotated[Length | None, PITCH, NORMAL_PITCH] = _MODULE
     face_width: Length | None = _WIDTH
+    place: Length | None = _PLACE
     allowance: ThicknessFit | None = _ALLOWANCE
     mass: Mass | None = _MASS
     inertia: Inertia | None = _INERTIA
+    bearing: PlanetBearing | None = Field(
+        None, description="What this planet, or this step, turns on; left out: not known"
+    )
 
 
 class Epicyclic(Record):
