@@ -32,7 +32,7 @@ from gearwright.parts.shafts import din743, fatigue, lumped_shaft, shaft
 from gearwright.parts.stiffness import energy, kuang_yang, passing_pairs
 from gearwright.parts.stiffness import iso6336 as mesh_stiffness
 from gearwright.sizing import mounted
-from gearwright.sizing.bearings.bearing_seats import Seat
+from gearwright.sizing.bearings.seat import Seat
 from gearwright.sizing.rating import protocol, rules, standard_teeth
 from gearwright.sizing.rating.lewis_hertz import record
 from gearwright.sizing.shafts import stretches

@@ -8,6 +8,7 @@ from gearwright.checks import Check, not_assessed
 from gearwright.dynamics.assembly import untold_orders
 from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.sizing import Sizing
+from gearwright.sizing.bearings import planet_bodies
 from gearwright.spec.design import RATINGS
 
 _LIVES = "no mission is given; gearwright review DESIGN MISSION flies one"
@@ -31,6 +32,10 @@ def open_checks(sizing: Sizing, *, flown: bool) -> Iterator[Check]:
         yield not_assessed(PartId(Kind.MACHINE, machine), "electrical and slot orders", "", why)
     for stage in sizing.design.stages:
         yield from _teeth(sizing, stage)
+    for body in planet_bodies(sizing.design, sizing.gears):
+        if len(body.steps) > 1 and not body.supports:
+            why = "needs place_mm of every step, and two bearings or more; until then its whole force acts in one place"
+            yield not_assessed(body.part, "moment that tilts a stepped planet", "statics", why)
     why = "housing, seals, oil system and what heat does to clearances are not modelled"
     yield not_assessed(GEARBOX, "housing", "", why)
 

@@ -10,7 +10,7 @@ from gearwright.checks import BEYOND_SIZING, accepted, unknown_waivers
 from gearwright.errors import DesignError, refuse
 from gearwright.sizing.answers import locking_checks, refuse_no_numbers
 from gearwright.sizing.arrangement import arrange
-from gearwright.sizing.bearings import named_room
+from gearwright.sizing.bearings import named_room, planet_lives
 from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.machines import machine_checks, size_machines
 from gearwright.sizing.rating import context_of, demands_of
@@ -87,6 +87,7 @@ def _sized(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, 
         *(check for carrier in carriers for check in carrier_checks(carrier)),
         *(check for shaft in built for check in built_checks(shaft, design)),
         *named_room(design, gears),
+        *planet_lives(context, gears, carriers),
         *locking_checks(design, train, teeth, flows),
         *machine_checks(context),
     ]

@@ -14,13 +14,10 @@ from gearwright.catalogue import (
     Bearing,
     BearingDuty,
     BearingSpectrum,
-    bearing,
     check_bearing,
     fitting_bearings,
-    with_ratings,
 )
 from gearwright.errors import DesignError, Problem, refuse
-from gearwright.identity import Role
 from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.flight import Flight
 from gearwright.parts.bearings import (
@@ -28,11 +25,12 @@ from gearwright.parts.bearings import (
     LoadFactors,
     life_exponent,
     mean_load,
+    pair_factor,
     reliability_factor,
     taper_factors,
 )
 from gearwright.sizing.arrangement import axial_forces
-from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
+from gearwright.sizing.bearings import Seat, as_made, bearing_seats, seat_forces
 from gearwright.spec import BearingLifeRules
 from gearwright.spec.checks import KINDS
 from gearwright.units import Force, Mass, Ratio, Speed
@@ -156,7 +154,7 @@ def bearing_lives(flight: Flight) -> BearingLives:
             try:
                 rows.append(_known(flight, seat, duty, named))
             except DesignError as error:
-                problems += [Problem(_path(seat), problem.message) for problem in error.problems if named]
+                problems += [Problem(seat.path, problem.message) for problem in error.problems if named]
                 notes += [f"{seat.name}: {problem.message}" for problem in error.problems if not named]
                 failed.append(seat.name)
     refuse(problems)
@@ -235,11 +233,6 @@ def _taper_factors(flight: Flight, names: Iterable[str]) -> dict[str, LoadFactor
     }
 
 
-def _path(seat: Seat) -> str:
-    """Return where the design says what sits there."""
-    return f"bearings.{seat.name}" if seat.given else f"planetaries.{seat.part.name}.planet_bearing"
-
-
 class _Named(NamedTuple):
     """A bearing that the design gives."""
 
@@ -251,15 +244,9 @@ def _named(flight: Flight, seat: Seat) -> _Named | None:
     """Return the bearing that sizing took for a seat of the design, or that a planet names; None if it is open."""
     if seat.given is not None:
         return _Named(next(sized.bearing for sized in flight.sizing.bearings if sized.name == seat.name), 1)
-    of_planets = seat.part.role is Role.PLANET
-    asked = flight.sizing.design.planetaries[seat.part.name].planet_bearing if of_planets else None
-    if asked is None:
+    if seat.fitted is None:
         return None
-    named = bearing(asked.designation)
-    if asked.dynamic_rating is not None and asked.static_rating is not None:
-        made = "maker's ratings, given by the user"
-        named = with_ratings(named, asked.dynamic_rating, asked.static_rating, source=made)
-    return _Named(named, asked.side_by_side)
+    return _Named(as_made(seat.fitted), seat.side_by_side)
 
 
 def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: _Named | None) -> BearingDamage:
@@ -281,7 +268,7 @@ def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: _Named | None) -> 
 def _chosen(seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
     """Take the lightest bearing that bears the spectrum, or what comes nearest under the mean of its loads."""
     kind = BearingKind(KINDS[rules.thrust_kind if duty.axial.any() else rules.kind])
-    share = _pair_factor(kind, rules.side_by_side)
+    share = pair_factor(kind, rules.side_by_side)
     radial, axial, speed = _steady(duty, kind)
     asked = BearingDuty(
         radial=radial / share,
@@ -321,7 +308,7 @@ def _steady(duty: SeatDuty, kind: BearingKind) -> tuple[float, float, float]:
 def _lived(seat: Seat, duty: SeatDuty, fitted: Bearing, *, side_by_side: int, reliability: float) -> BearingDamage:
     """Return the damage of a bearing, for bearings side by side and a reliability."""
     flown = float(duty.time.sum())
-    share = _pair_factor(fitted.kind, side_by_side)
+    share = pair_factor(fitted.kind, side_by_side)
     spectrum = BearingSpectrum(
         radial=tuple(duty.radial.tolist()),
         axial=tuple(duty.axial.tolist()),
@@ -343,8 +330,3 @@ def _lived(seat: Seat, duty: SeatDuty, fitted: Bearing, *, side_by_side: int, re
         hours=flown / 3600.0,
         asked=None,
     )
-
-
-def _pair_factor(kind: BearingKind, side_by_side: int) -> float:
-    """Rating of equal bearings side by side over that of one [-]."""
-    return math.pow(side_by_side, 0.7 if kind.is_ball else 7.0 / 9.0)

@@ -11,7 +11,7 @@ from gearwright.mission.lives.bearings import BearingDamage
 from gearwright.mission.lives.damage import GearDamage
 from gearwright.mission.lives.verdict import Durability
 from gearwright.parts.bearings import life_exponent
-from gearwright.sizing.bearings import planet_room
+from gearwright.sizing.bearings import planet_bodies, planet_room
 from gearwright.sizing.rating import method_for, rating_of
 from gearwright.verbs import verb
 
@@ -70,9 +70,11 @@ def _bearing(flight: Flight, row: BearingDamage) -> Iterator[Check]:
 
 def _room(flight: Flight, row: BearingDamage) -> Iterator[Check]:
     """Yield whether a bearing that was chosen for a planet has room in it; sizing has judged those with a name."""
-    planet = next((gear for gear in flight.sizing.gears if gear.name == row.seat), None)
-    if planet is not None and row.asked is not None:
-        yield planet_room(planet, row.bearing, row.count // planet.bodies)
+    bodies = planet_bodies(flight.sizing.design, flight.sizing.gears)
+    body = next((body for body in bodies if str(body.part) == row.seat), None)
+    if body is not None and row.asked is not None:
+        width = row.count // body.steps[0].bodies * row.bearing.width
+        yield planet_room(body, row.bearing.designation, width)
 
 
 def _open(lives: Durability) -> Iterator[Check]:

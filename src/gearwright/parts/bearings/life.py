@@ -28,6 +28,21 @@ def life_exponent(kind: BearingKind) -> float:
     return 3.0 if kind.is_ball else 10.0 / 3.0
 
 
+def pair_factor(kind: BearingKind, count: int) -> float:
+    """Return the dynamic rating of equal bearings side by side over that of one [-].
+
+    Args:
+        kind: Of bearing [-].
+        count: i, of the bearings that share the load [-].
+
+    Source: ISO 281:2007, 5.1.2 and 7.1.2: i^0.7 of ball and i^(7/9) of roller bearings.
+
+    >>> round(pair_factor(BearingKind.CYLINDRICAL, 2), 4)
+    1.7145
+    """
+    return math.pow(count, 0.7 if kind.is_ball else 7.0 / 9.0)
+
+
 def basic_life(rating: float, load: float, kind: BearingKind) -> float:
     """Return the basic rating life L_10 that 90 % of the bearings reach [10⁶ turns].
 

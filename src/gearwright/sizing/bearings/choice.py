@@ -22,11 +22,12 @@ from gearwright.catalogue import (
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.bearings import LoadFactors, taper_factors
 from gearwright.sizing.arrangement import axial_forces
+from gearwright.sizing.bearings.duty import duty_of
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.rating import Context
 from gearwright.spec.checks import APART, KINDS
-from gearwright.spec.design import BearingSeat, levels_of, shares_of
+from gearwright.spec.design import BearingSeat
 
 TYPICAL_TAPER = LoadFactors(0.4, 0.4, 1.5)
 """e, X, Y of taper bearings before one is chosen: α = 15° [-]."""
@@ -109,36 +110,10 @@ def seating(context: Context, shaft: str, forces: ShaftForces, chosen: Mapping[s
         if seat.kind == "taper"
     }
     axial = axial_forces(shaft, seats, forces.axial, radial=radial, factors=factors, cases=tuple(context.flows))
-    duties = {name: _duty(context, shaft, seat, radial[name], axial[name]) for name, seat in seats.items()}
+    speeds = [flow.speeds[shaft] for flow in context.flows.values()]
+    duties = {name: duty_of(context, radial[name], axial[name], speeds, life=seat.life) for name, seat in seats.items()}
     sizes = {name: _sizes(name, seat, slim=slim) for name, seat in seats.items()}
     return Seating(seats, radial, axial, duties, sizes)
-
-
-def _duty(context: Context, shaft: str, seat: BearingSeat, radial: Floats, axial: Floats) -> BearingSpectrum:
-    """Return what a bearing bears: every case for the static safety, then its levels for the life.
-
-    Without shares one case lasts the whole life.
-    """
-    design, service, said = context.design, context.design.service, shares_of(context.design)
-    shares = said or {context.reference.case: 1.0}
-    levels = [
-        (k, level, part * shares.get(case, 0.0))
-        for k, case in enumerate(context.flows)
-        for level, part in levels_of(design, case)
-    ]
-    whole = [(k, 1.0, 0.0) for k in range(len(context.flows))]
-    speeds = [flow.speeds[shaft] for flow in context.flows.values()]
-    rows = [*whole, *levels]
-    return BearingSpectrum(
-        radial=tuple(level * float(radial[k]) for k, level, _ in rows),
-        axial=tuple(level * float(axial[k]) for k, level, _ in rows),
-        speed=tuple(speeds[k] for k, _, _ in rows),
-        share=tuple(share for _, _, share in rows),
-        life=seat.life or service.bearing_life,
-        static_safety=service.static_safety,
-        mean_factor=1.0 if said or service.spectrum else service.mean_load,
-        limit_factor=service.application_factor,
-    )
 
 
 def _sizes(name: str, seat: BearingSeat, *, slim: bool) -> tuple[Bearing, ...]:

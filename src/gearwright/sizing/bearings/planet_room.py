@@ -2,38 +2,50 @@
 
 from __future__ import annotations
 
-from gearwright.catalogue import Bearing, bearing
 from gearwright.checks import Check
+from gearwright.identity import Kind
+from gearwright.sizing.bearings.planet_bodies import PlanetBody, planet_bodies
 from gearwright.sizing.result import GearSizing
 from gearwright.spec import Design
 
 
 def named_room(design: Design, gears: tuple[GearSizing, ...]) -> tuple[Check, ...]:
-    """Return whether the bearings that a design names for its planets are as wide as the planets at most.
+    """Return whether the bearings that a design names have room in its planets, and planets beside their carrier.
+
+    Bearings in one step of a body have the width of all its steps; those in several steps each that of their own.
 
     Args:
         design: As read.
         gears: As sized.
     """
-    planets = {gear.stage: gear for gear in gears if gear.role == "planet"}
-    named = {name: stage.planet_bearing for name, stage in design.planetaries.items()}
-    return tuple(
-        planet_room(planets[name], bearing(asked.designation), asked.side_by_side)
-        for name, asked in named.items()
-        if asked is not None
-    )
+    checks = list[Check]()
+    for body in planet_bodies(design, gears):
+        for step, place in zip(body.steps, body.places, strict=False):
+            checks.append(_beside_plate(step, place))
+        for fitting in body.fittings:
+            own = body if len(body.fittings) == 1 else body._replace(steps=(fitting.step,))
+            checks.append(planet_room(own, fitting.asked.designation, fitting.width))
+    return tuple(checks)
 
 
-def planet_room(planet: GearSizing, fitted: Bearing, side_by_side: int) -> Check:
-    """Return whether bearings side by side are as wide as their planet at most.
+def planet_room(body: PlanetBody, designation: str, width: float) -> Check:
+    """Return whether what a planet turns on is as wide as the planet at most.
 
     Args:
-        planet: The gear.
-        fitted: Each of the bearings in it.
-        side_by_side: How many there are.
+        body: The planet, or the steps that the bearings stand in.
+        designation: Of the bearings.
+        width: Of all that stand side by side [m].
     """
-    width, place = side_by_side * fitted.width, f"{fitted.designation} in {planet.name}"
+    part = body.part._replace(kind=Kind.GEAR)
     return Check(
-        planet.part, "room for its bearing", "width of bearings and gear", width, planet.face_width, "length",
-        at_most=True, exponent=None, place=place,
+        part, "room for its bearing", "width of bearings and gear", width, body.width, "length",
+        at_most=True, exponent=None, place=f"{designation} in {part}",
+    )  # fmt: skip
+
+
+def _beside_plate(step: GearSizing, place: float) -> Check:
+    """Return whether a planet stands clear of the plate of its carrier."""
+    return Check(
+        step.part, "room beside the plate", "half its width, and its place", step.face_width / 2.0, place, "length",
+        at_most=True, exponent=None,
     )  # fmt: skip

@@ -56,7 +56,7 @@ def pin_loads(context: Context, name: str, gears: Mapping[str, GearSizing]) -> l
     epicyclic = context.design.epicyclics[name]
     pins, loads = pins_of(epicyclic, gears), []
     for case, flow in context.flows.items():
-        forces = tooth_forces(context, name, gears, flow)
+        forces = [force for row in tooth_forces(context, name, gears, flow).values() for force in row]
         speed = flow.speeds[epicyclic.carrier]
         for body, place in pins.items():
             own = [force for force in forces if epicyclic.body(force.planet) == body]
@@ -92,8 +92,10 @@ def pin_length(epicyclic: Epicyclic, body: str, gears: Mapping[str, GearSizing])
     return max(ends) if len(ends) == len(steps) else sum(gears[step].face_width for step in steps)
 
 
-def tooth_forces(context: Context, name: str, gears: Mapping[str, GearSizing], flow: PowerFlow) -> list[ToothForce]:
-    """Return what every mesh puts on the planets of the first set.
+def tooth_forces(
+    context: Context, name: str, gears: Mapping[str, GearSizing], flow: PowerFlow
+) -> dict[str, list[ToothForce]]:
+    """Return mesh row -> what it puts on the planets of the first set: on one of them, or on the two that mesh.
 
     Both gears of a mesh bear one force. Its moment about the carrier's axis, of the two pins that it ends in, is what
     the mesh puts on the carrier: so it balances with the losses, with which neither gear's own torque does.
@@ -107,7 +109,8 @@ def tooth_forces(context: Context, name: str, gears: Mapping[str, GearSizing], f
     Source: equilibrium of a mesh; separating force F_t tan α, ISO 21771:2007.
     """
     epicyclic, rating = context.design.epicyclics[name], context.ratings[name]
-    parts, pins, forces = {gear.name: own for own, gear in gears.items()}, pins_of(epicyclic, gears), []
+    parts, pins = {gear.name: own for own, gear in gears.items()}, pins_of(epicyclic, gears)
+    forces = dict[str, list[ToothForce]]()
     for mesh in (mesh for mesh in context.train.meshes if mesh.stage == name):
         first, second = (parts[gear] for gear in mesh.gears)
         here, there = (pins[epicyclic.body(own)] if own in epicyclic.planets else 0j for own in (first, second))
@@ -118,7 +121,7 @@ def tooth_forces(context: Context, name: str, gears: Mapping[str, GearSizing], f
         for own, mate, pin, sense in ((first, second, here, 1.0), (second, first, there, -1.0)):
             if own in epicyclic.planets:
                 force = (sense * around - separating * towards(epicyclic, pins, own, mate)) / pin * abs(pin)
-                forces.append(ToothForce(own, mate, force.real, force.imag))
+                forces.setdefault(mesh.name, []).append(ToothForce(own, mate, force.real, force.imag))
     return forces
 
 

@@ -65,9 +65,7 @@ def _compound(
 ) -> CarrierSizing:
     """Return the carrier of a compound set."""
     stage, own = context.design.epicyclics[name], {gear.own: gear for gear in gears.values() if gear.stage == name}
-    pins = {
-        body: _Pins(abs(place), pin_length(stage, body, own)) for body, place in pins_of(stage, own).items()
-    }
+    pins = {body: _Pins(abs(place), pin_length(stage, body, own)) for body, place in pins_of(stage, own).items()}
     torque, loads = max(map(abs, _carrier_torques(context, name))), pin_loads(context, name, own)
     return _sized(context, name, pins, loads, count=stage.sets, torque=torque, diameters=diameters)
 

@@ -1,13 +1,13 @@
-"""What can be wrong with bearings: some that nothing reads, designations that are not, halves of a rating."""
+"""What can be wrong with bearings: some that nothing reads, unknown designations, halves of a rating, places."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from gearwright.catalogue import bearing
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import MEMBERS
-from gearwright.spec.design import Design
+from gearwright.spec.design import Design, Epicyclic, PlanetBearing
 
 
 def bearing_problems(design: Design) -> Iterator[Problem]:
@@ -33,12 +33,62 @@ def bearing_problems(design: Design) -> Iterator[Problem]:
 
 def _planet_bearings(design: Design) -> Iterator[Problem]:
     for name, stage in design.planetaries.items():
-        planet_bearing, path = stage.planet_bearing, f"planetaries.{name}.planet_bearing"
-        if planet_bearing is None:
-            continue
-        if (planet_bearing.dynamic_rating is None) != (planet_bearing.static_rating is None):
-            yield Problem(path, "one rating without the other; give dynamic_rating_kn and static_rating_kn, or neither")
-        try:
-            bearing(planet_bearing.designation)
-        except DesignError as error:
-            yield from (Problem(f"{path}.designation", problem.message) for problem in error.problems)
+        if stage.planet_bearing is not None:
+            yield from _planet_bearing(f"planetaries.{name}.planet_bearing", stage.planet_bearing)
+    for name, epicyclic in design.epicyclics.items():
+        path = f"epicyclics.{name}"
+        for planet, gear in epicyclic.planets.items():
+            if gear.bearing is not None:
+                yield from _planet_bearing(f"{path}.planets.{planet}.bearing", gear.bearing)
+        for body in dict.fromkeys(epicyclic.body(planet) for planet in epicyclic.planets):
+            yield from _held(path, epicyclic, [step for step in epicyclic.planets if epicyclic.body(step) == body])
+        yield from _without_place(path, epicyclic)
+
+
+def _planet_bearing(path: str, asked: PlanetBearing) -> Iterator[Problem]:
+    if (asked.dynamic_rating is None) != (asked.static_rating is None):
+        yield Problem(path, "one rating without the other; give dynamic_rating_kn and static_rating_kn, or neither")
+    try:
+        width = bearing(asked.designation).width
+    except DesignError as error:
+        yield from (Problem(f"{path}.designation", problem.message) for problem in error.problems)
+        return
+    if asked.spacing is not None and asked.side_by_side == 1:
+        yield Problem(f"{path}.spacing", "has no effect on one bearing; leave it out, or give side_by_side")
+    elif asked.spacing is not None and asked.spacing < width:
+        message = (
+            f"{1e3 * asked.spacing:.4g} mm puts bearings of {1e3 * width:g} mm into each other; allowed: that and more"
+        )
+        yield Problem(f"{path}.spacing", message)
+
+
+def _held(path: str, epicyclic: Epicyclic, steps: Sequence[str]) -> Iterator[Problem]:
+    """Find bodies with places of some steps only, and such that their bearings cannot hold by statics."""
+    places = {step: epicyclic.planets[step].place for step in steps}
+    unplaced = [step for step, place in places.items() if place is None]
+    fitted = {step: asked for step in steps if (asked := epicyclic.planets[step].bearing) is not None}
+    if len(fitted) > 1 and unplaced:
+        message = f"{' and '.join(fitted)} hold one planet by a bearing each: what each bears follows from the places"
+        yield Problem(f"{path}.planets.{unplaced[0]}.place", f"{message} of its steps; give place_mm of every step")
+    elif 0 < len(unplaced) < len(steps):
+        message = "the other steps of this planet have a place; give place_mm of every step, or of none"
+        yield Problem(f"{path}.planets.{unplaced[0]}.place", message)
+    mates = {gear for pair in epicyclic.mesh_pairs if set(pair) & set(steps) for gear in pair}
+    apart = {place for gear in mates if (place := epicyclic.toothed[gear].place) is not None}
+    for step, asked in fitted.items():
+        if len(fitted) == asked.side_by_side == 1 and not unplaced and len(apart) > 1:
+            message = "one bearing cannot hold a planet whose meshes lie in several planes, which tilt it"
+            fix = "give side_by_side = 2 with a spacing_mm, or a bearing in another step, too"
+            yield Problem(f"{path}.planets.{step}.bearing", f"{message}; {fix}")
+
+
+def _without_place(path: str, epicyclic: Epicyclic) -> Iterator[Problem]:
+    """Find suns and rings with a place beside planets that have none."""
+    for table, gears in (("suns", epicyclic.suns), ("rings", epicyclic.rings)):
+        for name, gear in gears.items():
+            mates = {mate for pair in epicyclic.mesh_pairs if name in pair for mate in pair if mate != name}
+            if gear.place is not None and all(epicyclic.planets[mate].place is None for mate in mates):
+                message = (
+                    f"has no effect while {' and '.join(sorted(mates))} have no place; give theirs, or leave it out"
+                )
+                yield Problem(f"{path}.{table}.{name}.place", message)

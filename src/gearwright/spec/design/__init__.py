@@ -46,7 +46,7 @@ from gearwright.spec.design.rules import (
 from gearwright.spec.design.shafts import NOTHING_GIVEN, ShaftLayout, Support
 from gearwright.spec.design.sharing import module_owners
 from gearwright.spec.design.spectrum import RATED, case_named, cases_of, drives_of, levels_of, shares_of
-from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary, gear_named
+from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary, PlanetBearing, gear_named
 from gearwright.spec.design.teeth import PAIR_ROLES, SET_ROLES, StageShifts, stage_shifts, working_angle
 
 __all__ = [
@@ -89,6 +89,7 @@ __all__ = [
     "Motor",
     "Pair",
     "PartErrors",
+    "PlanetBearing",
     "PlanetGear",
     "Planetary",
     "Propeller",

@@ -38,6 +38,9 @@ class PlanetBearing(Record):
 
     designation: str = Field(description="Name in the catalogue, such as NU 2212")
     side_by_side: int = Field(1, ge=1, le=4, description="Equal bearings that share a pin")
+    spacing: Length | None = Field(
+        None, gt=0, description="From the middle of one of them to that of the next; left out: they touch"
+    )
     dynamic_rating: Force | None = Field(None, gt=0, description="Maker's C, instead of the catalogue's")
     static_rating: Force | None = Field(None, gt=0, description="Maker's C_0, instead of the catalogue's")
 

@@ -1,0 +1,73 @@
+"""How the bearings that a design names for its planets bear the load cases: life, static safety, room for the pin."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from gearwright.catalogue import Bearing, check_bearing
+from gearwright.checks import Check
+from gearwright.parts.bearings import life_exponent, pair_factor
+from gearwright.sizing.bearings.duty import duty_of
+from gearwright.sizing.bearings.planet_bodies import as_made
+from gearwright.sizing.bearings.planet_seats import planet_seats
+from gearwright.sizing.bearings.seat import Seat, seat_forces
+from gearwright.sizing.bearings.unit_loads import unit_loads
+from gearwright.sizing.carrying import CarrierSizing
+from gearwright.sizing.rating import Context
+from gearwright.sizing.result import GearSizing
+
+
+def planet_lives(
+    context: Context, gears: tuple[GearSizing, ...], carriers: tuple[CarrierSizing, ...]
+) -> tuple[Check, ...]:
+    """Return life, static safety and room of every bearing that the design names for its planets.
+
+    Args:
+        context: What sizing reads.
+        gears: As sized.
+        carriers: As sized.
+
+    Source: ISO 281:2007 and ISO 76:2006; equal bearings side by side bear i^0.7 (balls) or i^(7/9) (rollers) times the
+        rating of one, ISO 281:2007, 5.1.2 and 7.1.2, and i times its static rating.
+    """
+    named = context.design
+    if not any(stage.planet_bearing for stage in named.planetaries.values()) and not any(
+        planet.bearing for epicyclic in named.epicyclics.values() for planet in epicyclic.planets.values()
+    ):
+        return ()
+    seats = planet_seats(unit_loads(context), gears, carriers)
+    return tuple(check for seat in seats if seat.fitted is not None for check in _checks(context, seat))
+
+
+def _checks(context: Context, seat: Seat) -> Iterator[Check]:
+    assert seat.fitted is not None
+    fitted, flows = as_made(seat.fitted), context.flows.values()
+    torques = np.array([[flow.meshes[m.name].torques[0] / m.count for m in context.train.meshes] for flow in flows])
+    radial, axial = seat_forces(seat, torques, np.array([flow.speeds[seat.carrier] for flow in flows]))
+    speeds = [abs(flow.speeds[seat.nodes[0]] - flow.speeds[seat.nodes[1]]) for flow in flows]
+    duty = duty_of(context, radial / pair_factor(fitted.kind, seat.side_by_side), axial, speeds)
+    check, place = check_bearing(fitted, duty), fitted.designation
+    static = check.static_safety * seat.side_by_side / pair_factor(fitted.kind, seat.side_by_side)
+    yield Check(
+        seat.part, "life", "ISO 281:2007", check.life, duty.life, "life",
+        exponent=life_exponent(fitted.kind), symbol="L_10h", place=place,
+    )  # fmt: skip
+    yield Check(
+        seat.part, "static safety", "ISO 76:2006", static, duty.static_safety,
+        symbol="s_0", place=place, case=tuple(context.flows)[int(np.argmax(radial))],
+    )  # fmt: skip
+    yield from _room(seat, fitted)
+
+
+def _room(seat: Seat, fitted: Bearing) -> Iterator[Check]:
+    """Yield whether the pin goes through a bearing, and whether the rim around it stays as thick as its rules ask."""
+    yield Check(
+        seat.part, "room around the pin", "diameter of the pin", fitted.bore, seat.bore, "length",
+        exponent=None, place=fitted.designation,
+    )  # fmt: skip
+    yield Check(
+        seat.part, "room in the rim", "rim_thickness_ratio", fitted.outer_diameter, seat.room, "length",
+        at_most=True, exponent=None, place=fitted.designation,
+    )  # fmt: skip
