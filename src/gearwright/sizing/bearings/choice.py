@@ -79,10 +79,11 @@ class Seating:
             return sizes[0]
         if seat.bore is not None:
             smallest = largest = sizes[0].bore
-        room = [size for size in sizes if smallest - 1e-9 <= size.bore <= largest + 1e-9]
-        for size in room:
-            if _bears(self.check(name, size)):
+        low, high = smallest - 1e-9, largest + 1e-9
+        for size in sizes:
+            if low <= size.bore <= high and _bears(self.check(name, size)):
                 return size
+        room = [size for size in sizes if low <= size.bore <= high]
         checks = [self.check(name, size) for size in room or sizes]
         raise DesignError([Problem(f"bearings.{name}", _none(self.duties[name], seat, (smallest, largest), checks))])
 

@@ -12,12 +12,12 @@ from gearwright.parts import Material
 from gearwright.sizing.arrangement import root_diameter
 from gearwright.sizing.bearings import Seating
 from gearwright.sizing.loads import ShaftForces
-from gearwright.sizing.mounted import JointSizing, SectionStrength
+from gearwright.sizing.mounted import JointSizing
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.shafts.as_given import cylinder
 from gearwright.sizing.shafts.joints import Seat, size_joint, spline_root
-from gearwright.sizing.shafts.sections import HubNotch, Strength, sections_of, strengths
+from gearwright.sizing.shafts.sections import Borne, HubNotch, Section, Strength, borne, sections_of
 from gearwright.sizing.shafts.stretches import Item, Stretch, Wanted, lay
 from gearwright.spec.design import NOTHING_GIVEN, Joint
 
@@ -47,6 +47,11 @@ class Task:
         """Diameter of a shaft that is taken as it is [m]; None where it is to be built."""
         return self.core if self.context.design.layout.get(self.name, NOTHING_GIVEN).as_given else None
 
+    @property
+    def judge(self) -> Strength:
+        """What its sections are judged by."""
+        return Strength(self.name, self.context.design, self.material, tuple(self.context.flows))
+
 
 class Attempt(NamedTuple):
     """A shaft as it was laid once."""
@@ -54,8 +59,8 @@ class Attempt(NamedTuple):
     stretches: tuple[Stretch, ...]
     chosen: Mapping[str, Bearing]
     bore: float
-    sections: tuple[SectionStrength, ...]
-    owners: tuple[str, ...]
+    sections: tuple[Section, ...]
+    borne: tuple[Borne, ...]
     joints: tuple[JointSizing, ...]
 
 
@@ -85,9 +90,7 @@ def attempt_with(task: Task, seated: Seating, needed: Mapping[str, float]) -> At
         if joint.kind in ("key", "spline", "press-fit")
     }
     sections = sections_of(stretches, task.forces, hubs, roots, fillet_ratio=task.context.design.shafting.fillet_ratio)
-    judge = Strength(task.name, task.context.design, task.material, tuple(task.context.flows))
-    sized = strengths(sections, task.forces, judge, bore=bore)
-    return Attempt(stretches, chosen, bore, sized, tuple(section.owner for section in sections), joints)
+    return Attempt(stretches, chosen, bore, sections, borne(sections, task.forces, task.judge, bore=bore), joints)
 
 
 def _laid(task: Task, seated: Seating, wanted: Wanted) -> tuple[tuple[Stretch, ...], dict[str, Bearing]]:

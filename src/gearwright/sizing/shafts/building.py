@@ -26,6 +26,7 @@ from gearwright.sizing.shafts.attempt import Attempt, Task, attempt_with, items_
 from gearwright.sizing.shafts.bending import bend, slope_excess
 from gearwright.sizing.shafts.joints import joint_fits, refuse_long, refuse_thick
 from gearwright.sizing.shafts.room import refuse_overlaps, refuse_thin
+from gearwright.sizing.shafts.sections import NO_LIMIT, strengths
 from gearwright.sizing.shafts.stretches import Stretch
 from gearwright.spec.checks import MOST_HOLLOW
 from gearwright.spec.design import Joint
@@ -151,10 +152,10 @@ def _grown(task: Task, attempt: Attempt, wanted: Mapping[str, float]) -> dict[st
     diameters = {stretch.name: stretch.diameter for stretch in attempt.stretches}
     walled = attempt.bore / MOST_HOLLOW
     thicker = {stretch.name: walled for stretch in _free(attempt) if stretch.diameter < walled - 1e-9}
-    for section, owner in zip(attempt.sections, attempt.owners, strict=True):
-        ratio = min(
-            section.fatigue_safety / service.shaft_fatigue_safety, section.yield_safety / service.shaft_yield_safety
-        )
+    for section, held in zip(attempt.sections, attempt.borne, strict=True):
+        owner, safeties = section.owner, (min(held.fatigue), held.yielding)
+        asked = (service.shaft_fatigue_safety, service.shaft_yield_safety)
+        ratio = min(min(safety, NO_LIMIT) / least for safety, least in zip(safeties, asked, strict=True))
         if ratio < 1.0 - 1e-9:
             growth = min(max(ratio ** (-1.0 / 3.0), LEAST_GROWTH), MOST_GROWTH) if ratio > 0.0 else MOST_GROWTH
             thicker[owner] = max(thicker.get(owner, 0.0), wanted.get(owner, 0.0), growth * diameters[owner])
@@ -172,14 +173,14 @@ def _finished(task: Task, seated: Seating, attempt: Attempt) -> Built:
     bent = bend(task.forces, attempt.stretches, task.material, bore=attempt.bore)
     seats = {name: seat.position for name, seat in seated.seats.items()}
     places = {name: task.forces.plan.places[name] for name in task.gears}
+    sections = strengths(attempt.sections, task.forces, task.judge, bore=attempt.bore)
     shaft = BuiltShaft(
         name=task.name,
         steps=tuple(
             ShaftStep(stretch.start, stretch.end, stretch.diameter, _sits(stretch)) for stretch in attempt.stretches
         ),
         bore=attempt.bore,
-        sections=tuple(section for section in attempt.sections if section.bending_moment or section.torque)
-        or attempt.sections[:1],
+        sections=tuple(section for section in sections if section.bending_moment or section.torque) or sections[:1],
         slopes=tuple((name, bent.slope(place)) for name, place in {**places, **seats}.items()),
         deflections=tuple((name, bent.deflection(place)) for name, place in places.items()),
         critical_speed=bent.critical_speed(places, {name: _mass(gear) for name, gear in task.gears.items()}),

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -144,6 +144,34 @@ def _shoulders(stretches: Sequence[Stretch], fillet_ratio: float, blank: float) 
             yield Section(f"shoulder at {named.name}", thin.name, right.start, thin.diameter, blank, shoulder)
 
 
+class Borne(NamedTuple):
+    """How a section bears every load case."""
+
+    loads: tuple[SectionLoad, ...]
+    notch: Concentration
+    """K_f and K_fs."""
+    fatigue: tuple[float, ...]
+    """n_f of every case [-]."""
+    yielding: float
+    """n_y of the greatest load [-]."""
+
+
+def borne(sections: Sequence[Section], forces: ShaftForces, judge: Strength, *, bore: float) -> tuple[Borne, ...]:
+    """Return the safeties of sections against fatigue and yielding in every case.
+
+    Args:
+        sections: From `sections_of`.
+        forces: What acts on the shaft.
+        judge: Asked safeties and steel.
+        bore: Of the shaft [m].
+    """
+    moments, torques = forces.moments(np.array([section.position for section in sections]))
+    return tuple(
+        _borne(section, moments[:, k].tolist(), torques[:, k].tolist(), judge, bore=_inside(section, bore))
+        for k, section in enumerate(sections)
+    )
+
+
 def strengths(
     sections: Sequence[Section], forces: ShaftForces, judge: Strength, *, bore: float
 ) -> tuple[SectionStrength, ...]:
@@ -155,42 +183,48 @@ def strengths(
         judge: Asked safeties and steel.
         bore: Of the shaft [m].
     """
-    moments, torques = forces.moments(np.array([section.position for section in sections]))
-    return tuple(
-        _strength(section, moments[:, k], torques[:, k], judge, bore=bore) for k, section in enumerate(sections)
-    )
+    every = zip(sections, borne(sections, forces, judge, bore=bore), strict=True)
+    return tuple(_strength(section, held, judge, bore=_inside(section, bore)) for section, held in every)
 
 
-def _strength(
-    section: Section, moments: np.ndarray, torques: np.ndarray, judge: Strength, *, bore: float
-) -> SectionStrength:
+def _inside(section: Section, bore: float) -> float:
+    """Return the bore of a section, with a wall at least until it has grown [m]."""
+    return min(bore, THINNEST * section.diameter)
+
+
+def _borne(
+    section: Section, moments: Sequence[float], torques: Sequence[float], judge: Strength, *, bore: float
+) -> Borne:
     rules, service, steel = judge.design.shafting, judge.design.service, judge.material
-    bore = min(bore, THINNEST * section.diameter)
     ultimate, yielding = steel.ultimate_strength or 0.0, steel.yield_strength or 0.0
     limit = endurance_limit(ultimate, section.diameter, surface=rules.surface, reliability=rules.reliability)
     strength, notch = FatigueStrength(limit, ultimate, yielding), _felt(section, ultimate)
     criterion = CRITERIA[rules.fatigue]
-    loads = [
-        SectionLoad(float(moment), 0.0, service.torque_swing * float(torque), float(torque))
+    loads = tuple(
+        SectionLoad(moment, 0.0, service.torque_swing * torque, torque)
         for moment, torque in zip(moments, torques, strict=True)
-    ]
+    )
     stresses = [section_stress(load, section.diameter, notch, bore=bore) for load in loads]
-    safeties = [criterion(stress, strength) for stress in stresses]
-    worst = int(np.argmin(safeties))
     greatest = min(yield_safety(stress, strength) for stress in stresses) / service.application_factor
+    return Borne(loads, notch, tuple(criterion(stress, strength) for stress in stresses), greatest)
+
+
+def _strength(section: Section, held: Borne, judge: Strength, *, bore: float) -> SectionStrength:
+    worst = int(np.argmin(held.fatigue))
+    load = held.loads[worst]
     return SectionStrength(
         shaft=judge.shaft,
         place=section.place,
         case=judge.cases[worst],
         position=section.position,
         diameter=section.diameter,
-        bending_moment=loads[worst].bending_amplitude,
-        torque=loads[worst].torque_mean,
-        bending_notch=notch.bending,
-        torsion_notch=notch.torsion,
-        fatigue_safety=min(safeties[worst], NO_LIMIT),
-        yield_safety=min(greatest, NO_LIMIT),
-        din743_safety=_din743(section, loads[worst], steel, bore=bore),
+        bending_moment=load.bending_amplitude,
+        torque=load.torque_mean,
+        bending_notch=held.notch.bending,
+        torsion_notch=held.notch.torsion,
+        fatigue_safety=min(held.fatigue[worst], NO_LIMIT),
+        yield_safety=min(held.yielding, NO_LIMIT),
+        din743_safety=_din743(section, load, judge.material, bore=bore),
         fillet=section.shoulder.radius if section.shoulder is not None else 0.0,
     )
 

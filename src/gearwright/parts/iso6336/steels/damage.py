@@ -53,10 +53,12 @@ def damage_parts(bins: Sequence[StressBin], reference: float, curve: LifeCurve) 
     Source: ISO 6336-6:2019, clause 5. Stresses below the endurance corner damage along the last slope of the curve
         (Z_NT or Y_NT = 0.85 at 1e10), and not at all where it is flat.
     """
-    endured = (endurable_cycles(curve, level.stress / reference) if level.stress > 0.0 else math.inf for level in bins)
-    return tuple(
-        level.cycles / cycles if cycles > 0.0 else math.inf for level, cycles in zip(bins, endured, strict=True)
-    )
+    return tuple(_part(level, reference, curve) for level in bins)
+
+
+def _part(level: StressBin, reference: float, curve: LifeCurve) -> float:
+    endured = endurable_cycles(curve, level.stress / reference) if level.stress > 0.0 else math.inf
+    return level.cycles / endured if endured > 0.0 else math.inf
 
 
 def spectrum_damage(bins: Sequence[StressBin], reference: float, curve: LifeCurve) -> Damage:

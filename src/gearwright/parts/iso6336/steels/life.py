@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from itertools import pairwise
 
 import numpy as np
 
@@ -127,9 +126,8 @@ def endurable_cycles(curve: LifeCurve, factor: float) -> float:
     """
     if factor > curve.factors[0]:
         return 0.0
-    corners = tuple(zip(curve.cycles, curve.factors, strict=True))
-    for (n_1, f_1), (n_2, f_2) in pairwise(corners):
-        if f_1 > f_2 and (factor >= f_2 or n_2 == curve.cycles[-1]):
-            exponent = math.log(n_2 / n_1) * math.log(f_1 / factor) / math.log(f_1 / f_2)
-            return n_1 * math.exp(exponent) if exponent < ENDLESS else math.inf
+    for start, greatest, least, longer, weaker in curve.lines:
+        if factor >= least:
+            exponent = longer * math.log(greatest / factor) / weaker
+            return start * math.exp(exponent) if exponent < ENDLESS else math.inf
     return math.inf

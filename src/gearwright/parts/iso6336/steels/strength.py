@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
+from itertools import pairwise
 from typing import Annotated
 
 from gearwright.errors import DesignError, Problem
@@ -63,6 +65,17 @@ class LifeCurve:
     """Corners N_L [-], increasing."""
     factors: tuple[float, ...]
     """Life factors there [-], decreasing."""
+
+    @cached_property
+    def lines(self) -> tuple[tuple[float, float, float, float, float], ...]:
+        """Of every falling line N and its life factor at the start, the least factor for which it holds, ln N_2/N_1
+        and ln f_1/f_2 [-]; the last line goes on."""
+        ends = pairwise(zip(self.cycles, self.factors, strict=True))
+        return tuple(
+            (n_1, f_1, -math.inf if n_2 == self.cycles[-1] else f_2, math.log(n_2 / n_1), math.log(f_1 / f_2))
+            for (n_1, f_1), (n_2, f_2) in ends
+            if f_1 > f_2
+        )
 
     @property
     def slope(self) -> float:
