@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import lru_cache
 
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.identity import Role
@@ -67,8 +68,16 @@ def stage_shifts(design: Design, name: str, teeth: Mapping[Role, int]) -> StageS
         return shifts
     if ring := _ring_of(stage):
         shifts = _off_the_involute(basis, stage, ring, shifts, teeth)
-    refuse(impossible_teeth(path, _shapes(basis, shifts, teeth), shifts.centre, ring=ring))
+    refuse(_impossible(path, tuple(_shapes(basis, shifts, teeth).items()), shifts.centre, ring))
     return shifts
+
+
+@lru_cache(maxsize=4096)
+def _impossible(
+    path: str, gears: tuple[tuple[Role, CylindricalGear], ...], centre: float | None, ring: Role | None
+) -> tuple[Problem, ...]:
+    """Return what is impossible of the teeth of a stage; those of a study repeat."""
+    return tuple(impossible_teeth(path, dict(gears), centre, ring=ring))
 
 
 def _ring_of(stage: Pair | Planetary) -> Role | None:
@@ -85,11 +94,17 @@ def _off_the_involute(
     if getattr(stage, f"{ring}_tip_alteration") is not None:
         return shifts
     inside, wheel = list(_shapes(basis, shifts, teeth).values())[-2:]
-    room = involute_room(GearPair(inside, replace(wheel, teeth=-wheel.teeth), shifts.centre))
-    if room.clearance >= 0.0:
+    clearance = _clearance(inside, wheel, shifts.centre)
+    if clearance >= 0.0:
         return shifts
-    shorter = shifts.gears[-1].tip_alteration + max(room.clearance, -_SHORTEST) - _SHADE
+    shorter = shifts.gears[-1].tip_alteration + max(clearance, -_SHORTEST) - _SHADE
     return shifts._replace(gears=(*shifts.gears[:-1], shifts.gears[-1]._replace(tip_alteration=shorter)))
+
+
+@lru_cache(maxsize=4096)
+def _clearance(inside: CylindricalGear, wheel: CylindricalGear, centre: float | None) -> float:
+    """Return what is left to the involute of the gear inside [modules]; the teeth of a study repeat."""
+    return involute_room(GearPair(inside, replace(wheel, teeth=-wheel.teeth), centre)).clearance
 
 
 def _shapes(basis: Basis, shifts: StageShifts, teeth: Mapping[Role, int]) -> dict[Role, CylindricalGear]:
