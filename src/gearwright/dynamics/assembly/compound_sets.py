@@ -133,7 +133,8 @@ def _passed(sizing: Sizing, flow: PowerFlow, stage: str, mesh: Mesh, gear: str) 
     pair = gear_pairs(sizing)[mesh.name]
     tooth = (pair.driver, pair.driven)[end]
     half = half_angle_at(tooth, tooth.base_radius / math.cos(pair.working_pressure_angle))
-    drives = flow.meshes[mesh.name].torques[end] * sense < 0.0
+    first_drives = flow.meshes[mesh.name].torques[0] * _sense(mesh, mesh.nodes[0], flow) < 0.0
+    drives = first_drives == (end == 0)  # in a mesh that idles, too, one gear drives and one is driven
     return sizing.teeth[gear] * ((half if drives else -half) - angle) / (2.0 * math.pi)
 
 
