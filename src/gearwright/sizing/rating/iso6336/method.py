@@ -24,7 +24,7 @@ from gearwright.parts.iso6336 import (
 from gearwright.sizing.rating.factors import Factor, factor_rows, steel_rows
 from gearwright.sizing.rating.iso6336.inputs import EDITIONS, clause_of, duty_of, quality_of, steel_of
 from gearwright.sizing.rating.iso6336.limits import limited
-from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
+from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, of_each, safeties
 from gearwright.sizing.rating.iso6336.record import Iso6336Rating
 from gearwright.sizing.rating.iso6336.scuffing import scuffing_of
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
@@ -95,8 +95,8 @@ class Iso6336:
         rating, rules = mesh.rating, mesh.rating.rules.iso6336
         factors, steel = self._rated(mesh, mesh.heaviest), steel_of(rating)
         alone = mesh.loads == (mesh.heaviest,)
-        every = [factors] if alone else [self._rated(mesh, load) for load in mesh.loads]
-        pitting, bending = safeties([strains_of(rated) for rated in every], steel)
+        every = [strains_of(factors)] if alone else self._strains(mesh)
+        pitting, bending = safeties(every, steel)
         flanks, roots = strains_of(factors)
         return Iso6336Rating(
             method=self._name,
@@ -157,6 +157,18 @@ class Iso6336:
     def _rated(self, mesh: LoadedMesh, load: Load) -> PairRating:
         duty = duty_of(mesh.rating, load.torque, load.ask.speed, life=load.life, passes=load.ask.passes)
         return self._rate(mesh.rating, load.ask, duty, mesh.module, mesh.face_width)
+
+    def _strains(self, mesh: LoadedMesh) -> list[Strains]:
+        """Return stresses and limits under every load, rated at once; teeth and mates are the same in all."""
+        ask, loads = mesh.loads[0].ask, mesh.loads
+        duty = duty_of(
+            mesh.rating,
+            [float(load.torque) for load in loads],
+            [float(np.asarray(load.ask.speed)) for load in loads],
+            life=[load.life for load in loads],
+            passes=ask.passes,
+        )
+        return of_each(strains_of(self._rate(mesh.rating, ask, duty, mesh.module, mesh.face_width)), len(loads))
 
     def _rate(self, rating: Rating, ask: Ask, duty: MeshDuty, module: float, face_width: float) -> PairRating:
         steel, quality = steel_of(rating), quality_of(rating, idlers=ask.idlers)

@@ -37,6 +37,25 @@ Strains = tuple[tuple[Strain, Strain], tuple[Strain, Strain]]
 Both = tuple[float, float]
 
 
+def of_each(strains: Strains, count: int) -> list[Strains]:
+    """Return the strains of every load.
+
+    Args:
+        strains: Arrays over loads, or numbers that are the same in all.
+        count: Number of loads [-].
+    """
+    (flank_1, flank_2), (root_1, root_2) = (tuple(_rows(strain, count) for strain in both) for both in strains)
+    return [
+        ((first, second), (third, fourth))
+        for first, second, third, fourth in zip(flank_1, flank_2, root_1, root_2, strict=True)
+    ]
+
+
+def _rows(strain: Strain, count: int) -> list[Strain]:
+    columns = (np.broadcast_to(values, count).tolist() for values in strain)
+    return [Strain(*row) for row in zip(*columns, strict=True)]
+
+
 def safeties(rated: Sequence[Strains], steel: GearSteel) -> tuple[Both, Both]:
     """Return S_H and S_F of both gears, each by Miner's sum over the loads where there are several [-].
 
