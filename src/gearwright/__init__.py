@@ -50,6 +50,7 @@ if TYPE_CHECKING:
         shipped_study,
     )
     from gearwright.sizing import named_results, size, size_many
+    from gearwright.sizing.losses import loss_balance
     from gearwright.spec import edited, edited_mission, parse, read, read_mission, read_study, schema
     from gearwright.store import StoredRun, load, save
     from gearwright.study import compare, for_engine
@@ -78,6 +79,7 @@ _VERBS = {
     "for_engine": "study",
     "frequency_response": "dynamics",
     "load": "store",
+    "loss_balance": "sizing.losses",
     "mass": "weights",
     "modes": "dynamics",
     "named_results": "sizing",
@@ -145,6 +147,7 @@ __all__ = [
     "for_engine",
     "frequency_response",
     "load",
+    "loss_balance",
     "mass",
     "modes",
     "named_results",

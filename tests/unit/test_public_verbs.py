@@ -200,6 +200,7 @@ UNKNOWN = {
     "frequency_response errors": lambda: dynamics.frequency_response(system(), [9.0], errors={"first": 1e-6}),
     "frequency_response loads": lambda: dynamics.frequency_response(system(), [9.0], loads={"first": 1.0}),
     "gearbox_of propeller": lambda: gearbox_of(sizing(), "propelle", Oil(353.15, 4e-7, {})),
+    "gw.loss_balance case": lambda: gw.loss_balance(sizing(), "rate"),
     "load_sharing lines": lambda: load_sharing(split().system, ["second.lef"]),
     "load_sharing method": lambda: load_sharing(split().system, split().lines, method="quasi"),
     "mesh_frequencies case": lambda: mesh_frequencies(sizing(), "rate"),

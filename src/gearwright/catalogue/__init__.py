@@ -8,6 +8,7 @@ from gearwright.catalogue.bearing_choice import (
     equivalent_loads,
     fitting_bearings,
 )
+from gearwright.catalogue.bearing_oil import BearingOil, ModifiedLife, bearing_friction, modified_life
 from gearwright.catalogue.bearings import Bearing, bearing, bearings, with_ratings
 from gearwright.catalogue.engines import Engine, Printed, Series, all_series, engines, nearest, notes, select
 from gearwright.catalogue.fits import LARGEST, SEAT_SOURCE, SMALLEST, seat_tolerance, shaft_limits, standard_tolerance
@@ -39,13 +40,16 @@ __all__ = [
     "Bearing",
     "BearingCheck",
     "BearingDuty",
+    "BearingOil",
     "BearingSpectrum",
     "Engine",
+    "ModifiedLife",
     "Printed",
     "Series",
     "StandardKey",
     "all_series",
     "bearing",
+    "bearing_friction",
     "bearings",
     "centre_allowance",
     "charted_point",
@@ -64,6 +68,7 @@ __all__ = [
     "map_of",
     "material_of",
     "materials",
+    "modified_life",
     "nearest",
     "notes",
     "propeller_map",

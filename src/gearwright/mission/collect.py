@@ -140,7 +140,7 @@ def _nodes(gearbox: Gearbox, intervals: Sequence[Interval]) -> dict[str, NodeHis
 
 def _meshes(gearbox: Gearbox, intervals: Sequence[Interval]) -> dict[str, MeshHistory]:
     torques = np.array([interval.point.mesh_torques for interval in intervals]).T
-    rows = zip(gearbox.sizing.train.meshes, torques, torques / gearbox.radii[:, None], strict=True)
+    rows = zip(gearbox.sizing.train.meshes, torques, torques / gearbox.teeth.radii[:, None], strict=True)
     return {mesh.name: MeshHistory(torque, force) for mesh, torque, force in rows}
 
 

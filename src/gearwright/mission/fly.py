@@ -8,17 +8,17 @@ from pathlib import Path
 from typing import NamedTuple
 
 from gearwright.catalogue import propeller_map, read_propeller_map
-from gearwright.errors import DesignError, Problem, SolveError, near, refuse
+from gearwright.errors import DesignError, Problem, SolveError, refuse
 from gearwright.machines import PropellerMap
 from gearwright.mission.collect import Flown, Interval, Lost, collect, recorded
 from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.endurance import Clocks, bounds_of, endured
 from gearwright.mission.flight import Flight
-from gearwright.mission.gearbox import Oil, Point, drag, efficiencies, gearbox_of, operate
+from gearwright.mission.gearbox import Point, drag, efficiencies, gearbox_of, operate
+from gearwright.mission.oil import flown_oil
 from gearwright.mission.profile import Moment, moments
 from gearwright.mission.supply import Given, Terms, machine_speeds, supply_of
 from gearwright.mission.thrust import Blades, performed, propeller_power
-from gearwright.parts.losses import Friction
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, engine_out, is_map_file, mission_problems
 from gearwright.verbs import verb
@@ -75,7 +75,7 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     """
     problems = mission_problems(mission)
     refuse(problems)
-    gearbox = gearbox_of(sizing, flown_airscrew(sizing), _oil(sizing, mission))
+    gearbox = gearbox_of(sizing, flown_airscrew(sizing), flown_oil(sizing, mission))
     blades = Blades(mission.propeller_map, _chart(mission, folder), sizing.design.airscrews[gearbox.propeller].diameter)
     flown = Flown(gearbox, blades, mission, supply_of(sizing, mission))
     before, intervals = (
@@ -93,21 +93,6 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
         burnt = before.burnt + interval.values.fuel_flow * moment.duration * engines
         before = _Before(interval.point, interval.values.state_of_charge, burnt, clocks)
     return collect(flown, intervals)
-
-
-def _oil(sizing: Sizing, mission: Mission) -> Oil:
-    rules = mission.oil
-    return Oil(rules.inlet_temperature_k, rules.roughness, _dipping(sizing, mission), Friction(rules.friction))
-
-
-def _dipping(sizing: Sizing, mission: Mission) -> dict[str, float]:
-    gears = [gear.name for gear in sizing.gears]
-    unknown = [name for name in mission.oil.dip if name not in gears]
-    if unknown:
-        raise DesignError(
-            [Problem(f"oil.dip.{name}", f"there is no gear {name!r}; {near(name, gears)}") for name in unknown]
-        )
-    return mission.oil.dip
 
 
 def _chart(mission: Mission, folder: Path | None) -> PropellerMap | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -13,46 +12,31 @@ from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem, by_name
 from gearwright.identity import Role
 from gearwright.mission.consumers import own_demand, taken_parts, with_consumers
-from gearwright.parts.gears import ToothShift
-from gearwright.parts.losses import (
-    OIL_DENSITY,
-    Friction,
-    ToothContact,
-    bearing_torque_constant,
-    churning_power,
-    mesh_efficiency,
-    mesh_friction,
-    oil_viscosity,
-    tooth_contact,
-    windage_power,
+from gearwright.sizing import Sizing
+from gearwright.sizing.bearings import Seat, bearing_seats
+from gearwright.sizing.losses import (
+    ORIGINS,
+    Oil,
+    Teeth,
+    bearing_losses,
+    gear_losses,
+    mesh_loss_parts,
+    seal_losses,
+    teeth_of,
 )
-from gearwright.sizing import GearSizing, MeshSizing, Sizing
-from gearwright.sizing.bearings import Seat, bearing_seats, seat_forces
 from gearwright.spec import GROUND, Case, Drive
 from gearwright.train import PowerFlow, Turning, power_flow
 from gearwright.verbs import verb
 
+__all__ = ["Drag", "Gearbox", "Oil", "Point", "drag", "efficiencies", "gearbox_of", "operate", "transmitted"]
 _CASE = "mission"
-
-
-class Oil(NamedTuple):
-    """What losses need of oil and flanks."""
-
-    temperature: float
-    """Into the gearbox [K]."""
-    roughness: float
-    """R_a of the flanks [m]."""
-    dip: Mapping[str, float]
-    """Gear -> part of it that dips into an oil bath [-]; one left out runs dry."""
-    friction: Friction = Friction.SCHLENK
-    """Whose mean coefficient of friction."""
 
 
 class Drag(NamedTuple):
     """What the gearbox takes beside its meshes."""
 
     bearings: float
-    """[W]"""
+    """And seals, where there are some [W]."""
     windage: float
     """[W]"""
     churning: float
@@ -100,12 +84,8 @@ class Gearbox:
     propeller: str
     """Name of its propeller."""
     oil: Oil
-    contacts: tuple[ToothContact, ...]
-    """Of each mesh row."""
-    radii: Floats
-    """Working pitch radius of gear a of each mesh row, shape (meshes,) [m]."""
-    widths: Floats
-    """Narrower face of each mesh row, shape (meshes,) [m]."""
+    teeth: Teeth
+    """Contacts of the meshes."""
     inertia: float
     """Of everything that turns, at the propeller [kg m²]."""
     turning: Turning
@@ -134,15 +114,11 @@ def gearbox_of(sizing: Sizing, propeller: str, oil: Oil) -> Gearbox:
     """
     by_name(propeller, sizing.design.airscrews, "propeller")
     _refuse_slip(sizing)
-    gears = {gear.name: gear for gear in sizing.gears}
-    pairs = [(gears[mesh.gears[0]], gears[mesh.gears[1]]) for mesh in sizing.train.meshes]
     return Gearbox(
         sizing=sizing,
         propeller=propeller,
         oil=oil,
-        contacts=tuple(_contact(sizing, pair, mesh) for pair, mesh in zip(pairs, sizing.meshes, strict=True)),
-        radii=np.array([mesh.working_diameter / 2.0 for mesh in sizing.meshes]),
-        widths=np.array([min(gear.face_width, mate.face_width) for gear, mate in pairs]),
+        teeth=teeth_of(sizing),
         inertia=_inertia(sizing, propeller),
         turning=Turning(sizing.design, sizing.train, sizing.teeth),
         taken=taken_parts(sizing),
@@ -157,23 +133,6 @@ def _refuse_slip(sizing: Sizing) -> None:
     message = "its shafts turn at different speeds, and a mission does not fly with its heat; leave it out, or join"
     if slipping:
         raise DesignError([Problem(f"dampers.{name}", f"{message} shafts that turn alike") for name in slipping])
-
-
-def _contact(sizing: Sizing, pair: tuple[GearSizing, GearSizing], mesh: MeshSizing) -> ToothContact:
-    gear, mate = pair
-    shifted = gear.profile_shift + mate.profile_shift != 0.0
-    return tooth_contact(
-        (gear.teeth, -mate.teeth if mate.name in sizing.train.internal else mate.teeth),
-        gear.module,
-        pressure_angle=sizing.design.rules(mesh.stage).pressure_angle,
-        helix_angle=gear.helix_angle,
-        shifts=(_shift(gear), _shift(mate)),
-        working_angle=mesh.working_pressure_angle if shifted else None,
-    )
-
-
-def _shift(gear: GearSizing) -> ToothShift:
-    return ToothShift(gear.profile_shift, gear.tip_alteration)
 
 
 def _inertia(sizing: Sizing, propeller: str) -> float:
@@ -256,21 +215,13 @@ def efficiencies(gearbox: Gearbox, point: Point) -> dict[str, float]:
         gearbox: The gearbox.
         point: Its loads and speeds.
     """
-    train, viscosity = gearbox.sizing.train, oil_viscosity(gearbox.oil.temperature) * OIL_DENSITY
-    speed = {**dict(zip(train.nodes, point.speeds, strict=True)), "ground": 0.0}
+    train = gearbox.sizing.train
+    parts = mesh_loss_parts(
+        gearbox.sizing, gearbox.teeth, point.mesh_torques, speeds=_speeds(gearbox, point), oil=gearbox.oil
+    )
     by_stage: dict[str, list[float]] = {}
-    for k, mesh in enumerate(train.meshes):
-        contact = gearbox.contacts[k]
-        normal = abs(point.mesh_torques[k]) / (gearbox.radii[k] * np.cos(contact.pressure_angle))
-        friction = mesh_friction(
-            contact,
-            float(normal / gearbox.widths[k]),
-            float((speed[mesh.nodes[0]] - speed[mesh.nodes[2]]) * gearbox.radii[k]),
-            viscosity=viscosity,
-            roughness=gearbox.oil.roughness,
-            law=gearbox.oil.friction,
-        )
-        by_stage.setdefault(mesh.stage, []).append(mesh_efficiency(contact, friction))
+    for mesh in train.meshes:
+        by_stage.setdefault(mesh.stage, []).append(1.0 - parts[mesh.name])
     return {stage: float(np.mean(values)) for stage, values in by_stage.items()}
 
 
@@ -281,32 +232,14 @@ def drag(gearbox: Gearbox, point: Point) -> Drag:
         gearbox: The gearbox.
         point: Its loads and speeds.
     """
-    speed = {**dict(zip(gearbox.sizing.train.nodes, point.speeds.tolist(), strict=True)), GROUND: 0.0}
-    return Drag(_bearing_drag(gearbox, point, speed), *_oil_drag(gearbox, speed))
+    speeds, sizing, oil = _speeds(gearbox, point), gearbox.sizing, gearbox.oil
+    bodies = [*gear_losses(sizing, speeds, oil), *seal_losses(sizing, speeds, oil)]
+    taken = {origin: sum(body.power for body in bodies if body.origin == origin) for origin in ORIGINS}
+    rubbing = sum(
+        seat.power for seat in bearing_losses(sizing, gearbox.seats, point.mesh_torques, speeds=speeds, oil=oil)
+    )
+    return Drag(rubbing + taken["seals"], taken["windage"], taken["churning"])
 
 
-def _oil_drag(gearbox: Gearbox, speed: Mapping[str, float]) -> tuple[float, float]:
-    """Return windage and churning [W]; a gear that dips churns the bath instead of the mist."""
-    viscosity, windage, churning = oil_viscosity(gearbox.oil.temperature), 0.0, 0.0
-    for gear in gearbox.sizing.gears:
-        turning = speed.get(gear.shafts[0], 0.0)
-        dip = gearbox.oil.dip.get(gear.name, 0.0)
-        if dip:
-            module = gear.module / math.cos(gear.helix_angle)
-            churning += gear.bodies * churning_power(
-                gear.pitch_diameter, gear.face_width, turning,
-                viscosity=viscosity, dip=dip, module=module, helix_angle=gear.helix_angle,
-            )  # fmt: skip
-        else:
-            radius = gear.pitch_diameter / 2.0
-            windage += gear.bodies * windage_power(radius, gear.face_width, turning, viscosity=viscosity * OIL_DENSITY)
-    return windage, churning
-
-
-def _bearing_drag(gearbox: Gearbox, point: Point, speed: Mapping[str, float]) -> float:
-    total = 0.0
-    for seat in gearbox.seats:
-        radial, _ = seat_forces(seat, point.mesh_torques, np.array(speed[seat.carrier]))
-        turning = abs(speed[seat.nodes[0]] - speed[seat.nodes[1]])
-        total += seat.count * bearing_torque_constant(float(radial), seat.bore) * turning
-    return total
+def _speeds(gearbox: Gearbox, point: Point) -> dict[str, float]:
+    return {**dict(zip(gearbox.sizing.train.nodes, point.speeds.tolist(), strict=True)), GROUND: 0.0}

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
-from gearwright.catalogue import Bearing
+from gearwright.catalogue import Bearing, ModifiedLife
 from gearwright.units import Force, Length, Life, Mass, Origin, Quantity, Ratio, Slope, Speed, Stress, Torque
 
 
@@ -94,6 +94,21 @@ class BuiltShaft:
         return min(self.sections, key=lambda section: section.fatigue_safety)
 
 
+class Running(NamedTuple):
+    """What a bearing bears beside its life and its static load."""
+
+    lightest_load: float
+    """Least P of all cases in which it turns [N]; 0 where none does."""
+    least_load: float
+    """What it must bear so as not to skid [N]."""
+    highest_speed: float
+    """Of all cases [rad/s]."""
+    reference_speed: float
+    """n_θr [rad/s]."""
+    speed_factor: float
+    """n d_m at the highest speed [mm/min]."""
+
+
 @dataclass(frozen=True)
 class BearingSizing:
     """One bearing in its seat."""
@@ -123,6 +138,40 @@ class BearingSizing:
     """At the largest load [-]; ∞ where no case loads the bearing."""
     wanted_static_safety: Ratio
     """[-]"""
+    judged_life: Life = 0.0
+    """The life that is asked of it, basic or modified [s]."""
+    modified_life: Annotated[float | None, Quantity("life"), Origin("L_nmh = a_1 a_ISO L_10h", "ISO 281:2007, 9.3")] = (
+        None
+    )
+    """With its oil [s]; None where nothing loads it, or the standard gives none."""
+    life_factor: Annotated[float | None, Quantity("ratio"), Origin("a_1 a_ISO", "ISO 281:2007, 9.3")] = None
+    """Modified over basic life [-]."""
+    viscosity_ratio: Annotated[float | None, Quantity("ratio"), Origin("κ = ν/ν_1", "ISO 281:2007, 9.3")] = None
+    """Least of all cases [-]."""
+    contamination: Annotated[float | None, Quantity("ratio"), Origin("e_C", "ISO 281:2007, table 13 or A.4")] = None
+    """[-]"""
+    lightest_load: Annotated[float, Quantity("force"), Origin("P = X F_r + Y F_a, least case", "ISO 281:2007")] = 0.0
+    """[N]"""
+    least_load: Annotated[float, Quantity("force"), Origin("0.01 C, rollers 0.02 C", "SKF, minimum load")] = 0.0
+    """Below which rolling elements may skid [N]."""
+    highest_speed: Speed = 0.0
+    """Of all cases [rad/s]."""
+    reference_speed: Annotated[float, Quantity("speed"), Origin("heat of friction = q_r A_r", "ISO 15312:2003")] = 0.0
+    """Thermal reference speed n_θr [rad/s]."""
+    speed_factor: Annotated[float, Quantity("number"), Origin("n d_m", "makers' catalogues")] = 0.0
+    """[mm/min]"""
+
+    @property
+    def oiled(self) -> ModifiedLife | None:
+        """Its life with its oil; None where nothing loads it, or the standard gives none."""
+        known = (self.modified_life, self.life_factor, self.viscosity_ratio, self.contamination)
+        return None if None in known else ModifiedLife(*(value or 0.0 for value in known))
+
+    @property
+    def running(self) -> Running:
+        """What it bears at least, and its speeds."""
+        loads = (self.lightest_load, self.least_load)
+        return Running(*loads, self.highest_speed, self.reference_speed, self.speed_factor)
 
     @property
     def designation(self) -> str:

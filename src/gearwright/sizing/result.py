@@ -189,7 +189,7 @@ class Sizing(Shown):
     ) -> Annotated[float | None, Quantity("life"), Origin("Σ (L/L_i)^e_i = 1", "Weibull's product")]:
         """Life that 90 % reach with no bearing failed [s]; None where no bearings are sized."""
         slopes = [weibull_slope(bearing.bearing.kind) for bearing in self.bearings]
-        return system_life([bearing.life for bearing in self.bearings], slopes) if self.bearings else None
+        return system_life([bearing.judged_life for bearing in self.bearings], slopes) if self.bearings else None
 
     @property
     def mass(self) -> Mass:

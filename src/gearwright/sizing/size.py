@@ -12,6 +12,7 @@ from gearwright.sizing.answers import locking_checks, refuse_no_numbers
 from gearwright.sizing.arrangement import arrange
 from gearwright.sizing.bearings import named_room, planet_lives
 from gearwright.sizing.limits import refuse_beyond
+from gearwright.sizing.losses import dipping
 from gearwright.sizing.machines import machine_checks, size_machines
 from gearwright.sizing.rating import context_of, demands_of
 from gearwright.sizing.result import Sizing
@@ -110,4 +111,5 @@ def _sized(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, 
         given=given,
         search=choice.search,
     )
+    dipping(sizing, design.losses.dip, "losses.dip")
     return refuse_no_numbers(sizing)

@@ -14,6 +14,7 @@ from gearwright.reading import beside
 from gearwright.shipped import find_mission
 from gearwright.showing import Shown
 from gearwright.spec.checks import STEEL_KEYS
+from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageName
 from gearwright.spec.read import file_text, placed, toml_tables
 from gearwright.spec.record import Record, build
 from gearwright.spec.windows import GovernorRules, WindowRules, window_problems
@@ -110,13 +111,22 @@ class OilRules(Record):
 
     inlet_temperature_k: float = Field(353.15, ge=233, le=450, description="Of the oil into the gearbox")
     rise_k: float = Field(25.0, gt=0, le=150, description="Of its temperature at the greatest heat: sets the flow")
-    roughness: Length = Field(0.4e-6, ge=1e-8, le=1e-4, description="R_a of the flanks")
-    friction: Literal["schlenk", "niemann-winter"] = Field(
-        "schlenk", description="Mean friction of the teeth: Schlenk, or Niemann and Winter"
+    roughness: Length | None = Field(
+        None, ge=1e-8, le=1e-4, description="R_a of the flanks; left out: that of the design's [losses]"
     )
+    friction: FrictionName | None = Field(
+        None,
+        description="Friction of the teeth: Schlenk, Niemann and Winter, ISO/TR 14179-1, or Anderson and Loewenthal;"
+        " left out: that of the design's [losses]",
+    )
+    bearings: TorqueName | None = Field(
+        None, description="Friction of bearings; left out: that of the design's [losses]"
+    )
+    windage: WindageName | None = Field(None, description="Windage of gears; left out: that of the design's [losses]")
+    seals: SealName | None = Field(None, description="Friction of seals; left out: that of the design's [losses]")
     dip: dict[str, Ratio] = Field(
         default_factory=dict,
-        description="Gear -> part of it that dips into an oil bath, 0 to 1: it churns; left out: a dry sump",
+        description="Gear -> part of it that dips into an oil bath, 0 to 1: it churns; left out: as in the design",
     )
 
 

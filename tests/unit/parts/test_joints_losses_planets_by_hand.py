@@ -181,9 +181,13 @@ def test_tooth_loss_is_ohlendorfs(teeth, shift):
     )
     r_1, r_2 = (m * z / (2.0 * math.cos(beta)) for z in teeth)
     curvature = math.sin(alpha_t) / math.cos(beta_b) / (1.0 / r_1 + 1.0 / r_2)
+    pitch = PI * m * math.cos(alpha_t) / math.cos(beta)
     assert made == ToothContact(
-        near(factor), near(curvature), near(alpha_t), near(beta_b), near(2.0 * min(abs(r_1), abs(r_2)))
-    )
+        near(factor), near(curvature), near(alpha_t), near(beta_b), near(2.0 * min(abs(r_1), abs(r_2))),
+        radii=(near(r_1), near(r_2)), path=(near(ratios[1] * pitch), near(ratios[0] * pitch)),
+        base_pitch=near(pitch), helix=beta,
+    )  # fmt: skip
+    assert made.closing == near(abs(1.0 / r_1 + 1.0 / r_2))
     spur = tooth_contact(teeth, m, pressure_angle=alpha)
     assert (spur.base_helix, spur.pressure_angle) == (0.0, near(alpha))
     assert tip_contact_ratio(20.0, 0.01, 0.02, 0.3) == near(-20.0 / (2.0 * PI) * math.tan(0.3))

@@ -25,7 +25,7 @@ def shifted(shift: float) -> Sizing:
 def test_losses_in_flight_know_the_shift(shift, factor):
     """H_V of 18/54 by hand: see the validation of losses."""
     box = gearbox_of(shifted(shift), "propeller", Oil(353.15, 4e-7, {}))
-    assert box.contacts[0].loss_factor == pytest.approx(factor, abs=5e-5)
+    assert box.teeth.contacts[0].loss_factor == pytest.approx(factor, abs=5e-5)
 
 
 def test_stiffness_and_contact_ratio_of_the_dynamics_know_the_shift():

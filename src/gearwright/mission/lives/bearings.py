@@ -14,6 +14,7 @@ from gearwright.catalogue import (
     Bearing,
     BearingDuty,
     BearingSpectrum,
+    ModifiedLife,
     check_bearing,
     fitting_bearings,
 )
@@ -30,7 +31,7 @@ from gearwright.parts.bearings import (
     taper_factors,
 )
 from gearwright.sizing.arrangement import axial_forces
-from gearwright.sizing.bearings import Seat, as_made, bearing_seats, seat_forces
+from gearwright.sizing.bearings import Fitted, Seat, bearing_seats, fitted_in, oiled_life, seat_forces
 from gearwright.spec import BearingLifeRules
 from gearwright.spec.checks import KINDS
 from gearwright.units import Force, Mass, Ratio, Speed
@@ -90,6 +91,8 @@ class BearingDamage:
     """Flight hours for which it was chosen; None where the design names it [h]."""
     asked_static_safety: Ratio | None = None
     """Static safety for which it was chosen; None where the design names it [-]."""
+    life_factor: Ratio | None = None
+    """a_1 a_ISO over the flight, where the design asks for the modified life [-]."""
 
     @property
     def falls_short(self) -> bool:
@@ -145,7 +148,7 @@ def bearing_lives(flight: Flight) -> BearingLives:
     rows, notes, problems = [], [], []
     idle, opened, failed = [], [], []
     for seat, duty in seat_duties(flight):
-        named = _named(flight, seat)
+        named = fitted_in(flight.sizing, seat)
         if float(np.hypot(duty.radial, duty.axial).max()) < _LEAST_LOAD:
             idle.append(seat.name)
         elif named is None and flight.mission.bearings is None:
@@ -233,26 +236,10 @@ def _taper_factors(flight: Flight, names: Iterable[str]) -> dict[str, LoadFactor
     }
 
 
-class _Named(NamedTuple):
-    """A bearing that the design gives."""
-
-    bearing: Bearing
-    side_by_side: int
-
-
-def _named(flight: Flight, seat: Seat) -> _Named | None:
-    """Return the bearing that sizing took for a seat of the design, or that a planet names; None if it is open."""
-    if seat.given is not None:
-        return _Named(next(sized.bearing for sized in flight.sizing.bearings if sized.name == seat.name), 1)
-    if seat.fitted is None:
-        return None
-    return _Named(as_made(seat.fitted), seat.side_by_side)
-
-
-def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: _Named | None) -> BearingDamage:
+def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: Fitted | None) -> BearingDamage:
     rules = flight.mission.bearings
     if named is None:
-        return _chosen(seat, duty, cast(BearingLifeRules, rules))
+        return _chosen(flight, seat, duty, cast(BearingLifeRules, rules))
     chosen, fits = named.bearing, seat.given is not None
     if not fits and not (chosen.bore >= seat.bore - 1e-9 and chosen.outer_diameter <= seat.room + 1e-9):
         message = (
@@ -262,10 +249,10 @@ def _known(flight: Flight, seat: Seat, duty: SeatDuty, named: _Named | None) -> 
         )
         raise DesignError([Problem("designation", message)])
     reliability = rules.reliability if rules else USUAL_RELIABILITY
-    return _lived(seat, duty, chosen, side_by_side=named.side_by_side, reliability=reliability)
+    return _lived(flight, seat, duty, Fitted(chosen, named.side_by_side), reliability=reliability)
 
 
-def _chosen(seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
+def _chosen(flight: Flight, seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamage:
     """Take the lightest bearing that bears the spectrum, or what comes nearest under the mean of its loads."""
     kind = BearingKind(KINDS[rules.thrust_kind if duty.axial.any() else rules.kind])
     share = pair_factor(kind, rules.side_by_side)
@@ -280,14 +267,19 @@ def _chosen(seat: Seat, duty: SeatDuty, rules: BearingLifeRules) -> BearingDamag
     )
     sizes = fitting_bearings(kind, asked, bore=seat.bore, largest_outer=seat.room)
     near = (size.bearing for size in sizes if min(size.life_margin, size.static_margin) >= _NEAR)
-    able = (row for fitted in near if not (row := _asked_of(seat, duty, fitted, rules)).falls_short)
+    able = (
+        row
+        for fitted in near
+        if not (row := _asked_of(flight, seat, duty, Fitted(fitted, rules.side_by_side))).falls_short
+    )
     nearest = max(sizes, key=lambda size: min(size.life_margin, size.static_margin)).bearing
-    return next(able, None) or _asked_of(seat, duty, nearest, rules)
+    return next(able, None) or _asked_of(flight, seat, duty, Fitted(nearest, rules.side_by_side))
 
 
-def _asked_of(seat: Seat, duty: SeatDuty, fitted: Bearing, rules: BearingLifeRules) -> BearingDamage:
+def _asked_of(flight: Flight, seat: Seat, duty: SeatDuty, fitted: Fitted) -> BearingDamage:
     """Return the damage of a bearing with what the mission asks of it."""
-    lived = _lived(seat, duty, fitted, side_by_side=rules.side_by_side, reliability=rules.reliability)
+    rules = cast(BearingLifeRules, flight.mission.bearings)
+    lived = _lived(flight, seat, duty, fitted, reliability=rules.reliability)
     return replace(lived, asked=rules.life / 3600.0, asked_static_safety=rules.static_safety)
 
 
@@ -305,28 +297,45 @@ def _steady(duty: SeatDuty, kind: BearingKind) -> tuple[float, float, float]:
     return radial, axial, float(turns.sum() / duty.time.sum())
 
 
-def _lived(seat: Seat, duty: SeatDuty, fitted: Bearing, *, side_by_side: int, reliability: float) -> BearingDamage:
+def _lived(flight: Flight, seat: Seat, duty: SeatDuty, fitted: Fitted, *, reliability: float) -> BearingDamage:
     """Return the damage of a bearing, for bearings side by side and a reliability."""
+    flown, taken = float(duty.time.sum()), fitted.bearing
+    spectrum = _spectrum(duty, fitted)
+    check, oiled = check_bearing(taken, spectrum), _oiled(flight, seat, fitted, spectrum, reliability)
+    return BearingDamage(
+        seat=seat.name,
+        bearing=taken,
+        count=seat.count * fitted.side_by_side,
+        mean_load=pair_factor(taken.kind, fitted.side_by_side) * check.equivalent_load,
+        mean_speed=spectrum.mean_speed,
+        static_safety=check.static_safety,
+        damage=flown / (oiled.life if oiled else check.life * reliability_factor(reliability)),
+        hours=flown / 3600.0,
+        asked=None,
+        life_factor=oiled.factor if oiled else None,
+    )
+
+
+def _spectrum(duty: SeatDuty, fitted: Fitted) -> BearingSpectrum:
     flown = float(duty.time.sum())
-    share = pair_factor(fitted.kind, side_by_side)
-    spectrum = BearingSpectrum(
+    return BearingSpectrum(
         radial=tuple(duty.radial.tolist()),
         axial=tuple(duty.axial.tolist()),
         speed=tuple(duty.speed.tolist()),
         share=tuple((duty.time / flown).tolist()),
         life=flown,
-        mean_factor=1.0 / share,
-        limit_factor=1.0 / side_by_side,
+        mean_factor=1.0 / pair_factor(fitted.bearing.kind, fitted.side_by_side),
+        limit_factor=1.0 / fitted.side_by_side,
     )
-    check = check_bearing(fitted, spectrum)
-    return BearingDamage(
-        seat=seat.name,
-        bearing=fitted,
-        count=seat.count * side_by_side,
-        mean_load=share * check.equivalent_load,
-        mean_speed=spectrum.mean_speed,
-        static_safety=check.static_safety,
-        damage=flown / (check.life * reliability_factor(reliability)),
-        hours=flown / 3600.0,
-        asked=None,
-    )
+
+
+def _oiled(
+    flight: Flight, seat: Seat, fitted: Fitted, spectrum: BearingSpectrum, reliability: float
+) -> ModifiedLife | None:
+    """Return the modified life over a flight, where the design asks for it; None where nothing loads the bearing."""
+    design = flight.sizing.design
+    if design.bearing_rules.life == "basic":
+        return None
+    rules = design.bearing_rules.model_copy(update={"reliability": reliability})
+    asked = design.model_copy(update={"bearing_rules": rules})
+    return oiled_life(asked, fitted.bearing, spectrum, path=seat.path or seat.name)

@@ -60,10 +60,10 @@ def _bearing(flight: Flight, row: BearingDamage) -> Iterator[Check]:
     static = service.static_safety if sized is None else sized.wanted_static_safety
     life = life if row.asked is None else row.asked * HOUR
     static = static if row.asked_static_safety is None else row.asked_static_safety
-    part, place, exponent = PartId(Kind.BEARING, row.seat), row.bearing.designation, life_exponent(row.bearing.kind)
+    part, place, oiled = PartId(Kind.BEARING, row.seat), row.bearing.designation, row.life_factor is not None
     yield Check(
         part, "bearing life", "ISO 281:2007, Miner", row.life * HOUR, life, "life",
-        exponent=exponent, symbol="L_10h", place=place,
+        exponent=None if oiled else life_exponent(row.bearing.kind), symbol="L_nmh" if oiled else "L_10h", place=place,
     )  # fmt: skip
     yield Check(part, "bearing static safety", "ISO 76:2006", row.static_safety, static, symbol="s_0", place=place)
 

@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from gearwright.arrays import Floats
 from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.flight import Flight
-from gearwright.mission.gearbox import Gearbox, Oil, Point, drag, efficiencies, gearbox_of, operate
+from gearwright.mission.gearbox import Gearbox, Point, drag, efficiencies, gearbox_of, operate
 from gearwright.mission.history import History
+from gearwright.mission.oil import flown_oil
 from gearwright.mission.supply import Supply, supply_of
 from gearwright.spec import Phase, WindowRules
 
@@ -78,8 +79,7 @@ def background(flight: Flight, rules: WindowRules) -> Background:
         rules: Where the window lies.
     """
     phase, at, duration, over = rules.phase, rules.at, rules.duration, rules.over
-    oil_rules = flight.mission.oil
-    oil = Oil(oil_rules.inlet_temperature_k, oil_rules.roughness, oil_rules.dip)
+    oil = flown_oil(flight.sizing, flight.mission)
     gearbox = gearbox_of(flight.sizing, flown_airscrew(flight.sizing), oil)
     supply = supply_of(flight.sizing, flight.mission)
     history, in_phase = flight.history, np.flatnonzero(np.array(flight.phase) == phase)

@@ -54,6 +54,7 @@ from gearwright.parts.bearings.rating import (
     static_rating,
 )
 from gearwright.parts.bearings.rolling_bearing import BearingGeometry, BearingKind
+from gearwright.parts.bearings.speed import least_load, speed_factor, thermal_reference_speed
 
 __all__ = [
     "DEEP_GROOVE_STATIC",
@@ -80,6 +81,7 @@ __all__ = [
     "ellipse_ratio",
     "equivalent_load",
     "fatigue_load_limit",
+    "least_load",
     "life_exponent",
     "life_modification",
     "life_time",
@@ -91,6 +93,7 @@ __all__ = [
     "reference_viscosity",
     "reliability_factor",
     "roller_dynamic_factor",
+    "speed_factor",
     "static_equivalent_load",
     "static_rating",
     "static_safety",
@@ -98,5 +101,6 @@ __all__ = [
     "taper_factors",
     "taper_pair_thrusts",
     "taper_static_factors",
+    "thermal_reference_speed",
     "weibull_slope",
 ]

@@ -27,6 +27,19 @@ class ToothContact(NamedTuple):
     """β_b [rad]."""
     pinion_diameter: float
     """Reference diameter of the smaller gear d_1 [m]."""
+    radii: tuple[float, float] = (math.inf, math.inf)
+    """Working pitch radii r_w1 and r_w2, the latter negative for an internal gear [m]."""
+    path: tuple[float, float] = (0.0, 0.0)
+    """Path of contact before and after the pitch point [m]."""
+    base_pitch: float = math.inf
+    """Transverse base pitch p_bt [m]."""
+    helix: float = 0.0
+    """β [rad]."""
+
+    @property
+    def closing(self) -> float:
+        """How much faster than the pitch line the flanks part for every metre from the pitch point [1/m]."""
+        return abs(1.0 / self.radii[0] + 1.0 / self.radii[1])
 
 
 class Friction(Enum):
@@ -141,8 +154,18 @@ def tooth_contact(
     base = base_helix_angle(pressure_angle, helix_angle)
     stretch = 1.0 if working_angle is None else math.cos(reference) / math.cos(angle)
     curvature = stretch * radii[0] * radii[1] / (radii[0] + radii[1]) * math.sin(angle) / math.cos(base)
-    factor = tooth_loss_factor(teeth, base, approach=ratios[1], recess=ratios[0])
-    return ToothContact(factor, curvature, angle, base, 2.0 * min(abs(radius) for radius in radii))
+    pitch = math.pi * module * math.cos(reference) / math.cos(helix_angle)
+    return ToothContact(
+        loss_factor=tooth_loss_factor(teeth, base, approach=ratios[1], recess=ratios[0]),
+        curvature=curvature,
+        pressure_angle=angle,
+        base_helix=base,
+        pinion_diameter=2.0 * min(abs(radius) for radius in radii),
+        radii=(stretch * radii[0], stretch * radii[1]),
+        path=(ratios[1] * pitch, ratios[0] * pitch),
+        base_pitch=pitch,
+        helix=helix_angle,
+    )
 
 
 def mesh_friction(

@@ -32,6 +32,28 @@ def windage_power(radius: float, face_width: float, speed: float, *, viscosity: 
     return 1e3 * 2.82e-7 * (1.0 + 2.3 * face_width / radius) * math.pow(turns, 2.8) * math.pow(radius, 4.6) * mist
 
 
+def windage_power_dawson(
+    diameter: float, face_width: float, speed: float, *, module: float, enclosure: float = 1.0
+) -> float:
+    """Return the windage of one gear in air [W].
+
+    Args:
+        diameter: Root diameter D [m].
+        face_width: F [m].
+        speed: [rad/s].
+        module: M [m].
+        enclosure: λ, 1 in the open, about 0.6 to 0.7 in a housing [-].
+
+    Source: Dawson (1984): n^2.9 (0.16 D^3.9 + D^2.9 F^0.75 M^1.15) Φ λ 1e-20 kW with n in 1/min, lengths in mm, Φ = 1
+        for air without oil.
+
+    Valid for: large spur gears in air; oil mist is denser.
+    """
+    turns, wide, broad, teeth = abs(speed) * 30.0 / math.pi, 1e3 * diameter, 1e3 * face_width, 1e3 * module
+    surfaces = 0.16 * wide**3.9 + wide**2.9 * broad**0.75 * teeth**1.15
+    return float(1e3 * 1e-20 * enclosure * turns**2.9 * surfaces)
+
+
 def churning_power(
     diameter: float, face_width: float, speed: float, *, viscosity: float, dip: float, module: float,
     helix_angle: float = 0.0,

@@ -12,6 +12,7 @@ from gearwright.render.tables.sizing.overview import shaft_by_shaft
 from gearwright.sizing import AskedSpeed, MassPart, Passing, Sizing, asked_speeds, mass_parts, passing
 from gearwright.sizing.arrangement.envelope import Envelope, envelope
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
+from gearwright.sizing.losses import Loss, loss_balance
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
 from gearwright.sizing.result import GearSizing, MachineSizing
@@ -56,6 +57,8 @@ class SizeAnswer:
     """Load case -> every part on every shaft."""
     efficiencies: tuple[Passing, ...]
     """Of the gearbox and its epicyclic sets, forwards and backwards in every case; what is self-locking, by name."""
+    losses: tuple[Loss, ...]
+    """Of every mesh, bearing, gear and seal in every case, by the formulas of [losses]."""
     margins: tuple[Judged, ...]
     """Every check, the worst first."""
     asked_speeds: tuple[AskedSpeed, ...]
@@ -97,6 +100,7 @@ def size_answer(sizing: Sizing) -> SizeAnswer:
         teeth=sizing.teeth,
         cases={case: tuple(shaft_by_shaft(sizing, case)) for case in sizing.flows},
         efficiencies=passing(sizing),
+        losses=tuple(loss for case in sizing.flows for loss in loss_balance(sizing, case).losses),
         margins=judged(sizing.checks),
         asked_speeds=asked_speeds(sizing),
         gears=sizing.gears,

@@ -116,8 +116,9 @@ def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
     loaded = ("shafts", "shaft_sizes", "bearings", "carriers", "machines")
     yield _chapter("Shafts, carriers and machines", tables, *loaded, figures=bent)
     if sizing.built_shafts:
-        built = ("bearing_sizes", "joints", "steps", "strength", "stiffness")
+        built = ("bearing_sizes", "bearing_oil", "joints", "steps", "strength", "stiffness")
         yield _chapter("Shafts as built, bearings and joints", tables, *built)
+    yield _chapter("Losses", tables, "losses", "loss_parts")
     yield _chapter("Materials", tables, "materials")
     yield _chapter("Mass and envelope", tables, "mass", "envelope", figures=(mass,))
 

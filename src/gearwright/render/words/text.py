@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 _ORDER = (
     "passing",
+    "losses",
     "margins",
     "speeds",
     "gears",
@@ -37,6 +38,7 @@ _ORDER = (
     "strength",
     "stiffness",
     "bearing_sizes",
+    "bearing_oil",
     "joints",
     "carriers",
     "machines",

@@ -5,21 +5,31 @@ The catalogue is `catalogue`'s.
 
 from gearwright.sizing.bearings.bearing_seats import bearing_seats
 from gearwright.sizing.bearings.choice import Seating, bearing_sizings, seating
+from gearwright.sizing.bearings.fitted import Fitted, fitted_in
 from gearwright.sizing.bearings.planet_bodies import as_made, planet_bodies
 from gearwright.sizing.bearings.planet_lives import planet_lives
 from gearwright.sizing.bearings.planet_room import named_room, planet_room
+from gearwright.sizing.bearings.run_checks import life_check, limit_checks
+from gearwright.sizing.bearings.running import oil_of, oiled_life, running_of
 from gearwright.sizing.bearings.seat import Seat, seat_forces
 
 __all__ = [
+    "Fitted",
     "Seat",
     "Seating",
     "as_made",
     "bearing_seats",
     "bearing_sizings",
+    "fitted_in",
+    "life_check",
+    "limit_checks",
     "named_room",
+    "oil_of",
+    "oiled_life",
     "planet_bodies",
     "planet_lives",
     "planet_room",
+    "running_of",
     "seat_forces",
     "seating",
 ]

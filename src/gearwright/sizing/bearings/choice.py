@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -23,9 +23,11 @@ from gearwright.errors import DesignError, Problem
 from gearwright.parts.bearings import LoadFactors, taper_factors
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearings.duty import duty_of
+from gearwright.sizing.bearings.running import oiled_life, running_of
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.mounted import BearingSizing
 from gearwright.sizing.rating import Context
+from gearwright.spec import Design
 from gearwright.spec.checks import APART, KINDS
 from gearwright.spec.design import BearingSeat
 
@@ -48,6 +50,8 @@ class Seating:
     """Bearing -> what it bears."""
     sizes: Mapping[str, tuple[Bearing, ...]]
     """Bearing -> the sizes that may be taken, in order of preference."""
+    design: Design
+    """With its oil, and the life that it asks."""
     rated: dict[tuple[str, str], BearingCheck] = field(default_factory=dict)
     """Bearing and size -> how it bears its duty, as far as that was asked."""
 
@@ -60,8 +64,15 @@ class Seating:
         """
         key = (name, size.designation)
         if key not in self.rated:
-            self.rated[key] = check_bearing(size, self.duties[name])
+            plain = check_bearing(size, self.duties[name])
+            self.rated[key] = self._oiled(name, plain) if self.design.bearing_rules.life == "modified" else plain
         return self.rated[key]
+
+    def _oiled(self, name: str, plain: BearingCheck) -> BearingCheck:
+        """Return a check by the modified life, where there is one."""
+        duty = self.duties[name]
+        oiled = oiled_life(self.design, plain.bearing, duty, path=f"bearings.{name}")
+        return plain if oiled is None else replace(plain, life=oiled.life, life_margin=oiled.life / duty.life)
 
     def choose(self, name: str, smallest: float, largest: float) -> Bearing:
         """Return the first size that bears its duty around a shaft, or the one that the user gives.
@@ -114,7 +125,7 @@ def seating(context: Context, shaft: str, forces: ShaftForces, chosen: Mapping[s
     speeds = [flow.speeds[shaft] for flow in context.flows.values()]
     duties = {name: duty_of(context, radial[name], axial[name], speeds, life=seat.life) for name, seat in seats.items()}
     sizes = {name: _sizes(name, seat, slim=slim) for name, seat in seats.items()}
-    return Seating(seats, radial, axial, duties, sizes)
+    return Seating(seats, radial, axial, duties, sizes, context.design)
 
 
 def _sizes(name: str, seat: BearingSeat, *, slim: bool) -> tuple[Bearing, ...]:
@@ -183,6 +194,7 @@ def _sizing(name: str, seated: Seating, taken: Bearing, shaft: str, cases: tuple
     duty, check = seated.duties[name], seated.check(name, taken)
     statics = [equivalent_loads(taken, *loads)[1] for loads in zip(duty.radial, duty.axial, strict=True)]
     worst = int(np.argmax(statics))
+    oiled = oiled_life(seated.design, taken, duty, path=f"bearings.{name}")
     return BearingSizing(
         name=name,
         shaft=shaft,
@@ -192,8 +204,14 @@ def _sizing(name: str, seated: Seating, taken: Bearing, shaft: str, cases: tuple
         radial=duty.radial[worst],
         axial=duty.axial[worst],
         equivalent_load=check.equivalent_load,
-        life=check.life,
+        life=check_bearing(taken, duty).life,
         wanted_life=duty.life,
         static_safety=check.static_safety,
         wanted_static_safety=duty.static_safety,
+        judged_life=check.life,
+        modified_life=oiled.life if oiled else None,
+        life_factor=oiled.factor if oiled else None,
+        viscosity_ratio=oiled.viscosity_ratio if oiled else None,
+        contamination=oiled.contamination if oiled else None,
+        **running_of(taken, duty)._asdict(),
     )

@@ -8,10 +8,12 @@ import numpy as np
 
 from gearwright.catalogue import Bearing, check_bearing
 from gearwright.checks import Check
-from gearwright.parts.bearings import life_exponent, pair_factor
+from gearwright.parts.bearings import pair_factor
 from gearwright.sizing.bearings.duty import duty_of
 from gearwright.sizing.bearings.planet_bodies import as_made
 from gearwright.sizing.bearings.planet_seats import planet_seats
+from gearwright.sizing.bearings.run_checks import life_check, limit_checks
+from gearwright.sizing.bearings.running import oiled_life, running_of
 from gearwright.sizing.bearings.seat import Seat, seat_forces
 from gearwright.sizing.bearings.unit_loads import unit_loads
 from gearwright.sizing.carrying import CarrierSizing
@@ -49,15 +51,15 @@ def _checks(context: Context, seat: Seat) -> Iterator[Check]:
     speeds = [abs(flow.speeds[seat.nodes[0]] - flow.speeds[seat.nodes[1]]) for flow in flows]
     duty = duty_of(context, radial / pair_factor(fitted.kind, seat.side_by_side), axial, speeds)
     check, place = check_bearing(fitted, duty), fitted.designation
+    oiled = oiled_life(context.design, fitted, duty, path=seat.path)
     static = check.static_safety * seat.side_by_side / pair_factor(fitted.kind, seat.side_by_side)
-    yield Check(
-        seat.part, "life", "ISO 281:2007", check.life, duty.life, "life",
-        exponent=life_exponent(fitted.kind), symbol="L_10h", place=place,
-    )  # fmt: skip
+    yield life_check(seat.part, fitted, check.life, oiled, duty.life, context.design)
     yield Check(
         seat.part, "static safety", "ISO 76:2006", static, duty.static_safety,
         symbol="s_0", place=place, case=tuple(context.flows)[int(np.argmax(radial))],
     )  # fmt: skip
+    if context.design.bearing_rules.limits:
+        yield from limit_checks(seat.part, fitted, running_of(fitted, duty), context.design)
     yield from _room(seat, fitted)
 
 

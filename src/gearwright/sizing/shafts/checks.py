@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from gearwright.checks import Check, stressed
 from gearwright.identity import Kind, PartId
-from gearwright.parts.bearings import life_exponent
+from gearwright.sizing.bearings import life_check, limit_checks
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
 from gearwright.sizing.shafts.bending import BEARING_SLOPES, GEAR_SLOPE
@@ -52,7 +52,7 @@ def built_checks(built: Built, design: Design) -> Iterator[Check]:
     yield from _strength(built.shaft, design)
     yield from _stiffness(built.shaft, design)
     for bearing in built.bearings:
-        yield from _bearing(bearing)
+        yield from _bearing(bearing, design)
     for joint in built.joints:
         yield from _joint(joint)
     yield from built.fits
@@ -92,16 +92,15 @@ def _slope_limit(place: str, design: Design) -> float | None:
     return BEARING_SLOPES.get(design.bearings[place].kind) if place in design.bearings else GEAR_SLOPE
 
 
-def _bearing(bearing: BearingSizing) -> Iterator[Check]:
-    part, place, exponent = PartId(Kind.BEARING, bearing.name), bearing.designation, life_exponent(bearing.bearing.kind)
-    yield Check(
-        part, "life", "ISO 281:2007", bearing.life, bearing.wanted_life, "life",
-        exponent=exponent, symbol="L_10h", place=place,
-    )  # fmt: skip
+def _bearing(bearing: BearingSizing, design: Design) -> Iterator[Check]:
+    part, place, taken = PartId(Kind.BEARING, bearing.name), bearing.designation, bearing.bearing
+    yield life_check(part, taken, bearing.life, bearing.oiled, bearing.wanted_life, design)
     yield Check(
         part, "static safety", "ISO 76:2006", bearing.static_safety, bearing.wanted_static_safety,
         symbol="s_0", place=place, case=bearing.case,
     )  # fmt: skip
+    if design.bearing_rules.limits:
+        yield from limit_checks(part, taken, bearing.running, design)
 
 
 def _joint(joint: JointSizing) -> Iterator[Check]:

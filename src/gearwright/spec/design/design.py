@@ -32,7 +32,17 @@ from gearwright.spec.design.duty import (
 )
 from gearwright.spec.design.epicyclics import Epicyclic
 from gearwright.spec.design.mounting import BearingSeat, Joint
-from gearwright.spec.design.rules import DynamicsRules, GearRules, MaterialRules, PartErrors, TeethRules, method_of
+from gearwright.spec.design.rules import (
+    BearingRules,
+    DynamicsRules,
+    GearRules,
+    LossRules,
+    MaterialRules,
+    OilOfDesign,
+    PartErrors,
+    TeethRules,
+    method_of,
+)
 from gearwright.spec.design.shafts import CarrierRules, ShaftLayout, ShaftRules, Support
 from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary
 from gearwright.spec.record import Record
@@ -95,7 +105,10 @@ class Design(Shown, Record):
     dynamics: DynamicsRules = Field(default_factory=DynamicsRules, description="Assumptions of the dynamic model")
     service: Service = Field(default_factory=Service, description="The life that is asked, and the loads in it")
     bearings: dict[str, BearingSeat] = Field(default_factory=dict, description="Bearings of shafts by name")
+    bearing_rules: BearingRules = Field(default_factory=BearingRules, description="How rolling bearings are judged")
     joints: dict[str, Joint] = Field(default_factory=dict, description="Shaft-hub joints by gear or machine")
+    oil: OilOfDesign = Field(default_factory=OilOfDesign, description="The oil at bearings and teeth")
+    losses: LossRules = Field(default_factory=LossRules, description="By whose formulas power is lost")
     speeds: SpeedRules = Field(default_factory=SpeedRules, description="Which machines' speeds are kept, met exactly")
     cases: dict[str, Case] = Field(
         default_factory=dict,

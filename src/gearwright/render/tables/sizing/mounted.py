@@ -16,8 +16,12 @@ _STRENGTH = (
 )
 _STIFFNESS = "Largest of all cases. Critical speed with the gears as discs, in rigid bearings, without rotors."
 _BEARINGS = (
-    "Forces of the case with the largest static load; P is the mean over the service. Basic rating life without a_ISO."
+    "Forces of the case with the largest static load; P is the mean over the service. Basic rating life, without a_ISO."
     " Ratings of the assumed inside of a standard size, unless the design gives the maker's."
+)
+_OILED = (
+    "With the oil of [oil]: κ = ν/ν_1 and e_C are the least of all cases. P of the lightest case against what keeps"
+    " rolling elements from skidding, speeds against n_θr by ISO 15312: checked where bearing_rules.limits asks for it."
 )
 _JOINTS = "Torque of the heaviest case with the application factor."
 _STRENGTH_FIELDS = (
@@ -27,6 +31,10 @@ _STRENGTH_FIELDS = (
 _BEARING_FIELDS = (
     "name", "shaft", "designation", "inner_diameter", "outer_diameter", "width", "case", "radial", "axial",
     "equivalent_load", "dynamic_rating", "life", "static_safety", "mass",
+)  # fmt: skip
+_OILED_FIELDS = (
+    "name", "designation", "viscosity_ratio", "contamination", "life_factor", "modified_life", "lightest_load",
+    "least_load", "highest_speed", "reference_speed", "speed_factor",
 )  # fmt: skip
 _JOINT_FIELDS = (
     "part", "shaft", "kind", "designation", "torque", "diameter", "length", "pressure", "allowed_pressure",
@@ -81,6 +89,7 @@ def mounted_tables(sizing: Sizing) -> dict[str, Table]:
         "stiffness": table("Shafts: how they bend", bends,
                            ("shaft", "place", "slope", "deflection", "critical_speed"), note=_STIFFNESS),
         "bearing_sizes": table("Bearings", sizing.bearings, _BEARING_FIELDS, note=f"{_BEARINGS}{_system(sizing)}"),
+        "bearing_oil": table("Bearings: oil, least load, speeds", sizing.bearings, _OILED_FIELDS, note=_OILED),
         "joints": table("Shaft-hub joints", joined, _JOINT_FIELDS, note=_JOINTS),
     }  # fmt: skip
 

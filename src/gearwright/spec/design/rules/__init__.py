@@ -3,8 +3,10 @@
 What is rated stands in the design itself; what a method covers in `methods`.
 """
 
+from gearwright.spec.design.rules.bearings import BearingRules, OilOfDesign
 from gearwright.spec.design.rules.dynamics import DynamicsRules, MeshCurve, PlanetaryBearings
 from gearwright.spec.design.rules.gears import SUN_LIMITS, GearRules, TeethRules, ThicknessFit
+from gearwright.spec.design.rules.losses import FrictionName, LossRules, SealName, TorqueName, WindageName
 from gearwright.spec.design.rules.materials import LifeLineRules, MaterialRules
 from gearwright.spec.design.rules.methods import (
     CYLINDRICAL,
@@ -14,7 +16,7 @@ from gearwright.spec.design.rules.methods import (
     method_of,
     uncovered,
 )
-from gearwright.spec.design.rules.standards import Agma2001Rules, Agma2003Rules, Iso6336Rules
+from gearwright.spec.design.rules.standards import Agma2001Rules, Iso6336Rules
 from gearwright.spec.design.rules.tolerance import PartErrors
 
 __all__ = [
@@ -23,18 +25,24 @@ __all__ = [
     "RATINGS",
     "SUN_LIMITS",
     "Agma2001Rules",
-    "Agma2003Rules",
+    "BearingRules",
     "DynamicsRules",
+    "FrictionName",
     "GearRules",
     "Iso6336Rules",
     "LifeLineRules",
+    "LossRules",
     "MaterialRules",
     "MeshCurve",
+    "OilOfDesign",
     "PartErrors",
     "PlanetaryBearings",
     "RatingMethod",
+    "SealName",
     "TeethRules",
     "ThicknessFit",
+    "TorqueName",
+    "WindageName",
     "method_of",
     "uncovered",
 ]

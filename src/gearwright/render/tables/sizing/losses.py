@@ -1,0 +1,68 @@
+"""Where the power of every case goes, as tables: by origin, and part by part for the first case."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from gearwright.render.grid.table import Table, table
+from gearwright.sizing import Sizing
+from gearwright.sizing.losses import ORIGINS, LossBalance, loss_balance
+from gearwright.units import Origin, Power, Quantity
+
+_NOTE = (
+    "By the formulas of [losses], with the oil of [oil]; the torques of the case do not know them, but"
+    " gears.mesh_efficiency. Bearings of unknown size rub by a constant coefficient."
+)
+
+
+@dataclass(frozen=True)
+class LossesOfCase:
+    """What one case loses, by origin."""
+
+    case: str
+    power: Power
+    """Into the gearbox [W]."""
+    meshes: Power
+    """[W]"""
+    bearings: Power
+    """[W]"""
+    windage: Power
+    """[W]"""
+    churning: Power
+    """[W]"""
+    seals: Power
+    """[W]"""
+    lost: Power
+    """In all [W]."""
+    efficiency: Annotated[float, Quantity("ratio"), Origin("η = 1 − Σ P_V/P_in", "[losses] of the design")]
+    """[-]"""
+
+
+def losses_of_cases(sizing: Sizing) -> tuple[LossesOfCase, ...]:
+    """Return what every case loses, by origin.
+
+    Args:
+        sizing: As sized.
+    """
+    return tuple(_row(loss_balance(sizing, case)) for case in sizing.flows)
+
+
+def _row(balance: LossBalance) -> LossesOfCase:
+    parts = dict.fromkeys(ORIGINS, 0.0) | balance.by_origin()
+    return LossesOfCase(balance.case, balance.power, **parts, lost=balance.lost, efficiency=balance.efficiency)
+
+
+def loss_tables(sizing: Sizing) -> dict[str, Table]:
+    """Return the tables of losses by a short name.
+
+    Args:
+        sizing: As sized.
+    """
+    fields = ("case", "power", *ORIGINS, "lost", "efficiency")
+    each = ("origin", "part", "count", "power", "share", "method")
+    losses = loss_balance(sizing).losses
+    return {
+        "losses": table("Losses by origin", losses_of_cases(sizing), fields, note=_NOTE),
+        "loss_parts": table("Losses part by part", losses, each, note=f"Case {sizing.reference.case}."),
+    }

@@ -1,0 +1,29 @@
+"""Which bearing sits in a seat, as the design names it or sizing took it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from gearwright.catalogue import Bearing
+from gearwright.sizing.bearings.planet_bodies import as_made
+from gearwright.sizing.bearings.seat import Seat
+from gearwright.sizing.result import Sizing
+
+
+class Fitted(NamedTuple):
+    """A bearing in a seat."""
+
+    bearing: Bearing
+    side_by_side: int
+
+
+def fitted_in(sizing: Sizing, seat: Seat) -> Fitted | None:
+    """Return the bearing that sizing took for a seat of the design, or that a planet names; None if it is open.
+
+    Args:
+        sizing: As sized.
+        seat: One of its seats.
+    """
+    if seat.given is not None:
+        return Fitted(next(sized.bearing for sized in sizing.bearings if sized.name == seat.name), 1)
+    return None if seat.fitted is None else Fitted(as_made(seat.fitted), seat.side_by_side)

@@ -1,0 +1,130 @@
+"""Where the power of a case goes: a row for every mesh, bearing, gear and seal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Annotated, NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.errors import by_name
+from gearwright.sizing.bearings import bearing_seats
+from gearwright.sizing.losses.bodies import gear_losses, seal_losses
+from gearwright.sizing.losses.oil import Oil, oil_of_design
+from gearwright.sizing.losses.seats import bearing_losses
+from gearwright.sizing.losses.teeth import mesh_loss_parts, teeth_of
+from gearwright.sizing.result import Sizing
+from gearwright.spec import GROUND
+from gearwright.train import PowerFlow
+from gearwright.units import Number, Origin, Power, Quantity, Ratio
+from gearwright.verbs import verb
+
+ORIGINS = ("meshes", "bearings", "windage", "churning", "seals")
+"""Where power is lost, in the order of tables."""
+_SOURCE = "[losses] of the design"
+
+
+@dataclass(frozen=True)
+class Loss:
+    """What one part of the gearbox loses in a case."""
+
+    case: str
+    origin: str
+    """meshes, bearings, windage, churning or seals."""
+    part: str
+    count: Number
+    """Equal parts [-]."""
+    power: Annotated[float, Quantity("power"), Origin("P_V", _SOURCE)]
+    """Of all of them [W]."""
+    share: Annotated[float, Quantity("percent"), Origin("P_V/P_in", _SOURCE)]
+    """Of the power into the gearbox [-]."""
+    method: str
+    """Whose formula."""
+
+
+@dataclass(frozen=True)
+class LossBalance:
+    """Where the power of a case goes."""
+
+    case: str
+    power: Power
+    """Into the gearbox [W]."""
+    losses: tuple[Loss, ...]
+    """By origin, the largest of each first."""
+
+    @property
+    def lost(self) -> Power:
+        """By all parts [W]."""
+        return sum(loss.power for loss in self.losses)
+
+    @property
+    def efficiency(self) -> Annotated[Ratio, Origin("η = 1 − Σ P_V/P_in", _SOURCE)]:
+        """Power out over power in [-]; 1 where none goes in."""
+        return 1.0 - self.lost / self.power if self.power else 1.0
+
+    def by_origin(self) -> dict[str, float]:
+        """Return origin -> power that is lost there [W]."""
+        return {
+            origin: sum(loss.power for loss in self.losses if loss.origin == origin)
+            for origin in ORIGINS
+            if any(loss.origin == origin for loss in self.losses)
+        }
+
+
+@verb
+def loss_balance(sizing: Sizing, case: str | None = None) -> LossBalance:
+    """Return where the power of a case goes, by the formulas of the design's [losses] and with its [oil].
+
+    Args:
+        sizing: As sized.
+        case: One of its cases; left out: the one that speaks for the design.
+
+    Raises:
+        DesignError: There is no such case, or a gear dips that there is not.
+
+    Source: `mesh_loss_parts`, `bearing_losses`, `gear_losses`, `seal_losses`.
+    """
+    flow = sizing.reference if case is None else by_name(case, sizing.flows, "case")
+    given = sum(power for power in flow.machine_powers.values() if power > 0.0)
+    asked = _Case(flow.case, given, {**flow.speeds, GROUND: 0.0}, _torques(sizing, flow), oil_of_design(sizing))
+    losses = [*_meshes(sizing, asked), *_bearings(sizing, asked), *_bodies(sizing, asked)]
+    return LossBalance(flow.case, given, tuple(sorted(losses, key=lambda one: (ORIGINS.index(one.origin), -one.power))))
+
+
+class _Case(NamedTuple):
+    """What turns and what is borne in a case."""
+
+    name: str
+    given: float
+    speeds: Mapping[str, float]
+    torques: Floats
+    oil: Oil
+
+    def loss(self, origin: str, part: str, *, count: int, power: float, method: str) -> Loss:
+        return Loss(self.name, origin, part, count, power, power / self.given if self.given else 0.0, method)
+
+
+def _torques(sizing: Sizing, flow: PowerFlow) -> Floats:
+    """Return the torque on gear a of one single mesh of each row [N m]."""
+    return np.array([flow.meshes[mesh.name].torques[0] / mesh.count for mesh in sizing.train.meshes])
+
+
+def _meshes(sizing: Sizing, case: _Case) -> Iterator[Loss]:
+    parts = mesh_loss_parts(sizing, teeth_of(sizing), case.torques, speeds=case.speeds, oil=case.oil)
+    for torque, mesh in zip(case.torques.tolist(), sizing.train.meshes, strict=True):
+        rolling = abs(torque * (case.speeds[mesh.nodes[0]] - case.speeds[mesh.nodes[2]]))
+        power = mesh.count * parts[mesh.name] * rolling
+        yield case.loss("meshes", mesh.name, count=mesh.count, power=power, method=case.oil.friction.value)
+
+
+def _bearings(sizing: Sizing, case: _Case) -> Iterator[Loss]:
+    for seat in bearing_losses(sizing, bearing_seats(sizing), case.torques, speeds=case.speeds, oil=case.oil):
+        yield case.loss("bearings", seat.seat, count=seat.count, power=seat.power, method=seat.method)
+
+
+def _bodies(sizing: Sizing, case: _Case) -> Iterator[Loss]:
+    methods = {"windage": case.oil.windage, "churning": "iso-tr-14179-1", "seals": case.oil.seals}
+    for body in (*gear_losses(sizing, case.speeds, case.oil), *seal_losses(sizing, case.speeds, case.oil)):
+        yield case.loss(body.origin, body.part, count=body.count, power=body.power, method=methods[body.origin])

@@ -1,0 +1,85 @@
+"""What gears lose in oil and mist, and shafts in their seals."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from gearwright.parts.losses import (
+    churning_power,
+    seal_power_14179_1,
+    seal_power_14179_2,
+    seal_power_oil,
+    windage_power,
+    windage_power_dawson,
+)
+from gearwright.sizing.losses.oil import Oil
+from gearwright.sizing.result import GearSizing, Sizing
+
+_DEDENDUM = 1.25
+"""Of the rack in modules, for root diameters [-] (ISO 53, profile A)."""
+
+
+@dataclass(frozen=True)
+class BodyLoss:
+    """What one part of the gearbox loses beside what it carries."""
+
+    part: str
+    origin: str
+    """windage, churning or seals."""
+    count: int
+    """Equal parts [-]."""
+    power: float
+    """Of all of them [W]."""
+
+
+def gear_losses(sizing: Sizing, speeds: Mapping[str, float], oil: Oil) -> Iterator[BodyLoss]:
+    """Yield the windage, or the churning, of every gear; one that dips churns the bath instead of the mist.
+
+    Args:
+        sizing: As sized.
+        speeds: Node -> its speed [rad/s].
+        oil: Around them.
+    """
+    for gear in sizing.gears:
+        turning, dip = speeds.get(gear.shafts[0], 0.0), oil.dip.get(gear.name, 0.0)
+        if dip:
+            power = churning_power(
+                gear.pitch_diameter, gear.face_width, turning,
+                viscosity=oil.viscosity, dip=dip, module=gear.module / math.cos(gear.helix_angle),
+                helix_angle=gear.helix_angle,
+            )  # fmt: skip
+        else:
+            power = _windage(gear, turning, oil)
+        yield BodyLoss(gear.name, "churning" if dip else "windage", gear.bodies, gear.bodies * power)
+
+
+def _windage(gear: GearSizing, turning: float, oil: Oil) -> float:
+    if oil.windage == "dawson":
+        root = gear.pitch_diameter - 2.0 * (_DEDENDUM - gear.profile_shift) * gear.module
+        return windage_power_dawson(root, gear.face_width, turning, module=gear.module, enclosure=oil.enclosure)
+    viscosity = oil.viscosity * oil.density
+    return windage_power(gear.pitch_diameter / 2.0, gear.face_width, turning, viscosity=viscosity)
+
+
+def seal_losses(sizing: Sizing, speeds: Mapping[str, float], oil: Oil) -> Iterator[BodyLoss]:
+    """Yield what the seal of every machine's shaft loses; nothing where no seals are counted.
+
+    Args:
+        sizing: As sized.
+        speeds: Node -> its speed [rad/s].
+        oil: Before them.
+    """
+    diameters = {shaft.name: shaft.diameter for shaft in sizing.shafts}
+    for machine in sizing.machines if oil.seals != "none" else ():
+        power = _seal(diameters[machine.shaft], speeds[machine.shaft], oil)
+        yield BodyLoss(f"seal at {machine.name}", "seals", 1, power)
+
+
+def _seal(diameter: float, speed: float, oil: Oil) -> float:
+    if oil.seals == "iso-tr-14179-1":
+        return seal_power_14179_1(diameter, speed)
+    if oil.seals == "iso-tr-14179-2":
+        return seal_power_14179_2(diameter, speed)
+    return seal_power_oil(diameter, speed, temperature=oil.temperature, viscosity_40=oil.grade[0])
