@@ -132,7 +132,8 @@ def compared(seed: int, number: int) -> Covered | None:
     for mine, wanted in zip(_forces(run), _forces(fine), strict=True):
         largest = np.max(np.where(units[:, None] == units, wanted, 0.0), axis=1)  # forces of their kind set the scale
         errors.append(float(np.max(np.abs(mine - wanted) / np.maximum(wanted, 0.01 * largest))))
-    marked, parted = (any(words in note for note in run.notes) for words in ("asked were", "exponent"))
+    marked = any("asked were" in note for note in run.notes)
+    parted = any(words in note for note in run.notes for words in ("exponent", "sensitive"))
     late = errors[0] > 0.01 or errors[1] > 0.001
     return Covered(errors[0] / run.error, errors[1] / run.rms_error, late, marked, parted)
 

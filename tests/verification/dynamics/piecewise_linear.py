@@ -14,7 +14,7 @@ import numpy as np
 from scipy.optimize import brentq, fsolve
 
 GRID = 200
-"""Instants of a period between which at most one contact begins or ends."""
+"""Instants of a period, or of one of the mesh if that is shorter, between which at most one contact begins or ends."""
 
 
 class Case(NamedTuple):
@@ -41,7 +41,7 @@ class Piece(NamedTuple):
     """Motion on one flank, or between them."""
 
     place: Callable[[np.ndarray | float], np.ndarray | float]
-    speed: Callable[[float], float]
+    speed: Callable[[np.ndarray | float], np.ndarray | float]
     least: float
     most: float
 
@@ -72,7 +72,7 @@ def piece(case: Case, time: float, place: float, speed: float) -> Piece:
         def rate(t):
             x = t - time
             sine = (zeta * rest + left) / own
-            return math.exp(-zeta * x) * (rest * math.cos(own * x) - sine * math.sin(own * x)) + forced_rate(t)
+            return np.exp(-zeta * x) * (rest * np.cos(own * x) - sine * np.sin(own * x)) + forced_rate(t)
 
         return Piece(at, rate, *((0.0, math.inf) if above else (-math.inf, -case.backlash)))
     drift = force / (2.0 * zeta)
@@ -82,30 +82,38 @@ def piece(case: Case, time: float, place: float, speed: float) -> Piece:
         return left - rest / (2.0 * zeta) * np.expm1(-2.0 * zeta * (t - time)) + drift * (t - time) + forced(t)
 
     def free_rate(t):
-        return rest * math.exp(-2.0 * zeta * (t - time)) + drift + forced_rate(t)
+        return rest * np.exp(-2.0 * zeta * (t - time)) + drift + forced_rate(t)
 
     return Piece(free, free_rate, -case.backlash, 0.0)
+
+
+def leave(case: Case, time: float, place: float, speed: float, until: float) -> tuple[Piece, float, bool]:
+    """Return the motion from a state on, the instant at which it leaves its flank or that is asked for, and which."""
+    now = piece(case, time, place, speed)
+    grid = np.linspace(time, until, max(8, int(GRID * (until - time) / min(case.period, 2.0 * math.pi))))[1:]
+    values = now.place(grid)
+    out = np.flatnonzero((values > now.most) | (values < now.least))
+    if not len(out):
+        return now, until, False
+    edge = now.most if values[out[0]] > now.most else now.least
+    since = grid[out[0] - 1] if out[0] else time + 1e-9 * (grid[0] - time)
+    return now, brentq(lambda t: now.place(t) - edge, since, grid[out[0]], xtol=1e-15, rtol=1e-15), True
 
 
 def flown(case: Case, place: float, speed: float, instants: np.ndarray) -> tuple[float, float, np.ndarray, int]:
     """Return the state after a period, the deflection at instants of it, and how often contact begins or ends."""
     time, seen, crossings = 0.0, np.full(len(instants), np.nan), 0
     while time < case.period:
-        now = piece(case, time, place, speed)
-        grid = np.linspace(time, case.period, max(8, int(GRID * (1.0 - time / case.period))))[1:]
-        values = now.place(grid)
-        out = np.flatnonzero((values > now.most) | (values < now.least))
-        if len(out):
-            edge = now.most if values[out[0]] > now.most else now.least
-            since = grid[out[0] - 1] if out[0] else time + 1e-9 * (grid[0] - time)
-            end = brentq(lambda t, now=now, edge=edge: now.place(t) - edge, since, grid[out[0]], xtol=1e-15, rtol=1e-15)
-            crossings += 1
-        else:
-            end = case.period
-            edge = float(now.place(end))
+        now, end, crossed = leave(case, time, place, speed, case.period)
         inside = (instants >= time) & (instants <= end)
         seen[inside] = now.place(instants[inside])
-        time, place, speed = end, edge, now.speed(end)
+        edge = now.most if abs(now.place(end) - now.most) < abs(now.place(end) - now.least) else now.least
+        time, place, speed, crossings = (
+            end,
+            edge if crossed else float(now.place(end)),
+            now.speed(end),
+            crossings + crossed,
+        )
     return place, speed, seen, crossings
 
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import runpy
+from pathlib import Path
+
 import numpy as np
 import pytest
 from piecewise_linear import CASES, Case, exponent, orbit
@@ -65,6 +68,19 @@ def test_chaos_is_told_with_its_exponent_and_what_holds(shake, rate, chaotic):
     assert run.exponent == pytest.approx(wanted, abs=0.01)
     assert any("chaotic" in note and "root mean squares and distributions" in note for note in run.notes) is chaotic
     assert run.force.rms[0, 0] == pytest.approx(longer.force.rms[0, 0], rel=max(run.rms_error, 1e-3))
+
+
+@pytest.mark.parametrize("number", [78, 378, 988])
+def test_a_motion_that_parts_on_the_way_says_so_though_its_end_draws_neighbours_in(number):
+    """Random one-sided bounces: two runs agreed within 0.4 % by chance where the exact peak was 59 % away.
+
+    The exponent after the end is negative in all three; how far the runs are from each other on the way tells it.
+    """
+    benchmark = runpy.run_path(str(Path(__file__).parents[3] / "benchmarks" / "impacts.py"))
+    run = benchmark["compared"](8675309, number)
+    assert run.marked
+    assert run.peak_share <= 1.0
+    assert run.rms_share <= 1.0
 
 
 def test_teeth_that_never_part_have_no_exponent():

@@ -19,16 +19,18 @@ from gearwright.dynamics.motion.accuracy import (
     REFINED,
     REPEATED,
     SECOND,
+    SENSITIVE,
     SMOOTH,
     STOPPED,
     UNPREDICTABLE,
     Error,
     errors_of,
     finer,
+    parted,
     shortfall,
 )
 from gearwright.dynamics.motion.marching import Pass, blocks, marched
-from gearwright.dynamics.motion.record import BLOCK, Outputs, Recorder, Samples, Trace
+from gearwright.dynamics.motion.record import BLOCK, TOGETHER, Apart, Outputs, Recorder, Samples, Trace
 from gearwright.dynamics.motion.sensitivity import Exponent, largest_exponent
 from gearwright.dynamics.motion.standing import endless, equilibrium
 from gearwright.dynamics.motion.steps import (
@@ -118,7 +120,7 @@ def simulate(
     run = marched(system, method, pace, duration, start=state, outputs=outputs, progress=progress)
     run, error, exponent, short = _verified(run, step, duration, progress)
     left, slack = unbalanced(system), slack_lines(system, state[: len(system.arrays.mass)])
-    notes = [reason, *([exponent.words] if exponent and exponent.chaotic else []), *short]
+    notes = [reason, *short]
     notes += endless(system, 2.0 * np.pi / duration)
     notes += [f"at the start {left}; the train speeds up or slows down"] if left else []
     notes += [f"at the start no tooth touches: {', '.join(slack)} stand between their flanks"] if slack else []
@@ -130,22 +132,31 @@ def _verified(
 ) -> tuple[Pass, Error, Exponent | None, list[str]]:
     """Return a run as accurate as asked, or as near as repetitions bring it, its error and what to say of it.
 
-    A chaotic one is repeated once, since steps that are too large may alone be what makes it so, or not.
+    A chaotic or sensitive one is repeated once, since steps that are too large may alone be what makes it so, or not;
+    no step brings two runs of it together, so that what any two differ by counts.
     """
     asked = step if isinstance(step, Accuracy) else Accuracy()
     system, outputs, units = run.recorder.system, run.recorder.outputs, run.recorder.system.labels.line_units
-    other, tried = _beside(run), 0
+    other, tried, before = _beside(run), 0, Error(0.0, 0.0)
     while True:
-        exponent = _exponent(run)
-        order, ratio = _order(run.method, exponent), other.pace.over(run.pace)
+        exponent, apart = _exponent(run), _apart(run, other)
+        order, ratio = _order(run.method, exponent, apart), other.pace.over(run.pace)
         error = errors_of(run.forces, other.forces, units, ratio=ratio, order=order)[0]
+        if order == CHAOTIC:
+            error = before = error.least(before).least(TOGETHER if exponent and exponent.chaotic else apart)
         most = 0 if isinstance(step, float | int) or run.interrupted else 1 if order == CHAOTIC else REFINED
         if error.over(asked) <= 1.0 or tried >= most:
             break
         pace, other, tried = run.pace.times(finer(error.over(asked), order)), run, tried + 1
         run = marched(system, run.method, pace, duration, start=run.start, outputs=outputs, progress=progress)
     why = STOPPED if run.interrupted else UNPREDICTABLE if order == CHAOTIC else REPEATED if most else GIVEN
-    return run, error, exponent, shortfall(error, asked, why)
+    told = [exponent.words] if exponent and exponent.chaotic else [parted(apart)] if order == CHAOTIC else []
+    return run, error, exponent, [*told, *shortfall(error, asked, why)]
+
+
+def _apart(run: Pass, other: Pass) -> Apart:
+    """Return how far two runs are from each other on the way, where teeth part."""
+    return run.recorder.marks.apart(other.recorder.marks) if np.any(run.recorder.lost >= 0) else TOGETHER
 
 
 def _exponent(run: Pass) -> Exponent | None:
@@ -155,10 +166,10 @@ def _exponent(run: Pass) -> Exponent | None:
     return largest_exponent(run.recorder.system.arrays, run.advance, run.done, run.end, run.pace.step)
 
 
-def _order(method: str, exponent: Exponent | None) -> int:
+def _order(method: str, exponent: Exponent | None, apart: Apart) -> int:
     """Return the power of the step that the error follows."""
     if exponent is not None:
-        return CHAOTIC if exponent.chaotic else PARTING
+        return CHAOTIC if exponent.chaotic or apart.most > SENSITIVE else PARTING
     return SECOND if method == "implicit" else SMOOTH
 
 

@@ -18,7 +18,7 @@ from gearwright.spec.design import RATINGS
 from gearwright.train import recirculation
 from gearwright.units import text
 
-TOLD = ("contact", "interrupted", "chaotic", "asked were")
+TOLD = ("contact", "interrupted", "chaotic", "sensitive", "asked were")
 """Words of a run's notes that its reader is warned of."""
 
 

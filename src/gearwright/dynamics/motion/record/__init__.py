@@ -3,6 +3,7 @@
 It takes no step; files of runs are written by `store`.
 """
 
+from gearwright.dynamics.motion.record.marks import TOGETHER, Apart
 from gearwright.dynamics.motion.record.recorder import BLOCK, CHECKPOINTS, RUNAWAY, Outputs, Recorder, summary_of
 from gearwright.dynamics.motion.record.trace import (
     Checkpoints,
@@ -18,6 +19,8 @@ __all__ = [
     "BLOCK",
     "CHECKPOINTS",
     "RUNAWAY",
+    "TOGETHER",
+    "Apart",
     "Checkpoints",
     "Orders",
     "Outputs",

@@ -9,6 +9,7 @@ import numpy as np
 from gearwright.arrays import Floats, Ints
 from gearwright.dynamics.model import OUTSIDE_MAP, PITCH, SPEED, Owner, System
 from gearwright.dynamics.motion.record.between import Between
+from gearwright.dynamics.motion.record.marks import Marks
 from gearwright.dynamics.motion.record.orders import OrderSums
 from gearwright.dynamics.motion.record.trace import Checkpoints, Samples, Statistics
 from gearwright.errors import DesignError, Problem, SolveError
@@ -62,6 +63,7 @@ class Recorder:
         self.spacing = BLOCK * max(1, -(-steps // (BLOCK * CHECKPOINTS)))
         self.gaps = np.flatnonzero(system.arrays.backlash > 0.0)
         self.lost = np.full(len(self.gaps), -1)
+        self.marks = Marks(2 * self.size + len(system.labels.lines) + self.gaps, step, steps)
         self.orders = OrderSums(system, outputs.orders, step=step, bins=bins) if outputs.orders else None
 
     def checkpoint(self, first: int, state: Floats) -> None:
@@ -102,6 +104,7 @@ class Recorder:
             if self.orders is not None:
                 self.orders.add(place, low, rows[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)])
         self._watch(first, record)
+        self.marks.take(first, record)
         forces = record[:, 2 * self.size : 2 * self.size + len(self.system.labels.lines)]
         self.between.take(first, forces)
         self.last_force = forces[-1].copy()
