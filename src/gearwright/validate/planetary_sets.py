@@ -53,8 +53,12 @@ def lin_parker(planets: int) -> PlanetarySet:
     )
 
 
-def cooley_parker() -> PlanetarySet:
-    """Return the set of Cooley & Parker 2012, table 1, with three planets."""
+def cooley_parker(planets: int) -> PlanetarySet:
+    """Return the set of Cooley & Parker 2012, table 1.
+
+    Args:
+        planets: Number of planets [-].
+    """
     return PlanetarySet(
         sun=member(3.0, 1.75, 0.05575, support=2e7, torsion=2e7),
         ring=member(7.64, 8.09, 0.1097, support=1e8, torsion=1e8),
@@ -63,7 +67,7 @@ def cooley_parker() -> PlanetarySet:
         sun_mesh=StiffnessCurve(1e8),
         ring_mesh=StiffnessCurve(1e8),
         pressure_angles=(math.radians(20.0),) * 2,
-        positions=even_positions(3),
+        positions=even_positions(planets),
     )
 
 
@@ -93,9 +97,10 @@ def by_family(planetary: PlanetarySet) -> dict[str, list[float]]:
 
 
 def _family(planetary: PlanetarySet, family: str, scale: float = 1.0) -> Sequence[float]:
-    """Return the distinct frequencies of a family: of translational ones one of each pair."""
+    """Return the distinct frequencies of a family: one of each pair of translational modes, of N − 3 planet modes."""
     frequencies = by_family(planetary)[family]
-    return [value / scale for value in (frequencies[::2] if family == "translational" else frequencies)]
+    alike = {"translational": 2, "planet": len(planetary.positions) - 3}.get(family, 1)
+    return [value / scale for value in frequencies[::alike]]
 
 
 KAHRAMAN = {"m_s": 2.0, "m_p": 3.0, "m_c": 4.0, "k_s": 7.0, "k_r": 11.0, "n": 3}
@@ -188,18 +193,35 @@ LIN_PARKER: dict[int, dict[str, tuple[float, ...]]] = {
         "translational": (727.0, 1091.0, 1892.8, 2342.5, 7189.9, 10437.6),
         "planet": (1808.2, 5963.8, 6981.7),
     },
+    5: {
+        "rotational": (1567.4, 2006.1, 2614.8, 8065.4, 14253.1),
+        "translational": (710.0, 1072.0, 1888.1, 2425.3, 7382.4, 11172.3),
+        "planet": (1808.2, 5963.8, 6981.7),
+    },
 }
 """Planets -> family -> natural frequencies as printed [Hz]."""
-COOLEY_PARKER = {
-    "rotational": (0.9296, 1.09, 1.358, 1.931, 5.566, 7.741),
-    "translational": (0.7432, 1.018, 1.265, 1.487, 4.976, 6.282),
+COOLEY_PARKER: dict[int, dict[str, tuple[float, ...]]] = {
+    3: {
+        "rotational": (0.9296, 1.09, 1.358, 1.931, 5.566, 7.741),
+        "translational": (0.7432, 1.018, 1.265, 1.487, 4.976, 6.282),
+    },
+    4: {
+        "rotational": (0.9077, 1.046, 1.317, 2.013, 5.809, 8.383),
+        "translational": (0.7199, 1.001, 1.317, 1.481, 5.153, 6.488),
+        "planet": (0.9617, 4.320, 5.672),
+    },
+    5: {
+        "rotational": (0.8802, 1.019, 1.281, 2.090, 6.030, 8.986),
+        "translational": (0.6992, 0.9863, 1.344, 1.496, 5.317, 6.693),
+        "planet": (0.9617, 4.320, 5.672),
+    },
 }
-"""Family -> natural frequencies over √(k_p/m_p) as printed [-]."""
+"""Planets -> family -> natural frequencies over √(k_p/m_p) as printed [-]."""
 _SCALE = math.sqrt(1e7 / 1.86) / (2.0 * math.pi)
 
 
 def _lin_parker_cases() -> list[Case]:
-    source, reason = "Lin & Parker 1999, J. Vib. Acoust. 121, table 2", "printed to 0.1 Hz; two to 1 Hz"
+    source, reason = "Lin & Parker 1999, J. Vib. Acoust. 121, table 2", "printed to 0.1 Hz; four to 1 Hz"
     return [
         Case(f"planetary set, N = {planets}, {family} modes", source, "Hz", expected,
              partial(_family, lin_parker(planets), family), 5e-4, reason)
@@ -209,11 +231,12 @@ def _lin_parker_cases() -> list[Case]:
 
 
 def _cooley_parker_cases() -> list[Case]:
-    source = "Cooley & Parker 2012, table 1, at rest"
+    source = "Cooley & Parker 2012, table 2, at rest (read in the tests of Rebouças' Drivetrain)"
     return [
-        Case(f"planetary set, N = 3, {family} modes", source, "√(k_p/m_p)", expected,
-             partial(_family, cooley_parker(), family, _SCALE), 5e-4, "four digits printed")
-        for family, expected in COOLEY_PARKER.items()
+        Case(f"planetary set, N = {planets}, {family} modes", source, "√(k_p/m_p)", expected,
+             partial(_family, cooley_parker(planets), family, _SCALE), 5e-4, "four digits printed")
+        for planets, families in COOLEY_PARKER.items()
+        for family, expected in families.items()
     ]  # fmt: skip
 
 

@@ -23,7 +23,7 @@ prints them as a figure."""
 
 
 def at_speed(carrier):
-    planetary = cooley_parker()
+    planetary = cooley_parker(3)
     along = math.cos(planetary.pressure_angles[0]) * planetary.carrier.radius
     model = Model()
     # The ring stands, so that the sun runs twice as far along its base circle as the pins do along their path.
@@ -44,7 +44,7 @@ def test_frequencies_of_a_turning_set_are_those_of_an_independent_program(factor
 
 def test_a_slow_set_has_the_frequencies_of_one_at_rest():
     model = Model()
-    add_planetary(model, cooley_parker())
+    add_planetary(model, cooley_parker(3))
     still = modes(model.build()).frequency
     slow = np.sort(campbell(at_speed(1e-3), [0.999, 1.0]).frequency[-1])
     np.testing.assert_allclose(slow, still[still > 0.0], rtol=1e-6)
@@ -54,5 +54,5 @@ def test_a_held_member_without_a_speed_still_stands():
     """The ring's spring keeps it at rest; a sun that is held but has no speed cannot turn."""
     with pytest.raises(DesignError, match=r"sun\.support\.rotation.*would stretch steadily"):
         model = Model()
-        add_planetary(model, cooley_parker(), speeds={"carrier": 10.0})
+        add_planetary(model, cooley_parker(3), speeds={"carrier": 10.0})
         model.build()
