@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cached_property
+from operator import attrgetter
 from typing import Annotated
 
 from gearwright.errors import Problem, near
@@ -119,6 +120,17 @@ class Check:
         """Whether it fails and no waiver accepts that."""
         return self.status is Status.FAILS and not self.waiver
 
+    @cached_property
+    def rank(self) -> tuple[int, float, str, str]:
+        """Its place in a list: a group, and what orders it there."""
+        if self.ratio is None:
+            return NOT_ASSESSED, 0.0, str(self.part), self.mode
+        group = 0 if self.fails else 2 if self.waiver else 4
+        return group + (self.reserve is None), round(self.margin or 0.0, 9), str(self.part), self.what
+
+
+_rank = attrgetter("rank")
+
 
 def stressed(part: PartId, mode: str, clause: str, stress: float, margin: float, *, case: str) -> Check:
     """Return the check of a stress of which the margin to its allowable is known.
@@ -208,11 +220,3 @@ def unknown_waivers(checks: Iterable[Check], waivers: Mapping[str, str], *, left
         for name in waivers
         if name not in names and not any(f" {mode}" in name for mode in left)
     ]
-
-
-def _rank(check: Check) -> tuple[int, float, str, str]:
-    """Return the place of a check in the list: a group, and what orders it there."""
-    if check.ratio is None:
-        return NOT_ASSESSED, 0.0, str(check.part), check.mode
-    group = 0 if check.fails else 2 if check.waiver else 4
-    return group + (check.reserve is None), round(check.margin or 0.0, 9), str(check.part), check.what

@@ -250,10 +250,10 @@ def text(value: float, dimension: str, digits: int = 4) -> str:
         dimension: Such as ``"length"``.
         digits: Significant digits [-].
 
-    >>> text(2094.395, "speed")
-    '20000 rpm'
+    >>> text(2094.395, "speed"), text(-0.0, "speed")
+    ('20000 rpm', '0 rpm')
     """
-    number = shown(value, dimension)
+    number = shown(value, dimension) + 0.0
     written = f"{number:.0f}" if abs(number) >= 10 ** (digits - 1) else f"{number:.{digits}g}"
     return f"{written} {unit(dimension)}".rstrip()
 

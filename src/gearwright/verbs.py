@@ -67,7 +67,7 @@ def verb(function: Callable[_P, _R]) -> Callable[_P, _R]:
 
     @functools.wraps(function)
     def checked(*args: _P.args, **kwargs: _P.kwargs) -> _R:
-        names = inspect.signature(function).parameters
+        names = _names(function)
         arguments = dict(zip(names, args, strict=False)) | kwargs
         problems = [
             Problem(name, _sentence(value, hint))
@@ -107,6 +107,11 @@ def callable_layer(name: str, called: Callable[..., object]) -> None:
     module: Any = sys.modules[name]
     module.__class__ = type("Layer", (types.ModuleType,), {"__call__": staticmethod(called)})
     module.__signature__ = inspect.signature(called)
+
+
+@functools.cache
+def _names(function: Any) -> tuple[str, ...]:
+    return tuple(inspect.signature(function).parameters)
 
 
 @functools.cache

@@ -121,9 +121,9 @@ def check_bearing(bearing: Bearing, duty: Duty) -> BearingCheck:
         DesignError: If the bearing cannot bear the kind of load.
     """
     spectrum = duty if isinstance(duty, BearingSpectrum) else _steady(duty)
-    loads = [
-        equivalent_loads(bearing, radial, axial) for radial, axial in zip(spectrum.radial, spectrum.axial, strict=True)
-    ]
+    forces = list(zip(spectrum.radial, spectrum.axial, strict=True))  # of a case and of its levels, often the same
+    known = {force: equivalent_loads(bearing, *force) for force in dict.fromkeys(forces)}
+    loads = [known[force] for force in forces]
     load = spectrum.mean_factor * _mean(bearing, [dynamic for dynamic, _ in loads], spectrum)
     static = spectrum.limit_factor * max(at_rest for _, at_rest in loads)
     life = life_time(basic_life(bearing.dynamic_rating, load, bearing.kind), spectrum.mean_speed) if load else math.inf

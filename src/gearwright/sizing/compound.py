@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Protocol
 
 from gearwright.parts.planetary import pin_angles, pin_radii, planes
@@ -26,15 +27,19 @@ class Sized(Protocol):
         """m_n [m]."""
 
 
-def pins_of(epicyclic: Epicyclic, gears: Mapping[str, Sized]) -> dict[str, complex]:
+def pins_of(
+    epicyclic: Epicyclic, gears: Mapping[str, Sized], centres: Mapping[str, float]
+) -> dict[str, complex]:  # fmt: skip
     """Return planet body -> place of its pin in the first set, from the axis, y + i z [m].
 
     Args:
         epicyclic: As in the design.
         gears: Its gears by the design's names.
+        centres: Mesh by the design's names, such as ``sun-planet`` -> working centre distance [m].
     """
     modules = {epicyclic.group(name): gear.module for name, gear in gears.items()}
-    compound = epicyclic.compound
+    distances = {pair: centres["-".join(pair)] / gears[pair[0]].module for pair in epicyclic.mesh_pairs}
+    compound = replace(epicyclic.compound, centres=distances)
     angles = pin_angles(compound, modules)
     return {body: cmath.rect(radius, angles[body]) for body, radius in pin_radii(compound, modules).items()}
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from gearwright.parts.gears import transverse_pressure_angle
+from gearwright.sizing.compound import pins_of
 from gearwright.sizing.rating import Context, Rating, push_angle, working_radii
 from gearwright.sizing.result import GearSizing
 from gearwright.train import INTERNAL, Mesh
@@ -71,9 +72,37 @@ def rollings(context: Context, gears: Mapping[str, GearSizing]) -> dict[str, Rol
         gears: By name.
     """
     return {
-        mesh.name: rolling_of(context.ratings[mesh.stage], (gears[mesh.gears[0]], gears[mesh.gears[1]]), mesh)
+        mesh.name: rolling_of(context.rating(mesh), (gears[mesh.gears[0]], gears[mesh.gears[1]]), mesh)
         for mesh in context.train.meshes
     }
+
+
+def set_rollings(context: Context, stage: str, gears: Mapping[str, GearSizing]) -> dict[str, Rolling]:
+    """Return mesh, by the names of its gears in the design -> where they roll on each other.
+
+    Args:
+        context: What sizing reads.
+        stage: Name of a compound set.
+        gears: Its gears by the design's names.
+    """
+    names = {gear.name: gear for gear in gears.values()}
+    return {
+        mesh.own: rolling_of(context.rating(mesh), (names[mesh.gears[0]], names[mesh.gears[1]]), mesh)
+        for mesh in context.train.meshes
+        if mesh.stage == stage
+    }
+
+
+def set_pins(context: Context, stage: str, gears: Mapping[str, GearSizing]) -> dict[str, complex]:
+    """Return planet body -> place of its pin in the first set of a compound set, y + i z [m].
+
+    Args:
+        context: What sizing reads.
+        stage: Name of a compound set.
+        gears: Its gears by the design's names.
+    """
+    centres = {mesh: rolls.centre_distance for mesh, rolls in set_rollings(context, stage, gears).items()}
+    return pins_of(context.design.epicyclics[stage], gears, centres)
 
 
 def planet_push(context: Context, gears: Mapping[str, GearSizing], stage: str) -> float:

@@ -23,7 +23,8 @@ def test_forces_on_pins_have_the_carriers_torque_in_every_case_with_losses_too(n
     ((stage, epicyclic),) = design.epicyclics.items()
     context = context_of(design, sizing.train, sizing.teeth, sizing.flows, {})
     gears = {gear.own: gear for gear in sizing.gears}
-    radii = {body: abs(place) for body, place in pins_of(epicyclic, gears).items()}
+    centres = {mesh.own: mesh.centre_distance for mesh in sizing.meshes}
+    radii = {body: abs(place) for body, place in pins_of(epicyclic, gears, centres).items()}
     loads = pin_loads(context, stage, gears)
     for case, flow in sizing.flows.items():
         around = sum(load.tangential * radii[load.body] for load in loads if load.case == case) * epicyclic.sets

@@ -1,5 +1,7 @@
 """One mesh by every method: what stands in the table is what sizing by that method says of the same gears."""
 
+import math
+
 import pytest
 
 from designs import PAIR
@@ -66,8 +68,28 @@ def test_methods_without_rings_say_so():
     assert "Not by DIN 3990:1987, method B: DIN 3990 rates no internal meshes here." in note
 
 
-def test_a_bevel_pair_has_no_sisters_to_stand_beside():
-    sizing = size(read(shipped_design("ec120b")))
-    bevel = {mesh.name for mesh in sizing.meshes if mesh.rating.method == "iso10300"}
-    assert bevel
-    assert not bevel & {mesh.mesh for mesh in methods_beside(sizing)}
+def test_a_bevel_pair_stands_beside_the_standards_of_bevel_gears():
+    """What stands in the column of AGMA 2003 is what AGMA 2003 says of the gears that ISO 10300 sized."""
+    design = read(shipped_design("ec120b"))
+    sizing = size(design)
+    (bevel,) = [mesh for mesh in methods_beside(sizing) if mesh.mesh == "bevel"]
+    assert tuple(bevel.margins) == ("iso10300", "agma2003")
+    (gear,) = [gear for gear in sizing.gears if gear.name == "bevel.pinion"]
+    (mesh,) = [mesh for mesh in sizing.meshes if mesh.name == "bevel"]
+    assert bevel.margins["iso10300"] == pytest.approx((mesh.rating.contact_margin, mesh.rating.bending_margin))
+    outer = 1e3 * bevel_outer_module(gear.module, gear.face_width, (14, 43), 35.0)
+    asked = {"pairs.bevel.outer_module_mm": outer, "pairs.bevel.face_width_mm": 1e3 * gear.face_width}
+    other = size(edited(design, {"pairs.bevel.gears.rating": "agma2003", **asked}))
+    (rated,) = [mesh.rating for mesh in other.meshes if mesh.name == "bevel"]
+    assert rated.method == "agma2003"
+    assert bevel.margins["agma2003"] == pytest.approx((rated.contact_margin, rated.bending_margin), rel=1e-9)
+    rows = {line.aspect: line for line in bevel.rows}
+    assert rows["elasticity Z_E, C_p"].values["agma2003"] == pytest.approx(
+        rows["elasticity Z_E, C_p"].values["iso10300"]
+    )
+    assert all(line.why for line in bevel.rows if len(line.values) < 2)
+
+
+def bevel_outer_module(mean_normal, face_width, teeth, spiral):
+    """m_et = m_mn/cos β_m + b/(2 R_e/m_et), R_e/m_et = √(z_1² + z_2²)/2 (ISO 23509)."""
+    return mean_normal / math.cos(math.radians(spiral)) + face_width / math.hypot(*teeth)

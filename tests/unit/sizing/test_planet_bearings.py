@@ -96,7 +96,8 @@ def by_hand(sizing, places):
     Every mesh: F_t = T/r around, F_t tan 25° off the mate; the sun's side is the inner one.
     """
     gears, flow = {gear.own: gear for gear in sizing.gears}, sizing.reference
-    radius = abs(pins_of(sizing.design.epicyclics["wolfrom"], gears)["wide"])
+    centres = {mesh.own: mesh.centre_distance for mesh in sizing.meshes}
+    radius = abs(pins_of(sizing.design.epicyclics["wolfrom"], gears, centres)["wide"])
     force = moment = 0j
     for mesh in sizing.train.meshes:
         central, planet = (gears[name.split(".")[1]] for name in mesh.gears)

@@ -124,7 +124,8 @@ def test_a_new_method_is_a_record_and_a_line(monkeypatch):
 
 def test_without_its_line_the_name_is_refused_with_what_there_is():
     with pytest.raises(
-        DesignError, match=r"'dummy' is not .*'lewis-hertz', 'iso6336', .*, 'din3990', 'iso10300' or 'agma2001'"
+        DesignError,
+        match=r"'dummy' is not .*'lewis-hertz', 'iso6336', .*, 'din3990', 'iso10300', 'agma2001' or 'agma2003'",
     ):
         edited(OFF_SET, {"gears.rating": "dummy"})
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from gearwright.dynamics.assembly.meshes import gear_pairs
 from gearwright.errors import SolveError
 from gearwright.identity import PartId, Role, gear_part
-from gearwright.parts.gears import half_angle_at, involute
+from gearwright.parts.gears import half_angle_at
 from gearwright.parts.planetary import fitting_turns
 from gearwright.sizing import GearSizing, Sizing, pins_of, towards
 from gearwright.train import Mesh, PowerFlow
@@ -55,7 +55,7 @@ def planet_bodies(sizing: Sizing, stage: str) -> Iterator[PlanetBody]:
         stage: Name of the set.
     """
     epicyclic, gears = sizing.design.epicyclics[stage], own_gears(sizing, stage)
-    for body, pin in pins_of(epicyclic, gears).items():
+    for body, pin in _pins(sizing, stage).items():
         steps = [gears[step] for step in epicyclic.planets if epicyclic.body(step) == body]
         inertia, mass = sum(step.inertia for step in steps), sum(step.mass for step in steps)
         for number in range(epicyclic.sets):
@@ -72,6 +72,12 @@ def own_gears(sizing: Sizing, stage: str) -> dict[str, GearSizing]:
         stage: Name of the set.
     """
     return {gear.own: gear for gear in sizing.gears if gear.stage == stage}
+
+
+def _pins(sizing: Sizing, stage: str) -> dict[str, complex]:
+    """Return planet body -> place of its pin in the first set, y + i z [m]."""
+    centres = {mesh.own: mesh.centre_distance for mesh in sizing.meshes if mesh.stage == stage}
+    return pins_of(sizing.design.epicyclics[stage], own_gears(sizing, stage), centres)
 
 
 def compound_phases(sizing: Sizing, flow: PowerFlow, stage: str) -> dict[str, tuple[float, ...]]:
@@ -120,16 +126,15 @@ def _within(sizing: Sizing, flow: PowerFlow, stage: str, rows: list[Mesh]) -> di
 
 def _passed(sizing: Sizing, flow: PowerFlow, stage: str, mesh: Mesh, gear: str) -> float:
     """Return by what part of a cycle a gear's contact in a mesh runs ahead of a tooth's middle at angle 0 [cycles]."""
-    epicyclic, gears, end = sizing.design.epicyclics[stage], own_gears(sizing, stage), mesh.gears.index(gear)
+    epicyclic, end = sizing.design.epicyclics[stage], mesh.gears.index(gear)
     body, mate = (sizing.train.gear(mesh.gears[k]).own for k in (end, 1 - end))
     sense = _sense(mesh, mesh.nodes[end], flow)
-    angle = sense * cmath.phase(towards(epicyclic, pins_of(epicyclic, gears), body, mate))
+    angle = sense * cmath.phase(towards(epicyclic, _pins(sizing, stage), body, mate))
     pair = gear_pairs(sizing)[mesh.name]
-    half = 0.0
-    if body in epicyclic.planets:
-        tooth = (pair.driver, pair.driven)[end]
-        half = half_angle_at(tooth, tooth.base_radius) - involute(pair.working_pressure_angle)
-    drives = flow.meshes[mesh.name].torques[end] * sense < 0.0
+    tooth = (pair.driver, pair.driven)[end]
+    half = half_angle_at(tooth, tooth.base_radius / math.cos(pair.working_pressure_angle))
+    first_drives = flow.meshes[mesh.name].torques[0] * _sense(mesh, mesh.nodes[0], flow) < 0.0
+    drives = first_drives == (end == 0)  # in a mesh that idles, too, one gear drives and one is driven
     return sizing.teeth[gear] * ((half if drives else -half) - angle) / (2.0 * math.pi)
 
 
@@ -145,8 +150,7 @@ def set_directions(sizing: Sizing, mesh: Mesh) -> Iterator[tuple[int, complex, M
         sizing: What was sized.
         mesh: A row of a compound set.
     """
-    epicyclic, gears = sizing.design.epicyclics[mesh.stage], own_gears(sizing, mesh.stage)
-    pins = pins_of(epicyclic, gears)
+    epicyclic, pins = sizing.design.epicyclics[mesh.stage], _pins(sizing, mesh.stage)
     first, second = (sizing.train.gear(name).own for name in mesh.gears)
     direction = towards(epicyclic, pins, first, second)
     places = {

@@ -110,7 +110,7 @@ def _mesh_damage(flight: Flight, mesh: Mesh) -> tuple[Damage, Damage]:
     bins = [duty for duty in mesh_spectrum(flight, mesh.name) if duty.load > _LEAST_TORQUE and duty.turns > 0.0]
     if not bins:
         return Damage(0.0, 0.0), Damage(0.0, 0.0)
-    rating = rating_of(flight.sizing.design, mesh.stage, flight.sizing.teeth)
+    rating = rating_of(flight.sizing.design, mesh.stage, flight.sizing.teeth).of_mesh(mesh)
     gears = [gear for name in mesh.gears for gear in flight.sizing.gears if gear.name == name]
     spectrum = MeshSpectrum(
         rating=replace(rating, service=rating.service.model_copy(update={"application_factor": 1.0})),

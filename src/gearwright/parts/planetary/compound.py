@@ -15,7 +15,7 @@ from functools import cached_property
 from gearwright.parts.planetary.assembly import ADDENDUMS
 
 CLOSES = 1.0
-"""Modules by which two distances of one pin from the axis may differ: what profile shift takes up [-]."""
+"""Modules by which two distances of one pin from the axis may differ and shifts take it up with any teeth [-]."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +34,10 @@ class CompoundSet:
     """Every mesh, as its two gears."""
     groups: Mapping[str, str] = field(default_factory=dict)
     """Gear -> those that have its module; left out: all have one."""
+    centres: Mapping[tuple[str, str], float] = field(default_factory=dict)
+    """Mesh, as in ``meshes`` -> working centre distance over its module; left out: the reference one [-]."""
+    heights: Mapping[str, float] = field(default_factory=dict)
+    """Gear -> how far its tips stand outside its pitch circle over its module, 1 + x + k; left out: 1 [-]."""
 
     @cached_property
     def teeth(self) -> Mapping[str, int]:
@@ -43,6 +47,18 @@ class CompoundSet:
     def group(self, gear: str) -> str:
         """Return what has one module with a gear."""
         return self.groups.get(gear, "")
+
+    def distance(self, first: str, second: str) -> float:
+        """Return the working centre distance of two gears that mesh over their module [-].
+
+        Args:
+            first: One of them.
+            second: The other.
+
+        Source: |z_1 + z_2|/2 without shift, ISO 21771:2007, with rings negative.
+        """
+        reference = abs(self.teeth[first] + self.teeth[second]) / 2.0
+        return self.centres.get((first, second), self.centres.get((second, first), reference))
 
     @cached_property
     def at_centre(self) -> tuple[tuple[str, str], ...]:
@@ -63,13 +79,13 @@ def reaches(compound: CompoundSet) -> dict[str, list[tuple[str, float]]]:
         compound: The set.
 
     Returns:
-        Group of gears, and distance over their module, |z_p + z_c|/2 [-], for each mesh.
+        Group of gears, and distance over their module, |z_p + z_c|/2 without shift [-], for each mesh.
 
     Source: centre distance, ISO 21771:2007, with rings negative.
     """
     asked: dict[str, list[tuple[str, float]]] = {}
     for central, planet in compound.at_centre:
-        distance = abs(compound.teeth[central] + compound.teeth[planet]) / 2.0
+        distance = compound.distance(central, planet)
         asked.setdefault(compound.bodies[planet], []).append((compound.group(planet), distance))
     return asked
 
@@ -99,7 +115,7 @@ def pin_radii(compound: CompoundSet, modules: Mapping[str, float]) -> dict[str, 
         compound: The set.
         modules: Group -> module [m].
 
-    Source: centre distance, ISO 21771:2007; where tooth numbers differ by a little, profile shift makes the mean true.
+    Source: centre distance, ISO 21771:2007; with profile shift they ask for one, without it whole teeth may differ.
     """
     return {
         body: sum(modules[group] * distance for group, distance in asked) / len(asked)
@@ -130,7 +146,7 @@ def pin_angles(compound: CompoundSet, modules: Mapping[str, float]) -> dict[str,
 def _steps(compound: CompoundSet, modules: Mapping[str, float]) -> Iterator[tuple[str, str, float]]:
     """Yield both bodies of every mesh of planets, either way, with their centre distance [m]."""
     for first, second in compound.between:
-        distance = modules[compound.group(first)] * (compound.teeth[first] + compound.teeth[second]) / 2.0
+        distance = modules[compound.group(first)] * compound.distance(first, second)
         ends = compound.bodies[first], compound.bodies[second]
         yield (*ends, distance)
         yield (*ends[::-1], distance)
@@ -176,10 +192,13 @@ def touching(compound: CompoundSet, modules: Mapping[str, float]) -> Iterator[tu
         compound: The set.
         modules: Group -> module [m].
 
-    Source: tip circles d_a = (z + 2) m in the planes that both lie in; neighbours at 2π/N.
+    Source: tip circles d_a = (z + 2 (1 + x + k)) m in the planes that both lie in; neighbours at 2π/N.
     """
     radii, angles, lie = pin_radii(compound, modules), pin_angles(compound, modules), planes(compound)
-    tips = {gear: (z + ADDENDUMS) / 2.0 * modules[compound.group(gear)] for gear, z in compound.teeth.items()}
+    tips = {
+        gear: (z + ADDENDUMS * compound.heights.get(gear, 1.0)) / 2.0 * modules[compound.group(gear)]
+        for gear, z in compound.teeth.items()
+    }
     names = [gear for gear in compound.planets if compound.bodies[gear] in radii]
     for k, first in enumerate(names):
         for second in names[k:]:

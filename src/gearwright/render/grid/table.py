@@ -180,15 +180,15 @@ def written(number: float, digits: int = 4) -> str:
         number: In the unit that is shown.
         digits: Significant digits [-].
 
-    >>> written(1.0), written(-16035.0), written(0.0)
-    ('1.000', '−16035', '0')
+    >>> written(1.0), written(-16035.0), written(0.0), written(-1e-30)
+    ('1.000', '−16035', '0', '0')
     """
+    if abs(number) < NOISE:
+        return "0"
     if number < 0.0:
         return f"−{written(-number, digits)}"
     if math.isinf(number):
         return "∞"
-    if number < NOISE:
-        return "0"
     if abs(number) >= LARGEST_PLAIN:
         return f"{number:.{digits - 1}e}"
     if abs(number) >= 10 ** (digits - 1):

@@ -15,11 +15,10 @@ from gearwright.identity import Role, gear_part
 from gearwright.sizing.bearings.planet_bodies import PlanetBody, Support, planet_bodies
 from gearwright.sizing.bearings.seat import Seat
 from gearwright.sizing.carrying import CarrierSizing
-from gearwright.sizing.compound import pins_of
 from gearwright.sizing.loads import mesh_place, tooth_forces
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
-from gearwright.sizing.rolling import planet_push
+from gearwright.sizing.rolling import planet_push, set_pins
 from gearwright.train import INTERNAL
 
 
@@ -139,6 +138,6 @@ def _in_compound(context: Context, body: PlanetBody, gears: Mapping[str, GearSiz
             if there.planet in steps:
                 place = mesh_place(epicyclic, own, there.planet, there.mate) or 0.0
                 pushes.append(Push(k, place, (there.tangential, there.radial), (behind.tangential, behind.radial)))
-    radius, places = abs(pins_of(epicyclic, own)[steps[0]]), body.places or (0.0,) * len(steps)
+    radius, places = abs(set_pins(context, body.stage, own)[steps[0]]), body.places or (0.0,) * len(steps)
     swung = [Swung(place, step.mass * radius) for place, step in zip(places, body.steps, strict=True)]
     return Borne(pushes, swung)

@@ -26,7 +26,7 @@ class SizedMesh(NamedTuple):
     @property
     def rating(self) -> Rating:
         """Rules of its stage."""
-        return self.context.ratings[self.row.stage]
+        return self.context.rating(self.row)
 
     def rated(self, rating: Rating | None = None) -> MeshRating:
         """Return the rating, by other rules if they are given.

@@ -1,4 +1,4 @@
-"""One sized mesh by every method that rates cylindrical gears: teeth, module, width and loads are the same."""
+"""One sized mesh by every method that rates its kind of gears: teeth, module, width and loads are the same."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from gearwright.errors import DesignError, SolveError
 from gearwright.sizing.insight.aspects import ASPECTS, FAMILIES, Aspect
+from gearwright.sizing.insight.bevel_aspects import BEVEL_ASPECTS, BEVEL_FAMILIES
 from gearwright.sizing.insight.meshes import SizedMesh, sized_meshes
 from gearwright.sizing.rating import METHODS, Factor, MeshRating, factor_rows
 from gearwright.sizing.result import Sizing
@@ -15,6 +16,8 @@ from gearwright.spec.design import RATINGS
 from gearwright.train import INTERNAL
 from gearwright.verbs import verb
 
+_KINDS = ((FAMILIES, ASPECTS), (BEVEL_FAMILIES, BEVEL_ASPECTS))
+"""Of cylindrical and of bevel gears: method -> whose names its rows have, and what is compared."""
 CLOSE = 0.005
 """Part by which values may differ and still count as equal [-]."""
 
@@ -46,18 +49,23 @@ class MeshBeside:
 
 @verb
 def methods_beside(sizing: Sizing) -> tuple[MeshBeside, ...]:
-    """Return every cylindrical mesh of a design by every method, factor by factor, with the reasons of differences.
+    """Return every mesh of a design by every method of its kind, factor by factor, with the reasons of differences.
 
     Args:
         sizing: As sized; its teeth, modules, widths and loads are kept.
     """
-    return tuple(_beside(mesh) for mesh in sized_meshes(sizing) if mesh.rating.method in FAMILIES)
+    return tuple(
+        _beside(mesh, families, aspects)
+        for mesh in sized_meshes(sizing)
+        for families, aspects in _KINDS
+        if mesh.rating.method in families
+    )
 
 
-def _beside(mesh: SizedMesh) -> MeshBeside:
+def _beside(mesh: SizedMesh, families: Mapping[str, str], aspects: tuple[Aspect, ...]) -> MeshBeside:
     rated: dict[str, MeshRating] = {}
     refused: dict[str, str] = {}
-    for name in FAMILIES:
+    for name in families:
         why = _uncovered(mesh, name)
         try:
             if not why:
@@ -67,13 +75,13 @@ def _beside(mesh: SizedMesh) -> MeshBeside:
         if why:
             refused[name] = why
     margins = {name: (record.contact_margin, record.bending_margin) for name, record in rated.items()}
-    return MeshBeside(mesh.row.name, tuple(_lines(rated)), margins, refused)
+    return MeshBeside(mesh.row.name, tuple(_lines(rated, families, aspects)), margins, refused)
 
 
 def _uncovered(mesh: SizedMesh, method: str) -> str:
     """Return why a method does not rate a mesh; empty where it does."""
     internal = mesh.row.sign == INTERNAL
-    kind = "internal" if internal else "cylindrical"
+    kind = "internal" if internal else mesh.rating.kind
     if kind not in RATINGS[method].covers:
         return f"{RATINGS[method].title} rates no {kind} meshes here"
     material = mesh.rating.material
@@ -86,10 +94,12 @@ def _uncovered(mesh: SizedMesh, method: str) -> str:
     return "" if problem is None else problem.message
 
 
-def _lines(rated: Mapping[str, MeshRating]) -> Iterator[Beside]:
+def _lines(
+    rated: Mapping[str, MeshRating], families: Mapping[str, str], aspects: tuple[Aspect, ...]
+) -> Iterator[Beside]:
     rows = {name: {(row.chapter, row.quantity): row for row in _rows(name, record)} for name, record in rated.items()}
-    for aspect in ASPECTS:
-        shown = {name: rows[name].get(_key(aspect, name)) for name in rated}  # type: ignore[arg-type]
+    for aspect in aspects:
+        shown = {name: rows[name].get(_key(aspect, families[name])) for name in rated}  # type: ignore[arg-type]
         known = {name: row for name, row in shown.items() if row is not None}
         if known:
             values = {name: tuple(float(value) for value in row.values) for name, row in known.items()}
@@ -102,8 +112,8 @@ def _rows(method: str, record: MeshRating) -> list[Factor]:
     return [*METHODS[method].factors(record)] or [*factor_rows(record, "mesh")]
 
 
-def _key(aspect: Aspect, method: str) -> tuple[str, str] | None:
-    return {"iso": aspect.iso, "agma": aspect.agma, "lewis": aspect.lewis}[FAMILIES[method]]
+def _key(aspect: Aspect, family: str) -> tuple[str, str] | None:
+    return {"iso": aspect.iso, "agma": aspect.agma, "lewis": aspect.lewis}[family]
 
 
 def _differ(values: list[tuple[float, ...]]) -> bool:

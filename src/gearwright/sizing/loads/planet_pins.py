@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from gearwright.sizing.compound import pins_of, towards
+from gearwright.sizing.compound import towards
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
+from gearwright.sizing.rolling import set_pins, set_rollings
 from gearwright.spec import Epicyclic
 from gearwright.train import PowerFlow
 
@@ -54,7 +55,7 @@ def pin_loads(context: Context, name: str, gears: Mapping[str, GearSizing]) -> l
     Source: equilibrium of a planet: tangential and separating force of each mesh, ISO 21771:2007, and m r ω_c².
     """
     epicyclic = context.design.epicyclics[name]
-    pins, loads = pins_of(epicyclic, gears), []
+    pins, loads = set_pins(context, name, gears), []
     for case, flow in context.flows.items():
         forces = [force for row in tooth_forces(context, name, gears, flow).values() for force in row]
         speed = flow.speeds[epicyclic.carrier]
@@ -109,14 +110,15 @@ def tooth_forces(
     Source: equilibrium of a mesh; separating force F_t tan α, ISO 21771:2007.
     """
     epicyclic, rating = context.design.epicyclics[name], context.ratings[name]
-    parts, pins = {gear.name: own for own, gear in gears.items()}, pins_of(epicyclic, gears)
+    parts, rolls = {gear.name: own for own, gear in gears.items()}, set_rollings(context, name, gears)
+    pins = set_pins(context, name, gears)
     forces = dict[str, list[ToothForce]]()
     for mesh in (mesh for mesh in context.train.meshes if mesh.stage == name):
         first, second = (parts[gear] for gear in mesh.gears)
         here, there = (pins[epicyclic.body(own)] if own in epicyclic.planets else 0j for own in (first, second))
         moment = flow.meshes[mesh.name].torques[2] / mesh.count * rating.load_factor
         tangential = moment / abs(here - there)
-        separating = abs(tangential) * math.tan(rating.rules.pressure_angle)
+        separating = rolls[mesh.own].radial(abs(tangential))
         around = 1j * (here - there) / abs(here - there) * tangential
         for own, mate, pin, sense in ((first, second, here, 1.0), (second, first, there, -1.0)):
             if own in epicyclic.planets:

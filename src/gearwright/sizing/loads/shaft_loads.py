@@ -120,7 +120,7 @@ def _mesh_load(
     context: Context, mesh: Mesh, side: int, axes: Mapping[str, complex], pair: tuple[GearSizing, GearSizing]
 ) -> _Load:
     """Return what all halves of a mesh together put on one of its two gears, at the origin."""
-    rating, rolls = context.ratings[mesh.stage], rolling_of(context.ratings[mesh.stage], pair, mesh)
+    rating, rolls = context.ratings[mesh.stage], rolling_of(context.rating(mesh), pair, mesh)
     radius = rolls.radii[side]
     torque = np.array([flow.meshes[mesh.name].torques[side] for flow in context.flows.values()])
     tangential = torque / radius * rating.load_factor

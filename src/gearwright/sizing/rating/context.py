@@ -68,6 +68,14 @@ class Context:
             mesh.name: rows[mesh.name]._replace(width_ratio=self.width_ratios[mesh.stage]) for mesh in self.train.meshes
         }
 
+    def rating(self, mesh: Mesh) -> Rating:
+        """Return the resolved rules of a mesh, with its own shifts.
+
+        Args:
+            mesh: A row of the train.
+        """
+        return self.ratings[mesh.stage].of_mesh(mesh)
+
     @property
     def reference(self) -> PowerFlow:
         """The case that speaks for the design: the first one."""
@@ -106,7 +114,7 @@ def demands_of(context: Context) -> dict[str, Demand]:
 def _uncovered(context: Context, mesh: Mesh) -> Iterator[Problem]:
     first, second = (context.teeth[gear] for gear in mesh.gears)
     signed = (first, -second if mesh.sign == INTERNAL else second)
-    return uncovered_teeth(context.ratings[mesh.stage], signed, context.design.table(mesh.stage))
+    return uncovered_teeth(context.rating(mesh), signed, context.design.table(mesh.stage))
 
 
 def worst_case(context: Context, mesh: Mesh) -> tuple[str, float]:
@@ -130,7 +138,7 @@ def worst_case(context: Context, mesh: Mesh) -> tuple[str, float]:
 
 def _demand(context: Context, mesh: Mesh) -> Demand:
     case, per_tooth = worst_case(context, mesh)
-    bending, contact = modules(ask_of(context, mesh, case, per_tooth), context.ratings[mesh.stage])
+    bending, contact = modules(ask_of(context, mesh, case, per_tooth), context.rating(mesh))
     return Demand(case, per_tooth, float(bending), float(contact))
 
 

@@ -15,6 +15,7 @@ from gearwright.arrays import Floats
 from gearwright.errors import Problem
 from gearwright.parts.gears import Numbers
 from gearwright.sizing.rating.agma2001 import Agma2001
+from gearwright.sizing.rating.agma2003 import Agma2003
 from gearwright.sizing.rating.iso6336 import Iso6336
 from gearwright.sizing.rating.iso10300 import Iso10300
 from gearwright.sizing.rating.lewis_hertz import LewisHertz
@@ -28,6 +29,7 @@ METHODS: dict[str, Method[Any]] = {
     "din3990": Iso6336("din3990", "DIN 3990:1987, method B"),
     "iso10300": Iso10300(),
     "agma2001": Agma2001(),
+    "agma2003": Agma2003(),
 }
 """Name -> method."""
 

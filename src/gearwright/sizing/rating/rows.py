@@ -30,7 +30,7 @@ def rate_row(
         face_width: b [m].
         asked: Modules that bending and contact ask for, for its record [m].
     """
-    rating, (case, per_tooth) = context.ratings[mesh.stage], worst_case(context, mesh)
+    rating, (case, per_tooth) = context.rating(mesh), worst_case(context, mesh)
     if per_tooth * context.teeth[mesh.gears[0]] <= LEAST_TORQUE:
         return Unloaded(case)
     heaviest = _load(context, mesh, case, rating.service.life)

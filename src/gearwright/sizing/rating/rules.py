@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple, Protocol
 
 from gearwright.parts import Material
@@ -13,11 +13,13 @@ from gearwright.spec.design import (
     PAIR_ROLES,
     RATINGS,
     SET_ROLES,
+    CompoundShifts,
     Service,
     StageShifts,
+    compound_shifts,
     stage_shifts,
 )
-from gearwright.train import gears_of
+from gearwright.train import Gear, Mesh, gears_of
 
 
 class Proportions(Protocol):
@@ -50,6 +52,24 @@ class Rating:
     service: Service
     shifts: StageShifts
     """Profile shifts of its gears; where its teeth are not chosen yet, those that its rules state as a number."""
+    compound: CompoundShifts | None = None
+    """Profile shifts of the gears of a compound set, whose meshes have some of their own; None: of any other stage."""
+
+    def of_mesh(self, mesh: Mesh) -> Rating:
+        """Return the rules with the shifts and the centre distance of one mesh of the stage.
+
+        Args:
+            mesh: A row of the train.
+        """
+        return self if self.compound is None else replace(self, shifts=self.compound.meshes[mesh.own], compound=None)
+
+    def shift_of(self, gear: Gear) -> ToothShift:
+        """Return the profile shift of a gear of the stage.
+
+        Args:
+            gear: Of the train.
+        """
+        return self.shifts.of(gear.role) if self.compound is None else self.compound.gears[gear.own]
 
     @property
     def load_factor(self) -> float:
@@ -91,6 +111,7 @@ def rating_of(design: Design, name: str, teeth: Mapping[str, int] | None = None)
         helix_angle=helix,
         service=design.service,
         shifts=_open_shifts(stage, rules) if teeth is None else _shifts(design, name, teeth),
+        compound=compound_shifts(design, name) if teeth is not None and name in design.epicyclics else None,
     )
 
 

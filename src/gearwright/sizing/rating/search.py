@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.sizing.rating.rules import Ask
 
 _STEPS = 4
 """Corrections of the module; each closes the gap to the asked safety to a tenth or better."""
@@ -36,3 +37,32 @@ def module_for(
         bending, contact = (np.broadcast_to(values, module.shape) for values in safeties(module))
         module = np.asarray(module * np.cbrt(wanted / np.stack([bending[0], contact[1] ** 2])))
     return module[0], module[1]
+
+
+def by_teeth(
+    ask: Ask, search: Callable[[tuple[int, int], float, float, float], tuple[float, float]]
+) -> tuple[Floats, Floats]:
+    """Return the modules of bending and contact by one search for each pair of tooth numbers, scaled to its loads [m].
+
+    Args:
+        ask: Load, teeth and width; numbers, or arrays over choices.
+        search: Teeth, torque on the first gear [N m], its speed [rad/s] and λ -> modules of bending and contact [m].
+
+    Source: m³ ∝ T at given teeth and λ, but for the load factors.
+    """
+    torque = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0], dtype=float)
+    if not np.any(torque > _LEAST_TORQUE):
+        return np.zeros_like(torque), np.zeros_like(torque)
+    pinion, wheel, load, speed, ratio = np.broadcast_arrays(*ask.teeth, torque, ask.speed, ask.width_ratio)
+    pairs, first, index = np.unique(
+        np.stack([pinion.ravel(), wheel.ravel()]).astype(np.int64), axis=1, return_index=True, return_inverse=True
+    )
+    found = np.array(
+        [
+            search((int(z_1), int(z_2)), *(float(column.flat[at]) for column in (load, speed, ratio)))
+            for z_1, z_2, at in zip(*pairs, first, strict=True)
+        ]
+    )
+    scale = np.cbrt(load.ravel() / load.flat[first][index.ravel()])
+    bending, contact = (found[index.ravel(), mode] * scale for mode in (0, 1))
+    return bending.reshape(load.shape), contact.reshape(load.shape)

@@ -9,11 +9,10 @@ from typing import NamedTuple
 from gearwright.identity import Role, carrier_part, gear_part
 from gearwright.parts.planetary import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
-from gearwright.sizing.compound import pins_of
 from gearwright.sizing.loads import PinLoad, pin_length, pin_loads
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
-from gearwright.sizing.rolling import planet_push
+from gearwright.sizing.rolling import planet_push, set_pins
 from gearwright.sizing.shafts.shafts import shaft_material
 
 ROUNDING = 1e-9
@@ -65,7 +64,9 @@ def _compound(
 ) -> CarrierSizing:
     """Return the carrier of a compound set."""
     stage, own = context.design.epicyclics[name], {gear.own: gear for gear in gears.values() if gear.stage == name}
-    pins = {body: _Pins(abs(place), pin_length(stage, body, own)) for body, place in pins_of(stage, own).items()}
+    pins = {
+        body: _Pins(abs(place), pin_length(stage, body, own)) for body, place in set_pins(context, name, own).items()
+    }
     torque, loads = max(map(abs, _carrier_torques(context, name))), pin_loads(context, name, own)
     return _sized(context, name, pins, loads, count=stage.sets, torque=torque, diameters=diameters)
 

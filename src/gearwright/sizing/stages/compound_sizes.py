@@ -9,7 +9,7 @@ from functools import partial
 from gearwright.errors import DesignError, Problem
 from gearwright.sizing.rating import CORRECTIONS, Context, Demand, narrowest, row_reserve
 from gearwright.sizing.stages.stage_sizes import StageSize, rounded
-from gearwright.spec.checks import relative_modules
+from gearwright.spec.design import relative_modules
 from gearwright.train import Mesh
 
 

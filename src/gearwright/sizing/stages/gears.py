@@ -37,7 +37,7 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
     density = rating.material.density
     ring = gear.name in context.train.internal
     wall = rating.rules.rim_thickness_ratio * module if ring else 0.0
-    shift = rating.shifts.of(gear.role)
+    shift = rating.shift_of(gear)
     # Profile shift moves teeth and roots as they are; what is cut off thin tips is left out.
     thicker = shift.profile_shift * module if rating.kind == "cylindrical" else 0.0
     if ring:
@@ -85,7 +85,7 @@ def size_meshes(
 
 
 def _mesh(context: Context, mesh: Mesh, pair: tuple[GearSizing, GearSizing], demand: Demand) -> MeshSizing:
-    rating, (first, _) = context.ratings[mesh.stage], pair
+    rating, (first, _) = context.rating(mesh), pair
     case, per_tooth, module_bending, module_contact = demand
     width = min(gear.face_width for gear in pair)
     rolls = rolling_of(rating, pair, mesh)

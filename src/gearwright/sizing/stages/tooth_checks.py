@@ -72,7 +72,7 @@ def tooth_pair(context: Context, mesh: Mesh, gears: Mapping[str, GearSizing], ce
     first, second = (cylindrical_gear(context.design, gears[name]) for name in mesh.gears)
     if mesh.sign == INTERNAL:
         second = replace(second, teeth=-second.teeth)
-    return GearPair(first, second, centre if context.ratings[mesh.stage].shifts.centre is not None else None)
+    return GearPair(first, second, centre if context.rating(mesh).shifts.centre is not None else None)
 
 
 def _undercut(context: Context, gears: list[GearSizing]) -> Check:

@@ -101,10 +101,11 @@ def pair_data(sizing: Sizing, mesh: MeshSizing) -> CylindricalPairData | BevelPa
     """
     by_name = {gear.name: gear for gear in sizing.gears}
     pinion, wheel = (by_name[name] for name in mesh.gears)
-    rating = rating_of(sizing.design, pinion.stage, sizing.teeth)
+    row = next(row for row in sizing.train.meshes if row.name == mesh.name)
+    rating = rating_of(sizing.design, pinion.stage, sizing.teeth).of_mesh(row)
     if rating.kind == "bevel":
         return _bevel(sizing, pinion, wheel)
-    internal = next(row.sign for row in sizing.train.meshes if row.name == mesh.name) == INTERNAL
+    internal = row.sign == INTERNAL
     width = min(pinion.face_width, wheel.face_width)
     geometry = cylindrical_mesh((pinion.teeth, wheel.teeth), pinion.module, width, rating,
                                 internal=internal)  # fmt: skip

@@ -4,7 +4,6 @@ Bounds of single fields stand with the fields.
 """
 
 from gearwright.spec.checks.bearings import bearing_problems
-from gearwright.spec.checks.compound_fit import relative_modules
 from gearwright.spec.checks.design import reference_problems, table_of
 from gearwright.spec.checks.materials import STEEL_KEYS
 from gearwright.spec.checks.mounting import APART, KINDS, MOST_HOLLOW
@@ -16,6 +15,5 @@ __all__ = [
     "STEEL_KEYS",
     "bearing_problems",
     "reference_problems",
-    "relative_modules",
     "table_of",
 ]

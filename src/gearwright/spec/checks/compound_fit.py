@@ -7,19 +7,18 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import product
 
-from gearwright.errors import Problem
+from gearwright.errors import DesignError, Problem
 from gearwright.parts.gears import FEWEST_TEETH
 from gearwright.parts.planetary import (
     CompoundSet,
     can_assemble,
-    module_ratios,
     pin_angles,
     pin_radii,
     reaches,
     touching,
 )
 from gearwright.parts.planetary.compound import CLOSES
-from gearwright.spec.design import Epicyclic
+from gearwright.spec.design import Design, compound_shifts, relative_modules
 
 MOST_SETS = 12
 """Largest number of sets that a design may ask for."""
@@ -27,18 +26,20 @@ FARTHEST = 4
 """Teeth by which a set that can be assembled may differ from one that cannot, to be named [-]."""
 
 
-def fit_problems(path: str, epicyclic: Epicyclic) -> Iterator[Problem]:
+def fit_problems(name: str, design: Design) -> Iterator[Problem]:
     """Yield what keeps the planets of a compound set from being put in.
 
     Args:
-        path: Of the set in the file.
-        epicyclic: Whose names all mean something.
+        name: Of a set whose names all mean something.
+        design: As typed.
     """
-    compound, modules = epicyclic.compound, relative_modules(epicyclic)
-    unclosed = list(_unclosed(path, compound, modules))
-    yield from unclosed
-    if unclosed:
+    path, epicyclic = f"epicyclics.{name}", design.epicyclics[name]
+    try:
+        compound = compound_shifts(design, name).shape(epicyclic.compound)
+    except DesignError as error:
+        yield from error.problems
         return
+    modules = relative_modules(epicyclic)
     apart = [body for body, angle in pin_angles(compound, modules).items() if math.isnan(angle)]
     if apart:
         yield from _parted(path, compound, modules)
@@ -54,36 +55,13 @@ def fit_problems(path: str, epicyclic: Epicyclic) -> Iterator[Problem]:
         yield Problem(f"{path}.sets", _unassembled(compound, modules))
 
 
-def relative_modules(epicyclic: Epicyclic) -> dict[str, float]:
-    """Return group of gears -> module over that of the first group, by what is given and by common pins [-].
-
-    Args:
-        epicyclic: As in the design.
-    """
-    ratios = module_ratios(epicyclic.compound)
-    given = {epicyclic.group(name): gear.module for name, gear in epicyclic.toothed.items() if gear.module is not None}
-    known = next(iter(given), None)
-    if known is None:
-        return ratios
-    unit = given[known] / ratios[known]
-    return {group: given.get(group, unit * ratio) / unit for group, ratio in ratios.items()}
-
-
-def _unclosed(path: str, compound: CompoundSet, modules: Mapping[str, float]) -> Iterator[Problem]:
-    """Find planets whose suns and rings want their pin at different distances."""
-    for body, asked in reaches(compound).items():
+def _far_apart(compound: CompoundSet, modules: Mapping[str, float]) -> bool:
+    """Tell whether suns and rings of some planet want its pin at distances that shifts may not take up."""
+    for asked in reaches(compound).values():
         distances = [modules[group] * distance for group, distance in asked]
-        least = min(modules[group] for group, _ in asked)
-        if max(distances) - min(distances) > CLOSES * least * (1.0 + 1e-9):
-            own = [pair for pair in compound.at_centre if compound.bodies[pair[1]] == body]
-            words = ", ".join(
-                f"{central}-{planet} {distance:.4g}" for (central, planet), distance in zip(own, distances, strict=True)
-            )
-            message = (
-                f"its meshes want the pin at different distances from the axis, in modules: {words}; they may differ by"
-                f" {CLOSES:g}, which profile shift takes up. Change its teeth, or those of its mates"
-            )
-            yield Problem(f"{path}.planets.{body}", message)
+        if max(distances) - min(distances) > CLOSES * min(modules[group] for group, _ in asked) * (1.0 + 1e-9):
+            return True
+    return False
 
 
 def _parted(path: str, compound: CompoundSet, modules: Mapping[str, float]) -> Iterator[Problem]:
@@ -91,7 +69,7 @@ def _parted(path: str, compound: CompoundSet, modules: Mapping[str, float]) -> I
     radii = pin_radii(compound, modules)
     for first, second in compound.between:
         one, other = (radii[compound.bodies[gear]] for gear in (first, second))
-        distance = modules[compound.group(first)] * (compound.teeth[first] + compound.teeth[second]) / 2.0
+        distance = modules[compound.group(first)] * compound.distance(first, second)
         if not abs(one - other) <= distance <= one + other:
             message = (
                 f"{first} and {second} cannot mesh: their pins stand {one:.4g} and {other:.4g} modules from the axis,"
@@ -126,6 +104,8 @@ def nearest_teeth(compound: CompoundSet, modules: Mapping[str, float]) -> dict[s
         moved = {name: abs(compound.teeth[name]) + step for name, step in zip(names, change, strict=True)}
         tried = replace(
             compound,
+            centres={},
+            heights={},
             centrals={name: moved[name] * (1 if teeth > 0 else -1) for name, teeth in compound.centrals.items()},
             planets={name: moved[name] for name in compound.planets},
         )
@@ -137,7 +117,7 @@ def nearest_teeth(compound: CompoundSet, modules: Mapping[str, float]) -> dict[s
 def _fits(compound: CompoundSet, modules: Mapping[str, float]) -> bool:
     return (
         can_assemble(compound)
-        and not list(_unclosed("", compound, modules))
+        and not _far_apart(compound, modules)
         and not any(math.isnan(angle) for angle in pin_angles(compound, modules).values())
         and not list(touching(compound, modules))
     )

@@ -58,7 +58,6 @@ def effect_problems(design: Design) -> Iterator[Problem]:
     for name, epicyclic in design.epicyclics.items():
         path = f"epicyclics.{name}"
         yield from _stage_rules(path, design.rules(name), epicyclic.gears, _OF_PAIRS, "compound sets are spur here")
-        yield from _shifted(path, design.rules(name), "compound sets")
     yield from _axes(design)
     yield from _methods(design)
     yield from _joints(design)
@@ -134,12 +133,6 @@ def _idle(path: str, record: Record, keys: tuple[str, ...], why: str) -> Iterato
     for key in keys:
         if key in record.model_fields_set:
             yield Problem(f"{path}.{key}", f"has no effect: {why}; leave it out")
-
-
-def _shifted(path: str, rules: GearRules, what: str) -> Iterator[Problem]:
-    if rules.profile_shift:
-        message = f"{rules.profile_shift:g}, but {what} are cut without profile shift here; write 0 for this stage"
-        yield Problem(f"{path}.gears.profile_shift", message)
 
 
 def _axes(design: Design) -> Iterator[Problem]:

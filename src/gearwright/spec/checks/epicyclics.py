@@ -30,7 +30,7 @@ def epicyclic_problems(design: Design) -> Iterator[Problem]:
             yield from whole
             yield from _efficiencies(path, epicyclic)
         if not whole:
-            yield from fit_problems(path, epicyclic)
+            yield from fit_problems(name, design)
 
 
 def _shafts(path: str, epicyclic: Epicyclic, design: Design) -> Iterator[Problem]:

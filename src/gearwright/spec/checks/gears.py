@@ -8,7 +8,19 @@ from collections.abc import Iterator
 from gearwright.errors import DesignError, Problem
 from gearwright.identity import SIDES, Role, gear_part
 from gearwright.parts.agma2001 import AgmaSteel, agma_strength
-from gearwright.spec.design import RATINGS, Design, Epicyclic, Pair, Planetary, method_of, stage_shifts, uncovered
+from gearwright.parts.agma2003 import BevelSteel, bevel_strength
+from gearwright.spec.design import (
+    RATINGS,
+    Agma2001Rules,
+    Agma2003Rules,
+    Design,
+    Epicyclic,
+    Pair,
+    Planetary,
+    method_of,
+    stage_shifts,
+    uncovered,
+)
 
 SQUARE = 0.5 * math.pi
 """Axis angle of face and bevel gears that is understood [rad]."""
@@ -34,19 +46,31 @@ def gear_problems(design: Design) -> Iterator[Problem]:
 
 
 def _agma_steels(design: Design) -> Iterator[Problem]:
-    """Find steels and grades that the tables of AGMA 2001 do not have, once where they are written."""
+    """Find steels and grades that the tables of AGMA 2001 and 2003 do not have, once where they are written."""
     rules = {}
     for name, stage in design.stages.items():
-        own = stage.gears is not None and "agma2001" in stage.gears.model_fields_set
-        if RATINGS[design.rules(name).rating].table == "agma2001":
-            rules[f"{design.table(name)}.gears" if own else "gears"] = design.rules(name).agma2001
-    for path, steel in rules.items():
-        try:
-            agma_strength(AgmaSteel(steel.steel), steel.grade, steel.hardness_hb)
-        except DesignError as error:
-            for problem in error.problems:
-                key = "hardness_hb" if problem.path == "hardness" else problem.path
-                yield Problem(f"{path}.agma2001.{key}", problem.message)
+        table = RATINGS[design.rating(name)].table
+        own = stage.gears is not None and table in stage.gears.model_fields_set
+        if table in ("agma2001", "agma2003"):
+            rules[f"{design.table(name)}.gears" if own else "gears", table] = design.rules(name)
+    for (path, table), every in rules.items():
+        for problem in _strengths(every.agma2001 if table == "agma2001" else every.agma2003):
+            yield Problem(f"{path}.{table}.{problem.path}", problem.message)
+
+
+def _strengths(rules: Agma2001Rules | Agma2003Rules) -> Iterator[Problem]:
+    """Find a grade or a hardness that a table of strengths does not have."""
+    keys = {"hardness": "hardness_hb"}
+    try:
+        if isinstance(rules, Agma2001Rules):
+            agma_strength(AgmaSteel(rules.steel), rules.grade, rules.hardness_hb)
+            return
+        bevel_strength(BevelSteel(rules.steel), rules.grade, rules.hardness_hb)
+        if rules.wheel_hardness_hb is not None:
+            keys["hardness"] = "wheel_hardness_hb"
+            bevel_strength(BevelSteel(rules.steel), rules.grade, rules.wheel_hardness_hb)
+    except DesignError as error:
+        yield from (Problem(keys.get(problem.path, problem.path), problem.message) for problem in error.problems)
 
 
 def _covered(path: str, stage: Pair | Planetary | Epicyclic, method: str) -> Iterator[Problem]:

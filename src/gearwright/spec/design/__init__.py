@@ -32,6 +32,7 @@ from gearwright.spec.design.rules import (
     RATINGS,
     SUN_LIMITS,
     Agma2001Rules,
+    Agma2003Rules,
     BearingRules,
     DynamicsRules,
     FrictionName,
@@ -54,7 +55,16 @@ from gearwright.spec.design.shafts import NOTHING_GIVEN, ShaftLayout, Support
 from gearwright.spec.design.sharing import module_owners
 from gearwright.spec.design.spectrum import RATED, case_named, cases_of, drives_of, levels_of, shares_of
 from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary, PlanetBearing, gear_named
-from gearwright.spec.design.teeth import PAIR_ROLES, SET_ROLES, StageShifts, stage_shifts, working_angle
+from gearwright.spec.design.teeth import (
+    PAIR_ROLES,
+    SET_ROLES,
+    CompoundShifts,
+    StageShifts,
+    compound_shifts,
+    relative_modules,
+    stage_shifts,
+    working_angle,
+)
 
 __all__ = [
     "GROUND",
@@ -70,6 +80,7 @@ __all__ = [
     "WEIGHED",
     "Accessory",
     "Agma2001Rules",
+    "Agma2003Rules",
     "Airscrew",
     "Allowed",
     "BearingRules",
@@ -77,6 +88,7 @@ __all__ = [
     "Case",
     "CentralGear",
     "Clutch",
+    "CompoundShifts",
     "Damper",
     "Design",
     "Drive",
@@ -119,12 +131,14 @@ __all__ = [
     "allowed_in_case",
     "case_named",
     "cases_of",
+    "compound_shifts",
     "drives_of",
     "gear_named",
     "given_values",
     "levels_of",
     "method_of",
     "module_owners",
+    "relative_modules",
     "shares_of",
     "stage_shifts",
     "uncovered",

@@ -16,6 +16,10 @@ from gearwright.units import Inertia, Length, Mass, Ratio
 _TEETH = Field(ge=6, le=2000, description="Tooth number z")
 _MODULE = Field(None, gt=0, description="Module m_n of this gear and of all that mesh with it; left out: sized")
 _WIDTH = Field(None, gt=0, description="Face width b of the meshes of this gear and of its mates; left out: sized")
+_SHIFT = Field(
+    None, ge=-1.5, le=1.5, description="Profile shift x; left out: closes its meshes, balanced, or gears.profile_shift"
+)
+_TIP = Field(None, ge=-0.6, le=0.3, description="Tip alteration k; left out: keeps the tip clearance")
 _ALLOWANCE = Field(None, description="Its tooth thickness by DIN 3967; left out: gears.allowance")
 _PLACE = Field(
     None, gt=0, le=10, description="Middle of its face along the axis, from the carrier's plate; left out: not known"
@@ -32,6 +36,8 @@ class CentralGear(Record):
     module: Annotated[Length | None, PITCH, NORMAL_PITCH] = _MODULE
     face_width: Length | None = _WIDTH
     place: Length | None = _PLACE
+    shift: Ratio | None = _SHIFT
+    tip_alteration: Ratio | None = _TIP
     allowance: ThicknessFit | None = _ALLOWANCE
     mass: Mass | None = _MASS
     inertia: Inertia | None = _INERTIA
@@ -50,6 +56,14 @@ class PlanetGear(Record):
     module: Annotated[Length | None, PITCH, NORMAL_PITCH] = _MODULE
     face_width: Length | None = _WIDTH
     place: Length | None = _PLACE
+    centre_distance: Length | None = Field(
+        None,
+        gt=0,
+        description="Working distance of its pin from the set's axis, of all its meshes with suns and rings; the shifts"
+        " follow; left out: they give it",
+    )
+    shift: Ratio | None = _SHIFT
+    tip_alteration: Ratio | None = _TIP
     allowance: ThicknessFit | None = _ALLOWANCE
     mass: Mass | None = _MASS
     inertia: Inertia | None = _INERTIA

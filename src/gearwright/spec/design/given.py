@@ -12,6 +12,7 @@ from gearwright.errors import Problem, near
 from gearwright.identity import SIDES
 from gearwright.spec.bounds import range_of
 from gearwright.spec.design.design import Design
+from gearwright.spec.design.latest import of_the_latest
 from gearwright.spec.design.shafts import NOTHING_GIVEN
 from gearwright.spec.design.sharing import gear_owner, module_owners
 from gearwright.spec.keys import Key as Written
@@ -102,6 +103,7 @@ class GivenValues(NamedTuple):
     """What names nothing, is given twice, or is none that a part has."""
 
 
+@of_the_latest
 def given_values(design: Design) -> GivenValues:
     """Return what a design gives in place of computed values, from both places.
 

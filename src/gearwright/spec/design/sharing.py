@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gearwright.identity import SIDES, Role
 from gearwright.spec.design.design import Design
+from gearwright.spec.design.latest import of_the_latest
 
 
 def gear_owner(design: Design, pair: str, side: Role) -> str:
@@ -18,6 +19,7 @@ def gear_owner(design: Design, pair: str, side: Role) -> str:
     return owner if owner in design.pairs else pair
 
 
+@of_the_latest
 def module_owners(design: Design) -> dict[str, str]:
     """Return stage -> the stage whose module it has: of all that gears join, the first that shares no gear of another.
 

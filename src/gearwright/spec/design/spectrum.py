@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from gearwright.spec.design.design import Design
 from gearwright.spec.design.duty import Case, Drive
+from gearwright.spec.design.latest import of_the_latest
 
 RATED = "rated"
 """Name of the one case of a design without cases: each machine at its rated power."""
@@ -31,19 +32,30 @@ def case_named(design: Design, case: str) -> Case:
     return design.cases.get(case, _ALONE)
 
 
-def drives_of(design: Design, case: str) -> dict[str, Drive]:
+def drives_of(design: Design, case: str) -> Mapping[str, Drive]:
     """Return what every machine does in a case.
 
     Args:
         design: With its machines.
         case: Name of one of its cases; any other is the one of a design without cases.
     """
-    if case not in design.cases:
-        return {name: machine.fully for name, machine in design.machines.items()}
-    said = design.cases[case].machines
-    return {
-        name: _drive(machine.unsaid, said[name], machine.rating) if name in said else machine.unsaid
-        for name, machine in design.machines.items()
+    drives = _drives(design)
+    return drives[case if case in drives else ""]
+
+
+@of_the_latest
+def _drives(design: Design) -> dict[str, dict[str, Drive]]:
+    """Return case -> what every machine does in it; under an empty name what it does in a design without cases."""
+    machines = design.machines
+    alone = {"": {name: machine.fully for name, machine in machines.items()}}
+    return alone | {
+        case: {
+            name: _drive(machine.unsaid, said.machines[name], machine.rating)
+            if name in said.machines
+            else machine.unsaid
+            for name, machine in machines.items()
+        }
+        for case, said in design.cases.items()
     }
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.spec import Design
+from gearwright.train.algebra import remembered
 from gearwright.train.flow.balanced import STANDSTILL
 from gearwright.train.flow.carried import PowerFlow
 from gearwright.train.flow.lossy import lossy, solve_lossy
@@ -109,10 +110,10 @@ class _Rows:
             order: Nodes that may balance, the first first.
         """
         balancing: list[int] = []
-        bound, rank, unit = self.matrix, np.linalg.matrix_rank(self.matrix), np.eye(len(torques))
+        bound, rank, unit = self.matrix, _rank(self.matrix), np.eye(len(torques))
         for node in order:
             more = np.vstack([bound, unit[[node]]])
-            if (higher := np.linalg.matrix_rank(more)) > rank:
+            if (higher := _rank(more)) > rank:
                 balancing, bound, rank = [*balancing, node], more, higher
         outside = torques.copy()
         outside[balancing] = 0.0
@@ -132,6 +133,12 @@ class _Passing:
     driven: list[int]
     forwards: float
     backwards: float
+
+
+@remembered
+def _rank(matrix: Floats) -> Floats:
+    """Return the rank of a matrix [-]."""
+    return np.array(np.linalg.matrix_rank(matrix), dtype=float)
 
 
 def _named(train: Train, passing: _Passing) -> Efficiency:

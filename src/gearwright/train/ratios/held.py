@@ -20,6 +20,8 @@ def as_held(design: Design, case: str) -> Design:
         design: As read.
         case: Name of one of its cases.
     """
+    if not design.clutches:
+        return design
     clutches = _holding(design, case)
     braked = {end for clutch in clutches.values() for end in (clutch.driving, clutch.driven) if _is_brake(clutch)}
     held = braked & _members(design)

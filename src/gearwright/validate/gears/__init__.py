@@ -1,8 +1,8 @@
 """Published ratings of gears: stiffness, flanks, roots, scuffing and losses of teeth."""
 
-from gearwright.validate.gears import losses, mesh_stiffness, rating, reports, scuffing
+from gearwright.validate.gears import bevels, losses, mesh_stiffness, rating, reports, scuffing
 
-CASES = (*mesh_stiffness.CASES, *rating.CASES, *reports.CASES, *losses.CASES, *scuffing.CASES)
+CASES = (*mesh_stiffness.CASES, *rating.CASES, *reports.CASES, *losses.CASES, *scuffing.CASES, *bevels.CASES)
 """In the order of the table."""
 
 __all__ = ["CASES"]

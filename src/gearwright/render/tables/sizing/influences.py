@@ -33,7 +33,7 @@ def _table(mesh: MeshInfluences) -> Table:
 def _row(row: Influence) -> tuple[Cell, ...]:
     value, wanted = shown(row.value, row.dimension), row.wanted
     aim = Cell(None, "–") if wanted is None else _number(shown(wanted, row.dimension))
-    slopes = (Cell(slope, f"{slope:+.3f}".replace("-", "−")) for slope in (row.flank, row.root))
+    slopes = (Cell(slope, f"{round(slope, 3) + 0.0:+.3f}".replace("-", "−")) for slope in (row.flank, row.root))
     return (Cell(row.handle, row.handle), _number(value), Cell(unit(row.dimension), unit(row.dimension)), *slopes, aim)
 
 

@@ -16,7 +16,7 @@ from gearwright.spec.design.rules.methods import (
     method_of,
     uncovered,
 )
-from gearwright.spec.design.rules.standards import Agma2001Rules, Iso6336Rules
+from gearwright.spec.design.rules.standards import Agma2001Rules, Agma2003Rules, Iso6336Rules
 from gearwright.spec.design.rules.tolerance import PartErrors
 
 __all__ = [
@@ -25,6 +25,7 @@ __all__ = [
     "RATINGS",
     "SUN_LIMITS",
     "Agma2001Rules",
+    "Agma2003Rules",
     "BearingRules",
     "DynamicsRules",
     "FrictionName",

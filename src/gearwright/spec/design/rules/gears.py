@@ -10,7 +10,7 @@ from pydantic import Field
 from gearwright.catalogue import CENTRE_FITS, THICKNESS_FITS
 from gearwright.spec.bounds import OneOf
 from gearwright.spec.design.rules.methods import RatingName
-from gearwright.spec.design.rules.standards import Agma2001Rules, Iso6336Rules
+from gearwright.spec.design.rules.standards import Agma2001Rules, Agma2003Rules, Iso6336Rules
 from gearwright.spec.record import Record
 from gearwright.units import Angle, Ratio
 
@@ -29,12 +29,13 @@ class GearRules(Record):
     material: str = Field("nitriding-steel-785", description="Name in the catalogue or under [materials]")
     rating: RatingName = Field(
         "lewis-hertz",
-        description="First sizing by Lewis and Hertz; ISO 6336, with ISO 10300 for bevel gears; or AGMA 2001-D04",
+        description="First sizing by Lewis and Hertz; ISO 6336 or AGMA 2001, bevel gears by ISO 10300 or AGMA 2003",
     )
     iso6336: Iso6336Rules = Field(
         default_factory=Iso6336Rules, description='Rules with rating = "iso6336" or "iso10300"'
     )
     agma2001: Agma2001Rules = Field(default_factory=Agma2001Rules, description='Rules with rating = "agma2001"')
+    agma2003: Agma2003Rules = Field(default_factory=Agma2003Rules, description='Rules with rating = "agma2003"')
     pressure_angle: Angle = Field(
         20 * _DEGREE, ge=14 * _DEGREE, le=30 * _DEGREE, description="Normal pressure angle α_n"
     )

@@ -30,7 +30,7 @@ class RatingMethod:
     table: str = ""
     """Table of rules under [gears] in which its safeties stand; empty where they stand in [gears] itself."""
     instead: Mapping[str, str] = field(default_factory=dict)
-    """Kind of mesh -> sister standard that rates it with the same table."""
+    """Kind of mesh -> sister standard that rates it."""
     fatigue: bool = True
     """Whether its safeties are against fatigue, over the load cycles of the life."""
 
@@ -50,7 +50,10 @@ RATINGS: dict[str, RatingMethod] = {
     "iso6336-2006": replace(_ISO6336, title="ISO 6336:2006"),
     "din3990": replace(_ISO6336, title="DIN 3990", covers=frozenset({CYLINDRICAL})),
     "iso10300": RatingMethod("ISO 10300", frozenset({BEVEL}), ("iso6336",), table="iso6336"),
-    "agma2001": RatingMethod("AGMA 2001", frozenset({CYLINDRICAL}), ("agma2001",), table="agma2001"),
+    "agma2001": RatingMethod(
+        "AGMA 2001", frozenset({CYLINDRICAL}), ("agma2001", "agma2003"), table="agma2001", instead={BEVEL: "agma2003"}
+    ),
+    "agma2003": RatingMethod("AGMA 2003", frozenset({BEVEL}), ("agma2003",), table="agma2003"),
 }
 """Name in files -> method. The one place where the names stand."""
 

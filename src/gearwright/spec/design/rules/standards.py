@@ -83,3 +83,41 @@ class Agma2001Rules(Record):
     widest_diameters: Ratio = Field(0.8, gt=0, le=3, description="Largest face width over the pinion's pitch diameter")
     widest_modules: Ratio = Field(20.0, gt=1, le=60, description="Largest face width over the normal module")
     standard_modules: bool = Field(True, description="Take modules from series I and II of ISO 54")
+
+
+class Agma2003Rules(Record):
+    """How bevel gears are made, of what, which safeties they owe: AGMA 2003, K_o from service.application_factor."""
+
+    edition: Literal["D19", "B97"] = Field(
+        "D19", description="Whose size factor C_s: constant from 79.8 mm (D19) or from 4.5 in (B97)"
+    )
+    steel: Literal["through-hardened", "carburised", "nitrided-4140", "nitralloy-135m"] = Field(
+        "carburised", description="Steel with its row in tables 3 and 5"
+    )
+    grade: int = Field(
+        2, ge=1, le=3, description="Metallurgical grade; through-hardened steel: 1 or 2, nitrided ones: 2"
+    )
+    hardness_hb: float = Field(300.0, ge=100, le=500, description="HB of a through-hardened pinion, 180 to 400")
+    wheel_hardness_hb: float | None = Field(
+        None, ge=100, le=500, description="HB of a softer through-hardened wheel, for C_H; left out: as the pinion's"
+    )
+    pitting_safety: Ratio = Field(1.2, ge=1, le=5, description="Minimum safety against pitting S_H, as with ISO 10300")
+    bending_safety: Ratio = Field(1.6, ge=1, le=5, description="Minimum safety against bending S_F, as with ISO 10300")
+    quality_number: int = Field(11, ge=5, le=11, description="Transmission accuracy Q_v, for the dynamic factor K_v")
+    reliability: Ratio = Field(0.99, ge=0.5, le=0.9999, description="Part of the gears that survive, for K_R and C_R")
+    blank_temperature: float = Field(
+        80.0, ge=-40, le=200, description="Temperature of the gear blanks [°C]; K_T = 1 up to 250 °F"
+    )
+    critical_service: bool = Field(False, description="K_L beyond 3e6 cycles by the lower edge of its band")
+    mounting: Literal["straddle", "one-overhung", "both-overhung"] = Field(
+        "one-overhung", description="How the two gears are held: K_mb = 1, 1.1 or 1.25"
+    )
+    crowned: bool = Field(True, description="Properly crowned teeth: C_xc = 1.5, otherwise 2")
+    cutter_radius: Length | None = Field(
+        None, gt=0, le=2, description="Cutter radius r_c0 of spiral teeth, for K_x; left out: large, K_x = 1"
+    )
+    widest_diameters: Ratio = Field(
+        0.8, gt=0, le=3, description="Of cylindrical stages; bevel faces keep to R_e/3 and 10 m_et"
+    )
+    widest_modules: Ratio = Field(20.0, gt=1, le=60, description="Likewise")
+    standard_modules: bool = Field(True, description="Take modules from series I and II of ISO 54")

@@ -3,34 +3,41 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
+from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem
-from gearwright.identity import Role
 from gearwright.parts.gears import BasicRack, CylindricalGear, GearPair, Room, involute_room, tip_room, tip_thickness
 
 _NEAREST = 60
 """Teeth that are tried one after the other to find some that can be [-]."""
+_SHORTEST = 0.5
+"""Most that internal teeth are shortened by themselves [-]."""
+_SHADE = 1e-6
+"""By which they are shorter than they must be, for rounding [-]."""
 
 
-def impossible_teeth(
-    path: str, gears: Mapping[Role, CylindricalGear], centre: float | None, *, ring: Role | None
-) -> Iterator[Problem]:
-    """Yield what is impossible of the teeth of a stage, and the nearest that are possible.
+class Keys(NamedTuple):
+    """Where a design file speaks of the teeth of a gear."""
+
+    shift: str
+    """Path of its profile shift."""
+    teeth: str
+    """Path of its tooth number."""
+    tip: str
+    """Name of its tip alteration in its table."""
+
+
+def impossible_teeth(keys: Keys, gear: CylindricalGear) -> Iterator[Problem]:
+    """Yield what is impossible of the teeth of an external gear, and the nearest that are possible.
 
     Args:
-        path: Of the stage.
-        gears: Of a module of one metre, as external gears.
-        centre: Working centre distance over the module [-]; None: the reference one.
-        ring: Which of them has its teeth inside, the last; None: all mesh outside.
+        keys: Where the file speaks of it.
+        gear: In any module.
     """
-    outside = [role for role in gears if role is not ring]
-    for role in outside:
-        yield from _pointed(path, role, gears[role])
-        yield from _undercut(path, role, gears[role])
-    if ring is not None:
-        yield from _fouling(path, ring, (gears[outside[-1]], gears[ring]), centre)
+    yield from _pointed(keys.shift, gear)
+    yield from _undercut(keys.shift, gear)
 
 
 def pointed_cones(
@@ -55,14 +62,14 @@ def pointed_cones(
             yield Problem(f"{path}.{role}_shift", message)
 
 
-def _pointed(path: str, role: Role, gear: CylindricalGear) -> Iterator[Problem]:
+def _pointed(key: str, gear: CylindricalGear) -> Iterator[Problem]:
     if tip_thickness(gear) > 0.0:
         return
     able = (replace(gear, teeth=gear.teeth + more) for more in range(1, _NEAREST))
     more = next((f", or {tooth.teeth} teeth" for tooth in able if tip_thickness(tooth) > 0.0), "")
     less = next(x for x in _falling(gear.profile_shift) if tip_thickness(replace(gear, profile_shift=x)) > 0.0)
     message = f"{gear.profile_shift:.4g} points {gear.teeth} teeth below the tip circle; give at most {less:.2f}{more}"
-    yield Problem(f"{path}.{role}_shift", message)
+    yield Problem(key, message)
 
 
 def _falling(shift: float) -> Iterator[float]:
@@ -70,7 +77,7 @@ def _falling(shift: float) -> Iterator[float]:
     yield from (round(shift - 0.01 * step, 2) for step in range(1, 400))
 
 
-def _undercut(path: str, role: Role, gear: CylindricalGear) -> Iterator[Problem]:
+def _undercut(key: str, gear: CylindricalGear) -> Iterator[Problem]:
     """Find shifts towards the axis that undercut; teeth too few for no shift are judged by a check."""
     least = gear.undercut_shift
     if gear.profile_shift >= 0.0 or gear.profile_shift >= least - 1e-9:
@@ -79,29 +86,42 @@ def _undercut(path: str, role: Role, gear: CylindricalGear) -> Iterator[Problem]
     more = next((z for z in able if replace(gear, teeth=z).undercut_shift <= gear.profile_shift), None)
     or_teeth = f", or {more} teeth" if more is not None else ""
     message = f"{gear.profile_shift:.4g} undercuts {gear.teeth} teeth; give at least {least:.3f}{or_teeth}"
-    yield Problem(f"{path}.{role}_shift", message)
+    yield Problem(key, message)
 
 
-def _fouling(
-    path: str, ring: Role, gears: tuple[CylindricalGear, CylindricalGear], centre: float | None
-) -> Iterator[Problem]:
-    """Find internal meshes whose tips dig into involutes or into each other."""
-    pinion, wheel = gears
-    pair = GearPair(pinion, replace(wheel, teeth=-wheel.teeth), centre)
+def fouling(keys: Keys, pair: GearPair) -> Iterator[Problem]:
+    """Yield an internal mesh whose tips dig into involutes or into each other.
+
+    Args:
+        keys: Where the file speaks of its ring.
+        pair: The gear inside and the ring, in any module.
+    """
+    inside, ring = pair.driver.teeth, -pair.driven.teeth
     if (room := involute_room(pair)).clearance < 0.0:
-        needed = wheel.tip_alteration + room.clearance / wheel.module
+        module = pair.driven.module
+        needed = pair.driven.tip_alteration + room.clearance / module
         message = (
-            f"the tips of the {wheel.teeth} internal teeth dig {-room.clearance / wheel.module:.3g} modules past the"
-            f" involute of the {pinion.teeth} inside; give {ring}_tip_alteration = {needed - 5e-4:.3f} or below,"
+            f"the tips of the {ring} internal teeth dig {-room.clearance / module:.3g} modules past the"
+            f" involute of the {inside} inside; give {keys.tip} = {needed - 5e-4:.3f} or below,"
             f" more shift to the gear inside{_able(pair)}"
         )
-        yield Problem(f"{path}.{ring}_teeth", message)
+        yield Problem(keys.teeth, message)
     elif (tips := tip_room(pair)) is not None and tips.clearance < 0.0:
         message = (
-            f"the tips of {pinion.teeth} teeth foul those of the {wheel.teeth} internal ones as they leave (trochoidal"
-            f" interference); shorten the tips with {ring}_tip_alteration{_able(pair)}"
+            f"the tips of {inside} teeth foul those of the {ring} internal ones as they leave (trochoidal"
+            f" interference); shorten the tips with {keys.tip}{_able(pair)}"
         )
-        yield Problem(f"{path}.{ring}_teeth", message)
+        yield Problem(keys.teeth, message)
+
+
+def off_the_involute(pair: GearPair) -> float:
+    """Return the tip alteration with which a ring's tips are as short as the involute of the gear inside asks [-].
+
+    Args:
+        pair: The gear inside and the ring, in any module.
+    """
+    ring, clearance = pair.driven, involute_room(pair).clearance / pair.driven.module
+    return ring.tip_alteration if clearance >= 0.0 else ring.tip_alteration + max(clearance, -_SHORTEST) - _SHADE
 
 
 def _able(pair: GearPair) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import lru_cache
 
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.identity import Role
@@ -15,7 +16,6 @@ from gearwright.parts.gears import (
     BasicRack,
     CylindricalGear,
     GearPair,
-    involute_room,
     reference_centre,
     working_angle_at,
 )
@@ -23,13 +23,14 @@ from gearwright.spec.design.design import Design
 from gearwright.spec.design.rules import GearRules
 from gearwright.spec.design.stages import Pair, Planetary
 from gearwright.spec.design.teeth.completed import cone_shifts, pair_shifts, set_shifts
-from gearwright.spec.design.teeth.possible_teeth import impossible_teeth, pointed_cones
-from gearwright.spec.design.teeth.shifts import PAIR_ROLES, Basis, StageShifts
-
-_SHORTEST = 0.5
-"""Most that internal teeth are shortened by themselves [-]."""
-_SHADE = 1e-6
-"""By which they are shorter than they must be, for rounding [-]."""
+from gearwright.spec.design.teeth.possible_teeth import (
+    Keys,
+    fouling,
+    impossible_teeth,
+    off_the_involute,
+    pointed_cones,
+)
+from gearwright.spec.design.teeth.shifts import PAIR_ROLES, Basis, StageShifts, placed
 
 
 def stage_shifts(design: Design, name: str, teeth: Mapping[Role, int]) -> StageShifts:
@@ -62,13 +63,34 @@ def stage_shifts(design: Design, name: str, teeth: Mapping[Role, int]) -> StageS
         else:
             shifts = pair_shifts(basis, stage, (teeth[Role.PINION], teeth[Role.WHEEL]), _borrowed(design, stage))
     except DesignError as error:
-        raise DesignError(_placed(path, problem) for problem in error.problems) from None
+        raise DesignError(placed(path, problem) for problem in error.problems) from None
     if isinstance(stage, Pair) and stage.kind == "face":
         return shifts
-    if ring := _ring_of(stage):
+    ring = _ring_of(stage)
+    if ring is not None:
         shifts = _off_the_involute(basis, stage, ring, shifts, teeth)
-    refuse(impossible_teeth(path, _shapes(basis, shifts, teeth), shifts.centre, ring=ring))
+    refuse(_impossible(path, tuple(_shapes(basis, shifts, teeth).items()), shifts.centre, ring))
     return shifts
+
+
+@lru_cache(maxsize=4096)
+def _impossible(
+    path: str, gears: tuple[tuple[Role, CylindricalGear], ...], centre: float | None, ring: Role | None
+) -> tuple[Problem, ...]:
+    """Return what is impossible of the teeth of a stage; those of a study repeat."""
+    outside = [(role, gear) for role, gear in gears if role is not ring]
+    problems = [problem for role, gear in outside for problem in impossible_teeth(_keys(path, role), gear)]
+    if ring is not None:
+        problems += fouling(_keys(path, ring), _in_ring(outside[-1][1], dict(gears)[ring], centre))
+    return tuple(problems)
+
+
+def _keys(path: str, role: Role) -> Keys:
+    return Keys(f"{path}.{role}_shift", f"{path}.{role}_teeth", f"{role}_tip_alteration")
+
+
+def _in_ring(inside: CylindricalGear, ring: CylindricalGear, centre: float | None) -> GearPair:
+    return GearPair(inside, replace(ring, teeth=-ring.teeth), centre)
 
 
 def _ring_of(stage: Pair | Planetary) -> Role | None:
@@ -85,11 +107,14 @@ def _off_the_involute(
     if getattr(stage, f"{ring}_tip_alteration") is not None:
         return shifts
     inside, wheel = list(_shapes(basis, shifts, teeth).values())[-2:]
-    room = involute_room(GearPair(inside, replace(wheel, teeth=-wheel.teeth), shifts.centre))
-    if room.clearance >= 0.0:
-        return shifts
-    shorter = shifts.gears[-1].tip_alteration + max(room.clearance, -_SHORTEST) - _SHADE
-    return shifts._replace(gears=(*shifts.gears[:-1], shifts.gears[-1]._replace(tip_alteration=shorter)))
+    tip = _cleared(inside, wheel, shifts.centre)
+    return shifts._replace(gears=(*shifts.gears[:-1], shifts.gears[-1]._replace(tip_alteration=tip)))
+
+
+@lru_cache(maxsize=4096)
+def _cleared(inside: CylindricalGear, wheel: CylindricalGear, centre: float | None) -> float:
+    """Return the tip alteration that clears the involute of the gear inside [-]; the teeth of a study repeat."""
+    return off_the_involute(_in_ring(inside, wheel, centre))
 
 
 def _shapes(basis: Basis, shifts: StageShifts, teeth: Mapping[Role, int]) -> dict[Role, CylindricalGear]:
@@ -100,13 +125,6 @@ def _shapes(basis: Basis, shifts: StageShifts, teeth: Mapping[Role, int]) -> dic
         role: CylindricalGear(number, 1.0, 1.0, helix, shift.profile_shift, rack, shift.tip_alteration)
         for (role, number), shift in zip(teeth.items(), shifts.gears, strict=True)
     }
-
-
-def _placed(path: str, problem: Problem) -> Problem:
-    """Return a problem of the formulas below the path of its stage."""
-    if problem.path.startswith(path):
-        return problem
-    return Problem(f"{path}.{problem.path}" if problem.path == "centre_distance" else path, problem.message)
 
 
 def _borrowed(design: Design, pair: Pair) -> dict[Role, float]:

@@ -99,6 +99,18 @@ class Basis(NamedTuple):
         return DesignError([Problem(f"{self.path}.{key}", message)])
 
 
+def placed(path: str, problem: Problem) -> Problem:
+    """Return a problem of the formulas below the path of what they were asked for.
+
+    Args:
+        path: Of a stage, or of the planet whose pin it is.
+        problem: As the formulas name it.
+    """
+    if problem.path.startswith(path):
+        return problem
+    return Problem(f"{path}.{problem.path}" if problem.path == "centre_distance" else path, problem.message)
+
+
 def given_centre(basis: Basis, stage: Pair | Planetary) -> float | None:
     """Return the given centre distance over the given module [-].
 
@@ -135,7 +147,7 @@ def agree(basis: Basis, key: str, shifts: tuple[float, ...], teeth: int, centre:
         raise basis.refused(key, message)
 
 
-def refuse_wide(basis: Basis, role: Role, shift: float, mates: tuple[int, int]) -> None:
+def refuse_wide(basis: Basis, role: str, shift: float, mates: tuple[int, int]) -> None:
     """Refuse a shift that is wider than any that is looked at, as a centre distance far away asks for it.
 
     Args:
@@ -168,7 +180,10 @@ def _reach(basis: Basis, teeth: tuple[int, int]) -> str:
     )
 
 
-def divided(basis: Basis, teeth: tuple[int, int], total: float, centre: float | None) -> float:
+def divided(
+    basis: Basis, teeth: tuple[int, int], total: float, centre: float | None, *,
+    within: tuple[float, float] = (-WIDEST, WIDEST),
+) -> float:  # fmt: skip
     """Return x_1 of a sum of shifts that balances two gears as the rules say, without undercut of either.
 
     Args:
@@ -176,6 +191,7 @@ def divided(basis: Basis, teeth: tuple[int, int], total: float, centre: float | 
         teeth: z_1 and z_2, negative for internal teeth [-].
         total: x_1 + x_2 [-].
         centre: a_w/m_n [-]; None: the reference one.
+        within: Between which x_1 keeps further gears, whose shifts follow from it, free of undercut [-].
     """
     limits = [
         max(least_profile_shift(number, ISO53_A.straight_dedendum, **basis.angles), -WIDEST) if number > 0 else -WIDEST
@@ -191,11 +207,18 @@ def divided(basis: Basis, teeth: tuple[int, int], total: float, centre: float | 
             f" need {needed:.3f} and it leaves {total:.3f}; give a larger centre distance, or more teeth"
         )
         raise basis.refused("centre_distance", message)
+    least, most = max(least, within[0]), min(most, within[1])
+    if least > most:
+        message = (
+            f"no shifts keep {teeth[0]} and {abs(teeth[1])} teeth and their other mates free of undercut and within"
+            f" ±{WIDEST:g} on this centre distance; give another one, or other teeth"
+        )
+        raise basis.refused("centre_distance", message)
     by = basis.rules.balanced_shifts or DEFAULT_BALANCE
 
     def shape(first: float) -> MeshGeometry:
         shifts = (first, total - first)
-        tips = _shortening(basis, teeth, shifts, centre)
+        tips = shortening(basis, teeth, shifts, centre)
         return shifted_mesh(teeth, (ToothShift(shifts[0], tips), ToothShift(shifts[1], tips)), centre, **basis.angles)
 
     return balanced_shift(shape, least, most, by=by)
@@ -219,7 +242,7 @@ def altered(
         teeth: z_1 and z_2 of its external mesh, or of its internal pair [-].
         centre: a_w/m_n [-]; None: the reference one.
     """
-    kept = _shortening(basis, teeth, shifts[:2], centre)
+    kept = shortening(basis, teeth, shifts[:2], centre)
     altered = []
     for role, shift in zip(roles, shifts, strict=True):
         given = getattr(stage, f"{role}_tip_alteration")
@@ -228,8 +251,15 @@ def altered(
     return tuple(altered)
 
 
-def _shortening(basis: Basis, teeth: tuple[int, int], shifts: tuple[float, ...], centre: float | None) -> float:
-    """Return the tip alteration of an external mesh; internal ones keep their tips."""
+def shortening(basis: Basis, teeth: tuple[int, int], shifts: tuple[float, ...], centre: float | None) -> float:
+    """Return the tip alteration of an external mesh [-]; internal ones keep their tips.
+
+    Args:
+        basis: Of the stage.
+        teeth: z_1 and z_2, negative for internal teeth [-].
+        shifts: x_1 and x_2 [-].
+        centre: a_w/m_n [-]; None: the reference one.
+    """
     if centre is None or min(teeth) < 0:
         return 0.0
     return tip_shortening(sum(teeth), centre, shifts[0] + shifts[1], helix_angle=basis.angles["helix_angle"])

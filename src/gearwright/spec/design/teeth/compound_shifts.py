@@ -1,0 +1,242 @@
+"""Profile shifts of compound sets: those given, what closes every mesh on the pins of its planets, and balanced rest.
+
+A planet reaches the suns and rings that it meshes with on one distance of its pin from the axis, which all steps of a
+stepped planet share. Gears that such meshes join make a chain: with the pins known, one shift of a chain leaves all
+others. Two planets that mesh are of two chains, and the distance of their pins follows from their shifts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+from gearwright.errors import Problem, refuse
+from gearwright.parts.gears import (
+    ISO53_A,
+    BasicRack,
+    CylindricalGear,
+    GearPair,
+    ToothShift,
+    least_profile_shift,
+    reference_centre,
+)
+from gearwright.parts.planetary import CompoundSet
+from gearwright.spec.design.design import Design
+from gearwright.spec.design.teeth.compound_pins import ROUNDED, PinnedTeeth
+from gearwright.spec.design.teeth.possible_teeth import Keys, fouling, impossible_teeth, off_the_involute
+from gearwright.spec.design.teeth.shifts import (
+    WIDEST,
+    StageShifts,
+    agree,
+    divided,
+    refuse_wide,
+    shortening,
+)
+
+
+class CompoundShifts(NamedTuple):
+    """Profile shifts and tip alterations of the gears of a compound set, and where they mesh."""
+
+    gears: Mapping[str, ToothShift]
+    """Gear, as the design calls it -> its shift."""
+    meshes: Mapping[str, StageShifts]
+    """Mesh, such as ``sun-planet`` -> the shifts of its gears and its centre distance."""
+
+    def shape(self, compound: CompoundSet) -> CompoundSet:
+        """Return a set with the centre distances and the tips that the shifts give it.
+
+        Args:
+            compound: The set without shifts.
+        """
+        centres = {pair: self.meshes["-".join(pair)].centre for pair in compound.meshes}
+        return replace(
+            compound,
+            centres={pair: centre for pair, centre in centres.items() if centre is not None},
+            heights={gear: 1.0 + sum(shift) for gear, shift in self.gears.items() if any(shift)},
+        )
+
+
+class _Follows(NamedTuple):
+    """How the shift of a gear follows from that of the first gear of its chain: x = ``start`` + ``sense`` x_1."""
+
+    start: float
+    sense: float
+
+
+def compound_shifts(design: Design, name: str) -> CompoundShifts:
+    """Return the profile shifts of a compound set.
+
+    Args:
+        design: As read.
+        name: Of the set, whose names all mean something.
+
+    Source: ISO 21771:2007 at every mesh; DIN 3960:1987 for tips; DIN 3992:1964 for balanced shifts.
+
+    Raises:
+        DesignError: Shifts and centre distances that contradict each other or make no teeth; with what would.
+    """
+    epicyclic = design.epicyclics[name]
+    own = PinnedTeeth(f"epicyclics.{name}", epicyclic, design.rules(name))
+    shifts = {gear: shift for chain in _chains(own) for gear, shift in _chain_shifts(own, chain).items()}
+    for central, planet in own.compound.at_centre:
+        _held(own, (central, planet), shifts)
+    centres = {pair: _centre(own, pair, shifts) for pair in own.compound.meshes}
+    gears = {gear: ToothShift(shifts[gear], tip) for gear, tip in zip(shifts, _tips(own, shifts, centres), strict=True)}
+    found = CompoundShifts(
+        {gear: gears[gear] for gear in epicyclic.toothed},
+        {"-".join(pair): StageShifts((gears[pair[0]], gears[pair[1]]), centre) for pair, centre in centres.items()},
+    )
+    found = _rings_off_the_involute(own, found)
+    refuse(_impossible(own, found))
+    return found
+
+
+def _chains(own: PinnedTeeth) -> Iterator[tuple[str, ...]]:
+    """Yield the gears of every chain, from a sun on, or from a ring."""
+    left = dict.fromkeys(own.epicyclic.toothed)
+    while left:
+        chain = [next(iter(left))]
+        for gear in chain:
+            for pair in own.compound.at_centre:
+                chain += [mate for mate in pair if gear in pair and mate not in chain]
+        left = {gear: None for gear in left if gear not in chain}
+        yield tuple(chain)
+
+
+def _followers(own: PinnedTeeth, chain: tuple[str, ...]) -> dict[str, _Follows]:
+    """Return how the shifts of a chain follow from that of its first gear, mesh by mesh."""
+    follows = {chain[0]: _Follows(0.0, 1.0)}
+    for gear in chain:
+        for pair in own.compound.at_centre:
+            if gear in pair and (mate := pair[pair[0] == gear]) not in follows:
+                start, sense = follows[gear]
+                follows[mate] = _Follows(own.asked(pair) - start, -sense)
+    return follows
+
+
+def _chain_shifts(own: PinnedTeeth, chain: tuple[str, ...]) -> dict[str, float]:
+    """Return the shifts of a chain: those given, and what closes or balances the rest."""
+    given = {gear: shift for gear in chain if (shift := own.epicyclic.toothed[gear].shift) is not None}
+    if len(chain) == 1:
+        return {chain[0]: given.get(chain[0], 0.0 - own.rules.profile_shift)}
+    follows = _followers(own, chain)
+    if given:
+        gear, shift = next(iter(given.items()))
+        first = (shift - follows[gear].start) * follows[gear].sense
+    elif own.rules.balanced_shifts is None and all(own.centre(pair) is None for pair in _pairs(own, chain)):
+        first = own.rules.profile_shift
+    else:
+        first = _balanced(own, chain, follows)
+    return {gear: given.get(gear, start + sense * first + 0.0) for gear, (start, sense) in follows.items()}
+
+
+def _pairs(own: PinnedTeeth, chain: tuple[str, ...]) -> list[tuple[str, str]]:
+    return [pair for pair in own.compound.at_centre if pair[0] in chain]
+
+
+def _balanced(own: PinnedTeeth, chain: tuple[str, ...], follows: Mapping[str, _Follows]) -> float:
+    """Return the shift of the first gear of a chain with which it and its first mate are balanced [-]."""
+    pair = next(pair for pair in _pairs(own, chain) if pair[0] == chain[0])
+    driver, driven = pair if own.compound.teeth[pair[0]] > 0 else pair[::-1]
+    start, sense = follows[driver]
+    ends = [_room(own, gear, follows[gear]) for gear in chain]
+    least, most = max(low for low, _ in ends), min(high for _, high in ends)
+    within = sorted(start + sense * end for end in (least, most)) if least <= most else [1.0, -1.0]
+    teeth = own.compound.teeth[driver], own.compound.teeth[driven]
+    with own.naming(pair[1]):
+        shift = divided(own.basis(pair[1]), teeth, own.asked(pair), own.centre(pair), within=(within[0], within[1]))
+    # Balanced shifts are rounded, limits are not.
+    return min(max((shift - start) * sense, least), most)
+
+
+def _room(own: PinnedTeeth, gear: str, follows: _Follows) -> tuple[float, float]:
+    """Return between which shifts of the first gear of its chain a gear is free of undercut, and no wider than any."""
+    angles, teeth = own.basis(gear).angles, own.compound.teeth[gear]
+    least = -WIDEST
+    if teeth > 0:
+        least = max(least, least_profile_shift(teeth, ISO53_A.straight_dedendum, **angles))
+    low, high = sorted((end - follows.start) * follows.sense for end in (least, WIDEST))
+    return low, high
+
+
+def _held(own: PinnedTeeth, pair: tuple[str, str], shifts: Mapping[str, float]) -> None:
+    """Refuse shifts of a sun or ring and a planet that close elsewhere than on the pin, or are too wide."""
+    central, planet = pair
+    basis, total, centre = own.basis(planet), own.total(pair), own.centre(pair)
+    teeth = own.compound.teeth
+    with own.naming(planet):
+        agree(basis, "shift", (shifts[central], shifts[planet]), total, centre or reference_centre(total, 0.0))
+        for gear in pair:
+            if own.epicyclic.toothed[gear].shift is None:
+                mates = (teeth[planet], teeth[central]) if teeth[central] < 0 else (teeth[central], teeth[planet])
+                refuse_wide(basis, f"{own.kind(gear)} {gear}", shifts[gear], mates)
+
+
+def _centre(own: PinnedTeeth, pair: tuple[str, str], shifts: Mapping[str, float]) -> float | None:
+    """Return the centre distance of a mesh over its module: of the pin, of two planets by their shifts [-]."""
+    if pair not in own.compound.between:
+        return own.centre(pair if pair[0] in own.epicyclic.centrals else pair[::-1])
+    total = shifts[pair[0]] + shifts[pair[1]]
+    with own.naming(pair[0]):
+        return None if abs(total) <= ROUNDED else own.basis(pair[0]).centre_of(own.total(pair), total)
+
+
+def _tips(
+    own: PinnedTeeth, shifts: Mapping[str, float], centres: Mapping[tuple[str, str], float | None]
+) -> Iterator[float]:  # fmt: skip
+    """Yield the tip alteration of every gear: given, or what keeps the tip clearance in all its external meshes."""
+    for gear in shifts:
+        kept = [
+            shortening(own.basis(gear), (teeth[0], teeth[1]), tuple(shifts[end] for end in pair), centre)
+            for pair, centre in centres.items()
+            if gear in pair and min(teeth := [own.compound.teeth[end] for end in pair]) > 0
+        ]
+        given = own.epicyclic.toothed[gear].tip_alteration
+        yield min(kept, default=0.0) if given is None else given
+
+
+def _rings_off_the_involute(own: PinnedTeeth, found: CompoundShifts) -> CompoundShifts:
+    """Return the shifts with the tips of rings as short as the involutes of their planets ask."""
+    tips = {
+        ring: min(off_the_involute(pair) for pair, outer in _internal(own, found) if outer == ring)
+        for ring, entry in own.epicyclic.rings.items()
+        if entry.tip_alteration is None
+    }
+    gears = {
+        gear: shift._replace(tip_alteration=tips.get(gear, shift.tip_alteration)) for gear, shift in found.gears.items()
+    }
+    meshes = {
+        "-".join(pair): found.meshes["-".join(pair)]._replace(gears=(gears[pair[0]], gears[pair[1]]))
+        for pair in own.compound.meshes
+    }
+    return CompoundShifts(gears, meshes)
+
+
+def _internal(own: PinnedTeeth, found: CompoundShifts) -> Iterator[tuple[GearPair, str]]:
+    """Yield every mesh with a ring in a module of one metre, and the ring."""
+    for ring, planet in own.compound.at_centre:
+        if ring in own.epicyclic.rings:
+            wheel = _shape(own, found, ring)
+            wheel = replace(wheel, teeth=-wheel.teeth)
+            yield GearPair(_shape(own, found, planet), wheel, found.meshes[f"{planet}-{ring}"].centre), ring
+
+
+def _shape(own: PinnedTeeth, found: CompoundShifts, gear: str) -> CylindricalGear:
+    shift, rack = found.gears[gear], BasicRack(pressure_angle=own.rules.pressure_angle)
+    return CylindricalGear(
+        abs(own.compound.teeth[gear]), 1.0, 1.0, 0.0, shift.profile_shift, rack, shift.tip_alteration
+    )  # fmt: skip
+
+
+def _impossible(own: PinnedTeeth, found: CompoundShifts) -> Iterator[Problem]:
+    for gear in own.epicyclic.toothed:
+        if gear not in own.epicyclic.rings:
+            yield from impossible_teeth(_keys(own, gear), _shape(own, found, gear))
+    for pair, ring in _internal(own, found):
+        yield from fouling(_keys(own, ring), pair)
+
+
+def _keys(own: PinnedTeeth, gear: str) -> Keys:
+    path = own.key(gear)
+    return Keys(f"{path}.shift", f"{path}.teeth", "tip_alteration")
