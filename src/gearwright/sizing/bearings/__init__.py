@@ -4,7 +4,7 @@ The catalogue is `catalogue`'s.
 """
 
 from gearwright.sizing.bearings.bearing_seats import bearing_seats
-from gearwright.sizing.bearings.choice import Seating, bearing_sizings, seating
+from gearwright.sizing.bearings.choice import Checked, Seating, bearing_sizings, seating
 from gearwright.sizing.bearings.fitted import Fitted, fitted_in
 from gearwright.sizing.bearings.planet_bodies import as_made, planet_bodies
 from gearwright.sizing.bearings.planet_lives import planet_lives
@@ -14,6 +14,7 @@ from gearwright.sizing.bearings.running import oil_of, oiled_life, running_of
 from gearwright.sizing.bearings.seat import Seat, seat_forces
 
 __all__ = [
+    "Checked",
     "Fitted",
     "Seat",
     "Seating",

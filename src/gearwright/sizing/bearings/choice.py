@@ -36,6 +36,10 @@ TYPICAL_TAPER = LoadFactors(0.4, 0.4, 1.5)
 MAKER = "maker's rating, given by the user"
 
 
+Checked = dict[tuple[BearingSpectrum, Bearing], BearingCheck]
+"""Duty and size -> how it bears it, as far as that was asked."""
+
+
 @dataclass(frozen=True)
 class Seating:
     """The bearings of one shaft under one set of thrusts."""
@@ -54,6 +58,8 @@ class Seating:
     """With its oil, and the life that it asks."""
     rated: dict[tuple[str, str], BearingCheck] = field(default_factory=dict)
     """Bearing and size -> how it bears its duty, as far as that was asked."""
+    known: Checked = field(default_factory=dict)
+    """The same by duty, of every seating of the shaft."""
 
     def check(self, name: str, size: Bearing) -> BearingCheck:
         """Return how a size bears the duty of a bearing.
@@ -64,7 +70,10 @@ class Seating:
         """
         key = (name, size.designation)
         if key not in self.rated:
-            plain = check_bearing(size, self.duties[name])
+            duty = (self.duties[name], size)
+            if duty not in self.known:
+                self.known[duty] = check_bearing(size, self.duties[name])
+            plain = self.known[duty]
             self.rated[key] = self._oiled(name, plain) if self.design.bearing_rules.life == "modified" else plain
         return self.rated[key]
 
@@ -99,7 +108,9 @@ class Seating:
         raise DesignError([Problem(f"bearings.{name}", _none(self.duties[name], seat, (smallest, largest), checks))])
 
 
-def seating(context: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str, Bearing], *, slim: bool) -> Seating:
+def seating(
+    context: Context, shaft: str, forces: ShaftForces, chosen: Mapping[str, Bearing], *, slim: bool, known: Checked
+) -> Seating:
     """Return what the bearings of a shaft bear, and the sizes that may be taken.
 
     Args:
@@ -108,6 +119,7 @@ def seating(context: Context, shaft: str, forces: ShaftForces, chosen: Mapping[s
         forces: What acts on it.
         chosen: Bearing -> the size taken last; the thrust of taper bearings follows from it.
         slim: Prefer small bores to light bearings.
+        known: What other seatings of the shaft have checked.
 
     Raises:
         DesignError: If nothing takes a force along the shaft, or the catalogue has no such bore.
@@ -125,7 +137,7 @@ def seating(context: Context, shaft: str, forces: ShaftForces, chosen: Mapping[s
     speeds = [flow.speeds[shaft] for flow in context.flows.values()]
     duties = {name: duty_of(context, radial[name], axial[name], speeds, life=seat.life) for name, seat in seats.items()}
     sizes = {name: _sizes(name, seat, slim=slim) for name, seat in seats.items()}
-    return Seating(seats, radial, axial, duties, sizes, context.design)
+    return Seating(seats, radial, axial, duties, sizes, context.design, known=known)
 
 
 def _sizes(name: str, seat: BearingSeat, *, slim: bool) -> tuple[Bearing, ...]:

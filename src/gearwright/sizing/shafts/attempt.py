@@ -10,7 +10,7 @@ from typing import NamedTuple
 from gearwright.catalogue import Bearing
 from gearwright.parts import Material
 from gearwright.sizing.arrangement import root_diameter
-from gearwright.sizing.bearings import Seating
+from gearwright.sizing.bearings import Checked, Seating
 from gearwright.sizing.loads import ShaftForces
 from gearwright.sizing.mounted import JointSizing
 from gearwright.sizing.rating import Context
@@ -41,6 +41,8 @@ class Task:
     """Thickest diameter that the user gives [m]."""
     joints: Mapping[str, Joint] = field(default_factory=dict)
     """Hub or gear on this shaft -> its joint."""
+    checked: Checked = field(default_factory=dict)
+    """How sizes of bearings bear what they were tried for."""
 
     @property
     def as_given(self) -> float | None:

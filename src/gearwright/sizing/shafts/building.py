@@ -101,13 +101,14 @@ def _settled(task: Task, *, slim: bool) -> Built:
     chosen: Mapping[str, Bearing] = {}
     tried: list[Mapping[str, str]] = []
     for _ in range(TAPER_ROUNDS):
-        seated = seating(task.context, task.name, task.forces, chosen, slim=slim)
+        seated = seating(task.context, task.name, task.forces, chosen, slim=slim, known=task.checked)
         attempt = _stiff(task, seated) if task.as_given is None else attempt_with(task, seated, {})
         chosen, names = attempt.chosen, {seat: bearing.designation for seat, bearing in attempt.chosen.items()}
         if names in tried or not any(seat.kind == "taper" for seat in seated.seats.values()):
             break
         tried.append(names)
-    return _finished(task, seating(task.context, task.name, task.forces, chosen, slim=slim), attempt)
+    borne = seating(task.context, task.name, task.forces, chosen, slim=slim, known=task.checked)
+    return _finished(task, borne, attempt)
 
 
 def _stiff(task: Task, seated: Seating) -> Attempt:
