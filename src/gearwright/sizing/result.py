@@ -62,7 +62,7 @@ class GearSizing:
     rim: Annotated[
         float,
         Quantity("length"),
-        Origin("s = k m_n outside the pitch circle, k of the rules", "3.95: AGMA 2001-D04, backup ratio 1.2"),
+        Origin("s = (k − x) m_n outside the pitch circle, k of the rules", "3.95: AGMA 2001-D04, backup ratio 1.2"),
     ]
     """Wall of a ring outside its pitch circle [m]; zero for discs."""
     mass: Annotated[

@@ -22,7 +22,8 @@ MARKS: Mapping[Mark, tuple[str, str]] = MappingProxyType(
 )
 """Mark -> sign beside the value, and what it says."""
 SYMBOLS: Mapping[str, str] = MappingProxyType({
-    "teeth": "z", "module": "m_n", "helix_angle": "β", "face_width": "b", "pitch_diameter": "d", "mass": "m",
+    "teeth": "z", "module": "m_n", "helix_angle": "β", "profile_shift": "x", "tip_alteration": "k",
+    "face_width": "b", "pitch_diameter": "d", "mass": "m", "centre_distance": "a_w", "working_pressure_angle": "α_wt",
     "inertia": "I", "speed": "n", "torque": "T", "power": "P", "load_factor": "K_γ", "tangential_force": "F_t",
     "radial_force": "F_r", "axial_force": "F_a", "pitch_line_velocity": "v", "bending_stress": "σ_F",
     "contact_stress": "σ_H", "stiffness": "k", "bending_moment": "M_b", "diameter": "d", "bore": "d_i",

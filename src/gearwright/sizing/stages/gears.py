@@ -41,7 +41,7 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
     # Profile shift moves teeth and roots as they are; what is cut off thin tips is left out.
     thicker = shift.profile_shift * module if rating.kind == "cylindrical" else 0.0
     if ring:
-        mean, depth = diameter - 2.0 * thicker, wall + thicker
+        mean, depth = diameter - 2.0 * thicker, wall
         mass = ring_mass(mean, depth, width, density=density)
     else:
         mean, depth = diameter + 2.0 * thicker, 0.0
@@ -58,7 +58,7 @@ def _gear(context: Context, gear: Gear, size: StageSize) -> GearSizing:
         helix_angle=rating.helix_angle,
         face_width=width,
         pitch_diameter=diameter,
-        rim=wall,
+        rim=wall - thicker if ring else 0.0,  # the root circle moves with the teeth, and the wall behind it
         mass=mass,
         inertia=given.get(f"{gear.name}.inertia", inertia),
         profile_shift=shift.profile_shift,

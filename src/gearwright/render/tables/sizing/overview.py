@@ -73,9 +73,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
                         ("case", "machine", "asked", "actual", "deviation"), note=_KEPT),
         "passing": passing_table(sizing),
         "gears": table("Gears", sizing.gears, _gear_fields(sizing), mark=mark),
-        "meshes": table("Mesh forces", sizing.meshes,
-                        ("name", "count", "case", "load_factor", "tangential_force", "radial_force", "axial_force",
-                         "pitch_line_velocity"), note="Forces of one mesh."),
+        "meshes": table("Mesh forces", sizing.meshes, _mesh_fields(sizing), note="Forces of one mesh."),
         "rating": table("Mesh rating", sizing.meshes,
                         ("name", "module_bending", "module_contact", "bending_stress", "bending_margin",
                          "contact_stress", "contact_margin")),
@@ -102,4 +100,15 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
 
 def _gear_fields(sizing: Sizing) -> tuple[str, ...]:
     helical = ("helix_angle",) if any(gear.helix_angle for gear in sizing.gears) else ()
-    return ("name", "bodies", "teeth", "module", *helical, "face_width", "pitch_diameter", "mass", "inertia")
+    shift = ("profile_shift", "tip_alteration") if _shifted(sizing) else ()
+    return ("name", "bodies", "teeth", "module", *helical, *shift, "face_width", "pitch_diameter", "mass", "inertia")
+
+
+def _mesh_fields(sizing: Sizing) -> tuple[str, ...]:
+    working = ("centre_distance", "working_pressure_angle") if _shifted(sizing) else ()
+    forces = ("tangential_force", "radial_force", "axial_force")
+    return ("name", "count", "case", *working, "load_factor", *forces, "pitch_line_velocity")
+
+
+def _shifted(sizing: Sizing) -> bool:
+    return any(gear.profile_shift or gear.tip_alteration for gear in sizing.gears)

@@ -81,7 +81,11 @@ class GearRules(Record):
     web_ratio: Ratio = Field(
         1.0, ge=0.01, le=1, description="Mass of a wheel body over that of the solid disc; 1 is solid"
     )
-    rim_thickness_ratio: Ratio = Field(3.95, ge=1, description="Ring wall from its pitch circle over the module")
+    rim_thickness_ratio: Ratio = Field(
+        3.95,
+        ge=1,
+        description="Ring wall from its pitch circle over the module; profile shift moves it with the root circle",
+    )
 
 
 SUN_LIMITS = (59, 120, 240, 400)
