@@ -26,7 +26,7 @@ from gearwright.parts.bevel.pitting import (
     mid_zone_factor,
 )
 from gearwright.parts.bevel.rating import BevelRating, BevelSurfaces, bevel_pitch_tolerance, rate_bevel
-from gearwright.parts.bevel.virtual import HIGH_CROWNING, LOW_CROWNING, VirtualPair
+from gearwright.parts.bevel.virtual import HIGH_CROWNING, LOW_CROWNING, VirtualPair, virtual_mesh
 
 __all__ = [
     "BOTH_OVERHUNG",
@@ -56,4 +56,5 @@ __all__ = [
     "mid_zone_factor",
     "rate_bevel",
     "spiral_angle_factor",
+    "virtual_mesh",
 ]

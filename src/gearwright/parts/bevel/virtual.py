@@ -8,6 +8,7 @@ from functools import cached_property
 
 from gearwright.parts.bevel.geometry import BevelPair
 from gearwright.parts.gears import transverse_pressure_angle
+from gearwright.parts.iso6336 import MeshGeometry
 
 EFFECTIVE_WIDTH = 0.85
 """Part of the face that bears under load, b_2,eff/b [-] (ISO 10300-1:2023, annex A.2.4)."""
@@ -145,3 +146,23 @@ class VirtualPair:
         """Z_LS = √(A*_m/(A*_t + A*_m + A*_r)) [-] (ISO 10300-2:2023, eqs 7 to 10)."""
         areas = [line.peak * line.length for line in self.lines]
         return math.sqrt(areas[1] / sum(areas))
+
+
+def virtual_mesh(virtual: VirtualPair) -> MeshGeometry:
+    """Return the virtual cylindrical gears as methods for cylindrical gears take them, with the part that bears.
+
+    Args:
+        virtual: The virtual pair.
+
+    Source: ISO 10300-1:2023, annex A: z_v, d_va and a_v = (d_v1 + d_v2)/2; face 0.85 b.
+    """
+    first, second = virtual.tip_diameters
+    return MeshGeometry(
+        virtual.teeth,
+        virtual.bevel.mean_module,
+        virtual.effective_width,
+        0.5 * sum(virtual.diameters),
+        (0.5 * first, 0.5 * second),
+        helix_angle=virtual.bevel.spiral_angle,
+        pressure_angle=virtual.bevel.pressure_angle,
+    )

@@ -18,6 +18,7 @@ from gearwright.sizing.rating.iso6336 import steel_of
 from gearwright.sizing.rating.iso6336.method import SAFETIES, iso_making, life_slope
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
 from gearwright.sizing.rating.iso10300.inputs import bevel_duty, bevel_surfaces
+from gearwright.sizing.rating.iso10300.limits import limited
 from gearwright.sizing.rating.iso10300.module import bevel_modules
 from gearwright.sizing.rating.iso10300.record import Iso10300Rating
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
@@ -108,7 +109,7 @@ class Iso10300:
     def factors(self, rated: Iso10300Rating) -> Iterator[Factor]:
         """Yield steel, loads, flanks and roots."""
         yield from steel_rows(rated.steel)
-        yield from factor_rows(rated.factors, "mesh")
+        yield from limited(factor_rows(rated.factors, "mesh"), rated.factors, rated.steel)
 
     def making(self, rating: Rating) -> Making:
         """Return flank class, roughness and steel."""
