@@ -29,7 +29,7 @@ from gearwright.parts.agma2003 import (
     temperature_factor,
 )
 from gearwright.parts.agma2003.bending import load_point, weakest_section
-from gearwright.parts.bevel import BevelPair, BevelTooth
+from gearwright.parts.bevel import BevelPair, BevelTooth, mean_thickness
 
 PSI = 6894.757
 SPIRAL = BevelPair((14, 39), 4.5e-3, 25e-3, math.radians(35.0), tooth=BevelTooth(profile_shift=0.4))
@@ -46,7 +46,7 @@ def traced_fillet(section, gear, points=20001):
     pair, radius = section.bevel, section.normal_radii[gear]
     alpha, tool = pair.pressure_angle, pair.tooth.edge_radii[gear] * pair.mean_module
     deep = pair.dedenda[gear] - tool
-    across = 0.5 * section.thickness(gear) + pair.dedenda[gear] * math.tan(alpha)
+    across = 0.5 * mean_thickness(pair, gear) + pair.dedenda[gear] * math.tan(alpha)
     across += tool * (1.0 / math.cos(alpha) - math.tan(alpha))
     turn = np.linspace(0.0, across / radius + 3.0 * deep / radius, points)
     # In space the rack moves by r ζ, its tip circle's centre lies at (across − r ζ, r − deep); the gear turns by ζ.

@@ -8,6 +8,7 @@ from typing import Annotated, NamedTuple
 
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.agma2003.section import SOURCE, MeanSection, root_between
+from gearwright.parts.bevel import mean_thickness
 from gearwright.parts.gears import involute
 from gearwright.units import Origin, Quantity
 
@@ -136,7 +137,7 @@ def _load_angle(section: MeanSection, gear: int, load: LoadPoint) -> float:
     alpha = section.bevel.pressure_angle
     reach = load.along_path + sum(section.normal_radii) * math.sin(alpha) - section.tip_tangents[1 - gear]
     loaded = math.atan(reach / section.base_radii[gear])
-    half = 0.5 * section.thickness(gear) / section.normal_radii[gear]
+    half = 0.5 * mean_thickness(section.bevel, gear) / section.normal_radii[gear]
     return loaded - (half - float(involute(loaded)) + float(involute(alpha)))
 
 
@@ -157,7 +158,7 @@ def weakest_section(section: MeanSection, gear: int, rise: float) -> Fillet:
     pair, radius = section.bevel, section.normal_radii[gear]
     alpha, tool = pair.pressure_angle, pair.tooth.edge_radii[gear] * pair.mean_module
     deep = pair.dedenda[gear] - tool
-    offset = 0.5 * section.thickness(gear) + pair.dedenda[gear] * math.tan(alpha)
+    offset = 0.5 * mean_thickness(pair, gear) + pair.dedenda[gear] * math.tan(alpha)
     offset += tool * (1.0 / math.cos(alpha) - math.tan(alpha))
 
     def centre(roll: float) -> tuple[float, float, float]:

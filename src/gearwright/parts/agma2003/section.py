@@ -159,19 +159,6 @@ class MeanSection:
                 total += max(other, 0.0) ** 1.5
         return own**3 / total
 
-    def thickness(self, gear: int) -> float:
-        """Return the mean normal circular thickness of a tooth s_mn [m].
-
-        Args:
-            gear: 0 for the pinion, 1 for the wheel.
-
-        Source: ISO 23509:2016, s_mn = m_mn (π/2 + 2 (x_sm + x_hm tan α_n)).
-        """
-        pair, tooth = self.bevel, self.bevel.tooth
-        shift = tooth.profile_shift if gear == 0 else -tooth.profile_shift
-        widening = tooth.thickness_shifts[gear] + shift * math.tan(pair.pressure_angle)
-        return pair.mean_module * (0.5 * math.pi + 2.0 * widening)
-
 
 def root_between(function: Callable[[float], float], low: float, high: float) -> float:
     """Return where a function that rises through 0 does so.

@@ -4,6 +4,7 @@ Factors that ISO 10300 takes from ISO 6336 are in `iso6336`.
 """
 
 from gearwright.parts.bevel.bending import bevel_bending, contact_ratio_factor_bending, spiral_angle_factor
+from gearwright.parts.bevel.blank import BevelBlank, bevel_blank, least_cutter_radius, mean_thickness
 from gearwright.parts.bevel.geometry import (
     WIDEST,
     WIDEST_MODULES,
@@ -36,6 +37,7 @@ __all__ = [
     "STRADDLE",
     "WIDEST",
     "WIDEST_MODULES",
+    "BevelBlank",
     "BevelDuty",
     "BevelForces",
     "BevelPair",
@@ -46,6 +48,7 @@ __all__ = [
     "Rotation",
     "VirtualPair",
     "bevel_bending",
+    "bevel_blank",
     "bevel_forces",
     "bevel_load_factors",
     "bevel_pitch_tolerance",
@@ -53,6 +56,8 @@ __all__ = [
     "cone_forces",
     "contact_ratio_factor_bending",
     "gleason_profile_shift",
+    "least_cutter_radius",
+    "mean_thickness",
     "mid_zone_factor",
     "rate_bevel",
     "spiral_angle_factor",

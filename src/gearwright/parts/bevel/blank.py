@@ -1,4 +1,4 @@
-"""The blank of a bevel gear without offset by ISO 23509: tip and root cones, depths and spiral angles along the face."""
+"""The blank of a bevel gear without offset by ISO 23509: tip and root cones, depths, spiral angles along the face."""
 
 from __future__ import annotations
 
@@ -6,11 +6,13 @@ import math
 from dataclasses import dataclass
 from typing import Annotated
 
-from gearwright.errors import Problem, refuse
+from gearwright.errors import DesignError, Problem
 from gearwright.parts.bevel.geometry import BevelPair
 from gearwright.units import Origin, Quantity
 
 _SOURCE = "ISO 23509:2016"
+_REACH = 1.001
+"""How much larger than the least a cutter must be to end within the face [-]."""
 Both = tuple[float, float]
 """Of pinion and wheel."""
 
@@ -52,12 +54,16 @@ def bevel_blank(pair: BevelPair, cutter_radius: float | None = None) -> BevelBla
     Valid for: shafts at right angles, both ends within the cutter's reach.
 
     Raises:
-        DesignError: A cutter that does not reach the ends of the face, or one so small that the taper would be reversed.
+        DesignError: A cutter smaller than `least_cutter_radius`.
 
     >>> pair = BevelPair((14, 39), 176.893e-3 / 39, 25.4e-3, math.radians(35.0))
     >>> round(math.degrees(bevel_blank(pair, 114.3e-3).outer_spiral_angle), 3)  # annex F.2: 36.846
     36.846
     """
+    least = least_cutter_radius(pair)
+    if cutter_radius is not None and pair.spiral_angle and cutter_radius < least:
+        message = f"{1e3 * cutter_radius:.4g} mm given; ISO 23509, annex C.5 and eq. 183 ask for {1e3 * least:.4g} mm"
+        raise DesignError([Problem("cutter_radius", message)])
     below = dedendum_angles(pair, cutter_radius)
     half, ends = 0.5 * pair.face_width, (pair.outer_cone_distance, pair.mean_cone_distance - 0.5 * pair.face_width)
     above = below[1], below[0]
@@ -75,7 +81,7 @@ def bevel_blank(pair: BevelPair, cutter_radius: float | None = None) -> BevelBla
         (pair.dedenda[0] + drops[0], pair.dedenda[1] + drops[1]),
         (pair.outer_diameters[0] + 2.0 * outer[0] * cosines[0], pair.outer_diameters[1] + 2.0 * outer[1] * cosines[1]),
         (small[0] + 2.0 * inner[0] * cosines[0], small[1] + 2.0 * inner[1] * cosines[1]),
-        (thickness(pair, 0), thickness(pair, 1)),
+        (mean_thickness(pair, 0), mean_thickness(pair, 1)),
         angles[0],
         angles[1],
     )
@@ -90,23 +96,32 @@ def dedendum_angles(pair: BevelPair, cutter_radius: float | None = None) -> Both
 
     Source: ISO 23509:2016, annex C.5: standard θ_f = atan(h_fm/R_m); duplex
         Σθ_f = 90° m_et/(R_e tan α_n cos β_m) (1 − R_m sin β_m/r_c0), θ_f1 = Σθ_f h_am2/h_mw.
-
-    Raises:
-        DesignError: r_c0 below R_m sin β_m, which would make the teeth deeper towards the apex.
     """
     cone = pair.mean_cone_distance
     if cutter_radius is None or pair.spiral_angle == 0.0:
         return math.atan(pair.dedenda[0] / cone), math.atan(pair.dedenda[1] / cone)
     least = cone * math.sin(pair.spiral_angle)
-    message = f"{1e3 * cutter_radius:.4g} mm given; ISO 23509, annex C.5 asks for {1e3 * least:.4g} mm or more"
-    refuse([Problem("cutter_radius", message)] if cutter_radius < least else [])
     total = 0.5 * math.pi * pair.outer_module * (1.0 - least / cutter_radius)
     total /= pair.outer_cone_distance * math.tan(pair.pressure_angle) * math.cos(pair.spiral_angle)
     part = pair.addenda[1] / sum(pair.addenda)
     return total * part, total * (1.0 - part)
 
 
-def thickness(pair: BevelPair, gear: int) -> float:
+def least_cutter_radius(pair: BevelPair) -> float:
+    """Return the smallest cutter radius with which spiral teeth neither deepen towards the apex nor end too soon [m].
+
+    Args:
+        pair: The pair.
+
+    Source: ISO 23509:2016, annex C.5: r_c0 ≥ R_m sin β_m; eqs 183 and 184: sin β_e < 1, sin β_i > −1.
+    """
+    mean, outer = pair.mean_cone_distance, pair.outer_cone_distance
+    inner, lean = outer - pair.face_width, mean * math.sin(pair.spiral_angle)
+    ends = (outer**2 - mean**2) / (outer - lean), (mean**2 - inner**2) / (inner + lean)
+    return max(lean, *(_REACH * 0.5 * end for end in ends))
+
+
+def mean_thickness(pair: BevelPair, gear: int) -> float:
     """Return the mean normal circular thickness of a tooth s_mn [m].
 
     Args:
@@ -126,7 +141,4 @@ def _spiral_at(pair: BevelPair, cutter_radius: float | None, cone: float) -> flo
         return pair.spiral_angle
     mean = pair.mean_cone_distance
     sine = 2.0 * mean * cutter_radius * math.sin(pair.spiral_angle) - mean**2 + cone**2
-    sine /= 2.0 * cone * cutter_radius
-    message = f"{1e3 * cutter_radius:.4g} mm given; such a cutter does not reach the ends of the face"
-    refuse([Problem("cutter_radius", message)] if abs(sine) >= 1.0 else [])
-    return math.asin(sine)
+    return math.asin(sine / (2.0 * cone * cutter_radius))

@@ -7,12 +7,13 @@ from collections.abc import Iterator, Mapping
 
 from gearwright.checks import Check, not_assessed
 from gearwright.identity import PartId
-from gearwright.parts.bevel import WIDEST, WIDEST_MODULES
+from gearwright.parts.bevel import WIDEST, WIDEST_MODULES, least_cutter_radius
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.rating import (
     Context,
     Rating,
     Unloaded,
+    bevel_pair,
     cone_ratio,
     fewest_virtual_teeth,
     method_for,
@@ -76,5 +77,8 @@ def _cone(rating: Rating, pair: tuple[GearSizing, GearSizing], size: StageSize) 
     part, asked, fewest = first.part, size.asked_width, fewest_virtual_teeth(rating)
     yield Check(part, "face width", clause, asked, limit, "length", at_most=True, exponent=None)
     virtual = first.teeth * math.hypot(first.teeth, second.teeth) / second.teeth
+    if (cutter := rating.rules.cutter_radius) is not None and rating.helix_angle:
+        least = least_cutter_radius(bevel_pair((first.teeth, second.teeth), size.module, size.face_width, rating))
+        yield Check(part, "cutter", "ISO 23509, annex C.5", cutter, least, "length", exponent=None, symbol="r_c0")
     clause = "ISO 23509, z_1/cos δ_1"
     yield Check(part, "undercut", clause, virtual, fewest, "number", exponent=None, symbol="z_v")

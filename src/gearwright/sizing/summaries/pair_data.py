@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
+from gearwright.parts.bevel import BevelBlank, bevel_blank, least_cutter_radius
 from gearwright.parts.gears import span_measurement, spanned_teeth
 from gearwright.parts.iso6336 import MeshGeometry
 from gearwright.sizing.meshed import MeshSizing
@@ -90,6 +91,8 @@ class BevelPairData:
     """Mean addenda [m]."""
     dedendum: Annotated[Both, Quantity("length"), Origin("h_fm", _BEVEL)]
     """Mean dedenda [m]."""
+    blank: BevelBlank | None
+    """Cones, outer depths and diameters; None where the cutter is too small for them."""
 
 
 def pair_data(sizing: Sizing, mesh: MeshSizing) -> CylindricalPairData | BevelPairData:
@@ -147,6 +150,8 @@ def _both(values: tuple[object, object]) -> Both:
 def _bevel(sizing: Sizing, pinion: GearSizing, wheel: GearSizing) -> BevelPairData:
     rating = rating_of(sizing.design, pinion.stage, sizing.teeth)
     pair = bevel_pair((pinion.teeth, wheel.teeth), pinion.module, pinion.face_width, rating)
+    cutter = rating.rules.cutter_radius
+    cut = cutter is None or not pair.spiral_angle or cutter >= least_cutter_radius(pair)
     return BevelPairData(
         teeth=pair.teeth,
         outer_module=pair.outer_module,
@@ -162,4 +167,5 @@ def _bevel(sizing: Sizing, pinion: GearSizing, wheel: GearSizing) -> BevelPairDa
         mean_diameter=pair.mean_diameters,
         addendum=pair.addenda,
         dedendum=pair.dedenda,
+        blank=bevel_blank(pair, cutter) if cut else None,
     )

@@ -20,7 +20,7 @@ _DECIDED = {
 }
 """Table -> key that only estimates what another key states."""
 _OF_BEVELS = ("spiral_angle", "pinion_apex", "wheel_apex")
-_OF_PAIRS = ("helix_angle", "overlap_ratio", "contact_angles", "web_ratio")
+_OF_PAIRS = ("helix_angle", "overlap_ratio", "contact_angles", "web_ratio", "cutter_radius")
 """Rules of gears that planetary sets, spur and without wheels, do not read."""
 _OF_SETS = ("idler_factor", "rim_thickness_ratio")
 """Rules of gears that pairs, without planets and rings, do not read."""
@@ -81,6 +81,8 @@ def _pair(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
     yield from _fits(path, pair)
     if pair.gears is None:
         return
+    if pair.kind != "bevel" or not pair.spiral_angle:
+        yield from _idle(f"{path}.gears", pair.gears, ("cutter_radius",), "only spiral bevel gears are cut by one")
     if pair.kind != "bevel" and not rules.helix_angle:
         yield from _idle(f"{path}.gears", pair.gears, _OF_HELICAL, "only helical gears read it, and these are spur")
     written, foreign = pair.gears.iso6336, _OF_CYLINDERS if pair.kind == "bevel" else _OF_CONES

@@ -27,7 +27,7 @@ from gearwright.parts.agma2003 import (
     bevel_strength,
     rate_with_factors,
 )
-from gearwright.parts.bevel import BevelPair, BevelTooth
+from gearwright.parts.bevel import BevelPair, BevelTooth, bevel_blank
 from gearwright.parts.iso6336 import (
     GearSteel,
     LoadedTooth,
@@ -271,6 +271,26 @@ def _hypoid_strength() -> Sequence[float]:
     return [rough, *notches, *(480.0 * 2.0 * rough * notch for notch in notches)]
 
 
+# --- ISO 23509, annex F.2: the blanks of 14/39, cut duplex with r_c0 = 114.3 mm -----------------------------------
+_BLANKED = BevelPair(
+    (14, 39), 176.893e-3 / 39.0, INCH, math.radians(35.0),
+    tooth=BevelTooth(1.0, 1.25, 2.0 * (0.5 - 0.24737), (0.037, -0.055)),
+)  # fmt: skip
+
+
+def _blank_angles() -> Sequence[float]:
+    blank = bevel_blank(_BLANKED, 114.3e-3)
+    ends = (blank.outer_spiral_angle, blank.inner_spiral_angle)
+    return [math.degrees(a) for a in (*blank.root_angle_below, *blank.tip_angle, *blank.root_angle, *ends)]
+
+
+def _blank_lengths() -> Sequence[float]:
+    blank = bevel_blank(_BLANKED, 114.3e-3)
+    depths = (*blank.outer_addendum, *blank.outer_dedendum)
+    return [1e3 * x for x in (*depths, *blank.outer_tip_diameter, *blank.inner_tip_diameter, *blank.thickness)]
+
+
+_F2 = "ISO 23509:2016, annex F.2, as tabulated in the self-test of afuentesaz/AGMAStandards"
 _E = "ANSI/AGMA 2003-D19, annex E, as tabulated in the self-test of afuentesaz/AGMAStandards"
 _S1 = "Shigley, example 15-1 (ANSI/AGMA 2003-B97), as tabulated in the tests of r3kste/pydome"
 _S2 = "Shigley, example 15-2 (ANSI/AGMA 2003-B97), as tabulated in the tests of r3kste/pydome"
@@ -300,6 +320,11 @@ CASES = (
     Case("I, J_P, J_G by annex C of 25/25, 20/60 and spiral 14/39, against charts", "Shigley, examples 15-1 and 15-2; "
          "ANSI/AGMA 2003-D19, annex E", "", (*_MITER_CHART, *_THREE_CHART, *_E_CHART), _charts, 0.045,
          "read from charts, whose teeth are told only by their proportions"),
+    Case("blanks of bevel 14/39: θ_f, δ_a, δ_f of both, β_e, β_i", _F2, "°",
+         (2.134, 6.493, 26.240, 72.387, 17.613, 63.760, 36.846, 33.946), _blank_angles, 2e-4, "four to five digits"),
+    Case("blanks of bevel 14/39: h_ae, h_fe, d_ae, d_ai, s_mn of both", _F2, "mm",
+         (6.281, 2.064, 2.867, 7.085, 75.324, 178.288, 52.719, 129.835, 6.465, 3.511), _blank_lengths, 6e-4,
+         "h_am and x_sm are printed with three decimals"),
     Case("hypoid 13/42, pinion: θ, α_Fan, s_Fn, ρ_F, h_Fa", _H, "°, mm", (52.945, 27.315, 6.065, 1.042, 5.098),
          _hypoid_section, 1e-3, "m_mn is printed with three digits"),
     Case("hypoid 13/42: Y_Fa, Y_Sa, q_s of both", _H, "", (2.047, 2.403, 1.903, 1.690, 2.910, 2.073), _hypoid_factors,

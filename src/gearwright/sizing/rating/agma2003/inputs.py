@@ -43,7 +43,7 @@ def making_of(rating: Rating) -> AgmaBevelMaking:
         quality=rules.quality_number,
         mounting=_MOUNTING[rules.mounting],
         crowning=CROWNED if rules.crowned else UNCROWNED,
-        cutter_radius=math.inf if rules.cutter_radius is None else rules.cutter_radius,
+        cutter_radius=math.inf if rating.rules.cutter_radius is None else rating.rules.cutter_radius,
         reliability=rules.reliability,
         temperature=rules.blank_temperature,
         is_critical=rules.critical_service,

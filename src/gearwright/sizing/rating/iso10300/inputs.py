@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from gearwright.parts.bevel import (
     BOTH_OVERHUNG,
     HIGH_CROWNING,
@@ -35,6 +37,7 @@ def bevel_duty(rating: Rating, pair: BevelPair, torque: float, speed: float) -> 
         bevel_pitch_tolerance(pair.mean_diameters[1], pair.mean_module, rules.tolerance_class),
         application_factor=rating.service.application_factor,
         mounting=_MOUNTING[rules.mounting],
+        cutter_radius=math.inf if rating.rules.cutter_radius is None else rating.rules.cutter_radius,
         density=rating.material.density,
     )
 

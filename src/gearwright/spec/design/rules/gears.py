@@ -12,7 +12,7 @@ from gearwright.spec.bounds import OneOf
 from gearwright.spec.design.rules.methods import RatingName
 from gearwright.spec.design.rules.standards import Agma2001Rules, Agma2003Rules, Iso6336Rules
 from gearwright.spec.record import Record
-from gearwright.units import Angle, Ratio
+from gearwright.units import Angle, Length, Ratio
 
 _DEGREE = math.pi / 180.0
 ThicknessFit = Annotated[
@@ -74,6 +74,12 @@ class GearRules(Record):
     )
     contact_angles: Literal["normal", "transverse"] = Field(
         "normal", description="Angles of the helical contact formula: α and β as the thesis prints, or α_t and β_b"
+    )
+    cutter_radius: Length | None = Field(
+        None,
+        gt=0,
+        le=2,
+        description="Cutter radius r_c0 of spiral bevel teeth, for their taper, K_F0 and K_x; left out: large",
     )
     mesh_efficiency: Ratio = Field(
         1.0, gt=0.5, le=1, description="Efficiency of one mesh; the driven gear receives that part of the tooth power"

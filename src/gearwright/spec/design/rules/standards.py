@@ -113,9 +113,6 @@ class Agma2003Rules(Record):
         "one-overhung", description="How the two gears are held: K_mb = 1, 1.1 or 1.25"
     )
     crowned: bool = Field(True, description="Properly crowned teeth: C_xc = 1.5, otherwise 2")
-    cutter_radius: Length | None = Field(
-        None, gt=0, le=2, description="Cutter radius r_c0 of spiral teeth, for K_x; left out: large, K_x = 1"
-    )
     widest_diameters: Ratio = Field(
         0.8, gt=0, le=3, description="Of cylindrical stages; bevel faces keep to R_e/3 and 10 m_et"
     )
