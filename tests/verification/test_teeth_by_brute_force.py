@@ -1,6 +1,8 @@
 """The search for teeth finds what sizing every admissible combination of teeth finds."""
 
 import math
+from contextlib import suppress
+from itertools import product
 
 import pytest
 
@@ -128,6 +130,73 @@ def test_the_lightest_set_is_chosen(kind, speed, planets):
     assert (chosen.teeth["set.sun"], chosen.teeth["set.planet"]) == min(masses, key=masses.get)
     assert chosen.gear_mass == pytest.approx(min(masses.values()), rel=1e-9)
     assert chosen.teeth["set.ring"] == chosen.teeth["set.sun"] + 2 * chosen.teeth["set.planet"]
+
+
+SHIFTED = [
+    ("module_mm = 3\ncentre_distance_mm = 101", "", 0),
+    ("module_mm = 3\ncentre_distance_mm = 100.6\nsun_shift = 0.4", "", 0),
+    ("module_mm = 3\ncentre_distance_mm = 101\nplanet_shift = -0.2", "", 1),
+    ("sun_shift = 0.4\nplanet_shift = 0.5", "", 0),
+    ("", 'balanced_shifts = "sliding"', 0),
+    ("", 'balanced_shifts = "strength"', 1),
+    ("planets = 4", 'balanced_shifts = "sliding"', 2),
+    ("planet_shift = 0.1\nring_shift = -0.4", "", 2),
+]
+"""Keys of a set, rules of gears, teeth by which the ring may differ."""
+SHIFTED_SET = SET.format(
+    sun="fast", ring="ground", carrier="slow", speed=1550, planets="{planets}",
+    given="{keys}\n{teeth}\n[gears]\n{gears}\n[teeth]\n{rules}",
+)  # fmt: skip
+
+
+def shifted(keys="", gears="", teeth="", rules=""):
+    """Return a sized set whose teeth may have shifts."""
+    text = SHIFTED_SET.replace("planets = {planets}", "" if "planets" in keys else "planets = 3")
+    return size(parse(text.format(keys=keys, gears=gears, teeth=teeth, rules=rules)))
+
+
+@pytest.mark.parametrize(("keys", "gears", "deviation"), SHIFTED)
+def test_open_teeth_with_shifts_are_the_lightest_that_close(keys, gears, deviation):
+    """Each combination next to the exact ratio is sized in full with its teeth given, or refused: the search holds all
+    that are sized, no other, and takes the lightest."""
+    chosen = shifted(keys, gears, rules=f"sized = 1000\nring_deviation = {deviation}\nsun_maximum = 45")
+    asked, masses = 6000 / 1550 - 1.0, {}
+    for sun, more, planet in product(range(18, 46), range(-deviation, deviation + 1), range(12, 120)):
+        ring = sun + 2 * planet + more
+        near = abs(planet - (asked * sun - sun - more) / 2.0) <= 1.0
+        if near and abs((1.0 + ring / sun) / (1.0 + asked) - 1.0) <= 0.025:
+            teeth = f"sun_teeth = {sun}\nplanet_teeth = {planet}\nring_teeth = {ring}"
+            with suppress(DesignError):
+                masses[sun, planet, ring] = shifted(keys, gears, teeth).mass
+    assert tuple(chosen.teeth.values()) == min(masses, key=masses.get)
+    assert chosen.mass == pytest.approx(min(masses.values()), rel=1e-9)
+    assert chosen.search.combinations == len(masses)
+
+
+def test_a_ring_deviates_only_where_shifts_close_it():
+    """Without shift z_r is z_s + 2 z_p, whatever is allowed; a rule of balance makes use of it, and saves."""
+    plain, allowed = (shifted(rules=rules) for rules in ("", "ring_deviation = 2"))
+    assert plain.teeth == allowed.teeth
+    rules = "sized = 50\nring_deviation = {}"
+    none, two = (shifted(gears='balanced_shifts = "sliding"', rules=rules.format(most)) for most in (0, 2))
+    assert two.mass < none.mass
+    sun, planet, ring = two.teeth.values()
+    assert 0 < abs(ring - sun - 2 * planet) <= 2
+
+
+@pytest.mark.parametrize(
+    ("keys", "path", "words"),
+    [
+        ("module_mm = 3\ncentre_distance_mm = 2000", "set.centre_distance", "centre distance of 666.7 modules"),
+        ("sun_shift = 0.2\nring_shift = 0.1", "set", "with the shifts that are given"),
+    ],
+)
+def test_shifts_that_no_teeth_close_are_refused_with_them(keys, path, words):
+    """2000 mm are 667 modules, and suns have up to 400 teeth; shifts of sun and ring are equal without a distance."""
+    with pytest.raises(DesignError) as caught:
+        shifted(keys, rules="sun_maximum = 90")
+    (found,) = caught.value.problems
+    assert found.path == f"planetaries.{path}" and words in found.message
 
 
 def test_two_given_members_of_a_set_give_the_third():

@@ -15,7 +15,8 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.identity import SIDES
-from gearwright.sizing.teeth.candidates import Reach, admissible, candidates, is_given, planet_counts
+from gearwright.sizing.teeth.candidates import Reach, admissible, assembled, candidates, is_given, planet_counts
+from gearwright.sizing.teeth.closing import is_shifted, ring_variants
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.masses import weigh
 from gearwright.sizing.teeth.stage import tooth_ratio
@@ -136,6 +137,14 @@ def _near(task: Task, design: Design, asked: tuple[float, float]) -> tuple[float
 
 def _candidates(task: Task, design: Design, allowed: tuple[float, float], speed: float) -> tuple[Floats, Floats]:
     """Return every tooth ratio in a range, the least first, and the mass of its gears at a speed of the fast shaft."""
+    parts = [_of_variant(variant, design, allowed, speed) for variant in ring_variants(task, design)]
+    ratio, masses = (np.concatenate(columns) for columns in zip(*parts, strict=True))
+    order = np.argsort(ratio, kind="stable")
+    return ratio[order], masses[order]
+
+
+def _of_variant(task: Task, design: Design, allowed: tuple[float, float], speed: float) -> tuple[Floats, Floats]:
+    """Return the tooth ratios and masses of a stage; of shifted teeth those too that shifts may not close."""
     assert task.edge is not None
     low, high = allowed if allowed[1] < math.inf else (1.0, 1.0)
     largest = max(design.teeth.largest_sun(SUN_LIMITS[-1]), design.teeth.pinion_maximum)
@@ -144,12 +153,11 @@ def _candidates(task: Task, design: Design, allowed: tuple[float, float], speed:
     _, small, large = candidates(front, task, design, targets, reach=Reach(1, SUN_LIMITS[-1]))
     small, large = np.unique(np.stack([small, large]), axis=1)
     masses = np.full(len(small), np.inf)
+    possible = assembled if is_shifted(task, design) else admissible
     for planets in planet_counts(task.stage, design):
-        fits = admissible(task, design, small, large, planets=planets)
+        fits = possible(task, design, small, large, planets=planets)
         alone = Front({}, {task.edge.fast[0]: np.full(int(fits.sum()), speed)}, {}, {})
         if fits.any():
             weighed = weigh(alone, task, small[fits], large[fits], planets=planets).mass
             masses[fits] = np.minimum(masses[fits], weighed)
-    ratio = tooth_ratio(task.stage, small, large)
-    order = np.argsort(ratio, kind="stable")
-    return ratio[order], masses[order]
+    return tooth_ratio(task, small, large), masses

@@ -11,6 +11,7 @@ from gearwright.arrays import Bools, Floats, Ints
 from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.parts.planetary import assembles, neighbours_clear
 from gearwright.sizing.rating import Rating, fewest_virtual_teeth
+from gearwright.sizing.teeth.closing import closed, is_shifted
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.spec import Design, Epicyclic, Pair, Planetary
 from gearwright.spec.design import SUN_LIMITS
@@ -88,9 +89,9 @@ def candidates(front: Front, task: Task, design: Design, target: Floats, *, reac
     if isinstance(stage, Planetary):
         first, second, _ = stage.known_teeth or (stage.sun_teeth, stage.planet_teeth, None)
         small = np.array([first]) if first else np.arange(rules.sun_minimum, rules.largest_sun(reach.largest_sun) + 1)
-        wanted = (target[:, None] - 1.0) / 2.0 * small
+        wanted = ((target[:, None] - 1.0) * small - task.deviation) / 2.0
         if stage.ring_teeth and second is None:
-            wanted = np.broadcast_to((stage.ring_teeth - small) / 2.0, wanted.shape)
+            wanted = np.broadcast_to((stage.ring_teeth - small - task.deviation) / 2.0, wanted.shape)
         return _neighbours(wanted, small, second, reach.around)
     pinion, wheel = gears_of(task.name, stage)
     if wheel in front.teeth:
@@ -134,16 +135,16 @@ def all_candidates(task: Task, design: Design) -> tuple[Ints, Ints, Ints]:
     return np.zeros(len(small), dtype=np.int64), small, large
 
 
-def ring_teeth(stage: Planetary, sun: Ints, planet: Ints) -> Ints:
-    """Return the teeth of the ring: given with the others, or those that close without profile shift [-].
+def ring_teeth(task: Task, sun: Ints, planet: Ints) -> Ints:
+    """Return the teeth of the ring: given with the others, or those that close, without shift or nearly so [-].
 
     Args:
-        stage: As in the design.
+        task: A planetary set.
         sun: z_s [-].
         planet: z_p [-].
     """
-    known = stage.known_teeth
-    return sun + 2 * planet if known is None else np.full_like(sun, known[2])
+    known = task.stage.known_teeth if isinstance(task.stage, Planetary) else None
+    return sun + 2 * planet + task.deviation if known is None else np.full_like(sun, known[2])
 
 
 def fewest_teeth(rating: Rating, gear: int = 0) -> int:
@@ -221,13 +222,10 @@ def admissible(task: Task, design: Design, small: Ints, large: Ints, *, planets:
     if isinstance(stage, Planetary):
         if is_given(stage) and stage.planets_given is not None:  # told as the file is read
             return np.ones(small.shape, dtype=bool)
-        ring = ring_teeth(stage, small, large)
-        good = assembles(small, ring, planets) & neighbours_clear(small, large, planets)
-        good &= large >= rules.planet_minimum
-        if stage.ring_teeth:
-            good &= ring == stage.ring_teeth
-        if rules.hunting:
-            good &= (np.gcd(small, large) == 1) & (np.gcd(large, ring) == 1)
+        ring, good = ring_teeth(task, small, large), assembled(task, design, small, large, planets=planets)
+        if not is_shifted(task, design):
+            return good & neighbours_clear(small, large, planets)
+        good[good] = closed(task, design, small[good], large[good], ring[good], planets=planets)
         return good
     least = [rules.pinion_minimum or fewest_teeth(task.rating, gear) for gear in (0, 0 if stage.internal else 1)]
     good = (small >= least[0]) & (large >= least[1]) & _reached(stage, small, large, helix=task.rating.helix_angle)
@@ -235,6 +233,25 @@ def admissible(task: Task, design: Design, small: Ints, large: Ints, *, planets:
         good &= _virtual_pinion(small, large) >= fewest_virtual_teeth(task.rating)
     if rules.hunting:
         good &= np.gcd(small, large) == 1
+    return good
+
+
+def assembled(task: Task, design: Design, small: Ints, large: Ints, *, planets: int) -> Bools:
+    """Tell which teeth of a planetary set let equally spaced planets be put in, whatever its shifts.
+
+    Args:
+        task: A planetary set.
+        design: With the rules of the search.
+        small: Teeth of the sun.
+        large: Teeth of planets.
+        planets: Number of planets [-].
+    """
+    rules, ring = design.teeth, ring_teeth(task, small, large)
+    good = assembles(small, ring, planets) & (large >= rules.planet_minimum)
+    if isinstance(task.stage, Planetary) and task.stage.ring_teeth:
+        good &= ring == task.stage.ring_teeth
+    if rules.hunting:
+        good &= (np.gcd(small, large) == 1) & (np.gcd(large, ring) == 1)
     return good
 
 

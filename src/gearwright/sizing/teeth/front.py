@@ -11,6 +11,7 @@ import numpy as np
 from gearwright.arrays import Bools, Floats, Ints
 from gearwright.sizing.rating import Load, Rating
 from gearwright.spec import Pair, Planetary
+from gearwright.spec.design import StageShifts
 from gearwright.train import Edge
 
 
@@ -76,6 +77,10 @@ class Task:
     """Of each loaded row of a bevel pair the heaviest case over the whole life, without teeth."""
     twin: str = ""
     """Stage before it whose teeth it has, because what both do is the same; empty where it has none."""
-    known: dict[tuple[int, int, int], tuple[float, float]] = field(default_factory=dict, compare=False, repr=False)
-    """Teeth of pinion or sun, of wheel or planet, number of planets -> m_n³ [m³] and λ = b/m_n [-] at nominal load, as
-    far as found."""
+    deviation: int = 0
+    """z_r − (z_s + 2 z_p) of a ring that is chosen [-]."""
+    known: dict[tuple[int, int, int, int], tuple[float, float]] = field(default_factory=dict, compare=False, repr=False)
+    """Teeth of pinion or sun, of wheel or planet, number of planets, deviation of the ring -> m_n³ [m³] and λ = b/m_n
+    [-] at nominal load, as far as found."""
+    closed: dict[tuple[int, int, int], StageShifts | None] = field(default_factory=dict, compare=False, repr=False)
+    """Teeth of sun, planet and ring -> shifts that close them, as far as looked for; None where none do."""

@@ -32,7 +32,7 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
     stage, rating = task.stage, task.rating
     names, discs = _bodies(task, small, large, planets=planets)
     by_ring = isinstance(stage, Planetary) and task.edge is not None and task.edge.grounded is Role.SUN
-    reference = ring_teeth(stage, small, large) if by_ring and isinstance(stage, Planetary) else small
+    reference = ring_teeth(task, small, large) if by_ring else small
     speed = front.speeds[task.edge.fast[0]] if task.edge is not None else np.full(len(small), task.speed)
     width_ratio = stage_width_ratio(rating, small, large)
     ask = Ask(
@@ -76,7 +76,8 @@ def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats) -> tuple[
     """Return the same where a standard rates the stage, and λ: of each pair of tooth numbers once, scaled by m³ ∝ T."""
     small, large = (np.asarray(teeth) for teeth in ask.teeth)
     planets, load = int(ask.passes[0]), task.speed / speed
-    keys = [(first, second, planets) for first, second in zip(small.tolist(), large.tolist(), strict=True)]
+    pairs = zip(small.tolist(), large.tolist(), strict=True)
+    keys = [(first, second, planets, task.deviation) for first, second in pairs]
     if missing := list({key: place for place, key in enumerate(keys) if key not in task.known}.values()):
         new = ask._replace(
             per_tooth=task.torque / reference[missing] / planets,
@@ -106,7 +107,7 @@ def _bodies(task: Task, small: Ints, large: Ints, *, planets: int) -> tuple[dict
     disc = math.pi / 4.0 * rating.material.density / cosine**2
     wall = rating.rules.rim_thickness_ratio
     if isinstance(stage, Planetary):
-        ring = ring_teeth(stage, small, large)
+        ring = ring_teeth(task, small, large)
         annulus = _annulus(ring, wall)
         teeth = dict(zip(gears_of(task.name, stage), (small, large, ring), strict=True))
         return teeth, np.asarray(disc * (small**2 + planets * large**2 + annulus), dtype=np.float64)

@@ -118,6 +118,12 @@ def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float, 
             f" let {stage.planets_given or 'any number of'} planets be assembled; leave one out, or change the speeds"
         )
         return Problem(path, message)
+    if by := _closed_by(stage):
+        message = (
+            f"no teeth of the ratio {ratio:.4g} within {design.teeth.stage_tolerance:.1%} close {by} and let"
+            f" {stage.planets_given or 'any number of'} planets be assembled; change them, or the limits in [teeth]"
+        )
+        return Problem(f"{path}.centre_distance" if stage.centre_distance else path, message)
     given = stage.planets_given
     if given is not None and _fits(stage, design, tooth_ratio, 1, assembly=False):
         for count in range(given - 1, 0, -1):
@@ -128,6 +134,14 @@ def _planetary(name: str, stage: Planetary, design: Design, tooth_ratio: float, 
     return Problem(
         path, f"{_limit(stage, design, ratio)}{_together(nominal)}; change the speeds, or the limits in [teeth]"
     )
+
+
+def _closed_by(stage: Planetary) -> str:
+    """Return what is given that the teeth of a set have to close by; nothing where nothing is."""
+    if stage.centre_distance is not None and stage.module is not None:
+        return f"by shifts at a centre distance of {stage.centre_distance / stage.module:.4g} modules"
+    shifts = (stage.sun_shift, stage.planet_shift, stage.ring_shift)
+    return "with the shifts that are given" if any(shift is not None for shift in shifts) else ""
 
 
 def _limit(stage: Planetary, design: Design, ratio: float) -> str:

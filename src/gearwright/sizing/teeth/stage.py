@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -20,11 +21,12 @@ from gearwright.sizing.teeth.candidates import (
     planet_counts,
     ring_teeth,
 )
+from gearwright.sizing.teeth.closing import ring_variants
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.masses import weigh
 from gearwright.sizing.teeth.refusal import contradiction, refusal
 from gearwright.sizing.teeth.states import Needs, lightest
-from gearwright.spec import GROUND, Design, Pair, Planetary
+from gearwright.spec import GROUND, Design, Planetary
 from gearwright.train import Targets, gears_of, members_of, willis_ratio, willis_speed
 
 PARENTS = 2000
@@ -62,8 +64,8 @@ def extend(
     targets = _target(front, task, nominal)
     for reach in REACHES:
         near, grown, weighed, left_out = list[Floats](), list[Front](), 0, 0.0
-        for part in _parts(front):
-            ratios, added = _grown(part, task, design, _target(part, task, nominal), reach=reach)
+        for part, variant in product(_parts(front), ring_variants(task, design)):
+            ratios, added = _grown(part, variant, design, _target(part, task, nominal), reach=reach)
             near.append(ratios)
             if added is not None:
                 weighed += len(added)
@@ -93,7 +95,7 @@ def _parts(front: Front) -> Iterator[Front]:
 def _grown(front: Front, task: Task, design: Design, target: Floats, *, reach: Reach) -> tuple[Floats, Front | None]:
     """Return the tooth ratios that are near enough, and the choices that keep the machines' speeds, weighed."""
     parent, small, large = _near_target(front, task, design, target, reach=reach)
-    actual = tooth_ratio(task.stage, small, large)
+    actual = tooth_ratio(task, small, large)
     grown = front.take(parent)
     speeds = _new_speeds(grown, task, actual)
     good = _speeds_hold(task, design, speeds, len(small))
@@ -138,22 +140,22 @@ def _near_target(front: Front, task: Task, design: Design, target: Floats, *, re
     parent, small, large = parent[fits], small[fits], large[fits]
     if open_:
         return parent, small, large
-    near = _near(task, design, tooth_ratio(task.stage, small, large), target[parent])
+    near = _near(task, design, tooth_ratio(task, small, large), target[parent])
     return parent[near], small[near], large[near]
 
 
-def tooth_ratio(stage: Pair | Planetary, small: Ints, large: Ints) -> Floats:
+def tooth_ratio(task: Task, small: Ints, large: Ints) -> Floats:
     """Return z_2/z_1 or z_r/z_s [-].
 
     Args:
-        stage: As in the design.
+        task: The stage.
         small: Teeth of pinion or sun.
         large: Teeth of wheel or planet.
     """
-    if not isinstance(stage, Planetary):
+    if not isinstance(task.stage, Planetary):
         return np.asarray(large / small)
-    if stage.known_teeth is not None:
-        return np.asarray(ring_teeth(stage, small, large) / small)
+    if task.stage.known_teeth is not None or task.deviation:
+        return np.asarray(ring_teeth(task, small, large) / small)
     return np.asarray(1.0 + 2.0 * large / small)
 
 

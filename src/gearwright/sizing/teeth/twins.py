@@ -46,9 +46,9 @@ def _are_twins(task: Task, other: Task, design: Design, nominal: Targets) -> boo
 
 
 def _stands_alone(task: Task, design: Design) -> bool:
-    """Tell whether a stage shares no gear and no centre distance, and its number of planets is given."""
+    """Tell whether a stage shares no gear and no centre distance, and has given planets and a ring that they decide."""
     if isinstance(task.stage, Planetary):
-        return task.stage.planets_given is not None
+        return task.stage.planets_given is not None and not design.teeth.ring_deviation
     coaxial = {pair.coaxial_with for pair in design.pairs.values()}
     if task.stage.coaxial_with is not None or task.name in coaxial:
         return False

@@ -120,6 +120,9 @@ class TeethRules(Record):
     split: Literal["equal", "optimal"] = Field(
         "equal", description="equal: stages share an open ratio equally (times ψ); optimal: as is lightest"
     )
+    ring_deviation: int = Field(
+        0, ge=0, le=2, description="Teeth by which chosen rings may differ from z_s + 2 z_p, where shifts close the set"
+    )
     hunting: bool = Field(False, description="Ask for tooth numbers without a common factor")
     sized: int = Field(
         1,
