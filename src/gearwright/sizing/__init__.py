@@ -34,7 +34,7 @@ from gearwright.sizing.summaries import (
     stage_summaries,
 )
 from gearwright.sizing.tooth_play import Backlash, backlash_of, fit_of, play_in_motion, thickness_of
-from gearwright.sizing.tooth_shape import cylindrical_gear, planet_positions
+from gearwright.sizing.tooth_shape import cylindrical_gear, planet_positions, stated_pitch
 
 __all__ = [
     "TEXT",
@@ -86,6 +86,7 @@ __all__ = [
     "size",
     "size_many",
     "stage_summaries",
+    "stated_pitch",
     "structure_of",
     "thickness_of",
     "total_results",

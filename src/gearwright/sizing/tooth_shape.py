@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 from gearwright.identity import Role, gear_part
@@ -9,6 +10,10 @@ from gearwright.parts.gears import BasicRack, CylindricalGear
 from gearwright.parts.planetary import even_positions, nearest_positions
 from gearwright.sizing.result import GearSizing
 from gearwright.spec import Design
+from gearwright.units import INCH
+
+_LONGEST = 5
+"""Digits of a pitch that somebody writes [-]."""
 
 
 def cylindrical_gear(design: Design, gear: GearSizing) -> CylindricalGear:
@@ -27,6 +32,28 @@ def cylindrical_gear(design: Design, gear: GearSizing) -> CylindricalGear:
         rack=BasicRack(pressure_angle=design.rules(gear.stage).pressure_angle),
         tip_alteration=gear.tip_alteration,
     )
+
+
+def stated_pitch(module: float) -> float | None:
+    """Return the diametral pitch π/p of a module where it is the shorter of the two numbers, as a design in inches has.
+
+    Args:
+        module: m [m].
+
+    Returns:
+        P = 1/m [1/m]; None where the module in millimetres has as few digits.
+
+    >>> [pitch and round(0.0254 * pitch, 9) for pitch in map(stated_pitch, (3.175e-3, 2.54e-3, 2.5e-3, 1.4911e-3))]
+    [8.0, 10.0, None, None]
+    """
+    pitch, most = 1.0 / module, _LONGEST + 1
+    return pitch if _digits(INCH * pitch) < min(_digits(1e3 * module), most) else None
+
+
+def _digits(number: float) -> int:
+    """Return how many digits a number is written with; one more than any where it takes more."""
+    lengths = range(1, _LONGEST + 1)
+    return next((n for n in lengths if math.isclose(float(f"{number:.{n}g}"), number, rel_tol=1e-9)), _LONGEST + 1)
 
 
 def planet_positions(design: Design, stage: str, teeth: Mapping[str, int]) -> tuple[float, ...]:

@@ -131,3 +131,33 @@ def test_shifts_that_make_no_gears_are_refused_with_what_would(text, path, words
     found = problem(text)
     assert found.path == f"epicyclics.set.{path}"
     assert all(word in found.message for word in words), found.message
+
+
+FOUR = """\
+schema = 1
+name = "four planets"
+shafts = ["fast", "slow"]
+motors.motor = {{ shaft = "fast", power_kw = 1, speed_rpm = 600, balances = false }}
+loads.drum = {{ shaft = "slow", speed_rpm = 100 }}
+[epicyclics.set]
+carrier = "slow"
+sets = 4
+suns.sun = {{ shaft = "fast", teeth = 32 }}
+rings.ring = {{ shaft = "ground", teeth = 160 }}
+planets.planet = {{ teeth = 64, meshes = ["sun", "ring"]{} }}
+"""
+
+
+def test_planets_that_only_touch_with_their_shifted_tips_are_refused():
+    """Four planets of 64 about a sun of 32: 96 sin 45° = 67.88 above 66; tips of 2 (32 + 1 + 0.7 + 0.3) = 68 touch."""
+    parse(FOUR.format(""))
+    parse(FOUR.format(", shift = 0.7"))
+    found = problem(FOUR.format(", shift = 0.7, tip_alteration = 0.3"))
+    assert found.path == "epicyclics.set.planets.planet"
+    assert "stands into those of the next set by 0.12 modules" in found.message
+
+
+def test_a_shift_closes_a_set_that_whole_teeth_put_together_all_the_same():
+    """Whether equal sets go in is asked of teeth alone: (32 + 159)/4 is not whole, whatever the shifts."""
+    text = FOUR.format("").replace("teeth = 160", "teeth = 159").replace("speed_rpm = 100", "speed_rpm = 100.52")
+    assert "cannot be assembled" in problem(text).message

@@ -32,8 +32,9 @@ from gearwright.render.drawings.views.teeth import (
     meshes_of,
     sized_mesh,
 )
-from gearwright.sizing import GearSizing, Sizing, backlash_of, fit_of, thickness_of
+from gearwright.sizing import GearSizing, Sizing, backlash_of, fit_of, stated_pitch, thickness_of
 from gearwright.spec import Pair
+from gearwright.units import INCH
 
 BALL = 1.75
 """Diameter of measuring balls over the module, rounded to 0.25 mm [-]."""
@@ -69,6 +70,7 @@ def _cylindrical_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     yield "Kind", "", "internal" if internal else "external"
     yield "Number of teeth", "z", f"{teeth.teeth}"
     yield "Normal module", "m_{n}", _mm(teeth.module)
+    yield from _pitches(teeth.module, teeth.helix_angle)
     yield "Normal pressure angle", "α_{n}", _degrees(teeth.rack.pressure_angle)
     yield "Basic rack", "", "ISO 53 A"
     yield "Helix angle", "β", _degrees(teeth.helix_angle)
@@ -83,6 +85,16 @@ def _cylindrical_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     yield "Face width", "b", _mm(teeth.face_width)
     if kind_of(sizing, gear.stage) == "cylindrical":
         yield from _measurement(sizing, gear, teeth)
+
+
+def _pitches(module: float, helix_angle: float) -> Iterator[Row]:
+    """Yield the diametral pitches of a design in inches: the transverse one, and the normal one where it is another."""
+    pitch = stated_pitch(module)
+    if pitch is None:
+        return
+    if helix_angle:
+        yield "Normal diametral pitch", "P_{nd}", f"{trimmed(INCH * pitch, 4)} /in"
+    yield "Transverse diametral pitch", "P_{d}", f"{trimmed(INCH * pitch * math.cos(helix_angle), 4)} /in"
 
 
 def _measurement(sizing: Sizing, gear: GearSizing, teeth: CylindricalGear) -> Iterator[Row]:
@@ -170,6 +182,7 @@ def _bevel_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     tip = pair.outer_diameters[side] + 2.0 * scale * pair.addenda[side] * math.cos(pitch)
     yield "Number of teeth", "z", f"{gear.teeth}"
     yield "Outer transverse module", "m_{et}", _mm(pair.outer_module)
+    yield from _pitches(pair.outer_module, 0.0)
     yield "Mean normal module", "m_{mn}", _mm(pair.mean_module)
     yield "Normal pressure angle", "α_{n}", _degrees(pair.pressure_angle)
     yield "Mean spiral angle", "β_{m}", _degrees(pair.spiral_angle)
