@@ -18,8 +18,9 @@ from variants import VARIANTS
 
 from gearwright.dynamics import System
 from gearwright.dynamics.assembly import assemble
+from gearwright.dynamics.vibration import critical_speeds
 from gearwright.shipped import shipped_design, shipped_designs
-from gearwright.sizing import Sizing, size
+from gearwright.sizing import Sizing, passing, size
 from gearwright.spec import Design, parse, read
 
 FOLDER = Path(__file__).parent / "sizing"
@@ -55,7 +56,28 @@ def recorded(sizing: Sizing) -> dict[str, float]:
     parts["cases"] = {
         case: {"powers": dict(flow.machine_powers), "speeds": dict(flow.speeds)} for case, flow in sizing.flows.items()
     }
-    return {**numbers(parts), **_assembled(assemble(sizing))}
+    return {**numbers(parts), **_assembled(assemble(sizing)), **_answered(sizing)}
+
+
+def _answered(sizing: Sizing) -> dict[str, float]:
+    """Return the numbers of answers that have too many of them to be kept: how many, and two sums of each kind."""
+    speeds = critical_speeds(sizing)
+    answers = {
+        "critical speeds": [(case.critical, case.assumed) for case in speeds],
+        "passing": passing(sizing),
+    }
+    kinds: dict[str, list[float]] = {}
+    for name, answer in answers.items():
+        for path, number in numbers(tuple(answer), name).items():
+            kinds.setdefault(f"{name}.{path.rpartition('.')[2]}", []).append(float(number))
+    return {f"answers.{kind}.{what}": value for kind, each in kinds.items() for what, value in _sums(each).items()}
+
+
+def _sums(values: list[float]) -> dict[str, float]:
+    """Return count, sum of sizes, and a sum with weights of its own for every place: the least first, for ties."""
+    weights = np.cos(np.arange(len(values)))
+    size = float(np.sum(np.abs(values)))
+    return {"count": len(values), "size": size, "order": float(weights @ np.sort(values)) / size if size else 0.0}
 
 
 def _assembled(system: System) -> dict[str, float]:
@@ -83,12 +105,36 @@ def designs() -> dict[str, Design]:
     return shipped | {f"variant-{name}": parse(text) for name, text in VARIANTS.items()}
 
 
+NOISE = 1e-6
+"""Speeds [rad/s], powers [W] and, in diagrams, forces [N] and moments [N m] below this are zeros with rounding."""
+CLOSING = ("cases.", ".diagram.", ".bearings.", ".bending_moment", ".tangential_force")
+"""What closes to zero by subtraction."""
+ORDER = 1e-9
+"""What sums of unlike signs may differ by, over the sum of their sizes [-]."""
+
+
+def same(path: str, was: float, is_now: float) -> bool:
+    """Tell whether a number is what it was, but for rounding."""
+    if path.startswith("arrays."):
+        noise = ORDER
+    elif path.startswith("answers."):
+        noise = 1e-6
+    else:
+        noise = NOISE if any(part in path for part in CLOSING) else 0.0
+    return math.isclose(was, is_now, rel_tol=TOLERANCE["rel"], abs_tol=noise)
+
+
 def write_all() -> None:
-    """Write the file of every design; the difference shows in version control."""
+    """Write the file of every design; what is the same but for rounding stays as it was written."""
     FOLDER.mkdir(exist_ok=True)
     for name, design in designs().items():
-        content = {"design": name, "tolerance": TOLERANCE, "values": recorded(size(design))}
-        (FOLDER / f"{name}.json").write_text(json.dumps(content, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+        path = FOLDER / f"{name}.json"
+        stored = json.loads(path.read_text(encoding="utf-8"))["values"] if path.exists() else {}
+        found = recorded(size(design))
+        kept = {key: was if same(key, was, found[key]) else found[key] for key, was in stored.items() if key in found}
+        values = kept | {key: value for key, value in found.items() if key not in kept}
+        content = {"design": name, "tolerance": TOLERANCE, "values": values}
+        path.write_text(json.dumps(content, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
