@@ -140,7 +140,7 @@ def assumptions(sizing: Sizing) -> tuple[str, ...]:
     """
     design = sizing.design
     sentences = ["Mass counts gears, shafts and carriers; not housing, bearings, oil system, accessories, motors."]
-    if all(flow.loss <= 1e-9 * max(map(abs, flow.machine_powers.values())) for flow in sizing.flows.values()):
+    if not any(flow.loss for flow in sizing.flows.values()):
         sentences.append("Power flow without losses in the meshes.")
     if all(mesh.load_factor == 1.0 for mesh in sizing.meshes):
         sentences.append("Parallel meshes share the load equally: K_γ = 1.")

@@ -86,11 +86,7 @@ def _start(source: Train | Sizing) -> tuple[Board, Train, Layout, Mapping[str, s
 
 
 def _losses(flow: PowerFlow) -> list[str]:
-    return [f"Lost in the meshes: {text(flow.loss, 'power')}"] if flow.loss > 1e-6 * _supplied(flow) else []
-
-
-def _supplied(flow: PowerFlow) -> float:
-    return sum(power for power in flow.machine_powers.values() if power > 0.0)
+    return [f"Lost in the meshes: {text(flow.loss, 'power')}"] if flow.loss else []
 
 
 def _machine_texts(feeds: Sequence[Feed], layout: Layout) -> dict[str, str]:

@@ -9,6 +9,9 @@ from gearwright.spec import GROUND
 from gearwright.train.graph import Train
 from gearwright.train.kinematics import Yielded
 
+ROUNDING = 1e-9
+"""Of the largest power of a machine: what is lost below this are sums that nearly close [-]."""
+
 
 @dataclass(frozen=True)
 class MeshFlow:
@@ -62,8 +65,9 @@ class PowerFlow:
 
     @property
     def loss(self) -> float:
-        """Power lost in all meshes and dampers [W]."""
-        return sum(mesh.loss for mesh in self.meshes.values()) + sum(damper.loss for damper in self.dampers.values())
+        """Power lost in all meshes and dampers [W]; none where it is rounding beside the powers of the machines."""
+        lost = sum(mesh.loss for mesh in self.meshes.values()) + sum(damper.loss for damper in self.dampers.values())
+        return lost if abs(lost) > ROUNDING * max(map(abs, self.machine_powers.values()), default=0.0) else 0.0
 
     def given(self, link: str) -> float:
         """Return the torque that a clutch or damper gives to its driven shaft [N m]; zero of an open clutch.
