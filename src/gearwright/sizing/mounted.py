@@ -238,6 +238,16 @@ class JointSizing:
     """[Pa]"""
     interference: Length = 0.0
     """Of a press fit, as made [m]."""
+    running_pressure: Annotated[
+        float,
+        Quantity("stress"),
+        Origin("p of U less ρ ω² d³/(16 E) (3 + ν)(1/Q_a² − Q_i²)", "DIN 7190-1, Lamé with body forces"),
+    ] = 0.0
+    """Of a press fit at the highest speed [Pa]; 0 where it is loose."""
+    needed_pressure: Annotated[float, Quantity("stress"), Origin("p = 2 T S/(π d² l μ)", "DIN 7190-1")] = 0.0
+    """Of a press fit, for its torque [Pa]."""
+    speed: Speed = 0.0
+    """Highest of all cases [rad/s]."""
     rim: Annotated[float | None, Quantity("ratio"), Origin("s_R/h_t, h_t = 2.25 m_n", "ISO 6336-3:2019, Y_B")] = None
     """Metal between hub seat and tooth root over the height of the teeth [-]; None for one piece and for machines."""
     form: str = ""

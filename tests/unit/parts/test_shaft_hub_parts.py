@@ -13,6 +13,7 @@ from gearwright.parts.joints import (
     FitPart,
     KeySection,
     bearing_length,
+    centrifugal_loss,
     fit_interference,
     fit_pressure,
     fit_torque,
@@ -24,6 +25,7 @@ from gearwright.parts.joints import (
     spline_pressure,
 )
 from gearwright.parts.shafts import (
+    AxialLoad,
     Concentration,
     FatigueStrength,
     Overload,
@@ -41,12 +43,14 @@ from gearwright.parts.shafts import (
     diagram,
     din743_safety,
     endurance_limit,
+    fatigue_notch_factor,
     goodman_safety,
     influence,
     lumped_shaft,
     section_stress,
     stress_concentration,
     supported,
+    tension_notch_factor,
     yield_limits,
     yield_safety,
 )
@@ -358,3 +362,70 @@ def test_din_743_at_a_constant_ratio_yields_where_mean_and_amplitude_together_do
     safety = din743_safety(load, SECTION, STEEL_42CRMO4, greatest=load, overload=Overload.CONSTANT_RATIO).fatigue
     resist = math.pi / 32.0 * SECTION.diameter**3
     assert safety * (100.0 + 3000.0) / resist == pytest.approx(yield_limits(SECTION, STEEL_42CRMO4).bending)
+
+
+TURNED = ShaftSteel(1100e6, 900e6, 550e6, 330e6, SteelGroup.TEMPERED)
+CUT = ShaftSection(0.042, 0.05, Concentration(1.5286, 1.2674), bore=0.012)
+
+
+def test_a_pulsating_pull_adds_to_bending_as_din_743_writes_it():
+    """1/S_D² = (σ_zda/σ_zdADK + σ_ba/σ_bADK)² + (τ/τ_tADK)², case 1 by hand: d 42/12, 40 ± 30 kN, R_z 10 µm."""
+    area, resist = math.pi / 4 * (42**2 - 12**2), math.pi / 32 * 42**3 * (1 - (12 / 42) ** 4)
+    size = 1 - 0.26 * math.log10(50 / 16)
+    yields = 900 * (1 - 0.34 * math.log10(50 / 16)) * 1.05
+    rough = 1 - 0.22 * (math.log10(size * 1100 / 20) - 1)
+    mean = 40e3 / area
+    tension = size * 0.8 * 550 / (1.5286 + 1 / rough - 1)
+    inner = 1 - 0.2 * math.log10(42 / 7.5) / math.log10(20)
+    bending = size * 550 / (1.5286 / inner + 1 / rough - 1)
+    parts = []
+    for limit, reach in ((tension, yields), (bending, 1.1 * yields)):
+        parts.append(min(limit - limit / (2 * size * 1100 - limit) * mean, reach - mean))
+    by_hand = 30e3 / area / parts[0] + 600e3 / resist / parts[1]
+    load = SectionLoad(bending_amplitude=600.0)
+    found = din743_safety(load, CUT, TURNED, greatest=load, axial=AxialLoad(30e3, 40e3, 70e3))
+    assert found.fatigue == pytest.approx(1 / by_hand, rel=1e-9)
+    assert found.yielding == pytest.approx(1 / (70e3 / area / yields + 600e3 / resist / (1.1 * yields)), rel=1e-9)
+
+
+def test_without_a_force_along_it_a_section_is_what_it_was_and_a_pull_never_helps():
+    load = SectionLoad(bending_amplitude=600.0, torque_mean=900.0)
+    plain = din743_safety(load, CUT, TURNED, greatest=load)
+    assert din743_safety(load, CUT, TURNED, greatest=load, axial=AxialLoad()) == plain
+    for overload in Overload:
+        free = din743_safety(load, CUT, TURNED, greatest=load, overload=overload).fatigue
+        pulls = [AxialLoad(mean=40e3), AxialLoad(amplitude=40e3), AxialLoad(mean=-40e3)]
+        held = [din743_safety(load, CUT, TURNED, greatest=load, overload=overload, axial=pull) for pull in pulls]
+        assert all(safety.fatigue < free for safety in held)
+        assert held[0] == held[2]
+
+
+def test_a_shoulder_is_sharper_in_tension_than_in_bending():
+    """DIN 743-2: α = 1 + 1/√(0.62 r/t + 7 r/d (1 + 2 r/d)²) by hand, and the support of bending."""
+    shoulder = Shoulder(0.042, 0.050, 0.005)
+    step, slim = 5 / 4, 5 / 42
+    alpha = 1 + 1 / math.sqrt(0.62 * step + 7 * slim * (1 + 2 * slim) ** 2)
+    support = stress_concentration(shoulder).bending / fatigue_notch_factor(shoulder, 900e6).bending
+    assert tension_notch_factor(shoulder, 900e6) == pytest.approx(alpha / support)
+    assert tension_notch_factor(shoulder, 900e6) > fatigue_notch_factor(shoulder, 900e6).bending
+
+
+def test_a_press_fit_loosens_at_the_speed_of_din_7190():
+    """n_ab = 2/(π D) √(2 p/((3 + ν)(1 − Q²) ρ)) of a hub on a solid shaft of one steel; p(n)/p = 1 − (n/n_ab)²."""
+    shaft, hub = FitPart(0.0, 206e9), FitPart(0.5, 206e9)
+    diameter, overlap = 0.06, 60e-6
+    still = fit_pressure(overlap, diameter, shaft, hub)
+    outer = diameter / 0.5
+    loose = 2 / (math.pi * outer) * math.sqrt(2 * still / (3.3 * (1 - 0.25) * 7850)) * 2 * math.pi
+    assert centrifugal_loss(loose, diameter, shaft, hub) == pytest.approx(overlap)
+    for part in (0.2, 0.7):
+        left = overlap - centrifugal_loss(part * loose, diameter, shaft, hub)
+        assert fit_pressure(left, diameter, shaft, hub) == pytest.approx(still * (1 - part**2))
+
+
+def test_a_hollow_shaft_follows_its_hub_more_than_a_solid_one():
+    """A bore in the shaft widens it: (3 + ν)(1/Q_a² − Q_i²) of equal steels."""
+    hub = FitPart(0.5, 206e9)
+    solid, hollow = (centrifugal_loss(2000.0, 0.06, FitPart(bore, 206e9), hub) for bore in (0.0, 0.6))
+    assert hollow / solid == pytest.approx((4.0 - 0.36) / 4.0)
+    assert centrifugal_loss(0.0, 0.06, FitPart(0.0, 206e9), hub) == 0.0

@@ -171,3 +171,25 @@ def test_modules_are_those_of_iso_54():
     first = (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25, 32, 40, 50)
     second = (1.125, 1.375, 1.75, 2.25, 2.75, 3.5, 4.5, 5.5, 7, 9, 11, 14, 18, 22, 28, 36, 45)
     assert tuple(sorted((*first, *second))) == STANDARD_MODULES
+
+
+def test_a_press_fit_is_made_so_tight_that_it_holds_at_speed():
+    """What turning takes, ρ ω² d³/(16 E) (3 + ν)(1/Q_a² − Q_i²), is added to the interference; the rest needs p."""
+    seat, joint = SEAT._replace(speed=1500.0), Joint(kind="press-fit", friction=0.15, safety=1.7)
+    still, turning = (size_joint(joint, where, D, STEEL) for where in (SEAT, seat))
+    inner, outer = 0.02 / D, D / 0.11
+    taken = STEEL.density * 1500.0**2 * D**3 / (16.0 * STEEL.elastic_modulus)
+    taken *= (3.0 + STEEL.poisson_ratio) * (1.0 / outer**2 - inner**2)
+    assert turning.interference - still.interference == pytest.approx(taken)
+    assert turning.running_pressure == pytest.approx(turning.needed_pressure) == pytest.approx(still.pressure)
+    assert turning.pressure > still.pressure == pytest.approx(still.running_pressure)
+
+
+def test_an_interference_of_the_users_may_be_too_small_at_speed():
+    seat = SEAT._replace(speed=1000.0)
+    joint = Joint(kind="press-fit", friction=0.15, safety=1.7, interference=size_joint(
+        Joint(kind="press-fit", friction=0.15, safety=1.7), SEAT, D, STEEL).interference)  # fmt: skip
+    sized = size_joint(joint, seat, D, STEEL)
+    assert 0.0 < sized.running_pressure < sized.needed_pressure <= sized.pressure * (1.0 + 1e-9)
+    loose = size_joint(joint, SEAT._replace(speed=20e3), D, STEEL)
+    assert loose.running_pressure == 0.0

@@ -6,6 +6,7 @@ The notches that they make in the shaft are in `shafts`.
 from gearwright.parts.joints.key import LONGEST_BEARING, KeySection, bearing_length, key_length, key_pressure
 from gearwright.parts.joints.press_fit import (
     FitPart,
+    centrifugal_loss,
     fit_interference,
     fit_pressure,
     fit_torque,
@@ -22,6 +23,7 @@ __all__ = [
     "KeySection",
     "Spline",
     "bearing_length",
+    "centrifugal_loss",
     "fit_interference",
     "fit_pressure",
     "fit_torque",

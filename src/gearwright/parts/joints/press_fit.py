@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from gearwright.errors import DesignError, Problem
-from gearwright.units import Length, Ratio, Stress
+from gearwright.units import Density, Length, Ratio, Stress
 
 SMOOTHING = 0.8
 """Share of both roughnesses R_z that pressing smooths away, each on both sides [-] (DIN 7190:2001)."""
@@ -24,6 +24,8 @@ class FitPart:
     """ν [-]."""
     roughness: Length = 0.0
     """R_z of the seat [m]."""
+    density: Density = 7850.0
+    """ρ [kg/m³]."""
 
     def __post_init__(self) -> None:
         """Refuse a part without a wall."""
@@ -44,7 +46,7 @@ def fit_pressure(interference: float, diameter: float, shaft: FitPart, hub: FitP
     Source: Lamé 1852; DIN 7190:2001: U − 0.8 (R_z,i + R_z,a) = p d (c_i/E_i + c_a/E_a),
         c_a = (1 + Q_a²)/(1 − Q_a²) + ν_a, c_i = (1 + Q_i²)/(1 − Q_i²) − ν_i.
 
-    Valid for: elastic parts of equal length, at rest.
+    Valid for: elastic parts of equal length, at rest; turning, with what `centrifugal_loss` leaves of U.
 
     Raises:
         DesignError: If the parts do not overlap once their roughness is smoothed.
@@ -74,6 +76,27 @@ def fit_interference(pressure: float, diameter: float, shaft: FitPart, hub: FitP
 def _widening(part: FitPart, sign: float) -> float:
     square = part.diameter_ratio**2
     return ((1.0 + square) / (1.0 - square) + sign * part.poisson_ratio) / part.elastic_modulus
+
+
+def centrifugal_loss(speed: float, diameter: float, shaft: FitPart, hub: FitPart) -> float:
+    """Return the interference that turning takes from a press fit, as the hub widens more than the shaft [m].
+
+    Args:
+        speed: Of both [rad/s].
+        diameter: Of the joint d [m].
+        shaft: Inner part [Pa, m].
+        hub: Outer part [Pa, m].
+
+    Source: Lamé 1852 with body forces (Timoshenko and Goodier, Theory of elasticity, art. 32): the bore of a free ring
+        widens by ρ ω² d³/(16 E) ((3 + ν)/Q² + 1 − ν) in diameter, a free shaft by ρ ω² d³/(16 E) (1 − ν + (3 + ν) Q²).
+
+    Valid for: parts of plane stress, each of one density.
+    """
+    cube = speed**2 * diameter**3 / 16.0
+    nu, mu = hub.poisson_ratio, shaft.poisson_ratio
+    widened = hub.density / hub.elastic_modulus * ((3.0 + nu) / hub.diameter_ratio**2 + 1.0 - nu)
+    thickened = shaft.density / shaft.elastic_modulus * (1.0 - mu + (3.0 + mu) * shaft.diameter_ratio**2)
+    return cube * (widened - thickened)
 
 
 def fit_torque(pressure: float, diameter: float, length: float, *, friction: float) -> float:

@@ -7,6 +7,8 @@ from gearwright.parts.shafts.beam import Diagram, PointLoads, bearing_reactions,
 from gearwright.parts.shafts.critical_speed import critical_speed, lumped_shaft
 from gearwright.parts.shafts.deflection import BentLine, Sections, bent_line, influence
 from gearwright.parts.shafts.din743 import (
+    NO_AXIAL,
+    AxialLoad,
     Overload,
     ShaftSection,
     ShaftSteel,
@@ -40,6 +42,7 @@ from gearwright.parts.shafts.notch import (
     felt_concentration,
     notch_sensitivity,
     stress_concentration,
+    tension_notch_factor,
 )
 from gearwright.parts.shafts.shaft import (
     shaft_diameter,
@@ -53,8 +56,10 @@ from gearwright.parts.shafts.shaft import (
 __all__ = [
     "CRITERIA",
     "LEAST_RADIUS",
+    "NO_AXIAL",
     "NO_NOTCH",
     "RELIABILITY_DEVIATES",
+    "AxialLoad",
     "BentLine",
     "Concentration",
     "Diagram",
@@ -97,6 +102,7 @@ __all__ = [
     "stress_concentration",
     "supported",
     "surface_factors",
+    "tension_notch_factor",
     "torsional_stiffness",
     "yield_limits",
     "yield_safety",

@@ -1,4 +1,4 @@
-"""Safety of a shaft's section by DIN 743: against fatigue and against lasting deformation, in bending and torsion.
+"""Safety of a shaft's section by DIN 743: against fatigue and lasting deformation, in tension, bending and torsion.
 
 Strengths of the steel are those of the reference diameter d_B; the size of the blank lowers them (K_1), the size of the
 section (K_2) and its surface (K_F) lower what a notch leaves.
@@ -68,6 +68,22 @@ class ShaftSteel(NamedTuple):
     """τ_tW, fully reversed, about 0.3 σ_B [Pa]."""
     group: SteelGroup
     """How strength falls with size."""
+    tension_fatigue: float | None = None
+    """σ_zdW, fully reversed [Pa]; None: 0.8 σ_bW, which is 0.4 σ_B where σ_bW is 0.5 σ_B."""
+
+
+class AxialLoad(NamedTuple):
+    """Force along a section, tension positive."""
+
+    amplitude: float = 0.0
+    """F_a [N]."""
+    mean: float = 0.0
+    """F_m [N]."""
+    greatest: float = 0.0
+    """F_max, for yielding [N]."""
+
+
+NO_AXIAL = AxialLoad()
 
 
 class ShaftSection(NamedTuple):
@@ -85,6 +101,8 @@ class ShaftSection(NamedTuple):
     """Inner diameter [m]."""
     hardening: float = 1.0
     """K_V, above 1 for shot-peened, rolled or case-hardened surfaces [-]."""
+    tension_notch: float | None = None
+    """β_σ in tension [-]; None: that of bending, as hubs have it (`tension_notch_factor` for shoulders)."""
     hard_surface: bool = False
     """Whether it is hard: K_F = 1 (its roughness is in K_V), K_2F = 1 and γ_F = 1 (its core does not yield first)."""
 
@@ -150,6 +168,7 @@ def din743_safety(
     *,
     greatest: SectionLoad,
     overload: Overload = Overload.CONSTANT_MEAN,
+    axial: AxialLoad = NO_AXIAL,
 ) -> Din743Safety:
     """Return the safeties of a shaft's section.
 
@@ -159,24 +178,32 @@ def din743_safety(
         steel: Strengths [Pa].
         greatest: For yielding: means and amplitudes of the greatest load [N m].
         overload: How the load would grow.
+        axial: Force along the section [N].
 
     Source: DIN 743-1:2012: total factor K = (β/K_2 + 1/K_F − 1)/K_V, fatigue limit of the part σ_WK = σ_W K_1/K, mean
         stress by ψ = σ_WK/(2 K_1 σ_B − σ_WK) at constant mean stress (case 1) or constant σ_m/σ_a (case 2), and never
-        beyond yielding.
-
-    Valid for: bending and torsion, no axial force.
+        beyond yielding; 1/S_D² = (σ_zda/σ_zdADK + σ_ba/σ_bADK)² + (τ_ta/τ_tADK)², 1/S_F² the same of the greatest
+        stresses and yield limits; in tension K_2 = K_2F = 1.
 
     Raises:
         DesignError: If the mean stress alone uses up the fatigue limit.
     """
     resist = math.pi / 32.0 * section.diameter**3 * (1.0 - (section.bore / section.diameter) ** 4)
-    yielding = yield_limits(section, steel)
-    limits = _fatigue_limits(load, section, steel, resist=resist, overload=overload)
+    area = math.pi / 4.0 * (section.diameter**2 - section.bore**2)
+    yielding, stretched = yield_limits(section, steel), _tension_yield(section, steel)
+    pull = abs(axial.amplitude) / area
+    steady = abs(axial.mean) / area
+    limits = _fatigue_limits(load, section, steel, resist=resist, overload=overload, steady=steady)
+    pulled = (
+        _tension_limit(load, section, steel, resist=resist, overload=overload, pull=(pull, steady)) if pull else 1.0
+    )
     tired = math.hypot(
-        load.bending_amplitude / resist / limits.bending, load.torque_amplitude / (2.0 * resist) / limits.torsion
+        pull / pulled + load.bending_amplitude / resist / limits.bending,
+        load.torque_amplitude / (2.0 * resist) / limits.torsion,
     )
     strained = math.hypot(
-        (greatest.bending_mean + greatest.bending_amplitude) / resist / yielding.bending,
+        abs(axial.greatest) / area / stretched
+        + (greatest.bending_mean + greatest.bending_amplitude) / resist / yielding.bending,
         (greatest.torque_mean + greatest.torque_amplitude) / (2.0 * resist) / yielding.torsion,
     )
     return Din743Safety(1.0 / tired if tired else math.inf, 1.0 / strained if strained else math.inf)
@@ -205,27 +232,63 @@ def _support(section: ShaftSection, group: SteelGroup) -> Concentration:
     return Concentration(1.1, 1.0) if section.bore else Concentration(1.2, 1.2)
 
 
+def _tension_yield(section: ShaftSection, steel: ShaftSteel) -> float:
+    """Return the yield limit in tension σ_zdFK [Pa]: K_1 γ_F σ_S, as K_2F is 1."""
+    return yield_limits(section, steel).bending / _support(section, steel.group).bending
+
+
 def _fatigue_limits(
-    load: SectionLoad, section: ShaftSection, steel: ShaftSteel, *, resist: float, overload: Overload
+    load: SectionLoad, section: ShaftSection, steel: ShaftSteel, *, resist: float, overload: Overload, steady: float
 ) -> Concentration:
     """Return σ_bADK and τ_tADK [Pa]."""
-    ultimate = blank_factor(section.blank, steel.group, yielding=False) * steel.ultimate
-    mean = math.hypot(load.bending_mean / resist, math.sqrt(3.0) * load.torque_mean / (2.0 * resist))
+    mean = _mean_stress(load, resist, steady)
     means, limits = (mean, mean / math.sqrt(3.0)), []
     stresses = (load.bending_amplitude / resist, load.torque_amplitude / (2.0 * resist))
     reversed_limits, yields = _reversed_limits(section, steel), yield_limits(section, steel)
-    for part, steady, stress, yielding in zip(reversed_limits, means, stresses, yields, strict=True):
-        sensitivity = part / (2.0 * ultimate - part)
-        if overload is Overload.CONSTANT_MEAN:
-            amplitude = min(part - sensitivity * steady, yielding - steady)
-        else:
-            ratio = steady / stress if stress else 0.0
-            amplitude = min(part / (1.0 + sensitivity * ratio), yielding / (1.0 + ratio))
-        if amplitude <= 0.0:
-            message = f"mean stress of {steady / _MPA:.4g} MPa leaves no fatigue strength; take a larger diameter"
-            raise DesignError([Problem("section.diameter", message)])
-        limits.append(amplitude)
+    for part, held, stress, yielding in zip(reversed_limits, means, stresses, yields, strict=True):
+        limits.append(_amplitude(_ultimate(section, steel), part, yielding, (held, stress), overload=overload))
     return Concentration(*limits)
+
+
+def _tension_limit(
+    load: SectionLoad, section: ShaftSection, steel: ShaftSteel, *, resist: float, overload: Overload,
+    pull: tuple[float, float],
+) -> float:  # fmt: skip
+    """Return σ_zdADK under amplitude and mean of the tension [Pa]."""
+    amplitude, steady = pull
+    size = blank_factor(section.blank, steel.group, yielding=False)
+    smooth = size * (0.8 * steel.bending_fatigue if steel.tension_fatigue is None else steel.tension_fatigue)
+    rough = 1.0 if section.hard_surface else surface_factors(section.roughness, size * steel.ultimate).bending
+    notch = section.notch.bending if section.tension_notch is None else section.tension_notch
+    part = smooth / (notch + 1.0 / rough - 1.0) * section.hardening
+    held = (_mean_stress(load, resist, steady), amplitude)
+    return _amplitude(_ultimate(section, steel), part, _tension_yield(section, steel), held, overload=overload)
+
+
+def _mean_stress(load: SectionLoad, resist: float, steady: float) -> float:
+    """Return the equivalent mean stress σ_mv [Pa]."""
+    return math.hypot(load.bending_mean / resist + steady, math.sqrt(3.0) * load.torque_mean / (2.0 * resist))
+
+
+def _ultimate(section: ShaftSection, steel: ShaftSteel) -> float:
+    return blank_factor(section.blank, steel.group, yielding=False) * steel.ultimate
+
+
+def _amplitude(
+    ultimate: float, part: float, yielding: float, held: tuple[float, float], *, overload: Overload
+) -> float:
+    """Return the amplitude that a part bears beside a mean stress, of a stress that grows as the overload says [Pa]."""
+    steady, stress = held
+    sensitivity = part / (2.0 * ultimate - part)
+    if overload is Overload.CONSTANT_MEAN:
+        amplitude = min(part - sensitivity * steady, yielding - steady)
+    else:
+        ratio = steady / stress if stress else 0.0
+        amplitude = min(part / (1.0 + sensitivity * ratio), yielding / (1.0 + ratio))
+    if amplitude <= 0.0:
+        message = f"mean stress of {steady / _MPA:.4g} MPa leaves no fatigue strength; take a larger diameter"
+        raise DesignError([Problem("section.diameter", message)])
+    return amplitude
 
 
 def _reversed_limits(section: ShaftSection, steel: ShaftSteel) -> Concentration:

@@ -191,6 +191,7 @@ def seat_of(task: Task, part: str, bore: float) -> Seat:
         torque=_torque(task.context, task.name, part) * task.context.design.service.application_factor,
         bore=bore,
         tooth=TOOTH_HEIGHT * gear.module if gear is not None else 0.0,
+        speed=max(abs(flow.speeds[task.name]) for flow in task.context.flows.values()),
     )
 
 

@@ -109,6 +109,9 @@ def _joint(joint: JointSizing) -> Iterator[Check]:
     part, clause = PartId(Kind.JOINT, joint.part, branch=joint.shaft), _CLAUSES[joint.kind]
     pressure, allowed = joint.pressure, joint.allowed_pressure
     yield Check(part, f"{joint.kind} pressure", clause, pressure, allowed, "stress", at_most=True)
+    if joint.kind == "press-fit" and joint.speed:
+        running, needed = joint.running_pressure, joint.needed_pressure
+        yield Check(part, "press-fit pressure at speed", "DIN 7190-1", running, needed, "stress", symbol="p")
     if joint.rim is not None and joint.rim > 0.0:
         clause = "ISO 6336-3:2019, Y_B"
         yield Check(part, "rim under the teeth", clause, joint.rim, THICKEST_RIM, exponent=None, symbol="s_R/h_t")

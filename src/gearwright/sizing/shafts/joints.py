@@ -15,7 +15,9 @@ from gearwright.parts.joints import (
     SHORTEST_RATIO,
     FitPart,
     Spline,
+    centrifugal_loss,
     fit_interference,
+    fit_pressure,
     fit_torque,
     hub_stress,
     key_length,
@@ -54,6 +56,8 @@ class Seat(NamedTuple):
     """Of the shaft [m]."""
     tooth: float
     """Height of the gear's teeth [m]."""
+    speed: float = 0.0
+    """Highest of all cases [rad/s]."""
 
 
 def size_joint(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
@@ -240,14 +244,28 @@ def spline_root(joint: Joint, diameter: float) -> float:
 
 
 def _press_fit(joint: Joint, seat: Seat, diameter: float, steel: Material) -> JointSizing:
-    """Return a press fit as long as its hub; what the weaker of hub and shaft bears is allowed."""
+    """Return a press fit as long as its hub that holds at speed; what the weaker of hub and shaft bears is allowed."""
     length = joint.length or (seat.hub_length if math.isfinite(seat.hub_length) else diameter)
     root = seat.root if math.isfinite(seat.root) else 2.0 * diameter
-    shaft = FitPart(seat.bore / diameter, steel.elastic_modulus, steel.poisson_ratio, FIT_ROUGHNESS)
-    hub = FitPart(min(diameter / root, 0.99), steel.elastic_modulus, steel.poisson_ratio, FIT_ROUGHNESS)
-    pressure = joint.safety * seat.torque / fit_torque(1.0, diameter, length, friction=joint.friction)
+    shaft, hub = (_fit_part(ratio, steel) for ratio in (seat.bore / diameter, min(diameter / root, 0.99)))
+    needed = joint.safety * seat.torque / fit_torque(1.0, diameter, length, friction=joint.friction)
     allowed = (steel.yield_strength or 0.0) / max(hub_stress(1.0, hub), shaft_fit_stress(1.0, shaft))
-    interference = fit_interference(pressure, diameter, shaft, hub)
+    loosened = centrifugal_loss(seat.speed, diameter, shaft, hub)
+    interference = joint.interference or fit_interference(needed, diameter, shaft, hub) + loosened
     name = f"DIN 7190 - {1e3 * diameter:.4g} with {1e6 * interference:.0f} µm"
-    return _sized(joint, seat, name, diameter, length=length, pressure=pressure, allowed=allowed,
-                  interference=interference)  # fmt: skip
+    sized = _sized(joint, seat, name, diameter, length=length, allowed=allowed, interference=interference,
+                   pressure=_fit_pressure(interference, diameter, shaft, hub))  # fmt: skip
+    running = _fit_pressure(interference - loosened, diameter, shaft, hub)
+    return replace(sized, running_pressure=running, needed_pressure=needed, speed=seat.speed)
+
+
+def _fit_part(ratio: float, steel: Material) -> FitPart:
+    return FitPart(ratio, steel.elastic_modulus, steel.poisson_ratio, FIT_ROUGHNESS, steel.density)
+
+
+def _fit_pressure(interference: float, diameter: float, shaft: FitPart, hub: FitPart) -> float:
+    """Return the pressure in a fit, none where its parts do not touch [Pa]."""
+    try:
+        return fit_pressure(interference, diameter, shaft, hub)
+    except DesignError:
+        return 0.0

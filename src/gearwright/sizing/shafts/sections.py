@@ -16,8 +16,10 @@ from gearwright.parts.shafts import (
     CRITERIA,
     LEAST_RADIUS,
     NO_NOTCH,
+    AxialLoad,
     Concentration,
     FatigueStrength,
+    Overload,
     SectionLoad,
     ShaftSection,
     ShaftSteel,
@@ -184,7 +186,8 @@ def strengths(
         bore: Of the shaft [m].
     """
     every = zip(sections, borne(sections, forces, judge, bore=bore), strict=True)
-    return tuple(_strength(section, held, judge, bore=_inside(section, bore)) for section, held in every)
+    along = np.abs(forces.axial).tolist()
+    return tuple(_strength(section, held, judge, along, bore=_inside(section, bore)) for section, held in every)
 
 
 def _inside(section: Section, bore: float) -> float:
@@ -209,7 +212,9 @@ def _borne(
     return Borne(loads, notch, tuple(criterion(stress, strength) for stress in stresses), greatest)
 
 
-def _strength(section: Section, held: Borne, judge: Strength, *, bore: float) -> SectionStrength:
+def _strength(
+    section: Section, held: Borne, judge: Strength, along: Sequence[float], *, bore: float
+) -> SectionStrength:
     worst = int(np.argmin(held.fatigue))
     load = held.loads[worst]
     return SectionStrength(
@@ -224,7 +229,7 @@ def _strength(section: Section, held: Borne, judge: Strength, *, bore: float) ->
         torsion_notch=held.notch.torsion,
         fatigue_safety=min(held.fatigue[worst], NO_LIMIT),
         yield_safety=min(held.yielding, NO_LIMIT),
-        din743_safety=_din743(section, load, judge.material, bore=bore),
+        din743_safety=_din743(section, load, judge, axial=along[worst], bore=bore),
         fillet=section.shoulder.radius if section.shoulder is not None else 0.0,
     )
 
@@ -244,8 +249,9 @@ def _measured(section: Section, ultimate: float) -> Concentration:
     return laws[section.hub](section.diameter, ultimate) if section.hub else NO_NOTCH
 
 
-def _din743(section: Section, load: SectionLoad, steel: Material, *, bore: float) -> float:
-    """Return the safety against fatigue by DIN 743, with σ_bW = 0.5 σ_B and τ_tW = 0.3 σ_B."""
+def _din743(section: Section, load: SectionLoad, judge: Strength, *, axial: float, bore: float) -> float:
+    """Return the safety against fatigue by DIN 743, with σ_bW = 0.5 σ_B, τ_tW = 0.3 σ_B and what pushes the shaft."""
+    steel, rules = judge.material, judge.design.shafting
     ultimate, group = steel.ultimate_strength or 0.0, SteelGroup[(steel.group or "tempered").upper().replace("-", "_")]
     strengths = ShaftSteel(ultimate, steel.yield_strength or 0.0, 0.5 * ultimate, 0.3 * ultimate, group)
     left = blank_factor(section.blank, group, yielding=False)
@@ -254,9 +260,10 @@ def _din743(section: Section, load: SectionLoad, steel: Material, *, bore: float
         notch = fatigue_notch_factor(section.shoulder, yielding)
     else:
         notch = _measured(section, left * ultimate)
-    cut = ShaftSection(section.diameter, section.blank, notch, bore=bore)
+    cut = ShaftSection(section.diameter, section.blank, notch, bore=bore, hard_surface=rules.hard_surface)
+    growth, pull = Overload[rules.overload.upper().replace("-", "_")], AxialLoad(mean=axial)
     try:
-        safety = din743_safety(load, cut, strengths, greatest=load).fatigue
+        safety = din743_safety(load, cut, strengths, greatest=load, overload=growth, axial=pull).fatigue
     except DesignError:
         return 0.0
     return min(safety, NO_LIMIT) if math.isfinite(safety) else NO_LIMIT

@@ -180,7 +180,7 @@ def _joint(part: str, joint: Joint, design: Design) -> Iterator[Problem]:
     if part in design.machines and joint.kind != "integral" and joint.hub_length is None:
         yield Problem(f"{path}.hub_length_mm", "is required for a machine: how long its hub is on the shaft")
     written = joint.model_fields_set
-    only = {"module": ("spline",), "friction": ("press-fit",), "safety": ("press-fit",),
+    only = {"module": ("spline",), "friction": ("press-fit",), "safety": ("press-fit",), "interference": ("press-fit",),
             "length": ("key", "spline", "press-fit"), "hub_length": ("key", "spline", "press-fit"),
             "pressure": ("key", "spline"), "form": ("key",)}  # fmt: skip
     for field, kinds in only.items():

@@ -53,5 +53,8 @@ class Joint(Record):
     pressure: Stress | None = Field(
         None, gt=0, description="Allowed flank pressure; left out: 150 MPa for keys, 100 MPa for splines"
     )
+    interference: Length | None = Field(
+        None, ge=1e-7, le=1e-3, description="Of a press fit, as made; left out: as the torque asks at the highest speed"
+    )
     friction: Ratio = Field(0.12, gt=0, lt=1, description="Friction coefficient of a press fit")
     safety: Ratio = Field(1.5, ge=1, le=5, description="Minimum safety against slip of a press fit")

@@ -38,6 +38,12 @@ class ShaftRules(Record):
         0.999, ge=0.5, le=0.9999, description="Part of the shafts that reaches the endurance limit (Shigley, table 6-5)"
     )
     surface: Literal["ground", "machined"] = Field("machined", description="Surface of shafts with bearings")
+    overload: Literal["constant-mean", "constant-ratio"] = Field(
+        "constant-mean",
+        description="How loads would grow until a section fails, for DIN 743: the amplitude alone (case 1), or mean and"
+        " amplitude together (case 2)",
+    )
+    hard_surface: bool = Field(False, description="Shafts have a hard surface, for DIN 743: K_F = K_2F = γ_F = 1")
     fillet_ratio: Ratio = Field(
         0.05, ge=0.01, le=0.3, description="Fillet radius over the thinner diameter where no bearing asks for less"
     )

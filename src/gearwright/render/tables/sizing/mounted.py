@@ -83,6 +83,7 @@ def mounted_tables(sizing: Sizing) -> dict[str, Table]:
     steps = [step for shaft in shafts for step in _steps(shaft)]
     bends = [bend for shaft in shafts for bend in _bends(shaft)]
     joined = [joint for joint in sizing.joints if joint.kind != "integral"]
+    fitted = ("running_pressure", "needed_pressure") if any(joint.running_pressure for joint in joined) else ()
     return {
         "steps": table("Shafts: steps", steps, ("shaft", "seat", "start", "end", "diameter", "bore"), note=_STEPS),
         "strength": table("Shafts: strength of sections", strength, _STRENGTH_FIELDS, note=_STRENGTH),
@@ -90,7 +91,7 @@ def mounted_tables(sizing: Sizing) -> dict[str, Table]:
                            ("shaft", "place", "slope", "deflection", "critical_speed"), note=_STIFFNESS),
         "bearing_sizes": table("Bearings", sizing.bearings, _BEARING_FIELDS, note=f"{_BEARINGS}{_system(sizing)}"),
         "bearing_oil": table("Bearings: oil, least load, speeds", sizing.bearings, _OILED_FIELDS, note=_OILED),
-        "joints": table("Shaft-hub joints", joined, _JOINT_FIELDS, note=_JOINTS),
+        "joints": table("Shaft-hub joints", joined, (*_JOINT_FIELDS, *fitted), note=_JOINTS),
     }  # fmt: skip
 
 
