@@ -31,6 +31,7 @@ from gearwright.spec.design.duty import (
     Turbine,
 )
 from gearwright.spec.design.epicyclics import Epicyclic
+from gearwright.spec.design.latest import of_the_latest
 from gearwright.spec.design.mounting import BearingSeat, Joint
 from gearwright.spec.design.rules import (
     BearingRules,
@@ -132,9 +133,9 @@ class Design(Shown, Record):
     )
 
     @property
-    def machines(self) -> dict[str, Machine]:
+    def machines(self) -> Mapping[str, Machine]:
         """Every machine by name."""
-        return {name: machine for table in MACHINES for name, machine in getattr(self, table).items()}
+        return _machines(self)
 
     @property
     def airscrews(self) -> dict[str, Airscrew]:
@@ -222,6 +223,11 @@ class Design(Shown, Record):
             stage: Name of a pair, planetary set or compound set.
         """
         return method_of(self.rules(stage).rating, self.stages[stage].meshes)
+
+
+@of_the_latest
+def _machines(design: Design) -> dict[str, Machine]:
+    return {name: machine for table in MACHINES for name, machine in getattr(design, table).items()}
 
 
 def _overlaid(rules: GearRules, stage_rules: GearRules) -> GearRules:

@@ -6,21 +6,20 @@ from collections.abc import Callable
 from functools import wraps
 from typing import TypeVar
 
-from gearwright.spec.design.design import Design
-
+Asked = TypeVar("Asked")
 Result = TypeVar("Result")
 
 
-def of_the_latest(function: Callable[[Design], Result]) -> Callable[[Design], Result]:
+def of_the_latest(function: Callable[[Asked], Result]) -> Callable[[Asked], Result]:
     """Return a function of a design that keeps what it gave of the latest two, which is not to be written to.
 
     Args:
         function: Its result depends on the design alone, which is frozen.
     """
-    kept: list[tuple[Design, Result]] = []
+    kept: list[tuple[Asked, Result]] = []
 
     @wraps(function)
-    def looked_up(design: Design) -> Result:
+    def looked_up(design: Asked) -> Result:
         for known, result in kept:
             if known is design:
                 return result
