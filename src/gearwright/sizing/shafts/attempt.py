@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 from gearwright.catalogue import Bearing
@@ -49,7 +50,7 @@ class Task:
         """Diameter of a shaft that is taken as it is [m]; None where it is to be built."""
         return self.core if self.context.design.layout.get(self.name, NOTHING_GIVEN).as_given else None
 
-    @property
+    @cached_property
     def judge(self) -> Strength:
         """What its sections are judged by."""
         return Strength(self.name, self.context.design, self.material, tuple(self.context.flows))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
@@ -73,6 +73,18 @@ class Section:
     hub: HubNotch = ""
 
 
+class Borne(NamedTuple):
+    """How a section bears every load case."""
+
+    loads: tuple[SectionLoad, ...]
+    notch: Concentration
+    """K_f and K_fs."""
+    fatigue: tuple[float, ...]
+    """n_f of every case [-]."""
+    yielding: float
+    """n_y of the greatest load [-]."""
+
+
 @dataclass(frozen=True)
 class Strength:
     """What every section is judged by."""
@@ -83,6 +95,8 @@ class Strength:
     material: Material
     cases: tuple[str, ...]
     """Names of the load cases."""
+    known: dict[tuple[object, ...], Borne] = field(default_factory=dict, compare=False, repr=False)
+    """Section, moments, torques and bore -> how it bears them, as far as found: few change as a shaft grows."""
 
 
 def sections_of(
@@ -146,18 +160,6 @@ def _shoulders(stretches: Sequence[Stretch], fillet_ratio: float, blank: float) 
             yield Section(f"shoulder at {named.name}", thin.name, right.start, thin.diameter, blank, shoulder)
 
 
-class Borne(NamedTuple):
-    """How a section bears every load case."""
-
-    loads: tuple[SectionLoad, ...]
-    notch: Concentration
-    """K_f and K_fs."""
-    fatigue: tuple[float, ...]
-    """n_f of every case [-]."""
-    yielding: float
-    """n_y of the greatest load [-]."""
-
-
 def borne(sections: Sequence[Section], forces: ShaftForces, judge: Strength, *, bore: float) -> tuple[Borne, ...]:
     """Return the safeties of sections against fatigue and yielding in every case.
 
@@ -168,10 +170,8 @@ def borne(sections: Sequence[Section], forces: ShaftForces, judge: Strength, *, 
         bore: Of the shaft [m].
     """
     moments, torques = forces.moments(np.array([section.position for section in sections]))
-    return tuple(
-        _borne(section, moments[:, k].tolist(), torques[:, k].tolist(), judge, bore=_inside(section, bore))
-        for k, section in enumerate(sections)
-    )
+    every = zip(sections, moments.T.tolist(), torques.T.tolist(), strict=True)
+    return tuple(_looked_up(section, tuple(bent), tuple(turned), judge, bore=bore) for section, bent, turned in every)
 
 
 def strengths(
@@ -193,6 +193,15 @@ def strengths(
 def _inside(section: Section, bore: float) -> float:
     """Return the bore of a section, with a wall at least until it has grown [m]."""
     return min(bore, THINNEST * section.diameter)
+
+
+def _looked_up(
+    section: Section, moments: tuple[float, ...], torques: tuple[float, ...], judge: Strength, *, bore: float
+) -> Borne:
+    key = (section, moments, torques, inside := _inside(section, bore))
+    if key not in judge.known:
+        judge.known[key] = _borne(section, moments, torques, judge, bore=inside)
+    return judge.known[key]
 
 
 def _borne(

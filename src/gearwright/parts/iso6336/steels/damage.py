@@ -53,7 +53,7 @@ def damage_parts(bins: Sequence[StressBin], reference: float, curve: LifeCurve) 
     Source: ISO 6336-6:2019, clause 5. Stresses below the endurance corner damage along the last slope of the curve
         (Z_NT or Y_NT = 0.85 at 1e10), and not at all where it is flat.
     """
-    return tuple(_part(level, reference, curve) for level in bins)
+    return tuple([_part(level, reference, curve) for level in bins])
 
 
 def _part(level: StressBin, reference: float, curve: LifeCurve) -> float:
