@@ -330,8 +330,8 @@ OF_SHIFTS = {"x": shift, "k m_n = a_w − a − m_n Σx; rings: off the involute
 OF_GEARS = {
     "β": lambda gear, rules: rules.helix_angle,
     "d = m_n z / cos β": lambda gear, rules: gear.module * gear.teeth / math.cos(rules.helix_angle),
-    "s = k m_n outside the pitch circle, k of the rules": lambda gear, rules: (
-        rules.rules.rim_thickness_ratio * gear.module if gear.role is Role.RING else 0.0),
+    "s = (k − x) m_n outside the pitch circle, k of the rules": lambda gear, rules: (
+        (rules.rules.rim_thickness_ratio - gear.profile_shift) * gear.module if gear.role is Role.RING else 0.0),
     "m = π r² b ρ, wheels times their web ratio; rings π ((d/2 + s)² − r²) b ρ; r = d/2 ± x m_n": gear_mass,
     "I = m r²/2; rings m (r² + (d/2 + s)²)/2; r = d/2 ± x m_n": gear_inertia,
 }  # fmt: skip

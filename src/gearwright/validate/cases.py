@@ -6,6 +6,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.validate import (
     beams,
     bearings,
+    compound_shifts,
     compound_trains,
     gearbox_mass,
     geared,
@@ -21,6 +22,7 @@ from gearwright.verbs import verb
 ALL = (
     *planetary_sets.CASES,
     *compound_trains.CASES,
+    *compound_shifts.CASES,
     *torsional.CASES,
     *geared.CASES,
     *beams.CASES,
