@@ -100,7 +100,7 @@ def rating_of(design: Design, name: str, teeth: Mapping[str, int] | None = None)
     Raises:
         DesignError: Profile shifts and centre distances that contradict each other.
     """
-    rules, stage = design.rules(name), design.stages[name]
+    rules, stage = _shared(design.rules(name), design.stages[name]), design.stages[name]
     pair = stage if isinstance(stage, Pair) else None
     helix = 0.0 if pair is None else pair.spiral_angle if pair.kind == "bevel" else rules.helix_angle
     return Rating(
@@ -113,6 +113,14 @@ def rating_of(design: Design, name: str, teeth: Mapping[str, int] | None = None)
         shifts=_open_shifts(stage, rules) if teeth is None else _shifts(design, name, teeth),
         compound=compound_shifts(design, name) if teeth is not None and name in design.epicyclics else None,
     )
+
+
+def _shared(rules: GearRules, stage: Pair | Planetary | Epicyclic) -> GearRules:
+    """Return the rules of a stage with the K_γ of its number of planets, where they have a table of them."""
+    if isinstance(stage, Pair) or not rules.planet_load_factors:
+        return rules
+    planets = stage.planets if isinstance(stage, Planetary) else stage.sets
+    return rules.model_copy(update={"mesh_load_factor": rules.load_factor_of(planets)})
 
 
 def _open_shifts(stage: Pair | Planetary | Epicyclic, rules: GearRules) -> StageShifts:

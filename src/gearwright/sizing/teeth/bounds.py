@@ -154,7 +154,7 @@ def _of_variant(task: Task, design: Design, allowed: tuple[float, float], speed:
     small, large = np.unique(np.stack([small, large]), axis=1)
     masses = np.full(len(small), np.inf)
     possible = assembled if is_shifted(task, design) else admissible
-    for planets in planet_counts(task.stage, design):
+    for planets in planet_counts(task.name, design):
         fits = possible(task, design, small, large, planets=planets)
         alone = Front({}, {task.edge.fast[0]: np.full(int(fits.sum()), speed)}, {}, {})
         if fits.any():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -195,17 +196,23 @@ def _around(wanted: Floats, large: Ints, small_teeth: int | None, reach: int) ->
     return parent.ravel(), teeth.ravel(), shared.ravel()
 
 
-def planet_counts(stage: Pair | Planetary | Epicyclic, design: Design) -> range:
+def planet_counts(name: str, design: Design) -> Sequence[int]:
     """Return how many planets a stage may have: those it gives, or from two up; one, that does not count, of a pair.
 
+    Of open numbers only those that a table of load factors has, if the rules of the stage have one.
+
     Args:
-        stage: As in the design.
+        name: Of the stage.
         design: With the rules of the search.
     """
+    stage = design.stages[name]
     if not isinstance(stage, Planetary):
         return range(1, 2)
-    given = stage.planets_given
-    return range(2, design.teeth.planets_maximum + 1) if given is None else range(given, given + 1)
+    given, table = stage.planets_given, design.rules(name).planet_load_factors
+    if given is not None:
+        return range(given, given + 1)
+    counts = range(2, design.teeth.planets_maximum + 1)
+    return [count for count in counts if str(count) in table] if table else counts
 
 
 def admissible(task: Task, design: Design, small: Ints, large: Ints, *, planets: int) -> Bools:

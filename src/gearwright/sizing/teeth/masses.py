@@ -36,7 +36,7 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
     speed = front.speeds[task.edge.fast[0]] if task.edge is not None else np.full(len(small), task.speed)
     width_ratio = stage_width_ratio(rating, small, large)
     ask = Ask(
-        task.torque * task.speed / speed / reference / planets,
+        _torque(task, planets) * task.speed / speed / reference / planets,
         (small, large),
         width_ratio,
         internal=isinstance(stage, Pair) and stage.internal,
@@ -66,6 +66,13 @@ def tallied(tally: Mapping[str, Floats], added: Floats) -> Mapping[str, Floats]:
     return {**tally, "second": tally["second"] + added} if tally else tally
 
 
+def _torque(task: Task, planets: int) -> float:
+    """Return the largest nominal torque of a stage with so many planets, their own K_γ included [N m]."""
+    if not isinstance(task.stage, Planetary) or not (rules := task.rating.rules).planet_load_factors:
+        return task.torque
+    return task.torque * rules.load_factor_of(planets) / task.rating.load_factor
+
+
 def _cubes(ask: Ask, task: Task) -> Floats:
     """Return the cube of the module that each mesh asks for [m³]."""
     module = np.maximum(*modules(ask, task.rating))
@@ -80,7 +87,7 @@ def _known_sizes(ask: Ask, task: Task, reference: Ints, speed: Floats) -> tuple[
     keys = [(first, second, planets, task.deviation) for first, second in pairs]
     if missing := list({key: place for place, key in enumerate(keys) if key not in task.known}.values()):
         new = ask._replace(
-            per_tooth=task.torque / reference[missing] / planets,
+            per_tooth=_torque(task, planets) / reference[missing] / planets,
             teeth=(small[missing], large[missing]),
             width_ratio=np.asarray(ask.width_ratio)[missing],
         )

@@ -77,7 +77,7 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
     Raises:
         DesignError: If speeds are not determined, or a stage has no candidate; with what would do.
     """
-    if all(is_given(stage) and len(planet_counts(stage, design)) == 1 for stage in design.stages.values()):
+    if all(is_given(stage) and len(planet_counts(name, design)) == 1 for name, stage in design.stages.items()):
         return [Chosen(given_teeth(design), {})]  # which say every speed, with what holds in each case
     nominal = targets(design)
     for name, stage in design.planetaries.items():

@@ -110,7 +110,7 @@ def _grown(front: Front, task: Task, design: Design, target: Floats, *, reach: R
 def _weighed(front: Front, task: Task, design: Design, small: Ints, large: Ints) -> Front:
     """Add a stage's teeth and bodies to the front, with every number of planets, candidate after candidate."""
     fronts, places = list[Front](), list[Ints]()
-    for planets in planet_counts(task.stage, design):
+    for planets in planet_counts(task.name, design):
         fits = admissible(task, design, small, large, planets=planets)
         if task.twin in front.planets:
             fits = fits & (front.planets[task.twin] == planets)
@@ -135,7 +135,7 @@ def _near_target(front: Front, task: Task, design: Design, target: Floats, *, re
         parent, small, large = all_candidates(task, design)
     else:
         parent, small, large = candidates(front, task, design, target, reach=reach)
-    counts = planet_counts(task.stage, design)
+    counts = planet_counts(task.name, design)
     fits = np.any([admissible(task, design, small, large, planets=planets) for planets in counts], axis=0)
     parent, small, large = parent[fits], small[fits], large[fits]
     if open_:

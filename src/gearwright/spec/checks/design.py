@@ -15,7 +15,7 @@ from gearwright.spec.checks.materials import material_problems
 from gearwright.spec.checks.motion import motion_problems
 from gearwright.spec.checks.mounting import mounting_problems
 from gearwright.spec.checks.names import name_problems
-from gearwright.spec.checks.planets import planetary_problems
+from gearwright.spec.checks.planets import load_factor_problems, planetary_problems
 from gearwright.spec.design import GROUND, MACHINES, Damper, Design, gear_named, given_values
 from gearwright.units import text
 
@@ -30,8 +30,8 @@ def reference_problems(design: Design) -> list[Problem]:
         design: As typed; its references are not resolved yet.
     """
     checks = (
-        name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, epicyclic_problems, _links, _teeth,
-        _layout, case_problems, _keep, _widths, _given, _waivers, _level,
+        name_problems, _shafts, _machines, _speeds, _pairs, planetary_problems, load_factor_problems,
+        epicyclic_problems, _links, _teeth, _layout, case_problems, _keep, _widths, _given, _waivers, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]
     more = (material_problems, gear_problems, effect_problems, motion_problems, mounting_problems)

@@ -22,7 +22,7 @@ _DECIDED = {
 _OF_BEVELS = ("spiral_angle", "pinion_apex", "wheel_apex")
 _OF_PAIRS = ("helix_angle", "overlap_ratio", "contact_angles", "web_ratio", "cutter_radius")
 """Rules of gears that planetary sets, spur and without wheels, do not read."""
-_OF_SETS = ("idler_factor", "rim_thickness_ratio")
+_OF_SETS = ("idler_factor", "rim_thickness_ratio", "planet_load_factors")
 """Rules of gears that pairs, without planets and rings, do not read."""
 _OF_HELICAL = ("overlap_ratio", "contact_angles")
 _OF_CYLINDERS = (

@@ -13,6 +13,8 @@ from gearwright.spec.design import GROUND, SET_ROLES, Design, Planetary, stage_s
 
 MOST_PLANETS = 12
 """Largest number of planets that a design may ask for."""
+LARGEST_LOAD_FACTOR = 3.0
+"""K_γ, as of mesh_load_factor [-]."""
 
 
 def planetary_problems(design: Design) -> Iterator[Problem]:
@@ -34,6 +36,37 @@ def planetary_problems(design: Design) -> Iterator[Problem]:
         unclosed = list(_unclosed(path, planetary))
         yield from unclosed or _together(path, name, design)
         yield from _few_teeth(path, planetary, design.teeth.planet_minimum)
+
+
+def load_factor_problems(design: Design) -> Iterator[Problem]:
+    """Yield what is wrong with tables of load factors, and sets whose number of planets they lack.
+
+    Args:
+        design: As typed.
+    """
+    written = {"gears": design.gears} | {
+        f"{design.table(name)}.gears": stage.gears for name, stage in design.stages.items() if stage.gears is not None
+    }
+    for path, rules in written.items():
+        for count, factor in rules.planet_load_factors.items():
+            where = f"{path}.planet_load_factors.{count}"
+            if not count.isdecimal() or not 1 <= int(count) <= MOST_PLANETS:
+                yield Problem(where, f"{count!r} is no number of planets; allowed: 1 to {MOST_PLANETS}")
+            elif not 1.0 <= factor <= LARGEST_LOAD_FACTOR:
+                yield Problem(where, f"{factor:g} is not allowed; give a number from 1 to {LARGEST_LOAD_FACTOR:g}")
+    for name, stage in design.sets.items():
+        table = design.rules(name).planet_load_factors
+        planets = stage.planets_given if isinstance(stage, Planetary) else stage.sets
+        if table and not table.keys() & (_counts(design) if planets is None else {str(planets)}):
+            most = design.teeth.planets_maximum
+            wanted = f"its {planets} planets are" if planets else f"none of 2 to {most} planets is"
+            message = f"{wanted} in gears.planet_load_factors, which has {', '.join(table)}; add the factor"
+            yield Problem(design.table(name), message)
+
+
+def _counts(design: Design) -> set[str]:
+    """Return the numbers of planets that are looked at where a set leaves its own out, as tables write them."""
+    return {str(count) for count in range(2, design.teeth.planets_maximum + 1)}
 
 
 def _unclosed(path: str, planetary: Planetary) -> Iterator[Problem]:

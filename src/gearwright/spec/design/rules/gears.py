@@ -49,6 +49,11 @@ class GearRules(Record):
     mesh_load_factor: Ratio | None = Field(
         None, ge=1, le=3, description="K_γ, largest over mean load of parallel meshes; left out: 1 (equal sharing)"
     )
+    planet_load_factors: dict[str, Ratio] = Field(
+        default_factory=dict,
+        description="K_γ of sets by number of planets, { 3 = 1.1, 4 = 1.25 }: only those are chosen; left out: "
+        "mesh_load_factor",
+    )
     idler_factor: Ratio = Field(
         1.0,
         ge=0.1,
@@ -92,6 +97,15 @@ class GearRules(Record):
         ge=1,
         description="Ring wall from its pitch circle over the module; profile shift moves it with the root circle",
     )
+
+    def load_factor_of(self, planets: int) -> float:
+        """Return K_γ of a set with so many planets, or of the first number in the table where that is not there [-].
+
+        Args:
+            planets: Number of planets, or of sets of planets [-].
+        """
+        table = self.planet_load_factors
+        return table.get(str(planets), next(iter(table.values()), self.mesh_load_factor or 1.0))
 
 
 SUN_LIMITS = (59, 120, 240, 400)
