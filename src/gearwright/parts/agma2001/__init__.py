@@ -33,8 +33,9 @@ from gearwright.parts.agma2001.geometry import (
     pitting_geometry_factor,
     stress_correction,
 )
+from gearwright.parts.agma2001.hardness import Hardnesses, hardened_pinion_factor, hardness_ratio_of
 from gearwright.parts.agma2001.life import endured_cycles, miner_sum, spectrum_safety
-from gearwright.parts.agma2001.mesh import AgmaDuty, AgmaMaking, AgmaPairRating, greatest_velocity, rate_agma
+from gearwright.parts.agma2001.mesh import AgmaDuty, AgmaMaking, AgmaPairRating, AgmaWheel, greatest_velocity, rate_agma
 from gearwright.parts.agma2001.rating import (
     AgmaGear,
     AgmaLoad,
@@ -46,6 +47,7 @@ from gearwright.parts.agma2001.rating import (
     elastic_coefficient,
     rim_factor_agma,
 )
+from gearwright.parts.agma2001.yielding import INDUSTRIAL, allowable_yield, overload_distribution, yield_safety
 
 __all__ = [
     "BENDING_CARBURISED",
@@ -55,6 +57,7 @@ __all__ = [
     "BENDING_NITRIDED",
     "COMMERCIAL",
     "EXTRA_PRECISION",
+    "INDUSTRIAL",
     "OPEN_GEARING",
     "PITTING",
     "PITTING_NITRIDED",
@@ -67,23 +70,29 @@ __all__ = [
     "AgmaPairRating",
     "AgmaSteel",
     "AgmaStrength",
+    "AgmaWheel",
     "CycleCurve",
+    "Hardnesses",
     "HobbedPair",
     "LoadPlace",
     "Mounting",
     "agma_rating",
     "agma_strength",
+    "allowable_yield",
     "bending_geometry",
     "cycle_factor",
     "dynamic_factor_agma",
     "elastic_coefficient",
     "endured_cycles",
     "greatest_velocity",
+    "hardened_pinion_factor",
     "hardness_ratio_factor",
+    "hardness_ratio_of",
     "helical_overlap_factor",
     "load_distribution_factor",
     "load_sharing_ratio",
     "miner_sum",
+    "overload_distribution",
     "pitting_geometry_factor",
     "rate_agma",
     "reliability_factor",
@@ -91,4 +100,5 @@ __all__ = [
     "size_factor",
     "spectrum_safety",
     "stress_correction",
+    "yield_safety",
 ]

@@ -18,6 +18,7 @@ from gearwright.parts.agma2001.factors import (
     size_factor,
 )
 from gearwright.parts.agma2001.geometry import BendingGeometry, HobbedPair, bending_geometry, pitting_geometry_factor
+from gearwright.parts.agma2001.hardness import Hardnesses, hardness_ratio_of
 from gearwright.parts.agma2001.rating import (
     AgmaGear,
     AgmaLoad,
@@ -51,6 +52,20 @@ class AgmaDuty:
 
 
 @dataclass(frozen=True)
+class AgmaWheel:
+    """A steel of the gear that is another than the pinion's."""
+
+    strength: AgmaStrength
+    """Allowable stress numbers."""
+    bending_curve: CycleCurve
+    """Y_N over cycles."""
+    contact_curve: CycleCurve
+    """Z_N over cycles."""
+    hardnesses: Hardnesses
+    """Of both gears, for C_H."""
+
+
+@dataclass(frozen=True)
 class AgmaMaking:
     """How both gears are made and mounted, and of what."""
 
@@ -76,6 +91,27 @@ class AgmaMaking:
     """Part of the gears that survive [-]."""
     temperature: float = 1.0
     """K_T [-]."""
+    wheel: AgmaWheel | None = None
+    """Steel of the gear where it is another than the pinion's."""
+    rims: tuple[Value, Value] = (1.0, 1.0)
+    """K_B of pinion and gear [-]."""
+
+    def strength_of(self, gear: int) -> AgmaStrength:
+        """Return the allowable stress numbers of one gear.
+
+        Args:
+            gear: 0 for the pinion, 1 for the gear.
+        """
+        return self.strength if gear == 0 or self.wheel is None else self.wheel.strength
+
+    def curves_of(self, gear: int) -> tuple[CycleCurve, CycleCurve]:
+        """Return Z_N and Y_N of one gear over cycles.
+
+        Args:
+            gear: 0 for the pinion, 1 for the gear.
+        """
+        own: AgmaMaking | AgmaWheel = self if gear == 0 or self.wheel is None else self.wheel
+        return own.contact_curve, own.bending_curve
 
 
 @dataclass(frozen=True)
@@ -117,9 +153,15 @@ class AgmaPairRating:
     temperature: Annotated[float, Quantity("ratio"), Origin("K_T", f"{_SOURCE}, clause 19")]
     """[-]"""
     strength: AgmaStrength
-    """Of both gears."""
+    """Of both gears, or of the pinion."""
     gears: tuple[AgmaRating, AgmaRating]
     """Stresses, limits and safeties of both gears."""
+    rims: Annotated[tuple[Value, Value], Quantity("ratio"), Origin("K_B = 1.6 ln(2.242/m_B)", f"{_SOURCE}, annex B")]
+    """Rim thickness factors of both gears [-]."""
+    hardness_ratio: Annotated[Value, Quantity("ratio"), Origin("C_H", f"{_SOURCE}, clause 14")]
+    """Hardness ratio factor of the gear [-]."""
+    wheel_strength: AgmaStrength | None
+    """Of the gear where its steel is another."""
 
 
 def rate_agma(pair: HobbedPair, module: Value, duty: AgmaDuty, making: AgmaMaking) -> AgmaPairRating:
@@ -131,8 +173,7 @@ def rate_agma(pair: HobbedPair, module: Value, duty: AgmaDuty, making: AgmaMakin
         duty: Torque, speed, life.
         making: Steel, accuracy, mounting.
 
-    Source: ANSI/AGMA 2001-D04, clauses 5 to 20, with I and J of AGMA 908-B89; both gears of one steel, so that C_H = 1;
-        solid blanks, K_B = 1; C_f = 1.
+    Source: ANSI/AGMA 2001-D04, clauses 5 to 20, with I and J of AGMA 908-B89; C_f = 1.
     Valid for: external gears on the standard centre distance.
     """
     width, transverse = pair.face_width * module, module / np.cos(pair.helix_angle)
@@ -174,6 +215,9 @@ def rate_agma(pair: HobbedPair, module: Value, duty: AgmaDuty, making: AgmaMakin
         temperature=making.temperature,
         strength=making.strength,
         gears=(first, second),
+        rims=making.rims,
+        hardness_ratio=other.hardness_ratio,
+        wheel_strength=None if making.wheel is None else making.wheel.strength,
     )
 
 
@@ -182,12 +226,16 @@ def _body(
 ) -> tuple[AgmaGear, BendingGeometry]:
     """Return what the rating needs of one gear, and its J with parts."""
     geometry = bending_geometry(pair, gear)
+    contact_curve, bending_curve = making.curves_of(gear)
+    harder = making.wheel.hardnesses if gear == 1 and making.wheel is not None else None
     body = AgmaGear(
         bending_factor=geometry.factor,
-        strength=making.strength,
+        strength=making.strength_of(gear),
         size=size_factor(width, transverse, lewis_form_factor(pair.virtual_teeth[gear])),
-        bending_cycles=cycle_factor(making.bending_curve, cycles),
-        contact_cycles=cycle_factor(making.contact_curve, cycles),
+        rim=making.rims[gear],
+        bending_cycles=cycle_factor(bending_curve, cycles),
+        contact_cycles=cycle_factor(contact_curve, cycles),
+        hardness_ratio=hardness_ratio_of(harder, pair.teeth[1] / pair.teeth[0]),
     )
     return body, geometry
 

@@ -8,15 +8,24 @@ from typing import Annotated
 import numpy as np
 
 from gearwright.errors import DesignError, Problem
+from gearwright.parts.iso6336.choices import RatingMethod
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
 from gearwright.parts.iso6336.pitting import LoadFactors
-from gearwright.parts.iso6336.root import Edition, RootSection, outer_single_contact, root_section
+from gearwright.parts.iso6336.root import (
+    Edition,
+    LoadedTooth,
+    RootSection,
+    outer_single_contact,
+    root_section,
+    tip_loaded,
+)
 from gearwright.parts.iso6336.steels import STRESS_CORRECTION_TEST_GEAR, GearSteel, Treatment
 from gearwright.units import Origin, Quantity
 
 _PART3 = "ISO 6336-3:2019"
 _MICRON = 1e-6
 _MPA = 1e6
+_ROUNDING = 1e-9
 # Slip-layer thickness ρ′ [mm] over the yield strength [N/mm²] of steels without a hard case, ISO 6336-3:2006, table 3.
 _YIELD = (300.0, 400.0, 500.0, 600.0, 800.0, 1000.0)
 _SLIP = (0.0833, 0.0445, 0.0281, 0.0194, 0.0064, 0.0014)
@@ -35,6 +44,8 @@ class RootBody:
     """Deep tooth factor Y_DT [-]."""
     edition: Edition = Edition.ISO2019
     """Edition that gives f_ε, Y_β and the fillets of rings."""
+    method: RatingMethod = RatingMethod.B
+    """Whether the load is at the outer point of single contact, or at the tip with Y_ε."""
 
 
 @dataclass(frozen=True)
@@ -86,6 +97,10 @@ class BendingRating:
     """Root stress limit σ_FG [Pa]."""
     safety: Annotated[Value, Quantity("ratio"), Origin("S_F = σ_FG/σ_F", f"{_PART3}, clause 5")]
     """Safety against tooth breakage S_F [-]."""
+    contact_ratio: Annotated[
+        Value | None, Quantity("ratio"), Origin("Y_ε = 0.25 + 0.75/ε_αn", "ISO 6336-3:1996, clause 7, method C")
+    ] = None
+    """Contact ratio factor Y_ε of a load at the tip [-]; None with the load where method B has it."""
 
 
 def load_sharing_factor(mesh: MeshGeometry) -> Value:
@@ -152,7 +167,8 @@ def rim_factor(rim: Value, height: Value, module: Value, *, internal: bool = Fal
         allowed = f"ISO 6336-3 rates rims above {1e3 * float(np.max(thinnest)):.4g} mm"
         raise DesignError([Problem("rim", f"{1e3 * float(np.min(rim)):.4g} mm given; {allowed}")])
     thin = 1.15 * np.log(8.324 * module / rim) if internal else 1.6 * np.log(2.242 * height / rim)
-    return np.maximum(1.0, thin)
+    thick = np.asarray(rim) >= (3.5 * module if internal else 1.2 * height) * (1.0 - _ROUNDING)
+    return as_value(np.where(thick, 1.0, np.maximum(1.0, thin)))
 
 
 def deep_tooth_factor(mesh: MeshGeometry, grade: Value) -> Value:
@@ -236,6 +252,19 @@ def bending_size_factor(module: Value, treatment: Treatment) -> Value:
     return np.minimum(np.maximum(1.03 - 0.006 * module / 1e-3, 0.85), 1.0)
 
 
+def loaded_tooth(mesh: MeshGeometry, gear: int, method: RatingMethod) -> LoadedTooth:
+    """Return a tooth with the load where a method puts it.
+
+    Args:
+        mesh: The pair.
+        gear: 0 for the pinion, 1 for the wheel.
+        method: B or C.
+
+    Source: ISO 6336-3:2019, clause 6 (method B); ISO 6336-3:1996, clause 5 (method C).
+    """
+    return tip_loaded(mesh, gear) if method is RatingMethod.C else outer_single_contact(mesh, gear)
+
+
 def bending_rating(
     mesh: MeshGeometry,
     gear: int,
@@ -255,15 +284,17 @@ def bending_rating(
         specific_load: F_t/b with the gear's own face width [N/m].
         loads: K factors.
         strength: Y_NT, Y_δrelT, Y_RrelT, Y_X, Y_M of the gear.
-        body: Y_B, Y_DT and the edition.
+        body: Y_B, Y_DT, the edition and the place of the load.
 
     Source: ISO 6336-3:2019, clause 5.
     """
-    section = root_section(outer_single_contact(mesh, gear), body.edition)
-    sharing = load_sharing_factor(mesh) if body.edition is Edition.ISO2019 else 1.0
+    section = root_section(loaded_tooth(mesh, gear, body.method), body.edition)
+    tip = contact_ratio_factor_root(mesh) if body.method is RatingMethod.C else None
+    sharing = load_sharing_factor(mesh) if body.edition is Edition.ISO2019 and tip is None else 1.0
     helix = helix_factor(mesh, body.edition)
     nominal = specific_load / mesh.module * section.form * sharing * section.stress_correction * helix
-    nominal = nominal * body.rim * body.deep_tooth
+    nominal = nominal * body.rim * body.deep_tooth * (1.0 if tip is None else tip)
     stress = nominal * loads.bending
     limit = steel.bending_strength * STRESS_CORRECTION_TEST_GEAR * strength.product
-    return BendingRating(section, sharing, helix, body.rim, body.deep_tooth, nominal, stress, limit, limit / stress)
+    safety = limit / stress
+    return BendingRating(section, sharing, helix, body.rim, body.deep_tooth, nominal, stress, limit, safety, tip)

@@ -16,6 +16,7 @@ from gearwright.parts.iso6336.bending import (
     bending_rating,
     bending_size_factor,
     deep_tooth_factor,
+    loaded_tooth,
     notch_sensitivity_factor,
     surface_factor,
 )
@@ -32,6 +33,7 @@ from gearwright.parts.iso6336.geometry import MeshGeometry, Value, mesh_geometry
 from gearwright.parts.iso6336.loads import (
     USUAL,
     DynamicFactor,
+    DynamicFactorBySpeed,
     FaceLoadFactor,
     MeshDuty,
     MeshQuality,
@@ -44,7 +46,7 @@ from gearwright.parts.iso6336.loads import (
     specific_load,
 )
 from gearwright.parts.iso6336.pitting import ContactStrengthFactors, LoadFactors, PittingRating, pitting_rating
-from gearwright.parts.iso6336.root import Edition, outer_single_contact, root_section
+from gearwright.parts.iso6336.root import Edition, root_section
 from gearwright.parts.iso6336.steels import life_curves, life_factor
 from gearwright.parts.stiffness import LINEAR_LOAD, mesh_stiffness_iso6336
 from gearwright.units import Origin, Quantity
@@ -60,7 +62,7 @@ class PairRating:
     """Pitch-line velocity v [m/s]."""
     cycles: Annotated[tuple[Value, Value], Quantity("number"), Origin("N_L", "ISO 6336-2:2019, clause 11")]
     """Load cycles of pinion and wheel N_L [-]."""
-    dynamic: DynamicFactor
+    dynamic: DynamicFactor | DynamicFactorBySpeed
     """K_V and its terms."""
     face: FaceLoadFactor
     """K_Hβ, K_Fβ and their misalignment."""
@@ -163,7 +165,7 @@ def rate_mesh(
             specific_load=force / width,
             loads=loads,
             strength=roots[gear],
-            body=RootBody(quality.rims[gear], deep_tooth_factor(mesh, quality.grade), edition),
+            body=RootBody(quality.rims[gear], deep_tooth_factor(mesh, quality.grade), edition, quality.choices.root),
         )
         for gear, width in enumerate(widths or (mesh.face_width, mesh.face_width))
     )
@@ -218,7 +220,7 @@ def _root_strengths(
     mesh: MeshGeometry, steels: Steels, cycles: tuple[Value, Value], *, quality: MeshQuality, edition: Edition
 ) -> tuple[RootStrengthFactors, RootStrengthFactors]:
     """Y factors of the strength of both gears."""
-    sections = [root_section(outer_single_contact(mesh, gear), edition) for gear in (0, 1)]
+    sections = [root_section(loaded_tooth(mesh, gear, quality.choices.root), edition) for gear in (0, 1)]
     first, second = (
         RootStrengthFactors(
             life=life_factor(life_curves(steel)[1], count),

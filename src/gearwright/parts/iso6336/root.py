@@ -110,6 +110,20 @@ def outer_single_contact(mesh: MeshGeometry, gear: int) -> LoadedTooth:
     return LoadedTooth(z_n, diameter, mesh.pressure_angle, mesh.proportions[gear])
 
 
+def tip_loaded(mesh: MeshGeometry, gear: int) -> LoadedTooth:
+    """Return a tooth loaded at its tip, as method C has it.
+
+    Args:
+        mesh: The pair.
+        gear: 0 for the pinion, 1 for the wheel.
+
+    Source: ISO 6336-3:1996, clause 5 (method C); DIN 3990-3:1987, clause 3.3: d_an of the equivalent spur gear.
+    """
+    z_n = mesh.virtual_teeth[gear]
+    tip = 2.0 * (mesh.tip_radii[gear] - 0.5 * mesh.pitch_diameters[gear]) / mesh.module + np.abs(z_n)
+    return LoadedTooth(z_n, np.copysign(tip, z_n), mesh.pressure_angle, mesh.proportions[gear])
+
+
 def root_section(loaded: LoadedTooth, edition: Edition = Edition.ISO2019) -> RootSection:
     """Return the critical section, Y_F and Y_S of a loaded tooth.
 

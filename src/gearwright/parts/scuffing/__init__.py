@@ -6,6 +6,7 @@ Pitting and bending are in `iso6336`.
 from gearwright.parts.scuffing.flash_temperature import (
     SPRAY,
     FlashEdition,
+    FlashTemperature,
     Oil,
     ScuffingMesh,
     flash_temperature,
@@ -22,6 +23,7 @@ from gearwright.parts.scuffing.integral_temperature import (
 __all__ = [
     "SPRAY",
     "FlashEdition",
+    "FlashTemperature",
     "IntegralTemperature",
     "Oil",
     "ScuffingMesh",

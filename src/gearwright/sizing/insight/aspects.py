@@ -23,7 +23,7 @@ class Aspect(NamedTuple):
     """Why values differ."""
 
 
-_FLANK, _ROOT = "strength of flanks", "strength of roots"
+_FLANK, _ROOT, _STATIC = "strength of flanks", "strength of roots", "static strength"
 ASPECTS: tuple[Aspect, ...] = (
     Aspect("force F_t, W_t", ("mesh", "tangential force"), ("mesh", "tangential force"), None,
            "AGMA takes working pitch diameters and K_γ into W_t; ISO and DIN reference ones"),
@@ -53,8 +53,8 @@ ASPECTS: tuple[Aspect, ...] = (
     Aspect("lubricant Z_L", (_FLANK, "lubricant"), None, None, "AGMA: no film factors"),
     Aspect("speed Z_v", (_FLANK, "speed"), None, None, "AGMA: no film factors"),
     Aspect("roughness Z_R", (_FLANK, "roughness"), None, None, "AGMA: C_f = 1"),
-    Aspect("work hardening Z_W", (_FLANK, "work hardening"), None, None,
-           "ISO by R_zH, DIN by hardness alone; AGMA: C_H = 1"),
+    Aspect("work hardening Z_W, C_H", (_FLANK, "work hardening"), ("mesh", "hardness ratio"), None,
+           "ISO by R_zH, DIN by hardness alone; AGMA by both hardnesses and the ratio, of the gear alone"),
     Aspect("size Z_X", (_FLANK, "size"), None, None, "DIN from m_n = 10 mm; ISO leaves it at 1"),
     Aspect("limit σ_HG", ("pitting", "permissible"), ("stresses", "contact limit"), ("mesh", "contact allowable"),
            "the factors above; Hertz: 2.5 HB over the asked factor"),
@@ -65,6 +65,10 @@ ASPECTS: tuple[Aspect, ...] = (
     Aspect("notch Y_S, K_f", ("tooth root", "stress correction"), ("tooth root", "stress correction"), None,
            "ISO: strain gauges; AGMA: photoelasticity of Dolan and Broghamer"),
     Aspect("helix Y_β", ("tooth root", "helix"), None, None, "1/cos³ β in the edition of 2019 alone; AGMA: C_ψ in J"),
+    Aspect("load at the tip Y_ε", ("tooth root", "contact ratio"), None, None,
+           "method C of ISO and DIN takes the load from the tip to the outer single contact so"),
+    Aspect("rim Y_B, K_B", ("tooth root", "rim"), ("mesh", "rims"), None,
+           "one formula below 1.2 tooth heights; rings by ISO below 3.5 m_n"),
     Aspect("geometry J", None, ("tooth root", "factor"), None, "AGMA: Y C_ψ/(K_f m_N)"),
     Aspect("size Y_X, K_s", (_ROOT, "size"), ("mesh", "size"), None,
            "ISO: lessens strength; AGMA: raises stress (Shigley)"),
@@ -78,12 +82,20 @@ ASPECTS: tuple[Aspect, ...] = (
     Aspect("fillet roughness Y_RrelT", (_ROOT, "surface"), None, None, "AGMA: in s_at"),
     Aspect("mean stress Y_M", (_ROOT, "mean stress"), None, None,
            "AGMA: 0.7 left to the designer; Lewis: idler_factor"),
-    Aspect("reliability K_R", None, ("mesh", "reliability"), None, "ISO and DIN: 99 %, fixed by σ_lim"),
+    Aspect("reliability K_R", None, ("mesh", "reliability"), None,
+           "ISO and DIN: 99 % in σ_lim, other parts by the same table"),
     Aspect("limit σ_FG", ("tooth root", "permissible"), ("stresses", "bending limit"), ("mesh", "bending allowable"),
            "the factors above; Lewis: R_p0.2 over the asked factor"),
     Aspect("safety S_H", ("pitting", "safeties"), ("stresses", "contact safety"), None,
            "AGMA and ISO square the same load: S_H² compares with S_F"),
     Aspect("safety S_F", ("tooth root", "safety"), ("stresses", "bending safety"), None, "stress and strength above"),
+    Aspect("static S_H", (_STATIC, "contact safety"), None, None, "AGMA: no static limit of flanks"),
+    Aspect("static S_F, S_y", (_STATIC, "bending safety"), (_STATIC, "safeties"), None,
+           "ISO: first crack, Y_NT and Y_δrelT of static stress; AGMA: yielding by s_ay K_y"),
+    Aspect("scuffing S_intS", ("scuffing", "safety"), None, None, "integral temperature; AGMA 2001 has none"),
+    Aspect("scuffing S_B", ("scuffing, flash temperature", "safety"), None, None,
+           "flash temperature; AGMA 2001 has none"),
+    Aspect("micropitting S_λ", ("micropitting", "safety"), None, None, "ISO/TS 6336-22; AGMA 2001 has none"),
 )  # fmt: skip
 """In the order in which a rating is computed: loads, flanks, roots, safeties."""
 FAMILIES = {

@@ -173,6 +173,7 @@ def row_ask(train: Train, teeth: Mapping[str, int], mesh: Mesh, loads: Mapping[s
         internal=mesh.sign == INTERNAL,
         idlers=(bends_both_ways(train, first.name, loads), bends_both_ways(train, second.name, loads)),
         passes=(max(mesh.count / first.bodies, 1.0), max(mesh.count / second.bodies, 1.0)),
+        roles=(first.role, second.role),
     )
 
 

@@ -14,7 +14,7 @@ CHAPTERS: Mapping[str, str] = MappingProxyType({
     "dynamic": "dynamic factor", "face": "face load factor", "transverse": "transverse load factor",
     "loads": "load factors", "contact_strength": "strength of flanks", "pitting": "pitting",
     "root_strength": "strength of roots", "bending": "tooth root", "geometry": "pitting", "section": "tooth root",
-    "tooth_root": "tooth root", "strength": "strength", "gears": "stresses",
+    "tooth_root": "tooth root", "strength": "strength", "gears": "stresses", "wheel_strength": "strength of the wheel",
     "scuffing": "scuffing",
 })  # fmt: skip
 """Field that holds records -> chapter of their rows; others stand in the chapter around them."""

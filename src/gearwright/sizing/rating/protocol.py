@@ -34,6 +34,8 @@ class Load(NamedTuple):
     ask: Ask
     life: float
     """How long it lasts [s]."""
+    static: bool = False
+    """A limit load: it comes once, and static strength bears it."""
 
 
 class LoadedMesh(NamedTuple):

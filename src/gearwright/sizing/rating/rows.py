@@ -67,7 +67,7 @@ def _loads(context: Context, mesh: Mesh) -> Iterator[Load]:
 def _once(load: Load) -> Load:
     """Return a limit load as one turn of the first gear: static strength bears it, and no cycles are spent."""
     speed = max(float(np.asarray(load.ask.speed)), _CREEP)
-    return load._replace(ask=load.ask._replace(speed=speed), life=2.0 * math.pi / speed)
+    return load._replace(ask=load.ask._replace(speed=speed), life=2.0 * math.pi / speed, static=True)
 
 
 def _load(context: Context, mesh: Mesh, case: str, life: float, level: float = 1.0) -> Load:

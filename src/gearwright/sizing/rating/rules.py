@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple, Protocol
 
+from gearwright.identity import Role
 from gearwright.parts import Material
 from gearwright.parts.gears import Numbers, ToothShift
 from gearwright.spec import Design, Epicyclic, GearRules, Pair, Planetary
@@ -162,3 +163,5 @@ class Ask(NamedTuple):
     """Of the first gear against the carrier [rad/s]; Lewis and Hertz do not ask for it."""
     passes: tuple[float, float] = (1.0, 1.0)
     """Mates that a tooth of each gear meets in a turn [-]; Lewis and Hertz do not ask for it."""
+    roles: tuple[Role, Role] = (Role.PINION, Role.WHEEL)
+    """What both gears are in their stage: wheels and rings may be of a steel of their own, and have rims."""

@@ -27,6 +27,9 @@ _OF_SETS = ("idler_factor", "rim_thickness_ratio", "planet_load_factors")
 _OF_HELICAL = ("overlap_ratio", "contact_angles")
 _OF_CYLINDERS = (
     "helix_modification", "scuffing_safety", "scuffing_stage", "oil_temperature", "widest_diameters", "widest_modules",
+    "dynamic_method", "root_method", "oil_type", "oil_viscosity_100", "scuffing_method", "micropitting_stage",
+    "micropitting_safety",
+    "static_pitting_safety", "static_bending_safety", "yielding_safety", "wheel",
 )  # fmt: skip
 """Rules of ISO 6336 that ISO 10300 does not read."""
 _OF_RINGS = ("ring_cutter",)
@@ -77,7 +80,8 @@ def _pair(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
     path, rules = f"pairs.{name}", design.rules(name)
     if pair.kind != "bevel":
         yield from _idle(path, pair, _OF_BEVELS, f"only bevel gears have one, and this pair is {pair.kind}")
-    yield from _stage_rules(path, rules, pair.gears, _OF_SETS, "only planetary sets have planets and rings")
+    foreign = _OF_SETS[:1] if pair.internal else _OF_SETS
+    yield from _stage_rules(path, rules, pair.gears, foreign, "only planetary sets have planets and rings")
     yield from _fits(path, pair)
     if pair.gears is None:
         return

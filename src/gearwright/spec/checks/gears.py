@@ -13,6 +13,7 @@ from gearwright.spec.design import (
     RATINGS,
     Agma2001Rules,
     Agma2003Rules,
+    AgmaWheelSteel,
     Design,
     Epicyclic,
     Pair,
@@ -56,13 +57,16 @@ def _agma_steels(design: Design) -> Iterator[Problem]:
     for (path, table), every in rules.items():
         for problem in _strengths(every.agma2001 if table == "agma2001" else every.agma2003):
             yield Problem(f"{path}.{table}.{problem.path}", problem.message)
+        if table == "agma2001" and every.agma2001.wheel is not None:
+            for problem in _strengths(every.agma2001.wheel):
+                yield Problem(f"{path}.{table}.wheel.{problem.path}", problem.message)
 
 
-def _strengths(rules: Agma2001Rules | Agma2003Rules) -> Iterator[Problem]:
+def _strengths(rules: Agma2001Rules | AgmaWheelSteel | Agma2003Rules) -> Iterator[Problem]:
     """Find a grade or a hardness that a table of strengths does not have."""
     keys = {"hardness": "hardness_hb"}
     try:
-        if isinstance(rules, Agma2001Rules):
+        if not isinstance(rules, Agma2003Rules):
             agma_strength(AgmaSteel(rules.steel), rules.grade, rules.hardness_hb)
             return
         bevel_strength(BevelSteel(rules.steel), rules.grade, rules.hardness_hb)

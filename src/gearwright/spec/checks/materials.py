@@ -8,7 +8,7 @@ from gearwright.catalogue import gear_steel_names, material_of, materials, rated
 from gearwright.errors import DesignError, Problem, near
 from gearwright.parts import Material
 from gearwright.parts.iso6336 import GearSteel
-from gearwright.spec.design import RATINGS, Design, GearRules, LifeLineRules, MaterialRules
+from gearwright.spec.design import RATINGS, Design, GearRules, LifeLineRules, MaterialRules, WheelSteel
 from gearwright.spec.keys import keys_of
 
 STEEL_KEYS = {"material": "steel", "grade": "grade", "hardness": "hardness_hv"}
@@ -157,6 +157,20 @@ def _gears(path: str, rules: GearRules, design: Design) -> Iterator[Problem]:
         return
     if _needs_yield(steel):
         yield from _needs(f"{path}.material", name, ("yield_strength",), design, f"{steel.name} by ISO 6336-3")
+    if standard.wheel is not None:
+        yield from _wheel(f"{path}.iso6336.wheel", standard.wheel, design.material(name))
+
+
+def _wheel(path: str, wheel: WheelSteel, material: Material) -> Iterator[Problem]:
+    """Find a class, grade or hardness of wheels that ISO 6336-5 does not have, and a soft one without its yield."""
+    try:
+        steel = rated_steel(material, wheel.steel, wheel.grade, hardness=wheel.hardness_hv)
+    except DesignError as error:
+        for problem in error.problems:
+            yield Problem(f"{path}.{STEEL_KEYS.get(problem.path, problem.path)}", problem.message)
+        return
+    if _needs_yield(steel) and wheel.yield_strength is None and material.yield_strength is None:
+        yield Problem(f"{path}.yield_strength", f"is required: {steel.name} by ISO 6336-3 goes by its proof stress")
 
 
 def _needs_yield(steel: GearSteel) -> bool:

@@ -1,8 +1,16 @@
 """Published ratings of gears: stiffness, flanks, roots, scuffing and losses of teeth."""
 
-from gearwright.validate.gears import bevels, losses, mesh_stiffness, rating, reports, scuffing
+from gearwright.validate.gears import bevels, losses, mesh_stiffness, rating, reports, scuffing, wind_reports
 
-CASES = (*mesh_stiffness.CASES, *rating.CASES, *reports.CASES, *losses.CASES, *scuffing.CASES, *bevels.CASES)
+CASES = (
+    *mesh_stiffness.CASES,
+    *rating.CASES,
+    *reports.CASES,
+    *losses.CASES,
+    *scuffing.CASES,
+    *bevels.CASES,
+    *wind_reports.CASES,
+)
 """In the order of the table."""
 
 __all__ = ["CASES"]

@@ -21,6 +21,11 @@ from gearwright.parts.iso6336.loads.dynamic import (
     reduced_mass,
     running_in_allowance,
 )
+from gearwright.parts.iso6336.loads.dynamic_by_speed import (
+    FASTEST,
+    DynamicFactorBySpeed,
+    dynamic_factor_by_speed,
+)
 from gearwright.parts.iso6336.loads.mesh_loads import (
     USUAL,
     MeshDuty,
@@ -36,9 +41,11 @@ __all__ = [
     "CENTRED",
     "CORRECTED_AND_CROWNED",
     "CROWNED",
+    "FASTEST",
     "UNMODIFIED",
     "USUAL",
     "DynamicFactor",
+    "DynamicFactorBySpeed",
     "FaceLoadFactor",
     "MeshDeviations",
     "MeshDuty",
@@ -50,6 +57,7 @@ __all__ = [
     "TransverseLoadFactor",
     "deflection_misalignment",
     "dynamic_factor",
+    "dynamic_factor_by_speed",
     "face_load_factor",
     "lead_allowance",
     "load_cycles",

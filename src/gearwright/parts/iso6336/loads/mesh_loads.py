@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gearwright.errors import Problem, refuse
+from gearwright.parts.iso6336.choices import USUAL_CHOICES, Choices, RatingMethod
 from gearwright.parts.iso6336.geometry import MeshGeometry, Value
 from gearwright.parts.iso6336.loads.distribution import (
     CENTRED,
@@ -27,6 +28,7 @@ from gearwright.parts.iso6336.loads.dynamic import (
     mean_allowance,
     reduced_mass,
 )
+from gearwright.parts.iso6336.loads.dynamic_by_speed import DynamicFactorBySpeed, dynamic_factor_by_speed
 from gearwright.parts.iso6336.loads.stiffness import MeshSprings
 from gearwright.parts.iso6336.loads.tolerances import flank_tolerances
 from gearwright.parts.iso6336.pitting import contact_ratio_factor
@@ -90,6 +92,8 @@ class MeshQuality:
     """Y_M of pinion and wheel [-]; 0.7 for gears loaded on both flanks."""
     profile_factor: float = 1.0
     """f_ZCa of helical gears [-], see `single_contact_factors`."""
+    choices: Choices = USUAL_CHOICES
+    """Method of the factors that have a choice."""
 
     @property
     def flanks(self) -> tuple[float, float]:
@@ -130,7 +134,7 @@ def specific_load(mesh: MeshGeometry, duty: MeshDuty) -> Value:
 
 def load_distribution(
     mesh: MeshGeometry, springs: MeshSprings, steels: Steels, *, duty: MeshDuty, quality: MeshQuality
-) -> tuple[DynamicFactor, FaceLoadFactor, TransverseLoadFactor]:
+) -> tuple[DynamicFactor | DynamicFactorBySpeed, FaceLoadFactor, TransverseLoadFactor]:
     """Return K_V, the face and the transverse load factors, in the order in which they build on each other.
 
     Args:
@@ -146,15 +150,19 @@ def load_distribution(
     speed = 0.5 * np.abs(duty.pinion_speed) * mesh.pitch_diameters[0]
     pitch, profile, slope = _deviations(mesh, quality.grade)
     pitch_left = pitch - mean_allowance(pitch, steels, speed)
-    deviations = MeshDeviations(pitch_left, profile - mean_allowance(profile, steels, speed), quality.tip_relief)
-    dynamic = dynamic_factor(
-        mesh,
-        springs,
-        deviations,
-        specific_load=specific,
-        pinion_speed=np.abs(duty.pinion_speed),
-        mass=reduced_mass(mesh, (steels[0].density, steels[1].density)),
-    )
+    if quality.choices.dynamic is RatingMethod.C:
+        dynamic: DynamicFactor | DynamicFactorBySpeed = dynamic_factor_by_speed(
+            mesh, quality.grade, specific_load=specific, speed=speed
+        )
+    else:
+        dynamic = dynamic_factor(
+            mesh,
+            springs,
+            MeshDeviations(pitch_left, profile - mean_allowance(profile, steels, speed), quality.tip_relief),
+            specific_load=specific,
+            pinion_speed=np.abs(duty.pinion_speed),
+            mass=reduced_mass(mesh, (steels[0].density, steels[1].density)),
+        )
     with_dynamic = specific * dynamic.factor
     deflection = deflection_misalignment(mesh, with_dynamic, quality.shaft, paths=duty.meshes_per_turn[0])
     face = face_load_factor(

@@ -2,6 +2,7 @@
 
 from gearwright.parts.iso6336.steels.damage import StressBin, damage_parts, spectrum_damage
 from gearwright.parts.iso6336.steels.life import (
+    LIFE_AT_1E10,
     bending_life_curve,
     contact_life_curve,
     endurable_cycles,
@@ -19,6 +20,7 @@ from gearwright.parts.iso6336.steels.strength import (
 )
 
 __all__ = [
+    "LIFE_AT_1E10",
     "STRESS_CORRECTION_TEST_GEAR",
     "GearSteel",
     "LifeCurve",

@@ -10,7 +10,7 @@ import numpy as np
 from gearwright.parts.iso6336.geometry import Value, as_value
 from gearwright.parts.iso6336.steels.strength import GearSteel, LifeCurve, Treatment
 
-STANDARD = 0.85
+LIFE_AT_1E10 = 0.85
 """Life factor at 1e10 cycles otherwise [-]."""
 ENDLESS = 600.0
 """Natural logarithm of a number of cycles that counts as endless [-]: 1e260."""
@@ -28,7 +28,7 @@ def _contact_corners(treatment: Treatment, *, some_pitting: bool) -> LifeCurve:
 
 
 @cache
-def contact_life_curve(treatment: Treatment, *, some_pitting: bool = False, at_1e10: float = STANDARD) -> LifeCurve:
+def contact_life_curve(treatment: Treatment, *, some_pitting: bool = False, at_1e10: float = LIFE_AT_1E10) -> LifeCurve:
     """Return the S-N curve of the flank.
 
     Args:
@@ -43,7 +43,7 @@ def contact_life_curve(treatment: Treatment, *, some_pitting: bool = False, at_1
 
 
 @cache
-def bending_life_curve(treatment: Treatment, *, at_1e10: float = STANDARD) -> LifeCurve:
+def bending_life_curve(treatment: Treatment, *, at_1e10: float = LIFE_AT_1E10) -> LifeCurve:
     """Return the S-N curve of the tooth root.
 
     Args:
@@ -76,7 +76,7 @@ def life_curves(steel: GearSteel) -> tuple[LifeCurve, LifeCurve]:
     return contact, bending_life_curve(steel.treatment) if steel.bending_life is None else steel.bending_life
 
 
-def knee_curve(knee: float, exponent: float, *, greatest: float, at_1e10: float = STANDARD) -> LifeCurve:
+def knee_curve(knee: float, exponent: float, *, greatest: float, at_1e10: float = LIFE_AT_1E10) -> LifeCurve:
     """Return the S-N curve of a line that is stated by its knee and slope.
 
     Args:

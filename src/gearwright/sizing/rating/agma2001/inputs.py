@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from gearwright.identity import Role
 from gearwright.parts.agma2001 import (
     BENDING_CARBURISED,
     BENDING_HB160,
@@ -19,11 +20,16 @@ from gearwright.parts.agma2001 import (
     PRECISION,
     AgmaMaking,
     AgmaSteel,
+    AgmaWheel,
     CycleCurve,
+    Hardnesses,
     HobbedPair,
     agma_strength,
+    allowable_yield,
+    rim_factor_agma,
 )
 from gearwright.parts.gears import ISO53_A
+from gearwright.sizing.rating.rims import RIMMED
 from gearwright.sizing.rating.rules import Ask, Rating
 
 _ENCLOSURES = {
@@ -56,11 +62,12 @@ def hobbed_pair(ask: Ask, width_ratio: ArrayLike, rating: Rating) -> HobbedPair:
     )
 
 
-def making_of(rating: Rating) -> AgmaMaking:
+def making_of(rating: Rating, roles: tuple[Role, Role] = (Role.PINION, Role.WHEEL)) -> AgmaMaking:
     """Return steel, accuracy and mounting of a stage.
 
     Args:
         rating: Resolved rules.
+        roles: What both gears are in their stage; wheels may have rims.
 
     Raises:
         DesignError: A grade that the steel does not have, or a hardness out of its range.
@@ -79,7 +86,49 @@ def making_of(rating: Rating) -> AgmaMaking:
         adjustment=ADJUSTED if rules.adjusted else 1.0,
         reliability=rules.reliability,
         temperature=rules.temperature_factor,
+        wheel=_wheel(rating),
+        rims=(_rim(rating, roles[0]), _rim(rating, roles[1])),
     )
+
+
+def yield_strength_of(rating: Rating, gear: int) -> float | None:
+    """Return the allowable yield strength number s_ay of one gear [Pa]; None where nothing says it.
+
+    Args:
+        rating: Resolved rules.
+        gear: 0 for the pinion, 1 for the gear.
+
+    Source: ANSI/AGMA 2001-D04, clause 16.4, by HB; of carburised gears R_p0.2 of their core.
+    """
+    rules = rating.rules.agma2001
+    own = rules if gear == 0 or rules.wheel is None else rules.wheel
+    if own.steel == AgmaSteel.CARBURISED.value:
+        return rating.material.yield_strength
+    return allowable_yield(own.hardness_hb)
+
+
+def _wheel(rating: Rating) -> AgmaWheel | None:
+    rules = rating.rules.agma2001
+    if rules.wheel is None:
+        return None
+    steel, through = AgmaSteel(rules.wheel.steel), AgmaSteel.THROUGH_HARDENED
+    return AgmaWheel(
+        agma_strength(steel, rules.wheel.grade, rules.wheel.hardness_hb),
+        _bending_curve(steel, rules.wheel.hardness_hb),
+        PITTING_NITRIDED if steel is AgmaSteel.NITRIDED_4140 else PITTING,
+        Hardnesses(
+            rules.hardness_hb,
+            rules.wheel.hardness_hb,
+            hard_pinion=AgmaSteel(rules.steel) is not through,
+            hard_wheel=steel is not through,
+            roughness=rules.flank_roughness,
+        ),
+    )
+
+
+def _rim(rating: Rating, role: Role) -> float:
+    ratio = rating.rules.rim_ratio
+    return 1.0 if ratio is None or role not in RIMMED else float(np.asarray(rim_factor_agma(ratio)))
 
 
 def _bending_curve(steel: AgmaSteel, hardness: float) -> CycleCurve:

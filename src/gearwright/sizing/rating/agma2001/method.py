@@ -23,6 +23,7 @@ from gearwright.parts.agma2001 import (
 from gearwright.parts.gears import Numbers
 from gearwright.sizing.rating.agma2001.inputs import hobbed_pair, making_of
 from gearwright.sizing.rating.agma2001.record import Agma2001Rating
+from gearwright.sizing.rating.agma2001.yielding import worst_yielding, yielding_checks
 from gearwright.sizing.rating.factors import Factor, factor_rows
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
@@ -53,7 +54,7 @@ class Agma2001:
 
     def module(self, ask: Ask, rating: Rating) -> tuple[Numbers, Numbers]:
         """Return the modules at which S_F and S_H are the asked ones [m]."""
-        rules, making = rating.rules.agma2001, making_of(rating)
+        rules, making = rating.rules.agma2001, making_of(rating, ask.roles)
         torque = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0], dtype=float)
         pair = hobbed_pair(ask, ask.width_ratio, rating)
         duty = _duty(rating, ask, torque, ask.speed, rating.service.life)
@@ -67,7 +68,7 @@ class Agma2001:
 
     def rate(self, mesh: LoadedMesh) -> Agma2001Rating:
         """Return the factors of the heaviest case, and the safeties under all cases by Miner's sum."""
-        rules, making = mesh.rating.rules.agma2001, making_of(mesh.rating)
+        rules, making = mesh.rating.rules.agma2001, making_of(mesh.rating, mesh.heaviest.ask.roles)
         factors = _rated(mesh, mesh.heaviest, making)
         every = [factors] if mesh.loads == (mesh.heaviest,) else [_rated(mesh, load, making) for load in mesh.loads]
         pitting = _both([_safety(every, gear, making, contact=True) for gear in (0, 1)])
@@ -79,6 +80,8 @@ class Agma2001:
             bending=bending,
             pitting_asked=rules.pitting_safety,
             bending_asked=rules.bending_safety,
+            static=worst_yielding(mesh),
+            yielding_asked=rules.yielding_safety,
             velocity_limit=greatest_velocity(rules.quality_number),
             module_bending=mesh.asked[0],
             module_contact=mesh.asked[1],
@@ -95,7 +98,7 @@ class Agma2001:
 
     def damage(self, spectrum: MeshSpectrum) -> tuple[Damage, Damage]:
         """Return Miner's sums, with the stresses and the stress cycle factors of AGMA 2001 in each class."""
-        rating, making = spectrum.rating, making_of(spectrum.rating)
+        rating, making = spectrum.rating, making_of(spectrum.rating, spectrum.ask.roles)
         pair = hobbed_pair(spectrum.ask, spectrum.face_width / spectrum.module, rating)
         duty = _duty(rating, spectrum.ask, np.asarray(spectrum.torques), np.asarray(spectrum.speeds), 1.0)
         rated = rate_agma(pair, spectrum.module, duty, making)
@@ -103,7 +106,7 @@ class Agma2001:
         sums = []
         for gear, relative in enumerate((1.0, first / second)):
             cycles = [turns * relative * spectrum.ask.passes[gear] for turns in spectrum.turns]
-            modes = ((True, making.contact_curve), (False, making.bending_curve))
+            modes = zip((True, False), making.curves_of(gear), strict=True)
             sums.append(
                 Damage(*(miner_sum(curve, _over(rated, gear, contact=mode).tolist(), cycles) for mode, curve in modes))
             )
@@ -119,6 +122,7 @@ class Agma2001:
         for gear, pitting, bending in zip(gears, rated.pitting, rated.bending, strict=True):
             yield Check(gear, "pitting", "AGMA 2001-D04, eq. 4", pitting, rated.pitting_asked, symbol="S_H")
             yield Check(gear, "tooth root", "AGMA 2001-D04, eq. 13", bending, rated.bending_asked, symbol="S_F")
+        yield from yielding_checks(rated, gears)
         speed, clause = float(rated.factors.speed), "AGMA 2001-D04, clause 8: range of K_v"
         limit = rated.velocity_limit
         yield Check(mesh, "velocity", clause, speed, limit, "velocity", at_most=True, exponent=None, symbol="v_t")
@@ -126,6 +130,8 @@ class Agma2001:
     def factors(self, rated: Agma2001Rating) -> Iterator[Factor]:
         """Yield loads, geometry factors, stresses and strengths."""
         yield from factor_rows(rated.factors, "mesh")
+        if rated.static is not None:
+            yield from factor_rows(rated.static, "static strength")
 
     def making(self, rating: Rating) -> Making:
         """Return accuracy and steel."""
@@ -156,7 +162,7 @@ def _safety(every: Sequence[AgmaPairRating], gear: int, making: AgmaMaking, *, c
     if len(every) == 1:
         one = every[0].gears[gear]
         return float(one.contact_safety if contact else one.bending_safety)
-    curve = making.contact_curve if contact else making.bending_curve
+    curve = making.curves_of(gear)[0 if contact else 1]
     ratios = [float(_over(rated, gear, contact=contact)) for rated in every]
     return spectrum_safety(curve, ratios, [float(rated.cycles[gear]) for rated in every])
 

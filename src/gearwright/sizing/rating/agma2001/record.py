@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Annotated, ClassVar
 
 from gearwright.parts.agma2001 import AgmaPairRating
+from gearwright.sizing.rating.agma2001.yielding import YieldingCase
 from gearwright.units import Origin, Quantity, Ratio, Velocity
 
 _SOURCE = "ANSI/AGMA 2001-D04"
@@ -36,6 +37,10 @@ class Agma2001Rating:
     """Least S_H [-]."""
     bending_asked: Ratio
     """Least S_F [-]."""
+    static: YieldingCase | None
+    """The static case that comes nearest to yielding; None where none loads the mesh or no yield strength is known."""
+    yielding_asked: Ratio
+    """Least safety against yielding [-]."""
     velocity_limit: Velocity
     """Up to which the curve of K_v holds [m/s]."""
     module_bending: Annotated[float, Quantity("length"), Origin("m_n with the least S_F", f"{_SOURCE}, eqs 10, 13")]

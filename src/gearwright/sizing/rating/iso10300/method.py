@@ -63,7 +63,7 @@ class Iso10300:
         every = [factors] if alone else [
             _rated(mesh.rating, load, mesh.module, mesh.face_width) for load in mesh.loads
         ]  # fmt: skip
-        pitting, bending = safeties([_strains(rated) for rated in every], steel)
+        pitting, bending = safeties([_strains(rated) for rated in every], (steel, steel))
         return Iso10300Rating(
             case=mesh.heaviest.case,
             factors=factors,
@@ -94,7 +94,7 @@ class Iso10300:
             for torque, speed in loads
         ]  # fmt: skip
         strains = [_strains(rated) for rated in every]
-        return damages(_stacked(strains), spectrum, steel_of(spectrum.rating))
+        return damages(_stacked(strains), spectrum, (steel_of(spectrum.rating),) * 2)
 
     def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
         """Return p of the S-N curve of the steel [-]."""

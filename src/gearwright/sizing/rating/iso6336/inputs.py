@@ -8,16 +8,22 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from gearwright.catalogue import rated_steel
+from gearwright.identity import Role
+from gearwright.parts.agma2001 import reliability_factor
 from gearwright.parts.iso6336 import (
     CENTRED,
     CORRECTED_AND_CROWNED,
     CROWNED,
+    LIFE_AT_1E10,
     UNMODIFIED,
+    Choices,
     Edition,
     GearSteel,
     MeshDuty,
     MeshQuality,
     PinionShaft,
+    RatingMethod,
+    Steels,
     bending_life_curve,
     contact_life_curve,
 )
@@ -29,29 +35,67 @@ SQUARE_MM = 1e-6
 _PARTS = tuple((f"ISO 6336-{part}", f"DIN 3990-{part}:1987") for part in (1, 2, 3))
 EDITIONS = {"iso6336": Edition.ISO2019, "iso6336-2006": Edition.ISO2006, "din3990": Edition.DIN1987}
 """Name of a method -> edition."""
+WITH_OWN_STEEL = (Role.WHEEL, Role.RING)
+"""Gears that may be of another steel than the rest of their stage."""
+ASKED_RELIABILITY = 0.99
+"""Part of the gears that survive σ_lim of ISO 6336-5 [-]."""
 _HELIX = {"none": UNMODIFIED, "crowning": CROWNED, "corrected": CORRECTED_AND_CROWNED}
 
 
-def steel_of(rating: Rating) -> GearSteel:
-    """Return the steel of a stage as ISO 6336 rates it.
+def steel_of(rating: Rating, role: Role = Role.PINION) -> GearSteel:
+    """Return the steel of a gear as ISO 6336 rates it.
 
     Args:
         rating: Resolved rules.
+        role: Of the gear; wheels and rings may be of a steel of their own.
 
     Raises:
         DesignError: Unknown class or grade, or a hardness outside the grade's range.
     """
     rules = rating.rules.iso6336
-    steel = rated_steel(rating.material, rules.steel, rules.grade, hardness=rules.hardness_hv)
-    return _endless(steel) if EDITIONS.get(rating.method) is Edition.DIN1987 else steel
+    if rules.wheel is None or role not in WITH_OWN_STEEL:
+        steel = rated_steel(rating.material, rules.steel, rules.grade, hardness=rules.hardness_hv)
+    else:
+        own = rules.wheel
+        steel = rated_steel(rating.material, own.steel, own.grade, hardness=own.hardness_hv)
+        steel = replace(steel, yield_strength=own.yield_strength or steel.yield_strength)
+    return _surviving(_lasting(steel, rating), rules.reliability)
 
 
-def _endless(steel: GearSteel) -> GearSteel:
-    """Return a steel whose strength does not fall beyond the knee, as DIN 3990 has it; its own S-N curves stay."""
+def steels_of(rating: Rating, roles: tuple[Role, Role]) -> Steels:
+    """Return the steels of both gears of a mesh.
+
+    Args:
+        rating: Resolved rules.
+        roles: What both gears are in their stage.
+
+    Raises:
+        DesignError: Unknown class or grade, or a hardness outside the grade's range.
+    """
+    return steel_of(rating, roles[0]), steel_of(rating, roles[1])
+
+
+def _lasting(steel: GearSteel, rating: Rating) -> GearSteel:
+    """Return a steel with the S-N curves asked for: DIN 3990 has no fall beyond the knee; its own curves stay."""
+    rules = rating.rules.iso6336
+    end = 1.0 if EDITIONS.get(rating.method) is Edition.DIN1987 else rules.life_factor_1e10
+    if end == LIFE_AT_1E10 and not rules.some_pitting:
+        return steel
+    flank = contact_life_curve(steel.treatment, some_pitting=rules.some_pitting, at_1e10=end)
+    root = bending_life_curve(steel.treatment, at_1e10=end)
+    return replace(steel, contact_life=steel.contact_life or flank, bending_life=steel.bending_life or root)
+
+
+def _surviving(steel: GearSteel, reliability: float) -> GearSteel:
+    """Return a steel with the strengths that another part of the gears survives, by the table of AGMA 2001."""
+    if reliability == ASKED_RELIABILITY:
+        return steel
+    factor = float(reliability_factor(reliability))
     return replace(
         steel,
-        contact_life=steel.contact_life or contact_life_curve(steel.treatment, at_1e10=1.0),
-        bending_life=steel.bending_life or bending_life_curve(steel.treatment, at_1e10=1.0),
+        contact_strength=steel.contact_strength / factor,
+        bending_strength=steel.bending_strength / factor,
+        source=f"{steel.source or 'ISO 6336-5:2016, table 1'}; over K_R = {factor:.4g}, AGMA 2001-D04, table 11",
     )
 
 
@@ -69,13 +113,22 @@ def clause_of(source: str, edition: Edition) -> str:
     return source
 
 
-def quality_of(rating: Rating, *, idlers: tuple[bool, bool], shaft: PinionShaft = CENTRED) -> MeshQuality:
+def quality_of(
+    rating: Rating,
+    *,
+    idlers: tuple[bool, bool],
+    shaft: PinionShaft = CENTRED,
+    rims: tuple[float, float] = (1.0, 1.0),
+    internal: bool = False,
+) -> MeshQuality:
     """Return how the flanks of a stage are made and mounted.
 
     Args:
         rating: Resolved rules.
         idlers: Which of the two gears is loaded on both flanks.
         shaft: Where the pinion sits on its shaft.
+        rims: Y_B of both gears [-].
+        internal: Whether the second gear is a ring, whose roots method C does not cover.
     """
     rules = rating.rules.iso6336
     means = [IDLER_MEAN_STRESS if idler else 1.0 for idler in idlers]
@@ -87,7 +140,11 @@ def quality_of(rating: Rating, *, idlers: tuple[bool, bool], shaft: PinionShaft 
         helix=_HELIX[rules.helix_modification],
         shaft=shaft,
         viscosity=rules.oil_viscosity * SQUARE_MM,
+        rims=rims,
         mean_stresses=(means[0], means[1]),
+        choices=Choices(
+            RatingMethod(rules.dynamic_method), RatingMethod.B if internal else RatingMethod(rules.root_method)
+        ),
     )
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from gearwright.parts.iso6336 import GearSteel, PairRating, life_curves
+from gearwright.parts.iso6336 import PairRating, Steels, life_curves
 from gearwright.sizing.rating.factors import Factor
 
 _WORN, _SOFT = 1200e6, 850e6
@@ -25,15 +25,15 @@ _FIXED: Mapping[tuple[str, str], tuple[tuple[float, str], ...]] = {
 _FILM = ("lubricant", "speed", "roughness")
 
 
-def limited(rows: Iterable[Factor], rated: PairRating, steel: GearSteel) -> Iterator[Factor]:
+def limited(rows: Iterable[Factor], rated: PairRating, steels: Steels) -> Iterator[Factor]:
     """Yield the rows of a rating, each with the limit at which it stands.
 
     Args:
         rows: Of the rating.
         rated: That they show.
-        steel: Of both gears.
+        steels: Of both gears.
     """
-    own = _own_limits(rated, steel)
+    own = _own_limits(rated, steels)
     for row in rows:
         known = (*_FIXED.get((row.chapter, row.quantity), ()), *own.get((row.chapter, row.quantity), ()))
         words = dict.fromkeys(
@@ -42,13 +42,16 @@ def limited(rows: Iterable[Factor], rated: PairRating, steel: GearSteel) -> Iter
         yield replace(row, limit=", ".join(words))
 
 
-def _own_limits(rated: PairRating, steel: GearSteel) -> dict[tuple[str, str], tuple[tuple[float, str], ...]]:
+def _own_limits(rated: PairRating, steels: Steels) -> dict[tuple[str, str], tuple[tuple[float, str], ...]]:
     """Return the limits that depend on the steel."""
     limits: dict[tuple[str, str], tuple[tuple[float, str], ...]] = {}
-    for chapter, curve in zip(("strength of flanks", "strength of roots"), life_curves(steel), strict=True):
-        limits[chapter, "life"] = ((curve.factors[0], "greatest: static"), (curve.factors[-1], "least: 1e10 cycles"))
-    if not _SOFT < steel.contact_strength < _WORN:
-        end = "σ_Hlim counts as 1200" if steel.contact_strength >= _WORN else "σ_Hlim counts as 850"
+    for mode, chapter in enumerate(("strength of flanks", "strength of roots")):
+        curves = [life_curves(steel)[mode] for steel in steels]
+        ends = [((curve.factors[0], "greatest: static"), (curve.factors[-1], "least: 1e10 cycles")) for curve in curves]
+        limits[chapter, "life"] = (*ends[0], *ends[1])
+    softer = min(steel.contact_strength for steel in steels)
+    if not _SOFT < softer < _WORN:
+        end = "σ_Hlim counts as 1200" if softer >= _WORN else "σ_Hlim counts as 850"
         film = rated.contact_strength[0]
         for name in _FILM:
             limits["strength of flanks", name] = ((float(getattr(film, name)), end),)

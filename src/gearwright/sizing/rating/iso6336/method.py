@@ -14,7 +14,10 @@ from gearwright.errors import Problem, SolveError
 from gearwright.identity import PartId
 from gearwright.parts.gears import Numbers
 from gearwright.parts.iso6336 import (
+    FASTEST,
+    DynamicFactorBySpeed,
     MeshDuty,
+    MeshQuality,
     PairRating,
     life_curves,
     outer_single_contact,
@@ -22,12 +25,14 @@ from gearwright.parts.iso6336 import (
     root_section,
 )
 from gearwright.sizing.rating.factors import Factor, factor_rows, steel_rows
-from gearwright.sizing.rating.iso6336.inputs import EDITIONS, clause_of, duty_of, quality_of, steel_of
+from gearwright.sizing.rating.iso6336.inputs import EDITIONS, clause_of, duty_of, quality_of, steel_of, steels_of
 from gearwright.sizing.rating.iso6336.limits import limited
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, of_each, safeties
 from gearwright.sizing.rating.iso6336.record import Iso6336Rating
-from gearwright.sizing.rating.iso6336.scuffing import scuffing_of
+from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film
+from gearwright.sizing.rating.iso6336.static_cases import static_checks, worst_static
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
+from gearwright.sizing.rating.rims import rim_factors
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.search import module_for
 from gearwright.sizing.rating.standard_teeth import cylindrical_mesh, widest_ratio
@@ -76,15 +81,15 @@ class Iso6336:
 
     def module(self, ask: Ask, rating: Rating) -> tuple[Numbers, Numbers]:
         """Return the modules at which S_F = S_Fmin and S_H = S_Hmin [m]."""
-        rules, steel = rating.rules.iso6336, steel_of(rating)
+        rules, steels = rating.rules.iso6336, steels_of(rating, ask.roles)
         torque = np.asarray(ask.per_tooth, dtype=float) * np.asarray(ask.teeth[0], dtype=float)
-        quality = quality_of(rating, idlers=ask.idlers)
+        quality = _quality(rating, ask)
 
         def safeties_at(module: Floats) -> tuple[Floats, Floats]:
             width = module * np.asarray(ask.width_ratio)
             mesh = cylindrical_mesh(ask.teeth, module, width, rating, internal=ask.internal)
             duty = duty_of(rating, torque, ask.speed, life=rating.service.life, passes=ask.passes)
-            rated = rate_mesh(mesh, (steel, steel), duty, quality=quality, edition=self._part3)
+            rated = rate_mesh(mesh, steels, duty, quality=quality, edition=self._part3)
             bending = np.minimum(rated.bending[0].safety, rated.bending[1].safety)
             return np.asarray(bending), np.asarray(np.minimum(*rated.pitting.safeties))
 
@@ -93,22 +98,30 @@ class Iso6336:
     def rate(self, mesh: LoadedMesh) -> Iso6336Rating:
         """Return the factors of the heaviest case, and the safeties under all cases by Miner's sum (ISO 6336-6)."""
         rating, rules = mesh.rating, mesh.rating.rules.iso6336
-        factors, steel = self._rated(mesh, mesh.heaviest), steel_of(rating)
+        factors, steels = self._rated(mesh, mesh.heaviest), steels_of(rating, mesh.heaviest.ask.roles)
         alone = mesh.loads == (mesh.heaviest,)
         every = [strains_of(factors)] if alone else self._strains(mesh)
-        pitting, bending = safeties(every, steel)
+        pitting, bending = safeties(every, steels)
         flanks, roots = strains_of(factors)
+        film = oil_film(mesh, factors)
         return Iso6336Rating(
             method=self._name,
             case=mesh.heaviest.case,
             factors=factors,
-            steel=steel,
+            steel=steels[0],
+            mate_steel=None if steels[1] == steels[0] else steels[1],
             pitting=pitting,
             bending=bending,
-            scuffing=scuffing_of(mesh, factors),
+            scuffing=None if film is None else film.integral,
+            flash=None if film is None else film.flash,
+            micropitting=None if film is None else film.micropitting,
+            static=worst_static(mesh, [(load.case, self._once(mesh, load)) for load in mesh.loads if load.static]),
             pitting_asked=rules.pitting_safety,
             bending_asked=rules.bending_safety,
             scuffing_asked=rules.scuffing_safety,
+            scuffing_by=rules.scuffing_method,
+            micropitting_asked=rules.micropitting_safety,
+            static_asked=(rules.static_pitting_safety, rules.static_bending_safety, rules.yielding_safety),
             module_bending=mesh.asked[0],
             module_contact=mesh.asked[1],
             bending_stress=max(float(root.stress) for root in roots),
@@ -127,7 +140,7 @@ class Iso6336:
         speeds = np.asarray(spectrum.speeds)
         duty = duty_of(spectrum.rating, spectrum.torques, speeds, life=1.0, passes=spectrum.ask.passes)
         rated = self._rate(spectrum.rating, spectrum.ask, duty, spectrum.module, spectrum.face_width)
-        return damages(strains_of(rated), spectrum, steel_of(spectrum.rating))
+        return damages(strains_of(rated), spectrum, steels_of(spectrum.rating, spectrum.ask.roles))
 
     def life_slope(self, rating: Rating, mode: str, steel: GearLifeRules) -> float:
         """Return p of the S-N curve of the steel [-]."""
@@ -138,17 +151,38 @@ class Iso6336:
         for gear, pitting, bending in zip(gears, rated.pitting, rated.bending, strict=True):
             yield Check(gear, "pitting", "ISO 6336-2, 5.3", pitting, rated.pitting_asked, symbol="S_H")
             yield Check(gear, "tooth root", "ISO 6336-3, 5.2", bending, rated.bending_asked, symbol="S_F")
-        if (scuffed := rated.scuffing) is not None:
-            clause = "ISO/TS 6336-21, eq. 14"
-            yield Check(mesh, "scuffing", clause, scuffed.safety, rated.scuffing_asked, symbol="S_intS")
+        yield from film_checks(rated, mesh)
+        yield from static_checks(rated, gears)
+        if isinstance(dynamic := rated.factors.dynamic, DynamicFactorBySpeed):
+            clause, speed = "ISO 6336-1:2006, clause 6: range of method C", float(dynamic.characteristic)
+            yield Check(
+                mesh,
+                "speed of K_V",
+                clause,
+                speed,
+                FASTEST,
+                "velocity",
+                at_most=True,
+                exponent=None,
+                symbol="v z_1/100",
+            )
 
     def factors(self, rated: Iso6336Rating) -> Iterator[Factor]:
         """Yield steel, loads, flanks, roots and scuffing."""
         yield from steel_rows(rated.steel)
-        for row in limited(factor_rows(rated.factors, "mesh"), rated.factors, rated.steel):
+        if rated.mate_steel is not None:
+            yield from (replace(row, chapter="steel of the second gear") for row in steel_rows(rated.mate_steel))
+        steels = rated.steel, rated.mate_steel or rated.steel
+        for row in limited(factor_rows(rated.factors, "mesh"), rated.factors, steels):
             yield replace(row, clause=clause_of(row.clause, self._part3))
         if rated.scuffing is not None:
             yield from factor_rows(rated.scuffing, "scuffing")
+        if rated.flash is not None:
+            yield from factor_rows(rated.flash, "scuffing, flash temperature")
+        if rated.micropitting is not None:
+            yield from factor_rows(rated.micropitting, "micropitting")
+        if rated.static is not None:
+            yield from factor_rows(rated.static, "static strength")
 
     def making(self, rating: Rating) -> Making:
         """Return flank class, roughness and steel."""
@@ -171,9 +205,21 @@ class Iso6336:
         return of_each(strains_of(self._rate(mesh.rating, ask, duty, mesh.module, mesh.face_width)), len(loads))
 
     def _rate(self, rating: Rating, ask: Ask, duty: MeshDuty, module: float, face_width: float) -> PairRating:
-        steel, quality = steel_of(rating), quality_of(rating, idlers=ask.idlers)
+        steels, quality = steels_of(rating, ask.roles), _quality(rating, ask)
         mesh = cylindrical_mesh(ask.teeth, module, face_width, rating, internal=ask.internal)
-        return rate_mesh(mesh, (steel, steel), duty, quality=quality, edition=self._part3)
+        return rate_mesh(mesh, steels, duty, quality=quality, edition=self._part3)
+
+    def _once(self, mesh: LoadedMesh, load: Load) -> PairRating:
+        """Rate a limit load: it is the peak itself, K_A = 1."""
+        duty = duty_of(mesh.rating, load.torque, load.ask.speed, life=load.life, passes=load.ask.passes)
+        alone = replace(duty, application_factor=1.0)
+        return self._rate(mesh.rating, load.ask, alone, mesh.module, mesh.face_width)
+
+
+def _quality(rating: Rating, ask: Ask) -> MeshQuality:
+    """How the flanks and bodies of a mesh are made."""
+    rims = rim_factors(rating, ask.roles, internal=ask.internal)
+    return quality_of(rating, idlers=ask.idlers, rims=rims, internal=ask.internal)
 
 
 def life_slope(rating: Rating, mode: str) -> float:

@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.parts.iso6336 import (
-    GearSteel,
     LifeCurve,
+    Steels,
     StressBin,
     Value,
     damage_parts,
@@ -56,33 +56,33 @@ def _rows(strain: Strain, count: int) -> list[Strain]:
     return [Strain(*row) for row in zip(*columns, strict=True)]
 
 
-def safeties(rated: Sequence[Strains], steel: GearSteel) -> tuple[Both, Both]:
+def safeties(rated: Sequence[Strains], steels: Steels) -> tuple[Both, Both]:
     """Return S_H and S_F of both gears, each by Miner's sum over the loads where there are several [-].
 
     Args:
         rated: Of every load.
-        steel: Of both gears.
+        steels: Of both gears.
     """
+    curves = [life_curves(steel) for steel in steels]
     (flank, root) = (
-        tuple(_safety([row[mode][gear] for row in rated], curve) for gear in (0, 1))
-        for mode, curve in enumerate(life_curves(steel))
+        tuple(_safety([row[mode][gear] for row in rated], curves[gear][mode]) for gear in (0, 1)) for mode in (0, 1)
     )
     return (flank[0], flank[1]), (root[0], root[1])
 
 
-def damages(strains: Strains, spectrum: MeshSpectrum, steel: GearSteel) -> tuple[Damage, Damage]:
+def damages(strains: Strains, spectrum: MeshSpectrum, steels: Steels) -> tuple[Damage, Damage]:
     """Return Miner's sums of both gears.
 
     Args:
         strains: Under the loads of the spectrum, arrays over its classes.
         spectrum: With the turns of its classes.
-        steel: Of both gears.
+        steels: Of both gears.
     """
     first, second = (float(np.asarray(teeth)) for teeth in spectrum.ask.teeth)
     sums = []
     for gear, relative in enumerate((1.0, first / second)):
         cycles = [turns * relative * spectrum.ask.passes[gear] for turns in spectrum.turns]
-        parts = zip(strains, life_curves(steel), strict=True)
+        parts = zip(strains, life_curves(steels[gear]), strict=True)
         sums.append(Damage(*(_sum(cycles, pair[gear], curve) for pair, curve in parts)))
     return sums[0], sums[1]
 

@@ -6,7 +6,10 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.parts.iso6336 import GearSteel, PairRating
+from gearwright.parts.micropitting import Micropitting
 from gearwright.parts.scuffing import IntegralTemperature
+from gearwright.sizing.rating.iso6336.scuffing import FlashPeak
+from gearwright.sizing.rating.iso6336.static_cases import StaticCase
 from gearwright.units import Origin, Quantity, Ratio
 
 _CONTACT, _ROOT = "ISO 6336-2:2019", "ISO 6336-3:2019"
@@ -23,7 +26,9 @@ class Iso6336Rating:
     factors: PairRating
     """In that case, over the whole life."""
     steel: GearSteel
-    """Of both gears."""
+    """Of both gears, or of the first one."""
+    mate_steel: GearSteel | None
+    """Of the second gear where it is another."""
     pitting: Annotated[
         tuple[float, float],
         Quantity("ratio"),
@@ -38,12 +43,24 @@ class Iso6336Rating:
     """S_F of both gears under the cases and their shares of the life [-]."""
     scuffing: IntegralTemperature | None
     """In the heaviest case; None for internal gears, which the method does not cover."""
+    flash: FlashPeak | None
+    """Scuffing by the flash temperature in the heaviest case; None for internal gears."""
+    micropitting: Micropitting | None
+    """In the heaviest case; None for internal gears, and where the oil's load stage is not given."""
+    static: StaticCase | None
+    """The static case that comes nearest to the static strength; None where no static case loads the mesh."""
     pitting_asked: Ratio
     """S_Hmin [-]."""
     bending_asked: Ratio
     """S_Fmin [-]."""
     scuffing_asked: Ratio
     """S_Smin [-]."""
+    scuffing_by: str
+    """Temperature that S_Smin is against: ``integral``, ``flash`` or ``both``."""
+    micropitting_asked: Ratio
+    """Least S_λ [-]."""
+    static_asked: tuple[Ratio, Ratio, Ratio]
+    """Least S_H, S_F and S_y against static cases [-]."""
     module_bending: Annotated[float, Quantity("length"), Origin("m_n at which S_F = S_Fmin", f"{_ROOT}, 5.2")]
     """Module that bending asks for [m]."""
     module_contact: Annotated[float, Quantity("length"), Origin("m_n at which S_H = S_Hmin", f"{_CONTACT}, 5.3")]

@@ -1,22 +1,100 @@
-"""Scuffing of a rated mesh by the integral temperature."""
+"""What the oil does between the flanks of a rated mesh: scuffing by both temperatures, and micropitting."""
 
 from __future__ import annotations
 
-from gearwright.parts.iso6336 import PairRating
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Annotated, Protocol
+
+from gearwright.checks import Check
+from gearwright.identity import PartId
+from gearwright.parts.iso6336 import PairRating, Treatment
 from gearwright.parts.losses import OIL_DENSITY, oil_viscosity
-from gearwright.parts.scuffing import SPRAY, IntegralTemperature, Oil, ScuffingMesh, integral_temperature
-from gearwright.sizing.rating.iso6336.inputs import SQUARE_MM
+from gearwright.parts.micropitting import BASES, FilmMesh, Micropitting, OilGrade, micropitting
+from gearwright.parts.scuffing import (
+    SPRAY,
+    FlashTemperature,
+    IntegralTemperature,
+    Oil,
+    ScuffingMesh,
+    flash_temperature,
+    integral_temperature,
+)
+from gearwright.sizing.rating.iso6336.inputs import SQUARE_MM, steels_of
 from gearwright.sizing.rating.protocol import LoadedMesh
 from gearwright.sizing.rating.standard_teeth import cylindrical_mesh
 from gearwright.spec.design import Iso6336Rules
-from gearwright.units import CELSIUS
+from gearwright.units import CELSIUS, Origin, Quantity
 
 _RZ_OVER_RA = 6.0
 """R_z over R_a of ground flanks [-] (ISO 6336-2:2019, clause 12)."""
+_FLASH = "ISO/TS 6336-20:2017"
+_SOFTEST = (
+    Treatment.STRUCTURAL, Treatment.THROUGH_HARDENED, Treatment.INDUCTION_HARDENED, Treatment.CASE_HARDENED,
+)  # fmt: skip
+"""Treatments from the one that micropits first."""
 
 
-def scuffing_of(mesh: LoadedMesh, factors: PairRating) -> IntegralTemperature | None:
-    """Return the integral temperature of a mesh and its safety; None for internal gears, which are not covered.
+@dataclass(frozen=True)
+class FlashPeak:
+    """The hottest place of the path of contact."""
+
+    friction: Annotated[float, Quantity("ratio"), Origin("μ_m", f"{_FLASH}, eq. 25")]
+    """Mean coefficient of friction [-]."""
+    bulk: Annotated[float, Quantity("temperature"), Origin("ϑ_M = ϑ_oil + 0.47 X_S ϑ_flm", f"{_FLASH}, eq. 22")]
+    """Bulk temperature [°C]."""
+    contact: Annotated[float, Quantity("temperature"), Origin("ϑ_B = ϑ_M + ϑ_flmax", f"{_FLASH}, eq. 2")]
+    """Greatest contact temperature [°C]."""
+    scuffing: Annotated[
+        float, Quantity("temperature"), Origin("ϑ_S = 80 + (0.85 + 1.4 X_W) X_L S_FZG²", f"{_FLASH}, eq. 99")
+    ]
+    """Scuffing temperature [°C]."""
+    safety: Annotated[float, Quantity("ratio"), Origin("S_B = (ϑ_S − ϑ_oil)/(ϑ_B − ϑ_oil)", f"{_FLASH}, eq. 100")]
+    """S_B [-]."""
+
+
+@dataclass(frozen=True)
+class OilFilm:
+    """Scuffing by both temperatures, and micropitting where the oil was tested for it."""
+
+    integral: IntegralTemperature
+    """By the integral temperature."""
+    flash: FlashPeak
+    """By the flash temperature."""
+    micropitting: Micropitting | None
+    """None where the oil's load stage is not given."""
+
+
+class Rated(Protocol):
+    """A mesh with its oil film."""
+
+    @property
+    def scuffing(self) -> IntegralTemperature | None:
+        """By the integral temperature."""
+
+    @property
+    def flash(self) -> FlashPeak | None:
+        """By the flash temperature."""
+
+    @property
+    def micropitting(self) -> Micropitting | None:
+        """Where it is assessed."""
+
+    @property
+    def scuffing_asked(self) -> float:
+        """Least safety [-]."""
+
+    @property
+    def scuffing_by(self) -> str:
+        """Temperature that the asked safety is against."""
+
+    @property
+    def micropitting_asked(self) -> float:
+        """Least S_λ [-]."""
+
+
+def oil_film(mesh: LoadedMesh, factors: PairRating) -> OilFilm | None:
+    """Return what the oil does in a mesh; None for internal gears, which no method covers.
 
     Args:
         mesh: With its heaviest load.
@@ -37,11 +115,70 @@ def scuffing_of(mesh: LoadedMesh, factors: PairRating) -> IntegralTemperature | 
         poisson_ratio=rating.material.poisson_ratio,
         reliefs=(rules.tip_relief, rules.tip_relief),
     )
-    return integral_temperature(scuffed, _oil(rules))
+    oil = _oil(rules)
+    return OilFilm(
+        integral_temperature(scuffed, oil), _peak(flash_temperature(scuffed, oil)), _micropitted(mesh, scuffed, factors)
+    )
+
+
+def film_checks(rated: Rated, mesh: PartId) -> Iterator[Check]:
+    """Yield the judgements on scuffing and micropitting.
+
+    Args:
+        rated: The mesh.
+        mesh: Its name.
+    """
+    if (scuffed := rated.scuffing) is not None and rated.scuffing_by != "flash":
+        clause = "ISO/TS 6336-21, eq. 14"
+        yield Check(mesh, "scuffing", clause, scuffed.safety, rated.scuffing_asked, symbol="S_intS")
+    if (peak := rated.flash) is not None and rated.scuffing_by != "integral":
+        yield Check(mesh, "scuffing", "ISO/TS 6336-20, eq. 100", peak.safety, rated.scuffing_asked, symbol="S_B")
+    if (film := rated.micropitting) is not None:
+        place = f"at {film.point}"
+        clause = "ISO/TS 6336-22, method B"
+        yield Check(
+            mesh, "micropitting", clause, film.safety, rated.micropitting_asked, symbol="S_λ", place=place,
+            exponent=None,
+        )  # fmt: skip
+
+
+def _peak(flash: FlashTemperature) -> FlashPeak:
+    return FlashPeak(flash.friction, flash.bulk, flash.contact, flash.scuffing, flash.safety)
+
+
+def _micropitted(mesh: LoadedMesh, scuffed: ScuffingMesh, factors: PairRating) -> Micropitting | None:
+    rules = mesh.rating.rules.iso6336
+    if rules.micropitting_stage is None:
+        return None
+    film = FilmMesh(
+        scuffed.geometry,
+        float(factors.tangential_force),
+        float(factors.loads.contact),
+        float(factors.speed / (0.5 * scuffed.geometry.pitch_diameters[0])),
+        scuffed.roughness,
+        grade=scuffed.grade,
+        elastic_modulus=scuffed.elastic_modulus,
+        poisson_ratio=scuffed.poisson_ratio,
+        supply=SPRAY,
+    )
+    treatments = [steel.treatment for steel in steels_of(mesh.rating, mesh.heaviest.ask.roles)]
+    weaker = next((each for each in _SOFTEST if each in treatments), treatments[0])
+    oil, temperature = _grade(rules), rules.oil_temperature
+    return micropitting(film, oil, temperature, stage=rules.micropitting_stage, treatment=weaker)
+
+
+def _grade(rules: Iso6336Rules) -> OilGrade:
+    hot = None if rules.oil_viscosity_100 is None else rules.oil_viscosity_100 * SQUARE_MM
+    return OilGrade(rules.oil_viscosity * SQUARE_MM, hot, base=BASES[rules.oil_type])
 
 
 def _oil(rules: Iso6336Rules) -> Oil:
-    """The design's oil; its viscosity falls with temperature as that of a turbine oil does."""
-    at_40 = rules.oil_viscosity * SQUARE_MM
-    hot = at_40 * oil_viscosity(rules.oil_temperature + CELSIUS) / oil_viscosity(40.0 + CELSIUS)
-    return Oil(rules.oil_temperature, hot * OIL_DENSITY, float(rules.scuffing_stage), supply=SPRAY, viscosity_40=at_40)
+    """The design's oil; where ν_100 is not given its viscosity falls with temperature as that of a turbine oil does."""
+    grade = _grade(rules)
+    hot = grade.viscosity_40 * oil_viscosity(rules.oil_temperature + CELSIUS) / oil_viscosity(40.0 + CELSIUS)
+    if grade.viscosity_100 is not None:
+        hot = float(grade.kinematic(rules.oil_temperature))
+    return Oil(
+        rules.oil_temperature, hot * OIL_DENSITY, float(rules.scuffing_stage), kind=grade.base.lubricant, supply=SPRAY,
+        viscosity_40=grade.viscosity_40,
+    )  # fmt: skip

@@ -16,7 +16,13 @@ from gearwright.spec.design.rules.methods import (
     method_of,
     uncovered,
 )
-from gearwright.spec.design.rules.standards import Agma2001Rules, Agma2003Rules, Iso6336Rules
+from gearwright.spec.design.rules.standards import (
+    Agma2001Rules,
+    Agma2003Rules,
+    AgmaWheelSteel,
+    Iso6336Rules,
+    WheelSteel,
+)
 from gearwright.spec.design.rules.tolerance import PartErrors
 
 __all__ = [
@@ -26,6 +32,7 @@ __all__ = [
     "SUN_LIMITS",
     "Agma2001Rules",
     "Agma2003Rules",
+    "AgmaWheelSteel",
     "BearingRules",
     "DynamicsRules",
     "FrictionName",
@@ -43,6 +50,7 @@ __all__ = [
     "TeethRules",
     "ThicknessFit",
     "TorqueName",
+    "WheelSteel",
     "WindageName",
     "method_of",
     "uncovered",

@@ -97,6 +97,12 @@ class GearRules(Record):
         ge=1,
         description="Ring wall from its pitch circle over the module; profile shift moves it with the root circle",
     )
+    rim_ratio: Ratio | None = Field(
+        None,
+        gt=0.5,
+        le=20,
+        description="Rim of wheels and planets below the roots over the tooth height s_R/h_t, for Y_B; left out: solid",
+    )
 
     def load_factor_of(self, planets: int) -> float:
         """Return K_γ of a set with so many planets, or of the first number in the table where that is not there [-].

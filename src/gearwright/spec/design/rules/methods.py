@@ -36,7 +36,11 @@ class RatingMethod:
 
 
 _ISO6336 = RatingMethod(
-    "ISO 6336", frozenset({CYLINDRICAL, INTERNAL, FACE}), ("iso6336",), table="iso6336", instead={BEVEL: "iso10300"}
+    "ISO 6336",
+    frozenset({CYLINDRICAL, INTERNAL, FACE}),
+    ("iso6336", "rim_ratio"),
+    table="iso6336",
+    instead={BEVEL: "iso10300"},
 )
 RATINGS: dict[str, RatingMethod] = {
     "lewis-hertz": RatingMethod(
@@ -51,7 +55,11 @@ RATINGS: dict[str, RatingMethod] = {
     "din3990": replace(_ISO6336, title="DIN 3990", covers=frozenset({CYLINDRICAL})),
     "iso10300": RatingMethod("ISO 10300", frozenset({BEVEL}), ("iso6336",), table="iso6336"),
     "agma2001": RatingMethod(
-        "AGMA 2001", frozenset({CYLINDRICAL}), ("agma2001", "agma2003"), table="agma2001", instead={BEVEL: "agma2003"}
+        "AGMA 2001",
+        frozenset({CYLINDRICAL}),
+        ("agma2001", "agma2003", "rim_ratio"),
+        table="agma2001",
+        instead={BEVEL: "agma2003"},
     ),
     "agma2003": RatingMethod("AGMA 2003", frozenset({BEVEL}), ("agma2003",), table="agma2003"),
 }

@@ -7,7 +7,7 @@ from typing import Literal
 from pydantic import Field
 
 from gearwright.spec.record import Record
-from gearwright.units import Length, Ratio
+from gearwright.units import Length, Ratio, Stress
 
 
 class RingCutter(Record):
@@ -16,6 +16,17 @@ class RingCutter(Record):
     teeth: int = Field(ge=5, le=400, description="Teeth of the cutter z_0, fewer than the ring's")
     shift: float = Field(0.0, ge=-1, le=1, description="Profile shift of the cutter x_0; 0 where it is half worn")
     tip_radius: float = Field(0.25, ge=0, le=0.6, description="Radius of its tip over the module ρ_a0*")
+
+
+class WheelSteel(Record):
+    """The steel of wheels and rings where it is another than that of pinions, suns and planets."""
+
+    steel: str = Field(description="Class in the table of ISO 6336-5")
+    grade: Literal["ML", "MQ", "ME"] = Field("MQ", description="Material quality of ISO 6336-5")
+    hardness_hv: float = Field(700.0, ge=100, le=1000, description="Surface hardness")
+    yield_strength: Stress | None = Field(
+        None, ge=5e7, le=4e9, description="R_p0.2 of its core; left out: that of the material"
+    )
 
 
 class Iso6336Rules(Record):
@@ -33,6 +44,31 @@ class Iso6336Rules(Record):
     scuffing_safety: Ratio = Field(
         1.5, ge=1, le=5, description="Minimum safety against scuffing S_Smin (ISO/TS 6336-21)"
     )
+    static_pitting_safety: Ratio = Field(
+        1.0, ge=1, le=5, description="Minimum S_H of cylindrical gears against static cases, static strength"
+    )
+    static_bending_safety: Ratio = Field(
+        1.4, ge=1, le=5, description="Minimum S_F of cylindrical gears against static cases, static strength"
+    )
+    yielding_safety: Ratio = Field(
+        1.0, ge=1, le=5, description="Minimum R_p0.2 over the nominal root stress of static cases"
+    )
+    wheel: WheelSteel | None = Field(None, description="Steel of wheels and rings where it is another")
+    dynamic_method: Literal["B", "C"] = Field(
+        "B", description="K_V of cylindrical gears: B by resonance and deviations, C by v z_1 and class"
+    )
+    root_method: Literal["B", "C"] = Field(
+        "B", description="Y_F, Y_S of external gears: B loaded at the outer single contact, C at the tip, with Y_ε"
+    )
+    reliability: Ratio = Field(
+        0.99, ge=0.5, le=0.9999, description="Part of the gears that survive: σ_lim over K_R of AGMA 2001, table 11"
+    )
+    some_pitting: bool = Field(
+        False, description="A little pitting may be left on flanks that are not nitrided: Z_NT by the upper curve"
+    )
+    life_factor_1e10: Ratio = Field(
+        0.85, ge=0.85, le=1, description="Z_NT and Y_NT at 1e10 cycles; 1 asks for the best quality and experience"
+    )
     tolerance_class: int = Field(5, ge=1, le=11, description="Flank tolerance class of ISO 1328-1 or ISO 17485")
     helix_modification: Literal["none", "crowning", "corrected"] = Field(
         "corrected", description="Lead of cylindrical gears: as cut, crowned, or corrected for the shafts' deflection"
@@ -47,7 +83,20 @@ class Iso6336Rules(Record):
         description="Shaper cutter of the rings, for their fillets; left out: as by a rack of ISO 53, profile A",
     )
     oil_viscosity: float = Field(25.0, ge=5, le=1000, description="ν_40 of the oil [mm²/s]")
+    oil_viscosity_100: float | None = Field(
+        None, ge=1, le=100, description="ν_100 of the oil [mm²/s]; left out: it thins as a turbine oil does"
+    )
     oil_temperature: float = Field(90.0, ge=-40, le=200, description="Temperature of the oil [°C], for scuffing")
+    oil_type: Literal[
+        "mineral", "polyalphaolefin", "polyglycol", "water-soluble polyglycol", "phosphate ester", "traction"
+    ] = Field("mineral", description="Base of the oil, for friction (X_L) and pressure viscosity")
+    scuffing_method: Literal["integral", "flash", "both"] = Field(
+        "integral", description="Temperature that the asked safety is against; both are always shown"
+    )
+    micropitting_stage: float | None = Field(
+        None, ge=5, le=10, description="Load stage of the oil in FZG C-GF/8.3/90 (FVA 54/7); left out: not assessed"
+    )
+    micropitting_safety: Ratio = Field(1.0, ge=0.5, le=10, description="Minimum S_λ (ISO/TS 6336-22)")
     scuffing_stage: int = Field(10, ge=1, le=14, description="FZG load stage of the oil (A/8.3/90), for scuffing")
     profile_crowning: Literal["high", "low"] = Field(
         "high", description="How much bevel flanks are crowned: e_LS = 1.5 or 3 (ISO 10300-2, table 5)"
@@ -58,6 +107,18 @@ class Iso6336Rules(Record):
     widest_diameters: Ratio = Field(0.8, gt=0, le=3, description="Largest face width over the pinion's pitch diameter")
     widest_modules: Ratio = Field(20.0, gt=1, le=60, description="Largest face width over the normal module")
     standard_modules: bool = Field(True, description="Take modules from series I and II of ISO 54")
+
+
+class AgmaWheelSteel(Record):
+    """The steel of gears where it is another than that of their pinions."""
+
+    steel: Literal["through-hardened", "carburised", "nitrided-4140"] = Field(
+        "through-hardened", description="Steel with its row in tables 3 and 4"
+    )
+    grade: int = Field(2, ge=1, le=3, description="Metallurgical grade; through-hardened and nitrided steel: 1 or 2")
+    hardness_hb: float = Field(
+        300.0, ge=100, le=500, description="HB of a through-hardened gear, of the core of a nitrided one: 180 to 400"
+    )
 
 
 class Agma2001Rules(Record):
@@ -72,6 +133,10 @@ class Agma2001Rules(Record):
     )
     pitting_safety: Ratio = Field(1.2, ge=1, le=5, description="Minimum safety against pitting S_H, as with ISO 6336")
     bending_safety: Ratio = Field(1.6, ge=1, le=5, description="Minimum safety against bending S_F, as with ISO 6336")
+    wheel: AgmaWheelSteel | None = Field(None, description="Steel of wheels where it is another: C_H by both")
+    flank_roughness: Length = Field(0.5e-6, ge=1e-8, le=1e-5, description="R_a of pinions' flanks, for C_H")
+    yielding_safety: Ratio = Field(1.0, ge=1, le=5, description="Minimum safety against yielding in static cases")
+    yield_factor: Ratio = Field(0.75, ge=0.5, le=1, description="K_y: 0.75 for industrial, 0.5 for conservative use")
     quality_number: int = Field(11, ge=5, le=11, description="Transmission accuracy Q_v, for the dynamic factor K_v")
     reliability: Ratio = Field(0.99, ge=0.5, le=0.9999, description="Part of the gears that survive, for K_R")
     temperature_factor: Ratio = Field(1.0, ge=1, le=2, description="K_T; 1 for blanks up to 120 °C")

@@ -1,0 +1,214 @@
+"""More printed reports of the 5 MW wind turbine: roots and flanks of its second and third stage, micropitting of all.
+
+The third stage is helical. K factors are the printed ones, with their two or three decimals.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from gearwright.parts.hardness import BRINELL_PER_VICKERS
+from gearwright.parts.iso6336 import (
+    Edition,
+    GearSteel,
+    LoadFactors,
+    MeshDuty,
+    MeshGeometry,
+    MeshQuality,
+    ShaperCutter,
+    ToothProportions,
+    Treatment,
+    rate_mesh,
+)
+from gearwright.parts.iso6336.bending import BendingRating, RootBody, bending_rating
+from gearwright.parts.iso6336.pitting import PittingRating, pitting_rating
+from gearwright.parts.iso6336.rating import PairRating
+from gearwright.parts.micropitting import FilmMesh, Micropitting, OilGrade, film_of_test, micropitting
+from gearwright.units import RPM
+from gearwright.validate.case import Case
+
+_SECOND = "KISSsoft 03/2017, NREL 5 MW gearbox, stage 2 (report in the repository gfsReboucas/Drivetrain)"
+_THIRD = _SECOND.replace("stage 2", "stage 3")
+_FIRST = _SECOND.replace("stage 2", "stage 1")
+_MM, _MPA = 1e-3, 1e6
+_LIFE = 175_200.0 * 3600.0
+_RACK, _RING_RACK = ToothProportions(1.25, 0.38), ToothProportions(1.25, 0.30)
+_CASE = GearSteel("18CrNiMo7-6", Treatment.CASE_HARDENED, "MQ", 720.0, 1500 * _MPA, 430 * _MPA)
+_TEMPERED = GearSteel(
+    "34CrNiMo6", Treatment.THROUGH_HARDENED, "MQ", 240.0 / BRINELL_PER_VICKERS, 700 * _MPA, 290 * _MPA,
+    yield_strength=1000 * _MPA,
+)  # fmt: skip
+_QUALITY = MeshQuality(flank_roughness=4.8e-6, root_roughness=20e-6, viscosity=220e-6)
+_PLANET = replace(_RACK, profile_shift=0.5039)
+SUN_PLANET = MeshGeometry(
+    (18.0, 36.0), 21 * _MM, 550 * _MM, 584 * _MM, (216.419 * _MM, 407.8315 * _MM),
+    proportions=(replace(_RACK, profile_shift=0.3890), _PLANET),
+)  # fmt: skip
+PLANET_RING = MeshGeometry(
+    (36.0, -93.0), 21 * _MM, 550 * _MM, 584 * _MM, (407.8315 * _MM, 953.0405 * _MM),
+    proportions=(_PLANET, replace(_RING_RACK, cutter=ShaperCutter(30.0), profile_shift=0.1171)),
+)  # fmt: skip
+HELICAL = MeshGeometry(
+    (24.0, 95.0), 14 * _MM, 360 * _MM, 861 * _MM, (0.5 * 380.747 * _MM, 0.5 * 1395.376 * _MM),
+    helix_angle=np.radians(10.0),
+    proportions=(replace(_RACK, profile_shift=0.48), replace(_RACK, profile_shift=0.6691)),
+)  # fmt: skip
+_WIDE = MeshGeometry(
+    (19.0, 17.0), 45 * _MM, 491 * _MM, 863 * _MM, (489.404 * _MM, 452.735 * _MM),
+    proportions=(replace(_RACK, profile_shift=0.617), replace(_RACK, profile_shift=0.8021)),
+)  # fmt: skip
+"""Sun and planet of the first stage."""
+_SPEED, _FAST = (294.5 - 47.8) * RPM, 1165.9 * RPM
+"""Of the second sun against its carrier, and of the pinion [rad/s]."""
+_TORQUE = 162_105.5 / 3.0
+_LOADS = (
+    LoadFactors(1.25, 1.1, 1.06, face_contact=2.06, face_bending=1.94),
+    LoadFactors(1.25, 1.1, 1.06, face_contact=1.15, face_bending=1.14),
+    LoadFactors(1.25, 1.0, 1.092, 1.150, 1.069, 1.136, 1.069),
+)
+"""As printed, of sun-planet, planet-ring and the helical pair."""
+_STEELS = ((_CASE, _CASE), (_CASE, _TEMPERED), (_CASE, _CASE))
+_OIL, _THERMAL = OilGrade(220e-6, 19e-6, 890.0), 13.78e3
+"""Klüberoil GEM 1-220 N, and the printed B_M of the steel."""
+
+
+@cache
+def _rated() -> tuple[PairRating, PairRating, PairRating]:
+    """Return the three meshes, rated by the edition of 2006."""
+    sun = MeshDuty(_TORQUE, _SPEED, _LIFE, 1.25, 1.1, (3.0, 1.0))
+    planet = MeshDuty(2.0 * _TORQUE, 0.5 * _SPEED, _LIFE, 1.25, 1.1, (1.0, 3.0))
+    inner = replace(_QUALITY, mean_stresses=(0.7, 1.0), flank_roughness=(4.8e-6, 8e-6))
+    outer = replace(_QUALITY, mean_stresses=(1.0, 0.7))
+    edition = Edition.ISO2006
+    return (
+        rate_mesh(SUN_PLANET, _STEELS[0], sun, quality=outer, edition=edition),
+        rate_mesh(PLANET_RING, _STEELS[1], planet, quality=inner, edition=edition),
+        rate_mesh(HELICAL, _STEELS[2], MeshDuty(40_953.0, _FAST, _LIFE, 1.25), quality=_QUALITY, edition=edition),
+    )
+
+
+def _roots() -> list[BendingRating]:
+    """Return the roots with the printed load factors: sun, planet, planet, ring, pinion, wheel."""
+    return [
+        bending_rating(
+            mesh, gear, steels[gear], specific_load=rated.tangential_force / mesh.face_width, loads=loads,
+            strength=rated.root_strength[gear], body=RootBody(edition=Edition.ISO2006),
+        )
+        for mesh, steels, rated, loads in zip(_MESHES, _STEELS, _rated(), _LOADS, strict=True)
+        for gear in (0, 1)
+    ]  # fmt: skip
+
+
+def _flanks() -> list[PittingRating]:
+    return [
+        pitting_rating(mesh, steels, rated.tangential_force, loads=loads, strengths=rated.contact_strength)
+        for mesh, steels, rated, loads in zip(_MESHES, _STEELS, _rated(), _LOADS, strict=True)
+    ]
+
+
+_MESHES = (SUN_PLANET, PLANET_RING, HELICAL)
+
+
+def _sections() -> list[float]:
+    parts = [root.section for root in _roots()]
+    return [
+        *(float(part.lever) for part in parts), *(float(part.chord) for part in parts),
+        *(float(part.fillet_radius) for part in parts), *(float(np.degrees(part.load_angle)) for part in parts),
+    ]  # fmt: skip
+
+
+def _form() -> list[float]:
+    parts = [root.section for root in _roots()]
+    return [*(float(part.form) for part in parts), *(float(part.stress_correction) for part in parts)]
+
+
+def _root_stresses() -> list[float]:
+    roots = _roots()
+    return [float(value) / _MPA for root in roots for value in (root.nominal_stress, root.stress, root.permissible)]
+
+
+def _root_factors() -> list[float]:
+    helical = _rated()[2]
+    strengths = [_rated()[0].root_strength[0], _rated()[1].root_strength[1], *helical.root_strength]
+    return [
+        float(helical.bending[0].helix),
+        *(float(value) for each in strengths for value in (each.life, each.notch_sensitivity, each.surface, each.size)),
+    ]
+
+
+def _contact() -> list[float]:
+    found = [value for flank in _flanks() for value in (flank.nominal_stress, *flank.stresses, *flank.permissible)]
+    return [float(value) / _MPA for value in found]
+
+
+def _contact_factors() -> list[float]:
+    helical, (sun, ring, pair) = _flanks()[2].geometry, _rated()
+    strengths = (*sun.contact_strength, ring.contact_strength[1], *pair.contact_strength)
+    return [
+        float(helical.zone), float(helical.contact_ratio), float(helical.helix),
+        *(float(value) for each in strengths for value in (each.life, each.lubricant, each.speed, each.roughness)),
+        float(ring.contact_strength[1].work_hardening),
+    ]  # fmt: skip
+
+
+def _films() -> tuple[Micropitting, Micropitting, Micropitting]:
+    """Return micropitting of sun and planet of both sets and of the helical pair; suns turn against their carrier."""
+    wide = FilmMesh(_WIDE, 779_454.877, 1.25 * 1.1 * 1.05 * 1.15, (47.8 - 12.1) * RPM, 0.6e-6, thermal=_THERMAL)
+    sun = FilmMesh(SUN_PLANET, 285_900.438, float(_LOADS[0].contact), _SPEED, 0.6e-6, thermal=_THERMAL)
+    pair = FilmMesh(HELICAL, 240_064.4, float(_LOADS[2].contact), _FAST, 0.6e-6, thermal=_THERMAL)
+    first, second = (micropitting(mesh, _OIL, 75.0, stage=10.0) for mesh in (wide, sun))
+    return first, second, micropitting(pair, _OIL, 80.0, stage=10.0)
+
+
+def _helical_film() -> Sequence[float]:
+    film = _films()[2]
+    return film.friction, film.bulk, film.pressure / _MPA, film.thinnest, film.safety
+
+
+def _set_films() -> Sequence[float]:
+    first, second, _ = _films()
+    return first.thinnest, first.safety, second.thinnest, second.pressure / _MPA, second.safety
+
+
+def _test_film() -> Sequence[float]:
+    film = film_of_test(_OIL, 10.0)
+    return film, 1.4 * film, float(_OIL.pressure_coefficient(38.0)) * 1e6, float(_OIL.dynamic(85.0)) * 1e3
+
+
+CASES = (
+    Case("h_Fe*, s_Fn*, ρ_F*, α_Fen of 6 contacts, stages 2 and 3", f"{_SECOND}; stage 3", "–, °",
+         (1.159, 1.225, 0.880, 1.444, 1.004, 1.151, 2.132, 2.271, 2.271, 2.703, 2.227, 2.340,
+          0.453, 0.414, 0.414, 0.418, 0.425, 0.385, 25.74, 24.68, 22.21, 18.63, 23.89, 22.20),
+         _sections, 2e-3, "half a printed digit of ρ_F*"),
+    Case("Y_F and Y_S of 6 contacts, stages 2 and 3", f"{_SECOND}; stage 3", "",
+         (1.47, 1.38, 1.01, 1.20, 1.18, 1.24, 2.04, 2.18, 2.48, 2.34, 2.28, 2.35), _form, 7e-3,
+         "less than a printed digit", is_relative=False),
+    Case("σ_F0, σ_F, σ_FG of 6 contacts, stages 2 and 3", f"{_SECOND}; stage 3", "N/mm²",
+         (73.95, 209.38, 589.60, 74.21, 210.14, 429.38, 61.98, 102.77, 429.38, 69.12, 114.61, 444.89,
+          117.92, 195.64, 637.15, 127.69, 211.85, 654.72), _root_stresses, 5e-3,
+         "K factors of stage 2 have two decimals"),
+    Case("Y_β of the helical pair; Y_NT, Y_δrelT, Y_RrelT, Y_X of sun, ring, pinion, wheel", f"{_SECOND}; stage 3", "",
+         (0.917, 0.854, 0.999, 0.957, 0.840, 0.883, 1.005, 0.957, 0.904,
+          0.850, 1.001, 0.957, 0.910, 0.870, 1.005, 0.957, 0.910), _root_factors, 6e-4,
+         "half a printed digit", is_relative=False),
+    Case("σ_H0, σ_H and σ_HG of both gears, 3 meshes, stages 2 and 3", f"{_SECOND}; stage 3", "N/mm²",
+         (573.40, 1071.17, 994.13, 1295.42, 1368.61, 312.44, 404.76, 404.76, 1388.39, 732.21,
+          570.79, 739.61, 739.61, 1338.30, 1387.31), _contact, 4e-3, "K factors of stage 2 have two decimals"),
+    Case("Z_H, Z_ε, Z_β of the helical pair; Z_NT, Z_L, Z_v, Z_R of 5 gears; Z_W of the ring", f"{_SECOND}; stage 3",
+         "", (2.307, 0.827, 1.008, 0.857, 1.020, 0.982, 1.007, 0.905, 1.020, 0.982, 1.007, 0.901, 1.038, 0.961, 1.026,
+              0.850, 1.020, 1.022, 1.007, 0.881, 1.020, 1.022, 1.007, 1.135), _contact_factors, 6e-4,
+         "half a printed digit", is_relative=False),
+    Case("λ_GFT, λ_GFP, α_38 [1/GPa·1e-3], η at 85 °C: the oil and its test at load stage 10", _THIRD, "–, –, –, mPa s",
+         (0.102, 0.143, 0.02162, 25.2), _test_film, 5e-3,
+         "half a printed digit; two constants of the rig are of this report"),
+    Case("micropitting of the helical pair: μ_m, θ_M, p_dyn, λ_GF,min, S_λ", _THIRD, "–, °C, N/mm², –, –",
+         (0.030, 85.0, 1014.701, 1.053, 7.360), _helical_film, 1.5e-3, "μ_m has two digits; K factors three decimals"),
+    Case("micropitting of sun and planet: λ_GF,min, S_λ of stage 1; λ_GF,min, p_dyn, S_λ of stage 2",
+         f"{_FIRST}; stage 2", "–, –, –, N/mm², –", (0.378, 2.641, 0.536, 784.475, 3.746), _set_films, 1.3e-2,
+         "the report takes the power of the sun's absolute speed for θ_M"),
+)  # fmt: skip
+"""Printed roots, flanks and films."""
