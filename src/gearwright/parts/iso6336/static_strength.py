@@ -60,7 +60,7 @@ class StaticStrength:
     yielding_safety: Annotated[
         Value | None,
         Quantity("ratio"),
-        Origin("S_y = R_p0.2 Y_S/σ_F", "beam of the critical section, without its notch as AGMA 2001-D04, clause 16.4"),
+        Origin("S_y = R_p0.2 Y_S/σ_F", "beam of the critical section, without its notch"),
     ] = None
     """R_p0.2 of the core over the nominal stress of the critical section [-]; None where it is not known."""
 

@@ -80,8 +80,8 @@ def _pair(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
     path, rules = f"pairs.{name}", design.rules(name)
     if pair.kind != "bevel":
         yield from _idle(path, pair, _OF_BEVELS, f"only bevel gears have one, and this pair is {pair.kind}")
-    foreign = _OF_SETS[:1] if pair.internal else _OF_SETS
-    yield from _stage_rules(path, rules, pair.gears, foreign, "only planetary sets have planets and rings")
+    of_sets = _OF_SETS[:1] if pair.internal else _OF_SETS
+    yield from _stage_rules(path, rules, pair.gears, of_sets, "only planetary sets have planets and rings")
     yield from _fits(path, pair)
     if pair.gears is None:
         return

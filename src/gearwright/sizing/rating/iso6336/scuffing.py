@@ -6,9 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated, Protocol
 
+import numpy as np
+
 from gearwright.checks import Check
 from gearwright.identity import PartId
-from gearwright.parts.iso6336 import PairRating, Treatment
+from gearwright.parts.iso6336 import MeshGeometry, PairRating, Treatment
 from gearwright.parts.losses import OIL_DENSITY, oil_viscosity
 from gearwright.parts.micropitting import BASES, FilmMesh, Micropitting, OilGrade, micropitting
 from gearwright.parts.scuffing import (
@@ -59,8 +61,8 @@ class OilFilm:
 
     integral: IntegralTemperature
     """By the integral temperature."""
-    flash: FlashPeak
-    """By the flash temperature."""
+    flash: FlashPeak | None
+    """By the flash temperature; None where tips interfere."""
     micropitting: Micropitting | None
     """None where the oil's load stage is not given."""
 
@@ -116,9 +118,17 @@ def oil_film(mesh: LoadedMesh, factors: PairRating) -> OilFilm | None:
         reliefs=(rules.tip_relief, rules.tip_relief),
     )
     oil = _oil(rules)
-    return OilFilm(
-        integral_temperature(scuffed, oil), _peak(flash_temperature(scuffed, oil)), _micropitted(mesh, scuffed, factors)
-    )
+    integral = integral_temperature(scuffed, oil)
+    if not _rolls(scuffed.geometry):
+        return OilFilm(integral, None, None)
+    return OilFilm(integral, _peak(flash_temperature(scuffed, oil)), _micropitted(mesh, scuffed, factors))
+
+
+def _rolls(pair: MeshGeometry) -> bool:
+    """Tell whether contact ends before the base circles' tangent points; beyond, tips interfere and nothing rolls."""
+    reach = float(pair.centre_distance * np.sin(pair.working_angle))
+    ends = (0.5 * float(base * tip) for base, tip in zip(pair.base_diameters, pair.tip_tangents, strict=True))
+    return max(ends) < reach
 
 
 def film_checks(rated: Rated, mesh: PartId) -> Iterator[Check]:
