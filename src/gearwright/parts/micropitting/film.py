@@ -137,7 +137,8 @@ def _thickness(
     material = pressing * mesh.modulus
     speed = viscous * rolling / (2.0 * mesh.modulus * curvature)
     load = 2.0 * np.pi * (pressure / mesh.modulus) ** 2
-    sliding = oil.pressure_coefficient(contact) * oil.dynamic(contact) / (pressing * viscous)
+    # Beyond some 500 °C the coefficient has no meaning: there is no film left.
+    sliding = np.maximum(oil.pressure_coefficient(contact) * oil.dynamic(contact) / (pressing * viscous), 0.0)
     # 1600 µm per mm of ρ_n
     return np.asarray(1.6 * curvature * material**0.6 * speed**0.7 * load**-0.13 * sliding**0.22)
 
