@@ -4,12 +4,12 @@ import math
 
 import pytest
 
+from gearwright.errors import DesignError
 from gearwright.parts.agma2001 import HobbedPair, helical_overlap_factor
 from gearwright.parts.bearings.modified_life import Cleanliness, cleanliness_factor
 from gearwright.parts.bevel import BevelPair, VirtualPair
 from gearwright.parts.bevel.bending import tip_loaded_section
 from gearwright.parts.bevel.geometry import BevelTooth
-from gearwright.errors import DesignError
 from gearwright.parts.gears import CylindricalGear, GearPair
 from gearwright.parts.gears.internal_interference import assembly_room
 from gearwright.parts.iso6336 import Treatment
@@ -46,9 +46,10 @@ def test_the_helical_overlap_joins_spur_and_helical_gears(axial: float):
 
 def test_leaning_teeth_past_one_axial_pitch_and_spur_teeth_have_no_overlap_factor():
     lean = math.radians(15.0)
-    assert helical_overlap_factor(HobbedPair((24, 67), helix_angle=lean, face_width=1.1 * math.pi / math.sin(lean))) == 1.0
+    assert (
+        helical_overlap_factor(HobbedPair((24, 67), helix_angle=lean, face_width=1.1 * math.pi / math.sin(lean))) == 1.0
+    )
     assert helical_overlap_factor(HobbedPair((24, 67))) == 1.0
-
 
 
 @pytest.mark.parametrize(
@@ -95,7 +96,9 @@ def test_a_solid_shaft_is_that_of_a_bore_of_nothing():
     """d³ = 32 √(M² + T²)/(π σ (1 − κ⁴))."""
     solid = shaft_diameter(300.0, 400.0, 100e6)
     assert solid**3 == pytest.approx(32.0 * 500.0 / (math.pi * 100e6), rel=1e-12)
-    assert shaft_diameter(300.0, 400.0, 100e6, bore_ratio=0.5) ** 3 == pytest.approx(solid**3 / (1.0 - 0.0625), rel=1e-12)
+    assert shaft_diameter(300.0, 400.0, 100e6, bore_ratio=0.5) ** 3 == pytest.approx(
+        solid**3 / (1.0 - 0.0625), rel=1e-12
+    )
     assert shaft_stress(300.0, 400.0, solid) == pytest.approx(100e6, rel=1e-12)
 
 
