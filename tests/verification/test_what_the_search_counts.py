@@ -16,6 +16,12 @@ from gearwright.train.kinematics import edge_of
 RULES = "[teeth]\npinion_minimum = 19\npinion_maximum = 30\nstage_tolerance = 0.02\n"
 
 
+def task_of(design):
+    """Return the pair as the search sees it."""
+    stage = design.pairs["stage"]
+    return Task("stage", stage, edge_of("stage", design), "stage", rating_of(design, "stage"), 100.0, 1.0, 1.0)
+
+
 def masses(design):
     """Return (pinion, wheel) -> mass of the gears of every pair of teeth that is near enough to 3:1."""
     found = {}

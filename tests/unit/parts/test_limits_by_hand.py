@@ -109,7 +109,7 @@ def test_bevel_faces_are_a_third_of_the_cone_or_ten_modules_wide_at_the_most(wid
     if limit is None:
         assert BevelPair((20, 20), module, width).outer_cone_distance == pytest.approx(0.1)
         return
-    with pytest.raises(DesignError, match="use at most 33.33 mm"):
+    with pytest.raises(DesignError, match=r"use at most 33\.33 mm"):
         BevelPair((20, 20), module, width)
 
 
@@ -138,10 +138,11 @@ def test_a_pinion_of_many_teeth_is_tried_with_all_that_may_touch():
     for tooth in range(20):
         angle = 2.0 * math.pi * tooth / 40.0 + _half(pair.driver, tip)
         side = tip * math.sin(angle)
-        if side < ring_tip and angle < math.pi / 2.0:
-            if pair.centre_distance + tip * math.cos(angle) > math.sqrt(ring_tip**2 - side**2):
-                space = 2.0 * math.pi * tooth / 60.0 + math.pi / 60.0 - _half(pair.driven, ring_tip)
-                rooms.append(ring_tip * math.sin(space) - side)
+        if side > ring_tip or angle > math.pi / 2.0:
+            break
+        if pair.centre_distance + tip * math.cos(angle) > math.sqrt(ring_tip**2 - side**2):
+            space = 2.0 * math.pi * tooth / 60.0 + math.pi / 60.0 - _half(pair.driven, ring_tip)
+            rooms.append(ring_tip * math.sin(space) - side)
     assert room.clearance == pytest.approx(min(rooms), rel=1e-9)
 
 
