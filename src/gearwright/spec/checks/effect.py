@@ -26,9 +26,8 @@ _OF_SETS = ("idler_factor", "rim_thickness_ratio", "planet_load_factors")
 """Rules of gears that pairs, without planets and rings, do not read."""
 _OF_HELICAL = ("overlap_ratio", "contact_angles")
 _OF_CYLINDERS = (
-    "helix_modification", "scuffing_safety", "scuffing_stage", "oil_temperature", "widest_diameters", "widest_modules",
-    "dynamic_method", "root_method", "oil_type", "oil_viscosity_100", "scuffing_method", "micropitting_stage",
-    "micropitting_safety",
+    "helix_modification", "widest_diameters", "widest_modules", "dynamic_method", "root_method", "scuffing_method",
+    "micropitting_stage", "micropitting_safety",
     "static_pitting_safety", "static_bending_safety", "yielding_safety", "wheel",
 )  # fmt: skip
 """Rules of ISO 6336 that ISO 10300 does not read."""

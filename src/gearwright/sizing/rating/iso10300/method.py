@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -21,6 +22,7 @@ from gearwright.sizing.rating.iso10300.inputs import bevel_duty, bevel_surfaces
 from gearwright.sizing.rating.iso10300.limits import limited
 from gearwright.sizing.rating.iso10300.module import bevel_modules
 from gearwright.sizing.rating.iso10300.record import Iso10300Rating
+from gearwright.sizing.rating.iso10300.scuffing import SCUFFING, bevel_scuffing
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rules import Ask, Rating
 from gearwright.sizing.rating.standard_teeth import bevel_pair, cone_ratio
@@ -70,8 +72,10 @@ class Iso10300:
             steel=steel,
             pitting=pitting,
             bending=bending,
+            scuffing=bevel_scuffing(mesh.rating, factors),
             pitting_asked=rules.pitting_safety,
             bending_asked=rules.bending_safety,
+            scuffing_asked=rules.scuffing_safety,
             module_bending=mesh.asked[0],
             module_contact=mesh.asked[1],
             bending_stress=max(root.stress for root in factors.bending),
@@ -101,15 +105,18 @@ class Iso10300:
         return life_slope(rating, mode)
 
     def checks(self, rated: Iso10300Rating, mesh: PartId, gears: tuple[PartId, PartId]) -> Iterator[Check]:
-        """Yield both safeties of both gears."""
+        """Yield both safeties of both gears, and that against scuffing."""
         for gear, pitting, bending in zip(gears, rated.pitting, rated.bending, strict=True):
             yield Check(gear, "pitting", "ISO 10300-2, eq. 5", pitting, rated.pitting_asked, symbol="S_H")
             yield Check(gear, "tooth root", "ISO 10300-3, eq. 5", bending, rated.bending_asked, symbol="S_F")
+        yield Check(mesh, "scuffing", SCUFFING, rated.scuffing.safety, rated.scuffing_asked, symbol="S_intS")
 
     def factors(self, rated: Iso10300Rating) -> Iterator[Factor]:
-        """Yield steel, loads, flanks and roots."""
+        """Yield steel, loads, flanks, roots and scuffing."""
         yield from steel_rows(rated.steel)
         yield from limited(factor_rows(rated.factors, "mesh"), rated.factors, rated.steel)
+        for row in factor_rows(rated.scuffing, "scuffing"):
+            yield replace(row, clause=f"{SCUFFING}; as {row.clause}")
 
     def making(self, rating: Rating) -> Making:
         """Return flank class, roughness and steel."""

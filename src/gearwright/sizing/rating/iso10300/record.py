@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar
 
 from gearwright.parts.bevel import BevelRating
 from gearwright.parts.iso6336 import GearSteel
+from gearwright.parts.scuffing import IntegralTemperature
 from gearwright.units import Origin, Quantity, Ratio
 
 _CONTACT, _ROOT = "ISO 10300-2:2023", "ISO 10300-3:2023"
@@ -35,10 +36,14 @@ class Iso10300Rating:
         Origin("S_F = σ_FP/σ_F; several cases: U(S_F σ_F) = 1", f"{_ROOT}, eq. 5; ISO 6336-6:2019"),
     ]
     """S_F of both gears under the cases and their shares of the life [-]."""
+    scuffing: IntegralTemperature
+    """In the heaviest case, on the virtual cylindrical gears."""
     pitting_asked: Ratio
     """S_Hmin [-]."""
     bending_asked: Ratio
     """S_Fmin [-]."""
+    scuffing_asked: Ratio
+    """S_Smin [-]."""
     module_bending: Annotated[float, Quantity("length"), Origin("m_mn at which S_F = S_Fmin", f"{_ROOT}, eq. 5")]
     """Mean normal module that bending asks for [m]."""
     module_contact: Annotated[float, Quantity("length"), Origin("m_mn at which S_H = S_Hmin", f"{_CONTACT}, eq. 5")]

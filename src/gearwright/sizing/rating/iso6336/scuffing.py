@@ -28,7 +28,7 @@ from gearwright.sizing.rating.standard_teeth import cylindrical_mesh
 from gearwright.spec.design import Iso6336Rules
 from gearwright.units import CELSIUS, Origin, Quantity
 
-_RZ_OVER_RA = 6.0
+RZ_OVER_RA = 6.0
 """R_z over R_a of ground flanks [-] (ISO 6336-2:2019, clause 12)."""
 _FLASH = "ISO/TS 6336-20:2017"
 _SOFTEST = (
@@ -111,13 +111,13 @@ def oil_film(mesh: LoadedMesh, factors: PairRating) -> OilFilm | None:
         specific_load=force * float(factors.loads.contact),
         nominal_load=force * float(factors.loads.application) * float(factors.loads.mesh_load),
         speed=float(factors.speed),
-        roughness=rules.flank_roughness / _RZ_OVER_RA,
+        roughness=rules.flank_roughness / RZ_OVER_RA,
         grade=rules.tolerance_class,
         elastic_modulus=rating.material.elastic_modulus,
         poisson_ratio=rating.material.poisson_ratio,
         reliefs=(rules.tip_relief, rules.tip_relief),
     )
-    oil = _oil(rules)
+    oil = oil_of(rules)
     integral = integral_temperature(scuffed, oil)
     if not _rolls(scuffed.geometry):
         return OilFilm(integral, None, None)
@@ -182,8 +182,12 @@ def _grade(rules: Iso6336Rules) -> OilGrade:
     return OilGrade(rules.oil_viscosity * SQUARE_MM, hot, base=BASES[rules.oil_type])
 
 
-def _oil(rules: Iso6336Rules) -> Oil:
-    """The design's oil; where ν_100 is not given its viscosity falls with temperature as that of a turbine oil does."""
+def oil_of(rules: Iso6336Rules) -> Oil:
+    """Return the design's oil; where ν_100 is not given its viscosity falls with temperature as a turbine oil's does.
+
+    Args:
+        rules: Viscosity, temperature, kind and load stage.
+    """
     grade = _grade(rules)
     hot = grade.viscosity_40 * oil_viscosity(rules.oil_temperature + CELSIUS) / oil_viscosity(40.0 + CELSIUS)
     if grade.viscosity_100 is not None:

@@ -1,0 +1,87 @@
+"""Bevel gears against scuffing: their virtual cylindrical gears, and what makes them hotter."""
+
+import math
+from dataclasses import astuple, replace
+
+import numpy as np
+import pytest
+
+from gearwright.parts.bevel import BevelDuty, BevelPair, BevelTooth, VirtualPair, rate_bevel, virtual_mesh
+from gearwright.parts.iso6336 import GearSteel, Treatment
+from gearwright.parts.scuffing import ScuffingMesh, integral_temperature
+from gearwright.shipped import shipped_design
+from gearwright.sizing import size
+from gearwright.sizing.rating import METHODS, rating_of
+from gearwright.sizing.rating.iso6336.scuffing import oil_of
+from gearwright.sizing.rating.iso10300.scuffing import bevel_scuffing
+from gearwright.spec import edited, read
+
+DESIGN = read(shipped_design("ec120b"))
+SIZING = size(DESIGN)
+RATING = rating_of(DESIGN, "bevel", SIZING.teeth)
+(BEVEL,) = (mesh.rating for mesh in SIZING.meshes if mesh.name == "bevel")
+STEEL = GearSteel("case-hardened", Treatment.CASE_HARDENED, "MQ", 700.0, 1500e6, 500e6)
+DUTY = BevelDuty(2031.1, 158.5, 8e-6, 1.25)
+
+
+def pair(spiral=35.0, **changes):
+    tooth = BevelTooth(profile_shift=0.3)
+    return replace(BevelPair((17, 43), 8.5e-3, 51e-3, math.radians(spiral), tooth=tooth), **changes)
+
+
+def scuffed(bevel, duty=DUTY, rating=RATING):
+    return bevel_scuffing(rating, rate_bevel(bevel, (STEEL, STEEL), duty, 3500.0 * 3600.0))
+
+
+@pytest.mark.parametrize("spiral", [0.0, 12.0, 35.0])
+def test_the_virtual_mesh_is_the_virtual_pair_of_iso_10300(spiral):
+    """One geometry by two rooms: ε_α, ε_β, base pitch, working at the reference centre."""
+    virtual = VirtualPair(pair(spiral))
+    mesh = virtual_mesh(virtual)
+    assert mesh.transverse_contact_ratio == pytest.approx(virtual.profile_ratio, rel=1e-12)
+    assert mesh.overlap_ratio == pytest.approx(virtual.face_ratio, rel=1e-12, abs=1e-15)
+    assert mesh.base_pitch == pytest.approx(virtual.base_pitch, rel=1e-12)
+    assert mesh.working_angle == pytest.approx(virtual.transverse_angle, rel=1e-9)
+    assert np.asarray(mesh.pitch_diameters) == pytest.approx(virtual.diameters, rel=1e-12)
+
+
+def test_a_bevel_mesh_is_as_hot_as_the_cylindrical_pair_that_stands_for_it():
+    """w_Bt = K_A K_V K_Hβ K_Hα F_mt/(0.85 b) at v_mt, by hand."""
+    rated = rate_bevel(pair(), (STEEL, STEEL), DUTY, 3500.0 * 3600.0)
+    loads, rules = rated.loads, RATING.rules.iso6336
+    force = 2.0 * 2031.1 / pair().mean_diameters[0] / (0.85 * 51e-3)
+    by_hand = ScuffingMesh(
+        virtual_mesh(VirtualPair(pair())),
+        force * 1.25 * loads.dynamic * loads.face_contact * loads.transverse_contact,
+        force * 1.25,
+        158.5 * pair().mean_diameters[0] / 2.0,
+        rules.flank_roughness / 6.0,
+        grade=rules.tolerance_class,
+        elastic_modulus=RATING.material.elastic_modulus,
+        poisson_ratio=RATING.material.poisson_ratio,
+    )
+    found, hand = bevel_scuffing(RATING, rated), integral_temperature(by_hand, oil_of(rules))
+    assert astuple(found) == pytest.approx(astuple(hand), rel=1e-12)
+
+
+def test_load_speed_and_roughness_heat_and_a_better_oil_bears_more():
+    base = scuffed(pair())
+    assert scuffed(pair(), replace(DUTY, pinion_torque=3000.0)).integral > base.integral
+    assert scuffed(pair(), replace(DUTY, pinion_speed=300.0)).flash_mean > base.flash_mean
+    rough = rating_of(edited(DESIGN, {"gears.iso6336.flank_roughness_um": 8}), "bevel", SIZING.teeth)
+    assert scuffed(pair(), rating=rough).integral > base.integral
+    oil = rating_of(edited(DESIGN, {"gears.iso6336.scuffing_stage": 12}), "bevel", SIZING.teeth)
+    better = scuffed(pair(), rating=oil)
+    assert better.integral == base.integral
+    assert better.scuffing > base.scuffing
+
+
+def test_a_design_is_checked_and_shows_it():
+    (check,) = [check for check in SIZING.checks if str(check.part) == "bevel" and check.mode == "scuffing"]
+    assert check.clause == "ISO/TR 13989-2:2000, 6.2"
+    assert (check.value, check.limit) == (BEVEL.scuffing.safety, 1.5)
+    rows = [row for row in METHODS["iso10300"].factors(BEVEL) if row.chapter == "scuffing"]
+    assert rows and all(row.clause.startswith("ISO/TR 13989-2:2000, 6.2; as ISO/TS 6336-21") for row in rows)
+    asked = size(edited(DESIGN, {"gears.iso6336.scuffing_safety": 1.7}))
+    (check,) = [check for check in asked.checks if str(check.part) == "bevel" and check.mode == "scuffing"]
+    assert check.limit == 1.7
