@@ -51,7 +51,7 @@ def test_a_limit_is_the_product_of_its_factors_in_every_column():
         product = 1.0
         for aspect in (
             "strength σ_Hlim, s_ac", "life Z_NT, Z_N", "lubricant Z_L", "speed Z_v", "roughness Z_R",
-            "work hardening Z_W", "size Z_X",
+            "work hardening Z_W, C_H", "size Z_X",
         ):  # fmt: skip
             product *= rows[aspect][method][0]
         assert product == pytest.approx(rows["limit σ_HG"][method][0], rel=1e-12)
