@@ -2,7 +2,7 @@
 
 import pytest
 
-from designs import changed, problem
+from designs import changed, problem, problems
 from gearwright.spec import parse
 from gearwright.spec.design import compound_shifts
 
@@ -146,6 +146,12 @@ suns.sun = {{ shaft = "fast", teeth = 32 }}
 rings.ring = {{ shaft = "ground", teeth = 160 }}
 planets.planet = {{ teeth = 64, meshes = ["sun", "ring"]{} }}
 """
+
+
+def test_teeth_whose_tips_lie_below_their_base_circle_are_refused_as_undercut():
+    """6 teeth of x = −1.5 have r_a = 2.5 m below r_b = 2.82 m: no involute, which once was no answer either."""
+    found = problems(RINGS.format(20, "6, shift = -1.5", 43, 20, 60))
+    assert any("-1.5 undercuts 6 teeth" in each.message for each in found)
 
 
 def test_planets_that_only_touch_with_their_shifted_tips_are_refused():

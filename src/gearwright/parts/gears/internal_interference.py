@@ -66,12 +66,17 @@ def tip_room(pair: GearPair) -> Room | None:
     r_1, r_2, centre = pair.driver.tip_radius, pair.driven.tip_radius, pair.centre_distance
     if r_1 + centre <= r_2:
         return None
-    gamma_1 = math.acos((r_2**2 - r_1**2 - centre**2) / (2.0 * r_1 * centre))
-    gamma_2 = math.acos((r_2**2 - r_1**2 + centre**2) / (2.0 * r_2 * centre))
-    theta_1 = gamma_1 + involute(math.acos(pair.driver.base_radius / r_1))
-    theta_2 = gamma_2 + involute(math.acos(min(1.0, pair.driven.base_radius / r_2)))
+    # Tips below their base circles have no involute, and teeth that are undercut away no crossing: limits of both.
+    gamma_1 = _arc((r_2**2 - r_1**2 - centre**2) / (2.0 * r_1 * centre))
+    gamma_2 = _arc((r_2**2 - r_1**2 + centre**2) / (2.0 * r_2 * centre))
+    theta_1 = gamma_1 + involute(_arc(pair.driver.base_radius / r_1))
+    theta_2 = gamma_2 + involute(_arc(pair.driven.base_radius / r_2))
     ratio = pair.driver.teeth / -pair.driven.teeth
     return Room(theta_1 * ratio + involute(pair.working_pressure_angle) * (1.0 - ratio), theta_2)
+
+
+def _arc(cosine: float) -> float:
+    return math.acos(min(max(cosine, -1.0), 1.0))
 
 
 def tip_clearance_angle(pair: GearPair) -> float:
