@@ -1,6 +1,7 @@
 """Bearings inside planets: compound sets as simple ones, stepped planets by statics, room, lives, what is refused."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.bearings import bearing_seats, seat_forces
 from gearwright.sizing.compound import pins_of
+from gearwright.sizing.loads import mesh_place
 from gearwright.spec import edited, parse, parse_mission, read
 
 SIMPLE = (
@@ -265,3 +267,33 @@ def test_a_review_says_what_it_does_not_know_of_a_stepped_planet():
     known = fitted(f"place_mm = 15\n{BEARING}", f"place_mm = 40\n{BEARING}")
     open_, known = ([check.mode for check in review_of(size(parse(text))).open] for text in (STEPPED, known))
     assert mode in open_ and mode not in known
+
+
+def test_bearings_of_one_step_have_the_width_of_the_body_and_those_of_several_that_of_their_own():
+    """Room beside each other: both steps carry one bearing, or each of them its own."""
+    places = "place_mm = 15", "place_mm = 40"
+    pair = 'bearing = { designation = "NU 202", side_by_side = 2, spacing_mm = 14 }'
+    for narrow in ("", BEARING):
+        wide = BEARING if narrow else pair
+        sizing = size(parse(fitted(f"{places[0]}\n{wide}", f"{places[1]}\n{narrow}")))
+        widths = {gear.own: gear.face_width for gear in sizing.gears}
+        limits = [check.limit for check in sizing.checks if check.mode == "room for its bearing"]
+        both = widths["wide"] + widths["narrow"]
+        assert limits == pytest.approx([widths["wide"], widths["narrow"]] if narrow else [both])
+        values = [check.value for check in sizing.checks if check.mode == "room for its bearing"]
+        assert values == pytest.approx([0.011, 0.011] if narrow else [0.014 + 0.011])
+
+
+@pytest.mark.parametrize(
+    ("place", "mate", "expected"),
+    [(0.040, None, 0.040), (None, 0.030, None), (0.040, 0.026, 0.026), (0.040, 0.024, 0.025), (0.040, 0.058, 0.056)],
+)
+def test_a_mesh_lies_in_the_middle_of_the_width_that_both_gears_have(place, mate, expected):
+    """A planet of 20 to 60 mm: 20 to 32 mm lie inside, of 18 to 30 it has 20 to 30. By hand."""
+    design = read(shipped_design("ravigneaux-automatic"))
+    keys = {"planets.long": place, "planets.short": mate}
+    changes = {f"epicyclics.gear.{gear}.place_mm": 1e3 * at for gear, at in keys.items() if at is not None}
+    epicyclic = edited(design, changes).epicyclics["gear"]
+    gears = {"long": SimpleNamespace(face_width=0.040), "short": SimpleNamespace(face_width=0.012)}
+    found = mesh_place(epicyclic, gears, "long", "short")
+    assert found == (None if expected is None else pytest.approx(expected))
