@@ -11,6 +11,7 @@ from gearwright.errors import DesignError, refuse
 from gearwright.sizing.answers import locking_checks, refuse_no_numbers
 from gearwright.sizing.arrangement import arrange
 from gearwright.sizing.bearings import named_room, planet_lives
+from gearwright.sizing.face_load import face_load_checks
 from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.losses import dipping
 from gearwright.sizing.machines import machine_checks, size_machines
@@ -87,6 +88,7 @@ def _sized(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, 
         *(check for shaft in shafts for check in shaft_checks(shaft)),
         *(check for carrier in carriers for check in carrier_checks(carrier)),
         *(check for shaft in built for check in built_checks(shaft, design)),
+        *face_load_checks(context, gears, meshes, [shaft.shaft for shaft in built]),
         *named_room(design, gears),
         *planet_lives(context, gears, carriers),
         *locking_checks(design, train, teeth, flows),

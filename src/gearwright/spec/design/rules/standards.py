@@ -60,6 +60,9 @@ class Iso6336Rules(Record):
     root_method: Literal["B", "C"] = Field(
         "B", description="Y_F, Y_S of external gears: B loaded at the outer single contact, C at the tip, with Y_ε"
     )
+    face_method: Literal["B", "C"] = Field(
+        "C", description="K_Hβ of cylindrical gears: C alone, or B, held against the bending lines of built shafts, too"
+    )
     reliability: Ratio = Field(
         0.99, ge=0.5, le=0.9999, description="Part of the gears that survive: σ_lim over K_R of AGMA 2001, table 11"
     )
