@@ -36,8 +36,20 @@ def open_checks(sizing: Sizing, *, flown: bool) -> Iterator[Check]:
         if len(body.steps) > 1 and not body.supports:
             why = "needs place_mm of every step, and two bearings or more; until then its whole force acts in one place"
             yield not_assessed(body.part, "moment that tilts a stepped planet", "statics", why)
+    yield from _shared_axes(sizing, built)
     why = "housing, seals, oil system and what heat does to clearances are not modelled"
     yield not_assessed(GEARBOX, "housing", "", why)
+
+
+def _shared_axes(sizing: Sizing, built: set[str]) -> Iterator[Check]:
+    """Yield the shafts of one axis of which some are not worked out along it."""
+    on_axis: dict[tuple[float, float], list[str]] = {}
+    for name, axis in sizing.arrangement.axes.items():
+        on_axis.setdefault((round(axis.real, 9), round(axis.imag, 9)), []).append(name)
+    names = [name for shafts in on_axis.values() if len(shafts) > 1 and not built >= set(shafts) for name in shafts]
+    if names:
+        why = f"a first sizing does not work out how these stand in or beside each other: {', '.join(names)}"
+        yield not_assessed(GEARBOX, "room of shafts on one axis", "", why)
 
 
 def _teeth(sizing: Sizing, stage: str) -> Iterator[Check]:

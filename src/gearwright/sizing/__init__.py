@@ -16,7 +16,7 @@ from gearwright.sizing.answers import (
     refuse_no_numbers,
     total_results,
 )
-from gearwright.sizing.arranged import Arrangement, ShaftPlan
+from gearwright.sizing.arranged import Arrangement, Body, Direction, Frame, Point, ShaftPlan, Station, Turn
 from gearwright.sizing.carrying import CarrierSizing, ShaftDiagram, ShaftSizing
 from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.compound import pins_of, towards
@@ -44,9 +44,12 @@ __all__ = [
     "BearingSizing",
     "Beside",
     "BevelPairData",
+    "Body",
     "BuiltShaft",
     "CarrierSizing",
     "CylindricalPairData",
+    "Direction",
+    "Frame",
     "GearSizing",
     "Influence",
     "JointSizing",
@@ -57,6 +60,7 @@ __all__ = [
     "MeshSizing",
     "Named",
     "Passing",
+    "Point",
     "ShaftDiagram",
     "ShaftPlan",
     "ShaftSizing",
@@ -64,8 +68,10 @@ __all__ = [
     "Sizing",
     "Sizings",
     "StageSummary",
+    "Station",
     "Structure",
     "TeethSearch",
+    "Turn",
     "asked_results",
     "asked_speeds",
     "backlash_of",

@@ -9,23 +9,15 @@ import numpy as np
 from gearwright.checks import BEYOND_SIZING, accepted, unknown_waivers
 from gearwright.errors import DesignError, refuse
 from gearwright.sizing.answers import locking_checks, refuse_no_numbers
-from gearwright.sizing.arrangement import arrange
 from gearwright.sizing.bearings import named_room, planet_lives
 from gearwright.sizing.face_load import face_load_checks
 from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.losses import dipping
 from gearwright.sizing.machines import machine_checks, size_machines
+from gearwright.sizing.places import beside_checks, keep_out_checks, pin_checks, room_checks, settle
 from gearwright.sizing.rating import context_of, demands_of
 from gearwright.sizing.result import Sizing
-from gearwright.sizing.shafts import (
-    built_checks,
-    carrier_checks,
-    refuse_bores,
-    refuse_idle_shafts,
-    shaft_checks,
-    size_carriers,
-    size_shafts,
-)
+from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.stages import compound_sizes, gear_checks, size_gears, size_meshes, stage_sizes
 from gearwright.sizing.teeth import EQUAL, Chosen, choose_teeth, refuse_contradictions
 from gearwright.spec import Design, edited
@@ -78,19 +70,20 @@ def _sized(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, 
     sizes = stage_sizes(context, demands) | compound_sizes(context, demands)
     gears = size_gears(context, sizes)
     meshes = size_meshes(context, gears, demands)
-    arrangement = arrange(context, gears)
-    shafts, built = size_shafts(context, gears, arrangement)
-    refuse_bores(shafts)
-    refuse_idle_shafts(shafts)
-    carriers = size_carriers(context, gears, shafts)
+    settled = settle(context, gears)
+    arrangement, shafts, carriers = settled.arrangement, settled.shafts, settled.carriers
     checks = [
         *gear_checks(context, gears, meshes, sizes),
         *(check for shaft in shafts for check in shaft_checks(shaft)),
         *(check for carrier in carriers for check in carrier_checks(carrier)),
-        *(check for shaft in built for check in built_checks(shaft, design)),
-        *face_load_checks(context, gears, meshes, [shaft.shaft for shaft in built]),
+        *(check for shaft in settled.built for check in built_checks(shaft, design)),
+        *face_load_checks(context, gears, meshes, settled.built_shafts),
         *named_room(design, gears),
         *planet_lives(context, gears, carriers),
+        *pin_checks(design, {gear.name: gear for gear in gears}, carriers),
+        *room_checks(arrangement, settled.rules),
+        *beside_checks(context, arrangement, settled.rules),
+        *keep_out_checks(design, arrangement.bodies),
         *locking_checks(design, train, teeth, flows),
         *machine_checks(context),
     ]
@@ -106,9 +99,9 @@ def _sized(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, 
         shafts=shafts,
         carriers=carriers,
         machines=size_machines(context),
-        built_shafts=tuple(shaft.shaft for shaft in built),
-        bearings=tuple(bearing for shaft in built for bearing in shaft.bearings),
-        joints=tuple(joint for shaft in built for joint in shaft.joints),
+        built_shafts=settled.built_shafts,
+        bearings=settled.bearings,
+        joints=settled.joints,
         checks=accepted(checks, design.waivers),
         given=given,
         search=choice.search,

@@ -26,6 +26,7 @@ from gearwright.parts.bevel.pitting import (
     bevel_pitting,
     mid_zone_factor,
 )
+from gearwright.parts.bevel.profile import BevelProfile, bevel_profile, face_and_root
 from gearwright.parts.bevel.rating import BevelRating, BevelSurfaces, bevel_pitch_tolerance, rate_bevel
 from gearwright.parts.bevel.virtual import HIGH_CROWNING, LOW_CROWNING, VirtualPair, virtual_mesh
 
@@ -41,6 +42,7 @@ __all__ = [
     "BevelDuty",
     "BevelForces",
     "BevelPair",
+    "BevelProfile",
     "BevelRating",
     "BevelSurfaces",
     "BevelTooth",
@@ -53,8 +55,10 @@ __all__ = [
     "bevel_load_factors",
     "bevel_pitch_tolerance",
     "bevel_pitting",
+    "bevel_profile",
     "cone_forces",
     "contact_ratio_factor_bending",
+    "face_and_root",
     "gleason_profile_shift",
     "least_cutter_radius",
     "mean_thickness",

@@ -9,7 +9,8 @@ from typing import Annotated
 from gearwright.render.tables.checks import Judged, judged
 from gearwright.render.tables.sizing.materials import Property, material_properties
 from gearwright.render.tables.sizing.overview import shaft_by_shaft
-from gearwright.sizing import AskedSpeed, MassPart, Passing, Sizing, asked_speeds, mass_parts, passing
+from gearwright.render.tables.sizing.places import Stands, stands
+from gearwright.sizing import AskedSpeed, MassPart, Passing, Sizing, Turn, asked_speeds, mass_parts, passing
 from gearwright.sizing.arrangement.envelope import Envelope, envelope
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.losses import Loss, loss_balance
@@ -74,6 +75,10 @@ class SizeAnswer:
     masses: tuple[MassPart, ...]
     """Gears, shafts and carriers, the heaviest first."""
     envelope: Envelope
+    places: tuple[Stands, ...]
+    """Envelope of every body in space."""
+    turns: tuple[Turn, ...]
+    """Axes that the design leaves open and that were turned to make room."""
     materials: tuple[Property, ...]
     """Every property, in the unit beside it, with its source."""
     given: tuple[GivenEntry, ...]
@@ -113,6 +118,8 @@ def size_answer(sizing: Sizing) -> SizeAnswer:
         machines=sizing.machines,
         masses=mass_parts(sizing),
         envelope=envelope(sizing),
+        places=stands(sizing.arrangement.bodies),
+        turns=sizing.arrangement.turns,
         materials=material_properties(sizing),
         given=tuple(GivenEntry(row.entry, row.amount, row.origin) for row in sizing.given.values()),
     )

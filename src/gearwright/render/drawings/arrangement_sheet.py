@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import product
 
-from gearwright.identity import carrier_part
+from gearwright.checks import Status
+from gearwright.identity import GEARBOX, carrier_part
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.dimensions import extent
 from gearwright.render.drawings.sheet.entities import SMALL, Box, Distance, Entity, Layer, Path, Words
@@ -16,14 +16,13 @@ from gearwright.render.drawings.sheet.symbols import balloon
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.views.arrangement_parts import Item, axis_of, planetary_parts, shaft_parts
 from gearwright.render.drawings.views.end_view import end_view
-from gearwright.render.drawings.views.gear_parts import Hub, hub_of
-from gearwright.render.drawings.views.gear_view import bevel_corners
 from gearwright.render.drawings.views.positions import Positions, positions
-from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_profile, toothed_piece
+from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.teeth import kind_of
 from gearwright.render.schematic.layout import pair_meshes
 from gearwright.render.style.labels import overlap, spread
-from gearwright.sizing import GearSizing, Sizing
+from gearwright.sizing import Sizing
+from gearwright.sizing.places import CLAUSE
 
 NAME = "arrangement"
 AROUND = 9.0
@@ -70,27 +69,11 @@ def _notes(sizing: Sizing, plane: Positions) -> Iterator[str]:
 
 
 def _crowded(sizing: Sizing) -> Iterator[str]:
-    """Yield where a bevel gear's body stands into a bearing; its seat is sized beside bearings, its body is not."""
-    bevels = [gear for gear in sizing.gears if kind_of(sizing, gear.stage) == "bevel"]
-    for gear, bearing in product(bevels, sizing.bearings):
-        if bearing.shaft in gear.shafts:
-            hub = hub_of(sizing, gear, bearing.shaft)
-            within = hub.boss is not None and MM * bearing.bearing.outer_diameter <= hub.boss.diameter
-            place, (start, end) = MM * bearing.position, _bevel_span(sizing, gear, bearing.shaft, hub)
-            over = min(end - place, place - start) + MM * bearing.bearing.width / 2.0
-            if over > 0.0 and not within:
-                yield f"{gear.name} as drawn stands {over:.3g} mm into {bearing.name}: put one of them elsewhere."
-
-
-def _bevel_span(sizing: Sizing, gear: GearSizing, shaft: str, hub: Hub) -> tuple[float, float]:
-    """Return where a bevel gear's body begins and ends along its shaft, beyond its hub [mm]."""
-    middle = next(joint.position for joint in sizing.joints if joint.part == gear.name and joint.shaft == shaft)
-    if not hub.bore:
-        piece = toothed_piece(sizing, gear, middle)
-        return piece.start, piece.end
-    body = bevel_corners(bevel_profile(sizing, gear), hub)[:3]
-    ends = [MM * middle + away_of(sizing, gear) * corner.real for corner in body]
-    return min(ends), max(ends)
+    """Yield bodies that stand into each other."""
+    for check in sizing.checks:
+        if check.clause == CLAUSE and check.status is Status.FAILS:
+            verb = "stands" if check.part == GEARBOX else "stand"  # a keep-out names one body
+            yield f"{check.place} {verb} {check.why}: put one of them elsewhere."
 
 
 def _views(sizing: Sizing, plane: Positions, scale: float) -> Rows:

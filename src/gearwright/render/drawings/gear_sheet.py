@@ -7,14 +7,14 @@ import math
 from collections.abc import Iterator, Sequence
 
 from gearwright.identity import Role
+from gearwright.parts.bevel import BevelProfile, face_and_root
 from gearwright.render.drawings.sheet.compose import Content, Rows
 from gearwright.render.drawings.sheet.dimensions import corner_leader, corner_words, words_corners
 from gearwright.render.drawings.sheet.entities import TEXT, Corner, Distance, Entity, Layer, Path, Words
 from gearwright.render.drawings.sheet.frame import Title
 from gearwright.render.drawings.sheet.symbols import texture
-from gearwright.render.drawings.views.gear_parts import BOSS, Boss, Hub, hub_of
+from gearwright.render.drawings.views.gear_parts import Boss, Hub, hub_of
 from gearwright.render.drawings.views.gear_view import (
-    BACKUP,
     bevel_corners,
     bevel_section,
     bore_edges,
@@ -22,7 +22,7 @@ from gearwright.render.drawings.views.gear_view import (
     hub_view,
     ring_section,
 )
-from gearwright.render.drawings.views.shaft_parts import MM, BevelProfile, bevel_profile
+from gearwright.render.drawings.views.shaft_parts import MM, bevel_profile
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis
 from gearwright.render.drawings.views.teeth import (
     bevel_pair,
@@ -33,8 +33,9 @@ from gearwright.render.drawings.views.teeth import (
     making_of,
     meshes_of,
 )
-from gearwright.render.drawings.views.tooth_data import cones, tooth_grid
+from gearwright.render.drawings.views.tooth_data import tooth_grid
 from gearwright.sizing import GearSizing, Sizing
+from gearwright.sizing.places import BACKUP, BOSS
 
 LEAN = math.pi / 4.0
 """Of the hatching [rad]."""
@@ -229,7 +230,7 @@ def _bevel_angles(
     """Return pitch, face and root cone angle about the apex."""
     pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
     apex = axis.at(profile.apex)
-    face, root = cones(pair, side)
+    face, root = face_and_root(pair, side)
     free = profile.roots[0].real - profile.apex
     if boss is not None and boss.start > profile.apex:
         free = min(free, BESIDE * (boss.start - profile.apex))

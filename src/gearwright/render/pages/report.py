@@ -121,6 +121,7 @@ def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
     yield _chapter("Losses", tables, "losses", "loss_parts")
     yield _chapter("Materials", tables, "materials")
     yield _chapter("Mass and envelope", tables, "mass", "envelope", figures=(mass,))
+    yield _chapter("Places in space", tables, "turns", "places")
 
 
 def _chapter(title: str, tables: Mapping[str, Table], *names: str, figures: tuple[Figure, ...] = ()) -> Section:

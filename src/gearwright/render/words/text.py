@@ -44,6 +44,8 @@ _ORDER = (
     "machines",
     "mass",
     "envelope",
+    "turns",
+    "places",
     "materials",
     "overrides",
 )

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.sizing.arranged import Arrangement, ShaftPlan
 from gearwright.sizing.arrangement.axes import axes_of
@@ -9,18 +12,22 @@ from gearwright.sizing.arrangement.layout import plan_of
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 
+NO_ANGLES: Mapping[str, float] = MappingProxyType({})
+"""Nothing is turned."""
 
-def arrange(context: Context, gears: tuple[GearSizing, ...]) -> Arrangement:
+
+def arrange(context: Context, gears: tuple[GearSizing, ...], angles: Mapping[str, float] = NO_ANGLES) -> Arrangement:
     """Return where the axes of all shafts stand, and where everything sits along every shaft.
 
     Args:
         context: What sizing reads.
         gears: From `size_gears`.
+        angles: Shaft -> direction of its axis from its mate, where the design leaves it open [rad].
 
     Raises:
         DesignError: If axes do not close, or gears, places or bearings do not fit on their shafts.
     """
-    axes = axes_of(context, gears)
+    axes = axes_of(context, gears, angles)
     plans: dict[str, ShaftPlan] = {}
     problems: list[Problem] = []
     for name in context.design.shafts:

@@ -24,7 +24,7 @@ from gearwright.errors import DesignError, Problem, refuse
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.rolling import rollings
-from gearwright.spec.design import Design
+from gearwright.spec.design import SIDE_ANGLES, Design
 
 TOLERANCE = 0.01
 """Part of a centre distance that a change of profile shifts is trusted to take up; more does not close."""
@@ -45,22 +45,24 @@ class Bond:
         return self.axes[1] if self.axes[0] == axis else self.axes[0]
 
 
-def axes_of(context: Context, gears: tuple[GearSizing, ...]) -> dict[str, complex]:
+def axes_of(context: Context, gears: tuple[GearSizing, ...], angles: Mapping[str, float]) -> dict[str, complex]:
     """Return where the axis of every shaft stands, y + i z [m].
 
     Args:
         context: What sizing reads.
         gears: From `size_gears`.
+        angles: Shaft -> direction of its axis from its mate, where the design leaves it open [rad].
 
     Raises:
         DesignError: If the centre distances do not close.
     """
+    asked = _asked(context.design, angles)
     axis = _coaxial(context.design)
     faces = {name for name, pair in context.design.pairs.items() if pair.kind == "face"}
     bonds = list(_bonds(context, axis, {gear.name: gear for gear in gears}, faces))
     placed: dict[str, complex] = {}
     while len(placed) < len(set(axis.values())):
-        placed |= _next(context.design, bonds, placed, [shaft for shaft in axis.values() if shaft not in placed])
+        placed |= _next(asked, bonds, placed, [shaft for shaft in axis.values() if shaft not in placed])
     _close(bonds, placed)
     return {shaft: placed[axis[shaft]] for shaft in context.design.shafts}
 
@@ -95,7 +97,7 @@ def _bonds(
 
 
 def _next(
-    design: Design, bonds: list[Bond], placed: Mapping[str, complex], waiting: Sequence[str]
+    asked: Mapping[str, float], bonds: list[Bond], placed: Mapping[str, complex], waiting: Sequence[str]
 ) -> dict[str, complex]:
     """Return the next axes that can be placed."""
     ties = {name: [bond for bond in bonds if name in bond.axes and bond.other(name) in placed] for name in waiting}
@@ -106,19 +108,22 @@ def _next(
             if all(abs(place - centre) > TOLERANCE * bond.distance for centre in known):
                 known[place] = bond.distance
         if len(known) > 1:
-            return {name: _crossing(known, placed, _angle(design, name))}
+            return {name: _crossing(known, placed, asked.get(name))}
     for name in waiting:
         if ties[name]:
-            return _around(design, bonds, placed, tie=ties[name][0], name=name)
+            return _around(asked, bonds, placed, tie=ties[name][0], name=name)
     return {waiting[0]: 0j}
 
 
-def _angle(design: Design, name: str) -> float | None:
-    return design.layout[name].angle if name in design.layout else None
+def _asked(design: Design, angles: Mapping[str, float]) -> dict[str, float]:
+    """Return shaft -> direction of its axis from its mate [rad]: as given, as found, or the middle of its side."""
+    sides = {name: SIDE_ANGLES[layout.side] for name, layout in design.layout.items() if layout.side is not None}
+    given = {name: layout.angle for name, layout in design.layout.items() if layout.angle is not None}
+    return {**sides, **angles, **given}
 
 
 def _around(
-    design: Design, bonds: list[Bond], placed: Mapping[str, complex], *, tie: Bond, name: str
+    asked: Mapping[str, float], bonds: list[Bond], placed: Mapping[str, complex], *, tie: Bond, name: str
 ) -> dict[str, complex]:
     """Return the places of all shafts that a pair sets around one placed axis."""
     hub = tie.other(name)
@@ -128,7 +133,7 @@ def _around(
     turns = [cmath.phase(placed[shaft] - placed[hub]) - even[shaft] for shaft in ring if shaft in placed]
     places = {}
     for shaft, distance in ring.items():
-        angle = _angle(design, shaft)
+        angle = asked.get(shaft)
         if angle is None:
             angle = even[shaft] + (turns[0] if turns else 0.0)
         places[shaft] = placed[hub] + cmath.rect(distance, angle)

@@ -1,5 +1,6 @@
 """Shafts of one diameter and built ones: stretches, sections, joints, bending, room, checks; carriers of planets."""
 
+from gearwright.sizing.shafts.building import Built
 from gearwright.sizing.shafts.carriers import size_carriers
 from gearwright.sizing.shafts.checks import built_checks, carrier_checks, shaft_checks
 from gearwright.sizing.shafts.refusals import refuse_bores, refuse_idle_shafts
@@ -7,6 +8,7 @@ from gearwright.sizing.shafts.sections import Section, Strength, strengths
 from gearwright.sizing.shafts.shafts import shaft_material, size_shafts
 
 __all__ = [
+    "Built",
     "Section",
     "Strength",
     "built_checks",

@@ -53,7 +53,7 @@ from gearwright.spec.design.rules import (
     method_of,
     uncovered,
 )
-from gearwright.spec.design.shafts import NOTHING_GIVEN, ShaftLayout, Support
+from gearwright.spec.design.shafts import NOTHING_GIVEN, SIDE_ANGLES, KeepOut, ShaftLayout, Support
 from gearwright.spec.design.sharing import module_owners
 from gearwright.spec.design.spectrum import RATED, case_named, cases_of, drives_of, levels_of, shares_of
 from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary, PlanetBearing, gear_named
@@ -78,6 +78,7 @@ __all__ = [
     "RATED",
     "RATINGS",
     "SET_ROLES",
+    "SIDE_ANGLES",
     "SUN_LIMITS",
     "WEIGHED",
     "Accessory",
@@ -104,6 +105,7 @@ __all__ = [
     "Given",
     "Iso6336Rules",
     "Joint",
+    "KeepOut",
     "LifeLineRules",
     "Limit",
     "Load",

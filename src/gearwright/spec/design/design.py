@@ -44,7 +44,7 @@ from gearwright.spec.design.rules import (
     TeethRules,
     method_of,
 )
-from gearwright.spec.design.shafts import CarrierRules, ShaftLayout, ShaftRules, Support
+from gearwright.spec.design.shafts import CarrierRules, KeepOut, ShaftLayout, ShaftRules, Support
 from gearwright.spec.design.stages import Clutch, Damper, Pair, Planetary
 from gearwright.spec.record import Record
 from gearwright.units import Mass
@@ -99,6 +99,9 @@ class Design(Shown, Record):
     shafting: ShaftRules = Field(default_factory=ShaftRules, description="Rules for all shafts")
     carriers: CarrierRules = Field(default_factory=CarrierRules, description="Rules for all carriers")
     layout: dict[str, ShaftLayout] = Field(default_factory=dict, description="What is given of single shafts")
+    keep_out: dict[str, KeepOut] = Field(
+        default_factory=dict, description="Space that the gearbox may not take, by name"
+    )
     supports: dict[str, Support] = Field(default_factory=dict, description="Shafts that move on their bearings")
     errors: dict[str, PartErrors] = Field(
         default_factory=dict, description="What is not as drawn, by gear, shaft or planet"

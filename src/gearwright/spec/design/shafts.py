@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from types import MappingProxyType
 from typing import Literal
 
 from pydantic import Field
@@ -97,10 +98,36 @@ class ShaftLayout(Record):
         le=2 * math.pi,
         description="Direction of this shaft's axis seen from the axis that it meshes with; left out: evenly spaced",
     )
+    side: Literal["right", "left", "above", "below"] | None = Field(
+        None,
+        description="Where this shaft's axis stands about the axis that it meshes with, seen along x: y to the right,"
+        " z upwards; its angle is then found within a quarter turn of that side; left out: any",
+    )
 
 
 NOTHING_GIVEN = ShaftLayout()
 """The layout of a shaft of which nothing is given."""
+
+
+SIDE_ANGLES = MappingProxyType({"right": 0.0, "above": math.pi / 2.0, "left": math.pi, "below": -math.pi / 2.0})
+"""Side -> direction of its middle [rad]."""
+
+
+class Spot(Record):
+    """A place in space: x runs along the first shaft from its first end, y and z across it."""
+
+    x: Length = Field(0.0, description="Along the first shaft of the design, from its first end")
+    y: Length = Field(0.0, description="Across, from the axis of the first shaft")
+    z: Length = Field(0.0, description="Upwards, from the axis of the first shaft")
+
+
+class KeepOut(Record):
+    """Space that the gearbox may not take: a box, or with a radius a cylinder."""
+
+    start: Spot = Field(description="A corner of the box, or one end of the cylinder's axis")
+    end: Spot = Field(description="The opposite corner, or the other end of the axis")
+    radius: Length | None = Field(None, gt=0, description="Of a cylinder; left out: a box")
+    reason: str = Field(description="What is there")
 
 
 class Support(Record):

@@ -174,17 +174,16 @@ def planetary_parts(
     planet, half = gears[Role.PLANET], MM * gears[Role.PLANET].face_width / 2.0
     hub = Hub(hub_of(sizing, planet, planet.shafts[0]).bore)
     entities: list[Entity] = []
-    for side in (1.0, -1.0):
-        pin_axis = Axis(axis.at(0.0, side * MM * carrier.radius), axis.along, scale)
+    for up in (1.0, -1.0):
+        pin_axis = Axis(axis.at(0.0, up * MM * carrier.radius), axis.along, scale)
         entities += cylinder_section(
             pin_axis, cylindrical_gear(sizing, planet), hub, (middle - half, middle + half), lean=lean
         )
-    entities += _carrier(axis, carrier, middle, half, _towards(plane, planetary.carrier, middle))
+    side = _towards(plane, planetary.carrier, middle, plane.places[shaft].get(str(carrier.part), middle))
+    entities += _carrier(axis, carrier, middle, half, side)
     anchor = axis.at(middle - 0.3 * half, MM * (carrier.radius + 0.35 * planet.pitch_diameter))
     items = [Item(f"Planet {planet.name}", _toothing(planet), planet.bodies, planet.mass, anchor)]
-    plate = middle + _towards(plane, planetary.carrier, middle) * (
-        half + PLATE_GAP + MM * carrier.plate_thickness / 2.0
-    )
+    plate = middle + side * (half + PLATE_GAP + MM * carrier.plate_thickness / 2.0)
     items.append(Item(f"Carrier {stage}", "plate and pins", 1, carrier.mass, axis.at(plate, 0.6 * MM * carrier.radius)))
     if planetary.ring == GROUND:
         ring = gears[Role.RING]
@@ -193,8 +192,10 @@ def planetary_parts(
     return entities, items
 
 
-def _towards(plane: Positions, shaft: str, middle: float) -> float:
-    """Return the side on which a member's shaft goes on: +1 towards the second end."""
+def _towards(plane: Positions, shaft: str, middle: float, plate: float) -> float:
+    """Return the side on which a carrier's plate stands, or its shaft goes on: +1 towards the second end."""
+    if plate != middle:
+        return math.copysign(1.0, plate - middle)
     if shaft == GROUND:
         return 1.0
     lying = plane.shafts[shaft]

@@ -10,13 +10,10 @@ from gearwright.parts.joints import KeySection, Spline
 from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_profile, spline_of, toothed_piece
 from gearwright.render.drawings.views.teeth import cylindrical_gear, is_internal, kind_of
 from gearwright.sizing import GearSizing, JointSizing, Sizing
+from gearwright.sizing.places import BOSS
 
 LEAST_WALL = 1.0
 """Wall between a bore and the roots of the teeth below which no bore is drawn, in modules [-]."""
-
-
-BOSS = 1.4
-"""Diameter of a bevel gear's hub over that of its bore with what is cut into it, where its body is not sized [-]."""
 
 
 @dataclass(frozen=True)

@@ -6,14 +6,13 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
+from gearwright.parts.bevel import BevelProfile
 from gearwright.parts.gears import CylindricalGear
 from gearwright.render.drawings.sheet.entities import Entity, Hatch, Layer, Path
 from gearwright.render.drawings.views.gear_parts import Hub
-from gearwright.render.drawings.views.shaft_parts import MM, BevelProfile
+from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis, keyed_rim
-
-BACKUP = 1.2
-"""Rim behind the root over the depth of the tooth, where a bevel gear's body is not sized [-] (AGMA 2001-D04)."""
+from gearwright.sizing.places import BACKUP
 
 
 def cylinder_section(

@@ -6,22 +6,27 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import combinations, permutations
 
+import numpy as np
+
+from gearwright.arrays import Floats
 from gearwright.identity import Kind, Role
 from gearwright.render.drawings.views.shaft_parts import MM
 from gearwright.render.drawings.views.teeth import bevel_pair, gear_of, halves_of, kind_of, sized_mesh
 from gearwright.render.schematic.layout import element, lay_out, pair_meshes
-from gearwright.sizing import Sizing
+from gearwright.sizing import Sizing, places
+from gearwright.spec import GROUND
 from gearwright.train import Mesh, attachments
 
 TRUE = 0.05
 """How far two gears in mesh may stand from where they mesh before a note says so [mm]."""
 BETWEEN = 20.0
 """Between planetary sets, whose places along their axis are not sized [mm]."""
-
-
-PLATE_GAP = 5.0
-"""Between planets and the plate of their carrier, drawn only [mm]."""
+_SQUARE = 1e-9
+"""One less the cosine of the angle between axes below which they are parallel [-]."""
+PLATE_GAP = MM * places.PLATE_GAP
+"""Between planets and the plate of their carrier [mm]."""
 
 
 @dataclass(frozen=True)
@@ -63,37 +68,72 @@ class Positions:
 
 
 def positions(sizing: Sizing) -> Positions:
-    """Return where shafts lie: as sized along their axes, or in a row where planetary sets leave that open.
+    """Return where shafts lie: as they stand, or in a row where planetary sets or clutches join parallel shafts.
 
     Args:
         sizing: What was sized.
     """
-    return _in_columns(sizing) if sizing.design.planetaries or sizing.design.links else _as_sized(sizing)
+    joined = any(GROUND not in (link.driving, link.driven) for link in sizing.design.links.values())
+    crossed = any(pair.kind == "bevel" for pair in sizing.design.pairs.values())
+    return _in_columns(sizing) if (sizing.design.sets or joined) and not crossed else _as_sized(sizing)
 
 
 def _as_sized(sizing: Sizing) -> Positions:
     along = sizing.arrangement.plans
-    places = {name: {part: MM * x for part, x in plan.places.items()} for name, plan in along.items()}
+    places = {
+        name: {part: MM * x for part, x in plan.places.items()} | dict(_in_sets(sizing, name))
+        for name, plan in along.items()
+    }
     lengths = {name: MM * plan.length for name, plan in along.items()}
     shafts: dict[str, Lying] = {}
     meshes = list(pair_meshes(sizing.train))
-    for name in sizing.design.shafts:
-        if name not in shafts:
-            # Nothing joins it to the others: it lies below them.
-            shafts[name] = Lying(-1j * 300.0 * len(shafts), 1 + 0j, 0.0, lengths[name])
-        while mesh := next((mesh for mesh in meshes if (mesh.nodes[0] in shafts) != (mesh.nodes[1] in shafts)), None):
+    while waiting := [name for name in sizing.design.shafts if name not in shafts]:
+        mesh = next((mesh for mesh in meshes if (mesh.nodes[0] in shafts) != (mesh.nodes[1] in shafts)), None)
+        lined = next((pair for pair in _in_line(sizing) if (pair[0] in shafts) != (pair[1] in shafts)), None)
+        if mesh is not None:
             side = 0 if mesh.nodes[0] in shafts else 1
             known, new = mesh.nodes[side], mesh.nodes[1 - side]
             at, new_at = places[known][mesh.gears[side]], places[new][mesh.gears[1 - side]]
             shafts[new] = _beside(sizing, _Join(mesh, side, shafts[known], at, new_at, lengths[new]), shafts)
+        elif lined is not None:
+            known, new = lined if lined[0] in shafts else lined[::-1]
+            shafts[new] = _beyond(sizing, shafts[known], known, new)
+        else:
+            # Nothing joins it to the others: it lies below them.
+            shafts[waiting[0]] = Lying(-1j * 300.0 * len(shafts), 1 + 0j, 0.0, lengths[waiting[0]])
     plane = Positions(shafts, places)
     unfolded = tuple(mesh for mesh in meshes if _is_unfolded(sizing, mesh, plane))
     notes = [
         f"Unfolded: {mesh.name} ({mesh.nodes[0]}, {mesh.nodes[1]}) is not at its true distance in this plane."
         for mesh in unfolded
     ]
-    notes += _apart(sizing, meshes, plane)
+    notes += [*_turned(sizing, plane), *_apart(sizing)]
     return replace(plane, notes=tuple(notes), unfolded=tuple(mesh.name for mesh in unfolded), exact=not unfolded)
+
+
+def _in_sets(sizing: Sizing, shaft: str) -> Iterator[tuple[str, float]]:
+    """Yield the gears and carriers of the sets on a shaft's axis, each with its middle [mm from the first end]."""
+    frame = sizing.arrangement.frames[shaft]
+    stages = [name for name, stage in sizing.design.sets.items() if shaft in stage.members]
+    for body in sizing.arrangement.bodies:
+        if body.part.name in stages and body.part.kind in (Kind.GEAR, Kind.CARRIER):
+            start = (np.array(body.origin) - np.array(frame.origin)) @ np.array(frame.along)
+            yield str(body.part), MM * (float(start) + body.length / 2.0)
+
+
+def _in_line(sizing: Sizing) -> Iterator[tuple[str, str]]:
+    """Yield shafts of one axis that a set or a clutch joins, two at a time."""
+    groups = [stage.members for stage in sizing.design.sets.values()]
+    groups += [(link.driving, link.driven) for link in sizing.design.links.values()]
+    for group in groups:
+        yield from permutations(dict.fromkeys(name for name in group if name != GROUND), 2)
+
+
+def _beyond(sizing: Sizing, lying: Lying, known: str, new: str) -> Lying:
+    """Return a shaft on the axis of one that lies already, as far along it as it stands in space."""
+    frames, length = sizing.arrangement.frames, sizing.arrangement.plans[new].length
+    step = (np.array(frames[new].origin) - np.array(frames[known].origin)) @ np.array(frames[known].along)
+    return Lying(lying.at(MM * float(step)), lying.along, 0.0, MM * length)
 
 
 @dataclass(frozen=True)
@@ -126,7 +166,7 @@ def _beside(sizing: Sizing, join: _Join, shafts: Mapping[str, Lying]) -> Lying:
     """Return a shaft that meshes with one that lies already."""
     kind = kind_of(sizing, join.mesh.stage)
     if kind == "bevel":
-        return _bevel(sizing, join)
+        return _bevel(sizing, join, _sheet(sizing, shafts))
     if kind == "face":
         return _face(sizing, join, first=len(shafts) == 1)
     lying, apart = join.lying, centre_distance(sizing, join.mesh)
@@ -159,8 +199,23 @@ def _overlap(shaft: Lying, reach: float, other: Lying, far: float) -> float:
     return max(0.0, reach + far - apart)
 
 
-def _bevel(sizing: Sizing, join: _Join) -> Lying:
-    """Return the other shaft of a bevel pair: through the common apex, with its second end upwards or to the right."""
+def _sheet(sizing: Sizing, shafts: Mapping[str, Lying]) -> Floats | None:
+    """Return the direction in space that looks out of the sheet: square to two shafts that cross; None without such."""
+    frames = sizing.arrangement.frames
+    for one, other in combinations(shafts, 2):
+        turn = (shafts[one].along.conjugate() * shafts[other].along).imag
+        if abs(turn) > _SQUARE:
+            out = math.copysign(1.0, turn) * np.cross(frames[one].along, frames[other].along)
+            if (length := float(np.linalg.norm(out))) > _SQUARE:
+                return np.asarray(out / length)
+    return None
+
+
+def _bevel(sizing: Sizing, join: _Join, sheet: Floats | None) -> Lying:
+    """Return the other shaft of a bevel pair: through the common apex, to the side on which it stands.
+
+    The first one that crosses another lies with its second end upwards or to the right.
+    """
     pair, stage = bevel_pair(sizing, join.mesh.stage), sizing.design.pairs[join.mesh.stage]
     reach = [MM * pair.mean_cone_distance * math.cos(angle) for angle in pair.pitch_angles]
     sense = [1.0 if apex == "second" else -1.0 for apex in (stage.pinion_apex, stage.wheel_apex)]
@@ -169,7 +224,12 @@ def _bevel(sizing: Sizing, join: _Join) -> Lying:
     turns = [cmath.rect(1.0, sign * pair.shaft_angle) for sign in (1.0, -1.0)]
     # Both gears lie on the apex's same side: the angle between the ways from the apex to them is the shaft angle.
     ways = [-sense[side] * lying.along * turn for turn in turns]
-    along = max((-sense[other] * way for way in ways), key=lambda way: (round(way.imag, 6), way.real))
+    left = 0.0
+    if sheet is not None:
+        known, new = (np.array(sizing.arrangement.frames[join.mesh.nodes[k]].along) for k in (join.side, 1 - join.side))
+        left = float(np.cross(sheet, known) @ new)
+    choices = [-sense[other] * way for way in ways]
+    along = max(choices, key=lambda way: (round((way / lying.along).imag * left, 6), round(way.imag, 6), way.real))
     return join.lay(apex - along * (join.new_at + sense[other] * reach[other]), along)
 
 
@@ -199,12 +259,29 @@ def _is_unfolded(sizing: Sizing, mesh: Mesh, plane: Positions) -> bool:
     return abs(abs(_between(mesh, plane).imag) - centre_distance(sizing, mesh)) > TRUE
 
 
-def _apart(sizing: Sizing, meshes: list[Mesh], plane: Positions) -> Iterator[str]:
+def _turned(sizing: Sizing, plane: Positions) -> Iterator[str]:
+    """Yield the shafts that are not where they stand, but turned about their mates into the plane of the drawing.
+
+    The plane is that of the first two axes which are not one; in it lies what keeps its distance square to it.
+    """
+    frames = sizing.arrangement.frames
+    along = np.array(frames[sizing.design.shafts[0]].along)
+    crossing = [name for name in plane.shafts if abs(np.array(frames[name].along) @ along) < 1.0 - _SQUARE]
+    if not crossing:
+        return
+    square = np.cross(along, np.array(frames[crossing[0]].along))
+    square /= np.linalg.norm(square)
+    level = np.array(frames[crossing[0]].origin) @ square
+    for name in plane.shafts:
+        off = MM * float(np.array(frames[name].origin) @ square - level)
+        if abs(off) > TRUE:
+            yield f"Shaft {name} is turned into this plane: it stands {abs(off):.4g} mm off it."
+
+
+def _apart(sizing: Sizing) -> Iterator[str]:
     """Yield a note for every mesh whose gears do not stand beside each other."""
-    for mesh in meshes:
-        apart = abs(_between(mesh, plane).real)
-        if kind_of(sizing, mesh.stage) == "cylindrical" and apart > TRUE:
-            yield f"The sizing puts the gears of {mesh.name} {apart:.1f} mm apart along their axes."
+    for name, off in sizing.arrangement.apart.items():
+        yield f"The sizing puts the gears of {name} {MM * abs(off):.1f} mm apart along their axes."
 
 
 def _in_columns(sizing: Sizing) -> Positions:

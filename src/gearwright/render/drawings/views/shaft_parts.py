@@ -6,9 +6,10 @@ import math
 from dataclasses import dataclass, replace
 
 from gearwright.catalogue import key_for_shaft, seat_tolerance
+from gearwright.parts import bevel
+from gearwright.parts.bevel import BevelProfile
 from gearwright.parts.joints import KeySection, Spline, spline
 from gearwright.render.drawings.views.teeth import bevel_pair, cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
-from gearwright.render.drawings.views.tooth_data import cones
 from gearwright.sizing import GearSizing, JointSizing, ShaftStep, Sizing
 
 MM = 1e3
@@ -186,43 +187,15 @@ def _cone(sizing: Sizing, gear: GearSizing, middle: float) -> Piece:
     )
 
 
-@dataclass(frozen=True)
-class BevelProfile:
-    """Corners of a bevel tooth in its axial plane: distance along the axis from the mean point, and radius."""
-
-    small: tuple[complex, complex]
-    """Tip and pitch point of the small end [mm]."""
-    large: tuple[complex, complex]
-    """Tip and pitch point of the large end [mm]."""
-    roots: tuple[complex, complex]
-    """Root at the small and the large end [mm]."""
-    apex: float
-    """Where the apex lies along the axis, negative [mm]."""
-
-
 def bevel_profile(sizing: Sizing, gear: GearSizing) -> BevelProfile:
-    """Return the corners of a bevel gear's teeth, ended by back cones square to the pitch cone.
+    """Return the corners of a bevel gear's teeth [mm].
 
     Args:
         sizing: What was sized.
         gear: A bevel gear.
     """
     pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
-    pitch, mean = pair.pitch_angles[side], MM * pair.mean_cone_distance
-    face, root = cones(pair, side)
-    shift = mean * math.cos(pitch)
-
-    def corner(distance: float, angle: float) -> complex:
-        reach = distance / math.cos(angle - pitch)
-        return complex(reach * math.cos(angle) - shift, reach * math.sin(angle))
-
-    near, far = (mean + sign * MM * pair.face_width / 2.0 for sign in (-1.0, 1.0))
-    return BevelProfile(
-        small=(corner(near, face), corner(near, pitch)),
-        large=(corner(far, face), corner(far, pitch)),
-        roots=(corner(near, root), corner(far, root)),
-        apex=-shift,
-    )
+    return bevel.bevel_profile(pair, side).scaled(MM)
 
 
 def away_of(sizing: Sizing, gear: GearSizing) -> float:

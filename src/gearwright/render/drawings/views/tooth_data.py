@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from gearwright.catalogue import LARGEST, SMALLEST, standard_tolerance
-from gearwright.parts.bevel import BevelPair
+from gearwright.parts.bevel import face_and_root
 from gearwright.parts.gears import (
     CylindricalGear,
     ball_measurement,
@@ -163,20 +163,9 @@ def _centre_distance(sizing: Sizing, gear: GearSizing) -> float:
     return sized_mesh(sizing, mesh).centre_distance
 
 
-def cones(pair: BevelPair, side: int) -> tuple[float, float]:
-    """Return face and root cone angle of a bevel gear whose teeth taper towards the apex [rad].
-
-    Args:
-        pair: The pair.
-        side: 0 for the pinion, 1 for the wheel.
-    """
-    pitch, distance = pair.pitch_angles[side], pair.mean_cone_distance
-    return pitch + math.atan(pair.addenda[side] / distance), pitch - math.atan(pair.dedenda[side] / distance)
-
-
 def _bevel_rows(sizing: Sizing, gear: GearSizing) -> Iterator[Row]:
     pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
-    face, root = cones(pair, side)
+    face, root = face_and_root(pair, side)
     scale = pair.outer_cone_distance / pair.mean_cone_distance
     pitch = pair.pitch_angles[side]
     tip = pair.outer_diameters[side] + 2.0 * scale * pair.addenda[side] * math.cos(pitch)

@@ -1,0 +1,38 @@
+"""Every body of a sized transmission at its place in space, and whether all have room.
+
+Axes in the cross-section and places along shafts, which loads need before shafts are sized, are for `arrangement`.
+"""
+
+from gearwright.sizing.places.bodies import BACKUP, Parts, bodies_of, placed
+from gearwright.sizing.places.keep_out import keep_out_checks
+from gearwright.sizing.places.pins import pin_checks
+from gearwright.sizing.places.room import BOSS, CLAUSE, Meeting, Rules, beside_checks, meetings, room_checks, rules_of
+from gearwright.sizing.places.sets import PLATE_GAP
+from gearwright.sizing.places.settle import Settled, settle
+from gearwright.sizing.places.solids import Room, Solid, box_of, room_between, solid_of, solid_room
+
+__all__ = [
+    "BACKUP",
+    "BOSS",
+    "CLAUSE",
+    "PLATE_GAP",
+    "Meeting",
+    "Parts",
+    "Room",
+    "Rules",
+    "Settled",
+    "Solid",
+    "beside_checks",
+    "bodies_of",
+    "box_of",
+    "keep_out_checks",
+    "meetings",
+    "pin_checks",
+    "placed",
+    "room_between",
+    "room_checks",
+    "rules_of",
+    "settle",
+    "solid_of",
+    "solid_room",
+]

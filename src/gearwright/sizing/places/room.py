@@ -1,0 +1,211 @@
+"""Whether bodies have room beside each other, as checks: distance of middles over what both bodies need.
+
+Bodies of two shafts are held against each other unless they mesh, belong to one planetary set, or share an axis in a
+first sizing, whose places along the axis are not worked out. On one shaft, where seats are kept apart as they are
+sized, a bevel gear is held against the bearings and the other gears: its body reaches beyond its seat.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import NamedTuple
+
+from gearwright.checks import Check
+from gearwright.identity import GEARBOX, Kind, PartId, Role
+from gearwright.sizing.arranged import Arrangement, Body
+from gearwright.sizing.mounted import JointSizing
+from gearwright.sizing.places.solids import Room, room_between
+from gearwright.sizing.rating import Context
+from gearwright.sizing.result import GearSizing
+from gearwright.spec import GROUND
+
+BOSS = 1.4
+"""Diameter of a bevel gear's hub over that of its bore, where its body is not sized [-]."""
+CLAUSE = "bodies in space"
+"""Of checks of room between bodies."""
+_CLOSE = 1e-9
+"""Axes nearer than this are one [m]; so are directions [-]."""
+_TOUCH = 1e-9
+"""How far bodies may stand into each other by rounding [m]."""
+
+
+class Meeting(NamedTuple):
+    """Two bodies, and the room between them."""
+
+    one: Body
+    other: Body
+    room: Room
+
+    @property
+    def names(self) -> str:
+        """Parts of both."""
+        return f"{self.one.part} and {self.other.part}"
+
+
+@dataclass(frozen=True)
+class Rules:
+    """Which bodies need no room beside each other."""
+
+    sets: frozenset[str]
+    """Planetary sets."""
+    mates: frozenset[frozenset[PartId]]
+    """Gears in mesh."""
+    bevels: frozenset[str]
+    """Bevel pairs."""
+    built: frozenset[str]
+    """Shafts that are worked out along their axes."""
+    hubs: Mapping[tuple[PartId, str], float]
+    """Bevel gear with a hub of its own, and its shaft -> diameter of that hub [m]."""
+
+
+def rules_of(
+    context: Context, gears: Mapping[str, GearSizing], built: Iterable[str], joints: Sequence[JointSizing]
+) -> Rules:
+    """Return which bodies need no room beside each other.
+
+    Args:
+        context: What sizing reads.
+        gears: By name.
+        built: Shafts with bearings.
+        joints: Of those shafts.
+    """
+    design = context.design
+    pairs = [mesh for mesh in context.train.meshes if mesh.stage in design.pairs]
+    mates = [
+        frozenset(gears[name].body(node) for name, node in zip(mesh.gears, mesh.nodes, strict=False)) for mesh in pairs
+    ]
+    bevels = frozenset(name for name, pair in design.pairs.items() if pair.kind == "bevel")
+    hubs = {
+        (gears[joint.part].body(joint.shaft), joint.shaft): BOSS * joint.diameter
+        for joint in joints
+        if joint.kind != "integral" and joint.part in gears and gears[joint.part].stage in bevels
+    }
+    return Rules(frozenset(design.sets), frozenset(mates), bevels, frozenset(built), hubs)
+
+
+def meetings(bodies: Sequence[Body], rules: Rules) -> dict[tuple[PartId, PartId], Meeting]:
+    """Return two shafts -> their two bodies with the least room between them: the nearest, and all without room.
+
+    Args:
+        bodies: Of a transmission.
+        rules: Which of them need no room.
+    """
+    found: dict[tuple[PartId, PartId], Meeting] = {}
+    clear = math.inf
+    for one, other in combinations(bodies, 2):
+        if not _minds(one, other, rules) or _apart(one, other) > clear + _TOUCH:
+            continue
+        room, key = room_between(one, other, enough=0.0), _ordered(owner(one), owner(other))
+        if key not in found or room.gap < found[key].room.gap - _TOUCH:  # of equal ones the first
+            found[key] = Meeting(one, other, room)
+        if room.gap >= -_TOUCH:
+            clear = min(clear, max(room.gap, 0.0))
+    return found
+
+
+def room_checks(arrangement: Arrangement, rules: Rules) -> list[Check]:
+    """Return all bodies that stand into each other, two shafts at a time, and the two nearest of those that do not.
+
+    Args:
+        arrangement: With its bodies.
+        rules: Which of them need no room.
+    """
+    found = meetings(arrangement.bodies, rules)
+    into = {key: meeting for key, meeting in found.items() if meeting.room.gap < -_TOUCH}
+    clear = [meeting for key, meeting in found.items() if key not in into]
+    checks = [_check(meeting, into=key) for key, meeting in into.items()]
+    return [*checks, *(_check(meeting) for meeting in sorted(clear, key=lambda each: round(each.room.gap, 8))[:1])]
+
+
+def beside_checks(context: Context, arrangement: Arrangement, rules: Rules) -> Iterator[Check]:
+    """Yield gears in mesh that stand beside each other along their axes, on shafts that are worked out.
+
+    Args:
+        context: What sizing reads.
+        arrangement: With its frames.
+        rules: Which shafts are.
+    """
+    for mesh in context.train.meshes:
+        off = arrangement.apart.get(mesh.name)
+        if off is not None and {mesh.nodes[0], mesh.nodes[1]} <= rules.built:
+            yield Check(
+                mesh.part, "gears beside each other", "places along the shafts", abs(off), 5e-5, "length",
+                at_most=True, exponent=None,
+            )  # fmt: skip
+
+
+def _check(meeting: Meeting, into: tuple[PartId, PartId] | None = None) -> Check:
+    """Return a meeting as a check: of the gearbox, or, where bodies stand into each other, of the second's shaft."""
+    room, part, mode, why = meeting.room, GEARBOX, "room between bodies", ""
+    if into is not None:
+        part, mode = into[1], "room on its shaft" if into[0] == into[1] else f"room beside {into[0]}"
+        where = [f"{body.part} {body.what}" for body in (meeting.one, meeting.other) if body.what]
+        why = f"{-1e3 * room.gap:.3g} mm into each other{''.join(f', {words}' for words in where)}"
+    return Check(
+        part, mode, CLAUSE, max(room.apart, 0.0), room.needed, "length",
+        exponent=None, place=meeting.names, why=why,
+    )  # fmt: skip
+
+
+def owner(body: Body) -> PartId:
+    """Return what a body belongs to: its shaft, or the set whose planets or standing gears it is.
+
+    Args:
+        body: At its place.
+    """
+    if body.part.role is Role.PLANET or body.shaft == GROUND:
+        return PartId(Kind.STAGE, body.part.name)
+    return PartId(Kind.SHAFT, body.shaft)
+
+
+def _ordered(one: PartId, other: PartId) -> tuple[PartId, PartId]:
+    return (one, other) if str(one) <= str(other) else (other, one)
+
+
+def _minds(one: Body, other: Body, rules: Rules) -> bool:
+    """Tell whether two bodies need room beside each other."""
+    if one.shaft == other.shaft != GROUND:
+        return _mind_on_one_shaft(one, other, rules)
+    if one.part.name == other.part.name and one.part.name in rules.sets and _toothed(one) and _toothed(other):
+        return False
+    if frozenset((one.part, other.part)) in rules.mates:
+        return False
+    return not _coaxial(one, other) or {one.shaft, other.shaft} <= rules.built
+
+
+def _toothed(body: Body) -> bool:
+    return body.part.kind in (Kind.GEAR, Kind.CARRIER)
+
+
+def _mind_on_one_shaft(one: Body, other: Body, rules: Rules) -> bool:
+    """Tell whether two bodies of one shaft need room: the blank of a bevel gear, beside bearings and other gears."""
+    for bevel, mate in ((one, other), (other, one)):
+        if bevel.what != "blank" or mate.part == bevel.part:
+            continue
+        if mate.part.kind is Kind.BEARING:
+            hub = rules.hubs.get((bevel.part, bevel.shaft))
+            return hub is None or 2.0 * mate.radius > hub
+        return mate.part.kind is Kind.GEAR and mate.what != "teeth"
+    return False
+
+
+def _coaxial(one: Body, other: Body) -> bool:
+    """Tell whether two bodies share an axis."""
+    between = [b - a for a, b in zip(one.origin, other.origin, strict=True)]
+    along = sum(way * axis for way, axis in zip(between, one.direction, strict=True))
+    off = sum((way - along * axis) ** 2 for way, axis in zip(between, one.direction, strict=True))
+    turned = 1.0 - abs(sum(a * b for a, b in zip(one.direction, other.direction, strict=True)))
+    return off < _CLOSE and turned < _CLOSE
+
+
+def _apart(one: Body, other: Body) -> float:
+    """Return the room between the spheres around two bodies [m]: never more than between the bodies."""
+    middles = [
+        [at + body.length / 2.0 * along for at, along in zip(body.origin, body.direction, strict=True)]
+        for body in (one, other)
+    ]
+    far = math.dist(*middles)
+    return far - sum(math.hypot(body.length / 2.0, body.radius) for body in (one, other))

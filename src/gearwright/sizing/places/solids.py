@@ -1,0 +1,228 @@
+"""How much room there is between two bodies of revolution in space, or between one and a box.
+
+Two convex bodies are apart by the largest distance that any direction n shows between their shadows,
+max over n of n·(c_2 − c_1) − h_1(n) − h_2(n), with h the half extent in that direction: positive it is their distance,
+negative the least way by which one must be moved until they touch. Every direction gives a lower bound, so that no room
+is ever seen where there is none. A circle of radius r square to a has h = r |n − (n·a) a|; a body is the hull of its
+circles. Two cylinders side by side have a closed form. A body with a bore also clears what lies wholly within the bore.
+
+Source: separating planes of convex sets (Boyd and Vandenberghe, Convex Optimization, §2.5 and §8.2).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import cache, lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.sizing.arranged import Body
+
+_DIRECTIONS = 400
+"""Directions over the whole sphere that a search starts from [-]."""
+_STARTS = 4
+"""Best directions that are refined [-]."""
+_TURNS = 28
+"""Steps of a refinement, each with half the angle of the one before where nothing better is found [-]."""
+_PARALLEL = 1e-9
+"""One less the cosine of the angle between two axes, and the sine, below which they are parallel [-]."""
+
+
+class Room(NamedTuple):
+    """Room between two bodies, in the direction in which there is most."""
+
+    apart: float
+    """Distance of their middles in that direction, or the radius of the bore in which one lies [m]."""
+    needed: float
+    """What both take of it [m]."""
+
+    @property
+    def gap(self) -> float:
+        """Clearance; negative where they stand into each other [m]."""
+        return self.apart - self.needed
+
+
+class Solid(NamedTuple):
+    """A body as arrays."""
+
+    axis: Floats
+    """Unit vector; of a box it means nothing."""
+    centres: Floats
+    """Of its circles, or the corners of a box (n, 3) [m]."""
+    radii: Floats
+    """(n,) [m]"""
+    bore: float
+    """[m]"""
+
+    @property
+    def middle(self) -> Floats:
+        """Middle of all centres [m]."""
+        return np.asarray((self.centres[0] + self.centres[-1]) / 2.0)
+
+    @property
+    def reach(self) -> float:
+        """Radius of a sphere about the middle that holds it [m]."""
+        return float(np.max(np.linalg.norm(self.centres - self.middle, axis=1) + self.radii))
+
+    def extent(self, directions: Floats) -> Floats:
+        """Return how far it reaches from the origin in given directions [m], (k,).
+
+        Args:
+            directions: Unit vectors (k, 3).
+        """
+        square = np.sqrt(np.maximum(1.0 - (directions @ self.axis) ** 2, 0.0))
+        return np.asarray(np.max(directions @ self.centres.T + square[:, None] * self.radii, axis=1))
+
+
+@lru_cache(maxsize=512)
+def solid_of(body: Body) -> Solid:
+    """Return a body as arrays.
+
+    Args:
+        body: Its envelope.
+    """
+    axis, origin = np.array(body.direction), np.array(body.origin)
+    places = np.array([station.place for station in body.stations])
+    return Solid(axis, origin + places[:, None] * axis, np.array([s.radius for s in body.stations]), body.bore)
+
+
+def box_of(first: Sequence[float], second: Sequence[float]) -> Solid:
+    """Return a box along the axes of space.
+
+    Args:
+        first: One corner [m].
+        second: The opposite corner [m].
+    """
+    low, high = np.minimum(first, second), np.maximum(first, second)
+    corners = [
+        [(low, high)[k][0], (low, high)[j][1], (low, high)[i][2]] for k in (0, 1) for j in (0, 1) for i in (0, 1)
+    ]
+    return Solid(np.array([1.0, 0.0, 0.0]), np.array(corners), np.zeros(8), 0.0)
+
+
+def room_between(one: Body, other: Body, *, enough: float = math.inf) -> Room:
+    """Return the room between two bodies.
+
+    Args:
+        one: A body.
+        other: Another one.
+        enough: Gap that is found quickly and need not be looked for further [m]; it may then be more.
+    """
+    cosine = sum(a * b for a, b in zip(one.direction, other.direction, strict=True))
+    if 1.0 - abs(cosine) < _PARALLEL and len(one.stations) == len(other.stations) == 2:
+        cylinders = all(body.stations[0].radius == body.stations[1].radius for body in (one, other))
+        if cylinders:
+            return _side_by_side(one, other, math.copysign(1.0, cosine))
+    return solid_room(solid_of(one), solid_of(other), enough=enough)
+
+
+def solid_room(one: Solid, other: Solid, *, enough: float = math.inf) -> Room:
+    """Return the room between two bodies, or a body and a box, by the directions between them.
+
+    Args:
+        one: A body.
+        other: Another one.
+        enough: Gap that is found quickly and need not be looked for further [m]; it may then be more.
+    """
+    best = max((*_inside(one, other), *_inside(other, one)), key=lambda room: room.gap, default=None)
+    if best is not None and best.gap > enough:
+        return best
+    directions = _likely(one, other)
+    if float(np.max(_gaps(one, other, directions))) <= enough:
+        directions = _refined(one, other, np.vstack([directions, _sphere()]))
+    gaps = _gaps(one, other, directions)
+    way = directions[int(np.argmax(gaps))]
+    apart = float(way @ (other.middle - one.middle))
+    found = Room(apart, apart - float(np.max(gaps)))
+    return found if best is None or found.gap >= best.gap else best
+
+
+def _side_by_side(one: Body, other: Body, sense: float) -> Room:
+    """Return the room between two cylinders whose axes are parallel: beside, before or around each other."""
+    between = [b - a for a, b in zip(one.origin, other.origin, strict=True)]
+    start = sum(way * along for way, along in zip(between, one.direction, strict=True))
+    off = math.sqrt(max(sum(way * way for way in between) - start * start, 0.0))
+    middles = abs(start + sense * other.length / 2.0 - one.length / 2.0)
+    ahead, beside = Room(middles, (one.length + other.length) / 2.0), Room(off, one.radius + other.radius)
+    rooms = [ahead, beside]
+    if ahead.gap > 0.0 and beside.gap > 0.0:
+        far = math.hypot(ahead.gap, beside.gap)
+        apart = (ahead.apart * ahead.gap + beside.apart * beside.gap) / far
+        rooms.append(Room(apart, apart - far))
+    rooms += [Room(body.bore, off + mate.radius) for body, mate in ((one, other), (other, one)) if body.bore]
+    return max(rooms, key=lambda room: room.gap)
+
+
+def _gaps(one: Solid, other: Solid, directions: Floats) -> Floats:
+    """Return the distance between the shadows of two bodies in every direction [m]."""
+    return -other.extent(-directions) - one.extent(directions)
+
+
+def _likely(one: Solid, other: Solid) -> Floats:
+    """Return directions that their axes suggest: along both, square to each, square to both, between the middles."""
+    between = other.middle - one.middle
+    ways = [between, one.axis, other.axis, np.cross(one.axis, other.axis)]
+    ways += [between - (between @ axis) * axis for axis in (one.axis, other.axis)]
+    ways += [np.array(way) for way in np.eye(3)]
+    lengths = [float(np.linalg.norm(way)) for way in ways]
+    units = [way / length for way, length in zip(ways, lengths, strict=True) if length > _PARALLEL]
+    return np.array([sign * way for way in units for sign in (1.0, -1.0)])
+
+
+@cache
+def _sphere() -> Floats:
+    """Return directions evenly over the sphere, on a spiral by the golden angle."""
+    k = np.arange(_DIRECTIONS)
+    height = 1.0 - (2.0 * k + 1.0) / _DIRECTIONS
+    turn = math.pi * (3.0 - math.sqrt(5.0)) * k
+    flat = np.sqrt(1.0 - height**2)
+    return np.stack([height, flat * np.cos(turn), flat * np.sin(turn)], axis=1)
+
+
+def _refined(one: Solid, other: Solid, directions: Floats) -> Floats:
+    """Return the best of given directions, each turned step by step to where the shadows are farthest apart."""
+    best = directions[np.argsort(-_gaps(one, other, directions), kind="stable")[:_STARTS]]
+    angle = np.full(len(best), 0.2)
+    value = _gaps(one, other, best)
+    ring = np.exp(2j * np.pi * np.arange(8) / 8)
+    for _ in range(_TURNS):
+        near = np.eye(3)[np.argmin(np.abs(best), axis=1)]
+        side = np.cross(best, near)
+        side /= np.linalg.norm(side, axis=1)[:, None]
+        up = np.cross(best, side)
+        tried = best[:, None] + angle[:, None, None] * (
+            ring.real[:, None] * side[:, None] + ring.imag[:, None] * up[:, None]
+        )
+        tried /= np.linalg.norm(tried, axis=2)[..., None]
+        gaps = _gaps(one, other, tried.reshape(-1, 3)).reshape(tried.shape[:2])
+        choice = np.argmax(gaps, axis=1)
+        rows = np.arange(len(best))
+        better = gaps[rows, choice] > value
+        best = np.where(better[:, None], tried[rows, choice], best)
+        value = np.where(better, gaps[rows, choice], value)
+        angle = np.where(better, angle, angle / 2.0)
+    return best
+
+
+def _inside(outer: Solid, inner: Solid) -> list[Room]:
+    """Return the room around a body that lies within the bore of another one, if the other has a bore.
+
+    A circle of radius r square to a, its centre at c from the bore's axis b: along a × b it reaches r beyond c, square
+    to that r |a·b|.
+    """
+    if not outer.bore:
+        return []
+    off = inner.centres - outer.middle
+    off = off - (off @ outer.axis)[:, None] * outer.axis
+    level = np.cross(inner.axis, outer.axis)
+    sine = float(np.linalg.norm(level))
+    if sine < _PARALLEL:
+        return [Room(outer.bore, float(np.max(np.linalg.norm(off, axis=1) + inner.radii)))]
+    level = level / sine
+    tilt = abs(float(inner.axis @ outer.axis))
+    along = np.abs(off @ level)
+    across = np.sqrt(np.maximum(np.sum(off**2, axis=1) - along**2, 0.0))
+    return [Room(outer.bore, float(np.max(np.hypot(along + inner.radii, across + tilt * inner.radii))))]

@@ -1,0 +1,185 @@
+"""Axes that the design leaves open, turned about their mates by the least angle that makes room.
+
+One axis after another, in the order of the shafts: where turning it moves bodies that stand into each other or into a
+keep-out, it stands at the smallest turn that gives all of them room, found on a grid of 5° both ways and refined by
+halving; where no turn does, it stays. Sizes are those that were found before; who calls sizes the shafts anew and looks
+again.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from gearwright.errors import DesignError
+from gearwright.sizing.arranged import Arrangement, Body, Turn
+from gearwright.sizing.arrangement import arrange
+from gearwright.sizing.places.bodies import Parts, placed
+from gearwright.sizing.places.keep_out import entries
+from gearwright.sizing.places.room import Rules, meetings
+from gearwright.sizing.places.solids import room_between
+from gearwright.spec.design import SIDE_ANGLES, Design
+
+STEP = math.radians(5.0)
+"""Of the grid [rad]."""
+_HALVINGS = 10
+"""Of a step of the grid, until the smallest turn is found to 0.005° [-]."""
+_PROBE = math.radians(77.0)
+"""Turn that shows whether an axis has to do with what stands into each other [rad]."""
+CLEAR = 1e-3
+"""How far an axis is turned on beyond where it has room, along its circle or less [m]: sizes change as it turns."""
+_TOUCH = 1e-9
+"""How far bodies may stand into each other by rounding [m]."""
+_SAME = 1e-4
+"""Change of a gap below which turning an axis has not moved it [m]."""
+
+
+class Clash(NamedTuple):
+    """What stands into each other."""
+
+    gap: float
+    """Negative [m]."""
+    bodies: tuple[str, ...]
+    """Names of both, or of the one in a keep-out."""
+    words: str
+    """What stands how far into what."""
+
+
+Clashes = Mapping[str, Clash]
+"""Owners of two bodies, or a keep-out -> what stands into each other."""
+
+
+@dataclass(frozen=True)
+class _Task:
+    """What is turned."""
+
+    parts: Parts
+    rules: Rules
+    angles: Mapping[str, float]
+    """Turned so far [rad]."""
+
+    def turned(self, shaft: str, angle: float) -> Arrangement | None:
+        """Return where everything stands with one axis turned; None where the axes do not close so.
+
+        Args:
+            shaft: Of the axis.
+            angle: Its direction from its mate [rad].
+        """
+        try:
+            bare = arrange(self.parts.context, tuple(self.parts.gears.values()), {**self.angles, shaft: angle})
+        except DesignError:
+            return None
+        return placed(replace(self.parts, arrangement=bare))
+
+
+def clashes(design: Design, arrangement: Arrangement, rules: Rules) -> Clashes:
+    """Return owners of two bodies, or a keep-out -> what stands into each other most.
+
+    Args:
+        design: With its keep-outs.
+        arrangement: With its bodies.
+        rules: Which bodies need no room.
+    """
+    found = {
+        f"{one} {other}": Clash(
+            meeting.room.gap,
+            (meeting.one.name, meeting.other.name),
+            f"{meeting.names} stood {-1e3 * meeting.room.gap:.3g} mm into each other",
+        )
+        for (one, other), meeting in meetings(arrangement.bodies, rules).items()
+    }
+    for entry in entries(design, arrangement.bodies):
+        words = f"{entry.body.name} stood {-1e3 * entry.room.gap:.3g} mm into keep-out {entry.name}"
+        found[f"keep-out {entry.name}"] = Clash(entry.room.gap, (entry.body.name,), words)
+    return {key: clash for key, clash in found.items() if clash.gap < -_TOUCH}
+
+
+def turns_of(parts: Parts, rules: Rules, arrangement: Arrangement) -> tuple[Turn, ...]:
+    """Return the axes that must be turned to make room, with those turned already; the latter where all have room.
+
+    Args:
+        parts: What is sized.
+        rules: Which bodies need no room.
+        arrangement: Where everything stands, bodies included.
+    """
+    design, turns = parts.context.design, {turn.shaft: turn for turn in arrangement.turns}
+    known = clashes(design, arrangement, rules)
+    for shaft in design.shafts[1:]:
+        now = _direction(parts, arrangement.axes, shaft) if known else None
+        if now is None or (shaft in design.layout and design.layout[shaft].angle is not None):
+            continue
+        task = _Task(replace(parts, arrangement=arrangement), rules, {name: turn.after for name, turn in turns.items()})
+        moved = _moved(task, shaft, now, known)
+        after = _least(task, shaft, now, frozenset(known) - moved) if moved else None
+        if after is not None:
+            why = min((known[key] for key in moved), key=lambda clash: clash.gap).words
+            turns[shaft] = Turn(shaft, turns[shaft].before if shaft in turns else now, after, why)
+            known = {key: clash for key, clash in known.items() if key not in moved}
+    return tuple(turns.values())
+
+
+def _direction(parts: Parts, axes: Mapping[str, complex], shaft: str) -> float | None:
+    """Return the direction of a shaft's axis from the first axis that it meshes with [rad]; None where it has none."""
+    for mesh in parts.context.train.meshes:
+        if mesh.stage in parts.context.design.pairs and shaft in mesh.nodes[:2]:
+            mate = mesh.nodes[1 - mesh.nodes.index(shaft)]
+            if abs(axes[shaft] - axes[mate]) > 0.0:
+                return cmath.phase(axes[shaft] - axes[mate])
+    return None
+
+
+def _moved(task: _Task, shaft: str, now: float, known: Clashes) -> frozenset[str]:
+    """Return the clashes whose bodies turning an axis moves against each other, or against a keep-out."""
+    here = {body.name: body for body in task.parts.arrangement.bodies}
+    for turn in (_PROBE, -_PROBE):
+        stands = task.turned(shaft, now + turn)
+        if stands is not None:
+            there = {body.name: body for body in stands.bodies}
+            return frozenset(key for key, clash in known.items() if _is_moved(clash, here, there))
+    return frozenset()
+
+
+def _is_moved(clash: Clash, here: Mapping[str, Body], there: Mapping[str, Body]) -> bool:
+    if len(clash.bodies) == 1:
+        one, other = here[clash.bodies[0]], there[clash.bodies[0]]
+        ends = zip((*one.origin, *one.direction), (*other.origin, *other.direction), strict=True)
+        return any(abs(after - before) > _SAME for before, after in ends)
+    before, after = (
+        room_between(bodies[clash.bodies[0]], bodies[clash.bodies[1]], enough=-math.inf).gap for bodies in (here, there)
+    )
+    return abs(after - before) > _SAME
+
+
+def _least(task: _Task, shaft: str, now: float, left: frozenset[str]) -> float | None:
+    """Return the direction nearest to the present one that leaves no clash but those that no turn moves [rad].
+
+    None where there is none.
+    """
+    design = task.parts.context.design
+
+    def clear(turn: float) -> bool:
+        stands = task.turned(shaft, now + turn)
+        return stands is not None and clashes(design, stands, task.rules).keys() <= left
+
+    turn = next((turn for turn in _grid(design, shaft, now) if clear(turn)), None)
+    if turn is None:
+        return None
+    low, high = turn - math.copysign(STEP, turn), turn
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2.0
+        low, high = (low, middle) if clear(middle) else (middle, high)
+    arm = max(max(abs(frame.origin.y), abs(frame.origin.z)) for frame in task.parts.arrangement.frames.values())
+    more = high + math.copysign(CLEAR / max(arm, CLEAR), high)
+    return now + (more if clear(more) else high)
+
+
+def _grid(design: Design, shaft: str, now: float) -> Iterator[float]:
+    """Yield turns both ways, the smallest first, that keep to the side that is asked [rad]."""
+    side = design.layout[shaft].side if shaft in design.layout else None
+    for k in range(1, round(math.pi / STEP) + 1):
+        for turn in (k * STEP, -k * STEP):
+            if side is None or math.cos(now + turn - SIDE_ANGLES[side]) > 0.0:
+                yield turn
