@@ -183,7 +183,8 @@ def _words(hint: Any) -> str:
     name = getattr(hint, "__name__", str(hint))
     if hint is Path:
         return "a path"
-    return f"a {name}, from {MAKES[name]}" if name in MAKES else _WORDS.get(hint, f"a {name}")
+    named = f"{'an' if name[0] in 'AEIOU' else 'a'} {name}"
+    return f"{named}, from {MAKES[name]}" if name in MAKES else _WORDS.get(hint, named)
 
 
 def _container(origin: Any, inside: tuple[Any, ...]) -> str:

@@ -116,9 +116,16 @@ def _fill_loads(arrays: Arrays, time: Floats, columns: Floats) -> None:
     for schedules in (arrays.loads.schedules, arrays.drives.inputs):
         for number in range(len(schedules.dof)):
             row = slice(schedules.start[number], schedules.start[number + 1])
-            points, values = schedules.time[row], schedules.value[row]
-            constant = len(points) == 1 or time[0] >= points[-1] or time[-1] <= points[0]
-            # Constant values need no look-up, and most loads are constant most of the time.
-            end = values[-1] if time[0] >= points[-1] else values[0]
-            columns[: len(time), column] = end if constant else np.interp(time, points, values)
+            columns[: len(time), column] = _scheduled(schedules.time[row], schedules.value[row], time)
             column += 1
+
+
+def _scheduled(points: Floats, values: Floats, time: Floats) -> Floats | float:
+    """Return what `np.interp` does, to the last bit, at the price of one line where a block meets no corner."""
+    first, last = (int(points.searchsorted(end, side="right")) - 1 for end in (time[0], time[-1]))
+    if last < 0 or first == len(points) - 1:
+        return float(values[0 if last < 0 else -1])
+    if first == last:
+        slope = (values[first + 1] - values[first]) / (points[first + 1] - points[first])
+        return np.asarray(slope * (time - points[first]) + values[first])
+    return np.interp(time, points, values)

@@ -37,6 +37,8 @@ Among 1000 random runs with impacts it is below 0.02, or about 1.
 """
 REFINED = 4
 """Times that a run is repeated at a finer pace."""
+PARTED_REFINED = 2
+"""The same of a motion whose runs part on the way: two follow each other once the step is small enough, or never do."""
 COARSER = 2.0
 """Pace of the run beside the first one, over its own [-]."""
 

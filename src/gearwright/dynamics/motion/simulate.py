@@ -15,6 +15,7 @@ from gearwright.dynamics.motion.accuracy import (
     CHAOTIC,
     COARSER,
     GIVEN,
+    PARTED_REFINED,
     PARTING,
     REFINED,
     REPEATED,
@@ -142,9 +143,11 @@ def _verified(
         exponent, apart = _exponent(run), _apart(run, other)
         order, ratio = _order(run.method, exponent, apart), other.pace.over(run.pace)
         error = errors_of(run.forces, other.forces, units, ratio=ratio, order=order)[0]
+        if order == PARTING:  # root mean squares agree by chance, whole motions do not: they err by the second power
+            error = error.least(Error(0.0, apart.rms / abs(ratio**SECOND - 1.0)))
         if order == CHAOTIC:
             error = before = error.least(before).least(TOGETHER if exponent and exponent.chaotic else apart)
-        most = 0 if isinstance(step, float | int) or run.interrupted else 1 if order == CHAOTIC else REFINED
+        most = 0 if isinstance(step, float | int) or run.interrupted else _repetitions(order, exponent)
         if error.over(asked) <= 1.0 or tried >= most:
             break
         pace, other, tried = run.pace.times(finer(error.over(asked), order)), run, tried + 1
@@ -152,6 +155,12 @@ def _verified(
     why = STOPPED if run.interrupted else UNPREDICTABLE if order == CHAOTIC else REPEATED if most else GIVEN
     told = [exponent.words] if exponent and exponent.chaotic else [parted(apart)] if order == CHAOTIC else []
     return run, error, exponent, [*told, *shortfall(error, asked, why)]
+
+
+def _repetitions(order: int, exponent: Exponent | None) -> int:
+    """Return how often a run may be repeated at a finer pace."""
+    chaotic = exponent is not None and exponent.chaotic
+    return 1 if chaotic else PARTED_REFINED if order == CHAOTIC else REFINED
 
 
 def _apart(run: Pass, other: Pass) -> Apart:
