@@ -20,7 +20,13 @@ PAGES = ["index.md", "tutorial.md", *(f"how-to/{path.name}" for path in sorted((
 LONG = re.compile(r"\d+\.\d{9,}(?:e[-+]\d+)?")
 """Numbers to the last bit, in which processors differ."""
 BLOCK = re.compile(r'^```(?P<kind>toml title="(?P<file>[^"]+)"|console)\n(?P<text>.*?)^```$', re.DOTALL | re.MULTILINE)
-EXAMPLES = ["how-to/python.md", "theory/power-flow.md", "theory/first-sizing.md"]
+EXAMPLES = [
+    "how-to/python.md",
+    "how-to/rotors.md",
+    "theory/rotors.md",
+    "theory/power-flow.md",
+    "theory/first-sizing.md",
+]
 
 
 def run(command, monkeypatch, capsys):

@@ -134,7 +134,7 @@ def _twist(given):
         (lambda given: given.update(length_unit="inch"), "'inch' given; name the unit"),
         (lambda given: given.update(points=["left y"]), "1 names for 4 coordinates of mass"),
         (lambda given: given.update(points=["left y", "left y", "a", "b"]), "stands there twice"),
-        (lambda given: given.update(points=["a", "b", "c", "d"]), "none is a place with a direction"),
+        (lambda given: given.update(points=["a", "b", "c", "d"]), r"none is a place \(one word\) and a direction"),
         (lambda given: given.update(mass=given["mass"][:3]), "a square matrix is needed"),
         (lambda given: given.update(mass=-given["mass"]), "a mass is positive in every motion"),
         (lambda given: given.update(stiffness=-given["stiffness"]), "a stiffness is nowhere negative"),

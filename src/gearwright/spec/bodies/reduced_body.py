@@ -83,7 +83,9 @@ def _sizes(mass: Floats, stiffness: Floats, points: Sequence[str]) -> Iterator[P
     for point in sorted({point for point in points if list(points).count(point) > 1}):
         yield Problem("points", f"{point!r} stands there twice; names must differ")
     if not any(point.partition(" ")[2] in (*TRANSLATIONS, *ROTATIONS) for point in points):
-        yield Problem("points", "none is a place with a direction, such as 'seat-1 x'; bearings have nothing to join")
+        yield Problem(
+            "points", "none is a place (one word) and a direction, as 'seat-1 x'; bearings have nothing to join"
+        )
 
 
 def _values(mass: Floats, stiffness: Floats) -> Iterator[Problem]:
