@@ -7,7 +7,7 @@ from gearwright.parts.agma2001 import reliability_factor, rim_factor_agma
 from gearwright.parts.iso6336 import DynamicFactorBySpeed, LifeCurve, Treatment
 from gearwright.sizing import size
 from gearwright.sizing.insight import methods_beside
-from gearwright.sizing.rating import METHODS
+from gearwright.sizing.rating import METHODS, rating_of
 from gearwright.spec import edited, parse
 
 TEXT = """
@@ -84,6 +84,11 @@ def test_methods_c_are_chosen_by_their_keys():
     assert isinstance(chosen.factors.dynamic, DynamicFactorBySpeed)
     assert chosen.factors.bending[0].contact_ratio < 1.0
     assert record(PLAIN).factors.bending[0].contact_ratio is None
+    slow = edited(
+        DESIGN, {"gears.iso6336.dynamic_method": "C", "motors.drive.speed_rpm": 15, "propellers.load.speed_rpm": 5}
+    )
+    slope = next(row for row in _rows(size(slow)) if row.quantity == "slope")
+    assert slope.limit == "greatest: up to 0.2 m/s"
     assert "only speed of K_V" in modes(rated(iso6336__dynamic_method="C"))
 
 
@@ -96,6 +101,8 @@ def test_a_wheel_of_its_own_steel_is_worked_by_the_hard_pinion():
     assert float(found.factors.contact_strength[1].work_hardening) > 1.0
     assert found.pitting[1] < record(PLAIN).pitting[1]
     assert any(row.chapter == "steel of the second gear" for row in _rows(sizing))
+    making = METHODS["iso6336"].making(rating_of(sizing.design, "only"))
+    assert "wheels and rings through-hardened-alloy MQ, 280 HV" in making.steel[1]
 
 
 def test_a_thin_rim_raises_the_wheels_root_stress_by_the_standards_factor():

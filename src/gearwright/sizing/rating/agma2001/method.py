@@ -138,6 +138,8 @@ class Agma2001:
         rules = rating.rules.agma2001
         hardness = "" if rules.steel == "carburised" else f", {rules.hardness_hb:g} HB"
         steel = f"{rules.steel}, grade {rules.grade}{hardness}"
+        if (own := rules.wheel) is not None:
+            steel += f"; wheels {own.steel}, grade {own.grade}, {own.hardness_hb:g} HB"
         return Making(f"Q_v {rules.quality_number} AGMA 2000", steel=("AGMA 2001-D04", steel))
 
 

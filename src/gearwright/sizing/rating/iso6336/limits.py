@@ -12,6 +12,7 @@ from gearwright.sizing.rating.factors import Factor
 _WORN, _SOFT = 1200e6, 850e6
 """σ_Hlim between which the film's constants run [Pa] (ISO 6336-2, clause 12.3)."""
 _FIXED: Mapping[tuple[str, str], tuple[tuple[float, str], ...]] = {
+    ("dynamic factor", "slope"): ((1.0, "least: from 3 m/s"), (2.0, "greatest: up to 0.2 m/s")),
     ("load factors", "transverse contact"): ((1.0, "least"),),
     ("load factors", "transverse bending"): ((1.0, "least"),),
     ("pitting", "single contact"): ((1.0, "least: pitch point"),),

@@ -243,6 +243,8 @@ def iso_making(rating: Rating, standard: str, iso_class: int | None) -> Making:
     rules = rating.rules.iso6336
     steel = steel_of(rating)
     words = f"{steel.name} {steel.grade}, {steel.hardness:g} HV"
+    if (own := rules.wheel) is not None and rating.kind == "cylindrical":
+        words += f"; wheels and rings {own.steel} {own.grade}, {own.hardness_hv:g} HV"
     roughness = (rules.flank_roughness, rules.root_roughness)
     return Making(f"{rules.tolerance_class} {standard}", iso_class, roughness, ("ISO 6336-5", words), steel)
 
