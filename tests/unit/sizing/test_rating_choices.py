@@ -190,3 +190,18 @@ def test_what_the_standards_do_not_have_is_named_by_its_key():
 
 def _rows(sizing):
     return list(METHODS["iso6336"].factors(record(sizing)))
+
+
+def test_the_search_gives_rings_their_steel_and_not_planets():
+    """Open teeth of a set with soft rings weigh their suns and planets as those of a set without."""
+    text = TEXT[: TEXT.index("[pairs.only]")] + '[planetaries.set]\nsun = "fast"\nring = "ground"\ncarrier = "slow"\n'
+    text += 'planets = 3\n[gears]\nrating = "iso6336"\nmaterial = "carburised-9310"\n'
+    hard, soft = (
+        size(parse(text + more))
+        for more in ("", '[gears.iso6336.wheel]\nsteel = "nitrided"\nhardness_hv = 650\nyield_strength_mpa = 700\n')
+    )
+    sun, planet = (next(mesh for mesh in each.meshes if mesh.row == "sun-planet").rating for each in (hard, soft))
+    assert planet.mate_steel is None
+    assert sun.steel == planet.steel
+    ring = next(mesh for mesh in soft.meshes if mesh.row == "planet-ring").rating
+    assert ring.mate_steel.treatment is Treatment.NITRIDED

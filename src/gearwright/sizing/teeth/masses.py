@@ -43,6 +43,7 @@ def weigh(front: Front, task: Task, small: Ints, large: Ints, *, planets: int) -
         idlers=(False, isinstance(stage, Planetary)),
         speed=task.rolling,
         passes=(planets, 1.0),
+        roles=(Role.SUN, Role.PLANET) if isinstance(stage, Planetary) else (Role.PINION, Role.WHEEL),
     )
     if rating.proportions is None:
         cube = _cubes(ask, task)
