@@ -74,8 +74,8 @@ def test_tags_close_ids_are_unique_and_links_lead_somewhere(outline) -> None:
 def test_chapters_come_in_the_order_that_engineers_expect(outline) -> None:
     assert outline.headings == [
         "Summary", "Inputs", "Architecture and power flow", "Gears", "Meshes: forces, stresses and margins",
-        "Shafts, carriers and machines", "Materials", "Mass and envelope", "Natural modes", "Dynamic response",
-        "Warnings and assumptions", "Formulas",
+        "Shafts, carriers and machines", "Losses", "Materials", "Mass and envelope", "Places in space",
+        "Natural modes", "Dynamic response", "Warnings and assumptions", "Formulas",
     ]  # fmt: skip
 
 
