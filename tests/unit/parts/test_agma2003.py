@@ -28,7 +28,7 @@ from gearwright.parts.agma2003 import (
     size_factor_contact,
     temperature_factor,
 )
-from gearwright.parts.agma2003.bending import load_point, weakest_section
+from gearwright.parts.agma2003.bending import effective_face, load_point, weakest_section
 from gearwright.parts.bevel import BevelPair, BevelTooth, mean_thickness
 
 PSI = 6894.757
@@ -293,3 +293,45 @@ def test_known_geometry_is_used_as_it_is():
     for one, other in zip(by_scale.gears, own.gears, strict=True):
         assert one.bending_safety == pytest.approx(other.bending_safety, rel=1e-9)
         assert one.contact_safety == pytest.approx(other.contact_safety, rel=1e-9)
+
+
+def test_annex_c_by_hand():
+    """Eqs C.7, C.25, C.26, C.42, C.47, C.52 to C.56 and C.106 to C.116, of 14/39 with 35°, 25 mm of 93.2 mm."""
+    section, b = MeanSection(SPIRAL), 25e-3
+    cone = 4.5e-3 * math.hypot(14, 39) / 2.0
+    k = 25.0 / (3.2 * 39.0 + 4.0 * 14.0)
+    x = b / cone
+    kz, tan = x * (2.0 - x) / (2.0 * (1.0 - x)), math.tan(math.radians(35.0))
+    assert section.location == pytest.approx(k, rel=1e-12)
+    assert section.face_ratio == pytest.approx(
+        (kz * tan - (kz * tan) ** 3 / 3.0) * cone / (math.pi * 4.5e-3), rel=1e-12
+    )
+    g, cos2, sin, square = section.action, section.base_cosine**2, section.base_sine, section.ellipse
+    place = section.base_pitch - math.sqrt(square) / 2.0
+    chord = math.sqrt(square - 4.0 * place**2)
+    for concave, side in ((True, 1.0), (False, -1.0)):
+        load = load_point(section, concave=concave)
+        path = g / 2.0 + (g**2 * place * cos2 + side * b * g * chord * k * sin) / square
+        face = (b * g * chord * k * cos2 - side * g**2 * place * sin) / square
+        assert (load.along_path, load.along_face) == pytest.approx((path, face), rel=1e-12)
+        line, lean, h = b * g * chord * cos2 / square, math.cos(math.radians(35.0)), 5e-3
+        toe, heel = (b - line) / (2.0 * lean) + face / lean, (b - line) / (2.0 * lean) - face / lean
+        toe, heel = (toe, heel) if heel > 0.0 else (toe + heel, 0.0)
+        spread = h * lean * (math.atan(toe / h) + math.atan(heel / h)) + line
+        assert effective_face(section, load, h) == pytest.approx(spread / b, rel=1e-12)
+
+
+def test_the_load_is_shared_by_the_cubes_of_all_lines_in_the_ellipse():
+    """Eqs C.41, C.42: other lines lie whole base pitches away; by chords of the ellipse, (g² − 4 (y ± k p)²)^1.5."""
+    wide = MeanSection(replace(SPIRAL, teeth=(30, 45), outer_module=6e-3, face_width=45e-3))
+    for place in (0.0, 0.1 * wide.base_pitch, -0.3 * wide.base_pitch):
+        cubes = [max(wide.ellipse - 4.0 * (place + step * wide.base_pitch) ** 2, 0.0) ** 1.5 for step in range(-6, 7)]
+        assert wide.sharing(place) == pytest.approx(cubes[6] / sum(cubes), rel=1e-12)
+        assert wide.sharing(place) == pytest.approx(wide.sharing(-place), rel=1e-12)
+    assert wide.sharing(0.0) < 1.0
+
+
+def test_straight_teeth_just_above_a_contact_ratio_of_1_are_rated():
+    assert 1.0 < MeanSection(replace(MITER, tooth=BevelTooth(addendum=0.56))).profile_ratio < 1.01
+    with pytest.raises(DesignError, match=r"0.971 given"):
+        MeanSection(replace(MITER, tooth=BevelTooth(addendum=0.54)))
