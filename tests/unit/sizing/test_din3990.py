@@ -62,7 +62,7 @@ def test_every_quantity_names_the_standard_that_rates():
     """No row of a rating by one edition names another; steels and scuffing have standards of their own."""
     wanted = {"din3990": "DIN 3990-", "iso6336-2006": ":2006", "iso6336": ":2019"}
     for method, words in wanted.items():
-        rows = [row for row in METHODS[method].factors(rated(method)) if row.chapter not in ("steel", "scuffing")]
+        rows = [row for row in METHODS[method].factors(rated(method)) if not row.chapter.startswith(("steel", "scuff"))]
         assert len(rows) > 50
         assert all(words in row.clause for row in rows), method
 

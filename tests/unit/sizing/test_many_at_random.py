@@ -1,7 +1,7 @@
 """Batches at random: a row is what its design is alone, to the last bit, whatever stands beside it or came before."""
 
 import functools
-import gc
+import sys
 
 import numpy as np
 import pytest
@@ -62,13 +62,20 @@ def tables(draw: st.DrawFn) -> dict[str, list[float | int | str | None]]:
     return {path: draw(st.lists(st.none() | VALUES[path], min_size=rows, max_size=rows)) for path in paths}
 
 
+def kept() -> list[functools._lru_cache_wrapper]:
+    """Return what keeps its answers, of formulas and of readers of designs; tables of the catalogue are left out."""
+    rooms = ("gearwright.parts", "gearwright.spec.design", "gearwright.train", "gearwright.sizing")
+    names = [vars(module) for name, module in sys.modules.items() if name.startswith(rooms)]
+    return [value for own in names for value in own.values() if isinstance(value, functools._lru_cache_wrapper)]
+
+
+KEPT = kept()
+
+
 def forget() -> None:
-    """Forget what formulas keep of what they were asked before; tables of the catalogue stay."""
-    for kept in gc.get_objects():
-        if isinstance(kept, functools._lru_cache_wrapper) and str(kept.__module__).startswith(
-            ("gearwright.parts", "gearwright.spec.design", "gearwright.train", "gearwright.sizing")
-        ):
-            kept.cache_clear()
+    """Forget what formulas keep of what they were asked before."""
+    for formula in KEPT:
+        formula.cache_clear()
 
 
 def alone(cells: dict[str, float | int | str | None]) -> dict[str, float] | None:

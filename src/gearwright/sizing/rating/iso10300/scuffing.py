@@ -7,7 +7,7 @@ from gearwright.parts.scuffing import IntegralTemperature, ScuffingMesh, integra
 from gearwright.sizing.rating.iso6336.scuffing import RZ_OVER_RA, oil_of
 from gearwright.sizing.rating.rules import Rating
 
-SCUFFING = "ISO/TR 13989-2:2000, 6.2"
+SCUFFING = "ISO/TR 13989-2, 6.2"
 
 
 def bevel_scuffing(rating: Rating, factors: BevelRating) -> IntegralTemperature:
