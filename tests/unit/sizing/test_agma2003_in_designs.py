@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from designs import changed, problem
+from designs import PAIR, changed, problem
 from gearwright.parts.agma2001 import miner_sum
 from gearwright.parts.agma2003 import BENDING, BENDING_CRITICAL, CONTACT, BevelEdition, rate_agma_bevel
 from gearwright.sizing import size
@@ -11,27 +11,10 @@ from gearwright.sizing.rating import METHODS, Ask, MeshSpectrum, bevel_pair, rat
 from gearwright.sizing.rating.agma2003.inputs import duty_of, making_of
 from gearwright.spec import parse
 
-BEVEL = """\
-schema = 1
-name = "a bevel pair"
-shafts = ["fast", "slow"]
-
-[turbines.turbine]
-shaft = "fast"
-power_kw = 100
-speed_rpm = 6000
-
-[propellers.propeller]
-shaft = "slow"
-speed_rpm = 2000
-diameter_m = 2
-
-[pairs.stage]
-kind = "bevel"
+BEVEL = f"""\
+{PAIR}kind = "bevel"
 axis_angle_deg = 90
 spiral_angle_deg = 35
-pinion = "fast"
-wheel = "slow"
 pinion_teeth = 20
 wheel_teeth = 60
 
