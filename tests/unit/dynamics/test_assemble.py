@@ -48,6 +48,17 @@ def test_kuang_and_yangs_stiffness_is_refused_outside_its_range_with_the_mesh_na
         system_of('[dynamics]\nmesh_stiffness = "kuang-yang"')
 
 
+def test_a_stiffness_outside_its_standard_names_the_model_that_knows_it():
+    """x_1 + x_2 = −0.8 of planet and ring, where ISO 6336-1 ends at −0.5 and strain energy does not."""
+    shifted = IN_LINE.replace("[planetaries.first]", "[planetaries.first]\nplanet_shift = -0.4\nring_shift = -0.4", 1)
+    assert shifted != IN_LINE
+    with pytest.raises(DesignError) as caught:
+        system_of(text=shifted)
+    assert caught.value.problems[0].path == "dynamics.mesh_stiffness"
+    assert 'write dynamics.mesh_stiffness = "energy"' in caught.value.problems[0].message
+    assert system_of('[dynamics]\nmesh_stiffness = "energy"', text=shifted).arrays.stiffness.min() > 0.0
+
+
 def test_a_curve_from_a_file_beside_the_design_sets_mean_and_swing(tmp_path):
     """A triangle between 4e8 and 6e8 N/m: mean 5e8 exactly; first harmonics leave some of the ± 20 %."""
     (tmp_path / "curve.csv").write_text("phase_cycles,stiffness_n_m\n0,4e8\n0.5,6e8\n1,4e8\n", encoding="utf-8")

@@ -25,6 +25,9 @@ from gearwright.spec import Pair
 from gearwright.spec.design import MeshCurve
 from gearwright.train import INTERNAL
 
+_OF_SHAPE = ("profile_shift", "helix_angle", "teeth")
+"""Arguments at whose ends a model of stiffness ends, and strain energy does not."""
+
 
 def gear_pairs(sizing: Sizing) -> dict[str, GearPair]:
     """Return the geometry of every mesh row, one mesh of it, gear a first; of bevel gears the virtual pair.
@@ -81,9 +84,20 @@ def mesh_curve(sizing: Sizing, mesh: MeshSizing, pair: GearPair, *, harmonics: i
         curve = _sampled(stated, orders) if stated is not None else _by_model(sizing, mesh, pair, orders)
     except DesignError as error:
         at = f"dynamics.curves.{mesh.name}" if stated is not None else "dynamics.mesh_stiffness"
-        raise DesignError([Problem(at, f"{mesh.name}: {problem.message}") for problem in error.problems]) from None
+        fix = "" if stated is not None else _other_model(rules.mesh_stiffness)
+        raise DesignError(
+            Problem(at, f"{mesh.name}: {problem.message}{fix if problem.path in _OF_SHAPE else ''}")
+            for problem in error.problems
+        ) from None
     stage = sizing.design.stages[name]
     return _known(curve, stage) if isinstance(stage, Pair) else curve
+
+
+def _other_model(model: str) -> str:
+    """Return what a user writes where a model ends at the shape of the teeth."""
+    if model == "energy":
+        return ""
+    return f'; {model!r} ends there: write dynamics.mesh_stiffness = "energy", which follows any shape of the teeth'
 
 
 def _sampled(stated: MeshCurve, harmonics: int) -> StiffnessCurve:
