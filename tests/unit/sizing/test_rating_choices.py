@@ -119,6 +119,15 @@ def test_reliability_divides_the_strengths_by_the_table_of_agma():
     assert min(sure.bending) < min(record(PLAIN).bending)
 
 
+@pytest.mark.parametrize(("part", "factor"), [(0.5, 0.7), (0.9, 0.85), (0.999, 1.25), (0.9999, 1.5)])
+def test_safeties_fall_by_the_factor_of_reliability_and_by_nothing_else(part, factor):
+    """Film and running in follow the tabulated σ_Hlim: at 0.9999 it is 1500/1.5 MPa, where Z_L would be another."""
+    plain, other = record(PLAIN), record(rated(iso6336__reliability=part))
+    for kind in ("pitting", "bending"):
+        for was, found in zip(getattr(plain, kind), getattr(other, kind), strict=True):
+            assert found == pytest.approx(was / factor, rel=1e-9)
+
+
 def test_some_pitting_and_the_end_of_the_curves_are_keys():
     pitted = record(rated(iso6336__some_pitting=True)).steel
     assert pitted.contact_life == LifeCurve((6e5, 1e7, 1e9, 1e10), (1.6, 1.3, 1.0, 0.85))

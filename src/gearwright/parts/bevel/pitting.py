@@ -239,7 +239,7 @@ def bevel_pitting(
     pair = virtual.bevel
     force = virtual_force(pair, duty) / (math.cos(pair.pressure_angle) * math.cos(pair.spiral_angle))
     speed = 0.5 * abs(duty.pinion_speed) * pair.mean_diameters[0]
-    softer = min(steel.contact_strength for steel in steels)
+    softer = min(steel.tabulated_strength for steel in steels)
     film = (
         float(lubricant_factor(viscosity, softer)),
         float(speed_factor(speed, softer)),

@@ -182,7 +182,7 @@ def _contact_strengths(
     edition: Edition,
 ) -> tuple[ContactStrengthFactors, ContactStrengthFactors]:
     """Z factors of the strength of both gears; the film factors go by the softer one."""
-    softer = min(steel.contact_strength for steel in steels)
+    softer = min(steel.tabulated_strength for steel in steels)
     first, second = (
         ContactStrengthFactors(
             life=life_factor(life_curves(steel)[0], count),

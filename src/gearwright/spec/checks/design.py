@@ -15,6 +15,7 @@ from gearwright.spec.checks.materials import material_problems
 from gearwright.spec.checks.motion import motion_problems
 from gearwright.spec.checks.mounting import mounting_problems
 from gearwright.spec.checks.names import name_problems
+from gearwright.spec.checks.oils import oil_problems
 from gearwright.spec.checks.places import place_problems
 from gearwright.spec.checks.planets import load_factor_problems, planetary_problems
 from gearwright.spec.design import GROUND, MACHINES, Damper, Design, gear_named, given_values
@@ -35,7 +36,10 @@ def reference_problems(design: Design) -> list[Problem]:
         epicyclic_problems, _links, _teeth, _layout, case_problems, _keep, _widths, _given, _waivers, _level,
     )  # fmt: skip
     problems = [problem for check in checks for problem in check(design)]
-    more = (material_problems, gear_problems, effect_problems, motion_problems, mounting_problems, place_problems)
+    more = (
+        material_problems, gear_problems, effect_problems, motion_problems, mounting_problems, oil_problems,
+        place_problems,
+    )  # fmt: skip
     return [*problems, *(problem for check in more for problem in check(design))]
 
 

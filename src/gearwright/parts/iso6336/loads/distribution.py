@@ -126,7 +126,7 @@ def lead_allowance(misalignment: Value, steel: GearSteel, speed: Value) -> Value
     """
     if steel.treatment.is_surface_hardened:
         return np.minimum(0.15 * misalignment, 6.0 * _MICRON)
-    strength = steel.contact_strength / _MPA
+    strength = steel.tabulated_strength / _MPA
     limit = np.where(np.asarray(speed) <= 5.0, np.inf, np.where(np.asarray(speed) <= 10.0, 25600.0, 12800.0))
     return as_value(np.minimum(np.minimum(320.0 / strength, 1.0) * misalignment, limit / strength * _MICRON))
 

@@ -65,7 +65,7 @@ def running_in_allowance(deviation: Value, steel: GearSteel, speed: Value) -> Va
     """
     if steel.treatment.is_surface_hardened:
         return np.minimum(0.075 * deviation, 3.0 * _MICRON)
-    strength = steel.contact_strength / _MPA
+    strength = steel.tabulated_strength / _MPA
     limit = np.where(np.asarray(speed) <= 5.0, np.inf, np.where(np.asarray(speed) <= 10.0, 12800.0, 6400.0))
     return np.minimum(160.0 / strength * deviation, limit / strength * _MICRON)
 

@@ -117,6 +117,13 @@ class GearSteel:
     """S-N curve of the flank; None: that of the treatment."""
     bending_life: LifeCurve | None = None
     """S-N curve of the root; None: that of the treatment."""
+    survival: Annotated[float, Quantity("ratio")] = 1.0
+    """What the strengths are divided by, so that another part of the gears survives [-]."""
+
+    @property
+    def tabulated_strength(self) -> float:
+        """σ_Hlim of the material, whatever part survives: film and running in follow it [Pa]."""
+        return self.contact_strength * self.survival
 
 
 def allowable_stress(line: StrengthLine, hardness: float) -> float:

@@ -95,6 +95,7 @@ def _surviving(steel: GearSteel, reliability: float) -> GearSteel:
         steel,
         contact_strength=steel.contact_strength / factor,
         bending_strength=steel.bending_strength / factor,
+        survival=factor,
         source=f"{steel.source or 'ISO 6336-5:2016, table 1'}; over K_R = {factor:.4g}, AGMA 2001-D04, table 11",
     )
 
