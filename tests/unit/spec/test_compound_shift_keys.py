@@ -111,7 +111,8 @@ def test_one_planet_in_two_rings_of_other_teeth_closes_by_shifts():
         (with_keys(("sun", "shift = 1.2")), "suns.sun.shift", ("points 12 teeth", "give at most")),
         (with_keys(("sun", "shift = -0.4")), "suns.sun.shift", ("undercuts 12 teeth", "at least")),
         (with_keys(("sun", "shift = 0.3"), ("wide", "shift = -0.3"), ("held", "shift = 0.5")),
-         "planets.wide.shift", ("close at", "their sum must be", "leave one of them out")),
+         "rings.held.shift", ("rings.held.shift = 0.5 and planets.wide.shift = -0.3 close at",
+                              "give rings.held.shift = 0.3000, or leave one of them out")),
         (with_keys(("narrow", "centre_distance_mm = 30")), "planets.narrow.centre_distance_mm",
          ("it asks x_1 + x_2", "reach 21.95 to 26.51 modules")),
         (with_keys(("narrow", "centre_distance_mm = 20")), "planets.narrow.centre_distance_mm",
@@ -167,3 +168,12 @@ def test_a_shift_closes_a_set_that_whole_teeth_put_together_all_the_same():
     """Whether equal sets go in is asked of teeth alone: (32 + 159)/4 is not whole, whatever the shifts."""
     text = FOUR.format("").replace("teeth = 160", "teeth = 159").replace("speed_rpm = 100", "speed_rpm = 100.52")
     assert "cannot be assembled" in problem(text).message
+
+
+def test_what_is_told_of_contradicting_shifts_moves_no_pin():
+    """Sun and planet have 0.3 + 0.1; the ring's shift is then −0.4 − 0.1, whatever planets the sun has put."""
+    keys = ("sun", "shift = 0.3"), ("wide", "shift = 0.1")
+    found = problem(with_keys(*keys, ("held", "shift = 0.5")))
+    assert found.path == "epicyclics.set.rings.held.shift"
+    assert "give rings.held.shift = -0.5000" in found.message
+    parse(with_keys(*keys, ("held", "shift = -0.5")))

@@ -138,7 +138,7 @@ def test_planets_may_stand_unequally_where_the_design_allows_it():
     [
         (planetary(""), "planetaries.first.ring_teeth", ("does not close without profile shift", "90 teeth")),
         (planetary("centre_distance_mm = 58.4\nsun_shift = 0.389\nplanet_shift = 0.6\n"),
-         "planetaries.first.planet_shift", ("their sum must be 0.89", "leave one of them out")),
+         "planetaries.first.sun_shift", ("give sun_shift = 0.29", "leave one of them out")),
         (planetary("centre_distance_mm = 40\n"), "planetaries.first.centre_distance", ("base circles roll on each",)),
         (changed(planetary("centre_distance_mm = 58.4\n"), "module_mm = 2.1\n", ""),
          "planetaries.first.centre_distance", ("only with the module",)),
@@ -146,7 +146,7 @@ def test_planets_may_stand_unequally_where_the_design_allows_it():
         (PAIR + SPUR + "wheel_shift = 0.6\n" + RULES, "pairs.stage.pinion_shift",
          ("undercuts 20 teeth", "at least -0.170", "28 teeth")),
         (PAIR + SPUR + "centre_distance_mm = 81.3\npinion_shift = 0.3\nwheel_shift = 0.1\n" + RULES,
-         "pairs.stage.wheel_shift", ("their sum must be",)),
+         "pairs.stage.wheel_shift", ("pinion_shift = 0.3 and wheel_shift = 0.1 close at", "give wheel_shift = ")),
         (PAIR + "internal = true\npinion_teeth = 18\nwheel_teeth = 69\nwheel_tip_alteration = 0\n" + RULES,
          "pairs.stage.wheel_teeth", ("dig 0.072 modules past the involute", "wheel_tip_alteration = -0.073", "teeth")),
         (PAIR + "internal = true\npinion_teeth = 40\nwheel_teeth = 44\n" + RULES,
@@ -157,6 +157,15 @@ def test_shifts_that_make_no_gears_are_refused_with_what_would(text: str, path: 
     found = problems(text, sized=True)
     assert found[0].path.removesuffix("_mm") == path
     assert all(word in found[0].message for word in words), found[0].message
+
+
+def test_what_is_told_of_contradicting_shifts_closes():
+    """33 + 18 = 69 − 18: the ring closes where sun and planet do with x_r + x_p = −(x_s + x_p), so −0.5 − 0.2."""
+    given = "sun_shift = 0.3\nplanet_shift = 0.2\nring_shift = {}\n"
+    found = problem(one_set(33, 18, 69, given.format(0.5)))
+    assert found.path == "planetaries.first.ring_shift"
+    assert "give ring_shift = -0.7000, or leave one of them out" in found.message
+    parse(one_set(33, 18, 69, given.format(-0.7)))
 
 
 def test_planets_that_only_touch_with_their_shifted_tips_are_refused():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from gearwright.errors import refuse
 from gearwright.identity import Role
 from gearwright.parts.bevel import gleason_profile_shift
 from gearwright.parts.gears import ToothShift, reference_centre
@@ -13,8 +14,8 @@ from gearwright.spec.design.teeth.shifts import (
     SET_ROLES,
     Basis,
     StageShifts,
-    agree,
     altered,
+    disagreements,
     divided,
     given_centre,
     refuse_wide,
@@ -48,7 +49,9 @@ def pair_shifts(basis: Basis, pair: Pair, teeth: tuple[int, int], borrowed: Mapp
         return StageShifts(altered(basis, pair, PAIR_ROLES, (given + 0.0, 0.0 - given), signed, None))
     wanted = basis.sum_at(total, centre)
     shifts = _completed((first, second), wanted, lambda: divided(basis, signed, wanted, centre))
-    agree(basis, "wheel_shift", shifts, total, centre)
+    named = dict(zip(("pinion_shift", "wheel_shift"), shifts, strict=True))
+    changed = "pinion_shift" if Role.WHEEL in borrowed else "wheel_shift"
+    refuse(disagreements(basis, named, changed=changed, teeth=total, centre=centre))
     for role, shift in zip(PAIR_ROLES, shifts, strict=True):
         refuse_wide(basis, role, shift, signed)
     return StageShifts(altered(basis, pair, PAIR_ROLES, shifts, signed, centre), centre)
@@ -108,8 +111,11 @@ def set_shifts(basis: Basis, planetary: Planetary, teeth: tuple[int, int, int]) 
         planet + 0.0,
         (ring if ring is not None else sums[1] - planet) + 0.0,
     )
-    agree(basis, "planet_shift", shifts[:2], outer, centre)
-    agree(basis, "ring_shift", shifts[1:], inner, centre)
+    # The planet's shift stays: the other mesh has it, too.
+    first = {"sun_shift": shifts[0], "planet_shift": shifts[1]}
+    refuse(disagreements(basis, first, changed="sun_shift", teeth=outer, centre=centre))
+    second = {"ring_shift": shifts[2], "planet_shift": shifts[1]}
+    refuse(disagreements(basis, second, changed="ring_shift", teeth=inner, centre=centre))
     for role, shift in zip(SET_ROLES, shifts, strict=True):
         refuse_wide(basis, role, shift, (teeth[1], -teeth[2]) if role is Role.RING else (teeth[0], teeth[1]))
     place = None if at_reference else centre

@@ -28,7 +28,7 @@ from gearwright.spec.design.teeth.possible_teeth import Keys, fouling, impossibl
 from gearwright.spec.design.teeth.shifts import (
     WIDEST,
     StageShifts,
-    agree,
+    disagreements,
     divided,
     refuse_wide,
     shortening,
@@ -160,13 +160,28 @@ def _room(own: PinnedTeeth, gear: str, follows: _Follows) -> tuple[float, float]
     return low, high
 
 
+def _loose(own: PinnedTeeth, pair: tuple[str, str]) -> str:
+    """Return the gear of a mesh whose shift puts no pin: the sun or ring, but where another mesh of it does alone."""
+    shifts = {name: gear.shift for name, gear in own.epicyclic.toothed.items()}
+    others = [
+        mesh for mesh in own.compound.at_centre if mesh != pair and None not in (shifts[mesh[0]], shifts[mesh[1]])
+    ]
+    central, planet = (any(gear in mesh for mesh in others) for gear in pair)
+    return pair[1] if central and not planet else pair[0]
+
+
 def _held(own: PinnedTeeth, pair: tuple[str, str], shifts: Mapping[str, float]) -> None:
     """Refuse shifts of a sun or ring and a planet that close elsewhere than on the pin, or are too wide."""
     central, planet = pair
     basis, total, centre = own.basis(planet), own.total(pair), own.centre(pair)
     teeth = own.compound.teeth
+    stands = centre or reference_centre(total, 0.0)
+    keys = {gear: f"{own.kind(gear)}s.{gear}.shift" for gear in pair}
+    named, changed = {key: shifts[gear] for gear, key in keys.items()}, keys[_loose(own, pair)]
     with own.naming(planet):
-        agree(basis, "shift", (shifts[central], shifts[planet]), total, centre or reference_centre(total, 0.0))
+        wrong = list(disagreements(basis._replace(path=own.path), named, changed=changed, teeth=total, centre=stands))
+    refuse(wrong)
+    with own.naming(planet):
         for gear in pair:
             if own.epicyclic.toothed[gear].shift is None:
                 mates = (teeth[planet], teeth[central]) if teeth[central] < 0 else (teeth[central], teeth[planet])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -126,25 +126,27 @@ def given_centre(basis: Basis, stage: Pair | Planetary) -> float | None:
     return stage.centre_distance / stage.module
 
 
-def agree(basis: Basis, key: str, shifts: tuple[float, ...], teeth: int, centre: float) -> None:
-    """Refuse shifts that close elsewhere than at the centre distance.
+def disagreements(
+    basis: Basis, shifts: Mapping[str, float], *, changed: str, teeth: int, centre: float
+) -> Iterator[Problem]:
+    """Yield shifts that close elsewhere than at the centre distance.
 
     Args:
         basis: Of the stage.
-        key: To be named.
-        shifts: Of the two gears of a mesh [-].
+        shifts: Key -> shift of the two gears of a mesh [-].
+        changed: Key of the one whose shift can change without moving the centre distance.
         teeth: z_1 + z_2, with z_2 negative for an internal mesh [-].
         centre: a_w/m_n at which the stage stands [-].
     """
-    closes = basis.centre_of(teeth, sum(shifts))
+    closes = basis.centre_of(teeth, sum(shifts.values()))
     if abs(closes - centre) > ROUNDING:
-        wanted = basis.sum_at(teeth, centre)
-        message = (
-            f"the shifts {shifts[0]:.4g} and {shifts[1]:.4g} close at {closes:.5g} modules and the stage stands at"
-            f" {centre:.5g}; their sum must be {wanted:.4f}: give {wanted - shifts[0]:.4f} and"
-            f" {shifts[0]:.4g}, or leave one of them out"
-        )
-        raise basis.refused(key, message)
+        needed = basis.sum_at(teeth, centre) - sum(shifts.values()) + shifts[changed]
+        given = " and ".join(f"{key} = {shift:.4g}" for key, shift in shifts.items())
+        wanted = f"give {changed} = {needed:.4f}, or leave one of them out"
+        if abs(needed) > WIDEST:
+            wanted = f"it would take {changed} = {needed:.4f}, beyond ±{WIDEST:g}; leave one of them out"
+        message = f"{given} close at {closes:.5g} modules and the stage stands at {centre:.5g}; {wanted}"
+        yield Problem(f"{basis.path}.{changed}", message)
 
 
 def refuse_wide(basis: Basis, role: str, shift: float, mates: tuple[int, int]) -> None:
