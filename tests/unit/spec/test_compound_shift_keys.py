@@ -156,10 +156,10 @@ def test_teeth_whose_tips_lie_below_their_base_circle_are_refused_as_undercut():
 
 
 def test_planets_that_only_touch_with_their_shifted_tips_are_refused():
-    """Four planets of 64 about a sun of 32: 96 sin 45° = 67.88 above 66; tips of 2 (32 + 1 + 0.7 + 0.3) = 68 touch."""
+    """Four planets of 64 about a sun of 32: 96 sin 45° = 67.88 above 66; tips of 2 (32 + 1 + 0.8 + 0.2) = 68 touch."""
     parse(FOUR.format(""))
-    parse(FOUR.format(", shift = 0.7"))
-    found = problem(FOUR.format(", shift = 0.7, tip_alteration = 0.3"))
+    parse(FOUR.format(", shift = 0.8"))
+    found = problem(FOUR.format(", shift = 0.8, tip_alteration = 0.2"))
     assert found.path == "epicyclics.set.planets.planet"
     assert "stands into those of the next set by 0.12 modules" in found.message
 

@@ -8,7 +8,7 @@ from designs import PAIR, changed, problem, problems
 from gearwright.dynamics.assembly import assemble
 from gearwright.errors import DesignError
 from gearwright.identity import Role
-from gearwright.parts.gears import working_centre
+from gearwright.parts.gears import CylindricalGear, GearPair, tip_clearances, working_centre
 from gearwright.parts.iso6336 import specific_slidings
 from gearwright.sizing import cylindrical_gear, planet_positions, size
 from gearwright.sizing.rating import cylindrical_mesh, rating_of
@@ -169,10 +169,10 @@ def test_what_is_told_of_contradicting_shifts_closes():
 
 
 def test_planets_that_only_touch_with_their_shifted_tips_are_refused():
-    """Four planets of 64 about a sun of 32: 96 sin 45° = 67.88 above 66; tips of 2 (32 + 1 + 0.7 + 0.3) = 68 touch."""
+    """Four planets of 64 about a sun of 32: 96 sin 45° = 67.88 above 66; tips of 2 (32 + 1 + 0.8 + 0.2) = 68 touch."""
     parse(one_set(32, 64, 160, planets=4))
-    parse(one_set(32, 64, 160, "planet_shift = 0.7\n", planets=4))
-    found = problem(one_set(32, 64, 160, "planet_shift = 0.7\nplanet_tip_alteration = 0.3\n", planets=4))
+    parse(one_set(32, 64, 160, "planet_shift = 0.8\n", planets=4))
+    found = problem(one_set(32, 64, 160, "planet_shift = 0.8\nplanet_tip_alteration = 0.2\n", planets=4))
     assert found.path == "planetaries.first.planets"
     assert "stand into each other by 0.118 modules" in found.message
     assert found.message.endswith("give 3 or fewer, or smaller planets")
@@ -260,3 +260,36 @@ def test_shifts_of_bevel_gears_that_point_or_undercut_them_are_refused_by_their_
     rules = '\n[gears]\nrating = "iso6336"\nmaterial = "carburised-9310"\n'
     with pytest.raises(DesignError, match=rf"pairs.stage.pinion_shift: .*({wrong})"):
         size(parse(text + rules))
+
+
+def test_tips_that_run_into_the_root_of_a_mate_are_refused_in_sets():
+    """Basic rack: tips stand 1 + k out, roots 1.25 deep, c = 0.25 − k modules: none is left at k = 0.25."""
+    for gear in ("sun", "planet"):
+        text = one_set(30, 30, 90, f"module_mm = 3\n{gear}_tip_alteration = 0.3\n", planets=3)
+        found = problem(text)
+        assert found.path == f"planetaries.first.{gear}_tip_alteration"
+        assert "its tips run 0.05 modules (0.15 mm) into the root of" in found.message
+        assert f"give {gear}_tip_alteration = 0.249 or below" in found.message
+        assert problem(text.replace("= 0.3\n", "= 0.25\n")).path == found.path
+        parse(text.replace("= 0.3\n", "= 0.249\n"))
+
+
+def test_tips_that_run_into_the_root_of_a_mate_are_refused_in_pairs():
+    """c = a_w − r_a1 − r_f2: 20 and 60 teeth at 40 modules, tips at 10 + 1 + k, roots at 30 − 1.25."""
+    with pytest.raises(DesignError) as caught:
+        pair_shifts("pinion_tip_alteration = 0.3\nwheel_tip_alteration = 0.26\n")
+    pinion, wheel = caught.value.problems
+    assert pinion.path.removesuffix("_mm") == "pairs.stage.pinion_tip_alteration"
+    assert "0.05 modules (0.1 mm) into the root of wheel" in pinion.message
+    assert wheel.path == "pairs.stage.wheel_tip_alteration"
+    assert "0.01 modules (0.02 mm) into the root of pinion" in wheel.message
+    pair_shifts("pinion_tip_alteration = 0.249\nwheel_tip_alteration = 0.249\n")
+
+
+def test_the_room_of_tips_above_roots_follows_the_centre_distance():
+    """20 and ±60 teeth of 1 m, unshifted, c = 0.25; 0.1 m further apart: more outside, less in a ring, and for both."""
+    pinion = CylindricalGear(20, 1.0, 1.0)
+    outside = GearPair(pinion, CylindricalGear(60, 1.0, 1.0), 40.1)
+    inside = GearPair(pinion, CylindricalGear(-60, 1.0, 1.0, tip_alteration=0.05), 20.1)
+    assert tip_clearances(outside) == pytest.approx((0.35, 0.35))
+    assert tip_clearances(inside) == pytest.approx((0.15, 0.10))

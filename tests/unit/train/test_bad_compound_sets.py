@@ -83,3 +83,60 @@ def test_a_free_set_is_refused_with_what_to_ground():
     text = rewritten(SIMPLE, 'rings.ring = { shaft = "ground"', 'rings.ring = { shaft = "idle"', *TWO_SETS)
     text = rewritten(text, '["in", "out"]', '["in", "out", "idle"]')
     assert any("All three members of set turn: ground one" in message for message in messages(text))
+
+
+BESIDE = """\
+schema = 1
+name = "beside"
+shafts = ["in", "out"]
+motors.motor = {{ shaft = "in", power_kw = 50, speed_rpm = 3000 }}
+loads.load = {{ shaft = "out", speed_rpm = 1333.33 }}
+[epicyclics.set]
+carrier = "out"
+sets = 2
+suns.sun = {{ shaft = "in", teeth = 24{0} }}
+rings.ring = {{ shaft = "ground", teeth = 78{1} }}
+planets.inner = {{ teeth = 34, meshes = ["sun", "outer"]{0} }}
+planets.outer = {{ teeth = 20, meshes = ["ring"]{2} }}
+"""
+"""The pin of ``inner`` is at (24 + 34)/2 = 29 modules, its tips reach 29 + 18 = 47, those of the ring stand at 38."""
+
+
+def test_a_planet_that_stands_into_a_ring_that_it_does_not_mesh_is_refused_by_how_much():
+    found = [problem for problem in problems(BESIDE.format("", "", "")) if "stands into ring" in problem.message]
+    assert found[0].path == "epicyclics.set.planets.inner"
+    assert "inner stands into ring by 9 modules at the tips; give inner fewer teeth" in found[0].message
+
+
+def test_places_along_the_axis_say_what_lies_in_one_plane():
+    """Faces of 10 mm overlap where their middles are less than 10 apart; without widths, places apart say nothing."""
+
+    def apart(inner, ring, width=", face_width_mm = 10"):
+        return BESIDE.format(f", place_mm = {inner}", f", place_mm = {ring}{width}", f", place_mm = {ring}")
+
+    without_widths = [apart(20, ring, width="") for ring in (20, 30)]
+    for text in (apart(20, 20), apart(20, 29.9), *without_widths):
+        assert any("inner stands into ring" in problem.message for problem in problems(text))
+    parse(apart(20, 30))
+
+
+def test_modules_and_widths_of_gears_that_mesh_may_not_contradict_each_other():
+    for key, what in (("module_mm", "module"), ("face_width_mm", "face width")):
+        text = rewritten(SIMPLE, *TWO_SETS, "teeth = 20", f"teeth = 20, {key} = 2", "teeth = 54",
+                         f"teeth = 54, {key} = 3", "teeth = 17", f"teeth = 17, {key} = 5")  # fmt: skip
+        (found,) = problems(text)
+        assert found.path == f"epicyclics.set.planets.planet.{key}"
+        values = f"suns.sun.{key} = 2, rings.ring.{key} = 3, planets.planet.{key} = 5"
+        assert f"have one {what}: {values}; give one value" in found.message
+        parse(text.replace(f"{key} = 2", f"{key} = 5").replace(f"{key} = 3", f"{key} = 5"))
+
+
+def test_tips_that_run_into_the_root_of_a_mate_are_refused_in_compound_sets():
+    """Basic rack: tips stand 1 + k out, roots 1.25 deep, c = 0.25 − k modules: none is left at k = 0.25."""
+    text = rewritten(SIMPLE, *TWO_SETS, "teeth = 20", "teeth = 20, module_mm = 3, tip_alteration = 0.3")
+    (found,) = problems(text)
+    assert found.path == "epicyclics.set.suns.sun.tip_alteration"
+    assert "0.05 modules (0.15 mm) into the root of planet" in found.message
+    assert "give tip_alteration = 0.249 or below" in found.message
+    assert problems(text.replace("0.3 }", "0.25 }"))
+    parse(text.replace("0.3 }", "0.249 }"))

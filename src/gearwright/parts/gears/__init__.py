@@ -13,7 +13,7 @@ from gearwright.parts.gears.cylindrical_gear import (
     tip_thickness,
 )
 from gearwright.parts.gears.gear_body import disc_inertia, disc_mass, ring_inertia, ring_mass
-from gearwright.parts.gears.gear_pair import GearPair, contact_radii
+from gearwright.parts.gears.gear_pair import GearPair, contact_radii, tip_clearances
 from gearwright.parts.gears.hertz import (
     HERTZ_COEFFICIENT,
     ContactAngles,
@@ -121,6 +121,7 @@ __all__ = [
     "spanned_teeth",
     "thinned",
     "tip_clearance_angle",
+    "tip_clearances",
     "tip_room",
     "tip_shortening",
     "tip_thickness",

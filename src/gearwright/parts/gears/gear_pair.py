@@ -101,6 +101,24 @@ class GearPair:
         return min(self.driver.face_width, self.driven.face_width)
 
 
+def tip_clearances(pair: GearPair) -> tuple[float, float]:
+    """Return the room between the tips of each gear and the root of the other, on the line of centres.
+
+    Args:
+        pair: The pair.
+
+    Returns:
+        Of the driver's tips and of the driven gear's [m]; negative where they run into the root.
+
+    Source: ISO 21771:2007, c = a_w − r_a1 − r_f2, with a_w, r_a2 and r_f2 negative for an internal gear.
+    """
+    driver, driven, centre = pair.driver, pair.driven, pair.centre_distance
+    return (
+        pair.side * (centre - driven.root_radius) - driver.tip_radius,
+        pair.side * (centre - driven.tip_radius) - driver.root_radius,
+    )
+
+
 def contact_radii(pair: GearPair, distance: float) -> tuple[float, float]:
     """Return the radii at which the two flanks touch at a place of the path of contact.
 

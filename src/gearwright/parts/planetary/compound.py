@@ -16,6 +16,8 @@ from gearwright.parts.planetary.assembly import ADDENDUMS
 
 CLOSES = 1.0
 """Modules by which two distances of one pin from the axis may differ and shifts take it up with any teeth [-]."""
+_ROUNDED = 1e-9
+"""Length by which rounding may let faces that only touch overlap [m]."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +40,10 @@ class CompoundSet:
     """Mesh, as in ``meshes`` -> working centre distance over its module; left out: the reference one [-]."""
     heights: Mapping[str, float] = field(default_factory=dict)
     """Gear -> how far its tips stand outside its pitch circle over its module, 1 + x + k; left out: 1 [-]."""
+    places: Mapping[str, float] = field(default_factory=dict)
+    """Gear -> middle of its face along the axis, where it is given [m]."""
+    widths: Mapping[str, float] = field(default_factory=dict)
+    """Gear -> width of its meshes, where it is given [m]."""
 
     @cached_property
     def teeth(self) -> Mapping[str, int]:
@@ -192,7 +198,8 @@ def touching(compound: CompoundSet, modules: Mapping[str, float]) -> Iterator[tu
         compound: The set.
         modules: Group -> module [m].
 
-    Source: tip circles d_a = (z + 2 (1 + x + k)) m in the planes that both lie in; neighbours at 2π/N.
+    Source: tip circles d_a = (z + 2 (1 + x + k)) m in the planes that both lie in, rings with negative z; neighbours
+        at 2π/N.
     """
     radii, angles, lie = pin_radii(compound, modules), pin_angles(compound, modules), planes(compound)
     tips = {
@@ -202,14 +209,27 @@ def touching(compound: CompoundSet, modules: Mapping[str, float]) -> Iterator[tu
     names = [gear for gear in compound.planets if compound.bodies[gear] in radii]
     for k, first in enumerate(names):
         for second in names[k:]:
-            if lie[first] & lie[second] and (gap := _least_gap(compound, radii, angles, (first, second), tips)) <= 0.0:
+            gap = _least_gap(compound, radii, angles, (first, second), tips)
+            if gap <= 0.0 and _meet(compound, lie, first, second):
                 yield first, second, -gap
         for central, teeth in compound.centrals.items():
             meshes = {(first, central), (central, first)} & set(compound.meshes)
-            if teeth > 0 and not meshes and lie[first] & lie[central]:
-                gap = radii[compound.bodies[first]] - tips[first] - tips[central]
+            if not meshes and _meet(compound, lie, first, central):
+                gap = math.copysign(radii[compound.bodies[first]], teeth) - tips[first] - tips[central]
                 if gap <= 0.0:
                     yield first, central, -gap
+
+
+def _meet(compound: CompoundSet, lie: Mapping[str, frozenset[tuple[str, int]]], first: str, second: str) -> bool:
+    """Tell whether two gears lie beside each other along the axis: by their places, or by the planes of their mates."""
+    if {first, second} <= compound.places.keys():
+        apart = abs(compound.places[first] - compound.places[second])
+        if {first, second} <= compound.widths.keys():
+            return apart < sum(compound.widths[gear] * len(lie[gear]) for gear in (first, second)) / 2.0 - _ROUNDED
+        if apart == 0.0:
+            return True
+    bodies = {compound.bodies[planet] for central, planet in compound.at_centre if central == second}
+    return bool(lie[first] & lie[second]) and compound.bodies[first] not in bodies
 
 
 def _least_gap(

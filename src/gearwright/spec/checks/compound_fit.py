@@ -46,10 +46,10 @@ def fit_problems(name: str, design: Design) -> Iterator[Problem]:
         return
     for first, second, overlap in touching(compound, modules):
         what = "those of the next set" if first == second else second
-        message = (
-            f"{first} stands into {what} by {overlap:.2g} modules at the tips; give fewer sets, or planets of fewer"
-            " teeth"
-        )
+        fix = "give fewer sets, or planets of fewer teeth"
+        if second in epicyclic.centrals:
+            fix = f"give {first} fewer teeth, or place_mm and face_width_mm of both with which they lie apart"
+        message = f"{first} stands into {what} by {overlap:.2g} modules at the tips; {fix}"
         yield Problem(f"{path}.planets.{first}", message)
     if not can_assemble(compound):
         yield Problem(f"{path}.sets", _unassembled(compound, modules))

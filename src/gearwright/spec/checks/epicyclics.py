@@ -27,6 +27,7 @@ def epicyclic_problems(design: Design) -> Iterator[Problem]:
         yield from named
         whole = named or [*_unmoved(path, epicyclic), *_circles(path, epicyclic)]
         if not named:
+            whole += _contradictions(path, epicyclic)
             yield from whole
             yield from _efficiencies(path, epicyclic)
         if not whole:
@@ -151,6 +152,20 @@ def _way(
                     ways[end] = [*ways[here], mesh]
                     queue.append(end)
     return ways.get(body(second), [])
+
+
+def _contradictions(path: str, epicyclic: Epicyclic) -> Iterator[Problem]:
+    """Find modules and face widths of gears that teeth join, which have one of each."""
+    tables = {name: table for table in _TABLES for name in getattr(epicyclic, table)}
+    for group in dict.fromkeys(map(epicyclic.group, tables)):
+        for key in ("module", "face_width"):
+            every = {name: getattr(epicyclic.toothed[name], key) for name in tables if epicyclic.group(name) == group}
+            given = {f"{tables[name]}.{name}": value for name, value in every.items() if value is not None}
+            if given and max(given.values()) - min(given.values()) > 1e-9 * max(given.values()):
+                values = ", ".join(f"{where}.{key}_mm = {1e3 * value:.6g}" for where, value in given.items())
+                what = key.replace("_", " ")
+                message = f"gears that mesh, directly or through others, have one {what}: {values}; give one value"
+                yield Problem(f"{path}.{list(given)[-1]}.{key}", message)
 
 
 def _efficiencies(path: str, epicyclic: Epicyclic) -> Iterator[Problem]:

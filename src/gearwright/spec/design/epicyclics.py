@@ -135,7 +135,27 @@ class Epicyclic(Record):
             {name: self.body(name) for name in self.planets},
             self.mesh_pairs,
             {name: self.group(name) for name in self.toothed},
+            places={name: gear.place for name, gear in self.toothed.items() if gear.place is not None},
+            widths={name: width for name in self.toothed if (width := self.width(name)) is not None},
         )
+
+    def width(self, gear: str) -> float | None:
+        """Return the face width that is given for a gear or for one that teeth join to it [m].
+
+        Args:
+            gear: One of its gears.
+        """
+        joined = _joined(gear, self.mesh_pairs) & self.toothed.keys()
+        return next((width for name in joined if (width := self.toothed[name].face_width) is not None), None)
+
+    def module(self, gear: str) -> float | None:
+        """Return the module that is given for a gear or for one that teeth join to it [m].
+
+        Args:
+            gear: One of its gears.
+        """
+        joined = _joined(gear, self.mesh_pairs) & self.toothed.keys()
+        return next((module for name in joined if (module := self.toothed[name].module) is not None), None)
 
     def group(self, gear: str) -> str:
         """Return the first of all gears that teeth join to one, or nothing where teeth join all.

@@ -24,7 +24,7 @@ from gearwright.parts.gears import (
 from gearwright.parts.planetary import CompoundSet
 from gearwright.spec.design.design import Design
 from gearwright.spec.design.teeth.compound_pins import ROUNDED, PinnedTeeth
-from gearwright.spec.design.teeth.possible_teeth import Keys, fouling, impossible_teeth, off_the_involute
+from gearwright.spec.design.teeth.possible_teeth import Keys, fouling, impossible_teeth, in_the_root, off_the_involute
 from gearwright.spec.design.teeth.shifts import (
     WIDEST,
     StageShifts,
@@ -232,9 +232,15 @@ def _internal(own: PinnedTeeth, found: CompoundShifts) -> Iterator[tuple[GearPai
     """Yield every mesh with a ring in a module of one metre, and the ring."""
     for ring, planet in own.compound.at_centre:
         if ring in own.epicyclic.rings:
-            wheel = _shape(own, found, ring)
-            wheel = replace(wheel, teeth=-wheel.teeth)
-            yield GearPair(_shape(own, found, planet), wheel, found.meshes[f"{planet}-{ring}"].centre), ring
+            yield _mesh(own, found, (planet, ring)), ring
+
+
+def _mesh(own: PinnedTeeth, found: CompoundShifts, ends: tuple[str, str]) -> GearPair:
+    """Return a mesh in a module of one metre."""
+    first, second = (_shape(own, found, gear) for gear in ends)
+    if ends[1] in own.epicyclic.rings:
+        second = replace(second, teeth=-second.teeth)
+    return GearPair(first, second, found.meshes["-".join(ends)].centre)
 
 
 def _shape(own: PinnedTeeth, found: CompoundShifts, gear: str) -> CylindricalGear:
@@ -250,8 +256,10 @@ def _impossible(own: PinnedTeeth, found: CompoundShifts) -> Iterator[Problem]:
             yield from impossible_teeth(_keys(own, gear), _shape(own, found, gear))
     for pair, ring in _internal(own, found):
         yield from fouling(_keys(own, ring), pair)
+    keys = {gear: _keys(own, gear) for gear in own.epicyclic.toothed}
+    yield from in_the_root(keys, {ends: _mesh(own, found, ends) for ends in own.compound.meshes})
 
 
 def _keys(own: PinnedTeeth, gear: str) -> Keys:
-    path = own.key(gear)
-    return Keys(f"{path}.shift", f"{path}.teeth", "tip_alteration")
+    path, module = own.key(gear), own.epicyclic.module(gear)
+    return Keys(f"{path}.shift", f"{path}.teeth", "tip_alteration", module)

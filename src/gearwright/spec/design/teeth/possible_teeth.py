@@ -3,12 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
 from gearwright.errors import DesignError, Problem
-from gearwright.parts.gears import BasicRack, CylindricalGear, GearPair, Room, involute_room, tip_room, tip_thickness
+from gearwright.parts.gears import (
+    BasicRack,
+    CylindricalGear,
+    GearPair,
+    Room,
+    involute_room,
+    tip_clearances,
+    tip_room,
+    tip_thickness,
+)
 
 _NEAREST = 60
 """Teeth that are tried one after the other to find some that can be [-]."""
@@ -16,6 +25,8 @@ _SHORTEST = 0.5
 """Most that internal teeth are shortened by themselves [-]."""
 _SHADE = 1e-6
 """By which they are shorter than they must be, for rounding [-]."""
+_TOUCHING = 1e-9
+"""Part of a module that is no room between tips and root [-]."""
 
 
 class Keys(NamedTuple):
@@ -27,6 +38,8 @@ class Keys(NamedTuple):
     """Path of its tooth number."""
     tip: str
     """Name of its tip alteration in its table."""
+    module: float | None = None
+    """Its module, where it is given [m]."""
 
 
 def impossible_teeth(keys: Keys, gear: CylindricalGear) -> Iterator[Problem]:
@@ -112,6 +125,29 @@ def fouling(keys: Keys, pair: GearPair) -> Iterator[Problem]:
             f" interference); shorten the tips with {keys.tip}{_able(pair)}"
         )
         yield Problem(keys.teeth, message)
+
+
+def in_the_root(keys: Mapping[str, Keys], meshes: Mapping[tuple[str, str], GearPair]) -> Iterator[Problem]:
+    """Yield the gears whose tips run into the root of a mate.
+
+    Args:
+        keys: Gear -> where the file speaks of it.
+        meshes: Gears that mesh -> they, in a module of one metre.
+    """
+    for gear, own in keys.items():
+        rooms = [
+            (tip_clearances(pair)[end], ends[1 - end], (pair.driver, pair.driven)[end].tip_alteration)
+            for ends, pair in meshes.items() for end in (0, 1) if ends[end] == gear
+        ]  # fmt: skip
+        room, mate, tip = min(rooms, default=(math.inf, "", 0.0))
+        if room <= _TOUCHING:
+            most = (math.ceil(round(1e3 * (tip + room), 6)) - 1) / 1e3
+            length = f" ({-1e3 * room * own.module:.3g} mm)" if own.module else ""
+            message = (
+                f"its tips run {max(-room, 0.0):.3g} modules{length} into the root of {mate}, with a tip alteration of"
+                f" {tip:.4g}; give {own.tip} = {most:.3f} or below"
+            )
+            yield Problem(f"{own.teeth.rsplit('.', 1)[0]}.{own.tip}", message)
 
 
 def off_the_involute(pair: GearPair) -> float:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
+from itertools import pairwise
 
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.identity import Role
@@ -27,6 +28,7 @@ from gearwright.spec.design.teeth.possible_teeth import (
     Keys,
     fouling,
     impossible_teeth,
+    in_the_root,
     off_the_involute,
     pointed_cones,
 )
@@ -69,7 +71,8 @@ def stage_shifts(design: Design, name: str, teeth: Mapping[Role, int]) -> StageS
     ring = _ring_of(stage)
     if ring is not None:
         shifts = _off_the_involute(basis, stage, ring, shifts, teeth)
-    refuse(_impossible(path, tuple(_shapes(basis, shifts, teeth).items()), shifts.centre, ring))
+    gears = tuple(_shapes(basis, shifts, teeth).items())
+    refuse([*_impossible(path, gears, shifts.centre, ring), *_grounded(path, gears, shifts.centre, ring, stage.module)])
     return shifts
 
 
@@ -83,6 +86,20 @@ def _impossible(
     if ring is not None:
         problems += fouling(_keys(path, ring), _in_ring(outside[-1][1], dict(gears)[ring], centre))
     return tuple(problems)
+
+
+@lru_cache(maxsize=4096)
+def _grounded(
+    path: str, gears: tuple[tuple[Role, CylindricalGear], ...], centre: float | None, ring: Role | None,
+    module: float | None,
+) -> tuple[Problem, ...]:  # fmt: skip
+    """Return whose tips run into the root of a mate."""
+    keys = {str(role): _keys(path, role)._replace(module=module) for role, _ in gears}
+    meshes = {
+        (str(first), str(second)): (_in_ring(one, two, centre) if second is ring else GearPair(one, two, centre))
+        for (first, one), (second, two) in pairwise(gears)
+    }
+    return tuple(in_the_root(keys, meshes))
 
 
 def _keys(path: str, role: Role) -> Keys:
