@@ -8,12 +8,21 @@ from typing import Annotated
 from gearwright.render.grid.table import Table, table
 from gearwright.sizing import Sizing
 from gearwright.sizing.losses import ORIGINS, LossBalance, loss_balance
+from gearwright.spec import Design
 from gearwright.units import Origin, Power, Quantity
 
 _NOTE = (
-    "By the formulas of [losses], with the oil of [oil]; the torques of the case do not know them, but"
-    " gears.mesh_efficiency. Bearings of unknown size rub by a constant coefficient."
+    "; the torques of the case do not know them, but gears.mesh_efficiency. Bearings of unknown size rub by a constant"
+    " coefficient."
 )
+
+
+def _note(design: Design) -> str:
+    """Say by what the losses are: whose oil, and that it is assumed where the design says none."""
+    oil = design.oil
+    kind = "the oil of [oil]" if "oil" in design.model_fields_set else "an assumed turbine oil, as [oil] is left out"
+    degrees = oil.temperature
+    return f"By the formulas of [losses], with {kind}: {oil.viscosity_40:g} mm²/s at 40 °C, {degrees:g} °C{_NOTE}"
 
 
 @dataclass(frozen=True)
@@ -63,6 +72,6 @@ def loss_tables(sizing: Sizing) -> dict[str, Table]:
     each = ("origin", "part", "count", "power", "share", "method")
     losses = loss_balance(sizing).losses
     return {
-        "losses": table("Losses by origin", losses_of_cases(sizing), fields, note=_NOTE),
+        "losses": table("Losses by origin", losses_of_cases(sizing), fields, note=_note(sizing.design)),
         "loss_parts": table("Losses part by part", losses, each, note=f"Case {sizing.reference.case}."),
     }
