@@ -140,3 +140,18 @@ def test_tips_that_run_into_the_root_of_a_mate_are_refused_in_compound_sets():
     assert "give tip_alteration = 0.249 or below" in found.message
     assert problems(text.replace("0.3 }", "0.25 }"))
     parse(text.replace("0.3 }", "0.249 }"))
+
+
+def test_two_suns_in_one_place_are_refused_with_the_distance_that_they_need():
+    """Faces of 10 mm on one axis need middles 10 mm apart."""
+
+    def placed(large):
+        return rewritten(RAVIGNEAUX, "teeth = 36", "teeth = 36, place_mm = 20, face_width_mm = 10",
+                         "teeth = 42", f"teeth = 42, place_mm = {large}", 'teeth = 21, meshes = ["small"',
+                         'teeth = 21, place_mm = 20, meshes = ["small"', 'teeth = 21, meshes = ["large"',
+                         f'teeth = 21, place_mm = {large}, meshes = ["large"')  # fmt: skip
+
+    (found,) = [problem for problem in problems(placed(26)) if problem.path.endswith("suns.large.place_mm")]
+    assert "6 mm from that of small, on one axis" in found.message
+    assert "at least 10 mm apart" in found.message
+    parse(placed(30))

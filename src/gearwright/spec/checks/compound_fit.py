@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from itertools import product
+from itertools import combinations, product
 
 from gearwright.errors import DesignError, Problem
 from gearwright.parts.gears import FEWEST_TEETH
@@ -18,10 +18,12 @@ from gearwright.parts.planetary import (
     touching,
 )
 from gearwright.parts.planetary.compound import CLOSES
-from gearwright.spec.design import Design, compound_shifts, relative_modules
+from gearwright.spec.design import Design, Epicyclic, compound_shifts, relative_modules
 
 MOST_SETS = 12
 """Largest number of sets that a design may ask for."""
+ROUNDED = 1e-9
+"""Length by which rounding may let faces that only touch overlap [m]."""
 FARTHEST = 4
 """Teeth by which a set that can be assembled may differ from one that cannot, to be named [-]."""
 
@@ -51,8 +53,23 @@ def fit_problems(name: str, design: Design) -> Iterator[Problem]:
             fix = f"give {first} fewer teeth, or place_mm and face_width_mm of both with which they lie apart"
         message = f"{first} stands into {what} by {overlap:.2g} modules at the tips; {fix}"
         yield Problem(f"{path}.planets.{first}", message)
+    yield from _in_one_place(path, epicyclic)
     if not can_assemble(compound):
         yield Problem(f"{path}.sets", _unassembled(compound, modules))
+
+
+def _in_one_place(path: str, epicyclic: Epicyclic) -> Iterator[Problem]:
+    """Find two suns, two rings or two steps of one planet whose places and widths lay their faces over each other."""
+    whole = epicyclic.compound
+    for table, kin in (("suns", epicyclic.suns), ("rings", epicyclic.rings), ("planets", epicyclic.planets)):
+        for first, second in combinations([name for name in kin if name in whole.places], 2):
+            room = sum(whole.widths.get(gear, 0.0) for gear in (first, second)) / 2.0
+            apart = abs(whole.places[first] - whole.places[second])
+            one_piece = table != "planets" or whole.bodies[first] == whole.bodies[second]
+            if one_piece and (apart == 0.0 or apart < room - ROUNDED):
+                message = f"its middle is {1e3 * apart:.4g} mm from that of {first}, on one axis, so that they stand"
+                least = f" at least {1e3 * room:.4g} mm" if room else ""
+                yield Problem(f"{path}.{table}.{second}.place", f"{message} into each other; place them{least} apart")
 
 
 def _far_apart(compound: CompoundSet, modules: Mapping[str, float]) -> bool:
