@@ -110,12 +110,15 @@ class Range:
 
         >>> Range(0.0, 0.1, smallest=1e-6).words(1e-3, "mm")
         '0 or a value from 0.001 to 100 mm'
+        >>> Range(-0.6, 0.3, smallest=1e-9).words()
+        'a value from -0.6 to 0.3, 0 or at least 1e-09 in size'
         """
         minimum, maximum, smallest = (f"{bound / factor:.6g}" for bound in (self.minimum, self.maximum, self.smallest))
         end = f" {unit}" if unit else ""
         if self.minimum <= 0.0 <= self.maximum and self.smallest and not self.above:
-            sized = "a value" if self.minimum == 0.0 else "a size"
-            return f"0 or {sized} from {smallest} to {maximum}{end}"
+            if self.minimum == 0.0:
+                return f"0 or a value from {smallest} to {maximum}{end}"
+            return f"a value from {minimum} to {maximum}{end}, 0 or at least {smallest}{end} in size"
         if not self.above and not self.below:
             return f"a value from {minimum} to {maximum}{end}"
         low, high = "above" if self.above else "from", "below" if self.below else "up to"

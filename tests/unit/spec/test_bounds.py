@@ -45,7 +45,7 @@ THESIS = shipped_mission("thesis").read_text(encoding="utf-8")
 def test_a_number_that_no_machine_has_is_refused_with_what_is_allowed(text: str, path: str, allowed: str) -> None:
     found = problem(text)
     assert found.path.startswith(path)
-    assert allowed in found.message.replace("a size from 1e-15", "from -1e+15")
+    assert allowed in found.message
 
 
 def test_a_change_is_held_to_the_same_bounds() -> None:
@@ -143,7 +143,7 @@ def test_a_list_has_an_end() -> None:
 
 @pytest.mark.parametrize("last", ["0x1" + "0" * 400, "1e300", "-1e-300"])
 def test_an_end_of_an_axis_that_no_number_holds_is_refused(last: str) -> None:
-    with pytest.raises(DesignError, match=r"gears\.bending_safety\.to: .*give 0 or a size from 1e-15 to 1e\+15"):
+    with pytest.raises(DesignError, match=r"gears\.bending_safety\.to: .*give a value from -1e\+15 to 1e\+15, 0 or"):
         parse_study(f'{STUDY}[axes]\n"gears.bending_safety" = {{from = 0, to = {last}}}\n')
 
 

@@ -177,3 +177,19 @@ def test_what_is_told_of_contradicting_shifts_moves_no_pin():
     assert found.path == "epicyclics.set.rings.held.shift"
     assert "give rings.held.shift = -0.5000" in found.message
     parse(with_keys(*keys, ("held", "shift = -0.5")))
+
+
+def test_fewer_sets_are_advised_only_where_there_are_some_and_one_is_one():
+    """20 + 83 = 103 is prime, so that one planet alone has room for its teeth; one of a chain stands into the sun."""
+    sets = """
+suns.sun = { shaft = "fast", teeth = 20, module_mm = 1 }
+rings.held = { shaft = "ground", teeth = 83 }
+"""
+    head = SET[: SET.index("\nsuns.sun")].replace('"slow", "cage"', '"cage"').replace('"slow"', '"cage"')
+    alone = head + sets + 'planets.wide = { teeth = 31, meshes = ["sun", "held"] }\n'
+    assert any("give 1 set;" in f"{found.message};" for found in problems(alone))
+    chain = 'planets.a = { teeth = 30, meshes = ["sun", "b"] }\nplanets.b = { teeth = 30, meshes = ["held", "a"] }\n'
+    chain = changed(head, "sets = 3", "sets = 1") + changed(sets, "83", "80") + chain
+    told = [found.message for found in problems(chain) if "stands into" in found.message]
+    assert told
+    assert not any("fewer sets" in message for message in told)

@@ -168,6 +168,16 @@ def test_what_is_told_of_contradicting_shifts_closes():
     parse(one_set(33, 18, 69, given.format(-0.7)))
 
 
+def test_a_tip_alteration_is_advised_only_where_its_key_takes_it():
+    """Teeth that dig 0.347 modules past the involute with k = −0.5 already ask −0.848; the key ends at −0.6."""
+    text = one_set(12, 33, 78, "sun_shift = 1.4\n")
+    dug = next(found for found in problems(text, sized=True) if "past the involute" in found.message)
+    assert "ring_tip_alteration" not in dug.message
+    assert "give more shift to the gear inside" in dug.message
+    found = problem(one_set(33, 18, 69, "ring_tip_alteration = -0.848\n"))
+    assert "give a value from -0.6 to 0.3" in found.message
+
+
 def test_planets_that_only_touch_with_their_shifted_tips_are_refused():
     """Four planets of 64 about a sun of 32: 96 sin 45° = 67.88 above 66; tips of 2 (32 + 1 + 0.8 + 0.2) = 68 touch."""
     parse(one_set(32, 64, 160, planets=4))

@@ -48,7 +48,7 @@ def fit_problems(name: str, design: Design) -> Iterator[Problem]:
         return
     for first, second, overlap in touching(compound, modules):
         what = "those of the next set" if first == second else second
-        fix = "give fewer sets, or planets of fewer teeth"
+        fix = "give fewer sets, or planets of fewer teeth" if compound.sets > 1 else "give planets of fewer teeth"
         if second in epicyclic.centrals:
             fix = f"give {first} fewer teeth, or place_mm and face_width_mm of both with which they lie apart"
         message = f"{first} stands into {what} by {overlap:.2g} modules at the tips; {fix}"
@@ -99,7 +99,7 @@ def _parted(path: str, compound: CompoundSet, modules: Mapping[str, float]) -> I
 def _unassembled(compound: CompoundSet, modules: Mapping[str, float]) -> str:
     counts = [str(count) for count in range(1, MOST_SETS + 1) if _fits(replace(compound, sets=count), modules)]
     nearest = nearest_teeth(compound, modules)
-    words = [f"give {' or '.join(counts)} sets"] if counts else []
+    words = [f"give {' or '.join(counts)} set{'s' if counts != ['1'] else ''}"] if counts else []
     words += ["give " + ", ".join(f"{name} {teeth}" for name, teeth in nearest.items()) + " teeth"] if nearest else []
     fix = "; or ".join(words) or "give other teeth"
     return f"{compound.sets} equal sets cannot be assembled: no turn of the planets meets all teeth; {fix}"

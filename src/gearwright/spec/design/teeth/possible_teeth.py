@@ -21,6 +21,8 @@ from gearwright.parts.gears import (
 
 _NEAREST = 60
 """Teeth that are tried one after the other to find some that can be [-]."""
+_LEAST_TIP = -0.6
+"""Least tip alteration that a design may give [-]."""
 _SHORTEST = 0.5
 """Most that internal teeth are shortened by themselves [-]."""
 _SHADE = 1e-6
@@ -113,10 +115,10 @@ def fouling(keys: Keys, pair: GearPair) -> Iterator[Problem]:
     if (room := involute_room(pair)).clearance < 0.0:
         module = pair.driven.module
         needed = pair.driven.tip_alteration + room.clearance / module
+        shorter = f"{keys.tip} = {needed - 5e-4:.3f} or below, " if needed - 5e-4 >= _LEAST_TIP else ""
         message = (
             f"the tips of the {ring} internal teeth dig {-room.clearance / module:.3g} modules past the"
-            f" involute of the {inside} inside; give {keys.tip} = {needed - 5e-4:.3f} or below,"
-            f" more shift to the gear inside{_able(pair)}"
+            f" involute of the {inside} inside; give {shorter}more shift to the gear inside{_able(pair)}"
         )
         yield Problem(keys.teeth, message)
     elif (tips := tip_room(pair)) is not None and tips.clearance < 0.0:
