@@ -3,6 +3,7 @@
 import pytest
 
 from designs import HYBRID, PAIR, changed, problem
+from gearwright.sizing import size
 from gearwright.spec import parse
 
 ISO = '[gears]\nrating = "iso6336"\nmaterial = "carburised-9310"\n'
@@ -49,6 +50,13 @@ def test_rules_for_all_parts_may_say_more_than_one_design_has_parts_for():
         parse(PAIR + "[carriers]\nfill = 0.5\n[gears]\nidler_factor = 0.7\nrim_thickness_ratio = 4\n").carriers.fill
         == 0.5
     )
+
+
+def test_a_helix_for_all_pairs_says_nothing_to_a_design_of_sets():
+    """Refused where it stands with a set alone; for all parts it is that of pairs, which this design lacks."""
+    assert "[pairs." not in HYBRID
+    straight, helical = size(parse(HYBRID)), size(parse(HYBRID + "[gears]\nhelix_angle_deg = 15\n"))
+    assert helical.mass == straight.mass
 
 
 def test_a_machine_named_like_a_shaft_is_refused_with_both_places():
