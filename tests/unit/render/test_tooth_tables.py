@@ -4,8 +4,9 @@ import math
 
 import pytest
 
-from designs import PAIR
+from designs import ONE_SET, PAIR
 from gearwright.render.drawings.views.tooth_data import tooth_grid
+from gearwright.render.tables.sizing.overview import tables_of
 from gearwright.sizing import size
 from gearwright.spec import parse
 
@@ -41,3 +42,13 @@ def test_a_bevel_gear_has_that_of_its_outer_module():
 @pytest.mark.parametrize("module", [0.5, 1, 1.25, 2, 2.25, 2.5, 3.5, 5.5, 8, 2.9871])
 def test_a_metric_design_has_none(module):
     assert "Transverse diametral pitch" not in rows_of(f"module_mm = {module}")
+
+
+@pytest.mark.parametrize(("keys", "told"), [("unequal_places = true\n", True), ("", False)])
+def test_pins_that_stand_unequally_are_told_with_their_angles(keys, told):
+    """27/36/99 with four planets: 126 places, 32 and 31 of them apart; 28/36/100 with four stand evenly."""
+    sun, ring = (27, 99) if told else (28, 100)
+    teeth = f'sun = "fast"\nring = "ground"\ncarrier = "slow"\nplanets = 4\nsun_teeth = {sun}\nring_teeth = {ring}\n'
+    sizing = size(parse(ONE_SET.format(speed=6000.0 * sun / (sun + ring)) + teeth + keys))
+    note = tables_of(sizing)["carriers"].note
+    assert note == ("Pins of set stand at 0°, 91.42857°, 180°, 271.4286°." if told else "")

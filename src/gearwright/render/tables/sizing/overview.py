@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from gearwright.render.grid.table import Mark, Table, table
 from gearwright.render.tables.checks import COLUMNS, JUST_ENOUGH, judged
 from gearwright.render.tables.sizing.given import given_by_user, overrides_table
@@ -9,7 +11,7 @@ from gearwright.render.tables.sizing.losses import loss_tables
 from gearwright.render.tables.sizing.materials import materials_table
 from gearwright.render.tables.sizing.mounted import mounted_tables
 from gearwright.render.tables.sizing.places import place_tables
-from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_parts, passing
+from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_parts, passing, planet_positions
 from gearwright.sizing.arrangement import envelope
 from gearwright.train import Branch, branches
 
@@ -92,12 +94,22 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "materials": materials_table(sizing),
         "carriers": table("Carriers", sizing.carriers,
                           ("stage", "torque", "tangential_force", "centrifugal_force", "radius", "pin_diameter",
-                           "plate_thickness", "mass", "inertia"), mark=mark),
+                           "plate_thickness", "mass", "inertia"), mark=mark, note=_unequal(sizing)),
         "machines": table("Machines", sizing.machines, ("name", "kind", "shaft", "torque", "mass", "inertia"),
                           mark=mark),
         "mass": table("Mass", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),
                       note=NOT_IN_THE_MASS),
     }  # fmt: skip
+
+
+def _unequal(sizing: Sizing) -> str:
+    """Say at which angles the pins of carriers stand that are not evenly divided."""
+    words = []
+    for stage, planetary in sizing.design.planetaries.items():
+        if planetary.unequal_places:
+            angles = planet_positions(sizing.design, stage, sizing.teeth)
+            words.append(f"Pins of {stage} stand at {', '.join(f'{math.degrees(angle):.7g}°' for angle in angles)}.")
+    return " ".join(words)
 
 
 def _gear_fields(sizing: Sizing) -> tuple[str, ...]:
