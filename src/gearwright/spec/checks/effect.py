@@ -190,7 +190,10 @@ def _carriers_of(part: str, design: Design) -> set[str]:
 
 
 def _bearings(design: Design) -> Iterator[Problem]:
-    """Find the places of bearings on shafts that nothing bends."""
+    """Find the places of bearings on shafts that nothing bends, and a reliability that basic lives do not have."""
+    if design.bearing_rules.life == "basic" and "reliability" in design.bearing_rules.model_fields_set:
+        message = 'has no effect on basic lives, L_10h; write life = "modified" in [bearing_rules], or leave it out'
+        yield Problem("bearing_rules.reliability", message)
     bent = _bent(design)
     for shaft, layout in design.layout.items():
         if shaft in design.shafts and shaft not in bent:

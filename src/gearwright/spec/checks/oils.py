@@ -1,4 +1,4 @@
-"""What can be wrong with an oil: that it thickens as it warms; and keys of lives that no life reads."""
+"""What can be wrong with an oil: that it thickens as it warms."""
 
 from __future__ import annotations
 
@@ -9,22 +9,17 @@ from gearwright.spec.design import Design
 
 
 def oil_problems(design: Design) -> Iterator[Problem]:
-    """Yield every oil that is no thinner at 100 °C than at 40 °C, and a reliability of bearings that nothing reads.
+    """Yield every oil that is no thinner at 100 °C than at 40 °C.
 
     Args:
         design: As typed.
     """
     yield from _thickens("oil.viscosity_100", design.oil.viscosity_40, design.oil.viscosity_100)
-    own = {f"pairs.{name}.": pair.gears for name, pair in design.pairs.items()}
-    own |= {f"planetaries.{name}.": planetary.gears for name, planetary in design.planetaries.items()}
+    own = {f"{design.table(name)}.": stage.gears for name, stage in design.stages.items()}
     for path, rules in {"": design.gears, **own}.items():
         if rules is not None:
             oil = rules.iso6336
             yield from _thickens(f"{path}gears.iso6336.oil_viscosity_100", oil.oil_viscosity, oil.oil_viscosity_100)
-    rules_of_bearings = design.bearing_rules
-    if rules_of_bearings.life == "basic" and "reliability" in rules_of_bearings.model_fields_set:
-        message = 'has no effect on basic lives, L_10h; write life = "modified" in [bearing_rules], or leave it out'
-        yield Problem("bearing_rules.reliability", message)
 
 
 def _thickens(path: str, at_40: float, at_100: float | None) -> Iterator[Problem]:
