@@ -29,21 +29,10 @@ from gearwright.spec.design import (
     shares_of,
 )
 from gearwright.spec.edit import edited, edited_mission, path_problem, path_problems
+from gearwright.spec.flying import MOST_INTERVALS, is_map_file, mission_problems, parse_mission, read_mission
 from gearwright.spec.keys import keys_of
 from gearwright.spec.lines import key_lines, line_of
-from gearwright.spec.mission import (
-    MOST_INTERVALS,
-    NO_MAP,
-    BatteryRules,
-    BearingLifeRules,
-    Mission,
-    Phase,
-    engine_out,
-    is_map_file,
-    mission_problems,
-    parse_mission,
-    read_mission,
-)
+from gearwright.spec.mission import NO_MAP, BatteryRules, BearingLifeRules, Mission, Phase, engine_out
 from gearwright.spec.read import file_text, parse, placed, read
 from gearwright.spec.record import Record, build
 from gearwright.spec.schema import records, schema

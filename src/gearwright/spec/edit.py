@@ -11,8 +11,9 @@ from pydantic import ValidationError
 from gearwright.errors import DesignError, Problem, near, refuse
 from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import Design
+from gearwright.spec.flying import mission_problems
 from gearwright.spec.keys import keys_of, longer_keys
-from gearwright.spec.mission import Mission, mission_problems
+from gearwright.spec.mission import Mission
 from gearwright.spec.record import Location, Record, Written, message_of
 from gearwright.units import suffix_unit
 from gearwright.verbs import verb

@@ -2,35 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from pathlib import Path
-from typing import Literal, cast
+from typing import Literal
 
 from pydantic import Field
 
-from gearwright.catalogue import USUAL_HARDNESS, gear_steel
-from gearwright.errors import DesignError, Problem
-from gearwright.reading import beside
-from gearwright.shipped import find_mission
 from gearwright.showing import Shown
-from gearwright.spec.checks import STEEL_KEYS
 from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageName
-from gearwright.spec.read import file_text, placed, toml_tables
-from gearwright.spec.record import Record, build
-from gearwright.spec.windows import GovernorRules, WindowRules, window_problems
+from gearwright.spec.record import Record
+from gearwright.spec.windows import GovernorRules, WindowRules
 from gearwright.units import Angle, Area, Energy, Length, Mass, Power, Ratio, Speed, Time, Velocity
-from gearwright.verbs import verb
 
 NO_MAP = "none"
 """Name that stands for no propeller map."""
-_MAP_FILE = ".csv"
-"""How the name of a map ends that is a file."""
 Kind = Literal["deep-groove", "cylindrical", "taper", "four-point"]
 """Kinds of rolling bearing in the catalogue."""
-_SAME_ALTITUDE = 0.1
-"""Altitudes nearer than this are the same [m]."""
-MOST_INTERVALS = 10_000
-"""Intervals into which a mission may be cut: some seconds of work, and a day of flight in steps of ten [-]."""
 
 
 class Phase(Record):
@@ -188,163 +173,3 @@ def engine_out(mission: Mission, phase: Phase) -> bool:
         phase: Of it.
     """
     return bool(phase.inoperative) or (phase.engines or mission.engines) < mission.engines
-
-
-@verb
-def read_mission(path: str | Path) -> Mission:
-    """Return the mission that a file describes.
-
-    Args:
-        path: A TOML file, or the name of a shipped mission; a file of that name comes first.
-
-    Raises:
-        DesignError: With every problem of the file.
-    """
-    file = find_mission(str(path))
-    return parse_mission(file_text(file), source=str(path), folder=file.parent)
-
-
-def parse_mission(text: str, *, source: str = "", folder: Path | None = None) -> Mission:
-    """Return the mission that a TOML text describes.
-
-    Args:
-        text: The file's content.
-        source: Name of the file, for messages.
-        folder: Where a propeller map is looked for; left out: where the program runs.
-
-    Raises:
-        DesignError: With every problem of the text.
-    """
-    record, written = build(Mission, toml_tables(text, source))
-    problems = list(written.problems)
-    if record is not None and not problems:
-        problems += mission_problems(cast(Mission, record))
-        problems += map_problems(cast(Mission, record).propeller_map, folder or Path())
-    if problems:
-        raise DesignError(placed(problems, text), source)
-    return cast(Mission, record)
-
-
-def is_map_file(name: str) -> bool:
-    """Tell whether a propeller map is a file of the user's, not a shipped one.
-
-    Args:
-        name: As a mission or a study gives it.
-    """
-    return name.endswith(_MAP_FILE)
-
-
-def map_problems(name: str, folder: Path) -> tuple[Problem, ...]:
-    """Return why a propeller map cannot be had from where it is said to be.
-
-    Args:
-        name: Of a shipped map or a file.
-        folder: Of the mission, in which the file must stand.
-    """
-    try:
-        if is_map_file(name):
-            beside(name, folder, "propeller_map")
-    except DesignError as error:
-        return error.problems
-    return ()
-
-
-def mission_problems(mission: Mission) -> list[Problem]:
-    """Return what does not fit together in a mission.
-
-    Args:
-        mission: Typed, but not yet checked.
-    """
-    problems: list[Problem] = []
-    last: float | None = None
-    for name, phase in mission.phases.items():
-        at = f"phases.{name}"
-        problems += [Problem(at, message) for message in (*_speed(phase), *_power(phase, mission))]
-        problems += [Problem(at, message) for message in _altitude(phase, last)]
-        last = phase.altitude
-    problems += [*_steel(mission.gears), *_battery(mission.battery), *_dips(mission.oil)]
-    if not problems:
-        problems += _intervals(mission)
-    return [*problems, *window_problems(mission.windows, mission.phases)]
-
-
-def _battery(rules: BatteryRules | None) -> Iterator[Problem]:
-    if rules is not None and rules.full_voltage_v < rules.empty_voltage_v:
-        message = f"{rules.full_voltage_v:g} V is less than the {rules.empty_voltage_v:g} V at no charge; exchange them"
-        yield Problem("battery.full_voltage_v", message)
-
-
-def _dips(oil: OilRules) -> Iterator[Problem]:
-    for gear, dip in oil.dip.items():
-        if not 0.0 <= dip <= 1.0:
-            yield Problem(f"oil.dip.{gear}", f"{dip:g} of a gear cannot dip into oil; give 0 to 1")
-
-
-def _intervals(mission: Mission) -> Iterator[Problem]:
-    """Yield that a mission has more intervals than can be flown."""
-    count, altitude = 0.0, None
-    for phase in mission.phases.values():
-        start = phase.from_altitude if phase.from_altitude is not None else altitude
-        climb, altitude = phase.altitude - (phase.altitude if start is None else start), phase.altitude
-        duration = climb / phase.rate_of_climb if phase.rate_of_climb else phase.duration or 0.0
-        count += duration / mission.step + 2.0
-    if count > MOST_INTERVALS:
-        message = (
-            f"cuts the phases into {count:,.0f} intervals, at most {MOST_INTERVALS:,} are flown; longer steps help"
-        )
-        yield Problem("step", message)
-
-
-def _steel(rules: GearLifeRules) -> list[Problem]:
-    if rules.steel is None:
-        return []  # a flight knows the material
-    try:
-        gear_steel(rules.steel, rules.grade or "MQ", rules.hardness_hv or USUAL_HARDNESS)
-    except DesignError as error:
-        return [
-            Problem(f"gears.{STEEL_KEYS.get(problem.path, problem.path)}", problem.message)
-            for problem in error.problems
-        ]
-    return []
-
-
-def _speed(phase: Phase) -> Iterator[str]:
-    stated = [name for name in ("cas", "tas", "mach") if getattr(phase, name) is not None]
-    if len(stated) != 1:
-        yield f"{' and '.join(stated) or 'no speed'} given; give one of cas, tas and mach"
-
-
-def _power(phase: Phase, mission: Mission) -> Iterator[str]:
-    stated = [name for name in ("power", "pitch") if getattr(phase, name) is not None]
-    if len(stated) > 1:
-        yield "power and pitch given; the propeller's speed allows only one of them"
-    if not stated and mission.aircraft is None:
-        yield "nothing sets its power; give power or pitch, or an [aircraft] that needs a thrust"
-    if phase.power is None and mission.propeller_map == NO_MAP:
-        yield "without a propeller map only a power can be flown; give power, or a propeller_map"
-    if phase.end_power is not None and phase.power is None:
-        yield "end_power without power; give both, or only power"
-    if phase.mode == "hybrid" and phase.electric_share is None:
-        yield "hybrid without electric_share; give the motors' part of the power, such as 0.3"
-    if phase.mode != "hybrid" and phase.electric_share is not None:
-        yield f'electric_share in {phase.mode} mode; write mode = "hybrid", or leave it out'
-    if phase.mode != "conventional" and mission.battery is None:
-        yield f"{phase.mode} mode without a [battery]; give one with energy_kwh"
-    if phase.engines is not None and phase.engines > mission.engines:
-        yield f"{phase.engines} engines work of {mission.engines}; give at most those"
-
-
-def _altitude(phase: Phase, last: float | None) -> Iterator[str]:
-    start = phase.from_altitude if phase.from_altitude is not None else last
-    if start is None:
-        start = phase.altitude
-    if last is not None and abs(start - last) > _SAME_ALTITUDE:
-        yield f"it starts at {start:.0f} m, but the phase before ended at {last:.0f} m; make them equal"
-    climb = phase.altitude - start
-    if (phase.duration is None) == (phase.rate_of_climb is None):
-        yield "give one of duration and rate_of_climb"
-    elif phase.rate_of_climb is not None and not phase.rate_of_climb * climb > 0.0:
-        yield (
-            f"a rate of climb of {phase.rate_of_climb:.3g} m/s never leads from {start:.0f} m to"
-            f" {phase.altitude:.0f} m; turn its sign, or give a duration"
-        )
