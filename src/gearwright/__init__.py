@@ -49,7 +49,7 @@ if TYPE_CHECKING:
         shipped_studies,
         shipped_study,
     )
-    from gearwright.sizing import named_results, size, size_many
+    from gearwright.sizing import influences, methods_beside, named_results, size, size_many
     from gearwright.sizing.losses import loss_balance
     from gearwright.spec import edited, edited_mission, parse, read, read_mission, read_study, schema
     from gearwright.store import StoredRun, load, save
@@ -78,9 +78,11 @@ _VERBS = {
     "fly": "mission",
     "for_engine": "study",
     "frequency_response": "dynamics",
+    "influences": "sizing",
     "load": "store",
     "loss_balance": "sizing.losses",
     "mass": "weights",
+    "methods_beside": "sizing",
     "modes": "dynamics",
     "named_results": "sizing",
     "parse": "spec",
@@ -146,9 +148,11 @@ __all__ = [
     "fly",
     "for_engine",
     "frequency_response",
+    "influences",
     "load",
     "loss_balance",
     "mass",
+    "methods_beside",
     "modes",
     "named_results",
     "parse",

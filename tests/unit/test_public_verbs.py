@@ -36,14 +36,14 @@ from gearwright.render.figures.motion import mesh_frequencies
 from gearwright.render.figures.paths import orbit_figure, phase_figure, transmission_error_figure
 from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
 from gearwright.shipped import find_mission, find_study, shipped_file, shipped_mission, shipped_study
-from gearwright.sizing import influences, methods_beside, named_results, pick
+from gearwright.sizing import named_results, pick
 from gearwright.spec import edited, edited_mission, read_mission, read_study
 
 REFERENCE = Path(__file__).parents[2] / "docs" / "reference" / "api.md"
 SHOWN_ELSEWHERE = (
     critical_speeds, run_up, elastic_shares, load_sharing, sharing_problem, sharing_study, support_sweep,
     shaft_displacement, fly_window, window_rules, response_figure, waterfall_figure, mesh_frequencies,
-    find_mission, find_study, shipped_file, shipped_mission, shipped_study, pick, methods_beside, influences,
+    find_mission, find_study, shipped_file, shipped_mission, shipped_study, pick,
     edited_mission, read_mission, read_study,
 )  # fmt: skip
 """Verbs of the how-to pages and of the commands beside those of the reference."""

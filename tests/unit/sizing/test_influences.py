@@ -44,7 +44,7 @@ def test_roughness_and_oil_move_flanks_alone_and_fillets_roots_alone():
     """Z_R = (3 µm/R_z10)^0.08 at σ_Hlim of 1200 N/mm² and beyond."""
     found = slopes(moved("iso6336"))
     assert found["flank roughness R_z"] == (pytest.approx(-0.08, abs=1e-6), 0.0)
-    assert found["oil viscosity ν_40"][0] > 0.0 == found["oil viscosity ν_40"][1]
+    assert found["oil ν_40 in mm²/s"][0] > 0.0 == found["oil ν_40 in mm²/s"][1]
     assert found["root roughness R_z"][0] == 0.0 > found["root roughness R_z"][1]
 
 

@@ -76,9 +76,9 @@ def size(
     """Size a design: teeth, modules, stresses, margins, shafts, carriers, masses."""
     sizing = sized(design)
     if json:
-        from gearwright.render.answers.design import size_answer
+        from gearwright.render.answers.design import Asked, size_answer
 
-        show_answer("size", size_answer(sizing), design=sizing.design.name)
+        show_answer("size", size_answer(sizing, Asked(factors, methods, wish)), design=sizing.design.name)
         return
     from gearwright.render.words.text import factors_text, influences_text, methods_text, sizing_text
 

@@ -4,8 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
+from gearwright.render.answers.insight import (
+    FactorsOfMesh,
+    InfluencesOnMesh,
+    MethodsOfMesh,
+    factors_answer,
+    influences_answer,
+    methods_answer,
+)
 from gearwright.render.tables.checks import Judged, judged
 from gearwright.render.tables.sizing.materials import Property, material_properties
 from gearwright.render.tables.sizing.overview import shaft_by_shaft
@@ -83,13 +91,33 @@ class SizeAnswer:
     """Every property, in the unit beside it, with its source."""
     given: tuple[GivenEntry, ...]
     """Values that the user gave in place of computed ones."""
+    factors: tuple[FactorsOfMesh, ...] | None
+    """With --factors: every factor of every mesh that a standard rates; null where it is not asked for."""
+    methods: tuple[MethodsOfMesh, ...] | None
+    """With --methods: every mesh by every method; null where it is not asked for."""
+    influences: tuple[InfluencesOnMesh, ...] | None
+    """With --wish: what moves the margins of every mesh; null where it is not asked for."""
 
 
-def size_answer(sizing: Sizing) -> SizeAnswer:
+class Asked(NamedTuple):
+    """What is asked for beside the sizing itself."""
+
+    factors: bool = False
+    methods: bool = False
+    wish: float | None = None
+    """Margin that is wished [-]; None: nobody asks what moves the margins."""
+
+
+NOTHING_MORE = Asked()
+"""The sizing alone."""
+
+
+def size_answer(sizing: Sizing, asked: Asked = NOTHING_MORE) -> SizeAnswer:
     """Return what `gearwright size --json` answers.
 
     Args:
         sizing: As sized.
+        asked: Beside it.
     """
     return SizeAnswer(
         level=sizing.level,
@@ -122,6 +150,9 @@ def size_answer(sizing: Sizing) -> SizeAnswer:
         turns=sizing.arrangement.turns,
         materials=material_properties(sizing),
         given=tuple(GivenEntry(row.entry, row.amount, row.origin) for row in sizing.given.values()),
+        factors=factors_answer(sizing) if asked.factors else None,
+        methods=methods_answer(sizing) if asked.methods else None,
+        influences=None if asked.wish is None else influences_answer(sizing, asked.wish),
     )
 
 

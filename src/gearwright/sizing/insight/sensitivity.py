@@ -100,7 +100,7 @@ def handles(mesh: SizedMesh) -> Iterator[Handle]:
     if RATINGS[rating.method].table == "iso6336":
         for name, dimension, key in (
             ("flank roughness R_z", "length", "flank_roughness"), ("root roughness R_z", "length", "root_roughness"),
-            ("oil viscosity ν_40", "number", "oil_viscosity"), ("tip relief C_a", "length", "tip_relief"),
+            ("oil ν_40 in mm²/s", "number", "oil_viscosity"), ("tip relief C_a", "length", "tip_relief"),
         ):  # fmt: skip
             if value := getattr(rating.rules.iso6336, key):
                 yield Handle(name, dimension, value, _making(mesh, key))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -43,18 +44,24 @@ def factor_tables(sizing: Sizing) -> dict[str, Table]:
     Args:
         sizing: As sized.
     """
-    tables = {mesh.name: _table(sizing, mesh) for mesh in sizing.meshes}
-    return {name: listing for name, listing in tables.items() if listing is not None}
+    return {mesh.name: _table(mesh, rows) for mesh, rows in rated_factors(sizing)}
 
 
-def _table(sizing: Sizing, mesh: MeshSizing) -> Table | None:
-    if not mesh.rating.method:
-        return None
+def rated_factors(sizing: Sizing) -> Iterator[tuple[MeshSizing, tuple[Factor, ...]]]:
+    """Yield every mesh whose method has more than stresses and margins, with its geometry and its factors.
+
+    Args:
+        sizing: As sized.
+    """
+    for mesh in sizing.meshes:
+        factors = METHODS[mesh.rating.method].factors(mesh.rating) if mesh.rating.method else ()
+        if rows := (*factors,):
+            yield mesh, (*factor_rows(pair_data(sizing, mesh), "geometry"), *rows)
+
+
+def _table(mesh: MeshSizing, rows: tuple[Factor, ...]) -> Table:
     method = METHODS[mesh.rating.method]
-    rows = [*method.factors(mesh.rating)]
-    if not rows:
-        return None
-    views = [_view(row) for row in (*factor_rows(pair_data(sizing, mesh), "geometry"), *rows)]
+    views = [_view(row) for row in rows]
     chapters = ["", *(view.chapter for view in views)]
     views = [
         replace(view, chapter="") if view.chapter == last else view for view, last in zip(views, chapters, strict=False)

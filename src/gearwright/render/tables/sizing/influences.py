@@ -7,9 +7,9 @@ from gearwright.sizing import Influence, MeshInfluences, Sizing, influences
 from gearwright.units import shown, unit
 
 _NOTE = (
-    "∂ ln S/∂ ln x: by how many per cent a safety grows for one per cent more; teeth and all else kept, the centre"
-    " distance follows module and helix. The last column: where the worst margin is the wished one; a dash: not within"
-    " a factor of three."
+    "%/%: by how many per cent a safety grows for one per cent more of the value, ∂ ln S/∂ ln x; teeth and all else"
+    " kept, the centre distance follows module and helix. The last column: where the worst margin is the wished one; a"
+    " dash: not within a factor of three."
 )
 
 
@@ -24,7 +24,7 @@ def influence_tables(sizing: Sizing, wish: float) -> dict[str, Table]:
 
 
 def _table(mesh: MeshInfluences) -> Table:
-    heads = ("", "as it is", "unit", "∂ ln S_H/∂ ln x", "∂ ln S_F/∂ ln x", f"for margin {mesh.wish:g}")
+    heads = ("", "as it is", "unit", "S_H, %/%", "S_F, %/%", f"margin {mesh.wish:g}")
     title = f"What moves {mesh.mesh} ({mesh.method}): worst margin {written(mesh.margin)}"
     columns = tuple(Column(head, head, "", "") for head in heads)
     return Table(title, columns, tuple(_row(row) for row in mesh.rows), _NOTE)
