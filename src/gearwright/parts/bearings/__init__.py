@@ -1,4 +1,4 @@
-"""Rolling bearings: what is inside them, ratings, equivalent loads, lives by ISO 281 and ISO/TS 16281.
+"""Bearings: rolling ones by ISO 281, ISO 76 and ISO/TS 16281; plain ones by the film that bears them.
 
 Which size is taken is for the catalogue and `sizing`.
 """
@@ -45,6 +45,25 @@ from gearwright.parts.bearings.modified_life import (
     life_modification,
     reference_viscosity,
 )
+from gearwright.parts.bearings.plain import (
+    attitude_angle,
+    eccentricity_of,
+    film_load,
+    film_speed,
+    friction_variable,
+    narrow_load,
+    side_flow,
+    wide_load,
+)
+from gearwright.parts.bearings.plain_running import (
+    FilmOil,
+    FilmState,
+    Journal,
+    laminar_limit,
+    run_film,
+    usual_clearance,
+    usual_least_film,
+)
 from gearwright.parts.bearings.rating import (
     ball_dynamic_factor,
     ball_static_factor,
@@ -66,9 +85,13 @@ __all__ = [
     "Cleanliness",
     "Curvature",
     "FactorTable",
+    "FilmOil",
+    "FilmState",
+    "Journal",
     "LoadFactors",
     "OilFilter",
     "RingLoad",
+    "attitude_angle",
     "ball_contacts",
     "ball_dynamic_factor",
     "ball_static_factor",
@@ -78,9 +101,14 @@ __all__ = [
     "contamination_factor",
     "deep_groove_factors",
     "dynamic_rating",
+    "eccentricity_of",
     "ellipse_ratio",
     "equivalent_load",
     "fatigue_load_limit",
+    "film_load",
+    "film_speed",
+    "friction_variable",
+    "laminar_limit",
     "least_load",
     "life_exponent",
     "life_modification",
@@ -89,10 +117,13 @@ __all__ = [
     "load_deflection_constant",
     "load_distribution",
     "mean_load",
+    "narrow_load",
     "pair_factor",
     "reference_viscosity",
     "reliability_factor",
     "roller_dynamic_factor",
+    "run_film",
+    "side_flow",
     "speed_factor",
     "static_equivalent_load",
     "static_rating",
@@ -102,5 +133,8 @@ __all__ = [
     "taper_pair_thrusts",
     "taper_static_factors",
     "thermal_reference_speed",
+    "usual_clearance",
+    "usual_least_film",
     "weibull_slope",
+    "wide_load",
 ]

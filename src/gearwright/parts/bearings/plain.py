@@ -1,0 +1,162 @@
+"""Hydrodynamic journal bearings of finite width under a steady load: what their film bears, rubs and lets out.
+
+Dimensionless laws over eccentricity ε and width B/D for a full cylindrical bearing whose film begins where the gap is
+widest and ruptures where pressure would fall below that around it (Reynolds' condition). Both limits are closed: the
+very narrow bearing of Ocvirk, the very wide one of Sommerfeld and Gümbel. Between them stand constants that were fitted
+to solutions of Reynolds' equation by finite differences, which `tests/verification/test_journal_film.py` makes anew.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gearwright.arrays import Floats
+
+LEAST_ECCENTRICITY, MOST_ECCENTRICITY = 0.02, 0.98
+"""Range of ε that the fit of the load covers [-]; an eccentricity outside is answered by its end."""
+NARROWEST, WIDEST = 0.1, 2.0
+"""Range of B/D that the fits cover [-]."""
+_WIDE = (-0.4882, 0.6227)
+_BLEND = ((0.9411, -0.0074, 0.0723, -0.1745), (0.0617, -0.1662, -0.0681), (-0.003, 0.1302))
+"""Fitted: what rupture adds to the wide limit over ε² and ε⁴; the exponent that joins both limits, as polynomials of ε
+before 1, B/D and (B/D)²."""
+_FLOW = (0.8956, -0.0313, -0.0329, 0.1428)
+_ATTITUDE = (-0.4589, 2.2464, -3.037, 1.3529, 0.0599, -0.8336)
+_HALVINGS = 44
+"""Of the range of ε, until it is known to rounding [-]."""
+TAYLOR = 41.3
+"""Of the Reynolds number at which vortices begin between cylinders of which one turns [-] (Taylor 1923)."""
+
+
+def narrow_load(eccentricity: Floats, width_ratio: Floats) -> Floats:
+    """Return the Sommerfeld number of a very narrow bearing [-].
+
+    Args:
+        eccentricity: ε [-].
+        width_ratio: B/D [-].
+
+    Source: DuBois and Ocvirk, NACA TR 1157 (1953): So = (B/D)² ε/(2 (1 − ε²)²) √(π² (1 − ε²) + 16 ε²).
+    """
+    left = 1.0 - eccentricity**2
+    return np.asarray(
+        width_ratio**2 * eccentricity / (2.0 * left**2) * np.sqrt(np.pi**2 * left + 16.0 * eccentricity**2)
+    )
+
+
+def wide_load(eccentricity: Floats) -> Floats:
+    """Return the Sommerfeld number of a very wide bearing whose film ends at the narrowest place [-].
+
+    Args:
+        eccentricity: ε [-].
+
+    Source: Sommerfeld (1904) with Gümbel's half film: So = 3 ε √(π² (1 − ε²) + 4 ε²)/((2 + ε²)(1 − ε²)).
+    """
+    square = eccentricity**2
+    force = 3.0 * eccentricity * np.sqrt(np.pi**2 * (1.0 - square) + 4.0 * square)
+    return np.asarray(force / ((2.0 + square) * (1.0 - square)))
+
+
+def film_load(eccentricity: Floats, width_ratio: Floats) -> Floats:
+    """Return the Sommerfeld number that an eccentricity bears, So = p ψ²/(η ω) [-].
+
+    Args:
+        eccentricity: ε [-].
+        width_ratio: B/D [-].
+
+    Source: Reynolds' equation, Reynolds' rupture; fitted to 1.3 % for 0.02 ≤ ε ≤ 0.97, 2.6 % at 0.98.
+
+    Valid for: 0.1 ≤ B/D ≤ 2; laminar, isoviscous oil, rigid and parallel surfaces.
+    """
+    eps, ratio = np.asarray(eccentricity, dtype=np.float64), np.asarray(width_ratio, dtype=np.float64)
+    wide = wide_load(eps) * (1.0 + _WIDE[0] * eps**2 + _WIDE[1] * eps**4)
+    free, once, twice = (np.polynomial.polynomial.polyval(eps, np.array(row)) for row in _BLEND)
+    joined = free + ratio * once + ratio**2 * twice
+    return np.asarray((narrow_load(eps, ratio) ** -joined + wide**-joined) ** (-1.0 / joined))
+
+
+def eccentricity_of(load: Floats, width_ratio: Floats) -> Floats:
+    """Return the eccentricity that bears a Sommerfeld number, ε [-]; the end of the fit's range beyond it.
+
+    Args:
+        load: So = p ψ²/(η ω) [-].
+        width_ratio: B/D [-].
+
+    Source: inverse of `film_load` by halving.
+    """
+    asked, ratio = np.broadcast_arrays(np.asarray(load, dtype=np.float64), np.asarray(width_ratio, dtype=np.float64))
+    low, high = np.full(asked.shape, LEAST_ECCENTRICITY), np.full(asked.shape, MOST_ECCENTRICITY)
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (low + high)
+        over = film_load(middle, ratio) > asked
+        low, high = np.where(over, low, middle), np.where(over, middle, high)
+    return np.asarray(0.5 * (low + high))
+
+
+def attitude_angle(eccentricity: Floats, width_ratio: Floats) -> Floats:
+    """Return the angle between the load and the narrowest place of the gap, β [rad].
+
+    Args:
+        eccentricity: ε [-].
+        width_ratio: B/D [-].
+
+    Source: Ocvirk's tan β = π √(1 − ε²)/(4 ε), and what a finite width adds, fitted to 1.1°.
+
+    Valid for: 0.1 ≤ ε ≤ 0.98 and 0.1 ≤ B/D ≤ 2.
+    """
+    eps, ratio = np.asarray(eccentricity), np.asarray(width_ratio)
+    first, second, third, fourth, wide, slim = _ATTITUDE
+    more = (first + second * eps + third * eps**2 + fourth * eps**3) * ratio / (1.0 + wide * ratio + slim * eps)
+    return np.asarray(np.arctan(np.pi * np.sqrt(1.0 - eps**2) / (4.0 * eps) * (1.0 + more)))
+
+
+def friction_variable(eccentricity: Floats, width_ratio: Floats) -> Floats:
+    """Return the coefficient of friction over the relative clearance, f/ψ [-].
+
+    Args:
+        eccentricity: ε [-].
+        width_ratio: B/D [-].
+
+    Source: shear of a film all around, and the moment of its load: π/(So √(1 − ε²)) + ε sin β/2 (DIN 31652-1).
+    """
+    eps = np.asarray(eccentricity)
+    shear = np.pi / (film_load(eps, width_ratio) * np.sqrt(1.0 - eps**2))
+    return np.asarray(shear + eps / 2.0 * np.sin(attitude_angle(eps, width_ratio)))
+
+
+def side_flow(eccentricity: Floats, width_ratio: Floats) -> Floats:
+    """Return the oil that the film's own pressure presses out at both sides, over D³ ψ ω [-].
+
+    Args:
+        eccentricity: ε [-].
+        width_ratio: B/D [-].
+
+    Source: very narrow bearings ε (B/D)/4 (Ocvirk); a finite width lets out tanh(k B/D)/(k B/D) of it, k fitted to
+        1.4 %.
+
+    Valid for: 0.1 ≤ B/D ≤ 2.
+    """
+    eps, ratio = np.asarray(eccentricity), np.asarray(width_ratio)
+    reach = ratio * (_FLOW[0] + _FLOW[1] * ratio + _FLOW[2] * eps + _FLOW[3] * ratio * eps)
+    return np.asarray(0.25 * eps * ratio * np.tanh(reach) / reach)
+
+
+def film_speed(journal: float, bush: float, load: float = 0.0) -> float:
+    """Return the speed that builds a film: of both surfaces against the load's direction together [rad/s].
+
+    A film of a load that stands still is dragged in by the mean of both surfaces. Seen from a load that turns, both
+    turn less by its speed. A planet's load stands still in its carrier, and so does its pin: what builds the film is
+    the planet's speed against the carrier, whole.
+
+    Args:
+        journal: Of the pin [rad/s].
+        bush: Of the planet [rad/s].
+        load: Of the direction of the load; of a planet that of its carrier [rad/s].
+
+    Source: Reynolds' equation, ω_h = ω_J + ω_B − 2 ω_F (DIN 31652-1, ISO 7902-1).
+
+    >>> film_speed(470.0, 470.0 + 1300.0, 470.0)
+    1300.0
+    >>> film_speed(100.0, 0.0, 50.0)  # a load that turns at half the speed of the shaft is not borne
+    0.0
+    """
+    return abs(journal + bush - 2.0 * load)
