@@ -7,9 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwright.air import stagnation_ratios
+from gearwright.air.atmosphere import SEA_LEVEL_TEMPERATURE
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import stored_energy
+from gearwright.machines.power import exhaust_heat
 from gearwright.mission.flight import Balance, Flight, consumed, fuel_energy
 from gearwright.mission.gearbox import Drag, Gearbox, Point
 from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, stacked
@@ -82,6 +85,10 @@ def recorded(moment: Moment, work: float, performance: Performance, drawn: Drawn
         fuel_flow=drawn.fuel_flow,
         turbine_power=drawn.turbine_power,
         turbine_available=drawn.turbine_available,
+        air_flow=drawn.exhaust.air_flow,
+        exhaust_temperature=drawn.exhaust.temperature,
+        exhaust_heat=exhaust_heat(drawn.exhaust, _inlet(moment)),
+        casing_heat=drawn.exhaust.casing,
         battery_power=drawn.battery.open_power,
         battery_current=drawn.battery.current,
         battery_voltage=drawn.battery.terminal_voltage,
@@ -95,6 +102,11 @@ def recorded(moment: Moment, work: float, performance: Performance, drawn: Drawn
         battery_loss=drawn.battery.loss,
         spin_up=lost.spin_up,
     )
+
+
+def _inlet(moment: Moment) -> float:
+    """Stagnation temperature of the air [K]."""
+    return stagnation_ratios(moment.air, moment.mach)[0] * SEA_LEVEL_TEMPERATURE
 
 
 def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
@@ -171,7 +183,9 @@ def _balance(flown: Flown, history: History[Floats], taken: Floats) -> Balance:
         battery=_drawn(mission, supply, float(history.state_of_charge[-1])),
         propeller=total(history.propeller_power),
         consumers=total(taken),
-        turbine_heat=fuel - total(history.turbine_power),
+        turbine_heat=total(history.exhaust_heat) + total(history.casing_heat),
+        exhaust_heat=total(history.exhaust_heat),
+        casing_heat=total(history.casing_heat),
         mesh_loss=total(history.mesh_loss),
         bearing_loss=total(history.bearing_loss),
         windage_loss=total(history.windage_loss),

@@ -13,7 +13,9 @@ from gearwright.machines import HEATING_VALUE, PropellerMap
 from gearwright.mission.history import (
     BATTERY_LOSS,
     BEARING_LOSS,
+    CASING_HEAT,
     CHURNING_LOSS,
+    EXHAUST_HEAT,
     MESH_LOSS,
     MOTOR_LOSS,
     TURBINE_HEAT,
@@ -45,7 +47,11 @@ class Balance:
     consumers: Energy
     """Work of what else takes power: accessories, tail rotors, generators, loads [J]."""
     turbine_heat: Annotated[Energy, TURBINE_HEAT]
-    """Of the fuel, what does not reach the shaft [J]."""
+    """That leaves the turbines beside their shafts, by the states of their gas [J]."""
+    exhaust_heat: Annotated[Energy, EXHAUST_HEAT]
+    """Of it, with the exhaust [J]."""
+    casing_heat: Annotated[Energy, CASING_HEAT]
+    """Of it, through casing and oil [J]."""
     mesh_loss: Annotated[Energy, MESH_LOSS]
     """[J]"""
     bearing_loss: Annotated[Energy, BEARING_LOSS]
@@ -68,7 +74,11 @@ class Balance:
 
     @property
     def residual(self) -> Ratio:
-        """What is missing, as a part of what came in [-]."""
+        """What is missing between two books, as a part of what came in [-].
+
+        One book has what stores lose: fuel by its mass, charge by its state. The other has what work, losses and the
+        states of the gas add up to; neither is made from the other.
+        """
         spent = self.propeller + self.consumers + self.turbine_heat + self.gearbox_loss
         spent += self.motor_loss + self.battery_loss + self.stored
         return abs(self.fuel + self.battery - spent) / (self.fuel + abs(self.battery))

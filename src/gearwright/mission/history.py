@@ -23,7 +23,11 @@ WINDAGE_LOSS = Origin("n^2.8 R^4.6", "Anderson and Loewenthal, NASA TP-1622")
 CHURNING_LOSS = Origin("f_g ν n³ D^5.7", "ISO/TR 14179-1")
 MOTOR_LOSS = Origin("k_c T² + k_i ω + k_w ω³ + C", "Larminie and Lowry 2012, eq. 7.23")
 BATTERY_LOSS = Origin("R I²", "open-circuit voltage behind a resistance")
-TURBINE_HEAT = Origin("Willans line, P ∝ δ_t θ_t^n", "Saravanamuttoo et al., ch. 8")
+TURBINE_FUEL = Origin("Willans line, P ∝ δ_t θ_t^n", "Saravanamuttoo et al., ch. 8")
+EXHAUST_STATE = Origin("(ṁ_a + ṁ_f) h(T, f) = ṁ_a h(T_0) + ṁ_f H − P − Q̇_c", "steady energy of the engine")
+EXHAUST_HEAT = Origin("(ṁ_a + ṁ_f) h(T, f) − ṁ_a h(T_0)", "Walsh and Fletcher 2004, F3.26: states of gas and air")
+CASING_HEAT = Origin("c ṁ_f H", "engine.casing_loss, an assumption")
+TURBINE_HEAT = Origin("exhaust + casing", "heat balance")
 _AIR = "ISA, ISO 2533:1975"
 _MAP = "propeller map"
 
@@ -53,11 +57,18 @@ class History(Generic[T]):
     compressibility: Annotated[T | None, Quantity("ratio"), Origin("F_t", "Worobel and Mayo, NASA CR-114399")]
     """Factor on the thrust."""
     thrust: Annotated[T | None, Quantity("force"), Origin("F_t C_T ρ n² D⁴", _MAP)]
-    fuel_flow: Annotated[T, Quantity("mass_flow"), TURBINE_HEAT]
+    fuel_flow: Annotated[T, Quantity("mass_flow"), TURBINE_FUEL]
     turbine_power: Annotated[T, Quantity("power")]
     """Of all turbines."""
-    turbine_available: Annotated[T, Quantity("power"), TURBINE_HEAT]
+    turbine_available: Annotated[T, Quantity("power"), TURBINE_FUEL]
     """What the turbines could give."""
+    air_flow: Annotated[T, Quantity("mass_flow"), Origin("ṁ_0 δ_t θ_t^−½ (i + (1 − i) P/P_core)", "choked turbine")]
+    """Through all turbines that run."""
+    exhaust_temperature: Annotated[T, Quantity("absolute_temperature"), EXHAUST_STATE]
+    """Of their gas, mixed; stagnation. Where none runs, that of the air."""
+    exhaust_heat: Annotated[T, Quantity("power"), EXHAUST_HEAT]
+    """That leaves with the gas."""
+    casing_heat: Annotated[T, Quantity("power"), CASING_HEAT]
     battery_power: Annotated[T, Quantity("power")]
     """Of its chemistry: at the terminals and its own loss."""
     battery_current: Annotated[T, Quantity("current")]

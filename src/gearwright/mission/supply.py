@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from gearwright.air import stagnation_ratios
+from gearwright.air.atmosphere import SEA_LEVEL_TEMPERATURE
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import (
     EMPTY,
@@ -23,6 +24,7 @@ from gearwright.machines import (
     power_limits,
     rated_losses,
 )
+from gearwright.machines.power import Breathing, Exhaust, air_flow, exhaust_of, mixed
 from gearwright.mission.gearbox import Gearbox, Point
 from gearwright.mission.profile import Moment
 from gearwright.sizing import Sizing
@@ -30,6 +32,8 @@ from gearwright.spec import BatteryRules, Machine, Mission, Phase
 from gearwright.spec.design import allowed_for
 from gearwright.units import KWH
 
+SPECIFIC_POWER = 250e3
+"""Power over air flow where a mission does not say it [J/kg]; an assumption."""
 _SLACK = 1e-9
 """Part by which a limit may be passed: rounding."""
 
@@ -63,9 +67,22 @@ class Drawn(NamedTuple):
     """Of all turbines [W]."""
     turbine_available: float
     """What they could give [W]."""
+    exhaust: Exhaust
+    """Of all turbines, mixed."""
     motor_loss: float
     """[W]"""
     battery: BatteryStep
+
+
+class Burnt(NamedTuple):
+    """What all turbines burn, could give and leave behind."""
+
+    fuel_flow: float
+    """[kg/s]"""
+    available: float
+    """[W]"""
+    exhaust: Exhaust
+    """Mixed."""
 
 
 class MotorPoint(NamedTuple):
@@ -86,6 +103,8 @@ class Supply:
     battery: Battery | None
     ratings: Mapping[str, float]
     """Machine -> rated power [W]."""
+    breathing: Mapping[str, Breathing]
+    """Turbine -> the air it breathes."""
 
     def parts(self, phase: Phase) -> dict[str, float]:
         """Return machine -> part of the power of all machines in a phase [-].
@@ -134,13 +153,13 @@ class Supply:
             DesignError: A machine or the battery cannot give its power.
         """
         powers, speeds = given.powers, machine_speeds(gearbox, given.point)
-        fuel, available = self._burn(moment, powers, speeds, terms.rating)
+        burnt = self._burn(moment, powers, speeds, terms.rating)
         points = {name: MotorPoint(powers[name], speeds[name]) for name in self.motors if powers[name]}
         lost = sum(self._heat(name, at, terms.mode) for name, at in points.items())
         electric = sum(powers[name] for name in self.motors) + lost
         step = self._discharge(terms, electric, moment)
         turbines = sum(powers[name] for name in self.engines)
-        return Drawn(fuel, turbines, available, lost, step)
+        return Drawn(burnt.fuel_flow, turbines, burnt.available, burnt.exhaust, lost, step)
 
     def dragged(self, gearbox: Gearbox, point: Point, parts: Mapping[str, float]) -> float:
         """Return what motors without current take from the shafts that drag them [W].
@@ -153,11 +172,10 @@ class Supply:
         speeds = machine_speeds(gearbox, point)
         return sum(motor_loss(motor, 0.0, speeds[name]) for name, motor in self.motors.items() if name not in parts)
 
-    def _burn(
-        self, moment: Moment, powers: Mapping[str, float], speeds: Mapping[str, float], rating: float
-    ) -> tuple[float, float]:
-        """Return fuel flow [kg/s] and available power [W] of all turbines; one that idles in electric mode is off."""
+    def _burn(self, moment: Moment, powers: Mapping[str, float], speeds: Mapping[str, float], rating: float) -> Burnt:
+        """Return what all turbines burn; one that idles in electric mode is off."""
         fuel = available = 0.0
+        exhausts = list[Exhaust]()
         ratios = stagnation_ratios(moment.air, moment.mach)
         for name, usual in self.engines.items():
             engine = usual.rated(rating)
@@ -167,9 +185,17 @@ class Supply:
                 raise DesignError([Problem(name, self._too_weak(moment, powers[name], limits))])
             if powers[name] < -_SLACK * limits.rating:
                 raise DesignError([Problem(name, _braked(powers[name]))])
-            if powers[name] > 0.0:
-                fuel += fuel_flow(usual, *ratios, powers[name])  # the rating does not change what a power burns
-        return fuel, available
+            burnt = fuel_flow(usual, *ratios, powers[name]) if powers[name] > 0.0 else 0.0  # at any rating
+            exhausts.append(self._left(name, ratios, powers[name], (burnt, limits.core)))
+            fuel += burnt
+        gas = mixed(exhausts) if exhausts else Exhaust(temperature=ratios[0] * SEA_LEVEL_TEMPERATURE)
+        return Burnt(fuel, available, gas)
+
+    def _left(self, name: str, ratios: tuple[float, float], power: float, burnt: tuple[float, float]) -> Exhaust:
+        """Return the exhaust of a turbine; `burnt` is its fuel flow [kg/s] and what its core could give [W]."""
+        breathing, (fuel, core) = self.breathing[name], burnt
+        air = air_flow(breathing, *ratios, min(max(power, 0.0) / core, 1.0))
+        return exhaust_of(breathing, air, ratios[0] * SEA_LEVEL_TEMPERATURE, fuel=fuel, power=power)
 
     def _too_weak(self, moment: Moment, power: float, limits: PowerLimits) -> str:
         """Return what is wrong with a power that a turbine cannot give, and what helps."""
@@ -277,7 +303,12 @@ def supply_of(sizing: Sizing, mission: Mission) -> Supply:
     }
     ratings = {name: turbine.power for name, turbine in sizing.design.turbines.items()}
     ratings |= {name: machine.power for name, machine in sizing.design.motors.items()}
-    return Supply(engines, motors, _pack(mission.battery) if mission.battery and motors else None, ratings)
+    breathing = {
+        name: Breathing(rules.air_flow_kg_s or engine.thermal_power / SPECIFIC_POWER, rules.idle_air, rules.casing_loss)
+        for name, engine in engines.items()
+    }
+    pack = _pack(mission.battery) if mission.battery and motors else None
+    return Supply(engines, motors, pack, ratings, breathing)
 
 
 def _overload(machine: Machine, said: float) -> float:

@@ -61,6 +61,13 @@ class EngineRules(Record):
         1.0, ge=1, le=1.5, description="Rating over the rated power and torque while an engine is out"
     )
     temperature_exponent: float = Field(-0.5, ge=-5, le=2, description="n of P ∝ δ_t θ_t^n")
+    air_flow_kg_s: float | None = Field(
+        None, gt=0, le=1e4, description="Air at thermal power at sea level; left out: that power over 250 kJ/kg"
+    )
+    idle_air: Ratio = Field(0.5, gt=0, le=1, description="Part of that air flow that flows without power")
+    casing_loss: Ratio = Field(
+        0.01, ge=0, lt=0.3, description="Part of the fuel's heat that leaves through casing and oil"
+    )
 
 
 class MotorRules(Record):

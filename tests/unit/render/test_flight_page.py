@@ -47,7 +47,7 @@ def test_every_id_is_there_once():
 def test_flights_without_motor_or_without_propeller_map_have_a_page(design, mission):
     flight = fly(size(read(shipped_design(design))), read_mission(shipped_mission(mission)))
     page = flight_page(flight, durability(flight), review_of(flight.sizing, flight))
-    assert "heat of the turbines" in page
+    assert "exhaust of the turbines" in page
     assert "state of charge" not in page
 
 
@@ -63,7 +63,9 @@ def test_what_flows_into_the_sankey_flows_out():
     for battery, stored in ((0.3, 0.01), (-0.2, -0.01), (-0.8, 0.0)):
         rest = dict.fromkeys(("mesh_loss", "bearing_loss", "windage_loss", "churning_loss"), 0.01)
         work = 1.0 + battery - 0.7 - 0.04 - 0.02 - 0.01 - 0.03 - stored
-        balance = Balance(1.0, battery, work, 0.03, 0.7, motor_loss=0.02, battery_loss=0.01, stored=stored, **rest)
+        balance = Balance(
+            1.0, battery, work, 0.03, 0.7, 0.65, 0.05, motor_loss=0.02, battery_loss=0.01, stored=stored, **rest
+        )
         assert balance.residual == pytest.approx(0.0, abs=1e-12)
         flows = energies(balance)
         out = sum(sink.energy for sinks in (flows.hot, flows.used, flows.lost) for sink in sinks)

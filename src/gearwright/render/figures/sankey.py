@@ -76,7 +76,10 @@ def energies(balance: Balance) -> Energies:
         turbine=balance.fuel - balance.turbine_heat,
         electric=max(from_motors, 0.0),
         generated=max(-from_motors, 0.0),
-        hot=_positive([Sink("heat of the turbines", balance.turbine_heat, theme.MUTED)]),
+        hot=_positive([
+            Sink("exhaust of the turbines", balance.exhaust_heat, theme.MUTED),
+            Sink("casings of the turbines", balance.casing_heat, theme.MUTED),
+        ]),
         used=_positive([
             Sink("work of the propeller", balance.propeller, theme.GREEN),
             Sink("accessories and other loads", balance.consumers, theme.BLUE), *gearbox,

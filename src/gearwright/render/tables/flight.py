@@ -105,7 +105,8 @@ class BearingView:
 
 
 LOSSES = {
-    "turbine_heat": "heat of the turbines",
+    "exhaust_heat": "exhaust of the turbines",
+    "casing_heat": "casings of the turbines",
     "mesh_loss": "meshes",
     "bearing_loss": "bearings",
     "windage_loss": "windage",

@@ -1,0 +1,62 @@
+"""Fuel by mass and charge by state on one side, work, losses and states of gas on the other."""
+
+import dataclasses
+import functools
+
+import numpy as np
+import pytest
+
+from gearwright.air import air_at, stagnation_ratios
+from gearwright.machines.power import Exhaust, exhaust_heat
+from gearwright.mission import fly
+from gearwright.sizing import size
+from gearwright.spec import edited_mission, read, read_mission
+
+FLIGHTS = (("in-line-h2", "thesis"), ("in-line", "regional-250nm"), ("twin-engine-helicopter", "rotor-schedule"))
+
+
+@functools.cache
+def flown(design, mission):
+    return fly(size(read(design)), read_mission(mission))
+
+
+def gas_heat(flight, warmer=0.0):
+    """What the gas carries away, from recorded flows and temperatures alone [J]."""
+    history, total = flight.history, 0.0
+    for k, span in enumerate(history.duration):
+        air = air_at(float(history.altitude[k]), flight.mission.isa_offset_k)
+        inlet = stagnation_ratios(air, float(history.mach[k]))[0] * 288.15
+        gas = Exhaust(*(float(row[k]) for row in (history.air_flow, history.fuel_flow, history.exhaust_temperature)))
+        total += span * exhaust_heat(gas._replace(temperature=gas.temperature + warmer), inlet)
+    return total
+
+
+@pytest.mark.parametrize("pair", FLIGHTS)
+def test_the_books_agree(pair):
+    assert flown(*pair).balance.residual <= 1e-9
+
+
+def test_the_second_book_is_made_of_what_is_recorded():
+    flight = flown(*FLIGHTS[0])
+    assert gas_heat(flight) == pytest.approx(flight.balance.exhaust_heat, rel=1e-12)
+    other = dataclasses.replace(flight.balance, turbine_heat=gas_heat(flight, 1.0) + flight.balance.casing_heat)
+    assert other.residual > 1e-4
+
+
+def test_more_air_makes_a_cooler_exhaust_and_no_other_balance():
+    mission = read_mission("regional-250nm")
+    less, more = (
+        fly(size(read("in-line")), edited_mission(mission, {"engine.air_flow_kg_s": flow})) for flow in (9.0, 12.0)
+    )
+    assert np.all(more.history.exhaust_temperature < less.history.exhaust_temperature)
+    assert more.balance.exhaust_heat == pytest.approx(less.balance.exhaust_heat, rel=1e-9)
+    assert max(more.balance.residual, less.balance.residual) <= 1e-9
+
+
+def test_a_turbine_that_is_off_leaves_the_air_as_it_is():
+    flight = flown(*FLIGHTS[0])
+    off = flight.history.fuel_flow == 0.0
+    assert off.any() and not flight.history.exhaust_heat[off].any()
+    assert flight.history.exhaust_temperature[off] == pytest.approx(
+        flight.history.air_temperature[off] * (1.0 + 0.2 * flight.history.mach[off] ** 2), rel=1e-12
+    )
