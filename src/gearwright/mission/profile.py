@@ -29,6 +29,8 @@ class Moment(NamedTuple):
     """Around the aircraft."""
     true_airspeed: float
     """[m/s]"""
+    acceleration: float
+    """Change of the true airspeed along the path [m/s²]."""
     climb: float
     """Rate of climb [m/s]."""
     propeller_speed: float
@@ -117,6 +119,7 @@ def _moment(mission: Mission, name: str, cut: _Cut, before: _Before) -> Moment:
     part = 0.5 * (start + end) / duration
     altitude = before.altitude + (phase.altitude - before.altitude) * part
     air = air_at(altitude, mission.isa_offset_k)
+    airspeeds = [_true_airspeed(mission, name, before, time / duration) for time in (start, end)]
     speeds = [_ramped(phase, time, before.speed) for time in (start, end)]
     power = phase.power
     if power is not None and phase.end_power is not None:
@@ -128,7 +131,8 @@ def _moment(mission: Mission, name: str, cut: _Cut, before: _Before) -> Moment:
         duration=end - start,
         altitude=altitude,
         air=air,
-        true_airspeed=_true_airspeed(phase, name, air),
+        true_airspeed=_true_airspeed(mission, name, before, part),
+        acceleration=(airspeeds[1] - airspeeds[0]) / (end - start),
         climb=(phase.altitude - before.altitude) / duration,
         propeller_speed=0.5 * sum(speeds),
         propeller_gain=speeds[1] - speeds[0],
@@ -136,10 +140,23 @@ def _moment(mission: Mission, name: str, cut: _Cut, before: _Before) -> Moment:
     )
 
 
-def _true_airspeed(phase: Phase, name: str, air: Air) -> float:
-    if phase.mach is not None:
-        return phase.mach * air.sound_speed
+def _true_airspeed(mission: Mission, name: str, before: _Before, part: float) -> float:
+    """Return the true airspeed at a part of a phase [m/s]."""
+    phase = mission.phases[name]
+
+    def air(at: float) -> Air:
+        return air_at(before.altitude + (phase.altitude - before.altitude) * at, mission.isa_offset_k)
+
     try:
-        return phase.tas if phase.tas is not None else true_of_calibrated(phase.cas or 0.0, air)
+        if phase.from_tas is None and phase.from_cas is None:
+            return _by_law(phase, air(part))
+        first = phase.from_tas if phase.from_tas is not None else true_of_calibrated(phase.from_cas or 0.0, air(0.0))
+        return first + (_by_law(phase, air(1.0)) - first) * part
     except DesignError as error:
         raise DesignError([Problem(f"phases.{name}", problem.message) for problem in error.problems]) from None
+
+
+def _by_law(phase: Phase, air: Air) -> float:
+    if phase.mach is not None:
+        return phase.mach * air.sound_speed
+    return phase.tas if phase.tas is not None else true_of_calibrated(phase.cas or 0.0, air)

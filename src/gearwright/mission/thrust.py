@@ -98,7 +98,7 @@ def _advance(blades: Blades, moment: Moment) -> Advance:
 
 
 def _needed_thrust(mission: Mission, moment: Moment, phase: Phase, burnt: float) -> float:
-    """Return the thrust of one propeller in steady flight: (D + m g sin γ)/engines with D = q S (C_D0 + k C_L²)."""
+    """Return the thrust of one propeller: (D + m g sin γ + m dV/dt)/engines with D = q S (C_D0 + k C_L²)."""
     aircraft = mission.aircraft
     if aircraft is None:  # `mission_problems` refuses it
         raise DesignError([Problem("aircraft", "a phase needs a thrust; give an [aircraft]")])
@@ -109,7 +109,7 @@ def _needed_thrust(mission: Mission, moment: Moment, phase: Phase, burnt: float)
     slope = moment.climb / moment.true_airspeed
     lift = weight * math.sqrt(1.0 - slope**2) / dynamic
     drag_force = dynamic * (aircraft.zero_lift_drag + aircraft.induced_drag * lift**2)
-    return (drag_force + weight * slope) / (phase.engines or mission.engines)
+    return (drag_force + weight * (slope + moment.acceleration / GRAVITY)) / (phase.engines or mission.engines)
 
 
 def _refuse_no_flight(moment: Moment, borne: Borne) -> None:

@@ -28,6 +28,10 @@ class Phase(Record):
     cas: Velocity | None = Field(None, ge=0, le=340, description="Calibrated airspeed; one of cas, tas, mach")
     tas: Velocity | None = Field(None, ge=0, le=340, description="True airspeed; one of cas, tas, mach")
     mach: Ratio | None = Field(None, ge=0, lt=1, description="Mach number; one of cas, tas, mach")
+    from_cas: Velocity | None = Field(
+        None, ge=0, le=340, description="Calibrated airspeed at its start; the true one then changes linearly"
+    )
+    from_tas: Velocity | None = Field(None, ge=0, le=340, description="The same as true airspeed")
     duration: Time | None = Field(None, ge=0.01, le=1e6, description="Duration; or rate_of_climb")
     rate_of_climb: Velocity | None = Field(
         None, ge=-100, le=100, description="Rate of climb, negative in descent; or duration"

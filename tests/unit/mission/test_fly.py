@@ -155,7 +155,7 @@ def test_a_mach_number_beyond_the_charts_is_refused():
 
 @pytest.mark.parametrize("turning", [1212, 1500])
 def test_thrust_carries_the_weight_up_the_slope(turning):
-    """T = D + m g sin γ with C_D = C_D0 + k C_L², by hand in the middle of the phase; 1e-3 for the fuel burnt.
+    """T = D + m g sin γ + m dV/dt with C_D = C_D0 + k C_L², by hand amid the phase; 1e-3 for the fuel burnt.
 
     The faster propeller loses some thrust to compressibility, and pitch makes up for it.
     """
@@ -168,9 +168,34 @@ def test_thrust_carries_the_weight_up_the_slope(turning):
 
     dynamic = 0.5 * air_at(h.altitude[k]).density * speed**2 * 61
     lift = 9000 * 9.80665 * math.sqrt(1 - slope**2) / dynamic
-    thrust = dynamic * (0.028 + 0.034 * lift**2) + 9000 * 9.80665 * slope
+    gain = (h.true_airspeed[k + 1] - h.true_airspeed[k - 1]) / (h.time[k + 1] - h.time[k - 1])  # at constant CAS
+    thrust = dynamic * (0.028 + 0.034 * lift**2) + 9000 * (9.80665 * slope + gain)
     assert h.thrust[k] == pytest.approx(thrust, rel=1e-3)
     assert (h.compressibility[k] < 0.999) == (turning > 1400)
+
+
+def test_an_aircraft_accelerates_from_one_airspeed_to_the_next():
+    """Level, from 90 to 102 m/s in two minutes: 0.1 m/s² everywhere, and 0.1 m more thrust than steady flight has.
+
+    The thrust of steady flight comes from the same polar by hand; 1e-3 for the fuel burnt.
+    """
+    from gearwright.air import air_at
+
+    aircraft = "[aircraft]\nmass_kg = 9000\nwing_area_m2 = 61\nzero_lift_drag = 0.028\ninduced_drag = 0.034\n"
+    text = BASE.replace("power_kw = 900\n", "").replace("cas_kt = 170", "from_tas_m_s = 90\ntas_m_s = 102")
+    flight = flown(text.replace("[engine]", aircraft + "[engine]"), sized("in-line"))
+    h = flight.history
+    assert np.diff(h.true_airspeed) / np.diff(h.time) == pytest.approx(0.1, rel=1e-9)
+    assert h.true_airspeed[0] - 0.1 * h.time[0] == pytest.approx(90.0, rel=1e-12)
+    for speed, altitude, thrust in zip(h.true_airspeed, h.altitude, h.thrust, strict=True):
+        dynamic = 0.5 * air_at(altitude).density * speed**2 * 61
+        drag = dynamic * 0.028 + 0.034 * (9000 * 9.80665) ** 2 / dynamic
+        assert thrust == pytest.approx(drag + 900.0, rel=1e-3)
+
+
+def test_an_airspeed_at_the_start_is_given_once():
+    with pytest.raises(DesignError, match="from_cas and from_tas given; give one of them"):
+        parse_mission(BASE.replace("cas_kt = 170", "cas_kt = 170\nfrom_cas_kt = 100\nfrom_tas_kt = 110"))
 
 
 @pytest.mark.parametrize(

@@ -79,6 +79,8 @@ def _speed(phase: Phase) -> Iterator[str]:
     stated = [name for name in ("cas", "tas", "mach") if getattr(phase, name) is not None]
     if len(stated) != 1:
         yield f"{' and '.join(stated) or 'no speed'} given; give one of cas, tas and mach"
+    if phase.from_cas is not None and phase.from_tas is not None:
+        yield "from_cas and from_tas given; give one of them"
 
 
 def _power(phase: Phase, mission: Mission) -> Iterator[str]:
