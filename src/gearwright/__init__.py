@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     )
     from gearwright.sizing import influences, methods_beside, named_results, size, size_many
     from gearwright.sizing.losses import loss_balance
+    from gearwright.sizing.mass import complete_mass
     from gearwright.spec import edited, edited_mission, parse, read, read_mission, read_study, schema
     from gearwright.store import StoredRun, load, save
     from gearwright.study import compare, for_engine
@@ -68,6 +69,7 @@ _VERBS = {
     "assemble": "dynamics.assembly",
     "campbell": "dynamics",
     "compare": "study",
+    "complete_mass": "sizing.mass",
     "critical_speeds": "dynamics.vibration",
     "draw": "render.drawings.catalogue",
     "durability": "mission",
@@ -138,6 +140,7 @@ __all__ = [
     "assemble",
     "campbell",
     "compare",
+    "complete_mass",
     "critical_speeds",
     "draw",
     "durability",

@@ -9,12 +9,13 @@ from gearwright.catalogue.bearing_choice import (
     fitting_bearings,
 )
 from gearwright.catalogue.bearing_oil import BearingOil, ModifiedLife, bearing_friction, modified_life
-from gearwright.catalogue.bearings import Bearing, bearing, bearings, with_ratings
+from gearwright.catalogue.bearings import STEEL_DENSITY, STEEL_SHARE, Bearing, bearing, bearings, with_ratings
 from gearwright.catalogue.engines import Engine, Printed, Series, all_series, engines, nearest, notes, select
 from gearwright.catalogue.fits import LARGEST, SEAT_SOURCE, SMALLEST, seat_tolerance, shaft_limits, standard_tolerance
 from gearwright.catalogue.gear_fits import CENTRE_FITS, THICKNESS_FITS, centre_allowance, thickness_allowances
 from gearwright.catalogue.gear_strength import USUAL_HARDNESS, gear_steel, gear_steel_names, rated_steel
 from gearwright.catalogue.gearbox_weights import gearbox_classes, weighed_gearboxes
+from gearwright.catalogue.housing_materials import HousingMaterial, housing_materials
 from gearwright.catalogue.keys import LENGTHS, StandardKey, key_for_shaft, standard_keys
 from gearwright.catalogue.load_factors import load_factor_tables, load_factors
 from gearwright.catalogue.materials import material_of, materials
@@ -35,6 +36,8 @@ __all__ = [
     "MAPS",
     "SEAT_SOURCE",
     "SMALLEST",
+    "STEEL_DENSITY",
+    "STEEL_SHARE",
     "THICKNESS_FITS",
     "USUAL_HARDNESS",
     "Bearing",
@@ -43,6 +46,7 @@ __all__ = [
     "BearingOil",
     "BearingSpectrum",
     "Engine",
+    "HousingMaterial",
     "ModifiedLife",
     "Printed",
     "Series",
@@ -62,6 +66,7 @@ __all__ = [
     "gear_steel_names",
     "gearbox_classes",
     "hamilton_standard_charts",
+    "housing_materials",
     "key_for_shaft",
     "load_factor_tables",
     "load_factors",

@@ -12,6 +12,7 @@ from gearwright.parts.gears.cylindrical_gear import (
     pressure_angle_at,
     tip_thickness,
 )
+from gearwright.parts.gears.gear_blank import Blank, blank_volume, tooth_area
 from gearwright.parts.gears.gear_body import disc_inertia, disc_mass, ring_inertia, ring_mass
 from gearwright.parts.gears.gear_pair import GearPair, contact_radii, tip_clearances
 from gearwright.parts.gears.hertz import (
@@ -74,6 +75,7 @@ __all__ = [
     "ISO53_D",
     "UNSHIFTED",
     "BasicRack",
+    "Blank",
     "ContactAngles",
     "CylindricalGear",
     "GearPair",
@@ -85,6 +87,7 @@ __all__ = [
     "ball_measurement",
     "base_helix_angle",
     "bending_stress_lewis",
+    "blank_volume",
     "centre_play",
     "circumferential_play",
     "contact_angles",
@@ -125,6 +128,7 @@ __all__ = [
     "tip_room",
     "tip_shortening",
     "tip_thickness",
+    "tooth_area",
     "tooth_form",
     "transverse_pressure_angle",
     "virtual_teeth",

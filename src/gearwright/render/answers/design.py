@@ -22,6 +22,7 @@ from gearwright.sizing import AskedSpeed, MassPart, Passing, Sizing, Turn, asked
 from gearwright.sizing.arrangement.envelope import Envelope, envelope
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.losses import Loss, loss_balance
+from gearwright.sizing.mass import CompleteMass, Statistics, complete_mass, statistics_beside
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
 from gearwright.sizing.result import GearSizing, MachineSizing
@@ -82,6 +83,16 @@ class SizeAnswer:
     machines: tuple[MachineSizing, ...]
     masses: tuple[MassPart, ...]
     """Gears, shafts and carriers, the heaviest first."""
+    complete_mass: CompleteMass
+    """Everything in it but machines, part by part with its origin."""
+    complete_total: Mass
+    """Sum of those parts."""
+    complete_low: Mass
+    """Lower limit of its band of 68 %."""
+    complete_high: Mass
+    """Upper limit of its band of 68 %."""
+    statistics: Statistics
+    """What 61 real gearboxes say of its power and speeds."""
     envelope: Envelope
     places: tuple[Stands, ...]
     """Envelope of every body in space."""
@@ -119,6 +130,7 @@ def size_answer(sizing: Sizing, asked: Asked = NOTHING_MORE) -> SizeAnswer:
         sizing: As sized.
         asked: Beside it.
     """
+    complete = complete_mass(sizing)
     return SizeAnswer(
         level=sizing.level,
         mass=sizing.mass,
@@ -145,6 +157,11 @@ def size_answer(sizing: Sizing, asked: Asked = NOTHING_MORE) -> SizeAnswer:
         carriers=sizing.carriers,
         machines=sizing.machines,
         masses=mass_parts(sizing),
+        complete_mass=complete,
+        complete_total=complete.total,
+        complete_low=complete.band[0],
+        complete_high=complete.band[1],
+        statistics=statistics_beside(sizing, complete),
         envelope=envelope(sizing),
         places=stands(sizing.arrangement.bodies),
         turns=sizing.arrangement.turns,

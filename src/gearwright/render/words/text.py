@@ -43,6 +43,7 @@ _ORDER = (
     "carriers",
     "machines",
     "mass",
+    "complete_mass",
     "envelope",
     "turns",
     "places",

@@ -6,7 +6,7 @@ The catalogue is `catalogue`'s.
 from gearwright.sizing.bearings.bearing_seats import bearing_seats
 from gearwright.sizing.bearings.choice import Checked, Seating, bearing_sizings, seating
 from gearwright.sizing.bearings.fitted import Fitted, fitted_in
-from gearwright.sizing.bearings.planet_bodies import as_made, planet_bodies
+from gearwright.sizing.bearings.planet_bodies import PlanetBody, as_made, planet_bodies
 from gearwright.sizing.bearings.planet_lives import planet_lives
 from gearwright.sizing.bearings.planet_room import named_room, planet_room
 from gearwright.sizing.bearings.run_checks import life_check, limit_checks
@@ -16,6 +16,7 @@ from gearwright.sizing.bearings.seat import Seat, seat_forces
 __all__ = [
     "Checked",
     "Fitted",
+    "PlanetBody",
     "Seat",
     "Seating",
     "as_made",

@@ -65,6 +65,7 @@ def effect_problems(design: Design) -> Iterator[Problem]:
     yield from _methods(design)
     yield from _joints(design)
     yield from _bearings(design)
+    yield from _housing(design)
 
 
 def _ratio(path: str, stage: Pair | Planetary, *, given: bool) -> Iterator[Problem]:
@@ -209,3 +210,16 @@ def _bent(design: Design) -> set[str]:
     rotors = design.airscrews.values()
     bent |= {rotor.shaft for rotor in rotors if rotor.thrust or rotor.in_plane_force or rotor.hub_moment}
     return bent | {seat.shaft for seat in design.bearings.values()}
+
+
+def _housing(design: Design) -> Iterator[Problem]:
+    """Find what a housing that is weighed, or no part of the gearbox, does not read; and an oil system without flow."""
+    rules = design.housing
+    if not rules.own:
+        why = "own = false leaves the housing out of the gearbox"
+        yield from _idle("housing", rules, ("material", "wall", "mass"), why)
+    elif rules.mass is not None:
+        yield from _idle("housing", rules, ("material", "wall"), "mass states the whole housing")
+    if rules.oil_system != "own":
+        why = f'oil_system = "{rules.oil_system}" has no tank and no pump'
+        yield from _idle("housing", rules, ("oil_dwell", "oil_temperature_rise"), why)

@@ -37,6 +37,7 @@ from gearwright.spec.design.rules import (
     BearingRules,
     DynamicsRules,
     GearRules,
+    HousingRules,
     LossRules,
     MaterialRules,
     OilOfDesign,
@@ -95,6 +96,7 @@ class Design(Shown, Record):
     )
     gears: GearRules = Field(default_factory=GearRules, description="Rules for all gears")
     teeth: TeethRules = Field(default_factory=TeethRules, description="Rules of the search for tooth numbers")
+    housing: HousingRules = Field(default_factory=HousingRules, description="Housing and oil system, for the mass")
     gearbox: Gearbox = Field(default_factory=Gearbox, description="What is known of the gearbox as a whole")
     shafting: ShaftRules = Field(default_factory=ShaftRules, description="Rules for all shafts")
     carriers: CarrierRules = Field(default_factory=CarrierRules, description="Rules for all carriers")

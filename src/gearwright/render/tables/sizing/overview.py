@@ -8,6 +8,7 @@ from gearwright.render.grid.table import Mark, Table, table
 from gearwright.render.tables.checks import COLUMNS, JUST_ENOUGH, judged
 from gearwright.render.tables.sizing.given import given_by_user, overrides_table
 from gearwright.render.tables.sizing.losses import loss_tables
+from gearwright.render.tables.sizing.masses import mass_tables
 from gearwright.render.tables.sizing.materials import materials_table
 from gearwright.render.tables.sizing.mounted import mounted_tables
 from gearwright.render.tables.sizing.places import place_tables
@@ -72,6 +73,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         **mounted_tables(sizing),
         **loss_tables(sizing),
         **place_tables(sizing),
+        **mass_tables(sizing),
         "margins": table("Margins, worst first", judged(sizing.checks), COLUMNS, note=JUST_ENOUGH),
         "speeds": table("Speeds that deviate from those asked", asked_speeds(sizing),
                         ("case", "machine", "asked", "actual", "deviation"), note=_KEPT),

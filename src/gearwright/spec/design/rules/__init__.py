@@ -6,6 +6,7 @@ What is rated stands in the design itself; what a method covers in `methods`.
 from gearwright.spec.design.rules.bearings import BearingRules, OilOfDesign
 from gearwright.spec.design.rules.dynamics import DynamicsRules, MeshCurve, PlanetaryBearings
 from gearwright.spec.design.rules.gears import SUN_LIMITS, GearRules, TeethRules, ThicknessFit
+from gearwright.spec.design.rules.housing import HousingMaterial, HousingRules
 from gearwright.spec.design.rules.losses import FrictionName, LossRules, SealName, TorqueName, WindageName
 from gearwright.spec.design.rules.materials import LifeLineRules, MaterialRules
 from gearwright.spec.design.rules.methods import (
@@ -37,6 +38,8 @@ __all__ = [
     "DynamicsRules",
     "FrictionName",
     "GearRules",
+    "HousingMaterial",
+    "HousingRules",
     "Iso6336Rules",
     "LifeLineRules",
     "LossRules",

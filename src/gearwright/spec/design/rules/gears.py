@@ -92,6 +92,12 @@ class GearRules(Record):
     web_ratio: Ratio = Field(
         1.0, ge=0.01, le=1, description="Mass of a wheel body over that of the solid disc; 1 is solid"
     )
+    web_thickness_ratio: Ratio = Field(
+        0.3,
+        ge=0.05,
+        le=1,
+        description="Web over face width of gears in the complete mass, where rim and hub leave room; 1 is solid",
+    )
     rim_thickness_ratio: Ratio = Field(
         3.95,
         ge=1,

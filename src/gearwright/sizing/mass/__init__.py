@@ -1,0 +1,32 @@
+"""What a gearbox weighs with everything in it, part by part, each with its origin and how well it is known.
+
+The mass of gears, shafts and carriers by which designs are chosen is `Sizing.mass`; statistics are `weights`'s.
+"""
+
+from gearwright.sizing.mass.beside import Statistics, requirement_of, statistics_beside
+from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
+from gearwright.sizing.mass.complete import complete_mass, summed
+from gearwright.sizing.mass.gears import gear_blank
+from gearwright.sizing.mass.housing import Wall, reaction_torque, wall_of
+from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
+from gearwright.sizing.mass.shell import Shell, shell_around
+
+__all__ = [
+    "CALIBRATED",
+    "GROUPS",
+    "Calibration",
+    "CompleteMass",
+    "MassGroup",
+    "MassItem",
+    "Shell",
+    "Statistics",
+    "Wall",
+    "complete_mass",
+    "gear_blank",
+    "reaction_torque",
+    "requirement_of",
+    "shell_around",
+    "statistics_beside",
+    "summed",
+    "wall_of",
+]

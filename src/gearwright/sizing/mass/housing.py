@@ -1,0 +1,159 @@
+"""The housing: a shell around the arrangement, as thick as casting, torque and bearings ask, and what is on it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE, HousingMaterial, housing_materials
+from gearwright.identity import Role
+from gearwright.parts.bearings import BearingKind
+from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
+from gearwright.sizing.mass.record import MassItem
+from gearwright.sizing.mass.shell import Shell
+from gearwright.sizing.result import Sizing
+
+SURE = 0.35
+"""One standard deviation of housings over their value, an estimate [-]."""
+RIBS = 0.20
+"""Ribs over the shell [-], an estimate: as high as five walls, as thick as one, a fifth of the area each way."""
+MOUNTS = 0.10
+"""Feet, lugs and torque arms over the shell [-], an estimate."""
+FLANGE = (2.5, 1.2)
+"""Width and thickness of each of the two halves of a flange, over its bolt [-]: usual proportions of cast housings."""
+LEAST_BOLT = 6e-3
+"""Thinnest bolt that is usual [m]."""
+PITCH = 5.0
+"""From bolt to bolt over the bolt's diameter [-]: room for a spanner, and no gap between."""
+PRELOAD = 700e6
+"""Of bolts of class 10.9, in their section [Pa]: three quarters of R_p0.2 = 940 MPa (ISO 898-1)."""
+FRICTION = 0.15
+"""Of a flange's faces [-]: dry steel or iron."""
+BOLT_VOLUME = 8.0
+"""Bolt, nut and washer over the bolt's diameter cubed [-]: a shank of 6 d and heads of 3.3 d³."""
+BOSS = 0.12
+"""Wall of a bearing's boss over the bearing's outside diameter [-], an estimate."""
+SEAT = 1.6
+"""Outside of a bearing over its shaft [-]: light series of ISO 15."""
+_SHARE = STEEL_SHARE[BearingKind.CYLINDRICAL]
+
+
+class Wall(NamedTuple):
+    """How thick the shell is, and why."""
+
+    thickness: float
+    """[m]"""
+    why: str
+    """What asks for it."""
+
+
+def housing_items(
+    sizing: Sizing, shell: Shell, bearings: Sequence[MassItem], fitted: Calibration
+) -> Iterator[MassItem]:
+    """Yield the housing's shell and what is on it.
+
+    Args:
+        sizing: As sized.
+        shell: Around it.
+        bearings: Bearings with their masses.
+        fitted: What published gearboxes set.
+    """
+    rules = sizing.design.housing
+    if rules.mass is not None:
+        yield MassItem("housing", "housing", 1, rules.mass, 0.02, "given", "housing.mass of the design")
+    elif rules.own:
+        wall = wall_of(sizing, shell, fitted)
+        yield from _parts(sizing, shell, wall, bearings)
+
+
+def _parts(sizing: Sizing, shell: Shell, wall: Wall, bearings: Sequence[MassItem]) -> Iterator[MassItem]:
+    planets = {str(gear.part) for gear in sizing.gears if gear.role is Role.PLANET}
+    material = housing_materials()[sizing.design.housing.material]
+    skin = shell.area * wall.thickness * material.density
+    yield _item("shell", skin, f"A t ρ, t by {wall.why}", material.source)
+    yield _item("ribs", RIBS * skin, "0.2 of the shell", "estimate")
+    yield _item("mounts", MOUNTS * skin, "0.1 of the shell", "estimate")
+    flanges, bolt = max(len(sizing.design.stages), 2), bolt_of(reaction_torque(sizing), shell.girth)
+    ring = 2.0 * FLANGE[0] * FLANGE[1] * bolt**2 * shell.girth * material.density
+    yield _item("flanges", ring, "2 · 2.5 d · 1.2 d · girth", "proportions of cast housings", flanges)
+    bolts = shell.girth / (PITCH * bolt) * BOLT_VOLUME * bolt**3 * STEEL_DENSITY
+    yield _item("bolts", bolts, "8 d³ ρ each, 5 d apart", "grip of a flange against its torque; ISO 898-1", flanges)
+    yield _item("pads", _pads(sizing, wall.thickness, material), "F/(2 D τ) − t on 2 D around bearings", "equilibrium")
+    bosses = sum(_boss(item, material) for item in bearings if item.part not in planets)
+    yield _item("bosses", bosses, "wall of 0.12 D around bearings", "estimate")
+
+
+def _item(part: str, mass: float, formula: str, source: str, count: int = 1) -> MassItem:
+    return MassItem(f"housing {part}", "housing", count, mass, SURE, formula, source)
+
+
+def _boss(bearing: MassItem, material: HousingMaterial) -> float:
+    """Return the mass of the bosses around equal bearings, whose outside and width follow from their mass [kg].
+
+    Light series: d = D/1.6 (`SEAT`), B = 0.2 D; the steel's share of that room is the catalogue's.
+    """
+    room = _SHARE * STEEL_DENSITY * math.pi / 4.0 * (1.0 - 1.0 / SEAT**2) * 0.2
+    outside = (bearing.each / room) ** (1.0 / 3.0)
+    section = math.pi / 4.0 * ((1.0 + 2.0 * BOSS) ** 2 - 1.0) * outside**2
+    return float(bearing.count * section * 0.25 * outside * material.density)
+
+
+def bolt_of(torque: float, girth: float) -> float:
+    """Return the diameter of a flange's bolts [m].
+
+    Args:
+        torque: That the flange holds by its grip [N m].
+        girth: Of the flange [m].
+
+    Source: n π/4 d² σ μ r = T with n = U/(5 d) bolts on r = U/(2 π); 6 mm at least.
+    """
+    return max(8.0 * PITCH * torque / (FRICTION * PRELOAD * girth**2), LEAST_BOLT)
+
+
+def wall_of(sizing: Sizing, shell: Shell, fitted: Calibration = CALIBRATED) -> Wall:
+    """Return the wall of a housing: the larger of what casting and torque ask, or the given one.
+
+    Args:
+        sizing: As sized.
+        shell: Around it.
+        fitted: What published gearboxes set.
+
+    Source: Bredt's shear flow in the largest section, τ = T/(2 A t).
+    """
+    given = sizing.design.housing.wall
+    if given is not None:
+        return Wall(given, "the design")
+    material = housing_materials()[sizing.design.housing.material]
+    shear = fitted.stress_share * material.shear_strength
+    asked = (
+        Wall(material.least_wall, "the thinnest casting"),
+        Wall(reaction_torque(sizing) / (2.0 * shell.section * shear), "its torque"),
+    )
+    return max(asked)
+
+
+def reaction_torque(sizing: Sizing) -> float:
+    """Return what the housing holds along the first shaft, in the case that speaks for the design [N m].
+
+    Args:
+        sizing: As sized.
+
+    Source: equilibrium of the whole; bevel pairs turn a torque's direction, so the largest machine counts at least.
+    """
+    torques = list(sizing.reference.machine_torques.values())
+    return max(abs(sum(torques)), *(abs(torque) for torque in torques))
+
+
+def _pads(sizing: Sizing, wall: float, material: HousingMaterial) -> float:
+    """Return what thickens the wall around bearings that shear it, on twice their outside diameter [kg].
+
+    A bearing's force goes into the wall on both sides of it, τ = F/(2 D t).
+    """
+    mass = 0.0
+    for shaft in sizing.shafts:
+        seat = SEAT * shaft.diameter
+        for bearing in shaft.bearings:
+            asked = bearing.radial_force / (2.0 * seat * material.shear_strength)
+            mass += math.pi / 4.0 * 3.0 * seat**2 * max(asked - wall, 0.0) * material.density
+    return mass

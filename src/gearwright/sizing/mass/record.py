@@ -1,0 +1,115 @@
+"""The complete mass of a gearbox as a record: every part with how well it is known and where its number comes from."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Annotated
+
+from gearwright.showing import Shown
+from gearwright.units import Mass, Origin, Quantity, Ratio
+
+GROUPS = ("gears", "shafts", "carriers", "bearings", "housing", "lubrication", "details")
+"""Groups of parts, in the order of tables."""
+WITHIN = 0.68
+"""Probability of the band of one standard deviation [-]."""
+
+
+@dataclass(frozen=True)
+class MassItem:
+    """One part, or several equal ones."""
+
+    part: str
+    group: str
+    """One of `GROUPS`."""
+    count: int
+    """How many of it [-]."""
+    each: Mass
+    """Of one [kg]."""
+    uncertainty: Annotated[
+        float, Quantity("percent"), Origin("one standard deviation over the value", "estimate of its rule's scatter")
+    ]
+    """One standard deviation of the value, over the value [-]."""
+    formula: str
+    """By which it is found."""
+    source: str
+    """Of the formula, or whose estimate it is."""
+
+    @property
+    def total(self) -> Mass:
+        """Of all [kg]."""
+        return self.count * self.each
+
+
+@dataclass(frozen=True)
+class MassGroup:
+    """The parts of one kind together."""
+
+    group: str
+    total: Mass
+    """[kg]"""
+    share: Annotated[float, Quantity("percent")]
+    """Of the whole [-]."""
+    deviation: Mass
+    """One standard deviation [kg]."""
+
+
+@dataclass(frozen=True, repr=False)
+class CompleteMass(Shown):
+    """What a gearbox weighs with everything in it: the sum of its parts, with a band."""
+
+    design: str
+    """Its name."""
+    parts: tuple[MassItem, ...]
+    """In the order of groups, the heaviest of each first."""
+    scatter: Ratio
+    """Factor of one standard deviation by which sums differ from published gearboxes [-]; 1 where it is not known."""
+
+    @cached_property
+    def total(self) -> Mass:
+        """Sum of all parts [kg]."""
+        return sum(item.total for item in self.parts)
+
+    @cached_property
+    def deviation(self) -> Annotated[float, Quantity("mass"), Origin("√Σ (Σ s)²", "groups apart, parts of one alike")]:
+        """One standard deviation by the parts' own uncertainties [kg]: a group errs as one, groups apart."""
+        return math.sqrt(sum(group.deviation**2 for group in self.groups))
+
+    @property
+    def factor(self) -> Annotated[float, Quantity("ratio"), Origin("max(1 + s/m, scatter)", "parts; held against")]:
+        """Factor of one standard deviation, by parts or by published gearboxes, whichever is wider [-]."""
+        return max(1.0 + self.deviation / self.total, self.scatter) if self.total else self.scatter
+
+    @property
+    def band(self) -> tuple[Mass, Mass]:
+        """Limits of one standard deviation, 68 % [kg]."""
+        return self.total / self.factor, self.total * self.factor
+
+    @cached_property
+    def groups(self) -> tuple[MassGroup, ...]:
+        """Sum of every group that has parts."""
+        return tuple(self._group(name) for name in GROUPS if any(item.group == name for item in self.parts))
+
+    def of(self, group: str) -> Mass:
+        """Return the sum of one group, zero where it has no parts [kg].
+
+        Args:
+            group: One of `GROUPS`.
+        """
+        return sum(item.total for item in self.parts if item.group == group)
+
+    def _group(self, name: str) -> MassGroup:
+        own = [item for item in self.parts if item.group == name]
+        total = sum(item.total for item in own)
+        return MassGroup(name, total, total / self.total, sum(item.uncertainty * item.total for item in own))
+
+
+def ordered(items: Iterable[MassItem]) -> tuple[MassItem, ...]:
+    """Return parts by group, the heaviest of each first; what weighs nothing is left out.
+
+    Args:
+        items: In any order.
+    """
+    return tuple(sorted((item for item in items if item.total), key=lambda i: (GROUPS.index(i.group), -i.total)))

@@ -1,0 +1,181 @@
+"""The complete mass: sums, hand calculations, limits and how it scales."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cache
+
+import pytest
+
+import gearwright as gw
+from gearwright.parts.gears import Blank, CylindricalGear, blank_volume, tooth_area
+from gearwright.sizing.arranged import Body, Point, Station
+from gearwright.sizing.mass import complete_mass, shell_around, wall_of
+from gearwright.spec import edited
+
+STEEL = 7850.0
+
+
+@cache
+def sized(name, changes=()):
+    return gw.size(edited(gw.read(name), dict(changes)))
+
+
+def item(mass, part, group="gears"):
+    return next(item for item in mass.parts if item.part == part and item.group == group)
+
+
+@pytest.mark.parametrize("name", ["in-line-h2", "off-set", "geared-turbofan-star", "face-gear-split-torque"])
+def test_the_sum_of_the_parts_is_the_whole(name):
+    mass = complete_mass(sized(name))
+    assert mass.total == pytest.approx(sum(part.count * part.each for part in mass.parts), rel=1e-12)
+    assert mass.total == pytest.approx(sum(group.total for group in mass.groups), rel=1e-12)
+    assert sum(group.share for group in mass.groups) == pytest.approx(1.0, rel=1e-12)
+    assert all(part.each > 0.0 and part.formula and part.source and 0.0 < part.uncertainty < 1.0 for part in mass.parts)
+    assert mass.band[0] < mass.total < mass.band[1]
+
+
+def test_a_tooth_space_is_as_large_as_a_tooth_near_the_pitch_circle():
+    """Of many teeth, the area of the teeth between circles m/4 apart about the pitch circle is half the annulus."""
+    gear = CylindricalGear(400, 1e-3, 1.0, tip_alteration=-0.75, profile_shift=0.0)
+    gear = replace(gear, rack=replace(gear.rack, dedendum=0.25))
+    annulus = math.pi * (gear.tip_radius**2 - gear.root_radius**2)
+    assert tooth_area(gear) == pytest.approx(annulus / 2.0, rel=2e-3)  # flanks bend by 1/z
+
+
+def test_teeth_of_a_rack_have_the_area_of_trapezia():
+    """Of very many teeth each is a trapezium: (s + (c − a) tan α) high h, s = π m/2 in the middle of the pitch line."""
+    gear, module = CylindricalGear(20_000, 1e-3, 1.0), 1e-3
+    width = math.pi / 2.0 * module + 2.0 * math.tan(math.radians(20.0)) * (1.25 - 2.25 / 2.0) * module
+    assert tooth_area(gear) / 20_000 == pytest.approx(width * 2.25 * module, rel=1e-3)
+
+
+def test_internal_and_external_teeth_fill_the_annulus_where_their_circles_agree():
+    """A tooth of a ring is the space of a gear with the same circles, without shift."""
+    outer = CylindricalGear(60, 2e-3, 1.0)
+    outer = replace(outer, rack=replace(outer.rack, dedendum=1.0))
+    inner = replace(outer, teeth=-60)
+    annulus = math.pi * (outer.tip_radius**2 - outer.root_radius**2)
+    assert tooth_area(outer) + tooth_area(inner) == pytest.approx(annulus, rel=1e-6)
+
+
+def test_a_blank_by_hand():
+    """Rim 100/80, web 6 mm, hub 30/20, width 20 mm: π (3600·20 + 5500·6 + 500·20) mm³."""
+    blank = Blank(0.100, 0.080, 0.030, 0.020, 0.020, 0.006)
+    assert blank_volume(blank) == pytest.approx(math.pi * (3600 * 20 + 5500 * 6 + 500 * 20) * 1e-9, rel=1e-12)
+
+
+def test_a_rim_that_reaches_the_hub_leaves_a_solid_disc():
+    blank = Blank(0.100, 0.030, 0.030, 0.020, 0.020, 0.006)
+    assert blank_volume(blank) == pytest.approx(math.pi * (0.1**2 - 0.02**2) * 0.02, rel=1e-12)
+    thick = sized("off-set", (("gears.web_thickness_ratio", 1.0),))
+    wheel = next(gear for gear in thick.gears if gear.name == "second.wheel")
+    bore = next(shaft.diameter for shaft in thick.shafts if shaft.name == "output")
+    solid = wheel.mass - STEEL * math.pi / 4.0 * bore**2 * wheel.face_width
+    assert item(complete_mass(thick), "second.wheel").each == pytest.approx(solid, rel=0.01)  # teeth: d is their middle
+
+
+def test_a_wheel_by_hand():
+    """Off-set's second wheel: teeth, rim 1.2 · 2.25 m_n, web 0.3 b, hub 1.25 d around the shaft."""
+    sizing = sized("off-set")
+    wheel = next(gear for gear in sizing.gears if gear.name == "second.wheel")
+    shaft = next(shaft for shaft in sizing.shafts if shaft.name == "output").diameter / 2.0
+    module, width = wheel.module, wheel.face_width
+    root = wheel.pitch_diameter / 2.0 - 1.25 * module
+    rim, hub = root - 1.2 * 2.25 * module, 1.25 * shaft
+    teeth = tooth_area(CylindricalGear(wheel.teeth, module, width, wheel.helix_angle))
+    body = (root**2 - rim**2 + hub**2 - shaft**2) + 0.3 * (rim**2 - hub**2)
+    by_hand = STEEL * width * (teeth + math.pi * body)
+    assert item(complete_mass(sizing), "second.wheel").each == pytest.approx(by_hand, rel=1e-9)
+    middle = math.pi * ((root + 2.25 * module) ** 2 - root**2)
+    assert 0.5 < teeth / middle < 0.55  # of a rack 0.529: 1.25 m of thick teeth below the pitch line, 1 m of thin above
+
+
+def test_a_stated_web_ratio_is_that_of_the_whole_body():
+    part = item(complete_mass(sized("off-set", (("gears.web_ratio", 0.45),))), "second.wheel")
+    sizing = sized("off-set")
+    wheel = next(gear for gear in sizing.gears if gear.name == "second.wheel")
+    bore = next(shaft.diameter for shaft in sizing.shafts if shaft.name == "output") / 2.0
+    root = wheel.pitch_diameter / 2.0 - 1.25 * wheel.module
+    teeth = tooth_area(CylindricalGear(wheel.teeth, wheel.module, wheel.face_width, wheel.helix_angle))
+    by_hand = STEEL * wheel.face_width * (teeth + 0.45 * math.pi * (root**2 - bore**2))
+    assert part.each == pytest.approx(by_hand, rel=1e-9)
+
+
+def cylinder(start, length, radius):
+    from gearwright.identity import Kind, PartId
+
+    stations = (Station(0.0, radius / 1.06), Station(length, radius / 1.06))
+    return Body(PartId(Kind.GEAR, "a"), "a", "", Point(start, 0.0, 0.0), (1.0, 0.0, 0.0), stations)
+
+
+def test_the_shell_around_a_cylinder():
+    shell = shell_around([cylinder(0.0, 0.5, 0.2)])
+    assert shell.lateral == pytest.approx(2.0 * math.pi * 0.2 * 0.5, rel=2e-3)  # a polygon of 48 sides
+    assert shell.ends == pytest.approx(2.0 * math.pi * 0.2**2, rel=2e-3)
+    assert shell.volume == pytest.approx(math.pi * 0.2**2 * 0.5, rel=2e-3)
+
+
+def test_the_shell_does_not_follow_a_neck_but_follows_a_nose():
+    wide = [cylinder(0.0, 0.1, 0.2), cylinder(0.2, 0.1, 0.2)]
+    necked = shell_around([*wide, cylinder(0.1, 0.1, 0.05)])
+    assert necked.lateral == pytest.approx(2.0 * math.pi * 0.2 * 0.3, rel=2e-3)
+    nosed = shell_around([wide[0], cylinder(0.1, 0.1, 0.05)])
+    assert nosed.lateral == pytest.approx(2.0 * math.pi * (0.2 + 0.05) * 0.1, rel=2e-3)
+    assert nosed.ends == pytest.approx(2.0 * math.pi * 0.2**2, rel=2e-3)
+
+
+def scaled(factor):
+    """Off-set with lengths `factor` times as large at the same stresses: torques as the cube, speeds as they are."""
+    design = gw.read("off-set")
+    lengths = {"shafting.bearing_length_mm": 15.0 * factor, "shafting.end_length_mm": 100.0 * factor}
+    power = {"turbines.gas-turbine.power_kw": 2051.0 * factor**3}
+    return gw.size(edited(design, lengths | power))
+
+
+def test_twice_the_lengths_weigh_eight_times_but_for_walls_at_the_casting_minimum():
+    one, two = scaled(3.0), scaled(6.0)
+    small, large = complete_mass(one), complete_mass(two)
+    for group in ("gears", "shafts"):
+        assert large.of(group) / small.of(group) == pytest.approx(8.0, rel=1e-3)
+    assert large.of("bearings") / small.of("bearings") == pytest.approx(8.0, rel=0.01)
+    assert large.of("housing") / small.of("housing") == pytest.approx(8.0, rel=0.02)
+    little = {"turbines.gas-turbine.power_kw": 40.0}
+    shells = [shell_around(sizing.arrangement.bodies) for sizing in (one, gw.size(edited(gw.read("off-set"), little)))]
+    assert wall_of(one, shells[0]).why == "its torque"
+    assert wall_of(gw.size(edited(gw.read("off-set"), little)), shells[1]).why == "the thinnest casting"
+
+
+@pytest.mark.parametrize("name", ["in-line", "off-set"])
+def test_more_power_weighs_more(name):
+    design = gw.read(name)
+    power = design.turbines["gas-turbine"].power / 1e3
+    masses = [
+        complete_mass(gw.size(edited(design, {"turbines.gas-turbine.power_kw": factor * power}))).total
+        for factor in (0.5, 0.8, 1.0, 1.5, 3.0)
+    ]
+    assert masses == sorted(masses)
+
+
+def test_a_given_housing_and_a_given_whole_stand_as_given():
+    given = complete_mass(sized("off-set", (("housing.mass_kg", 31.0),)))
+    assert given.of("housing") == 31.0
+    whole = complete_mass(sized("off-set", (("gearbox.mass_kg", 190.0),)))
+    assert whole.total == 190.0 and len(whole.parts) == 1
+
+
+def test_magnesium_is_lighter_than_iron_and_no_housing_than_any():
+    masses = {
+        material: complete_mass(sized("off-set", (("housing.material", material),))).of("housing")
+        for material in ("magnesium", "cast-iron")
+    }
+    assert masses["magnesium"] < masses["cast-iron"]
+    assert complete_mass(sized("off-set", (("housing.own", False),))).of("housing") == 0.0
+
+
+def test_bearings_of_built_shafts_are_the_catalogue_s():
+    sizing = sized("single-planetary")
+    built = list(sizing.bearings)
+    parts = [item for item in complete_mass(sizing).parts if item.source == "catalogue of bearings"]
+    assert {part.part for part in parts} >= {bearing.name for bearing in built}
