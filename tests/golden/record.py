@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from enum import Enum
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -99,10 +100,17 @@ def _arrays(record: Any, path: str) -> Iterator[tuple[str, Any]]:
             yield from _arrays(value, f"{path}{name}.")
 
 
+@cache
 def designs() -> dict[str, Design]:
     """Return every shipped design, and those with the options that no shipped one has."""
     shipped = {name: read(shipped_design(name)) for name in shipped_designs()}
     return shipped | {f"variant-{name}": parse(text) for name, text in VARIANTS.items()}
+
+
+@cache
+def sized(name: str) -> Sizing:
+    """Return one of the designs, sized; once for all golden files."""
+    return size(designs()[name])
 
 
 NOISE = 1e-6
@@ -127,10 +135,10 @@ def same(path: str, was: float, is_now: float) -> bool:
 def write_all() -> None:
     """Write the file of every design; what is the same but for rounding stays as it was written."""
     FOLDER.mkdir(exist_ok=True)
-    for name, design in designs().items():
+    for name in designs():
         path = FOLDER / f"{name}.json"
         stored = json.loads(path.read_text(encoding="utf-8"))["values"] if path.exists() else {}
-        found = recorded(size(design))
+        found = recorded(sized(name))
         kept = {key: was if same(key, was, found[key]) else found[key] for key, was in stored.items() if key in found}
         values = kept | {key: value for key, value in found.items() if key not in kept}
         content = {"design": name, "tolerance": TOLERANCE, "values": values}

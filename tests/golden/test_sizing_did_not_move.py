@@ -3,9 +3,7 @@
 import json
 
 import pytest
-from record import FOLDER, designs, recorded, same
-
-from gearwright.sizing import size
+from record import FOLDER, designs, recorded, same, sized
 
 DESIGNS = designs()
 
@@ -13,7 +11,7 @@ DESIGNS = designs()
 @pytest.mark.parametrize("name", DESIGNS)
 def test_sizing_did_not_move(name):
     stored = json.loads((FOLDER / f"{name}.json").read_text(encoding="utf-8"))
-    found = recorded(size(DESIGNS[name]))
+    found = recorded(sized(name))
     assert found.keys() == stored["values"].keys()
     moved = {path: (was, found[path]) for path, was in stored["values"].items() if not same(path, was, found[path])}
     assert moved == {}
