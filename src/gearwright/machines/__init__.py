@@ -1,6 +1,7 @@
 """Turbine, motor and propeller as the gearbox sees them: mass and inertia by closed laws."""
 
 from gearwright.machines.battery import EMPTY, FULL, Battery, BatteryStep, battery_step, highest_current, stored_energy
+from gearwright.machines.chart_reading import SMALL_THRUST, Blades, Charts, ideal_power
 from gearwright.machines.gas_turbine import HEATING_VALUE, Engine, PowerLimits, fuel_flow, power_limits
 from gearwright.machines.governor import (
     Governor,
@@ -11,7 +12,7 @@ from gearwright.machines.governor import (
     limit_cycle,
     marched,
 )
-from gearwright.machines.hamilton_standard import SMALL_THRUST, Blades, Charts, compressibility, performance
+from gearwright.machines.hamilton_standard import compressibility, performance
 from gearwright.machines.motor import (
     LENGTH_RATIO,
     MotorLosses,
@@ -61,6 +62,7 @@ __all__ = [
     "fuel_flow",
     "governor_rates",
     "highest_current",
+    "ideal_power",
     "limit_cycle",
     "look_up",
     "marched",

@@ -72,28 +72,78 @@ def test_four_blades_give_thrust_and_compressibility_of_an_independent_program(r
     assert found.thrust_coefficient / found.compressibility == pytest.approx(thrust, rel=5e-4)
 
 
-@pytest.mark.parametrize(
-    ("factor", "lift", "feet", "altitude", "knots", "horsepower", "tip", "thrust"),
-    [
-        (114, 0.5, 10.5, 0, 0.1, 1850, 800.0, 0.27651),
-        (114, 0.5, 10.5, 0, 125, 1850, 800.0, 0.20518),
-        (150, 0.65, 12, 10000, 200, 750, 750.0, 0.06463),
-        (150, 0.5, 12, 10000, 200, 1000, 769.7, 0.09694),
-    ],
-)
-def test_gasp_flies_the_same_propellers(factor, lift, feet, altitude, knots, horsepower, tip, thrust):
-    """GASP's values in NASA Aviary's test_propeller_performance.py; 0.6 % as the two codes differ in atmosphere."""
+GASP = [
+    # blades, activity factor, C_Li, D [ft], altitude [ft], speed [kn], power [hp], tip speed [ft/s], C_T, efficiency
+    (4, 114, 0.5, 10.5, 0, 0.1, 1850, 800.0, 0.27651, 0.00078),
+    (4, 114, 0.5, 10.5, 0, 125, 1850, 800.0, 0.20518, 0.72354),
+    (4, 150, 0.5, 12, 10000, 200, 1000, 769.7, 0.09694, 0.90350),
+    (3, 150, 0.5, 12, 10000, 200, 1000, 750.0, 0.10189, 0.90172),
+    (4, 150, 0.65, 12, 10000, 200, 900, 750.0, 0.08523, 0.83809),
+    (4, 150, 0.65, 12, 10000, 200, 750, 750.0, 0.06463, 0.76259),
+]
+
+
+def flown(number, factor, lift, *, feet, altitude, knots, horsepower, tip):
+    """J, C_P and the method's point of a propeller in flight."""
     air, diameter = air_at(altitude * FOOT), feet * FOOT
     turns = tip * FOOT / (math.pi * diameter)
-    found = performance(
-        hamilton_standard_charts(),
-        Blades(4, factor, lift),
-        knots * KNOT / (turns * diameter),
-        power_coefficient=horsepower * HORSEPOWER / (air.density * turns**3 * diameter**5),
-        mach=knots * KNOT / air.sound_speed,
-        tip_mach=tip * FOOT / air.sound_speed,
+    ratio = knots * KNOT / (turns * diameter)
+    power = horsepower * HORSEPOWER / (air.density * turns**3 * diameter**5)
+    mach, tip_mach = knots * KNOT / air.sound_speed, tip * FOOT / air.sound_speed
+    charts, blades = hamilton_standard_charts(), Blades(number, factor, lift)
+    return ratio, power, performance(charts, blades, ratio, power_coefficient=power, mach=mach, tip_mach=tip_mach)
+
+
+@pytest.mark.parametrize("row", GASP, ids=str)
+def test_gasp_flies_the_same_propellers(row):
+    """GASP's values in NASA Aviary's test_propeller_performance.py; GASP stops its search of C_T at 1e-3."""
+    number, factor, lift, feet, altitude, knots, horsepower, tip, thrust, efficiency = row
+    ratio, power, found = flown(
+        number, factor, lift, feet=feet, altitude=altitude, knots=knots, horsepower=horsepower, tip=tip
     )
-    assert found.thrust_coefficient == pytest.approx(thrust, rel=0.006)
+    assert found.thrust_coefficient == pytest.approx(thrust, rel=1.4e-3)
+    assert ratio * found.thrust_coefficient / power == pytest.approx(efficiency, rel=5e-4, abs=5e-6)
+    assert found.held == ()
+
+
+@pytest.mark.parametrize(
+    ("case", "efficiency"),
+    [
+        ((4, 114, 0.5, 10.5, 25000, 300, 900, 800.0), 0.885405),
+        ((4, 150, 0.5, 12, 0, 50, 1250, 769.7), 0.504393),
+        ((3, 150, 0.5, 12, 0, 50, 1250, 750.0), 0.464327),
+        ((4, 100, 0.4, 11, 5000, 140, 1100, 760.0), 0.814017),
+    ],
+)
+def test_aviary_flies_the_same_propellers(case, efficiency):
+    """NASA Aviary's program run for GASP's other three propellers and a fourth; 1e-4 as its search stops at 1e-3."""
+    number, factor, lift, feet, altitude, knots, horsepower, tip = case
+    ratio, power, found = flown(
+        number, factor, lift, feet=feet, altitude=altitude, knots=knots, horsepower=horsepower, tip=tip
+    )
+    assert ratio * found.thrust_coefficient / power == pytest.approx(efficiency, rel=1e-4)
+
+
+AVIARY_COMPRESSED = [
+    # blades, activity factor, C_Li, C_P, J, flight and tip Mach, C_T and its compressibility factor
+    (3, 198.864144, 0.535437, 0.408881, 3.697881, 0.620201, 0.539375, 0.076729, 0.94374),
+    (3, 193.010688, 0.529919, 0.082263, 0.554964, 0.306277, 0.744928, 0.103712, 0.761723),
+    (3, 190.328414, 0.727304, 0.160605, 0.624187, 0.247952, 0.584012, 0.177099, 0.919516),
+    (3, 181.698466, 0.6765, 0.38618, 2.597298, 0.65229, 0.636555, 0.122617, 0.766636),
+    (3, 110.215407, 0.664817, 0.25897, 1.010655, 0.525602, 0.551691, 0.184114, 0.702704),
+]
+
+
+@pytest.mark.parametrize("row", AVIARY_COMPRESSED, ids=str)
+def test_odd_counts_and_lifts_between_the_tables_are_an_independent_programs(row):
+    """NASA Aviary's program run at random points; 1e-3 is where its search of C_T stops."""
+    number, factor, lift, power, ratio, mach, tip_mach, thrust, compressed = row
+    blades = Blades(number, factor, lift)
+    found = performance(
+        hamilton_standard_charts(), blades, ratio, power_coefficient=power, mach=mach, tip_mach=tip_mach
+    )
+    assert found.compressibility == pytest.approx(compressed, abs=5e-4)
+    assert found.thrust_coefficient / found.compressibility == pytest.approx(thrust, rel=1.1e-3)
 
 
 def test_a_point_beyond_the_tables_says_so():
