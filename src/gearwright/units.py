@@ -70,6 +70,7 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
     "frequency": ("Hz", 1.0),
     "inertia": ("kg m²", 1.0),
     "length": ("mm", 1e-3),
+    "film_thickness": ("µm", 1e-6),
     "life": ("h", 3600.0),
     "mass": ("kg", 1.0),
     "power": ("kW", 1e3),
@@ -103,7 +104,8 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
 _SI: Mapping[str, str] = MappingProxyType({
     "angle": "rad", "area": "m²", "density": "kg/m³", "energy": "J", "electric_energy": "J", "force": "N",
     "frequency": "Hz", "inertia": "kg m²", "length": "m", "altitude": "m", "life": "s", "flight_time": "s",
-    "mass": "kg", "power": "W", "specific_power": "W/kg", "specific_torque": "N m/kg", "slope": "rad", "speed": "rad/s",
+    "film_thickness": "m", "mass": "kg", "power": "W", "specific_power": "W/kg", "specific_torque": "N m/kg",
+    "slope": "rad", "speed": "rad/s",
     "stiffness": "N/m", "bearing_force": "N", "stress": "Pa", "time": "s", "torque": "N m",
     "torsional_damping": "N m s/rad", "torsional_stiffness": "N m/rad", "velocity": "m/s", "volume": "m³",
     "number": "1", "ratio": "1", "percent": "1",
@@ -115,7 +117,7 @@ _SUFFIX: Mapping[str, str] = MappingProxyType({
     "electric_energy": "kwh", "specific_power": "kw_kg", "specific_torque": "nm_kg", "percent": "percent",
     "altitude": "ft", "flight_time": "min", "bearing_force": "kn", "elasticity_factor": "sqrt_mpa",
     "mass_per_length": "g_mm", "temperature": "degc", "absolute_temperature": "k", "current": "a", "voltage": "v",
-    "mass_flow": "kg_h", "oil_flow": "l_min",
+    "mass_flow": "kg_h", "oil_flow": "l_min", "film_thickness": "um",
 })  # fmt: skip
 """Dimension that no file has -> suffix of a key that holds it."""
 

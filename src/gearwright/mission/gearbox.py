@@ -141,10 +141,10 @@ def _inertia(sizing: Sizing, propeller: str) -> float:
     carriers = {carrier.stage: carrier for carrier in sizing.carriers}
     energy = 0.0
     for gear in sizing.gears:
-        energy += gear.inertia * gear.bodies * float(np.mean([speeds[node] ** 2 for node in gear.shafts]))
+        energy += gear.turning_inertia * gear.bodies * float(np.mean([speeds[node] ** 2 for node in gear.shafts]))
         if gear.role is Role.PLANET:
             carrier = carriers[gear.stage]
-            energy += gear.mass * gear.bodies * (carrier.radius * speeds[carrier.shaft]) ** 2
+            energy += gear.turning_mass * gear.bodies * (carrier.radius * speeds[carrier.shaft]) ** 2
     energy += sum(shaft.inertia * speeds[shaft.name] ** 2 for shaft in sizing.shafts)
     energy += sum(carrier.inertia * speeds[carrier.shaft] ** 2 for carrier in sizing.carriers)
     energy += sum(machine.inertia * speeds[machine.shaft] ** 2 for machine in sizing.machines)

@@ -17,6 +17,7 @@ from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing
+from gearwright.sizing.pinned import PlanetBearingSizing
 from gearwright.spec import Design
 from gearwright.spec.design import Given
 from gearwright.train import PowerFlow, Train
@@ -88,6 +89,18 @@ class GearSizing:
     """Tip alteration coefficient k [-]; negative shortens the tooth."""
     own: str = ""
     """What the design calls it, in a compound set."""
+    runs_on: PlanetBearingSizing | None = None
+    """Of a planet, what it turns on; None where the design does not say."""
+
+    @property
+    def turning_mass(self) -> Mass:
+        """Of one body with what of its bearings turns with it [kg]."""
+        return self.mass + (self.runs_on.turning_mass if self.runs_on else 0.0)
+
+    @property
+    def turning_inertia(self) -> Inertia:
+        """Of one body with what of its bearings turns with it, about its own axis [kg m²]."""
+        return self.inertia + (self.runs_on.turning_inertia if self.runs_on else 0.0)
 
     @cached_property
     def part(self) -> PartId:
@@ -182,6 +195,11 @@ class Sizing(Shown):
     def bearing_mass(self) -> Mass:
         """Mass of all bearings of built shafts [kg]; not in `mass`, which compares designs with and without them."""
         return sum(bearing.bearing.mass for bearing in self.bearings)
+
+    @property
+    def planet_bearing_mass(self) -> Mass:
+        """Mass of all bearings of planets that the design asks for; not in `mass` [kg]."""
+        return sum(gear.runs_on.mass * gear.bodies for gear in self.gears if gear.runs_on)
 
     @property
     def system_life(

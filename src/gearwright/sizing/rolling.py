@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from gearwright.identity import Role, gear_part
 from gearwright.parts.gears import transverse_pressure_angle
 from gearwright.sizing.compound import pins_of
 from gearwright.sizing.rating import Context, Rating, push_angle, working_radii
@@ -103,6 +104,19 @@ def set_pins(context: Context, stage: str, gears: Mapping[str, GearSizing]) -> d
     """
     centres = {mesh: rolls.centre_distance for mesh, rolls in set_rollings(context, stage, gears).items()}
     return pins_of(context.design.epicyclics[stage], gears, centres)
+
+
+def pin_circle(context: Context, stage: str, gears: Mapping[str, GearSizing]) -> float:
+    """Return the radius of the circle on which the pins of a planetary set stand [m].
+
+    Args:
+        context: What sizing reads.
+        stage: Name of a planetary set.
+        gears: By name.
+    """
+    sun, planet = (gears[str(gear_part(stage, role))] for role in (Role.SUN, Role.PLANET))
+    centre = context.ratings[stage].shifts.centre
+    return (sun.pitch_diameter + planet.pitch_diameter) / 2.0 if centre is None else centre * sun.module
 
 
 def planet_push(context: Context, gears: Mapping[str, GearSizing], stage: str) -> float:

@@ -15,6 +15,7 @@ from gearwright.sizing.limits import refuse_beyond
 from gearwright.sizing.losses import dipping
 from gearwright.sizing.machines import machine_checks, size_machines
 from gearwright.sizing.places import beside_checks, keep_out_checks, pin_checks, room_checks, settle
+from gearwright.sizing.planets import film_checks, fit_planets
 from gearwright.sizing.rating import context_of, demands_of
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.shafts import built_checks, carrier_checks, shaft_checks
@@ -68,7 +69,7 @@ def _sized(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, 
     context = context_of(design, train, teeth, flows, given)
     demands = demands_of(context)
     sizes = stage_sizes(context, demands) | compound_sizes(context, demands)
-    gears = size_gears(context, sizes)
+    gears = fit_planets(context, size_gears(context, sizes))
     meshes = size_meshes(context, gears, demands)
     settled = settle(context, gears)
     arrangement, shafts, carriers = settled.arrangement, settled.shafts, settled.carriers
@@ -80,6 +81,7 @@ def _sized(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, 
         *face_load_checks(context, gears, meshes, settled.built_shafts),
         *named_room(design, gears),
         *planet_lives(context, gears, carriers),
+        *film_checks(context, gears, carriers),
         *pin_checks(design, {gear.name: gear for gear in gears}, carriers),
         *room_checks(arrangement, settled.rules),
         *beside_checks(context, arrangement, settled.rules),

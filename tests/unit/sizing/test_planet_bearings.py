@@ -111,7 +111,7 @@ def by_hand(sizing, places):
         force += outwards + 1j * around
         moment += (outwards + 1j * around) * places[planet.own]
     for own, place in places.items():
-        swung = gears[own].mass * radius * flow.speeds["cage"] ** 2
+        swung = gears[own].turning_mass * radius * flow.speeds["cage"] ** 2
         force, moment = force + swung, moment + swung * place
     return force, moment
 

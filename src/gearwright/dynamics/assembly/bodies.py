@@ -147,13 +147,13 @@ def _add_set(assembly: Assembly, name: str) -> None:
     gears = {gear.role: gear for gear in sizing.gears if gear.stage == name}
     planet, carrier = gears[Role.PLANET], next(carrier for carrier in sizing.carriers if carrier.stage == name)
     # Planets that move on their pins are masses of their own.
-    carried = 0.0 if name in assembly.moving else planet.bodies * planet.mass * carrier.radius**2
+    carried = 0.0 if name in assembly.moving else planet.bodies * planet.turning_mass * carrier.radius**2
     assembly.put(gears[Role.SUN].part, planetary.sun, gears[Role.SUN].inertia)
     assembly.put(carrier.part, planetary.carrier, carrier.inertia + carried)
     assembly.put(gears[Role.RING].part, planetary.ring, gears[Role.RING].inertia)
     for number in range(1, planetary.planets + 1):
         body = gear_part(name, Role.PLANET, number=number)
-        assembly.rotors[str(body)] = Rotor(planet.inertia, assembly.flow.speeds[planet.name], body)
+        assembly.rotors[str(body)] = Rotor(planet.turning_inertia, assembly.flow.speeds[planet.name], body)
 
 
 def _add_compound(assembly: Assembly, name: str) -> None:

@@ -57,7 +57,7 @@ def planet_bodies(sizing: Sizing, stage: str) -> Iterator[PlanetBody]:
     epicyclic, gears = sizing.design.epicyclics[stage], own_gears(sizing, stage)
     for body, pin in _pins(sizing, stage).items():
         steps = [gears[step] for step in epicyclic.planets if epicyclic.body(step) == body]
-        inertia, mass = sum(step.inertia for step in steps), sum(step.mass for step in steps)
+        inertia, mass = sum(step.turning_inertia for step in steps), sum(step.turning_mass for step in steps)
         for number in range(epicyclic.sets):
             part = gear_part(stage, Role.PLANET, number=number + 1, own=body)
             turn = cmath.rect(1.0, 2.0 * math.pi * number / epicyclic.sets)

@@ -78,7 +78,7 @@ def _moving_mass(sizing: Sizing, shaft: str) -> float:
     for carrier in sizing.carriers:
         if carrier.shaft == shaft:
             planets = [gear for gear in sizing.gears if gear.stage == carrier.stage and gear.role is Role.PLANET]
-            carriers += carrier.mass + sum(planet.mass * planet.bodies for planet in planets)
+            carriers += carrier.mass + sum(planet.turning_mass * planet.bodies for planet in planets)
     return alone + gears + carriers
 
 

@@ -56,7 +56,7 @@ def _members(assembly: Assembly, stage: str) -> tuple[Member, Member, Member, Me
     sizing, planetary = assembly.sizing, assembly.sizing.design.planetaries[stage]
     inner, outer = (assembly.pairs[str(mesh_part(stage, row))] for row in (Row.SUN_PLANET, Row.PLANET_RING))
     gears: dict[Role | Kind, GearSizing] = {gear.role: gear for gear in sizing.gears if gear.stage == stage}
-    mass = {role: gear.mass for role, gear in gears.items()} | {Kind.CARRIER: _carrier(sizing, stage).mass}
+    mass = {role: gear.turning_mass for role, gear in gears.items()} | {Kind.CARRIER: _carrier(sizing, stage).mass}
     radii = (inner.driver.base_radius, outer.driven.base_radius, inner.centre_distance)
     radius: dict[Role | Kind, float] = dict(zip(MEMBERS, radii, strict=True))
 
@@ -68,7 +68,7 @@ def _members(assembly: Assembly, stage: str) -> tuple[Member, Member, Member, Me
         return Member(mass[role], rotor.inertia if rotor else standing, radius[role], support=support, torsion=torsion)
 
     pin = math.inf if "pin" in planetary.bearings.rigid else pin_stiffness(sizing, stage)
-    planet = Member(mass[Role.PLANET], gears[Role.PLANET].inertia, inner.driven.base_radius, support=pin)
+    planet = Member(mass[Role.PLANET], gears[Role.PLANET].turning_inertia, inner.driven.base_radius, support=pin)
     return member(Role.SUN), member(Role.RING), member(Kind.CARRIER), planet
 
 
@@ -133,7 +133,7 @@ def with_preload(system: System, sizing: Sizing, flow: PowerFlow) -> System:
         if paths[0] not in names or carrier not in names:
             continue
         radius, turn = _carrier(sizing, stage).radius, names.index(carrier)
-        pull = _planet(sizing, stage).mass * speed**2 * radius
+        pull = _planet(sizing, stage).turning_mass * speed**2 * radius
         for along in map(names.index, paths):
             rows += [along, turn, turn]
             columns += [turn, along, turn]

@@ -146,11 +146,13 @@ def bearing_lives(flight: Flight) -> BearingLives:
         DesignError: A named bearing that does not fit its seat, or cannot bear its kind of load.
     """
     rows, notes, problems = [], [], []
-    idle, opened, failed = [], [], []
+    idle, opened, failed, films = [], [], [], []
     for seat, duty in seat_duties(flight):
         named = fitted_in(flight.sizing, seat)
         if float(np.hypot(duty.radial, duty.axial).max()) < _LEAST_LOAD:
             idle.append(seat.name)
+        elif seat.runs_on is not None and seat.runs_on.journal is not None:
+            films.append(seat.name)
         elif named is None and flight.mission.bearings is None:
             opened.append(seat.name)
         else:
@@ -162,6 +164,7 @@ def bearing_lives(flight: Flight) -> BearingLives:
                 failed.append(seat.name)
     refuse(problems)
     notes += [f"{', '.join(idle)}: nothing to rate, as the forces of the meshes cancel"] if idle else []
+    notes += [f"{', '.join(films)}: a film bears, which sizing judges; it has no rating life"] if films else []
     missing = "no bearing is named, and the mission has no [bearings] to choose one"
     notes += [f"{', '.join(opened)}: {missing}"] if opened else []
     notes += [

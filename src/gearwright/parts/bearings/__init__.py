@@ -74,12 +74,22 @@ from gearwright.parts.bearings.rating import (
 )
 from gearwright.parts.bearings.rolling_bearing import BearingGeometry, BearingKind
 from gearwright.parts.bearings.speed import least_load, speed_factor, thermal_reference_speed
+from gearwright.parts.bearings.weights import (
+    CERAMIC_DENSITY,
+    STEEL_DENSITY,
+    RollingWeights,
+    ceramic_share,
+    rolling_weights,
+    turning_inertia,
+)
 
 __all__ = [
+    "CERAMIC_DENSITY",
     "DEEP_GROOVE_STATIC",
     "FOUR_POINT",
     "FOUR_POINT_STATIC",
     "ISO_R281_1962",
+    "STEEL_DENSITY",
     "BearingGeometry",
     "BearingKind",
     "Cleanliness",
@@ -91,12 +101,14 @@ __all__ = [
     "LoadFactors",
     "OilFilter",
     "RingLoad",
+    "RollingWeights",
     "attitude_angle",
     "ball_contacts",
     "ball_dynamic_factor",
     "ball_static_factor",
     "basic_life",
     "basic_reference_life",
+    "ceramic_share",
     "cleanliness_factor",
     "contamination_factor",
     "deep_groove_factors",
@@ -122,6 +134,7 @@ __all__ = [
     "reference_viscosity",
     "reliability_factor",
     "roller_dynamic_factor",
+    "rolling_weights",
     "run_film",
     "side_flow",
     "speed_factor",
@@ -133,6 +146,7 @@ __all__ = [
     "taper_pair_thrusts",
     "taper_static_factors",
     "thermal_reference_speed",
+    "turning_inertia",
     "usual_clearance",
     "usual_least_film",
     "weibull_slope",

@@ -13,7 +13,14 @@ from gearwright.parts.planetary.assembly import (
     neighbours_clear,
     tip_gap,
 )
-from gearwright.parts.planetary.carrier import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
+from gearwright.parts.planetary.carrier import (
+    pin_bore,
+    pin_diameter,
+    pin_mass,
+    pin_stress,
+    plate_mass,
+    plate_shear_stress,
+)
 from gearwright.parts.planetary.compound import (
     CompoundSet,
     module_ratios,
@@ -48,6 +55,7 @@ __all__ = [
     "nearest_positions",
     "neighbours_clear",
     "pin_angles",
+    "pin_bore",
     "pin_diameter",
     "pin_error_share",
     "pin_mass",

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 
+WIDEST_PIN_BORE = 0.8
+"""Bore of a pin over its diameter, at most: thinner walls go out of round under rollers or film, an assumption [-]."""
+
 
 def pin_diameter(force: float, face_width: float, allowable: float) -> float:
     """Return the diameter of a cantilever planet pin [m].
@@ -18,30 +21,46 @@ def pin_diameter(force: float, face_width: float, allowable: float) -> float:
     return math.cbrt(32.0 * force * face_width / 2.0 / (math.pi * allowable))
 
 
-def pin_stress(force: float, face_width: float, diameter: float) -> float:
+def pin_bore(diameter: float, needed: float) -> float:
+    """Return the bore that a pin may have which is thicker than its strength asks [m].
+
+    Args:
+        diameter: Of the pin, as its bearing asks [m].
+        needed: Of a solid pin that is strong enough [m].
+
+    Source: equal section moduli: 1 − κ⁴ = (d_needed/d)³; at most `WIDEST_PIN_BORE`.
+    """
+    if diameter <= needed:
+        return 0.0
+    return diameter * min(math.pow(1.0 - (needed / diameter) ** 3, 0.25), WIDEST_PIN_BORE)
+
+
+def pin_stress(force: float, face_width: float, diameter: float, *, bore: float = 0.0) -> float:
     """Return the bending stress of a cantilever planet pin at its root [Pa].
 
     Args:
         force: Of one planet on its pin, at the middle of the face width [N].
         face_width: Planet face width [m].
         diameter: Of the pin [m].
+        bore: Of a hollow pin [m].
 
-    Source: cantilever beam, σ = 32 (F b/2) / (π d³).
+    Source: cantilever beam, σ = 32 (F b/2) / (π d³), of a hollow one over 1 − κ⁴.
     """
-    return 32.0 * force * face_width / 2.0 / (math.pi * diameter**3)
+    return 32.0 * force * face_width / 2.0 / (math.pi * diameter**3 * (1.0 - (bore / diameter) ** 4))
 
 
-def pin_mass(diameter: float, face_width: float, density: float) -> float:
+def pin_mass(diameter: float, face_width: float, density: float, *, bore: float = 0.0) -> float:
     """Return the mass of one planet pin of the planet's width [kg].
 
     Args:
         diameter: [m].
         face_width: [m].
         density: ρ [kg/m³].
+        bore: Of a hollow pin [m].
 
     Source: cylinder.
     """
-    return math.pi / 4.0 * diameter**2 * face_width * density
+    return math.pi / 4.0 * (diameter**2 - bore**2) * face_width * density
 
 
 def plate_mass(radius: float, thickness: float, density: float, *, fill: float) -> float:

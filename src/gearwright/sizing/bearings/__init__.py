@@ -4,24 +4,30 @@ The catalogue is `catalogue`'s.
 """
 
 from gearwright.sizing.bearings.bearing_seats import bearing_seats
+from gearwright.sizing.bearings.borne import PlanetLoad, borne_by, planet_duty
 from gearwright.sizing.bearings.choice import Checked, Seating, bearing_sizings, seating
 from gearwright.sizing.bearings.fitted import Fitted, fitted_in
 from gearwright.sizing.bearings.planet_bodies import PlanetBody, as_made, planet_bodies
 from gearwright.sizing.bearings.planet_lives import planet_lives
 from gearwright.sizing.bearings.planet_room import named_room, planet_room
+from gearwright.sizing.bearings.planet_seats import Carrying, planet_seats, room_in
 from gearwright.sizing.bearings.run_checks import life_check, limit_checks
 from gearwright.sizing.bearings.running import oil_of, oiled_life, running_of
 from gearwright.sizing.bearings.seat import Seat, seat_forces
+from gearwright.sizing.bearings.unit_loads import unit_loads
 
 __all__ = [
+    "Carrying",
     "Checked",
     "Fitted",
     "PlanetBody",
+    "PlanetLoad",
     "Seat",
     "Seating",
     "as_made",
     "bearing_seats",
     "bearing_sizings",
+    "borne_by",
     "fitted_in",
     "life_check",
     "limit_checks",
@@ -29,9 +35,13 @@ __all__ = [
     "oil_of",
     "oiled_life",
     "planet_bodies",
+    "planet_duty",
     "planet_lives",
     "planet_room",
+    "planet_seats",
+    "room_in",
     "running_of",
     "seat_forces",
     "seating",
+    "unit_loads",
 ]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from gearwright.catalogue import Bearing
-from gearwright.sizing.bearings.planet_bodies import as_made
 from gearwright.sizing.bearings.seat import Seat
 from gearwright.sizing.result import Sizing
 
@@ -18,7 +17,7 @@ class Fitted(NamedTuple):
 
 
 def fitted_in(sizing: Sizing, seat: Seat) -> Fitted | None:
-    """Return the bearing that sizing took for a seat of the design, or that a planet names; None if it is open.
+    """Return the bearing that sizing took for a seat of the design, or for a planet; None for a film, or nothing.
 
     Args:
         sizing: As sized.
@@ -26,4 +25,5 @@ def fitted_in(sizing: Sizing, seat: Seat) -> Fitted | None:
     """
     if seat.given is not None:
         return Fitted(next(sized.bearing for sized in sizing.bearings if sized.name == seat.name), 1)
-    return None if seat.fitted is None else Fitted(as_made(seat.fitted), seat.side_by_side)
+    rolls = None if seat.runs_on is None else seat.runs_on.bearing
+    return None if rolls is None else Fitted(rolls, seat.side_by_side)

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from gearwright.catalogue import Bearing, bearing, with_ratings
 from gearwright.identity import Kind, PartId, Role
+from gearwright.sizing.pinned import PlanetBearingSizing
 from gearwright.sizing.result import GearSizing
 from gearwright.spec import Design
 from gearwright.spec.design import PlanetBearing
@@ -14,13 +15,14 @@ from gearwright.spec.design import PlanetBearing
 MAKER = "maker's ratings, given by the user"
 
 
-def as_made(asked: PlanetBearing) -> Bearing:
+def as_made(asked: PlanetBearing, designation: str) -> Bearing:
     """Return what the design names for a planet, with the maker's ratings where it gives both.
 
     Args:
         asked: As in the design.
+        designation: In the catalogue.
     """
-    standard = bearing(asked.designation)
+    standard = bearing(designation)
     if asked.dynamic_rating is None or asked.static_rating is None:
         return standard
     return with_ratings(standard, asked.dynamic_rating, asked.static_rating, source=MAKER)
@@ -36,14 +38,20 @@ class Fitting(NamedTuple):
     """Where it stands in the design file."""
 
     @property
+    def runs_on(self) -> PlanetBearingSizing:
+        """What was taken for it."""
+        assert self.step.runs_on is not None
+        return self.step.runs_on
+
+    @property
     def spacing(self) -> float:
         """From the middle of one of the bearings to the next [m]."""
-        return self.asked.spacing or bearing(self.asked.designation).width
+        return self.asked.spacing or self.runs_on.width / self.runs_on.side_by_side
 
     @property
     def width(self) -> float:
         """From the outer face of the first to that of the last [m]."""
-        return (self.asked.side_by_side - 1) * self.spacing + bearing(self.asked.designation).width
+        return (self.asked.side_by_side - 1) * self.spacing + self.runs_on.width / self.runs_on.side_by_side
 
 
 class Support(NamedTuple):
@@ -79,8 +87,8 @@ class PlanetBody(NamedTuple):
 
     @property
     def mass(self) -> float:
-        """Of one [kg]."""
-        return sum(step.mass for step in self.steps)
+        """Of one, with what turns of its bearings [kg]."""
+        return sum(step.turning_mass for step in self.steps)
 
     @property
     def width(self) -> float:

@@ -3,28 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
 from gearwright.catalogue import Bearing, check_bearing
-from gearwright.checks import Check
+from gearwright.checks import Check, Status
 from gearwright.parts.bearings import pair_factor
-from gearwright.sizing.bearings.duty import duty_of
-from gearwright.sizing.bearings.planet_bodies import as_made
+from gearwright.sizing.bearings.borne import borne_by, planet_duty
 from gearwright.sizing.bearings.planet_seats import planet_seats
 from gearwright.sizing.bearings.run_checks import life_check, limit_checks
 from gearwright.sizing.bearings.running import oiled_life, running_of
-from gearwright.sizing.bearings.seat import Seat, seat_forces
+from gearwright.sizing.bearings.seat import Seat
 from gearwright.sizing.bearings.unit_loads import unit_loads
 from gearwright.sizing.carrying import CarrierSizing
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 
+HELP = (
+    "no size that has room lives as long: take a plain bearing, more planets, thinner rims (gears.rim_ratio), a slower"
+    " carrier, or a carrier that stands still"
+)
+"""What would help where no rolling bearing lives as long as is asked."""
+
 
 def planet_lives(
     context: Context, gears: tuple[GearSizing, ...], carriers: tuple[CarrierSizing, ...]
 ) -> tuple[Check, ...]:
-    """Return life, static safety and room of every bearing that the design names for its planets.
+    """Return life, static safety and room of every rolling bearing that the design asks for in its planets.
 
     Args:
         context: What sizing reads.
@@ -40,27 +46,36 @@ def planet_lives(
     ):
         return ()
     seats = planet_seats(unit_loads(context), gears, carriers)
-    return tuple(check for seat in seats if seat.fitted is not None for check in _checks(context, seat))
+    return tuple(
+        check
+        for seat in seats
+        if seat.runs_on is not None and seat.runs_on.bearing is not None
+        for check in _checks(context, seat)
+    )
 
 
 def _checks(context: Context, seat: Seat) -> Iterator[Check]:
-    assert seat.fitted is not None
-    fitted, flows = as_made(seat.fitted), context.flows.values()
-    torques = np.array([[flow.meshes[m.name].torques[0] / m.count for m in context.train.meshes] for flow in flows])
-    radial, axial = seat_forces(seat, torques, np.array([flow.speeds[seat.carrier] for flow in flows]))
-    speeds = [abs(flow.speeds[seat.nodes[0]] - flow.speeds[seat.nodes[1]]) for flow in flows]
-    duty = duty_of(context, radial / pair_factor(fitted.kind, seat.side_by_side), axial, speeds)
+    assert seat.runs_on is not None and seat.runs_on.bearing is not None
+    fitted, borne = seat.runs_on.bearing, borne_by(context, seat)
+    duty = planet_duty(context, seat, fitted, borne)
     check, place = check_bearing(fitted, duty), fitted.designation
     oiled = oiled_life(context.design, fitted, duty, path=seat.path)
     static = check.static_safety * seat.side_by_side / pair_factor(fitted.kind, seat.side_by_side)
-    yield life_check(seat.part, fitted, check.life, oiled, duty.life, context.design)
+    yield _advised(life_check(seat.part, fitted, check.life, oiled, duty.life, context.design), seat)
     yield Check(
         seat.part, "static safety", "ISO 76:2006", static, duty.static_safety,
-        symbol="s_0", place=place, case=tuple(context.flows)[int(np.argmax(radial))],
+        symbol="s_0", place=place, case=tuple(context.flows)[int(np.argmax(borne.radial))],
     )  # fmt: skip
     if context.design.bearing_rules.limits:
         yield from limit_checks(seat.part, fitted, running_of(fitted, duty), context.design)
     yield from _room(seat, fitted)
+
+
+def _advised(check: Check, seat: Seat) -> Check:
+    """Return the check of a life with what would help, where it falls short and the design left the size open."""
+    if check.status is not Status.FAILS or seat.fitted is None or seat.fitted.designation is not None:
+        return check
+    return replace(check, why=HELP)
 
 
 def _room(seat: Seat, fitted: Bearing) -> Iterator[Check]:

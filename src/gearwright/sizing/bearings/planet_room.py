@@ -24,7 +24,7 @@ def named_room(design: Design, gears: tuple[GearSizing, ...]) -> tuple[Check, ..
             checks.append(_beside_plate(step, place))
         for fitting in body.fittings:
             own = body if len(body.fittings) == 1 else body._replace(steps=(fitting.step,))
-            checks.append(planet_room(own, fitting.asked.designation, fitting.width))
+            checks.append(planet_room(own, fitting.runs_on.designation, fitting.width))
     return tuple(checks)
 
 

@@ -7,19 +7,39 @@ axis, each of its bearings bears what statics gives it, the moment that tilts th
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from gearwright.identity import Role, gear_part
+from gearwright.parts.gears import ISO53_A
 from gearwright.sizing.bearings.planet_bodies import PlanetBody, Support, planet_bodies
 from gearwright.sizing.bearings.seat import Seat
-from gearwright.sizing.carrying import CarrierSizing
 from gearwright.sizing.loads import mesh_place, tooth_forces
-from gearwright.sizing.rating import Context
+from gearwright.sizing.rating import Context, rim_below_roots
 from gearwright.sizing.result import GearSizing
 from gearwright.sizing.rolling import planet_push, set_pins
 from gearwright.train import INTERNAL
+
+
+class Carrying(Protocol):
+    """What seats ask of a carrier."""
+
+    @property
+    def stage(self) -> str:
+        """Set that it belongs to."""
+
+    @property
+    def shaft(self) -> str:
+        """Shaft that it is part of, or ``ground``."""
+
+    @property
+    def radius(self) -> float:
+        """Of the circle of its pins [m]."""
+
+    @property
+    def pin_diameter(self) -> float:
+        """[m]"""
 
 
 class Push(NamedTuple):
@@ -51,9 +71,7 @@ class Borne(NamedTuple):
     swung: Sequence[Swung]
 
 
-def planet_seats(
-    context: Context, gears: tuple[GearSizing, ...], carriers: tuple[CarrierSizing, ...]
-) -> Iterator[Seat]:
+def planet_seats(context: Context, gears: tuple[GearSizing, ...], carriers: Sequence[Carrying]) -> Iterator[Seat]:
     """Yield the bearing seats inside planets.
 
     Args:
@@ -86,7 +104,20 @@ def shares(supports: tuple[Support, ...], own: Support | None, place: float) -> 
     return 1.0 / len(supports) + (place - middle) * (own.place - middle) / spread
 
 
-def _seat(context: Context, body: PlanetBody, carrier: CarrierSizing, own: Support | None, borne: Borne) -> Seat:
+def room_in(context: Context, step: GearSizing) -> float:
+    """Return the largest bore of a planet whose rim its rules ask to stay: as stated for planets, or as for rings [m].
+
+    Args:
+        context: What sizing reads.
+        step: The planet, or a step of it.
+    """
+    rating = context.ratings[step.stage]
+    stated = rim_below_roots(rating, step.role)
+    wall = rating.rules.rim_thickness_ratio if stated is None else stated + ISO53_A.dedendum
+    return step.pitch_diameter - 2.0 * wall * step.module
+
+
+def _seat(context: Context, body: PlanetBody, carrier: Carrying, own: Support | None, borne: Borne) -> Seat:
     """Return one seat of a body: all of it, or one of its bearings."""
     forward, backward = np.zeros((2, len(context.train.meshes), 3))
     for push in borne.pushes:
@@ -95,24 +126,24 @@ def _seat(context: Context, body: PlanetBody, carrier: CarrierSizing, own: Suppo
         backward[push.row, :2] += share * np.array(push.backward)
     fitting = own.fitting if own is not None else next(iter(body.fittings), None)
     holding = body.steps if own is None else (own.fitting.step,)
-    rim = context.design.rules(body.stage).rim_thickness_ratio
     return Seat(
         part=body.part if own is None else body.part._replace(own=own.fitting.step.own, number=own.number),
         count=body.steps[0].bodies,
         nodes=(carrier.shaft, body.node),
         bore=carrier.pin_diameter,
-        room=min(step.pitch_diameter - 2.0 * rim * step.module for step in holding),
+        room=min(room_in(context, step) for step in holding),
         forward=forward,
         backward=backward,
         swung=sum(step.moment * shares(body.supports, own, step.place) for step in borne.swung),
         carrier=carrier.shaft,
         fitted=None if fitting is None else fitting.asked,
+        runs_on=None if fitting is None else fitting.step.runs_on,
         side_by_side=1 if own is not None or fitting is None else fitting.asked.side_by_side,
         path="" if fitting is None else fitting.path,
     )
 
 
-def _in_simple(context: Context, body: PlanetBody, carrier: CarrierSizing, gears: Mapping[str, GearSizing]) -> Borne:
+def _in_simple(context: Context, body: PlanetBody, carrier: Carrying, gears: Mapping[str, GearSizing]) -> Borne:
     """Return what a planet of a simple set bears: sun and ring together, by the torque of the sun's mesh."""
     stage, pushes = carrier.stage, list[Push]()
     outwards, factor = planet_push(context, gears, stage), context.ratings[stage].load_factor
@@ -139,5 +170,5 @@ def _in_compound(context: Context, body: PlanetBody, gears: Mapping[str, GearSiz
                 place = mesh_place(epicyclic, own, there.planet, there.mate) or 0.0
                 pushes.append(Push(k, place, (there.tangential, there.radial), (behind.tangential, behind.radial)))
     radius, places = abs(set_pins(context, body.stage, own)[steps[0]]), body.places or (0.0,) * len(steps)
-    swung = [Swung(place, step.mass * radius) for place, step in zip(places, body.steps, strict=True)]
+    swung = [Swung(place, step.turning_mass * radius) for place, step in zip(places, body.steps, strict=True)]
     return Borne(pushes, swung)

@@ -8,6 +8,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.identity import PartId
+from gearwright.sizing.pinned import PlanetBearingSizing
 from gearwright.spec import GROUND
 from gearwright.spec.design import BearingSeat, PlanetBearing
 from gearwright.units import Force, Length
@@ -43,7 +44,9 @@ class Seat:
     given: BearingSeat | None = None
     """What the design says of one on a shaft; the two usual bearings of a shaft have none."""
     fitted: PlanetBearing | None = None
-    """What the design names inside a planet."""
+    """What the design asks for inside a planet."""
+    runs_on: PlanetBearingSizing | None = None
+    """What was taken for it."""
     side_by_side: int = 1
     """Bearings of that kind in one seat [-]."""
     path: str = ""

@@ -61,7 +61,7 @@ def pin_loads(context: Context, name: str, gears: Mapping[str, GearSizing]) -> l
         speed = flow.speeds[epicyclic.carrier]
         for body, place in pins.items():
             own = [force for force in forces if epicyclic.body(force.planet) == body]
-            swung = {step: gears[step].mass * speed**2 * abs(place) for step in steps_of(epicyclic, body)}
+            swung = {step: gears[step].turning_mass * speed**2 * abs(place) for step in steps_of(epicyclic, body)}
             radial, tangential = sum(force.radial for force in own), sum(force.tangential for force in own)
             centrifugal = sum(swung.values())
             pin = math.hypot(tangential, radial + centrifugal)

@@ -10,7 +10,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.catalogue import bearing_friction, equivalent_loads
 from gearwright.errors import DesignError
-from gearwright.parts.bearings import BearingKind, taper_factors
+from gearwright.parts.bearings import BearingKind, run_film, taper_factors
 from gearwright.parts.losses import (
     RunningBearing,
     bearing_torque_constant,
@@ -20,7 +20,9 @@ from gearwright.parts.losses import (
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearings import Fitted, Seat, fitted_in, seat_forces
 from gearwright.sizing.losses.oil import Oil
+from gearwright.sizing.planets import STANDING, film_oil
 from gearwright.sizing.result import Sizing
+from gearwright.units import CELSIUS
 
 
 @dataclass(frozen=True)
@@ -52,6 +54,9 @@ def bearing_losses(
     along = {} if oil.bearings == "constant" else _along(sizing, seats, forces)
     for seat in seats:
         turning, radial = abs(speeds[seat.nodes[0]] - speeds[seat.nodes[1]]), float(forces[seat.name][0])
+        if seat.runs_on is not None and seat.runs_on.journal is not None:
+            yield SeatLoss(seat.name, seat.count, seat.count * _film_power(seat, radial, turning, oil), "film")
+            continue
         fitted = None if oil.bearings == "constant" else fitted_in(sizing, seat)
         if fitted is None:
             torque, name = bearing_torque_constant(radial, seat.bore), "constant"
@@ -60,6 +65,16 @@ def bearing_losses(
             load = (radial / fitted.side_by_side, along.get(seat.name, 0.0) / fitted.side_by_side)
             power = fitted.side_by_side * _torque(fitted, load, turning, oil) * turning
             yield SeatLoss(seat.name, seat.count * fitted.side_by_side, seat.count * power, oil.bearings)
+
+
+def _film_power(seat: Seat, radial: float, turning: float, oil: Oil) -> float:
+    """Return what the film of one planet loses [W]; its oil enters as the design says, or as warm as all of it."""
+    assert seat.runs_on is not None and seat.runs_on.journal is not None and seat.fitted is not None
+    if turning < STANDING or radial <= 0.0:
+        return 0.0
+    given = seat.fitted.oil_temperature
+    supply = oil.temperature if given is None else given + CELSIUS
+    return run_film(seat.runs_on.journal, radial, turning, film_oil(oil.grade, oil.density, supply)).power
 
 
 def _torque(fitted: Fitted, load: tuple[float, float], turning: float, oil: Oil) -> float:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from gearwright.catalogue import STEEL_DENSITY, STEEL_SHARE
 from gearwright.parts.bearings import BearingKind
-from gearwright.sizing.bearings import PlanetBody, as_made, planet_bodies
+from gearwright.sizing.bearings import PlanetBody, planet_bodies
 from gearwright.sizing.mass.duties import SeatDuty
 from gearwright.sizing.mass.rolling_mass import loaded_mass
 from gearwright.sizing.result import Sizing
@@ -55,13 +55,14 @@ def planet_bores(sizing: Sizing, duties: Sequence[SeatDuty]) -> dict[str, Planet
 
 
 def _named(body: PlanetBody) -> PlanetBore | None:
-    """Return the bearings that the design names for a planet."""
-    if not body.fittings:
+    """Return the bearings that sizing took for a planet, or that the design names; None where it asks for none."""
+    taken = [step.runs_on for step in body.steps if step.runs_on is not None]
+    if not taken:
         return None
-    made = [(as_made(fitting.asked), fitting.asked.side_by_side) for fitting in body.fittings]
-    mass = sum(count * size.mass for size, count in made)
-    outside = max(size.outer_diameter for size, _ in made)
-    return PlanetBore(str(body.part), outside, mass, body.steps[0].bodies, named=True)
+    outside = max(runs_on.outer_diameter for runs_on in taken)
+    return PlanetBore(
+        str(body.part), outside, sum(runs_on.mass for runs_on in taken), body.steps[0].bodies, named=True
+    )
 
 
 def _estimated(body: PlanetBody, pin: float, ratings: Mapping[str, float]) -> PlanetBore:

@@ -68,6 +68,8 @@ def _bored(sizing: Sizing, carrier: CarrierSizing, planets: list[GearSizing]) ->
     """Return what the bores of the pins take from pins that were sized solid [kg]."""
     density = sizing.design.shaft_material.density
     pins = max(gear.bodies for gear in planets) * max(gear.face_width for gear in planets)
+    if carrier.pin_bore is not None:  # bored by sizing, under the bearing that the planets turn on
+        return 0.0
     return math.pi / 4.0 * (PIN_BORE * carrier.pin_diameter) ** 2 * pins * density
 
 

@@ -24,6 +24,7 @@ from gearwright.sizing.rating.protocol import (
     Method,
     Unloaded,
 )
+from gearwright.sizing.rating.rims import rim_below_roots
 from gearwright.sizing.rating.rows import rate_row, row_reserve
 from gearwright.sizing.rating.rules import Ask, Rating, rating_of
 from gearwright.sizing.rating.standard_teeth import (
@@ -82,6 +83,7 @@ __all__ = [
     "push_angle",
     "rate_row",
     "rating_of",
+    "rim_below_roots",
     "row_ask",
     "row_reserve",
     "stage_width_ratio",

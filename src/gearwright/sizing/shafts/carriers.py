@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from gearwright.identity import Role, carrier_part, gear_part
-from gearwright.parts.planetary import pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
+from gearwright.parts.planetary import pin_bore, pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.loads import PinLoad, pin_length, pin_loads
 from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
-from gearwright.sizing.rolling import planet_push, set_pins
+from gearwright.sizing.rolling import pin_circle, planet_push, set_pins
 from gearwright.sizing.shafts.shafts import shaft_material
 
 ROUNDING = 1e-9
@@ -26,6 +26,10 @@ class _Pins(NamedTuple):
     """Of the circle that they stand on [m]."""
     length: float
     """[m]"""
+    seat: float = 0.0
+    """Diameter under what the planets turn on; 0 where it follows the strength [m]."""
+    rings: float = 0.0
+    """Mass of inner rings on one [kg]."""
 
 
 def size_carriers(
@@ -49,12 +53,10 @@ def _carrier(
     context: Context, name: str, gears: Mapping[str, GearSizing], diameters: Mapping[str, float]
 ) -> CarrierSizing:
     """Return the carrier of a simple set."""
-    sun, planet = (gears[str(gear_part(name, role))] for role in (Role.SUN, Role.PLANET))
-    centre = context.ratings[name].shifts.centre
-    radius = (sun.pitch_diameter + planet.pitch_diameter) / 2.0 if centre is None else centre * sun.module
+    planet, radius = gears[str(gear_part(name, Role.PLANET))], pin_circle(context, name, gears)
     torques = _torques(context, name)
     loads = _loads(context, name, planet, radius, torques=torques, push=planet_push(context, gears, name))
-    pins = {str(Role.PLANET): _Pins(radius, planet.face_width)}
+    pins = {str(Role.PLANET): _pins_of(planet, radius)}
     count = context.design.planetaries[name].planets
     return _sized(context, name, pins, loads, count=count, torque=max(torques), diameters=diameters)
 
@@ -71,6 +73,14 @@ def _compound(
     return _sized(context, name, pins, loads, count=stage.sets, torque=torque, diameters=diameters)
 
 
+def _pins_of(planet: GearSizing, radius: float) -> _Pins:
+    """Return the pins of a simple set: as thick as what the planets turn on asks."""
+    runs_on = planet.runs_on
+    if runs_on is None:
+        return _Pins(radius, planet.face_width)
+    return _Pins(radius, planet.face_width, runs_on.pin_diameter, runs_on.standing_mass)
+
+
 def _sized(
     context: Context, name: str, pins: Mapping[str, _Pins], loads: Sequence[PinLoad],
     *, count: int, torque: float, diameters: Mapping[str, float],
@@ -81,15 +91,17 @@ def _sized(
     allowable = (material.yield_strength or 0.0) / rules.safety
     worst = max(loads, key=lambda load: load.pin * load.lever)
     length, hub = pins[worst.body].length, diameters.get(shaft, 0.0)
-    pin = given.get(f"{name}.pin_diameter", pin_diameter(worst.pin, worst.lever, allowable))
+    needed = pin_diameter(worst.pin, worst.lever, allowable)
+    pin = given.get(f"{name}.pin_diameter", max(needed, pins[worst.body].seat))
+    bore = pin_bore(pin, needed) if pins[worst.body].seat else 0.0
     thickness = _thickness(rules.plate_ratio * length, torque, hub, allowable=allowable)
     thickness = given.get(f"{name}.plate_thickness", thickness)
-    bending = pin_stress(worst.pin, worst.lever, pin)
+    bending = pin_stress(worst.pin, worst.lever, pin, bore=bore)
     shear = plate_shear_stress(torque, hub, thickness) if hub else 0.0
-    masses = {body: count * pin_mass(pin, equal.length, material.density) for body, equal in pins.items()}
+    masses = {body: count * pin_mass(pin, equal.length, material.density, bore=bore) for body, equal in pins.items()}
     reach = max(equal.radius for equal in pins.values()) + pin / 2.0
     plate = plate_mass(reach, thickness, material.density, fill=rules.fill)
-    about = sum(mass * pins[body].radius ** 2 for body, mass in masses.items())
+    about = sum((mass + count * pins[body].rings) * pins[body].radius ** 2 for body, mass in masses.items())
     part = carrier_part(name)
     return CarrierSizing(
         stage=name,
@@ -102,6 +114,7 @@ def _sized(
         pin_force=worst.pin,
         radius=pins[worst.body].radius,
         pin_diameter=pin,
+        pin_bore=bore or None,
         pin_stress=bending,
         pin_margin=allowable / bending if bending else math.inf,
         plate_thickness=thickness,
@@ -132,7 +145,7 @@ def _loads(
     stage, factor = context.design.planetaries[name], context.ratings[name].load_factor
     loads = []
     for (case, flow), torque in zip(context.flows.items(), torques, strict=True):
-        centrifugal = planet.mass * radius * flow.speeds[stage.carrier] ** 2
+        centrifugal = planet.turning_mass * radius * flow.speeds[stage.carrier] ** 2
         tangential = torque * factor / (stage.planets * radius)
         radial = push * tangential
         pin = math.hypot(tangential, centrifugal + radial)

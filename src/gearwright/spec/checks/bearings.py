@@ -38,16 +38,49 @@ def _planet_bearings(design: Design) -> Iterator[Problem]:
     for name, epicyclic in design.epicyclics.items():
         path = f"epicyclics.{name}"
         for planet, gear in epicyclic.planets.items():
-            if gear.bearing is not None:
+            if gear.bearing is not None and gear.bearing.designation is None:
+                message = "is not chosen in compound sets; give the designation of a bearing of the catalogue"
+                yield Problem(f"{path}.planets.{planet}.bearing", message)
+            elif gear.bearing is not None:
                 yield from _planet_bearing(f"{path}.planets.{planet}.bearing", gear.bearing)
         for body in dict.fromkeys(epicyclic.body(planet) for planet in epicyclic.planets):
             yield from _held(path, epicyclic, [step for step in epicyclic.planets if epicyclic.body(step) == body])
         yield from _without_place(path, epicyclic)
 
 
+_OF_FILMS = ("clearance", "least_film", "oil_temperature")
+"""Keys of a plain bearing that are left out unless given."""
+_BY_KIND = ("diameter", "width", "roller_diameter", "clearance", "least_film", "oil_temperature")
+"""Keys that a bearing which is named has from the catalogue, or not at all."""
+
+
+def _idle_keys(path: str, asked: PlanetBearing) -> Iterator[Problem]:
+    """Yield keys without effect on a planet bearing of its kind."""
+    given = [key for key in _BY_KIND if getattr(asked, key) is not None]
+    if asked.designation is not None:
+        if not asked.is_fitted:
+            why = f"{asked.designation} is of the catalogue, and the kind {asked.kind} is made; keep one of the two"
+            yield Problem(f"{path}.designation", why)
+        yield from (Problem(f"{path}.{key}", "has no effect on a bearing of the catalogue") for key in given)
+        return
+    if asked.dynamic_rating is not None:
+        yield Problem(path, "ratings of a maker belong to a designation; give that, too, or leave them out")
+    if asked.spacing is not None:
+        yield Problem(f"{path}.spacing", "has no effect without a designation; leave it out, or give that")
+    if asked.kind == "plain" and asked.side_by_side > 1:
+        yield Problem(f"{path}.side_by_side", "a film stands alone; leave it out, or take rolling bearings")
+    idle = {"plain": ("roller_diameter",), "cylindrical": ("width", "roller_diameter", *_OF_FILMS)}
+    for key in given:
+        if key in idle.get(asked.kind, _OF_FILMS):
+            yield Problem(f"{path}.{key}", f"has no effect on the kind {asked.kind}; leave it out")
+
+
 def _planet_bearing(path: str, asked: PlanetBearing) -> Iterator[Problem]:
     if (asked.dynamic_rating is None) != (asked.static_rating is None):
         yield Problem(path, "one rating without the other; give dynamic_rating_kn and static_rating_kn, or neither")
+    yield from _idle_keys(path, asked)
+    if asked.designation is None:
+        return
     try:
         width = bearing(asked.designation).width
     except DesignError as error:

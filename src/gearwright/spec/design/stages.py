@@ -10,7 +10,20 @@ from pydantic import Field
 from gearwright.identity import SIDES, Role
 from gearwright.spec.design.rules import CYLINDRICAL, INTERNAL, GearRules, PlanetaryBearings, ThicknessFit
 from gearwright.spec.record import Record
-from gearwright.units import INCH, Angle, Force, Inertia, Length, Mass, Ratio, Reciprocal, Stiffness, TorsionalDamping
+from gearwright.units import (
+    INCH,
+    Angle,
+    Force,
+    Inertia,
+    Length,
+    Mass,
+    Ratio,
+    Reciprocal,
+    Stiffness,
+    Stress,
+    Time,
+    TorsionalDamping,
+)
 
 _DEGREE = math.pi / 180.0
 NORMAL_PITCH = Reciprocal("normal_diametral_pitch", INCH, "per_in")
@@ -34,15 +47,46 @@ def gear_named(reference: str) -> tuple[str, Role] | None:
 
 
 class PlanetBearing(Record):
-    """The rolling bearing between a planet and its pin."""
+    """What a planet turns on: rolling bearings, of a catalogue or made into the planet, or a film of oil."""
 
-    designation: str = Field(description="Name in the catalogue, such as NU 2212")
+    kind: Literal["cylindrical", "needle", "integral", "ceramic", "plain"] = Field(
+        "cylindrical",
+        description="cylindrical: of the catalogue; needle, integral: rollers between pin and planet; ceramic: integral"
+        " with rollers of Si3N4; plain: a film of oil",
+    )
+    designation: str | None = Field(None, description="Name in the catalogue, such as NU 2212; left out: by kind")
     side_by_side: int = Field(1, ge=1, le=4, description="Equal bearings that share a pin")
     spacing: Length | None = Field(
         None, gt=0, description="From the middle of one of them to that of the next; left out: they touch"
     )
     dynamic_rating: Force | None = Field(None, gt=0, description="Maker's C, instead of the catalogue's")
     static_rating: Force | None = Field(None, gt=0, description="Maker's C_0, instead of the catalogue's")
+    life: Time | None = Field(None, gt=0, description="Minimum L_10h; left out: service.bearing_life")
+    diameter: Length | None = Field(
+        None, gt=0, description="Of the pin under rollers or film; left out: the smallest that serves"
+    )
+    width: Length | None = Field(None, gt=0, description="Of rollers' room or film; left out: that of the planet")
+    roller_diameter: Length | None = Field(
+        None, gt=0, description="Of rollers between pin and planet; left out: needle 0.1, others 0.25 of the pin"
+    )
+    clearance: Ratio | None = Field(
+        None, ge=2e-4, le=1e-2, description="ψ of a plain bearing, over its diameter; left out: 0.8e-3 u^(1/4)"
+    )
+    largest_pressure: Stress = Field(7e6, gt=0, le=1e8, description="p of a plain bearing, F/(B D), at most")
+    least_film: Length | None = Field(
+        None, ge=1e-7, le=1e-3, description="h_lim of a plain bearing; left out: by size and speed, ISO 7902-3"
+    )
+    oil_temperature: float | None = Field(
+        None, ge=-40, le=200, description="At which oil enters a plain bearing [°C]; left out: oil.temperature"
+    )
+    largest_temperature: float = Field(
+        125.0, ge=0, le=300, description="At which it leaves a plain bearing, at most [°C]"
+    )
+
+    @property
+    def is_fitted(self) -> bool:
+        """Whether it is a bearing of the catalogue."""
+        return self.kind == "cylindrical"
 
 
 class Pair(Record):
