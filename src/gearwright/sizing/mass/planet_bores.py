@@ -60,9 +60,7 @@ def _named(body: PlanetBody) -> PlanetBore | None:
     if not taken:
         return None
     outside = max(runs_on.outer_diameter for runs_on in taken)
-    return PlanetBore(
-        str(body.part), outside, sum(runs_on.mass for runs_on in taken), body.steps[0].bodies, named=True
-    )
+    return PlanetBore(str(body.part), outside, sum(runs_on.mass for runs_on in taken), body.steps[0].bodies, named=True)
 
 
 def _estimated(body: PlanetBody, pin: float, ratings: Mapping[str, float]) -> PlanetBore:
