@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from gearwright.version import __version__ as __version__
 
 if TYPE_CHECKING:
+    from gearwright.closure import Wishes, close
     from gearwright.dynamics import (
         Model,
         Outputs,
@@ -52,7 +53,7 @@ if TYPE_CHECKING:
     from gearwright.sizing import influences, methods_beside, named_results, size, size_many
     from gearwright.sizing.losses import loss_balance
     from gearwright.sizing.mass import complete_mass
-    from gearwright.spec import edited, edited_mission, parse, read, read_mission, read_study, schema
+    from gearwright.spec import design_text, edited, edited_mission, parse, read, read_mission, read_study, schema
     from gearwright.store import StoredRun, load, save
     from gearwright.study import compare, for_engine
     from gearwright.study import run as study
@@ -66,11 +67,14 @@ _VERBS = {
     "Problem": "errors",
     "SolveError": "errors",
     "StoredRun": "store",
+    "Wishes": "closure",
     "assemble": "dynamics.assembly",
     "campbell": "dynamics",
+    "close": "closure",
     "compare": "study",
     "complete_mass": "sizing.mass",
     "critical_speeds": "dynamics.vibration",
+    "design_text": "spec",
     "draw": "render.drawings.catalogue",
     "durability": "mission",
     "edited": "spec",
@@ -137,11 +141,14 @@ __all__ = [
     "Problem",
     "SolveError",
     "StoredRun",
+    "Wishes",
     "assemble",
     "campbell",
+    "close",
     "compare",
     "complete_mass",
     "critical_speeds",
+    "design_text",
     "draw",
     "durability",
     "edited",

@@ -24,6 +24,7 @@ MAKES: Mapping[str, str] = types.MappingProxyType(
     {
         "Campbell": "gw.campbell(system)",
         "Checked": "gw.validate()",
+        "Closed": "gw.close(design)",
         "Comparison": "gw.mass(power, engine_speed, propeller_speed)",
         "Design": "gw.read(path or shipped name)",
         "Durability": "gw.durability(flight)",
@@ -46,6 +47,7 @@ MAKES: Mapping[str, str] = types.MappingProxyType(
         "System": "gw.assemble(sizing, case)",
         "Table": "gw.study(study)",
         "Trace": "gw.simulate(system, duration)",
+        "Wishes": "gw.Wishes(life=...)",
     }
 )
 """Type -> call that makes one."""

@@ -16,6 +16,7 @@ from typing import Annotated, TextIO
 
 import typer
 
+from gearwright.cli.commands.closure import close
 from gearwright.cli.commands.design import check, modes, report, simulate, size
 from gearwright.cli.commands.draw import draw
 from gearwright.cli.commands.dynamics import campbell, response, runup, validate
@@ -38,7 +39,7 @@ from gearwright.version import __version__
 YOUNG = 100_000
 """Objects after which Python looks for cycles among them: modules that load make few, and each look takes a while."""
 COMMANDS: dict[str, tuple[Callable[..., None], ...]] = {
-    "Designs": (new, run, check, size, review, report, draw, schema),
+    "Designs": (new, run, check, size, close, review, report, draw, schema),
     "Dynamics": (modes, simulate, campbell, response, runup, sharing),
     "Flights": (fly, window),
     "Studies": (compare, study, status, resume, cluster),

@@ -21,6 +21,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "run": (f"{_ROOM}motion:RunAnswer", ""),
     "check": (f"{_ROOM}design:CheckAnswer", ""),
     "size": (f"{_ROOM}design:SizeAnswer", ""),
+    "close": (f"{_ROOM}closure:CloseAnswer", ""),
     "review": (f"{_ROOM}review:ReviewAnswer", ""),
     "modes": (f"{_ROOM}motion:ModesAnswer", ""),
     "simulate": (f"{_ROOM}motion:SimulateAnswer", f"{_ROOM}motion:Instant"),

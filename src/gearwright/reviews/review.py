@@ -8,9 +8,9 @@ from enum import StrEnum
 from pathlib import Path
 
 from gearwright.checks import BEYOND_SIZING, Check, Status, accepted, unknown_waivers, unneeded, worst
+from gearwright.dynamics.vibration import motion_checks
 from gearwright.errors import refuse
 from gearwright.mission import Durability, Flight, durability, flight_checks, fly
-from gearwright.reviews.motion import motion_checks
 from gearwright.reviews.open import open_checks
 from gearwright.showing import Shown
 from gearwright.sizing import Named, Sizing, size, total_results

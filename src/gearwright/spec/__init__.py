@@ -46,6 +46,7 @@ from gearwright.spec.study import (
     parse_study,
     read_study,
 )
+from gearwright.spec.text import design_text
 from gearwright.spec.windows import GovernorRules, WindowRules
 
 __all__ = [
@@ -91,6 +92,7 @@ __all__ = [
     "case_count",
     "case_named",
     "cases_of",
+    "design_text",
     "drives_of",
     "edited",
     "edited_mission",

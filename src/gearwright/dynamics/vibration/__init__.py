@@ -14,6 +14,8 @@ from gearwright.dynamics.vibration.critical_speeds import (
     order_name,
     turning_shaft,
 )
+from gearwright.dynamics.vibration.forced import forced_factors
+from gearwright.dynamics.vibration.judged import motion_checks, peak_checks, resonance_checks
 from gearwright.dynamics.vibration.planetary_results import load_shares, mode_families
 from gearwright.dynamics.vibration.rated_peaks import DynamicLoad, dynamic_loads
 from gearwright.dynamics.vibration.response import Peak, Response, frequency_response, peaks
@@ -45,13 +47,17 @@ __all__ = [
     "critical_speeds",
     "dynamic_loads",
     "first_meshes",
+    "forced_factors",
     "frequency_response",
     "load_shares",
     "loudest_speeds",
     "mode_families",
+    "motion_checks",
     "order_name",
+    "peak_checks",
     "peaks",
     "periodic",
+    "resonance_checks",
     "run_up",
     "speed_map",
     "tone_amplitudes",

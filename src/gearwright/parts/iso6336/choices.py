@@ -23,6 +23,8 @@ class Choices:
     """Of K_V: by resonance and deviations, or by the speed v z_1 alone."""
     root: RatingMethod = RatingMethod.B
     """Of Y_F and Y_S: load at the outer point of single contact, or at the tip with Y_ε."""
+    least_dynamic: float = 1.0
+    """K_V below which none counts [-]: by an analysis of the whole train, as method A has it."""
 
 
 USUAL_CHOICES = Choices()

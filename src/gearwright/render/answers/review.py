@@ -79,12 +79,17 @@ def review_answer(review: Review) -> ReviewAnswer:
         worst=None if first is None else first.name,
         margin=None if first is None else first.margin,
         facts=dict(named(review.facts)),
-        checks=tuple(_reviewed(check) for check in review.checks),
+        checks=tuple(reviewed_check(check) for check in review.checks),
         unneeded_waivers=tuple(review.unneeded),
     )
 
 
-def _reviewed(check: Check) -> ReviewedCheck:
+def reviewed_check(check: Check) -> ReviewedCheck:
+    """Return a check with value and limit in the unit that people read.
+
+    Args:
+        check: Any.
+    """
     value, limit = (None if number is None else shown(number, check.dimension) for number in (check.value, check.limit))
     return ReviewedCheck(
         name=check.name,

@@ -1,14 +1,21 @@
-"""A review in words: the verdict, every check worst first, what is waived and what is left open."""
+"""A review in words: the verdict, every check worst first, what is open; and what a closure met, on one screen."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from rich.console import Group, RenderableType
+from rich.table import Table
 from rich.text import Text
 
-from gearwright.render.tables.checks import review_tables
+from gearwright.closure import Closed
+from gearwright.closure.life import LONGEST
+from gearwright.render.grid.table import written
+from gearwright.render.tables.checks import check_sentence, review_tables
 from gearwright.render.words.headline import headline, unneeded_text
 from gearwright.render.words.text import table_text
 from gearwright.reviews import Review
+from gearwright.units import shown, text
 
 
 def review_text(review: Review) -> RenderableType:
@@ -22,3 +29,37 @@ def review_text(review: Review) -> RenderableType:
     parts: list[RenderableType] = [Text(f"{review.design}{flown}", style="bold"), Text(f"{headline(review)}."), Text()]
     parts += [table_text(table) for table in review_tables(review.checks) if table.rows]
     return Group(*parts, *map(Text, notes))
+
+
+def closure_text(closed: Closed) -> RenderableType:
+    """Return a closed design on one screen: what it meets, what it weighs and lives, how it came about.
+
+    Args:
+        closed: From `close`.
+    """
+    grid = Table.grid(padding=(0, 1))
+    grid.add_column(no_wrap=True)
+    grid.add_column()
+    for name, value in _closed_rows(closed):
+        grid.add_row(name, value)
+    first = f"{closed.outcome}: the worst is {check_sentence(closed.worst)}" if closed.worst else str(closed.outcome)
+    return Group(Text(closed.design.name, style="bold"), Text(f"{first}."), Text(), grid)
+
+
+def _closed_rows(closed: Closed) -> Iterator[tuple[str, str]]:
+    yield "gears, shafts, carriers", text(closed.mass, "mass")
+    for row in closed.lives:
+        hours = f"{written(shown(row.life, 'life'))} h" if row.life < LONGEST else "endless: beyond 1e6 h"
+        yield f"life of {row.stage}", f"{hours}, by {row.governs}"
+    if closed.lives:
+        yield "life asked", text(closed.design.service.life, "life")
+    for gear in closed.sizing.gears:
+        size = f"z {gear.teeth}, m_n {text(gear.module, 'length')}, b {text(gear.face_width, 'length')}"
+        yield gear.name, size
+    for number, round_ in enumerate(closed.rounds, start=1):
+        yield f"round {number}", f"{round_.step}, {text(round_.mass, 'mass')}: {round_.what}"
+    for unmet in closed.unmet:
+        kept = f"; given and kept: {unmet.kept}" if unmet.kept else ""
+        yield f"not met: {unmet.requirement}", f"{check_sentence(unmet.check)}{kept}. What helps: {unmet.helps}"
+    if closed.kept:
+        yield "given and kept", ", ".join(closed.kept)

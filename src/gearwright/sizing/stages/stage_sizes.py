@@ -106,6 +106,9 @@ def _size(context: Context, stage: str, needed: float) -> StageSize:
         module = given.get(f"{stage}.module", needed)
         width = given.get(f"{stage}.face_width", ratio * module)
         return StageSize(module, width, width)
+    if rating.kind != "bevel" and {f"{stage}.module", f"{stage}.face_width"} <= given.keys():
+        width = given[f"{stage}.face_width"]
+        return StageSize(given[f"{stage}.module"], width, width)
     needed = under_spectrum(needed, ratio, partial(_gap, context, stage))
     return (
         _bevel_size(context, stage, needed, ratio)

@@ -26,7 +26,8 @@ _OF_SETS = ("idler_factor", "rim_thickness_ratio", "planet_load_factors")
 """Rules of gears that pairs, without planets and rings, do not read."""
 _OF_HELICAL = ("overlap_ratio", "contact_angles")
 _OF_CYLINDERS = (
-    "helix_modification", "widest_diameters", "widest_modules", "dynamic_method", "face_method", "root_method",
+    "helix_modification", "widest_diameters", "widest_modules", "dynamic_method", "least_dynamic_factor", "face_method",
+    "root_method",
     "scuffing_method",
     "micropitting_stage", "micropitting_safety",
     "static_pitting_safety", "static_bending_safety", "yielding_safety", "wheel",

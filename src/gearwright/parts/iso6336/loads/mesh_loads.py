@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from gearwright.errors import Problem, refuse
 from gearwright.parts.iso6336.choices import USUAL_CHOICES, Choices, RatingMethod
-from gearwright.parts.iso6336.geometry import MeshGeometry, Value
+from gearwright.parts.iso6336.geometry import MeshGeometry, Value, as_value
 from gearwright.parts.iso6336.loads.distribution import (
     CENTRED,
     UNMODIFIED,
@@ -163,6 +163,7 @@ def load_distribution(
             pinion_speed=np.abs(duty.pinion_speed),
             mass=reduced_mass(mesh, (steels[0].density, steels[1].density)),
         )
+    dynamic = replace(dynamic, factor=as_value(np.maximum(dynamic.factor, quality.choices.least_dynamic)))
     with_dynamic = specific * dynamic.factor
     deflection = deflection_misalignment(mesh, with_dynamic, quality.shaft, paths=duty.meshes_per_turn[0])
     face = face_load_factor(

@@ -144,7 +144,9 @@ def quality_of(
         rims=rims,
         mean_stresses=(means[0], means[1]),
         choices=Choices(
-            RatingMethod(rules.dynamic_method), RatingMethod.B if internal else RatingMethod(rules.root_method)
+            RatingMethod(rules.dynamic_method),
+            RatingMethod.B if internal else RatingMethod(rules.root_method),
+            rules.least_dynamic_factor,
         ),
     )
 

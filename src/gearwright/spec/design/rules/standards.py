@@ -57,6 +57,12 @@ class Iso6336Rules(Record):
     dynamic_method: Literal["B", "C"] = Field(
         "B", description="K_V of cylindrical gears: B by resonance and deviations, C by v z_1 and class"
     )
+    least_dynamic_factor: Ratio = Field(
+        1.0,
+        ge=1,
+        le=5,
+        description="Least K_V of cylindrical gears, by a forced response or a measurement",
+    )
     root_method: Literal["B", "C"] = Field(
         "B", description="Y_F, Y_S of external gears: B loaded at the outer single contact, C at the tip, with Y_ε"
     )

@@ -5,16 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gearwright.checks import Check, not_assessed
-from gearwright.dynamics import Outputs, simulate
 from gearwright.dynamics.assembly import assemble
-from gearwright.dynamics.vibration import (
-    RESONANCE,
-    SEPARATION,
-    CriticalSpeed,
-    DynamicLoad,
-    critical_speeds,
-    dynamic_loads,
-)
+from gearwright.dynamics.motion import Outputs, simulate
+from gearwright.dynamics.vibration.critical_speeds import RESONANCE, SEPARATION, CriticalSpeed, critical_speeds
+from gearwright.dynamics.vibration.rated_peaks import DynamicLoad, dynamic_loads
 from gearwright.errors import GearwrightError
 from gearwright.identity import GEARBOX, PartId
 from gearwright.sizing import Sizing
@@ -31,6 +25,16 @@ def motion_checks(sizing: Sizing) -> Iterator[Check]:
     Args:
         sizing: As sized.
     """
+    yield from peak_checks(sizing)
+    yield from resonance_checks(sizing)
+
+
+def peak_checks(sizing: Sizing) -> Iterator[Check]:
+    """Yield every mesh at the worst peak of all cases, each run for a while.
+
+    Args:
+        sizing: As sized.
+    """
     peaks: dict[tuple[PartId, str], Check] = {}
     for case in sizing.flows:
         try:
@@ -43,7 +47,6 @@ def motion_checks(sizing: Sizing) -> Iterator[Check]:
             if known is None or (check.margin or 0.0) < (known.margin or 0.0):
                 peaks[check.part, check.mode] = check
     yield from peaks.values()
-    yield from _resonances(sizing)
 
 
 def _peaks(sizing: Sizing, case: str) -> Iterator[Check]:
@@ -61,8 +64,12 @@ def _peak(part: PartId, mode: str, load: DynamicLoad, margin: float, power: floa
     return Check(part, mode, clause, load.peak_force, allowed, "force", at_most=True, exponent=power, case=case)
 
 
-def _resonances(sizing: Sizing) -> Iterator[Check]:
-    """Yield for every excited order its critical speed nearest to the operating speed."""
+def resonance_checks(sizing: Sizing) -> Iterator[Check]:
+    """Yield for every excited order its critical speed nearest to the operating speed.
+
+    Args:
+        sizing: As sized.
+    """
     nearest: dict[tuple[str, str], CriticalSpeed] = {}
     try:
         cases = critical_speeds(sizing)

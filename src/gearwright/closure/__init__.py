@@ -1,0 +1,23 @@
+"""Closure: a design becomes a gearbox that meets everything its checks know, every freedom written out for `review`.
+
+What is checked and how is for the layers below: sizing, dynamics, mission. What is said of the result is for `reviews`.
+"""
+
+from gearwright.closure.close import close
+from gearwright.closure.closed import Closed, Outcome, Round, StageLife, Step, Unmet
+from gearwright.closure.requirements import REQUIREMENTS, Requirement, requirement_of
+from gearwright.closure.wishes import Wishes
+
+__all__ = [
+    "REQUIREMENTS",
+    "Closed",
+    "Outcome",
+    "Requirement",
+    "Round",
+    "StageLife",
+    "Step",
+    "Unmet",
+    "Wishes",
+    "close",
+    "requirement_of",
+]

@@ -1,0 +1,123 @@
+"""The loop: proportion, confirm, proportion again, until the dynamic factors stand still."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from gearwright.checks import Check, worst
+from gearwright.closure.closed import Round, Step
+from gearwright.closure.confirm import changes_of, confirmed, takes_factor
+from gearwright.closure.proportion import Proportioned, proportioned
+from gearwright.closure.requirements import wanted
+from gearwright.closure.wishes import Wishes
+from gearwright.identity import GEARBOX
+from gearwright.sizing import Sizing
+from gearwright.spec import Design, edited
+from gearwright.spec.edit import Value
+
+MOST_ROUNDS = 8
+"""Rounds after which a loop counts as one that does not converge [-]."""
+STILL = 0.005
+"""Relative change of a dynamic factor that counts as none [-]."""
+CONFIRMS = "peaks"
+"""Requirement for which dynamic factors are confirmed."""
+RATCHET = 4
+"""Round from which dynamic factors no longer fall, so that a train that swings between two sizes comes to rest [-]."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """A design to close."""
+
+    design: Design
+    """As it starts."""
+    wishes: Wishes
+    chosen: Mapping[str, Value] = field(default_factory=dict)
+    """Path -> value that the closure chose against resonance: teeth and modules."""
+    factors: Mapping[str, float] = field(default_factory=dict)
+    """Stage -> K_V to start with, from peaks of a run [-]."""
+    targets: Mapping[str, float] = field(default_factory=dict)
+    """Stage -> margin that a flight asks of its strengths [-]."""
+    start: Sizing | None = None
+    """Sizing with the teeth that are chosen, from whose modules the search begins; None: they are free."""
+
+    @property
+    def changed(self) -> Design:
+        """The design with what the closure chose, its sizes still free."""
+        return edited(self.design, self.chosen) if self.chosen else self.design
+
+
+@dataclass(frozen=True)
+class Settled:
+    """What the loop ends with."""
+
+    task: Task
+    proportioned: Proportioned
+    factors: Mapping[str, float]
+    """Stage -> K_V [-]."""
+    rounds: tuple[Round, ...]
+    converged: Check
+
+    @property
+    def sizing(self) -> Sizing:
+        """Of the written design."""
+        return self.proportioned.sizing
+
+
+def settled(task: Task) -> Settled:
+    """Return a design whose sizes and dynamic factors agree, or the last round with a check that fails.
+
+    Args:
+        task: With its freedoms.
+
+    Raises:
+        DesignError: If the design cannot be sized.
+    """
+    rounds, before = list[Round](), task.start
+    factors = dict(task.factors)
+    for number in range(1, MOST_ROUNDS + 1):
+        stated = edited(task.changed, changes_of(task.design, factors))
+        own = proportioned(stated, task.wishes, before=before, targets=task.targets)
+        before = own.sizing
+        rounds.append(Round(Step.PROPORTION, before.mass, _margin(own, task), 0.0, _sizes(own)))
+        found = confirmed(before) if CONFIRMS not in task.wishes.left_out else {}
+        floor = factors if number >= RATCHET else task.factors
+        following = {stage: max(value, floor.get(stage, 1.0)) for stage, value in {**task.factors, **found}.items()}
+        change = max((_change(before, stage, factors, following) for stage in following), default=0.0)
+        rounds.append(Round(Step.CONFIRM, before.mass, _margin(own, task), change, _factors(following)))
+        if change <= STILL:
+            break
+        factors = following
+    return Settled(task, own, factors, tuple(rounds), _convergence(change))
+
+
+def _change(sizing: Sizing, stage: str, held: Mapping[str, float], found: Mapping[str, float]) -> float:
+    """Return by how much a stage's factor differs from the one it was sized with; 0 where its method's own is more."""
+    if not takes_factor(sizing.design, stage):
+        return 0.0
+    application = sizing.design.service.application_factor
+    used = min(mesh.rating.peaks / application for mesh in sizing.meshes if mesh.stage == stage)
+    before, after = held.get(stage, 1.0), found[stage]
+    return 0.0 if max(before, after) <= used * (1.0 - STILL) else abs(after / before - 1.0)
+
+
+def _margin(own: Proportioned, task: Task) -> float:
+    first = worst(wanted(own.sizing.checks, task.wishes.left_out))
+    return math.inf if first is None or first.margin is None else first.margin
+
+
+def _sizes(own: Proportioned) -> str:
+    sizes = own.sizes.items()
+    return "; ".join(f"{name} m {1e3 * row.module:.4g} b {1e3 * row.face_width:.4g} mm" for name, row in sizes)
+
+
+def _factors(factors: Mapping[str, float]) -> str:
+    return "; ".join(f"{stage} K_V {factor:.3f}" for stage, factor in factors.items())
+
+
+def _convergence(change: float) -> Check:
+    """Return the check of the loop itself."""
+    clause = f"{MOST_ROUNDS} rounds: K_V stands within {STILL:.1%}"
+    return Check(GEARBOX, "convergence of the closure", clause, change, STILL, at_most=True, exponent=None)

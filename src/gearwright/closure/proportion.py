@@ -1,0 +1,158 @@
+"""Proportion: every stage as light as its strengths allow, and everything that was chosen written into the design."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from gearwright.closure.stage_search import StageSize, StageTask, lightest, sized_at
+from gearwright.closure.wishes import Wishes
+from gearwright.identity import Role
+from gearwright.sizing import Sizing, size
+from gearwright.sizing.insight import Trial, trial_of
+from gearwright.spec import Design, edited
+from gearwright.spec.design import Pair, Planetary, module_owners
+from gearwright.spec.edit import Value
+
+_MM = 1e-3
+_TEETH = {
+    Role.PINION: "pinion_teeth", Role.WHEEL: "wheel_teeth",
+    Role.SUN: "sun_teeth", Role.PLANET: "planet_teeth", Role.RING: "ring_teeth",
+}  # fmt: skip
+
+
+class Proportioned(NamedTuple):
+    """A design of which everything is written, and its sizing."""
+
+    design: Design
+    sizing: Sizing
+    sizes: Mapping[str, StageSize]
+    """Stage -> what the search found, of those that were searched."""
+
+
+def proportioned(
+    design: Design, wishes: Wishes, *, before: Sizing | None = None, targets: Mapping[str, float] | None = None
+) -> Proportioned:
+    """Return a design with the least module and width of every stage, written with teeth, planets and diameters.
+
+    Args:
+        design: With the freedoms that are left.
+        wishes: What is asked.
+        before: Sizing of a round before: its teeth stay, and its modules are where the search begins.
+        targets: Stage -> margin that is asked of its strengths, where it is more than 1 [-].
+
+    Raises:
+        DesignError: If the design cannot be sized.
+    """
+    first = size(design) if before is None else before
+    own = edited(design, dict(teeth_of(design, first)))
+    sizes = dict(_sizes(trial_of(own, first), first, wishes, targets or {}))
+    written = edited(own, dict(sizes_of(own, sizes)))
+    return Proportioned(written, size(written), sizes)
+
+
+def written_out(found: Proportioned) -> Proportioned:
+    """Return a design with the diameters of its plain shafts and pins written as sized, too.
+
+    Args:
+        found: With modules and widths.
+    """
+    whole = edited(found.design, dict(_diameters(found.sizing)))
+    return Proportioned(whole, size(whole), found.sizes)
+
+
+def searched(design: Design) -> list[str]:
+    """Return the stages whose module or width the search chooses: cylindrical ones that a standard rates.
+
+    Args:
+        design: With its rules.
+    """
+    return [name for name, stage in design.simple_stages.items() if _cylindrical(stage) and _is_open(stage)]
+
+
+def _cylindrical(stage: Pair | Planetary) -> bool:
+    return isinstance(stage, Planetary) or stage.kind == "cylindrical"
+
+
+def _is_open(stage: Pair | Planetary) -> bool:
+    return stage.face_width is None
+
+
+def _sizes(
+    trial: Trial, first: Sizing, wishes: Wishes, targets: Mapping[str, float]
+) -> Iterator[tuple[str, StageSize]]:
+    """Yield the size of every stage that is searched; one that nothing does has its widest face."""
+    owners = module_owners(trial.design)
+    modules = {gear.stage: gear.module for gear in first.gears}
+    for name in searched(trial.design):
+        rating = trial.rating(name)
+        if rating.proportions is None or f"{name}.face_width" in trial.given:
+            continue
+        task = StageTask(trial, name, wishes.left_out, wishes.rounded, targets.get(name, 1.0))
+        fixed = _tied(trial.design, name, owners) or f"{name}.module" in trial.given
+        standard = wishes.rounded and rating.proportions.standard_modules
+        module = trial.given.get(f"{name}.module", modules[name])
+        found = sized_at(task, module) if fixed else lightest(task, module, standard=standard)
+        yield name, found or _widest(task, module)
+
+
+def _tied(design: Design, stage: str, owners: Mapping[str, str]) -> bool:
+    """Tell whether other stages have the same module or the same axes."""
+    axes = {pair.coaxial_with for pair in design.pairs.values()}
+    own = design.pairs.get(stage)
+    shared = list(owners.values()).count(owners[stage]) > 1
+    return shared or stage in axes or (own is not None and own.coaxial_with is not None)
+
+
+def _widest(task: StageTask, module: float) -> StageSize:
+    """Return the widest face of a module that does not do."""
+    width = task.widest(module)
+    return StageSize(module, width, *task.governing(module, width), task.volume(module, width))
+
+
+def teeth_of(design: Design, sizing: Sizing) -> Iterator[tuple[str, Value]]:
+    """Yield teeth and planets as they were chosen, where a design leaves them open, without what only asked for them.
+
+    Args:
+        design: That leaves some open.
+        sizing: With the choice.
+    """
+    for name, stage in design.simple_stages.items():
+        table = design.table(name)
+        gears = [gear for gear in sizing.gears if gear.stage == name]
+        if all(getattr(stage, _TEETH[gear.role]) == gear.teeth for gear in gears):
+            continue
+        yield from ((f"{table}.{_TEETH[gear.role]}", gear.teeth) for gear in gears)
+        if stage.ratio is not None:
+            yield f"{table}.ratio", None
+        if "ratio_split" in stage.model_fields_set:
+            yield f"{table}.ratio_split", None
+        if isinstance(stage, Planetary):
+            yield f"{table}.planets", sizing.design.planetaries[name].planets
+
+
+def sizes_of(design: Design, sizes: Mapping[str, StageSize]) -> Iterator[tuple[str, Value]]:
+    """Yield modules and widths of the stages that were searched, where a design leaves them open.
+
+    Args:
+        design: With its freedoms.
+        sizes: Stage -> what was found.
+    """
+    owners = module_owners(design)
+    for name, found in sizes.items():
+        if design.simple_stages[name].module is None and owners[name] == name:
+            yield f"{design.table(name)}.module_mm", found.module / _MM
+        yield f"{design.table(name)}.face_width_mm", found.face_width / _MM
+
+
+def _diameters(sizing: Sizing) -> Iterator[tuple[str, Value]]:
+    """Yield diameters of plain shafts and pins and thicknesses of plates, where the design leaves them open."""
+    design = sizing.design
+    built = {shaft.name for shaft in sizing.built_shafts}
+    for shaft in sizing.shafts:
+        if shaft.name not in built and f"{shaft.name}.diameter" not in sizing.given:
+            yield f"layout.{shaft.name}.diameter_mm", shaft.diameter / _MM
+    for carrier in sizing.carriers:
+        for key, value in (("pin_diameter", carrier.pin_diameter), ("plate_thickness", carrier.plate_thickness)):
+            if f"{carrier.stage}.{key}" not in sizing.given:
+                yield f"{design.table(carrier.stage)}.{key}_mm", value / _MM

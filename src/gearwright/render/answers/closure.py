@@ -1,0 +1,72 @@
+"""The answer of a closure: what is met, what is not, lives, masses, the rounds to it and the design as a text."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from gearwright.closure import Closed, Outcome, Round, StageLife, Unmet
+from gearwright.render.answers.review import Factor, ReviewedCheck, reviewed_check
+from gearwright.spec.text import design_text
+from gearwright.units import Life, Mass
+
+
+@dataclass(frozen=True)
+class UnmetRequirement:
+    """A requirement that no freedom meets."""
+
+    requirement: str
+    check: ReviewedCheck
+    """The best that was found."""
+    kept: str
+    """What the design gives and the closure does not change; empty where nothing."""
+    helps: str
+
+
+@dataclass(frozen=True)
+class CloseAnswer:
+    """A design whose free sizes meet what its checks know, or what they do not meet."""
+
+    outcome: Outcome
+    worst: str | None
+    """Name of the worst check."""
+    margin: Factor
+    """Of the worst check."""
+    mass: Mass
+    """Of gears, shafts and carriers."""
+    life_asked: Life
+    lives: tuple[StageLife, ...]
+    """The shortest first."""
+    unmet: tuple[UnmetRequirement, ...]
+    kept: tuple[str, ...]
+    """Paths of what the design gives and the closure does not change."""
+    rounds: tuple[Round, ...]
+    checks: tuple[ReviewedCheck, ...]
+    """The worst first."""
+    design_file: str
+    """The closed design as TOML."""
+
+
+def close_answer(closed: Closed) -> CloseAnswer:
+    """Return what `gearwright close --json` answers.
+
+    Args:
+        closed: From `close`.
+    """
+    first = closed.worst
+    return CloseAnswer(
+        outcome=closed.outcome,
+        worst=None if first is None else first.name,
+        margin=None if first is None else first.margin,
+        mass=closed.mass,
+        life_asked=closed.design.service.life,
+        lives=closed.lives,
+        unmet=tuple(map(_unmet, closed.unmet)),
+        kept=closed.kept,
+        rounds=closed.rounds,
+        checks=tuple(reviewed_check(check) for check in closed.checks),
+        design_file=design_text(closed.design),
+    )
+
+
+def _unmet(unmet: Unmet) -> UnmetRequirement:
+    return UnmetRequirement(unmet.requirement, reviewed_check(unmet.check), unmet.kept, unmet.helps)

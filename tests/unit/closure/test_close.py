@@ -1,0 +1,164 @@
+"""A closed design meets everything in an independent review of its text, and no less would do."""
+
+from functools import cache
+
+import pytest
+
+from designs import PAIR
+from gearwright.closure import Outcome, Step, Wishes, close, requirement_of
+from gearwright.errors import DesignError
+from gearwright.reviews import Verdict, review
+from gearwright.shipped import shipped_designs
+from gearwright.sizing import size
+from gearwright.spec import design_text, edited, parse, read
+
+HOUR = 3600.0
+RATED = edited(parse(PAIR), {"gears.rating": "iso6336"})
+
+
+@cache
+def closed(*, left_out=(), rounded=True, hours=None):
+    """The pair, closed as asked."""
+    life = None if hours is None else hours * HOUR
+    return close(RATED, wishes=Wishes(life, rounded=rounded, left_out=frozenset(left_out)))
+
+
+def replay(found):
+    """Return the review of the written design alone."""
+    return review(parse(design_text(found.design)))
+
+
+def test_an_independent_review_of_the_written_design_passes():
+    assert closed().outcome is Outcome.CLOSED
+    assert closed().unmet == ()
+    assert replay(closed()).verdict is Verdict.PASSES_SO_FAR
+    assert replay(closed()).failing == ()
+
+
+def test_the_review_knows_the_sizes_that_the_closure_found():
+    assert size(parse(design_text(closed().design))).mass == pytest.approx(closed().mass, rel=1e-12)
+
+
+@pytest.mark.parametrize("rounded", [True, False])
+@pytest.mark.parametrize("path", ["pairs.stage.face_width_mm", "layout.fast.diameter_mm", "layout.slow.diameter_mm"])
+def test_a_size_2_percent_less_fails(path, rounded):
+    design = closed(rounded=rounded).design
+    table, name, key = path.split(".")
+    record = getattr(design, table)[name]
+    value = 1e3 * getattr(record, key.removesuffix("_mm"))
+    assert review(edited(design, {path: 0.98 * value})).failing != ()
+
+
+def test_the_next_smaller_whole_millimetre_fails():
+    width = closed().design.pairs["stage"].face_width
+    assert width * 1e3 == pytest.approx(round(width * 1e3), abs=1e-9)
+    smaller = edited(closed().design, {"pairs.stage.face_width_mm": width * 1e3 - 1.0})
+    assert "stage.pinion pitting" in [check.name for check in size(smaller).checks if check.fails]
+
+
+def test_no_lighter_standard_module_and_whole_width_meets_the_strengths():
+    """Every module of ISO 54 from 1.5 to 4 mm, every whole width that the rules allow, as a user would try them."""
+    best = closed().sizing
+    design, gears = closed().design, best.gears
+    for module in (1.5, 1.75, 2.0, 2.25, 2.75, 3.0, 3.5):
+        width = max(b for b in range(5, 80) if b <= 20 * module and b <= 0.8 * module * gears[0].teeth)
+        while width > 5 and _does(design, module, width - 1):
+            width -= 1
+        if _does(design, module, width):
+            found = size(_with(design, module, width))
+            assert found.gear_mass >= best.gear_mass * (1.0 - 1e-9), (module, width)
+
+
+def _with(design, module, width):
+    return edited(design, {"pairs.stage.module_mm": module, "pairs.stage.face_width_mm": width})
+
+
+def _does(design, module, width):
+    return not [check for check in size(_with(design, module, width)).checks if check.fails]
+
+
+@pytest.mark.parametrize("hours", [100, 300, 1000])
+def test_a_life_that_is_asked_is_met_within_2_percent_where_sizes_are_continuous(hours):
+    """Pinion at 6000 rpm: 3.6e7 to 3.6e8 cycles, above the knee of the contact curve, where a life costs strength."""
+    found = closed(rounded=False, hours=hours)
+    assert found.life == pytest.approx(hours * HOUR, rel=0.02)
+    assert replay(found).failing == ()
+    shorter = edited(found.design, {"service.life_h": 1.03 * hours})
+    assert [check.name for check in size(shorter).checks if check.fails] == [found.lives[0].governs]
+
+
+def test_a_longer_life_costs_mass():
+    assert closed(rounded=False, hours=1000).mass > closed(rounded=False, hours=100).mass
+
+
+def test_without_the_requirement_of_flanks_the_design_fails_its_review():
+    found = closed(left_out=("flank",))
+    assert found.mass < closed().mass
+    assert {requirement_of(check) for check in replay(found).failing} == {"flank"}
+
+
+def test_without_confirmed_dynamic_factors_the_gearbox_is_lighter_and_its_peaks_fail():
+    """Teeth of class 1 hardly deviate, so that method B sees little of what their varying stiffness does."""
+    fine = edited(RATED, {"gears.iso6336.tolerance_class": 1, "gears.iso6336.pitting_safety": 1.0,
+                          "service.application_factor": 1.0})  # fmt: skip
+    blind = close(fine, wishes=Wishes(left_out=frozenset({"peaks"})))
+    assert blind.mass < close(fine).mass
+    assert "peaks" in {requirement_of(check) for check in replay(blind).failing}
+    assert replay(close(fine)).failing == ()
+
+
+def test_the_rounds_tell_what_was_proportioned_and_confirmed():
+    steps = [row.step for row in closed().rounds]
+    assert steps[:4] == [Step.PROPORTION, Step.CONFIRM, Step.PROPORTION, Step.CONFIRM]
+    assert closed().rounds[-1].change < 0.005
+    factor = closed().design.rules("stage").iso6336.least_dynamic_factor
+    assert f"K_V {factor:.1f}" in closed().rounds[1].what
+
+
+def test_stages_without_fatigue_are_rated_by_iso_6336():
+    bare = close(parse(PAIR), wishes=Wishes(separate=False))
+    assert bare.design.rating("stage") == "iso6336"
+    kept = edited(parse(PAIR), {"gears.bending_safety": 3.0})
+    assert "bending_safety" not in close(kept, wishes=Wishes(separate=False)).design.gears.model_fields_set
+
+
+def test_a_width_that_is_given_is_kept_and_told_where_it_does_not_do():
+    narrow = close(edited(RATED, {"pairs.stage.face_width_mm": 12, "pairs.stage.module_mm": 2}))
+    assert narrow.design.pairs["stage"].face_width == pytest.approx(0.012)
+    assert narrow.outcome is Outcome.OPEN
+    assert {row.requirement for row in narrow.unmet} >= {"flank"}
+    assert all("stage.face_width" in row.kept for row in narrow.unmet if row.requirement == "flank")
+    assert "stage.pinion pitting" in [check.name for check in replay(narrow).failing]
+
+
+def test_a_life_that_no_material_gives_is_told_with_the_best_that_was_found():
+    """At the largest safety a module would have to grow beyond the widest face: nothing of its series does."""
+    asked = close(edited(RATED, {"gears.iso6336.widest_modules": 1.5, "gears.iso6336.pitting_safety": 5}),
+                  wishes=Wishes(1e6 * HOUR, separate=False))  # fmt: skip
+    for row in asked.unmet:
+        assert row.helps
+        assert row.check.margin < 1.0
+
+
+def test_wishes_that_cannot_be_are_refused():
+    assert problem_of(life=-1.0).path == "life"
+    assert "flank" in problem_of(left_out=frozenset({"flanks"})).message
+
+
+def problem_of(**wishes):
+    """Return the one problem of wishes."""
+    with pytest.raises(DesignError) as found:
+        Wishes(**wishes)
+    (only,) = found.value.problems
+    return only
+
+
+def test_every_check_of_the_shipped_designs_belongs_to_a_requirement():
+    """A review that can fail by something that no requirement names would be out of the closure's sight."""
+    unnamed = {
+        check.mode
+        for name in shipped_designs()
+        for check in size(read(name)).checks
+        if check.ratio is not None and requirement_of(check) == "others"
+    }
+    assert unnamed == set()
