@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cached_property
 from typing import Annotated
 
 from gearwright.checks import Check, worst
 from gearwright.closure.wishes import Wishes
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing
+from gearwright.sizing.mass import CompleteMass, complete_mass
 from gearwright.spec import Design
 from gearwright.units import Life, Mass, Origin, Quantity, Ratio
 
@@ -109,3 +111,8 @@ class Closed(Shown):
     def mass(self) -> Mass:
         """Of gears, shafts and carriers [kg]."""
         return self.sizing.mass
+
+    @cached_property
+    def whole(self) -> CompleteMass:
+        """Everything in the gearbox, housing, bearings and oil included, with its band."""
+        return complete_mass(self.sizing)

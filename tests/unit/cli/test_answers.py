@@ -44,6 +44,7 @@ LINES = {
     "run": f"run hybrid.toml {SHORT}",
     "check": "check hybrid.toml",
     "size": "size hybrid.toml",
+    "close": "close pair.toml --crossings",
     "review": "review hybrid.toml",
     "modes": "modes hybrid.toml",
     "simulate": f"simulate hybrid.toml {SHORT}",

@@ -33,6 +33,11 @@ class CloseAnswer:
     """Of the worst check."""
     mass: Mass
     """Of gears, shafts and carriers."""
+    complete_mass: Mass
+    """With housing, bearings, oil and small parts."""
+    complete_mass_from: Mass
+    complete_mass_to: Mass
+    """Its band."""
     life_asked: Life
     lives: tuple[StageLife, ...]
     """The shortest first."""
@@ -58,6 +63,9 @@ def close_answer(closed: Closed) -> CloseAnswer:
         worst=None if first is None else first.name,
         margin=None if first is None else first.margin,
         mass=closed.mass,
+        complete_mass=closed.whole.total,
+        complete_mass_from=closed.whole.band[0],
+        complete_mass_to=closed.whole.band[1],
         life_asked=closed.design.service.life,
         lives=closed.lives,
         unmet=tuple(map(_unmet, closed.unmet)),

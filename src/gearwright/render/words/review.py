@@ -48,6 +48,8 @@ def closure_text(closed: Closed) -> RenderableType:
 
 def _closed_rows(closed: Closed) -> Iterator[tuple[str, str]]:
     yield "gears, shafts, carriers", text(closed.mass, "mass")
+    low, high = closed.whole.band
+    yield "complete mass", f"{text(closed.whole.total, 'mass')}, {text(low, 'mass')} to {text(high, 'mass')}"
     for row in closed.lives:
         hours = f"{written(shown(row.life, 'life'))} h" if row.life < LONGEST else "endless: beyond 1e6 h"
         yield f"life of {row.stage}", f"{hours}, by {row.governs}"
