@@ -22,6 +22,10 @@ def flown_oil(sizing: Sizing, mission: Mission) -> Oil:
     return oil._replace(
         temperature=rules.inlet_temperature_k,
         roughness=oil.roughness if rules.roughness is None else rules.roughness,
+        of_stages={
+            stage: flank if rules.roughness is None else flank._replace(roughness=rules.roughness)
+            for stage, flank in oil.of_stages.items()
+        },
         dip=dipping(sizing, rules.dip, "oil.dip") if rules.dip else oil.dip,
         friction=MeshLaw(rules.friction) if rules.friction else oil.friction,
         bearings=rules.bearings or oil.bearings,

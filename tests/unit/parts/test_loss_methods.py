@@ -198,7 +198,10 @@ def test_seals_by_hand():
     assert seal_power_14179_2(0.06, -turning) == near(7.69e-6 * 3600 * 3000)
     factor = 145 - 1.6 * 80 + 350 * math.log10(math.log10(100.8))
     assert seal_power_oil(0.06, turning, temperature=353.15, viscosity_40=100e-6) == near(factor * 3600 * 3000 * 1e-7)
-    assert seal_power_oil(0.06, turning, temperature=473.15, viscosity_40=10e-6) == 0.0
+    hot, thin = ((473.15, 10e-6), (313.15, 1.5e-6))
+    for temperature, viscosity in (hot, thin):  # held at half of ISO/TR 14179-2
+        held = seal_power_oil(0.06, turning, temperature=temperature, viscosity_40=viscosity)
+        assert held == near(0.5 * seal_power_14179_2(0.06, turning))
 
 
 def test_the_points_of_the_path_share_the_load_of_the_pairs_in_contact():

@@ -16,6 +16,7 @@ from gearwright.parts.iso6336.bending import (
 )
 from gearwright.parts.iso6336.choices import USUAL_CHOICES, Choices, RatingMethod
 from gearwright.parts.iso6336.film import (
+    RZ_OVER_RA,
     equivalent_roughness,
     lubricant_factor,
     roughness_factor,
@@ -98,6 +99,7 @@ __all__ = [
     "CROWNED",
     "FASTEST",
     "LIFE_AT_1E10",
+    "RZ_OVER_RA",
     "STRESS_CORRECTION_TEST_GEAR",
     "UNMODIFIED",
     "USUAL_CHOICES",

@@ -14,6 +14,8 @@ _MM2_S = 1e-6
 _MICRON = 1e-6
 SMOOTH = 3.0 * _MICRON
 """R_zH at which a hard flank works its mate best; Z_W has its full value [m]."""
+RZ_OVER_RA = 6.0
+"""R_z over R_a of ground flanks [-] (ISO 6336-2:2019, clause 12)."""
 
 
 def _film_constant(contact_strength: Value, at_850: float, at_1200: float) -> Value:

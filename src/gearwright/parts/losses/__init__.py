@@ -3,7 +3,7 @@
 Temperatures follow from them in `mission`.
 """
 
-from gearwright.parts.losses.bearing import bearing_torque_constant, bearing_torque_palmgren
+from gearwright.parts.losses.bearing import LEAST_PRODUCT, bearing_torque_constant, bearing_torque_palmgren
 from gearwright.parts.losses.mesh import (
     HIGHEST_FRICTION,
     Friction,
@@ -16,6 +16,8 @@ from gearwright.parts.losses.mesh import (
     tooth_loss_factor,
 )
 from gearwright.parts.losses.oil import (
+    LEAST_HELIX,
+    LEAST_MODULE,
     OIL_DENSITY,
     TURBINE_OIL,
     churning_power,
@@ -25,7 +27,15 @@ from gearwright.parts.losses.oil import (
     windage_power,
     windage_power_dawson,
 )
-from gearwright.parts.losses.seal import NITRILE, VITON, seal_power_14179_1, seal_power_14179_2, seal_power_oil
+from gearwright.parts.losses.seal import (
+    LEAST_OIL_FACTOR,
+    NITRILE,
+    VITON,
+    seal_oil_factor,
+    seal_power_14179_1,
+    seal_power_14179_2,
+    seal_power_oil,
+)
 from gearwright.parts.losses.skf_bearing import OIL_JET, RunningBearing, SeriesFriction, bearing_torque_skf
 from gearwright.parts.losses.tooth_power import (
     FASTEST,
@@ -44,7 +54,11 @@ from gearwright.parts.losses.tooth_power import (
 __all__ = [
     "FASTEST",
     "HIGHEST_FRICTION",
+    "LEAST_HELIX",
     "LEAST_INTENSITY",
+    "LEAST_MODULE",
+    "LEAST_OIL_FACTOR",
+    "LEAST_PRODUCT",
     "MOST_INTENSITY",
     "NITRILE",
     "OIL_DENSITY",
@@ -73,6 +87,7 @@ __all__ = [
     "ohlendorf_loss_factor",
     "oil_flow",
     "oil_viscosity",
+    "seal_oil_factor",
     "seal_power_14179_1",
     "seal_power_14179_2",
     "seal_power_oil",

@@ -9,6 +9,9 @@ from gearwright.units import RPM
 CYLINDRICAL_ROLLER_FRICTION = 0.0011
 """μ of a cylindrical roller bearing with cage [-]; SKF rolling bearings catalogue, constant-coefficient estimate."""
 
+LEAST_PRODUCT = 2000.0
+"""ν n as which a smaller one counts in Palmgren's idle torque [mm²/(s min)]."""
+
 
 def bearing_torque_constant(load: float, bore: float, friction: float = CYLINDRICAL_ROLLER_FRICTION) -> float:
     """Return the friction torque of a bearing by a constant coefficient [N m].
@@ -47,7 +50,7 @@ def bearing_torque_palmgren(
     >>> round(bearing_torque_palmgren(5000.0, 0.065, 157.08, viscosity=40e-6, oil_factor=2.0, load_factor=3e-4), 3)
     0.182
     """
-    product = max(viscosity * 1e6 * abs(speed) / RPM, 2000.0) if speed else 0.0
+    product = max(viscosity * 1e6 * abs(speed) / RPM, LEAST_PRODUCT) if speed else 0.0
     diameter = mean_diameter * 1e3
     idle = 1e-7 * oil_factor * math.pow(product, 2.0 / 3.0) * diameter**3
     return 1e-3 * (idle + load_factor * load * diameter)

@@ -10,8 +10,9 @@ TURBINE_OIL = (26e-6, 5e-6)
 """Kinematic viscosity of a 5 cSt turbine oil at 40 °C and 100 °C [m²/s], typical of a MIL-PRF-23699 oil."""
 _ARRANGEMENT = 0.2
 """A_g of ISO/TR 14179-1 [-]."""
-_LEAST_HELIX = math.radians(10.0)
-_LEAST_MODULE = 1.0
+LEAST_HELIX = math.radians(10.0)
+"""Helix angle as which a smaller one counts in churning [rad]."""
+LEAST_MODULE = 1.0
 """Module below which the roughness of the teeth is held [mm]."""
 
 
@@ -73,7 +74,7 @@ def churning_power(
         R_f = 7.93 - 4.648/m_t and A_g = 0.2, in mm²/s, 1/min and mm.
     """
     turns, wide = abs(speed) * 30.0 / math.pi, diameter * 1e3
-    teeth = (7.93 - 4.648 / max(module * 1e3, _LEAST_MODULE)) / math.sqrt(math.tan(max(helix_angle, _LEAST_HELIX)))
+    teeth = (7.93 - 4.648 / max(module * 1e3, LEAST_MODULE)) / math.sqrt(math.tan(max(helix_angle, LEAST_HELIX)))
     surfaces = 7.37 * face_width * 1e3 * teeth + 1.474 * wide
     return 1e3 * dip * viscosity * 1e6 * turns**3 * math.pow(wide, 4.7) * surfaces / (_ARRANGEMENT * 1e26)
 

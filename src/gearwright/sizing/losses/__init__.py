@@ -5,13 +5,15 @@ The formulas are `parts.losses`'s; what losses do to the torques of a case is `t
 
 from gearwright.sizing.losses.balance import ORIGINS, Loss, LossBalance, loss_balance
 from gearwright.sizing.losses.bodies import BodyLoss, gear_losses, seal_losses
-from gearwright.sizing.losses.oil import Oil, dipping, oil_of_design
+from gearwright.sizing.losses.oil import UNTOLD, Flank, Oil, dipping, oil_of_design
 from gearwright.sizing.losses.seats import SeatLoss, bearing_losses
 from gearwright.sizing.losses.teeth import Teeth, mesh_loss_parts, teeth_of
 
 __all__ = [
     "ORIGINS",
+    "UNTOLD",
     "BodyLoss",
+    "Flank",
     "Loss",
     "LossBalance",
     "Oil",

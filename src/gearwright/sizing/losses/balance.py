@@ -14,7 +14,7 @@ from gearwright.sizing.bearings import bearing_seats
 from gearwright.sizing.losses.bodies import gear_losses, seal_losses
 from gearwright.sizing.losses.oil import Oil, oil_of_design
 from gearwright.sizing.losses.seats import bearing_losses
-from gearwright.sizing.losses.teeth import mesh_loss_parts, teeth_of
+from gearwright.sizing.losses.teeth import mesh_loss_limits, mesh_loss_parts, teeth_of
 from gearwright.sizing.result import Sizing
 from gearwright.spec import GROUND
 from gearwright.train import PowerFlow
@@ -42,6 +42,8 @@ class Loss:
     """Of the power into the gearbox [-]."""
     method: str
     """Whose formula."""
+    limit: str
+    """Limits of the formula at which it is taken; empty where it holds."""
 
 
 @dataclass(frozen=True)
@@ -102,8 +104,9 @@ class _Case(NamedTuple):
     torques: Floats
     oil: Oil
 
-    def loss(self, origin: str, part: str, *, count: int, power: float, method: str) -> Loss:
-        return Loss(self.name, origin, part, count, power, power / self.given if self.given else 0.0, method)
+    def loss(self, origin: str, part: str, *, count: int, power: float, method: str, limit: str) -> Loss:
+        share = power / self.given if self.given else 0.0
+        return Loss(self.name, origin, part, count, power, share, method, limit)
 
 
 def _torques(sizing: Sizing, flow: PowerFlow) -> Floats:
@@ -112,19 +115,23 @@ def _torques(sizing: Sizing, flow: PowerFlow) -> Floats:
 
 
 def _meshes(sizing: Sizing, case: _Case) -> Iterator[Loss]:
-    parts = mesh_loss_parts(sizing, teeth_of(sizing), case.torques, speeds=case.speeds, oil=case.oil)
+    teeth, method = teeth_of(sizing), case.oil.friction.value
+    parts = mesh_loss_parts(sizing, teeth, case.torques, speeds=case.speeds, oil=case.oil)
+    limits = mesh_loss_limits(sizing, teeth, case.torques, speeds=case.speeds, oil=case.oil)
     for torque, mesh in zip(case.torques.tolist(), sizing.train.meshes, strict=True):
         rolling = abs(torque * (case.speeds[mesh.nodes[0]] - case.speeds[mesh.nodes[2]]))
         power = mesh.count * parts[mesh.name] * rolling
-        yield case.loss("meshes", mesh.name, count=mesh.count, power=power, method=case.oil.friction.value)
+        limit = limits[mesh.name]
+        yield case.loss("meshes", mesh.name, count=mesh.count, power=power, method=method, limit=limit)
 
 
 def _bearings(sizing: Sizing, case: _Case) -> Iterator[Loss]:
     for seat in bearing_losses(sizing, bearing_seats(sizing), case.torques, speeds=case.speeds, oil=case.oil):
-        yield case.loss("bearings", seat.seat, count=seat.count, power=seat.power, method=seat.method)
+        yield case.loss("bearings", seat.seat, count=seat.count, power=seat.power, method=seat.method, limit=seat.limit)
 
 
 def _bodies(sizing: Sizing, case: _Case) -> Iterator[Loss]:
     methods = {"windage": case.oil.windage, "churning": "iso-tr-14179-1", "seals": case.oil.seals}
     for body in (*gear_losses(sizing, case.speeds, case.oil), *seal_losses(sizing, case.speeds, case.oil)):
-        yield case.loss(body.origin, body.part, count=body.count, power=body.power, method=methods[body.origin])
+        method = methods[body.origin]
+        yield case.loss(body.origin, body.part, count=body.count, power=body.power, method=method, limit=body.limit)

@@ -14,6 +14,7 @@ from gearwright.parts.losses import (
     windage_power,
     windage_power_dawson,
 )
+from gearwright.sizing.losses.limits import churning_limits, seal_limits
 from gearwright.sizing.losses.oil import Oil
 from gearwright.sizing.result import GearSizing, Sizing
 
@@ -32,6 +33,8 @@ class BodyLoss:
     """Equal parts [-]."""
     power: float
     """Of all of them [W]."""
+    limit: str = ""
+    """Limits of its formula at which it is taken; empty where it holds."""
 
 
 def gear_losses(sizing: Sizing, speeds: Mapping[str, float], oil: Oil) -> Iterator[BodyLoss]:
@@ -52,7 +55,8 @@ def gear_losses(sizing: Sizing, speeds: Mapping[str, float], oil: Oil) -> Iterat
             )  # fmt: skip
         else:
             power = _windage(gear, turning, oil)
-        yield BodyLoss(gear.name, "churning" if dip else "windage", gear.bodies, gear.bodies * power)
+        origin, limit = ("churning", churning_limits(gear)) if dip else ("windage", "")
+        yield BodyLoss(gear.name, origin, gear.bodies, gear.bodies * power, limit)
 
 
 def _windage(gear: GearSizing, turning: float, oil: Oil) -> float:
@@ -74,7 +78,7 @@ def seal_losses(sizing: Sizing, speeds: Mapping[str, float], oil: Oil) -> Iterat
     diameters = {shaft.name: shaft.diameter for shaft in sizing.shafts}
     for machine in sizing.machines if oil.seals != "none" else ():
         power = _seal(diameters[machine.shaft], speeds[machine.shaft], oil)
-        yield BodyLoss(f"seal at {machine.name}", "seals", 1, power)
+        yield BodyLoss(f"seal at {machine.name}", "seals", 1, power, seal_limits(oil))
 
 
 def _seal(diameter: float, speed: float, oil: Oil) -> float:

@@ -19,6 +19,7 @@ from gearwright.parts.losses import (
 )
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearings import Fitted, Seat, fitted_in, seat_forces
+from gearwright.sizing.losses.limits import bearing_limits
 from gearwright.sizing.losses.oil import Oil
 from gearwright.sizing.planets import STANDING, film_oil
 from gearwright.sizing.result import Sizing
@@ -36,6 +37,8 @@ class SeatLoss:
     """Of all of them [W]."""
     method: str
     """Whose friction."""
+    limit: str
+    """Limits of it at which it is taken; empty where it holds."""
 
 
 def bearing_losses(
@@ -55,16 +58,18 @@ def bearing_losses(
     for seat in seats:
         turning, radial = abs(speeds[seat.nodes[0]] - speeds[seat.nodes[1]]), float(forces[seat.name][0])
         if seat.runs_on is not None and seat.runs_on.journal is not None:
-            yield SeatLoss(seat.name, seat.count, seat.count * _film_power(seat, radial, turning, oil), "film")
+            yield SeatLoss(seat.name, seat.count, seat.count * _film_power(seat, radial, turning, oil), "film", "")
             continue
         fitted = None if oil.bearings == "constant" else fitted_in(sizing, seat)
         if fitted is None:
             torque, name = bearing_torque_constant(radial, seat.bore), "constant"
-            yield SeatLoss(seat.name, seat.count, seat.count * torque * turning, name)
+            limit = bearing_limits(name, turning, oil)
+            yield SeatLoss(seat.name, seat.count, seat.count * torque * turning, name, limit)
         else:
             load = (radial / fitted.side_by_side, along.get(seat.name, 0.0) / fitted.side_by_side)
             power = fitted.side_by_side * _torque(fitted, load, turning, oil) * turning
-            yield SeatLoss(seat.name, seat.count * fitted.side_by_side, seat.count * power, oil.bearings)
+            count, limit = seat.count * fitted.side_by_side, bearing_limits(oil.bearings, turning, oil)
+            yield SeatLoss(seat.name, count, seat.count * power, oil.bearings, limit)
 
 
 def _film_power(seat: Seat, radial: float, turning: float, oil: Oil) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.parts.gears import ToothShift
 from gearwright.parts.losses import MeshDuty, ToothContact, mesh_loss_part, tooth_contact
+from gearwright.sizing.losses.limits import mesh_limits
 from gearwright.sizing.losses.oil import Oil
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.result import GearSizing, Sizing
@@ -52,14 +53,40 @@ def mesh_loss_parts(
         speeds: Node -> its speed, of the ground too [rad/s].
         oil: Between the teeth.
     """
-    parts, between = {}, oil.on_teeth
+    return {
+        mesh.name: mesh_loss_part(teeth.contacts[k], duty, oil.on_teeth(mesh.stage), law=oil.friction)
+        for k, (mesh, duty) in enumerate(zip(sizing.train.meshes, _duties(sizing, teeth, torques, speeds), strict=True))
+    }
+
+
+def mesh_loss_limits(
+    sizing: Sizing, teeth: Teeth, torques: Floats, *, speeds: Mapping[str, float], oil: Oil
+) -> dict[str, str]:
+    """Return mesh row -> limits at which its loss is taken, as words; empty where the formula holds.
+
+    Args:
+        sizing: As sized.
+        teeth: Its contacts.
+        torques: On gear a of one single mesh of each row, shape (meshes,) [N m].
+        speeds: Node -> its speed, of the ground too [rad/s].
+        oil: Between the teeth.
+    """
+    kinds = {name: pair.kind for name, pair in sizing.design.pairs.items()}
+    duties = _duties(sizing, teeth, torques, speeds)
+    return {
+        mesh.name: mesh_limits(
+            teeth.contacts[k], duty, oil.on_teeth(mesh.stage), oil.friction, kinds.get(mesh.stage, "")
+        )
+        for k, (mesh, duty) in enumerate(zip(sizing.train.meshes, duties, strict=True))
+    }
+
+
+def _duties(sizing: Sizing, teeth: Teeth, torques: Floats, speeds: Mapping[str, float]) -> Iterator[MeshDuty]:
+    """Yield load and velocity of every mesh row."""
     for k, mesh in enumerate(sizing.train.meshes):
-        contact = teeth.contacts[k]
-        normal = abs(torques[k]) / (teeth.radii[k] * np.cos(contact.pressure_angle))
+        normal = abs(torques[k]) / (teeth.radii[k] * np.cos(teeth.contacts[k].pressure_angle))
         velocity = (speeds[mesh.nodes[0]] - speeds[mesh.nodes[2]]) * teeth.radii[k]
-        duty = MeshDuty(float(normal / teeth.widths[k]), float(teeth.widths[k]), float(velocity))
-        parts[mesh.name] = mesh_loss_part(contact, duty, between, law=oil.friction)
-    return parts
+        yield MeshDuty(float(normal / teeth.widths[k]), float(teeth.widths[k]), float(velocity))
 
 
 def _contact(sizing: Sizing, pair: tuple[GearSizing, GearSizing], mesh: MeshSizing) -> ToothContact:

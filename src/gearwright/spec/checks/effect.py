@@ -10,7 +10,17 @@ from collections.abc import Iterator, Mapping
 
 from gearwright.errors import Problem
 from gearwright.identity import SIDES
-from gearwright.spec.design import PAIR_ROLES, RATINGS, SET_ROLES, Design, GearRules, Pair, Planetary, given_values
+from gearwright.spec.design import (
+    INTERNAL,
+    PAIR_ROLES,
+    RATINGS,
+    SET_ROLES,
+    Design,
+    GearRules,
+    Pair,
+    Planetary,
+    given_values,
+)
 from gearwright.spec.record import Record
 
 _DECIDED = {
@@ -160,6 +170,8 @@ def _methods(design: Design) -> Iterator[Problem]:
     if not methods:
         return
     yield from _unread("gears", design.gears, methods)
+    if not any(INTERNAL in stage.meshes for stage in design.stages.values()):
+        yield from _idle("gears.iso6336", design.gears.iso6336, _OF_RINGS, "this design has no ring")
     lives = any(RATINGS[method].table for method in methods)
     if "service" in design.model_fields_set and not design.bearings and not lives:
         message = 'has no effect without a rated part; write gears.rating = "iso6336", give [bearings], or leave it out'

@@ -16,6 +16,7 @@ from gearwright.spec.design import (
     AgmaWheelSteel,
     Design,
     Epicyclic,
+    GearRules,
     Pair,
     Planetary,
     method_of,
@@ -27,6 +28,15 @@ SQUARE = 0.5 * math.pi
 """Axis angle of face and bevel gears that is understood [rad]."""
 ROUNDING = 1e-6
 """How near to it a written angle must be [rad]."""
+AGREEMENT = 0.08
+"""How far hardnesses of one steel may lie apart, after conversion from another scale [-]."""
+_THROUGH = "through-hardened"
+_HARDENED = {
+    "carburised": "case-hardened", "nitrided-4140": "nitrided", "nitralloy-135m": "nitrided", _THROUGH: _THROUGH,
+}  # fmt: skip
+"""Steel of AGMA's tables -> how the classes of ISO 6336-5 that are hardened so begin."""
+_HARDENINGS = ("case-hardened", "nitrided", _THROUGH, "induction-hardened", "nitrocarburised")
+"""How the classes of ISO 6336-5 begin."""
 
 
 def gear_problems(design: Design) -> Iterator[Problem]:
@@ -55,11 +65,38 @@ def _agma_steels(design: Design) -> Iterator[Problem]:
         if table in ("agma2001", "agma2003"):
             rules[f"{design.table(name)}.gears" if own else "gears", table] = design.rules(name)
     for (path, table), every in rules.items():
-        for problem in _strengths(every.agma2001 if table == "agma2001" else every.agma2003):
-            yield Problem(f"{path}.{table}.{problem.path}", problem.message)
-        if table == "agma2001" and every.agma2001.wheel is not None:
-            for problem in _strengths(every.agma2001.wheel):
+        standard = every.agma2001 if table == "agma2001" else every.agma2003
+        told = [*_strengths(standard), *_unread_hardness(standard)]
+        if "material" in every.model_fields_set and {"steel", "hardness_hb"} & standard.model_fields_set:
+            told += _contradicted(every, standard, design)
+        yield from (Problem(f"{path}.{table}.{problem.path}", problem.message) for problem in told)
+        if isinstance(standard, Agma2001Rules) and standard.wheel is not None:
+            for problem in (*_strengths(standard.wheel), *_unread_hardness(standard.wheel)):
                 yield Problem(f"{path}.{table}.wheel.{problem.path}", problem.message)
+
+
+def _contradicted(rules: GearRules, standard: Agma2001Rules | Agma2003Rules, design: Design) -> Iterator[Problem]:
+    """Find a steel of AGMA's tables that is not hardened as the stated material is, or is not as hard."""
+    material = design.known_materials.get(rules.material)
+    if material is None:
+        return
+    ours = _HARDENED[standard.steel]
+    its = next((hardening for hardening in _HARDENINGS if (material.steel or "").startswith(hardening)), ours)
+    if its != ours:
+        fitting = {"case-hardened": "carburised", _THROUGH: _THROUGH, "nitrided": "nitrided-4140"}.get(its)
+        fix = f'write steel = "{fitting}", or another material' if fitting else "give another material, or no material"
+        yield Problem("steel", f"{standard.steel!r}, but {rules.material!r} is {its}; {fix}")
+    hard = material.surface_hardness or standard.hardness_hb
+    if its == ours == _THROUGH and abs(standard.hardness_hb / hard - 1.0) > AGREEMENT:
+        message = f"{standard.hardness_hb:g} HB, but {rules.material!r} has {hard:g} HB; keep one of them"
+        yield Problem("hardness_hb", message)
+
+
+def _unread_hardness(rules: Agma2001Rules | AgmaWheelSteel | Agma2003Rules) -> Iterator[Problem]:
+    """Find the hardness of carburised gears, which go by their grade."""
+    if rules.steel == "carburised" and "hardness_hb" in rules.model_fields_set:
+        message = "has no effect: carburised gears go by their grade; leave it out, or write another steel"
+        yield Problem("hardness_hb", message)
 
 
 def _strengths(rules: Agma2001Rules | AgmaWheelSteel | Agma2003Rules) -> Iterator[Problem]:
@@ -106,6 +143,10 @@ def _shared(name: str, side: Role, design: Design) -> Iterator[Problem]:
                 f"{path}.{key}", f"{mine!r}, but the gear that it shares with pairs.{stage} has {its!r} there"
             )
     rules, others = design.rules(name), design.rules(stage)
+    if pair.kind == owner.kind and rules.rating != others.rating:
+        ours_by, theirs_by = (RATINGS[design.rating(one)].title for one in (name, stage))
+        message = f"{ours_by} here, but the gear that it shares with pairs.{stage} is rated by {theirs_by}; give one"
+        yield Problem(f"{path}.gears.rating", message)
     for key in ("pressure_angle", "helix_angle"):
         if getattr(rules, key) != getattr(others, key):
             here, there = (math.degrees(getattr(stage_rules, key)) for stage_rules in (rules, others))

@@ -29,8 +29,11 @@ from gearwright.spec.design.epicyclics import CentralGear, Epicyclic, PlanetGear
 from gearwright.spec.design.given import NO_ORIGIN, WEIGHED, Given, given_values
 from gearwright.spec.design.mounting import LOCATES, BearingSeat, Joint
 from gearwright.spec.design.rules import (
+    GRADE_KEYS,
+    INTERNAL,
     RATINGS,
     SUN_LIMITS,
+    WARMTH_KEYS,
     Agma2001Rules,
     Agma2003Rules,
     AgmaWheelSteel,
@@ -69,7 +72,9 @@ from gearwright.spec.design.teeth import (
 )
 
 __all__ = [
+    "GRADE_KEYS",
     "GROUND",
+    "INTERNAL",
     "LOCATES",
     "MACHINES",
     "NOTHING_GIVEN",
@@ -80,6 +85,7 @@ __all__ = [
     "SET_ROLES",
     "SIDE_ANGLES",
     "SUN_LIMITS",
+    "WARMTH_KEYS",
     "WEIGHED",
     "Accessory",
     "Agma2001Rules",

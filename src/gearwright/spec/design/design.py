@@ -34,6 +34,8 @@ from gearwright.spec.design.epicyclics import Epicyclic
 from gearwright.spec.design.latest import of_the_latest
 from gearwright.spec.design.mounting import BearingSeat, Joint
 from gearwright.spec.design.rules import (
+    GRADE_KEYS,
+    WARMTH_KEYS,
     BearingRules,
     DynamicsRules,
     GearRules,
@@ -203,13 +205,13 @@ class Design(Shown, Record):
         return self.material(self.shafting.material or self.gears.material)
 
     def rules(self, stage: str) -> GearRules:
-        """Return the gear rules of a stage: the design's own where the stage says nothing else.
+        """Return the gear rules of a stage: the design's own where the stage says nothing else, with the oil of [oil].
 
         Args:
             stage: Name of a pair, planetary set or compound set.
         """
         stage_rules = self.stages[stage].gears
-        return self.gears if stage_rules is None else _overlaid(self.gears, stage_rules)
+        return with_oil(self.gears if stage_rules is None else _overlaid(self.gears, stage_rules), self.oil)
 
     @property
     def efficiencies(self) -> dict[str, float]:
@@ -233,6 +235,22 @@ class Design(Shown, Record):
 @of_the_latest
 def _machines(design: Design) -> dict[str, Machine]:
     return {name: machine for table in MACHINES for name, machine in getattr(design, table).items()}
+
+
+def with_oil(rules: GearRules, oil: OilOfDesign) -> GearRules:
+    """Return rules of gears whose oil is that of the design, as far as they say none of their own.
+
+    Args:
+        rules: Of a stage.
+        oil: Of the design; what it leaves out stays as the rules of the gears have it.
+    """
+    own, stated = rules.iso6336.model_fields_set, oil.model_fields_set
+    grade = {} if own & GRADE_KEYS.keys() else GRADE_KEYS
+    told = {key: of_oil for key, of_oil in {**grade, **WARMTH_KEYS}.items() if of_oil in stated and key not in own}
+    if not told:
+        return rules
+    update = {key: getattr(oil, of_oil) for key, of_oil in told.items()}
+    return rules.model_copy(update={"iso6336": rules.iso6336.model_copy(update=update)})
 
 
 def _overlaid(rules: GearRules, stage_rules: GearRules) -> GearRules:

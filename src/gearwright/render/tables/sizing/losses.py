@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Annotated
 
 from gearwright.render.grid.table import Table, table
 from gearwright.sizing import Sizing
-from gearwright.sizing.losses import ORIGINS, LossBalance, loss_balance
+from gearwright.sizing.losses import ORIGINS, Loss, LossBalance, loss_balance
 from gearwright.spec import Design
 from gearwright.units import Origin, Power, Quantity
 
+_NAMED = 3
+"""Parts that a note names; more are counted [-]."""
 _NOTE = (
     "; the torques of the case do not know them, but gears.mesh_efficiency. Bearings of unknown size rub by a constant"
     " coefficient."
@@ -57,6 +60,19 @@ def losses_of_cases(sizing: Sizing) -> tuple[LossesOfCase, ...]:
     return tuple(_row(loss_balance(sizing, case)) for case in sizing.flows)
 
 
+def _limits(losses: Iterable[Loss]) -> str:
+    """Say of which losses the formula is at a limit, and at which: every limit once, with the parts that have it."""
+    held: dict[str, list[str]] = {}
+    for loss in losses:
+        if loss.limit:
+            held.setdefault(loss.limit, []).append(loss.part)
+    return "".join(f" {_parts(parts)}: {limit}." for limit, parts in held.items())
+
+
+def _parts(names: list[str]) -> str:
+    return ", ".join(names) if len(names) <= _NAMED else f"{names[0]} and {len(names) - 1} more"
+
+
 def _row(balance: LossBalance) -> LossesOfCase:
     parts = dict.fromkeys(ORIGINS, 0.0) | balance.by_origin()
     return LossesOfCase(balance.case, balance.power, **parts, lost=balance.lost, efficiency=balance.efficiency)
@@ -69,9 +85,12 @@ def loss_tables(sizing: Sizing) -> dict[str, Table]:
         sizing: As sized.
     """
     fields = ("case", "power", *ORIGINS, "lost", "efficiency")
-    each = ("origin", "part", "count", "power", "share", "method")
     losses = loss_balance(sizing).losses
+    limits = ("limit",) if any(loss.limit for loss in losses) else ()
+    each = ("origin", "part", "count", "power", "share", "method", *limits)
     return {
-        "losses": table("Losses by origin", losses_of_cases(sizing), fields, note=_note(sizing.design)),
+        "losses": table(
+            "Losses by origin", losses_of_cases(sizing), fields, note=_note(sizing.design) + _limits(losses)
+        ),
         "loss_parts": table("Losses part by part", losses, each, note=f"Case {sizing.reference.case}."),
     }

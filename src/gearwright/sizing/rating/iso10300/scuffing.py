@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from gearwright.parts.bevel import BevelRating, virtual_mesh
+from gearwright.parts.iso6336 import RZ_OVER_RA
 from gearwright.parts.scuffing import IntegralTemperature, ScuffingMesh, integral_temperature
-from gearwright.sizing.rating.iso6336.scuffing import RZ_OVER_RA, oil_of
+from gearwright.sizing.rating.iso6336.scuffing import oil_of
 from gearwright.sizing.rating.rules import Rating
 
 SCUFFING = "ISO/TR 13989-2, 6.2"

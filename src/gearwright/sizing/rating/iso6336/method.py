@@ -28,6 +28,7 @@ from gearwright.sizing.rating.factors import Factor, factor_rows, steel_rows
 from gearwright.sizing.rating.iso6336.inputs import EDITIONS, clause_of, duty_of, quality_of, steel_of, steels_of
 from gearwright.sizing.rating.iso6336.limits import limited
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, of_each, safeties
+from gearwright.sizing.rating.iso6336.ranges import Beyond, beyond_ranges, range_checks
 from gearwright.sizing.rating.iso6336.record import Iso6336Rating
 from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film
 from gearwright.sizing.rating.iso6336.static_cases import static_checks, worst_static
@@ -129,6 +130,9 @@ class Iso6336:
             contact_stress=max(float(flank.stress) for flank in flanks),
             contact_margin=min(pitting) / rules.pitting_safety,
             peaks=float(factors.loads.application * factors.loads.dynamic),
+            beyond=tuple(
+                replace(entry, clause=clause_of(entry.clause, self._part3)) for entry in _beyond(mesh, factors)
+            ),
         )
 
     def reserve(self, rated: Iso6336Rating) -> float:
@@ -153,6 +157,7 @@ class Iso6336:
             yield Check(gear, "tooth root", "ISO 6336-3, 5.2", bending, rated.bending_asked, symbol="S_F")
         yield from film_checks(rated, mesh)
         yield from static_checks(rated, gears)
+        yield from range_checks(rated.beyond, mesh)
         if isinstance(dynamic := rated.factors.dynamic, DynamicFactorBySpeed):
             clause, speed = "ISO 6336-1:2006, clause 6: range of method C", float(dynamic.characteristic)
             yield Check(
@@ -230,6 +235,12 @@ def life_slope(rating: Rating, mode: str) -> float:
         mode: ``pitting`` or ``bending``.
     """
     return float(life_curves(steel_of(rating))[0 if mode == "pitting" else 1].slope)
+
+
+def _beyond(mesh: LoadedMesh, factors: PairRating) -> tuple[Beyond, ...]:
+    ask = mesh.heaviest.ask
+    geometry = cylindrical_mesh(ask.teeth, mesh.module, mesh.face_width, mesh.rating, internal=ask.internal)
+    return beyond_ranges(geometry, factors)
 
 
 def iso_making(rating: Rating, standard: str, iso_class: int | None) -> Making:

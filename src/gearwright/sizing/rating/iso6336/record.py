@@ -8,6 +8,7 @@ from typing import Annotated
 from gearwright.parts.iso6336 import GearSteel, PairRating
 from gearwright.parts.micropitting import Micropitting
 from gearwright.parts.scuffing import IntegralTemperature
+from gearwright.sizing.rating.iso6336.ranges import Beyond
 from gearwright.sizing.rating.iso6336.scuffing import FlashPeak
 from gearwright.sizing.rating.iso6336.static_cases import StaticCase
 from gearwright.units import Origin, Quantity, Ratio
@@ -79,3 +80,5 @@ class Iso6336Rating:
     """Safety over the asked one [-]; 1 is just enough."""
     peaks: Annotated[float, Quantity("ratio"), Origin("K_A K_V", "ISO 6336-1:2019, clauses 5 and 6")]
     """Factor on the nominal force for peaks of the load in the heaviest case [-]."""
+    beyond: tuple[Beyond, ...] = ()
+    """What of the mesh lies beyond the ranges of the formulas."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from gearwright.checks import Check
 from gearwright.identity import PartId
-from gearwright.parts.iso6336 import MeshGeometry, PairRating, Treatment
+from gearwright.parts.iso6336 import RZ_OVER_RA, MeshGeometry, PairRating, Treatment
 from gearwright.parts.losses import OIL_DENSITY, oil_viscosity
 from gearwright.parts.micropitting import BASES, FilmMesh, Micropitting, OilGrade, micropitting
 from gearwright.parts.scuffing import (
@@ -28,8 +28,6 @@ from gearwright.sizing.rating.standard_teeth import cylindrical_mesh
 from gearwright.spec.design import Iso6336Rules
 from gearwright.units import CELSIUS, Origin, Quantity
 
-RZ_OVER_RA = 6.0
-"""R_z over R_a of ground flanks [-] (ISO 6336-2:2019, clause 12)."""
 _FLASH = "ISO/TS 6336-20:2017"
 _SOFTEST = (
     Treatment.STRUCTURAL, Treatment.THROUGH_HARDENED, Treatment.INDUCTION_HARDENED, Treatment.CASE_HARDENED,

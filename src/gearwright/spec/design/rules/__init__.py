@@ -3,7 +3,7 @@
 What is rated stands in the design itself; what a method covers in `methods`.
 """
 
-from gearwright.spec.design.rules.bearings import BearingRules, OilOfDesign
+from gearwright.spec.design.rules.bearings import GRADE_KEYS, WARMTH_KEYS, BearingRules, OilOfDesign
 from gearwright.spec.design.rules.dynamics import DynamicsRules, MeshCurve, PlanetaryBearings
 from gearwright.spec.design.rules.gears import SUN_LIMITS, GearRules, TeethRules, ThicknessFit
 from gearwright.spec.design.rules.housing import HousingMaterial, HousingRules
@@ -28,9 +28,11 @@ from gearwright.spec.design.rules.tolerance import PartErrors
 
 __all__ = [
     "CYLINDRICAL",
+    "GRADE_KEYS",
     "INTERNAL",
     "RATINGS",
     "SUN_LIMITS",
+    "WARMTH_KEYS",
     "Agma2001Rules",
     "Agma2003Rules",
     "AgmaWheelSteel",

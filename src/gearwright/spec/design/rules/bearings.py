@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import MappingProxyType
 from typing import Literal
 
 from pydantic import Field
@@ -31,8 +32,14 @@ class BearingRules(Record):
     )
 
 
+GRADE_KEYS = MappingProxyType({"oil_viscosity": "viscosity_40", "oil_viscosity_100": "viscosity_100"})
+"""Rule of ISO 6336 -> what [oil] says of the same."""
+WARMTH_KEYS = MappingProxyType({"oil_temperature": "temperature"})
+"""Likewise of its temperature."""
+
+
 class OilOfDesign(Record):
-    """The oil at bearings and teeth, for lives and losses; the scuffing of a stage has its own in its rules."""
+    """The oil at bearings and teeth, for lives, losses and, where [gears.iso6336] says no other, films and scuffing."""
 
     viscosity_40: float = Field(26.0, ge=2, le=2000, description="Kinematic viscosity at 40 °C [mm²/s]")
     viscosity_100: float = Field(5.0, ge=1, le=200, description="Kinematic viscosity at 100 °C [mm²/s]")

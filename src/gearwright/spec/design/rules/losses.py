@@ -28,9 +28,17 @@ class LossRules(Record):
         " and Loewenthal",
     )
     lubricant_factor: Ratio = Field(
-        1.0, gt=0, le=2, description="X_L of Schlenk, Niemann and Winter; 1 for mineral oils"
+        1.0,
+        gt=0,
+        le=2,
+        description="X_L of Schlenk, Niemann and Winter; left out: that of the stage's oil_type, 1 for mineral oils",
     )
-    roughness: Length = Field(0.4e-6, ge=1e-8, le=1e-4, description="R_a of the flanks")
+    roughness: Length = Field(
+        0.4e-6,
+        ge=1e-8,
+        le=1e-4,
+        description="R_a of the flanks; left out: by the flank_roughness of the stage's rating where that is given",
+    )
     bearings: TorqueName = Field(
         "constant",
         description="Friction of bearings: μ = 0.0011, Palmgren's two parts, or SKF's model; without a bearing's size"

@@ -91,11 +91,16 @@ class Iso6336Rules(Record):
         None,
         description="Shaper cutter of the rings, for their fillets; left out: as by a rack of ISO 53, profile A",
     )
-    oil_viscosity: float = Field(25.0, ge=5, le=1000, description="ν_40 of the oil [mm²/s]")
+    oil_viscosity: float = Field(25.0, ge=5, le=1000, description="ν_40 of the oil [mm²/s]; left out: that of [oil]")
     oil_viscosity_100: float | None = Field(
-        None, ge=1, le=100, description="ν_100 of the oil [mm²/s]; left out: it thins as a turbine oil does"
+        None,
+        ge=1,
+        le=100,
+        description="ν_100 of the oil [mm²/s]; left out: that of [oil], or it thins as a turbine oil does",
     )
-    oil_temperature: float = Field(90.0, ge=-40, le=200, description="Temperature of the oil [°C], for scuffing")
+    oil_temperature: float = Field(
+        90.0, ge=-40, le=200, description="Temperature of the oil [°C], for scuffing; left out: that of [oil]"
+    )
     oil_type: Literal[
         "mineral", "polyalphaolefin", "polyglycol", "water-soluble polyglycol", "phosphate ester", "traction"
     ] = Field("mineral", description="Base of the oil, for friction (X_L) and pressure viscosity")
