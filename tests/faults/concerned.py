@@ -95,12 +95,23 @@ class Calls:
         if not any(name in self.tests for name in own):
             own = [name for name in self.tests if name.startswith(f"{file}:")]
         rank = {test: place for name in own for place, test in enumerate(self.tests.get(name, ()))}
-        # A test that reads a constant calls nothing: its file has the name.
-        named = fault.name and fault.function == "<module>"
-        rank |= {test: -1 for test in self.seconds if named and fault.name in _text(test.partition("::")[0])}
-        tests = sorted(rank, key=lambda test: (_distance(test, fault.module), rank[test], self.seconds[test]))
+        # A test that reads a constant, or a default, calls nothing: its file has the name.
+        named = fault.name if fault.function == "<module>" else f"{fault.function}." if _is_default(fault) else ""
+        reading = {test: -1 for test in self.seconds if named and named in _text(test.partition("::")[0])}
+        rank |= reading
+
+        def order(test: str) -> tuple[bool, int, int, float]:
+            return test not in reading, _distance(test, fault.module), rank[test], self.seconds[test]
+
+        tests = sorted(rank, key=order)
         spent = accumulate(self.seconds[test] for test in tests)
         return [test for test, time in zip(tests, spent, strict=True) if time <= budget]
+
+
+def _is_default(fault: Fault) -> bool:
+    """Tell whether a fault is in the default of an argument, or of a field."""
+    in_class = fault.function.rpartition(".")[2].strip("_")[:1].isupper()
+    return in_class or any(field in ("defaults", "kw_defaults") for field, _ in fault.path)
 
 
 def _distance(test: str, module: str) -> int:

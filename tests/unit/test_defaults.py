@@ -1,0 +1,168 @@
+"""What a record or a verb of the engine takes where nothing is said: neutral, or a standard's own number."""
+
+import dataclasses
+import functools
+import importlib
+import inspect
+import math
+import pkgutil
+from collections.abc import Iterator
+
+import pytest
+
+ROOMS = (
+    "gearwright.parts", "gearwright.train", "gearwright.sizing", "gearwright.dynamics.model",
+    "gearwright.dynamics.assembly",
+)  # fmt: skip
+
+FACTORS_OF_ONE = """
+    AgmaDuty.overload AgmaGear.bending_cycles AgmaGear.contact_cycles AgmaGear.hardness_ratio AgmaGear.rim AgmaGear.size
+    AgmaLoad.distribution AgmaLoad.dynamic AgmaLoad.overload AgmaMaking.adjustment AgmaMaking.crowning
+    AgmaMaking.temperature AgmaBevelDuty.overload BevelDuty.application_factor ContactStrengthFactors.life
+    ContactStrengthFactors.lubricant ContactStrengthFactors.roughness ContactStrengthFactors.size
+    ContactStrengthFactors.speed ContactStrengthFactors.work_hardening GearBlank.web_ratio GearSteel.survival
+    LoadFactors.application LoadFactors.dynamic LoadFactors.face_bending LoadFactors.face_contact LoadFactors.mesh_load
+    LoadFactors.transverse_bending LoadFactors.transverse_contact MeshDuty.application_factor MeshDuty.mesh_load_factor
+    MeshQuality.profile_factor OilState.lubricant_factor RootBody.deep_tooth RootBody.rim RootStrengthFactors.life
+    RootStrengthFactors.mean_stress RootStrengthFactors.notch_sensitivity RootStrengthFactors.size
+    RootStrengthFactors.surface ShaftSection.hardening FilmMesh.relief FilmMesh.supply LewisHertzRating.peaks
+    Unloaded.peaks Oil.enclosure Oil.lubricant_factor agma_rating.reliability agma_rating.temperature
+    bevel_push.pushed cone_forces.pushed contact_geometry_factors.profile_factor load_distribution_factor.adjustment
+    load_distribution_factor.crowning load_distribution_factor.offset pitting_rating.profile_factor
+    single_contact_factors.profile_factor windage_power_dawson.enclosure BearingGeometry.rows Seat.side_by_side
+    deflection_misalignment.paths key_length.keys key_pressure.keys fitting_turns.number GearContact.sense
+    PlanetarySet.flank influences.wish Needs.kept needs_of.kept
+"""
+"""Factors, counts and senses that leave a formula as it is."""
+
+NOTHINGS = """
+    AxialLoad.amplitude AxialLoad.greatest AxialLoad.mean BearingGeometry.contact_angle BearingGeometry.roller_length
+    BevelPair.spiral_angle BevelTooth.profile_shift CylindricalGear.helix_angle CylindricalGear.profile_shift
+    CylindricalGear.tip_alteration FitPart.roughness Hardnesses.roughness HobbedPair.helix_angle LoadFactors.axial_low
+    LoadedTooth.thickness_shift MeshDeviations.tip_relief MeshGeometry.helix_angle MeshQuality.tip_relief
+    PinionShaft.offset PinionShaft.span RingLoad.axial RingLoad.moment_x RingLoad.moment_y RingLoad.x RingLoad.y
+    SectionLoad.bending_amplitude SectionLoad.bending_mean SectionLoad.torque_amplitude SectionLoad.torque_mean
+    ShaftSection.bore ShaperCutter.shift ToothContact.helix ToothProportions.profile_shift ToothProportions.undercut
+    ToothShift.profile_shift ToothShift.tip_alteration agma_strength.hardness bevel_strength.hardness
+    churning_power.helix_angle film_speed.load module_hertz.helix_angle module_lewis.helix_angle
+    rectangular_curve.overlap section_stress.bore shaft_diameter.bore_ratio shaft_inertia.bore shaft_mass.bore
+    shaft_stress.bore shaped_fillet_radius.cutter_shift shifted_mesh.helix_angle tooth_contact.helix_angle
+    tooth_stiffness_kuang_yang.profile_shift torsional_stiffness.bore Body.bore Seat.swung Seat.across Seat.rotor_side
+    BearingSizing.judged_life BearingSizing.lightest_load BearingSizing.least_load BearingSizing.highest_speed
+    BearingSizing.reference_speed BearingSizing.speed_factor JointSizing.interference JointSizing.running_pressure
+    JointSizing.needed_pressure JointSizing.module Unloaded.module_bending Unloaded.module_contact
+    Unloaded.bending_stress Unloaded.contact_stress Ask.speed Stretch.diameter Stretch.shoulder Stretch.fillet
+    SectionStrength.fillet Segment.bore bending_shaft.damping_ratio PropellerDrive.pitch_command MachineDrive.slope
+    Periodic.offset Periodic.constant Line.damping Line.backlash Member.torsion Member.run_out PlanetError.radial
+    PlanetError.tangential PlanetError.tooth_thickness PlanetarySet.damping GearContact.helix_angle GearContact.place
+    add_body.damping_ratio add_rotor.damping_ratio add_gear_contact.damping add_gear_contact.backlash
+    Model.mesh.damping Model.mesh.backlash Model.shaft.damping Model.support.damping Model.load.constant
+    Model.load.damping Model.load.quadratic Disc.of_steel.bore PlanetarySet.sun_teeth fewest_teeth.gear
+"""
+"""Loads, shifts, bores, angles, dampings and errors that are not there."""
+
+NO = """
+    AgmaBevelMaking.is_critical Hardnesses.hard_pinion Hardnesses.hard_wheel MeanSection.is_static
+    ShaftSection.hard_surface bending_cycle_factor.is_critical rim_factor.internal
+    Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal quality_of.internal Joint.is_open
+    ClutchDrive.one_way Line.turns_along
+"""
+PAIRS_OF_ONE = (
+    "AgmaBevelDuty.meshes_per_turn AgmaDuty.meshes_per_turn AgmaMaking.rims MeshDuty.meshes_per_turn"
+    " MeshQuality.mean_stresses MeshQuality.rims Ask.passes HobbedPair.addenda quality_of.rims"
+)
+PAIRS_OF_NOTHING = """
+    BevelTooth.thickness_shifts HobbedPair.profile_shifts ScuffingMesh.reliefs ToothContact.path
+    reduced_mass.bore_ratios theoretical_stiffness.profile_shifts Bearing.cross_stiffness Bearing.damping
+    Bearing.cross_damping Bearing.axial Bearing.tilting PlanetarySet.backlash
+"""
+ENDLESS = """
+    AgmaBevelMaking.cutter_radius BevelDuty.cutter_radius ToothContact.base_pitch MachineDrive.highest_torque
+    MachineDrive.highest_power Member.support Item.limit room_between.enough solid_room.enough Unloaded.bending_margin
+    Unloaded.contact_margin
+"""
+"""What is straight, rigid or without a limit."""
+
+OF_STANDARDS = {
+    # ISO 53:1998, profile A, and the usual 20°.
+    "BasicRack.pressure_angle": math.radians(20.0), "BasicRack.addendum": 1.0, "BasicRack.dedendum": 1.25,
+    "BasicRack.fillet_radius": 0.38, "ToothProportions.dedendum": 1.25, "ToothProportions.fillet_radius": 0.38,
+    "MeshGeometry.pressure_angle": math.radians(20.0), "BevelPair.pressure_angle": math.radians(20.0),
+    "BevelPair.shaft_angle": math.radians(90.0), "BevelTooth.addendum": 1.0, "BevelTooth.dedendum": 1.25,
+    "BevelTooth.edge_radii": (0.3, 0.3),
+    # AGMA 908-B89: hob of 1.25 with a tip radius of 0.25, 20°, Δs_n = 0.024 over the diametral pitch.
+    "HobbedPair.pressure_angle": math.radians(20.0), "HobbedPair.hob_addendum": 1.25, "HobbedPair.hob_radius": 0.25,
+    "HobbedPair.thinning": 0.024, "HobbedPair.face_width": 10.0,
+    # Steel: ISO 6336-1 206 GPa; AGMA 2003 30 · 10⁶ psi, rounded; ISO 10300 and DIN 743 by their own examples.
+    "GearSteel.elastic_modulus": 206e9, "GearSteel.poisson_ratio": 0.3, "GearSteel.density": 7830.0,
+    "FilmMesh.elastic_modulus": 206e9, "FilmMesh.poisson_ratio": 0.3, "ScuffingMesh.elastic_modulus": 206e9,
+    "ScuffingMesh.poisson_ratio": 0.3, "AgmaBevelMaking.elastic_modulus": 207e9, "AgmaBevelMaking.poisson_ratio": 0.3,
+    "BevelDuty.density": 7860.0, "FitPart.density": 7850.0, "FitPart.poisson_ratio": 0.3, "Segment.elasticity": 206e9,
+    "Segment.poisson": 0.3, "Segment.density": 7850.0, "Disc.of_steel.density": 7850.0,
+    # Quality: grade 5 of ISO 1328, 6 in scuffing and micropitting, 11 of AGMA; R_z of 4 µm on flanks, 10 µm at roots.
+    "MeshQuality.grade": 5, "FilmMesh.grade": 6, "ScuffingMesh.grade": 6, "AgmaMaking.quality": 11,
+    "AgmaBevelMaking.quality": 11, "MeshQuality.flank_roughness": 4e-6, "MeshQuality.root_roughness": 10e-6,
+    "BevelSurfaces.flank_roughness": 4e-6, "BevelSurfaces.root_roughness": 10e-6, "bevel_bending.roughness": 16e-6,
+    "bevel_pitting.roughness": 8e-6, "ShaftSection.roughness": 10e-6,
+    # ISO VG 100; oil of 2 kJ/(kg K); 80 °C in AGMA 2003.
+    "MeshQuality.viscosity": 100e-6, "BevelSurfaces.viscosity": 100e-6, "bevel_pitting.viscosity": 100e-6,
+    "Oil.viscosity_40": 100e-6, "oil_flow.heat_capacity": 2000.0, "AgmaBevelMaking.temperature": 80.0,
+    # One failure in 100: K_R = 1 of AGMA; half of the shafts: Shigley's endurance limit without k_e.
+    "AgmaMaking.reliability": 0.99, "AgmaBevelMaking.reliability": 0.99, "endurance_limit.reliability": 0.5,
+    # ISO/TS 16281: race radii of 0.52 and 0.53 ball diameters; ISO 281: p = 3 of balls, e = 10/9.
+    "BearingGeometry.inner_conformity": 0.52, "BearingGeometry.outer_conformity": 0.53, "mean_load.exponent": 3.0,
+    "system_life.slope": 10.0 / 9.0,
+    # ISO 6336-1: K′ = 0.48 between bearings; c′ of 14 and c_γ of 20 N/(mm µm).
+    "PinionShaft.constant": 0.48, "ScuffingMesh.stiffness": (14e9, 20e9),
+    "GearBlank.rim_ratio": 5.0, "rectangular_curve.step": 0.75,
+    # Eight harmonics of a stiffness, forty slices of a shaft.
+    "mesh_stiffness_energy.harmonics": 8, "mesh_curve_iso6336.harmonics": 8, "mesh_stiffness_kuang_yang.harmonics": 8,
+    "rectangular_curve.harmonics": 8, "lumped_shaft.pieces": 40,
+}  # fmt: skip
+"""Numbers that their standard, or a catalogue of steels and oils, gives."""
+
+WANTED = {
+    "factors of one": dict.fromkeys(FACTORS_OF_ONE.split(), 1.0),
+    "nothing": dict.fromkeys(NOTHINGS.split(), 0.0),
+    "no": dict.fromkeys(NO.split(), False),
+    "pairs of one": dict.fromkeys(PAIRS_OF_ONE.split(), (1.0, 1.0)),
+    "pairs of nothing": dict.fromkeys(PAIRS_OF_NOTHING.split(), (0.0, 0.0)),
+    "endless": dict.fromkeys(ENDLESS.split(), math.inf),
+    "standards": OF_STANDARDS,
+}
+
+
+@functools.cache
+def defaults() -> dict[str, list[object]]:
+    """Return record or verb and its field or argument -> what it is where it is left out; two may share a name."""
+    known: dict[str, list[object]] = {}
+    for room in map(importlib.import_module, ROOMS):
+        for found in pkgutil.walk_packages(room.__path__, f"{room.__name__}."):
+            for owner, thing in vars(importlib.import_module(found.name)).items():
+                if getattr(thing, "__module__", "") == found.name:
+                    for name, value in _of(owner, thing):
+                        known.setdefault(name, []).append(value)
+    return known
+
+
+def _of(owner: str, thing: object) -> Iterator[tuple[str, object]]:
+    if dataclasses.is_dataclass(thing):
+        yield from ((f"{owner}.{field.name}", field.default) for field in dataclasses.fields(thing))
+    if inspect.isclass(thing):
+        yield from ((f"{owner}.{name}", value) for name, value in getattr(thing, "_field_defaults", {}).items())
+        for name, method in vars(thing).items():
+            if not name.startswith("__"):
+                yield from _of(f"{owner}.{name}", getattr(method, "__func__", method))
+    elif inspect.isfunction(thing):
+        parameters = inspect.signature(thing).parameters.values()
+        yield from ((f"{owner}.{parameter.name}", parameter.default) for parameter in parameters)
+
+
+@pytest.mark.parametrize("meaning", WANTED)
+def test_what_is_left_out_is_neutral_or_a_standards_number(meaning):
+    wrong = {}
+    for name, value in WANTED[meaning].items():
+        numbers = [default for default in defaults().get(name, ()) if isinstance(default, int | float | tuple)]
+        if not numbers or any(number != pytest.approx(value, rel=1e-12, abs=0.0) for number in numbers):
+            wrong[name] = numbers
+    assert wrong == {}
