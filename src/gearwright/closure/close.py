@@ -9,6 +9,7 @@ from gearwright.checks import Check, Status, accepted
 from gearwright.closure.closed import Closed, Round, Step, Unmet
 from gearwright.closure.life import stage_lives
 from gearwright.closure.loop import CONFIRMS, Settled, Task, settled
+from gearwright.closure.planet_bearings import borne
 from gearwright.closure.proportion import written_out
 from gearwright.closure.requirements import REQUIREMENTS, requirement_of, wanted
 from gearwright.closure.separate import separated
@@ -31,7 +32,8 @@ def close(design: Design, *, wishes: Wishes | None = None, tell: Callable[[str],
 
     Proportion: the least module and width of every stage under all its strengths, then shafts, pins and plates.
     Confirm: dynamic factors by the forced response at the speeds of every case, and proportion again, at most eight
-    rounds. Separate: other teeth or modules where critical speeds lie too near. Simulate: the peaks of a run.
+    rounds. Bear: what planets turn on, where that is open. Separate: other teeth or modules where critical speeds lie
+    too near. Simulate: the peaks of a run.
 
     Args:
         design: As `gearwright.read` gives it; what it gives is kept, and told where it does not do.
@@ -45,6 +47,7 @@ def close(design: Design, *, wishes: Wishes | None = None, tell: Callable[[str],
     start = start_of(design, asked)
     say("proportioning and confirming")
     state = settled(Task(start, asked))
+    state = borne(state, say)
     if asked.separate and "critical speeds" not in asked.left_out:
         state = separated(state, say)
     state, peaks = _simulated(state, say)

@@ -28,6 +28,7 @@ class Step(StrEnum):
 
     PROPORTION = "proportioned"
     CONFIRM = "confirmed"
+    BEAR = "bearings of planets"
     SEPARATE = "other teeth or modules"
     SIMULATE = "simulated"
 

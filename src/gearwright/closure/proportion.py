@@ -153,6 +153,9 @@ def _diameters(sizing: Sizing) -> Iterator[tuple[str, Value]]:
         if shaft.name not in built and f"{shaft.name}.diameter" not in sizing.given:
             yield f"layout.{shaft.name}.diameter_mm", shaft.diameter / _MM
     for carrier in sizing.carriers:
+        stands = design.planetaries.get(carrier.stage)
+        if stands is not None and stands.planet_bearing is not None:
+            continue  # pins and plates follow from what the planets turn on
         for key, value in (("pin_diameter", carrier.pin_diameter), ("plate_thickness", carrier.plate_thickness)):
             if f"{carrier.stage}.{key}" not in sizing.given:
                 yield f"{design.table(carrier.stage)}.{key}_mm", value / _MM

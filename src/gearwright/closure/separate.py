@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -11,7 +11,7 @@ from gearwright.closure.closed import Round, Step
 from gearwright.closure.confirm import changes_of
 from gearwright.closure.loop import Settled, settled
 from gearwright.closure.proportion import proportioned, searched, sizes_of, teeth_of
-from gearwright.closure.requirements import wanted
+from gearwright.closure.requirements import requirement_of, wanted
 from gearwright.dynamics.vibration import resonance_checks
 from gearwright.errors import GearwrightError
 from gearwright.identity import Role
@@ -21,6 +21,8 @@ from gearwright.spec import edited
 from gearwright.spec.design import Planetary
 from gearwright.spec.edit import Value
 
+SPEEDS = "critical speeds"
+"""Requirement that is looked after."""
 SWEEPS = 3
 """Changes that are made one after another [-]."""
 CONFIRMED = 3
@@ -38,6 +40,8 @@ class Candidate(NamedTuple):
     settled: Settled
     short: float
     """Sum of what all failing checks lack of their limits [-]."""
+    near: float
+    """The part of critical speeds in it [-]."""
 
     @property
     def rank(self) -> tuple[float, float]:
@@ -52,8 +56,13 @@ def judged(state: Settled) -> Candidate:
         state: From the loop.
     """
     checks = wanted([*state.sizing.checks, *resonance_checks(state.sizing)], state.task.wishes.left_out)
-    lacking = (check for check in checks if check.status is Status.FAILS and not check.waiver)
-    return Candidate(state, sum(1.0 - (check.margin or 0.0) for check in lacking))
+    lacking = [check for check in checks if check.status is Status.FAILS and not check.waiver]
+    near = (check for check in lacking if requirement_of(check) == SPEEDS)
+    return Candidate(state, _sum(lacking), _sum(near))
+
+
+def _sum(checks: Iterable[Check]) -> float:
+    return sum(1.0 - (check.margin or 0.0) for check in checks)
 
 
 def resonant(sizing: Sizing) -> list[Check]:
@@ -76,7 +85,7 @@ def separated(state: Settled, tell: Callable[[str], None]) -> Settled:
     """
     best = judged(state)
     for sweep in range(SWEEPS):
-        if best.short <= 0.0:
+        if best.near <= 0.0:
             break
         tell(f"separating critical speeds, sweep {sweep + 1}")
         found = min(_settled_of(best.settled), key=lambda row: row.rank, default=best)
@@ -85,7 +94,7 @@ def separated(state: Settled, tell: Callable[[str], None]) -> Settled:
         mass, words = found.settled.sizing.mass, _words(found.settled.task.chosen)
         round_ = Round(Step.SEPARATE, mass, 1.0 - found.short, 0.0, words)
         settled_ = replace(found.settled, rounds=(*best.settled.rounds, round_, *found.settled.rounds))
-        best = Candidate(settled_, found.short)
+        best = Candidate(settled_, found.short, found.near)
     return best.settled
 
 
@@ -95,7 +104,7 @@ def _settled_of(state: Settled) -> Iterator[Candidate]:
     for screened in promising[:CONFIRMED]:
         candidate = judged(settled(screened.settled.task))
         yield candidate
-        if candidate.short <= 0.0:
+        if candidate.near <= 0.0:
             return
 
 
