@@ -1,6 +1,15 @@
 """Turbine, motor and propeller as the gearbox sees them: mass and inertia by closed laws."""
 
-from gearwright.machines.battery import EMPTY, FULL, Battery, BatteryStep, battery_step, highest_current, stored_energy
+from gearwright.machines.battery import (
+    EMPTY,
+    FULL,
+    Battery,
+    BatteryStep,
+    battery_step,
+    current_of,
+    highest_current,
+    stored_energy,
+)
 from gearwright.machines.chart_reading import SMALL_THRUST, Blades, Charts, ideal_power
 from gearwright.machines.gas_turbine import HEATING_VALUE, Engine, PowerLimits, fuel_flow, power_limits
 from gearwright.machines.governor import (
@@ -59,6 +68,7 @@ __all__ = [
     "blade_angles",
     "coefficients",
     "compressibility",
+    "current_of",
     "fuel_flow",
     "governor_rates",
     "highest_current",

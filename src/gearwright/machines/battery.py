@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-import math
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+
+T = TypeVar("T", float, Any)
 
 EMPTY, OVERLOADED, FULL = "empty", "overloaded", "full"
 """What stops a battery."""
@@ -67,6 +70,24 @@ def highest_current(battery: Battery) -> float:
     return battery.highest_rate * battery.charge / 3600.0
 
 
+def current_of(battery: Battery, state_of_charge: T, power: T, duration: float) -> tuple[T, T]:
+    """Return the current of constant power at a battery's terminals [A], and V² - 4 R P, negative where there is none.
+
+    Args:
+        battery: The battery.
+        state_of_charge: At the start [-]; a number or an array.
+        power: At the terminals; negative charges [W]; a number or an array.
+        duration: [s].
+
+    Source: (V_oc - R I) I = P with V_oc at s - I Δt/(2 Q): a quadratic in I.
+    """
+    rise = battery.full_voltage - battery.empty_voltage
+    voltage = battery.empty_voltage + rise * state_of_charge
+    effective = battery.resistance + 0.5 * rise * duration / battery.charge
+    square = voltage * voltage - 4.0 * effective * power
+    return 2.0 * power / (voltage + np.sqrt(np.maximum(square, 0.0))), square  # holds without any resistance, too
+
+
 def battery_step(battery: Battery, state_of_charge: float, power: float, duration: float) -> BatteryStep:
     """Return a battery after an interval of constant power at its terminals.
 
@@ -79,13 +100,10 @@ def battery_step(battery: Battery, state_of_charge: float, power: float, duratio
         power: At the terminals; negative charges [W].
         duration: [s].
 
-    Source: (V_oc - R I) I = P with V_oc at s - I Δt/(2 Q): a quadratic in I.
+    Source: `current_of`.
     """
     rise = battery.full_voltage - battery.empty_voltage
-    voltage = battery.empty_voltage + rise * state_of_charge
-    effective = battery.resistance + 0.5 * rise * duration / battery.charge
-    square = voltage * voltage - 4.0 * effective * power
-    current = 2.0 * power / (voltage + math.sqrt(max(square, 0.0)))  # holds without any resistance, too
+    current, square = map(float, current_of(battery, state_of_charge, power, duration))
     final = state_of_charge - current * duration / battery.charge
     middle = battery.empty_voltage + rise * 0.5 * (state_of_charge + final)
     fault = ""

@@ -60,15 +60,18 @@ class Lost(NamedTuple):
     """[W]"""
 
 
-def recorded(moment: Moment, work: float, performance: Performance, drawn: Drawn, lost: Lost) -> History[float]:
+def recorded(
+    moment: Moment, performance: Performance, drawn: Drawn, *, lost: Lost, work: float, share: float
+) -> History[float]:
     """Return what is recorded of an interval.
 
     Args:
         moment: Where it is flown.
-        work: Power of the propeller's shaft [W].
-        performance: What the propeller does with it.
+        performance: What the propeller does with its power.
         drawn: By machines and battery.
         lost: On the way.
+        work: Power of the propeller's shaft [W].
+        share: Motors' part of the machines' power [-].
     """
     return History(
         time=moment.time,
@@ -82,6 +85,7 @@ def recorded(moment: Moment, work: float, performance: Performance, drawn: Drawn
         propeller_gain=moment.propeller_gain,
         propeller_power=work,
         **performance._asdict(),
+        electric_share=share,
         fuel_flow=drawn.fuel_flow,
         turbine_power=drawn.turbine_power,
         turbine_available=drawn.turbine_available,

@@ -57,6 +57,8 @@ class History(Generic[T]):
     compressibility: Annotated[T | None, Quantity("ratio"), Origin("F_t", "Worobel and Mayo, NASA CR-114399")]
     """Factor on the thrust."""
     thrust: Annotated[T | None, Quantity("force"), Origin("F_t C_T ρ n² D⁴", _MAP)]
+    electric_share: Annotated[T, Quantity("ratio"), Origin("P_motors/(P_turbines + P_motors)", "mode or strategy")]
+    """As the interval was driven; negative charges."""
     fuel_flow: Annotated[T, Quantity("mass_flow"), TURBINE_FUEL]
     turbine_power: Annotated[T, Quantity("power")]
     """Of all turbines."""

@@ -172,14 +172,24 @@ class Supply:
         speeds = machine_speeds(gearbox, point)
         return sum(motor_loss(motor, 0.0, speeds[name]) for name, motor in self.motors.items() if name not in parts)
 
+    def limits(self, name: str, moment: Moment, speed: float, rating: float) -> PowerLimits:
+        """Return what bounds the power of a turbine in an interval [W].
+
+        Args:
+            name: Of the turbine.
+            moment: Where it is flown.
+            speed: Of its shaft [rad/s].
+            rating: Over the usual one [-].
+        """
+        return power_limits(self.engines[name].rated(rating), *stagnation_ratios(moment.air, moment.mach), speed)
+
     def _burn(self, moment: Moment, powers: Mapping[str, float], speeds: Mapping[str, float], rating: float) -> Burnt:
         """Return what all turbines burn; one that idles in electric mode is off."""
         fuel = available = 0.0
         exhausts = list[Exhaust]()
         ratios = stagnation_ratios(moment.air, moment.mach)
         for name, usual in self.engines.items():
-            engine = usual.rated(rating)
-            limits = power_limits(engine, *ratios, speeds[name])
+            limits = self.limits(name, moment, speeds[name], rating)
             available += min(limits)
             if powers[name] > min(limits) * (1.0 + _SLACK):
                 raise DesignError([Problem(name, self._too_weak(moment, powers[name], limits))])

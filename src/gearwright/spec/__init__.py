@@ -33,6 +33,7 @@ from gearwright.spec.flying import MOST_INTERVALS, is_map_file, mission_problems
 from gearwright.spec.keys import keys_of
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.mission import NO_MAP, BatteryRules, BearingLifeRules, Mission, Phase, engine_out
+from gearwright.spec.power import StrategyRules
 from gearwright.spec.read import file_text, parse, placed, read
 from gearwright.spec.record import Record, build
 from gearwright.spec.schema import records, schema
@@ -84,6 +85,7 @@ __all__ = [
     "Range",
     "Record",
     "Simulated",
+    "StrategyRules",
     "Study",
     "Turbine",
     "WindowRules",

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from gearwright.showing import Shown
 from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageName
+from gearwright.spec.power import StrategyRules
 from gearwright.spec.record import Record
 from gearwright.spec.windows import GovernorRules, WindowRules
 from gearwright.units import Angle, Area, Energy, Length, Mass, Power, Ratio, Speed, Time, Velocity
@@ -39,6 +40,7 @@ class Phase(Record):
     mode: Literal["conventional", "hybrid", "electric", "rated"] = Field(
         "conventional", description="Who drives: turbines, both, motors, or every machine by its part of the ratings"
     )
+    strategy: str | None = Field(None, description="One of [strategies], in place of mode and electric_share")
     electric_share: Ratio | None = Field(
         None, ge=-0.9, le=1, description="Motors' part of the machines' power in hybrid mode; negative charges"
     )
@@ -170,6 +172,9 @@ class Mission(Shown, Record):
     gears: GearLifeRules = Field(default_factory=GearLifeRules, description="Steel, for damage and life")
     bearings: BearingLifeRules | None = Field(
         None, description="Choose bearings for a life; left out: only those that the design names are known"
+    )
+    strategies: dict[str, StrategyRules] = Field(
+        default_factory=dict, description="How turbines and motors divide power, by name, for phases"
     )
     phases: dict[str, Phase] = Field(min_length=1, description="Phases in their order")
     governor: GovernorRules = Field(default_factory=GovernorRules, description="Of the propeller, in windows")

@@ -15,6 +15,7 @@ from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Gearbox, Point, drag, efficiencies, gearbox_of, operate
 from gearwright.mission.history import History
 from gearwright.mission.oil import flown_oil
+from gearwright.mission.strategies import driven
 from gearwright.mission.supply import Supply, supply_of
 from gearwright.spec import Phase, WindowRules
 
@@ -131,9 +132,20 @@ def _speed_curve(history: History[Floats], seen: NDArray[np.intp], start: float)
 
 
 def _stage(flight: Flight, gearbox: Gearbox, supply: Supply, k: int) -> Stage:
-    phase = flight.mission.phases[flight.phase[k]]
+    phase = flown_phase(flight, k)
     powers = {name: float(flight.machines[name].power[k]) for name in gearbox.machines}
     return staged(gearbox, supply, phase, powers=powers, turning=turning_at(flight, k))
+
+
+def flown_phase(flight: Flight, k: int) -> Phase:
+    """Return the phase of an interval as it was driven there: a strategy's share may change within it.
+
+    Args:
+        flight: As flown.
+        k: Number of the interval.
+    """
+    phase = flight.mission.phases[flight.phase[k]]
+    return driven(phase, float(flight.history.electric_share[k])) if phase.strategy is not None else phase
 
 
 def turning_at(flight: Flight, k: int) -> Turning:

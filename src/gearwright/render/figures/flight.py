@@ -52,7 +52,7 @@ def stretches(flight: Flight) -> tuple[Stretch, ...]:
     phases, clock, names = [], 0.0, np.array(flight.phase)
     for name, phase in flight.mission.phases.items():
         length = float(flight.history.duration[names == name].sum()) / _MINUTE
-        phases.append(Stretch(name, phase.mode, clock, clock + length))
+        phases.append(Stretch(name, "hybrid" if phase.strategy else phase.mode, clock, clock + length))
         clock += length
     return tuple(phases)
 

@@ -135,7 +135,14 @@ def _asked(name: str, phase: Phase) -> AskedView:
     if phase.rate_of_climb is not None:
         lasts = f"at {phase.rate_of_climb / (FOOT / 60.0):.4g} ft/min"
     return AskedView(
-        name, phase.mode, phase.altitude, speed, lasts, _asks(phase), phase.electric_share, phase.propeller_speed
+        name,
+        phase.strategy or phase.mode,
+        phase.altitude,
+        speed,
+        lasts,
+        _asks(phase),
+        phase.electric_share,
+        phase.propeller_speed,
     )
 
 
@@ -170,7 +177,7 @@ def _phase(flight: Flight, row: PhaseSummary) -> PhaseView:
     inside = np.array(flight.phase) == row.name
     return PhaseView(
         name=row.name,
-        mode=flight.mission.phases[row.name].mode,
+        mode=(phase := flight.mission.phases[row.name]).strategy or phase.mode,
         time=row.duration,
         fuel=row.fuel,
         from_battery=row.battery,

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from gearwright.catalogue import USUAL_HARDNESS, gear_steel
 from gearwright.errors import DesignError, Problem
 from gearwright.spec.checks import STEEL_KEYS
+from gearwright.spec.flying.strategies import strategy_problems
 from gearwright.spec.mission import NO_MAP, BatteryRules, GearLifeRules, Mission, OilRules, Phase
 from gearwright.spec.windows import window_problems
 
@@ -29,6 +30,7 @@ def mission_problems(mission: Mission) -> list[Problem]:
         problems += [Problem(at, message) for message in (*_speed(phase), *_power(phase, mission))]
         problems += [Problem(at, message) for message in _altitude(phase, last)]
         last = phase.altitude
+    problems += strategy_problems(mission)
     problems += [*_steel(mission.gears), *_battery(mission.battery), *_dips(mission.oil)]
     if not problems:
         problems += _intervals(mission)

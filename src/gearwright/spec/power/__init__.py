@@ -1,0 +1,8 @@
+"""What a mission says of its power plant beyond ratings: strategies, cells, windings, spools, heat.
+
+Records alone; `spec/flying` checks what does not fit together, `mission` flies them.
+"""
+
+from gearwright.spec.power.strategies import KEYS_OF, NEEDED, StrategyRules
+
+__all__ = ["KEYS_OF", "NEEDED", "StrategyRules"]
