@@ -93,7 +93,7 @@ def test_the_plan_is_the_best_of_all_combinations():
 def test_equal_intervals_share_alike_where_only_resistance_loses():
     """R I² is convex and fuel is linear in power: by Jensen's inequality no plan beats equal currents.
 
-    Closed form at a constant voltage V: I = Q Δs/T, electric power V I - R I². 1e-3: 201 shares and 2001 states.
+    Closed form at a constant voltage V: I = Q Δs/T, electric power V I - R I². 2e-3: 201 shares and 2001 states.
     """
     flat = Battery(1e6, 700.0, 700.0, 0.2, 5.0, 0.0)
     power, duration, count, drop = 5e5, 60.0, 6, 0.12
@@ -108,7 +108,7 @@ def test_equal_intervals_share_alike_where_only_resistance_loses():
     current = flat.charge * drop / (count * duration)
     electric = 700.0 * current - 0.2 * current**2
     exact = count * duration * 1e-7 * (power - electric)
-    assert plan.fuel == pytest.approx(exact, rel=1e-2)
+    assert plan.fuel == pytest.approx(exact, rel=2e-3)
     assert plan.fuel >= exact * (1.0 - 1e-6)
     assert plan.charge[-1] >= 0.5 - drop - 1e-9
 
