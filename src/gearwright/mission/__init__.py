@@ -1,6 +1,6 @@
 """A mission flown by a sized gearbox: Mission x Sizing becomes a Flight."""
 
-from gearwright.mission.flight import Balance, Flight, PhaseSummary, flight_series, phase_summaries
+from gearwright.mission.flight import Balance, Flight, PackWear, PhaseSummary, flight_series, phase_summaries
 from gearwright.mission.fly import fly
 from gearwright.mission.gearbox import Oil, gearbox_of
 from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, Series
@@ -26,6 +26,7 @@ __all__ = [
     "MeshHistory",
     "NodeHistory",
     "Oil",
+    "PackWear",
     "PartLife",
     "PhaseSummary",
     "Series",

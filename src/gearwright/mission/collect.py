@@ -11,11 +11,11 @@ from gearwright.air import stagnation_ratios
 from gearwright.air.atmosphere import SEA_LEVEL_TEMPERATURE
 from gearwright.arrays import Floats
 from gearwright.errors import DesignError, Problem
-from gearwright.machines import stored_energy
 from gearwright.machines.power import exhaust_heat
-from gearwright.mission.flight import Balance, Flight, consumed, fuel_energy
+from gearwright.mission.flight import Balance, Flight, PackWear, consumed, fuel_energy
 from gearwright.mission.gearbox import Drag, Gearbox, Point
 from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, stacked
+from gearwright.mission.plant import Pack, PackState, Warmths
 from gearwright.mission.profile import Moment
 from gearwright.mission.supply import Drawn, Supply
 from gearwright.mission.thrust import Blades, Performance
@@ -37,6 +37,10 @@ class Interval(NamedTuple):
     """Machine -> power into the train, with drag and spin-up [W]."""
     point: Point
     """Of the gearbox."""
+    pack: PackState
+    """Of the battery at its end."""
+    warmths: Warmths
+    """Of the motors at its end."""
 
 
 class Flown(NamedTuple):
@@ -97,6 +101,8 @@ def recorded(
         battery_current=drawn.battery.current,
         battery_voltage=drawn.battery.terminal_voltage,
         state_of_charge=drawn.battery.state_of_charge,
+        battery_temperature=drawn.pack.temperature,
+        winding_temperature=max((warmth.winding for warmth in drawn.warmths.values()), default=None),
         mesh_loss=lost.meshes,
         bearing_loss=lost.friction.bearings,
         windage_loss=lost.friction.windage,
@@ -139,7 +145,8 @@ def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
         nodes=nodes,
         machines=machines,
         meshes=_meshes(gearbox, intervals),
-        balance=_balance(flown, history, consumed(gearbox.sizing, machines, history.time)),
+        balance=_balance(flown, history, consumed(gearbox.sizing, machines, history.time), intervals[-1].pack),
+        pack=_wear(flown.supply.pack, intervals[-1].pack),
         oil_flow=oil_flow(float(heat.max()), mission.oil.rise_k),
         cooler_conductance=_cooler(mission, history, oil_outlet),
         inertia=gearbox.inertia,
@@ -173,7 +180,13 @@ def _cooler(mission: Mission, history: History[Floats], oil_outlet: Floats) -> f
     return max(cooler_conductance(float(power), float(warm), float(cold)) for power, warm, cold in rows)
 
 
-def _balance(flown: Flown, history: History[Floats], taken: Floats) -> Balance:
+def _wear(pack: Pack | None, end: PackState) -> PackWear | None:
+    if pack is None or pack.cells is None:
+        return None
+    return PackWear(pack.mass, end.throughput, end.throughput / (2.0 * pack.battery.charge), end.worn)
+
+
+def _balance(flown: Flown, history: History[Floats], taken: Floats, end: PackState) -> Balance:
     gearbox, _, mission, supply = flown
 
     def total(power: Floats) -> float:
@@ -184,7 +197,7 @@ def _balance(flown: Flown, history: History[Floats], taken: Floats) -> Balance:
     fuel = fuel_energy(total(history.fuel_flow))
     return Balance(
         fuel=fuel,
-        battery=_drawn(mission, supply, float(history.state_of_charge[-1])),
+        battery=_drawn(mission, supply, end),
         propeller=total(history.propeller_power),
         consumers=total(taken),
         turbine_heat=total(history.exhaust_heat) + total(history.casing_heat),
@@ -200,8 +213,8 @@ def _balance(flown: Flown, history: History[Floats], taken: Floats) -> Balance:
     )
 
 
-def _drawn(mission: Mission, supply: Supply, end: float) -> float:
+def _drawn(mission: Mission, supply: Supply, end: PackState) -> float:
     """What the battery's store has lost [J]: its state, and not the sum of what it gave."""
-    if supply.battery is None or mission.battery is None:
+    if supply.pack is None or mission.battery is None:
         return 0.0
-    return stored_energy(supply.battery, mission.battery.start_charge) - stored_energy(supply.battery, end)
+    return supply.pack.energy(supply.pack.start(mission.battery.start_charge)) - supply.pack.energy(end)

@@ -89,6 +89,20 @@ class Balance:
         return self.fuel + sum(max(energy, 0.0) for energy in (self.battery, -self.stored, -self.propeller))
 
 
+@dataclass(frozen=True)
+class PackWear:
+    """What a flight takes from a battery whose cells are followed."""
+
+    mass: Mass
+    """Of the pack, by its specific energy [kg]."""
+    throughput: Annotated[float, Quantity("number")]
+    """Charge in and out [C]."""
+    cycles: Annotated[float, Quantity("number"), Origin("∫|I| dt/(2 Q)", "definition of a full cycle")]
+    """Equivalent full cycles [-]."""
+    worn: Annotated[Ratio, Origin("2^((T − 25 °C)/ΔT) (cycles/cycle life + time/calendar life)", "Miner's sum")]
+    """Part of its life that is spent [-]; 0 where a mission states no lives."""
+
+
 @dataclass(frozen=True, repr=False)
 class Flight(Shown):
     """Histories of one gearbox over a mission; every array has one value per interval, shape (n,)."""
@@ -108,6 +122,8 @@ class Flight(Shown):
     meshes: Mapping[str, MeshHistory]
     """Mesh row -> torque and force."""
     balance: Balance
+    pack: PackWear | None
+    """None for a plain battery, or none."""
     oil_flow: float
     """Through the gearbox [m³/s]."""
     cooler_conductance: float

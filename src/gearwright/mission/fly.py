@@ -15,9 +15,11 @@ from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Point, gearbox_of
 from gearwright.mission.loading import Asked, loaded
 from gearwright.mission.oil import flown_oil
+from gearwright.mission.plant import PackState, Warmths, started
 from gearwright.mission.profile import Moment, moments
 from gearwright.mission.strategies import Then, planned_shares, shared
-from gearwright.mission.supply import Given, Terms, machine_speeds, supply_of
+from gearwright.mission.supplied import supply_of
+from gearwright.mission.supply import Given, Terms, machine_speeds
 from gearwright.mission.thrust import Blades, performed, propeller_power
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, engine_out, is_map_file, mission_problems
@@ -29,8 +31,10 @@ class _Before(NamedTuple):
 
     point: Point | None
     """Of the gearbox; None at the start."""
-    charge: float
-    """State of charge [-]."""
+    pack: PackState
+    """Of the battery."""
+    warmths: Warmths
+    """Of the motors."""
     burnt: float
     """Fuel of all engines [kg]."""
     clocks: Clocks
@@ -60,10 +64,7 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     gearbox = gearbox_of(sizing, flown_airscrew(sizing), flown_oil(sizing, mission))
     blades = Blades(mission.propeller_map, _chart(mission, folder), sizing.design.airscrews[gearbox.propeller].diameter)
     flown = Flown(gearbox, blades, mission, supply_of(sizing, mission))
-    before, intervals = (
-        _Before(None, mission.battery.start_charge if mission.battery else 0.0, 0.0, {}),
-        list[Interval](),
-    )
+    before, intervals = _start(flown), list[Interval]()
     plan = planned_shares(flown)
     for k, moment in enumerate(moments(mission)):
         try:
@@ -74,8 +75,17 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
         intervals.append(interval)
         engines = mission.phases[moment.phase].engines or mission.engines
         burnt = before.burnt + interval.values.fuel_flow * moment.duration * engines
-        before = _Before(interval.point, interval.values.state_of_charge, burnt, clocks)
+        before = _Before(interval.point, interval.pack, interval.warmths, burnt, clocks)
     return collect(flown, intervals)
+
+
+def _start(flown: Flown) -> _Before:
+    """Return with what a flight begins."""
+    rules, supply = flown.mission.battery, flown.supply
+    charge = rules.start_charge if rules else 0.0
+    pack = supply.pack.start(charge) if supply.pack else PackState(charge)
+    air = next(iter(moments(flown.mission))).air.temperature
+    return _Before(None, pack, started(supply.windings, supply.motors, air), 0.0, {})
 
 
 def _chart(mission: Mission, folder: Path | None) -> PropellerMap | None:
@@ -100,15 +110,15 @@ def _interval(flown: Flown, moment: Moment, before: _Before, planned: float) -> 
     spin_up = gearbox.inertia * moment.propeller_speed * moment.propeller_gain / moment.duration
     asked = Asked(supply.parts(phase), wanted, spin_up)
     if phase.strategy is not None:
-        phase, asked = shared(flown, moment, asked, Then(phase, before.point, before.charge, planned))
+        phase, asked = shared(flown, moment, asked, Then(phase, before.point, before.pack.charge, planned))
     point, friction, dragged, powers = loaded(flown, moment, asked, before.point)
     rating = mission.engine.contingency if engine_out(mission, phase) else 1.0
-    drawn = supply.drive(gearbox, moment, Given(point, powers), Terms(before.charge, rating, phase.mode))
+    drawn = supply.drive(gearbox, moment, Given(point, powers), Terms(before.pack, before.warmths, rating, phase.mode))
     performance = performed(blades, moment, point.work)
     lost = Lost(point.mesh_loss, friction, drawn.motor_loss + dragged, spin_up)
     share = sum(asked.parts.get(name, 0.0) for name in supply.motors)
     values = recorded(moment, performance, drawn, lost=lost, work=point.work, share=share)
-    return Interval(moment.phase, values, powers, point)
+    return Interval(moment.phase, values, powers, point, drawn.pack, drawn.warmths)
 
 
 def _clocks(flown: Flown, moment: Moment, interval: Interval, before: Clocks) -> Clocks:

@@ -28,6 +28,7 @@ EXHAUST_STATE = Origin("(ṁ_a + ṁ_f) h(T, f) = ṁ_a h(T_0) + ṁ_f H − P �
 EXHAUST_HEAT = Origin("(ṁ_a + ṁ_f) h(T, f) − ṁ_a h(T_0)", "Walsh and Fletcher 2004, F3.26: states of gas and air")
 CASING_HEAT = Origin("c ṁ_f H", "engine.casing_loss, an assumption")
 TURBINE_HEAT = Origin("exhaust + casing", "heat balance")
+WARMTH = Origin("C dT/dt = Q − K T + G T_out", "network of heat, exact over an interval")
 _AIR = "ISA, ISO 2533:1975"
 _MAP = "propeller map"
 
@@ -78,6 +79,10 @@ class History(Generic[T]):
     """At the terminals."""
     state_of_charge: Annotated[T, Quantity("ratio")]
     """At the end of the interval."""
+    battery_temperature: Annotated[T | None, Quantity("absolute_temperature"), WARMTH]
+    """Of the cells at the end of the interval; None where a mission does not follow it, like that of windings."""
+    winding_temperature: Annotated[T | None, Quantity("absolute_temperature"), WARMTH]
+    """Of the hottest motor's winding at the end of the interval."""
     mesh_loss: Annotated[T, Quantity("power"), MESH_LOSS]
     bearing_loss: Annotated[T, Quantity("power"), BEARING_LOSS]
     windage_loss: Annotated[T, Quantity("power"), WINDAGE_LOSS]

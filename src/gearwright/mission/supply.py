@@ -10,30 +10,31 @@ from gearwright.air import stagnation_ratios
 from gearwright.air.atmosphere import SEA_LEVEL_TEMPERATURE
 from gearwright.errors import DesignError, Problem, near
 from gearwright.machines import (
-    EMPTY,
-    FULL,
     Battery,
     BatteryStep,
     Engine,
     MotorLosses,
     PowerLimits,
-    battery_step,
     fuel_flow,
-    highest_current,
     motor_loss,
     power_limits,
-    rated_losses,
 )
 from gearwright.machines.power import Breathing, Exhaust, air_flow, exhaust_of, mixed
 from gearwright.mission.gearbox import Gearbox, Point
+from gearwright.mission.plant import (
+    Pack,
+    PackState,
+    Warmth,
+    Warmths,
+    faulty,
+    less,
+    refuse_hot,
+    warm_motor,
+    warmed_motor,
+)
 from gearwright.mission.profile import Moment
-from gearwright.sizing import Sizing
-from gearwright.spec import BatteryRules, Machine, Mission, Phase
-from gearwright.spec.design import allowed_for
-from gearwright.units import KWH
+from gearwright.spec import Phase, WindingRules
 
-SPECIFIC_POWER = 250e3
-"""Power over air flow where a mission does not say it [J/kg]; an assumption."""
 _SLACK = 1e-9
 """Part by which a limit may be passed: rounding."""
 
@@ -50,8 +51,10 @@ class Given(NamedTuple):
 class Terms(NamedTuple):
     """Under which machines and battery give it."""
 
-    charge: float
-    """State of charge at the start [-]."""
+    pack: PackState
+    """Of the battery at the start."""
+    warmths: Warmths
+    """Of the motors at the start."""
     rating: float
     """Of the turbines, over the usual one [-]."""
     mode: str
@@ -72,6 +75,10 @@ class Drawn(NamedTuple):
     motor_loss: float
     """[W]"""
     battery: BatteryStep
+    pack: PackState
+    """Of the battery at the end."""
+    warmths: Warmths
+    """Of the motors at the end."""
 
 
 class Burnt(NamedTuple):
@@ -100,11 +107,18 @@ class Supply:
 
     engines: Mapping[str, Engine]
     motors: Mapping[str, MotorLosses]
-    battery: Battery | None
+    pack: Pack | None
     ratings: Mapping[str, float]
     """Machine -> rated power [W]."""
     breathing: Mapping[str, Breathing]
     """Turbine -> the air it breathes."""
+    windings: WindingRules | None
+    """How motors warm up; None: whatever their temperature."""
+
+    @property
+    def battery(self) -> Battery | None:
+        """The pack's battery, if there is one."""
+        return self.pack.battery if self.pack else None
 
     def parts(self, phase: Phase) -> dict[str, float]:
         """Return machine -> part of the power of all machines in a phase [-].
@@ -155,11 +169,15 @@ class Supply:
         powers, speeds = given.powers, machine_speeds(gearbox, given.point)
         burnt = self._burn(moment, powers, speeds, terms.rating)
         points = {name: MotorPoint(powers[name], speeds[name]) for name in self.motors if powers[name]}
-        lost = sum(self._heat(name, at, terms.mode) for name, at in points.items())
+        motors = {
+            name: warm_motor(self.windings, motor, terms.warmths.get(name)) for name, motor in self.motors.items()
+        }
+        lost = sum(self._heat(name, motors[name], at, terms.mode) for name, at in points.items())
         electric = sum(powers[name] for name in self.motors) + lost
-        step = self._discharge(terms, electric, moment)
+        step, pack = self._discharge(terms, electric, moment)
+        warmths = self._warmer(motors, terms.warmths, points, moment)
         turbines = sum(powers[name] for name in self.engines)
-        return Drawn(burnt.fuel_flow, turbines, burnt.available, burnt.exhaust, lost, step)
+        return Drawn(burnt.fuel_flow, turbines, burnt.available, burnt.exhaust, lost, step, pack, warmths)
 
     def dragged(self, gearbox: Gearbox, point: Point, parts: Mapping[str, float]) -> float:
         """Return what motors without current take from the shafts that drag them [W].
@@ -216,50 +234,53 @@ class Supply:
         offer = f"gives {available / 1e3:.4g} kW (by its {bound})"
         return f"needs {power / 1e3:.4g} kW at {moment.altitude:.0f} m, and {offer}; {fix}"
 
-    def _heat(self, name: str, point: MotorPoint, mode: str) -> float:
-        motor, (power, speed) = self.motors[name], point
+    def _warmer(
+        self, motors: Mapping[str, MotorLosses], warmths: Warmths, points: Mapping[str, MotorPoint], moment: Moment
+    ) -> Warmths:
+        """Return the motors' temperatures at the end of an interval."""
+        if self.windings is None:
+            return {}
+        after, air = dict[str, Warmth](), moment.air.temperature
+        for name, motor in motors.items():
+            power, speed = points.get(name, MotorPoint(0.0, 0.0))
+            at, warmth = (power / speed if speed else 0.0, speed), warmths[name]
+            after[name] = warmed_motor(self.windings, motor, warmth, at=at, air=air, duration=moment.duration)
+            refuse_hot(self.windings, name, after[name])
+        return after
+
+    def _heat(self, name: str, motor: MotorLosses, point: MotorPoint, mode: str) -> float:
+        power, speed = point
         torque = power / speed if speed else 0.0
         if abs(torque) > motor.peak_torque * (1.0 + _SLACK) or abs(power) > motor.peak_power * (1.0 + _SLACK):
             message = (
                 f"needs {power / 1e3:.0f} kW and {torque:.0f} N m; its limits are {motor.peak_power / 1e3:.0f} kW and"
-                f" {motor.peak_torque:.0f} N m; {_less(mode)}, or raise motor.overload"
+                f" {motor.peak_torque:.0f} N m; {less(mode)}, {self._more(name, motor)}"
             )
             raise DesignError([Problem(name, message)])
         return motor_loss(motor, torque, speed)
 
-    def _discharge(self, terms: Terms, power: float, moment: Moment) -> BatteryStep:
-        if self.battery is None:
+    def _more(self, name: str, motor: MotorLosses) -> str:
+        """Return what raises a motor's limits."""
+        derated = motor.peak_power < self.motors[name].peak_power
+        return (
+            "or cool it more: its winding is derated from motor.heat.derate_from_k"
+            if derated
+            else "or raise motor.overload"
+        )
+
+    def _discharge(self, terms: Terms, power: float, moment: Moment) -> tuple[BatteryStep, PackState]:
+        if self.pack is None:
             if power > 0.0:
                 message = (
                     f"the motors turn with {power / 1e3:.3g} kW of losses and there is no battery; give a [battery]"
                 )
                 raise DesignError([Problem("battery", message)])
-            return BatteryStep(0.0, 0.0, 0.0, 0.0, 0.0, "")
-        step = battery_step(self.battery, terms.charge, power, moment.duration)
+            return BatteryStep(0.0, 0.0, 0.0, 0.0, 0.0, ""), terms.pack._replace(charge=0.0)
+        step, after = self.pack.drawn(terms.pack, power, moment.duration, moment.air.temperature)
         if step.fault:
-            raise DesignError([Problem("battery", _faulty(self.battery, terms, power, step))])
-        return step
-
-
-def _less(mode: str) -> str:
-    """Return what makes the motors' power less; only a hybrid phase divides it."""
-    return "lower electric_share or power" if mode == "hybrid" else "ask for less power"
-
-
-def _faulty(battery: Battery, terms: Terms, power: float, step: BatteryStep) -> str:
-    """Return what is wrong with a power that a battery cannot give or take, its limit, and what helps."""
-    said = f"{step.fault}: {power / 1e3:.0f} kW at a state of charge of {terms.charge:.3f}"
-    less = _less(terms.mode)
-    if step.fault == FULL:
-        return f"{said} (maximum 1); start with a lower start_charge, charge less or shorter, or give more energy_kwh"
-    if step.fault == EMPTY:
-        return f"{said} (minimum {battery.minimum:g}); {less}, fly shorter, or give more energy_kwh"
-    highest = highest_current(battery)
-    if abs(step.current) <= highest:  # no current gives this power behind the resistance
-        limit = f"more than its resistance of {battery.resistance:g} Ω lets through"
-        return f"{said}, {limit}; {less}, or lower resistance_ohm"
-    limit = f"{abs(step.current):.0f} A, of {highest:.0f} A (highest_c_rate {battery.highest_rate:g})"
-    return f"{said}: {limit}; {less}, or give more energy_kwh or highest_c_rate"
+            message = faulty(self.pack.battery, terms.pack.charge, power, step=step, mode=terms.mode)
+            raise DesignError([Problem("battery", message)])
+        return step, after
 
 
 def _braked(power: float) -> str:
@@ -284,61 +305,3 @@ def _divided(share: float, weights: Mapping[str, float]) -> dict[str, float]:
     """Divide a share in proportion to weights; without a share nothing is in it."""
     total = sum(weights.values())
     return {name: share * weight / total for name, weight in weights.items()} if share else {}
-
-
-def supply_of(sizing: Sizing, mission: Mission) -> Supply:
-    """Return the machines of a design as the mission's rules make them fly.
-
-    Args:
-        sizing: With its design.
-        mission: With the rules of engine, motor and battery.
-    """
-    rules, motor = mission.engine, mission.motor
-    engines = {
-        name: Engine(
-            (most := allowed_for(turbine, None)).power or turbine.power,
-            rules.thermal_power or most.power or turbine.power,
-            max(most.torque or 0.0, (most.power or turbine.power) / turbine.speed * (1.0 + _TOLERANCE)),
-            rules.fuel_kg_kwh / KWH,
-            rules.idle_fuel,
-            rules.temperature_exponent,
-        )
-        for name, turbine in sizing.design.turbines.items()
-    }
-    motors = {
-        name: rated_losses(
-            machine.power, machine.speed, efficiency=motor.efficiency, overload=_overload(machine, motor.overload)
-        )
-        for name, machine in sizing.design.motors.items()
-    }
-    ratings = {name: turbine.power for name, turbine in sizing.design.turbines.items()}
-    ratings |= {name: machine.power for name, machine in sizing.design.motors.items()}
-    breathing = {
-        name: Breathing(rules.air_flow_kg_s or engine.thermal_power / SPECIFIC_POWER, rules.idle_air, rules.casing_loss)
-        for name, engine in engines.items()
-    }
-    pack = _pack(mission.battery) if mission.battery and motors else None
-    return Supply(engines, motors, pack, ratings, breathing)
-
-
-def _overload(machine: Machine, said: float) -> float:
-    """Return the largest power or torque of a motor over the rated one, by the mission or for a time by its limits."""
-    most, rated = allowed_for(machine, None), machine.rating or 1.0
-    torque = (most.torque or 0.0) * (machine.asked_speed or 0.0)
-    return max(said, (most.power or 0.0) / rated, torque / rated)
-
-
-_TOLERANCE = 0.05
-"""Part by which a torque may exceed power over rated speed, as teeth let a speed yield by so much [-]."""
-
-
-def _pack(rules: BatteryRules) -> Battery:
-    mean = 0.5 * (rules.full_voltage_v + rules.empty_voltage_v)
-    return Battery(
-        rules.energy / mean,
-        rules.full_voltage_v,
-        rules.empty_voltage_v,
-        rules.resistance_ohm,
-        rules.highest_c_rate,
-        rules.minimum_charge,
-    )

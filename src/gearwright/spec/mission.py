@@ -8,7 +8,7 @@ from pydantic import Field
 
 from gearwright.showing import Shown
 from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageName
-from gearwright.spec.power import StrategyRules
+from gearwright.spec.power import CellRules, StrategyRules, WindingRules
 from gearwright.spec.record import Record
 from gearwright.spec.windows import GovernorRules, WindowRules
 from gearwright.units import Angle, Area, Energy, Length, Mass, Power, Ratio, Speed, Time, Velocity
@@ -81,6 +81,7 @@ class MotorRules(Record):
 
     efficiency: Ratio = Field(0.95, gt=0.5, lt=1, description="At the rated point, with inverter")
     overload: Ratio = Field(1.0, ge=1, le=3, description="Torque and power limits over the ratings")
+    heat: WindingRules | None = Field(None, description="How they warm up; left out: not followed")
 
 
 class BatteryRules(Record):
@@ -93,6 +94,7 @@ class BatteryRules(Record):
     highest_c_rate: float = Field(4.0, gt=0, le=100, description="Highest current over capacity, 1/h")
     start_charge: Ratio = Field(0.95, ge=0, le=1, description="State of charge at the start")
     minimum_charge: Ratio = Field(0.1, ge=0, lt=1, description="State of charge that must remain")
+    cells: CellRules | None = Field(None, description="Equivalent circuit, warmth, ageing; left out: a line and R")
 
 
 class Aircraft(Record):

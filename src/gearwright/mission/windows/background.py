@@ -16,7 +16,8 @@ from gearwright.mission.gearbox import Gearbox, Point, drag, efficiencies, gearb
 from gearwright.mission.history import History
 from gearwright.mission.oil import flown_oil
 from gearwright.mission.strategies import driven
-from gearwright.mission.supply import Supply, supply_of
+from gearwright.mission.supplied import supply_of
+from gearwright.mission.supply import Supply
 from gearwright.spec import Phase, WindowRules
 
 Curve = list[tuple[float, float]]

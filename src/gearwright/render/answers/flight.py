@@ -16,7 +16,7 @@ from gearwright.mission import (
     phase_summaries,
     shaft_spectrum,
 )
-from gearwright.mission.flight import Balance, PhaseSummary
+from gearwright.mission.flight import Balance, PackWear, PhaseSummary
 from gearwright.mission.history import History
 from gearwright.mission.lives.spectrum import DutyBin
 from gearwright.mission.windows import DynamicWindow
@@ -116,6 +116,8 @@ class FlyAnswer:
     duration: Time
     fuel: Mass
     balance: Balance
+    pack: PackWear | None
+    """Null for a plain battery, or none."""
     phases: tuple[PhaseSummary, ...]
     oil_flow: Annotated[float, Quantity("oil_flow")]
     oil_hottest: Annotated[float, Quantity("absolute_temperature")]
@@ -148,6 +150,7 @@ def fly_answer(flight: Flight, parts: Durability, review: Review, *, life: LifeS
         duration=flight.duration,
         fuel=flight.fuel,
         balance=flight.balance,
+        pack=flight.pack,
         phases=phase_summaries(flight),
         oil_flow=flight.oil_flow,
         oil_hottest=flight.hottest_oil,

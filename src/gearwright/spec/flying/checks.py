@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from gearwright.catalogue import USUAL_HARDNESS, gear_steel
 from gearwright.errors import DesignError, Problem
 from gearwright.spec.checks import STEEL_KEYS
 from gearwright.spec.flying.strategies import strategy_problems
 from gearwright.spec.mission import NO_MAP, BatteryRules, GearLifeRules, Mission, OilRules, Phase
+from gearwright.spec.power import WindingRules
 from gearwright.spec.windows import window_problems
 
 _SAME_ALTITUDE = 0.1
@@ -31,7 +33,13 @@ def mission_problems(mission: Mission) -> list[Problem]:
         problems += [Problem(at, message) for message in _altitude(phase, last)]
         last = phase.altitude
     problems += strategy_problems(mission)
-    problems += [*_steel(mission.gears), *_battery(mission.battery), *_dips(mission.oil)]
+    problems += [
+        *_steel(mission.gears),
+        *_battery(mission.battery),
+        *_cells(mission.battery),
+        *_windings(mission.motor.heat),
+        *_dips(mission.oil),
+    ]
     if not problems:
         problems += _intervals(mission)
     return [*problems, *window_problems(mission.windows, mission.phases)]
@@ -41,6 +49,40 @@ def _battery(rules: BatteryRules | None) -> Iterator[Problem]:
     if rules is not None and rules.full_voltage_v < rules.empty_voltage_v:
         message = f"{rules.full_voltage_v:g} V is less than the {rules.empty_voltage_v:g} V at no charge; exchange them"
         yield Problem("battery.full_voltage_v", message)
+
+
+def _cells(rules: BatteryRules | None) -> Iterator[Problem]:
+    """Yield what is wrong with a curve of open-circuit voltage."""
+    cells = rules.cells if rules else None
+    if cells is None:
+        return
+    charges, voltages, at = cells.ocv_charge, cells.ocv_v, "battery.cells"
+    if (charges is None) != (voltages is None):
+        yield Problem(at, "a curve needs ocv_charge and ocv_v; give both, or none")
+    elif charges and voltages:
+        if len(charges) != len(voltages):
+            yield Problem(
+                f"{at}.ocv_v", f"{len(voltages)} voltages at {len(charges)} states of charge; give one for each"
+            )
+        if charges[0] != 0.0 or charges[-1] != 1.0 or any(b <= a for a, b in pairwise(charges)):
+            yield Problem(f"{at}.ocv_charge", "they must rise from 0 to 1; sort them, and add the ends")
+        if min(voltages) <= 0.0 or any(b < a for a, b in pairwise(voltages)):
+            yield Problem(f"{at}.ocv_v", "they must be above 0 and never fall; exchange them")
+    if cells.lowest_temperature_k >= cells.highest_temperature_k:
+        message = (
+            f"{cells.highest_temperature_k:g} K is not above the lowest, {cells.lowest_temperature_k:g} K; raise it"
+        )
+        yield Problem(f"{at}.highest_temperature_k", message)
+
+
+def _windings(rules: WindingRules | None) -> Iterator[Problem]:
+    if rules is None:
+        return
+    for key in ("coolant_temperature_k", "start_temperature_k", "derate_from_k"):
+        value = getattr(rules, key)
+        if value is not None and value >= rules.highest_winding_k:
+            message = f"{rules.highest_winding_k:g} K is not above {key}, {value:g} K; raise it, or lower the other"
+            yield Problem("motor.heat.highest_winding_k", message)
 
 
 def _dips(oil: OilRules) -> Iterator[Problem]:

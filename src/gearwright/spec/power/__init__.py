@@ -4,5 +4,6 @@ Records alone; `spec/flying` checks what does not fit together, `mission` flies 
 """
 
 from gearwright.spec.power.strategies import KEYS_OF, NEEDED, StrategyRules
+from gearwright.spec.power.warmth import CellRules, WindingRules
 
-__all__ = ["KEYS_OF", "NEEDED", "StrategyRules"]
+__all__ = ["KEYS_OF", "NEEDED", "CellRules", "StrategyRules", "WindingRules"]
