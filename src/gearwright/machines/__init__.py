@@ -31,6 +31,7 @@ from gearwright.machines.motor import (
     motor_mass_power_law,
     rated_losses,
     rotor_inertia,
+    shared_losses,
 )
 from gearwright.machines.propeller_map import (
     INSIDE,
@@ -85,6 +86,7 @@ __all__ = [
     "propeller_inertia",
     "rated_losses",
     "rotor_inertia",
+    "shared_losses",
     "stored_energy",
     "turbine_diameter",
     "turbine_inertia",

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from gearwright.machines import Engine, rated_losses
+from gearwright.machines import Engine, MotorLosses, rated_losses, shared_losses
 from gearwright.machines.power import Breathing
 from gearwright.mission.plant import pack_of
 from gearwright.mission.supply import Supply
 from gearwright.sizing import Sizing
-from gearwright.spec import Machine, Mission
+from gearwright.spec import Machine, Mission, Motor, MotorRules
 from gearwright.spec.design import allowed_for
 from gearwright.units import KWH
 
@@ -34,12 +34,7 @@ def supply_of(sizing: Sizing, mission: Mission) -> Supply:
         )
         for name, turbine in sizing.design.turbines.items()
     }
-    motors = {
-        name: rated_losses(
-            machine.power, machine.speed, efficiency=motor.efficiency, overload=_overload(machine, motor.overload)
-        )
-        for name, machine in sizing.design.motors.items()
-    }
+    motors = {name: _losses(machine, motor) for name, machine in sizing.design.motors.items()}
     ratings = {name: turbine.power for name, turbine in sizing.design.turbines.items()}
     ratings |= {name: machine.power for name, machine in sizing.design.motors.items()}
     breathing = {
@@ -48,6 +43,14 @@ def supply_of(sizing: Sizing, mission: Mission) -> Supply:
     }
     pack = pack_of(mission.battery) if mission.battery and motors else None
     return Supply(engines, motors, pack, ratings, breathing, mission.motor.heat)
+
+
+def _losses(machine: Motor, rules: MotorRules) -> MotorLosses:
+    overload = _overload(machine, rules.overload)
+    if rules.loss_shares is None:
+        return rated_losses(machine.power, machine.speed, efficiency=rules.efficiency, overload=overload)
+    lost = machine.power * (1.0 / rules.efficiency - 1.0)
+    return shared_losses(machine.power, machine.speed, lost=lost, shares=rules.loss_shares, overload=overload)
 
 
 def _overload(machine: Machine, said: float) -> float:

@@ -32,7 +32,7 @@ from gearwright.spec.edit import edited, edited_mission, path_problem, path_prob
 from gearwright.spec.flying import MOST_INTERVALS, is_map_file, mission_problems, parse_mission, read_mission
 from gearwright.spec.keys import keys_of
 from gearwright.spec.lines import key_lines, line_of
-from gearwright.spec.mission import NO_MAP, BatteryRules, BearingLifeRules, Mission, Phase, engine_out
+from gearwright.spec.mission import NO_MAP, BatteryRules, BearingLifeRules, Mission, MotorRules, Phase, engine_out
 from gearwright.spec.power import CellRules, StrategyRules, WindingRules
 from gearwright.spec.read import file_text, parse, placed, read
 from gearwright.spec.record import Record, build
@@ -78,6 +78,7 @@ __all__ = [
     "Machine",
     "Mission",
     "Motor",
+    "MotorRules",
     "OneOf",
     "Pair",
     "Phase",

@@ -81,6 +81,11 @@ class MotorRules(Record):
 
     efficiency: Ratio = Field(0.95, gt=0.5, lt=1, description="At the rated point, with inverter")
     overload: Ratio = Field(1.0, ge=1, le=3, description="Torque and power limits over the ratings")
+    loss_shares: list[float] | None = Field(
+        None, min_length=6, max_length=6,
+        description="Parts of the rated loss: copper, hysteresis, eddy, windage, stray, constant; sum 1;"
+        " left out: 0.5, 0.3, 0, 0.1, 0, 0.1",
+    )  # fmt: skip
     heat: WindingRules | None = Field(None, description="How they warm up; left out: not followed")
 
 

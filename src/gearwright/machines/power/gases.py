@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
+Terms = tuple[float, ...]
 REFERENCE = 298.15
 """Temperature of the enthalpies' zero, and of the heating value [K]."""
 GAS_CONSTANT = 287.05
@@ -35,6 +37,22 @@ AIR = Gas()
 """Dry air."""
 
 
+@lru_cache(maxsize=256)
+def _coefficients(gas: Gas) -> tuple[Terms, Terms, float, Terms]:
+    """Return those of c_p, of its integral, of ln T and of the rest of ∫ c_p dT/T, the highest power first."""
+    capacity = tuple(a + gas.burnt * b for a, b in zip(_AIR, _BURNT, strict=True))
+    integral = tuple(1e3 * value / (k + 1) for k, value in enumerate(capacity))
+    rest = tuple(value / k for k, value in enumerate(capacity) if k)
+    return capacity[::-1], integral[::-1], capacity[0], rest[::-1]
+
+
+def _horner(terms: Terms, part: float) -> float:
+    total = 0.0
+    for term in terms:
+        total = total * part + term
+    return total
+
+
 def heat_capacity(gas: Gas, temperature: float) -> float:
     """Return c_p of air or of burnt gas [J/(kg K)].
 
@@ -49,8 +67,7 @@ def heat_capacity(gas: Gas, temperature: float) -> float:
     >>> round(heat_capacity(AIR, 300.0), 1)
     1003.9
     """
-    part, burnt = temperature / 1000.0, gas.burnt
-    return sum((a + burnt * b) * part**k for k, (a, b) in enumerate(zip(_AIR, _BURNT, strict=True)))
+    return _horner(_coefficients(gas)[0], temperature / 1000.0)
 
 
 def enthalpy(gas: Gas, temperature: float) -> float:
@@ -62,13 +79,8 @@ def enthalpy(gas: Gas, temperature: float) -> float:
 
     Source: integral of `heat_capacity`, term by term.
     """
-    return _integral(gas, temperature) - _integral(gas, REFERENCE)
-
-
-def _integral(gas: Gas, temperature: float) -> float:
-    part, burnt = temperature / 1000.0, gas.burnt
-    terms = enumerate(zip(_AIR, _BURNT, strict=True))
-    return 1000.0 * sum((a + burnt * b) * part ** (k + 1) / (k + 1) for k, (a, b) in terms)
+    terms, part, zero = _coefficients(gas)[1], temperature / 1000.0, REFERENCE / 1000.0
+    return _horner(terms, part) * part - _horner(terms, zero) * zero
 
 
 def entropy(gas: Gas, temperature: float) -> float:
@@ -80,10 +92,9 @@ def entropy(gas: Gas, temperature: float) -> float:
 
     Source: integral of `heat_capacity` over T, term by term; Walsh and Fletcher, F3.28.
     """
-    part, burnt = temperature / 1000.0, gas.burnt
-    a, b = _AIR[0], _BURNT[0]
-    terms = ((_AIR[k] + burnt * _BURNT[k]) * part**k / k for k in range(1, len(_AIR)))
-    return (a + burnt * b) * math.log(part) + sum(terms)
+    _, _, first, rest = _coefficients(gas)
+    part = temperature / 1000.0
+    return first * math.log(part) + _horner(rest, part) * part
 
 
 def temperature_of(gas: Gas, wanted: float) -> float:

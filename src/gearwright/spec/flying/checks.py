@@ -33,6 +33,7 @@ def mission_problems(mission: Mission) -> list[Problem]:
         problems += [Problem(at, message) for message in _altitude(phase, last)]
         last = phase.altitude
     problems += strategy_problems(mission)
+    problems += _shares(mission.motor.loss_shares)
     problems += [
         *_steel(mission.gears),
         *_battery(mission.battery),
@@ -73,6 +74,12 @@ def _cells(rules: BatteryRules | None) -> Iterator[Problem]:
             f"{cells.highest_temperature_k:g} K is not above the lowest, {cells.lowest_temperature_k:g} K; raise it"
         )
         yield Problem(f"{at}.highest_temperature_k", message)
+
+
+def _shares(shares: list[float] | None) -> Iterator[Problem]:
+    if shares is not None and (min(shares) < 0.0 or abs(sum(shares) - 1.0) > 1e-6):
+        message = f"parts of a loss are 0 or more and add up to 1, and these to {sum(shares):g}; change them"
+        yield Problem("motor.loss_shares", message)
 
 
 def _windings(rules: WindingRules | None) -> Iterator[Problem]:

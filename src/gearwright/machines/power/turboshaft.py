@@ -1,0 +1,364 @@
+"""A turboshaft engine of two spools: gas generator and power turbine, by its components in every state."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import brentq
+
+from gearwright.arrays import Floats
+from gearwright.machines.gas_turbine import HEATING_VALUE
+from gearwright.machines.power.gases import (
+    AIR,
+    GAS_CONSTANT,
+    Gas,
+    enthalpy,
+    entropy,
+    isentropic,
+    temperature_of,
+)
+
+STANDARD_TEMPERATURE, STANDARD_PRESSURE = 288.15, 101325.0
+"""Of the standard sea level [K]; [Pa]."""
+HOTTEST = 2000.0
+"""Of what the gas properties hold for [K]."""
+_MOST_ROUNDS = 200
+_SETTLED = 1e-13
+"""Change of what is iterated, over itself [-]."""
+
+
+class Rated(NamedTuple):
+    """A turboshaft engine at its design point, at sea level on a standard day without speed."""
+
+    power: float
+    """P of the power turbine [W]."""
+    fuel_flow: float
+    """m_f [kg/s]."""
+    air_flow: float
+    """m_a [kg/s]."""
+    pressure_ratio: float
+    """p_3/p_2 [-]."""
+    compressor: float
+    """Isentropic efficiency [-]."""
+    turbine: float
+    """Isentropic efficiency of the turbine of the gas generator [-]."""
+    combustion: float = 0.995
+    """Part of the fuel that burns [-]."""
+    burner_loss: float = 0.04
+    """Part of the pressure that the burner takes [-]."""
+    exit_ratio: float = 1.04
+    """Pressure behind the power turbine over that of the air [-]."""
+    mechanical: float = 0.99
+    """Of the gas generator's shaft [-]."""
+    casing_loss: float = 0.0
+    """Part of the fuel's heat that leaves through the casing of the burner [-]."""
+    inertia: float = 0.06
+    """Of the gas generator [kg m²]."""
+    speed: float = 4000.0
+    """Of the gas generator N1 [rad/s]."""
+    work_exponent: float = 2.0
+    """n of ΔT_c/T_2 ∝ (N1/√T_2)^n: 2 for a constant work coefficient."""
+    fall: float = 1.0
+    """k of η_c = η_0 (1 - k (1 - N1/√T_2)²), the corrected speed over the rated one [-]."""
+
+
+class Turboshaft(NamedTuple):
+    """An engine with what its design point fixes."""
+
+    rated: Rated
+    gas_nozzle: float
+    """m √T/p of the first turbine, choked [kg √K/(s Pa)]."""
+    power_nozzle: float
+    """The same of the power turbine over √(1 - (p_5/p_45)²)."""
+    power_efficiency: float
+    """Isentropic, of the power turbine at its design point [-]."""
+    rise: float
+    """(T_3 - T_2)/T_2 at the design point [-]."""
+    expansion: float
+    """p_4/p_45 of the first turbine [-]."""
+
+
+class Inlet(NamedTuple):
+    """The air before an engine."""
+
+    temperature: float
+    """T_2, stagnation [K]."""
+    pressure: float
+    """p_2, stagnation [Pa]."""
+    ambient: float
+    """p_0, static [Pa]."""
+
+
+class EngineState(NamedTuple):
+    """An engine at one instant: flows, temperatures, powers, every one by its own component."""
+
+    air_flow: float
+    """[kg/s]"""
+    fuel_flow: float
+    """[kg/s]"""
+    compressor_exit: float
+    """T_3 [K]."""
+    turbine_inlet: float
+    """T_4 [K]."""
+    between: float
+    """T_45, between the turbines: what a temperature limit watches [K]."""
+    exhaust: float
+    """T_5 behind the power turbine [K]."""
+    pressure_ratio: float
+    """p_3/p_2 [-]."""
+    compressor_power: float
+    """Into the air [W]."""
+    turbine_power: float
+    """Of the first turbine, on its shaft [W]."""
+    power: float
+    """Of the power turbine [W]."""
+    casing: float
+    """Heat through casing and bearings [W]."""
+    unburnt: float
+    """Heat of fuel that did not burn [W]."""
+
+    @property
+    def surplus(self) -> float:
+        """What accelerates the gas generator [W]."""
+        return self.turbine_power - self.compressor_power
+
+
+def _standard() -> Inlet:
+    return Inlet(STANDARD_TEMPERATURE, STANDARD_PRESSURE, STANDARD_PRESSURE)
+
+
+def _compressed(rated: Rated, temperature: float, ratio: float) -> float:
+    """Return T_3 [K]."""
+    ideal = enthalpy(AIR, isentropic(AIR, temperature, ratio)) - enthalpy(AIR, temperature)
+    return temperature_of(AIR, enthalpy(AIR, temperature) + ideal / rated.compressor)
+
+
+def _ratio(rated: Rated, part: float, temperature: float, exit_temperature: float) -> float:
+    """Return p_3/p_2 that a rise of temperature gives at a part of the corrected speed [-]."""
+    efficiency = rated.compressor * (1.0 - rated.fall * (1.0 - part) ** 2)
+    work = efficiency * (enthalpy(AIR, exit_temperature) - enthalpy(AIR, temperature))
+    ideal = temperature_of(AIR, enthalpy(AIR, temperature) + work)
+    return math.exp((entropy(AIR, ideal) - entropy(AIR, temperature)) / GAS_CONSTANT)
+
+
+def engine_of(rated: Rated) -> Turboshaft:
+    """Return an engine that meets its design point: nozzles, expansion and the power turbine's efficiency follow.
+
+    Args:
+        rated: The design point.
+
+    Source: gas-generator balance and choked nozzles; Saravanamuttoo et al., Gas Turbine Theory, ch. 3 and 9.
+
+    Raises:
+        ValueError: The design point cannot be: the power turbine would need an efficiency above 1.
+    """
+    inlet = _standard()
+    t3 = _compressed(rated, inlet.temperature, rated.pressure_ratio)
+    gas, flow = Gas(rated.combustion * rated.fuel_flow / rated.air_flow), rated.air_flow + rated.fuel_flow
+    heat = (rated.combustion - rated.casing_loss) * rated.fuel_flow * HEATING_VALUE
+    t4 = temperature_of(gas, (rated.air_flow * enthalpy(AIR, t3) + heat) / flow)
+    p4 = inlet.pressure * rated.pressure_ratio * (1.0 - rated.burner_loss)
+    needed = rated.air_flow * (enthalpy(AIR, t3) - enthalpy(AIR, inlet.temperature)) / rated.mechanical
+    t45 = temperature_of(gas, enthalpy(gas, t4) - needed / flow)
+    ideal = temperature_of(gas, enthalpy(gas, t4) - needed / flow / rated.turbine)
+    expansion = math.exp((entropy(gas, t4) - entropy(gas, ideal)) / GAS_CONSTANT)
+    p45 = p4 / expansion
+    last = isentropic(gas, t45, rated.exit_ratio * inlet.ambient / p45)
+    efficiency = rated.power / flow / (enthalpy(gas, t45) - enthalpy(gas, last))
+    return Turboshaft(
+        rated,
+        flow * math.sqrt(t4) / p4,
+        flow * math.sqrt(t45) / p45 / math.sqrt(1.0 - (rated.exit_ratio * inlet.ambient / p45) ** 2),
+        efficiency,
+        (t3 - inlet.temperature) / inlet.temperature,
+        expansion,
+    )
+
+
+def state_at(engine: Turboshaft, inlet: Inlet, speed: float, hot: float) -> EngineState:
+    """Return an engine with a speed of its gas generator and a temperature behind its burner, at rest or not.
+
+    Args:
+        engine: The engine.
+        inlet: The air before it.
+        speed: N1 [rad/s].
+        hot: T_4 [K].
+
+    Source: compressor of constant work coefficient, ΔT_c/T_2 ∝ (N1/√T_2)^n, and efficiency; choked first nozzle;
+        power turbine by Stodola's ellipse, m √T/p ∝ √(1 - (p_5/p_45)²), which sets the expansion before it; burner by
+        enthalpy (Saravanamuttoo et al., Gas Turbine Theory, ch. 9).
+
+    Valid for: a first nozzle that chokes, p_4 above about twice p_45; efficiencies are constant.
+    """
+    rated = engine.rated
+    part = speed / rated.speed * math.sqrt(STANDARD_TEMPERATURE / inlet.temperature)
+    t3 = inlet.temperature * (1.0 + engine.rise * part**rated.work_exponent)
+    ratio = _ratio(rated, part, inlet.temperature, t3)
+    p4 = inlet.pressure * ratio * (1.0 - rated.burner_loss)
+    fuel_ratio = _fuel_ratio(rated, t3, hot)
+    air = engine.gas_nozzle * p4 / math.sqrt(hot) / (1.0 + fuel_ratio)
+    return _expanded(engine, inlet, (air, fuel_ratio, t3, hot), ratio=ratio, pressure=p4)
+
+
+def _fuel_ratio(rated: Rated, cold: float, hot: float) -> float:
+    """Return fuel over air that heats a burner's gas to a temperature [-]."""
+    heat, before = (rated.combustion - rated.casing_loss) * HEATING_VALUE, enthalpy(AIR, cold)
+    ratio = 0.0
+    for _ in range(_MOST_ROUNDS):
+        after = enthalpy(Gas(rated.combustion * ratio), hot)
+        found = (after - before) / (heat - after)
+        if abs(found - ratio) <= _SETTLED:
+            break
+        ratio = found
+    return found
+
+
+def _expanded(
+    engine: Turboshaft, inlet: Inlet, burner: tuple[float, float, float, float], *, ratio: float, pressure: float
+) -> EngineState:
+    rated, (air, fuel_ratio, t3, t4) = engine.rated, burner
+    gas, fuel = Gas(rated.combustion * fuel_ratio), air * fuel_ratio
+    flow, behind = air + fuel, rated.exit_ratio * inlet.ambient
+    p45 = _between(engine, gas, (t4, pressure, flow), behind)
+    t45 = _first_exit(engine, gas, t4, pressure / p45)
+    last = isentropic(gas, t45, min(behind / p45, 1.0))
+    drop = engine.power_efficiency * (enthalpy(gas, t45) - enthalpy(gas, last))
+    first = flow * (enthalpy(gas, t4) - enthalpy(gas, t45))
+    rubbed = (1.0 - rated.mechanical) * first
+    return EngineState(
+        air_flow=air,
+        fuel_flow=fuel,
+        compressor_exit=t3,
+        turbine_inlet=t4,
+        between=t45,
+        exhaust=temperature_of(gas, enthalpy(gas, t45) - drop),
+        pressure_ratio=ratio,
+        compressor_power=air * (enthalpy(AIR, t3) - enthalpy(AIR, inlet.temperature)),
+        turbine_power=first - rubbed,
+        power=flow * drop,
+        casing=rated.casing_loss * fuel * HEATING_VALUE + rubbed,
+        unburnt=(1.0 - rated.combustion) * fuel * HEATING_VALUE,
+    )
+
+
+def _first_exit(engine: Turboshaft, gas: Gas, hot: float, expansion: float) -> float:
+    """Return T_45 behind the first turbine [K]."""
+    ideal = enthalpy(gas, hot) - enthalpy(gas, isentropic(gas, hot, 1.0 / expansion))
+    return temperature_of(gas, enthalpy(gas, hot) - engine.rated.turbine * ideal)
+
+
+def _between(engine: Turboshaft, gas: Gas, nozzle: tuple[float, float, float], behind: float) -> float:
+    """Return p_45 at which the power turbine passes the flow of the first nozzle [Pa]."""
+    hot, pressure, flow = nozzle
+
+    def lacking(between: float) -> float:
+        passed = engine.power_nozzle * between * math.sqrt(max(1.0 - (behind / between) ** 2, 0.0))
+        return passed / math.sqrt(_first_exit(engine, gas, hot, pressure / between)) - flow
+
+    low, high = behind, max(pressure, 1.0001 * behind)
+    if pressure <= behind or lacking(high) < 0.0:
+        return high
+    return float(brentq(lacking, low, high, xtol=1e-9 * behind, rtol=1e-14))
+
+
+def engine_state(engine: Turboshaft, inlet: Inlet, speed: float, fuel: float) -> EngineState:
+    """Return an engine with a speed of its gas generator and a fuel flow, at rest or not.
+
+    Args:
+        engine: The engine.
+        inlet: The air before it.
+        speed: N1 [rad/s].
+        fuel: Fuel flow [kg/s].
+
+    Raises:
+        ValueError: The gas would be hotter than 2000 K, or the fire goes out.
+    """
+
+    def lacking(hot: float) -> float:
+        return state_at(engine, inlet, speed, hot).fuel_flow - fuel
+
+    low = state_at(engine, inlet, speed, HOTTEST).compressor_exit + 1.0
+    if lacking(HOTTEST) < 0.0 or lacking(low) > 0.0:
+        raise ValueError(
+            f"{fuel:.4g} kg/s at {speed / engine.rated.speed:.3f} of N1 burns beyond {HOTTEST:g} K, or not"
+        )
+    return state_at(engine, inlet, speed, float(brentq(lacking, low, HOTTEST, xtol=1e-9, rtol=1e-14)))
+
+
+def steady_state(engine: Turboshaft, inlet: Inlet, speed: float) -> EngineState:
+    """Return an engine at rest at a speed of its gas generator: the heat that holds it.
+
+    Args:
+        engine: The engine.
+        inlet: The air before it.
+        speed: N1 [rad/s].
+
+    Source: P_turbine = P_compressor, over T_4.
+
+    Raises:
+        ValueError: No heat holds it: beyond its ceiling or its speeds.
+    """
+
+    def surplus(hot: float) -> float:
+        return state_at(engine, inlet, speed, hot).surplus
+
+    low = state_at(engine, inlet, speed, HOTTEST).compressor_exit + 1.0
+    if surplus(HOTTEST) < 0.0 or surplus(low) > 0.0:
+        raise ValueError(f"no gas up to {HOTTEST:g} K holds {speed / engine.rated.speed:.3f} of N1")
+    return state_at(engine, inlet, speed, float(brentq(surplus, low, HOTTEST, xtol=1e-9, rtol=1e-14)))
+
+
+def state_for(engine: Turboshaft, inlet: Inlet, power: float, guess: tuple[float, float]) -> tuple[float, EngineState]:
+    """Return the speed of the gas generator at which an engine at rest gives a power [rad/s], and its state.
+
+    Args:
+        engine: The engine.
+        inlet: The air before it.
+        power: Of the power turbine [W].
+        guess: Speed [rad/s] and T_4 [K] near it.
+
+    Source: Newton's method on surplus and power, over N1 and T_4.
+
+    Raises:
+        ValueError: It cannot give the power at rest.
+    """
+    scale = np.array([engine.rated.speed, 1000.0])
+
+    def missing(at: Floats) -> Floats:
+        if not (0.2 < at[0] < 1.6 and 0.3 < at[1] < 1e-3 * HOTTEST):
+            raise ValueError(f"{power / 1e3:.4g} kW are beyond what it gives at rest in this air")
+        state = state_at(engine, inlet, *(at * scale))
+        return np.array([state.surplus, state.power - power]) / engine.rated.power
+
+    at = np.array(guess) / scale
+    wrong = missing(at)
+    for _ in range(40):
+        if np.max(np.abs(wrong)) <= 1e-12:
+            break
+        slopes = np.column_stack([(missing(at + step) - wrong) / 1e-6 for step in 1e-6 * np.eye(2)])
+        step = -np.linalg.solve(slopes, wrong)
+        at = at + step * min(1.0, 0.15 / float(np.max(np.abs(step))))
+        wrong = missing(at)
+    return float(at[0] * scale[0]), state_at(engine, inlet, *(at * scale))
+
+
+def leaving(state: EngineState) -> float:
+    """Return the enthalpy that leaves with the gas over that at 298.15 K, by its state [W].
+
+    Args:
+        state: Of the engine.
+    """
+    burnt = state.fuel_flow - state.unburnt / HEATING_VALUE
+    return (state.air_flow + state.fuel_flow) * enthalpy(Gas(burnt / state.air_flow), state.exhaust)
+
+
+def entering(state: EngineState, inlet: Inlet) -> float:
+    """Return the enthalpy that enters with air and fuel [W].
+
+    Args:
+        state: Of the engine.
+        inlet: The air before it.
+    """
+    return state.air_flow * enthalpy(AIR, inlet.temperature) + state.fuel_flow * HEATING_VALUE
