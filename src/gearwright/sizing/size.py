@@ -45,7 +45,7 @@ def size(design: Design) -> Sizing:
     train = build_train(design)
     for choice in choose_teeth(design, train):
         try:
-            sizing = _sized(design, train, choice, given=given.values)
+            sizing = sized_with(design, train, choice, given=given.values)
         except DesignError as error:
             refused = refused or error
             continue
@@ -56,8 +56,15 @@ def size(design: Design) -> Sizing:
     return best
 
 
-def _sized(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given]) -> Sizing:
-    """Return the transmission with chosen teeth and numbers of planets."""
+def sized_with(design: Design, train: Train, choice: Chosen, *, given: Mapping[str, Given]) -> Sizing:
+    """Return the transmission with chosen teeth and numbers of planets.
+
+    Args:
+        design: As read.
+        train: Its graph.
+        choice: Teeth, and numbers of planets that the design leaves open.
+        given: Path -> value that the user gives instead of the computed one.
+    """
     teeth = choice.teeth
     if choice.planets:
         design = edited(design, {f"planetaries.{stage}.planets": count for stage, count in choice.planets.items()})

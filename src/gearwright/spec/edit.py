@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from types import UnionType
-from typing import Any, TypeVar, Union, get_args, get_origin
+from typing import Any, NamedTuple, TypeVar, Union, get_args, get_origin
 
 from pydantic import ValidationError
 
 from gearwright.errors import DesignError, Problem, near, refuse
+from gearwright.spec.bounds import Range, allowed_in
 from gearwright.spec.checks import reference_problems
 from gearwright.spec.design import Design
 from gearwright.spec.flying import mission_problems
-from gearwright.spec.keys import keys_of, longer_keys
+from gearwright.spec.keys import Key, keys_of, longer_keys
 from gearwright.spec.mission import Mission
 from gearwright.spec.record import Location, Record, Written, message_of
 from gearwright.units import suffix_unit
@@ -49,6 +50,84 @@ def edited_mission(mission: Mission, changes: Mapping[str, Value]) -> Mission:
         DesignError: For every path that does not exist, value that is not allowed, and what does not fit together.
     """
     return _edited(mission, changes, mission_problems)
+
+
+class Entry(NamedTuple):
+    """Where a number of a record stands."""
+
+    location: Location
+    """Names of fields and entries that lead to it."""
+    key: Key | None
+    """How it is written; None of what has no unit."""
+    allowed: Range
+    """Numbers that it takes [SI]."""
+
+    def si(self, value: float) -> float:
+        """Return what is written in SI."""
+        return value if self.key is None else self.key.si(value)
+
+
+def entry_of(design: Design, path: str) -> Entry | None:
+    """Return where a path leads in a design; None where no plain number stands there.
+
+    Args:
+        design: That has the entry.
+        path: Dotted path, with the unit in its last part.
+    """
+    written = Written()
+    if _set(Design, _opened(design), path, 1.0, written) is not None or len(written.keys) != 1:
+        return None
+    (location,) = written.keys
+    holder = _held(design, location[:-1])
+    if not isinstance(holder, Record) or type(getattr(holder, location[-1], None)) is not float:
+        return None
+    return Entry(location, written.units.get(location), allowed_in(type(holder), location[-1]).numbers)
+
+
+def _held(content: Any, location: Location) -> Any:
+    """Return what stands at a location."""
+    for part in location:
+        if isinstance(content, Record):
+            content = (
+                getattr(content, part, None)
+                if part in type(content).model_fields
+                else ((content.model_extra or {}).get(part))
+            )
+        else:
+            content = content.get(part) if isinstance(content, dict) else None
+    return content
+
+
+def replaced(record: R, entries: Mapping[Location, Any]) -> R:
+    """Return a record with other values at some of its places, which nobody checks.
+
+    Args:
+        record: Where to start.
+        entries: Location -> value, in SI and of the type that the place takes.
+    """
+    below: dict[str, dict[Location, Any]] = {}
+    for location, value in entries.items():
+        below.setdefault(location[0], {})[location[1:]] = value
+    changed = {name: _replaced(_held(record, (name,)), inner) for name, inner in below.items()}
+    extra = {name: value for name, value in changed.items() if name not in type(record).model_fields}
+    copy = record.model_copy(update={name: value for name, value in changed.items() if name not in extra})
+    if extra:
+        object.__setattr__(copy, "__pydantic_extra__", {**(record.model_extra or {}), **extra})
+    for name in copy.__dict__.keys() - type(record).model_fields.keys():
+        del copy.__dict__[name]  # what was remembered of the record as it was
+    return copy
+
+
+def _replaced(content: Any, entries: Mapping[Location, Any]) -> Any:
+    if () in entries:
+        return entries[()]
+    if isinstance(content, Record):
+        return replaced(content, entries)
+    names = dict.fromkeys(location[0] for location in entries)
+    return {**content, **{
+        name: _replaced(content[name], {at[1:]: value for at, value in entries.items() if at[0] == name})
+        for name in names
+    }}  # fmt: skip
 
 
 def _edited(record: R, changes: Mapping[str, Value], problems_of: Callable[[R], list[Problem]]) -> R:

@@ -106,20 +106,55 @@ def assembly_room(pair: GearPair) -> Room | None:
     Source: Colbourne 1987, The Geometry of Involute Gears (radial interference, trimming); each pinion tip on
         its way to the working position must stay inside the ring's tooth space at the ring's tip circle.
     """
+    halves, rooms = tip_halves(pair), []
+    # A pinion tooth centred in its space is the symmetric position; tooth j then faces space j.
+    for j in range(pair.driver.teeth // 2 + 1):
+        reaches, room = passing_tip(pair, j, halves)
+        if not reaches:
+            break
+        rooms.append(room)
+    return min(rooms, key=lambda room: room.clearance, default=None)
+
+
+class PassingTip(NamedTuple):
+    """A tip of the pinion on its radial way into a ring."""
+
+    reaches: bool
+    """Whether it passes the ring's tip circle."""
+    room: Room
+    """Half the width of the ring's tooth space, and that of the tip [m]."""
+
+
+def tip_halves(pair: GearPair) -> tuple[float, float]:
+    """Return half the angles of a tip of the pinion and of a space of the ring at its tips [rad].
+
+    Args:
+        pair: An internal pair.
+
+    Source: `half_angle_at`; ISO 21771:2007.
+    """
     pinion, ring = pair.driver, pair.driven
     half_space = math.pi / -ring.teeth - half_angle_at(ring, ring.tip_radius)
-    half_tip = half_angle_at(pinion, pinion.tip_radius)
-    rooms = []
-    # A pinion tooth centred in its space is the symmetric position; tooth j then faces space j.
-    for j in range(pinion.teeth // 2 + 1):
-        angle = 2.0 * math.pi * j / pinion.teeth + half_tip
-        lateral = pinion.tip_radius * math.sin(angle)
-        if angle > 0.5 * math.pi or lateral > ring.tip_radius:
-            break
-        if pair.centre_distance + pinion.tip_radius * math.cos(angle) <= math.sqrt(ring.tip_radius**2 - lateral**2):
-            break
-        rooms.append(Room(ring.tip_radius * math.sin(2.0 * math.pi * j / -ring.teeth + half_space), lateral))
-    return min(rooms, key=lambda room: room.clearance, default=None)
+    return half_angle_at(pinion, pinion.tip_radius), half_space
+
+
+def passing_tip(pair: GearPair, j: int, halves: tuple[float, float]) -> PassingTip:
+    """Return how a tip of the pinion passes the tip circle of the ring on its radial way into it.
+
+    Args:
+        pair: An internal pair.
+        j: Which tooth, from the one in the middle [-].
+        halves: From `tip_halves` [rad].
+
+    Source: `assembly_room`.
+    """
+    pinion, outer = pair.driver, pair.driven.tip_radius
+    angle = 2.0 * math.pi * j / pinion.teeth + halves[0]
+    lateral = pinion.tip_radius * math.sin(angle)
+    inside = math.sqrt(max(outer**2 - lateral**2, 0.0))
+    beyond = pair.centre_distance + pinion.tip_radius * math.cos(angle) > inside
+    room = Room(outer * math.sin(2.0 * math.pi * j / -pair.driven.teeth + halves[1]), lateral)
+    return PassingTip((angle <= 0.5 * math.pi) & (lateral <= outer) & beyond, room)
 
 
 def radial_assembly_gap(pair: GearPair) -> float:

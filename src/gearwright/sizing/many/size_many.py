@@ -10,6 +10,7 @@ import numpy as np
 
 from gearwright.errors import DesignError, GearwrightError, Problem, near, refuse
 from gearwright.sizing.answers import TEXT, Named, asked_results, named_results, total_results
+from gearwright.sizing.many.columns import Found, in_lanes
 from gearwright.sizing.many.sizings import Sizings, Structure, stacked, structure_of
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.size import size
@@ -49,13 +50,15 @@ def size_many(
     refuse(_axis_problems(columns, first), "axes")
     refuse(_result_problems(results or (), first), "results")
     made = partial(_design, given, columns)
-    rows, reasons, dimensions = list[dict[str, float]](), dict[int, str](), dict[str, str]()
-    found, place = dict[Structure, int](), np.full(count, -1)
-    for row in range(count):
-        rows.append({})
+    found, places = Found(count), dict[int, Structure]()
+    if isinstance(designs, Design) and columns:
+        found, places = in_lanes(designs, columns, results, count=count)
+    rows, reasons = dict[int, dict[str, float]](), dict[int, str]()
+    dimensions = dict(found.dimensions)
+    for row in np.flatnonzero(~found.done).tolist():
         try:
             design = made(row)
-            place[row] = found.setdefault(structure_of(design), len(found))
+            places[row] = structure_of(design)
             numbers = _numbers(size(design), results)
         except GearwrightError as error:
             problems = error.problems if isinstance(error, DesignError) else ()
@@ -63,12 +66,15 @@ def size_many(
             continue
         rows[row] = {name: float(number.value) for name, number in numbers.items()}
         dimensions |= {name: number.dimension for name, number in numbers.items()}
-    values = stacked(rows)
+    values = stacked(rows, found.values, count)
     order = [name for name in results or values if name in values]
-    sized = np.array([row not in reasons for row in range(count)], dtype=bool)
+    occurring = dict.fromkeys(places[row] for row in sorted(places))
+    structures = {structure: place for place, structure in enumerate(occurring)}
+    place = np.array([structures[places[row]] if row in places else -1 for row in range(count)], dtype=np.int64)
     return Sizings(
-        {name: values[name] for name in order}, {name: dimensions[name] for name in order}, sized, reasons,
-        tuple(found), place, made,
+        {name: values[name] for name in order}, {name: dimensions[name] for name in order},
+        np.array([row not in reasons for row in range(count)], dtype=bool), reasons, tuple(structures), place, made,
+        found.done,
     )  # fmt: skip
 
 

@@ -69,6 +69,8 @@ class Sizings(Shown):
     """Row -> place of its structure among them; −1 where no design could be made."""
     design: Callable[[int], Design]
     """Row -> its design."""
+    together: Bools
+    """Which designs were computed together, in lanes; each of the rest was sized alone. All have the same bits."""
 
     def __len__(self) -> int:
         """Return how many designs there are."""
@@ -90,16 +92,18 @@ class Sizings(Shown):
         return size(self.design(place % len(self)))
 
 
-def stacked(rows: list[dict[str, float]]) -> dict[str, Floats]:
-    """Return rows as columns; NaN where a row lacks what others have.
+def stacked(rows: Mapping[int, Mapping[str, float]], columns: Mapping[str, Floats], count: int) -> dict[str, Floats]:
+    """Return columns with the results of more rows; NaN where a row lacks what others have.
 
     Args:
-        rows: Name -> value of each.
+        rows: Row -> name -> value.
+        columns: Of other rows.
+        count: Rows of all [-].
     """
-    columns: dict[str, Floats] = {}
-    for place, row in enumerate(rows):
+    whole = dict(columns)
+    for place, row in rows.items():
         for name, value in row.items():
-            if name not in columns:
-                columns[name] = np.full(len(rows), np.nan)
-            columns[name][place] = value
-    return columns
+            if name not in whole:
+                whole[name] = np.full(count, np.nan)
+            whole[name][place] = value
+    return whole

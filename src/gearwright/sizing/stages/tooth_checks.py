@@ -77,16 +77,21 @@ def tooth_pair(context: Context, mesh: Mesh, gears: Mapping[str, GearSizing], ce
 
 def _undercut(context: Context, gears: list[GearSizing]) -> Check:
     """Return the check of the gear that is nearest to undercut, or furthest beyond it."""
-    rating = context.ratings[gears[0].stage]
-
-    def fewest(gear: GearSizing) -> float:
-        height = ISO53_A.straight_dedendum - gear.profile_shift
-        return least_teeth(height, pressure_angle=rating.rules.pressure_angle, helix_angle=rating.helix_angle)
-
     external = [gear for gear in gears if gear.name not in context.train.internal]
-    gear = min(external, key=lambda candidate: candidate.teeth - fewest(candidate))
-    limit = math.ceil(fewest(gear) - 1e-9)
+    gear = min(external, key=lambda candidate: candidate.teeth - fewest_uncut(context, candidate))
+    limit = math.ceil(fewest_uncut(context, gear) - 1e-9)
     return Check(gear.part, "undercut", "ISO 21771, z_min", gear.teeth, limit, "number", exponent=None, symbol="z")
+
+
+def fewest_uncut(context: Context, gear: GearSizing) -> float:
+    """Return the teeth of a gear of its angles and shift that are just not undercut [-].
+
+    Args:
+        context: What sizing reads.
+        gear: External.
+    """
+    rating, height = context.ratings[gear.stage], ISO53_A.straight_dedendum - gear.profile_shift
+    return least_teeth(height, pressure_angle=rating.rules.pressure_angle, helix_angle=rating.helix_angle)
 
 
 def _play(context: Context, mesh: MeshSizing, gears: Mapping[str, GearSizing]) -> Iterator[Check]:

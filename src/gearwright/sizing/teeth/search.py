@@ -84,9 +84,9 @@ def choose_teeth(design: Design, train: Train) -> list[Chosen]:
         ratio = nominal.tooth_ratios[name]
         if not is_given(stage) and ratio <= 1.0:  # a ring no larger than its sun: no torques could be found
             raise refusal(name, stage, design, ratio, fewest=0, nominal=nominal)
-    flow, kept = _nominal_flow(design, train, nominal)
+    flow, kept = nominal_flow(design, train, nominal)
     design = nominal.design
-    tasks = [_task(name, design, train, nominal, flow) for name in design.simple_stages]
+    tasks = [task_of(name, design, train, nominal, flow) for name in design.simple_stages]
     start = Front(
         {}, {shaft: np.array([nominal.speeds[shaft]]) for shaft in kept}, {}, {},
         tally={"combinations": np.ones(1), "second": np.full(1, np.inf)},
@@ -109,7 +109,7 @@ def _chosen(design: Design, front: Front, place: int, search: TeethSearch) -> Ch
     """Return one of the whole combinations of a front."""
     left_out = {name for name, stage in design.planetaries.items() if stage.planets_given is None}
     return Chosen(
-        {name: int(values[place]) for name, values in front.teeth.items()} | _compound_teeth(design),
+        {name: int(values[place]) for name, values in front.teeth.items()} | compound_teeth(design),
         {name: int(values[place]) for name, values in front.planets.items() if name in left_out},
         search,
     )
@@ -146,9 +146,9 @@ def _searched(search: _Search, front: Front, tasks: Sequence[Task], *, beam: int
         beam: Keep so many lightest choices of every front; left out: all that may win.
     """
     design, later, limit = search.design, list(tasks), math.inf
-    found = _Found(_joined(design, front))
+    found = _Found(carried_over(design, front))
     while later:
-        task = next((task for task in later if _ready(task, found.front)), None)
+        task = next((task for task in later if is_ready(task, found.front)), None)
         if task is None:
             raise DesignError(
                 Problem(waiting.name, "no speed that is known leads to this stage; give its teeth") for waiting in later
@@ -158,7 +158,7 @@ def _searched(search: _Search, front: Front, tasks: Sequence[Task], *, beam: int
         needs = needs_of(later, design, kept=design.teeth.sized)
         grown = extend(found.front, task, design, search.nominal, needs=needs, may_win=rule)
         left_out = found.left_out + grown.left_out
-        found = _Found(_joined(design, grown.front), found.weighed + grown.weighed, left_out, found.proven)
+        found = _Found(carried_over(design, grown.front), found.weighed + grown.weighed, left_out, found.proven)
         if later and beam is None and len(found.front) > MANY:
             limit = min(limit, _known(search, found.front, later))
             found = _only(found, _MayWin(search, tuple(later), limit)(found.front))
@@ -216,13 +216,24 @@ def _only(found: _Found, kept: Bools) -> _Found:
     return replace(found, front=found.front.take(kept), left_out=found.left_out + gone)
 
 
-def _compound_teeth(design: Design) -> dict[str, int]:
+def compound_teeth(design: Design) -> dict[str, int]:
+    """Return the tooth number of every gear of compound sets.
+
+    Args:
+        design: As read.
+    """
     return {gear: teeth for name in design.epicyclics for gear, teeth in teeth_of(design, name).items()}
 
 
-def _nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[str, PowerFlow], set[str]]:
-    """Return the power flow of every case at the asked ratios, and the shafts whose speed is kept."""
-    real: dict[str, float] = dict(_compound_teeth(design))
+def nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[str, PowerFlow], set[str]]:
+    """Return the power flow of every case at the asked ratios, and the shafts whose speed is kept.
+
+    Args:
+        design: With its cases.
+        train: Its graph.
+        nominal: Asked speeds.
+    """
+    real: dict[str, float] = dict(compound_teeth(design))
     for name, stage in design.simple_stages.items():
         ratio = nominal.tooth_ratios[name]
         if isinstance(stage, Planetary):
@@ -238,7 +249,16 @@ def _nominal_flow(design: Design, train: Train, nominal: Targets) -> tuple[dict[
     return power_flows(design, turning), kept
 
 
-def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapping[str, PowerFlow]) -> Task:
+def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Mapping[str, PowerFlow]) -> Task:
+    """Return a stage of the search with its largest load.
+
+    Args:
+        name: Of the stage.
+        design: With its rules.
+        train: Its graph.
+        nominal: Asked speeds.
+        flows: Every load case at the asked ratios.
+    """
     stage, edge = design.simple_stages[name], nominal.edges.get(name)
     rating = rating_of(design, name)
     # The reference gear sits on the edge's fast shaft: the ring where the sun stands still, else sun or pinion.
@@ -260,8 +280,13 @@ def _task(name: str, design: Design, train: Train, nominal: Targets, flows: Mapp
     return Task(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling, rows)
 
 
-def _ready(task: Task, front: Front) -> bool:
-    """Tell whether the speeds on one side of a stage, and the teeth that it shares, are chosen."""
+def is_ready(task: Task, front: Front) -> bool:
+    """Tell whether the speeds on one side of a stage, and the teeth that it shares, are chosen.
+
+    Args:
+        task: The stage.
+        front: Choices of the stages before.
+    """
     if isinstance(task.stage, Pair):
         shared = [gear_of(task.name, side, task.stage) for side in SIDES if task.stage.shared(side)]
         if any(str(gear) not in front.teeth for gear in shared):
@@ -272,8 +297,13 @@ def _ready(task: Task, front: Front) -> bool:
     return task.edge is not None and any(shaft in front.speeds for shaft in (*task.edge.fast, *task.edge.slow))
 
 
-def _joined(design: Design, front: Front) -> Front:
-    """Carry speeds across clutches and compound sets."""
+def carried_over(design: Design, front: Front) -> Front:
+    """Carry speeds across clutches and compound sets.
+
+    Args:
+        design: With those.
+        front: Choices of the stages before.
+    """
     if not design.clutches and not design.epicyclics:
         return front
     speeds = dict(front.speeds)

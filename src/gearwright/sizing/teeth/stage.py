@@ -61,11 +61,11 @@ def extend(
     Raises:
         DesignError: If no candidate is left, with what would do.
     """
-    targets = _target(front, task, nominal)
+    targets = asked_ratios(front, task, nominal)
     for reach in REACHES:
         near, grown, weighed, left_out = list[Floats](), list[Front](), 0, 0.0
         for part, variant in product(_parts(front), ring_variants(task, design)):
-            ratios, added = _grown(part, variant, design, _target(part, task, nominal), reach=reach)
+            ratios, added = _grown(part, variant, design, asked_ratios(part, task, nominal), reach=reach)
             near.append(ratios)
             if added is not None:
                 weighed += len(added)
@@ -94,21 +94,29 @@ def _parts(front: Front) -> Iterator[Front]:
 
 def _grown(front: Front, task: Task, design: Design, target: Floats, *, reach: Reach) -> tuple[Floats, Front | None]:
     """Return the tooth ratios that are near enough, and the choices that keep the machines' speeds, weighed."""
-    parent, small, large = _near_target(front, task, design, target, reach=reach)
+    parent, small, large = near_candidates(front, task, design, target, reach=reach)
     actual = tooth_ratio(task, small, large)
     grown = front.take(parent)
-    speeds = _new_speeds(grown, task, actual)
+    speeds = new_speeds(grown, task, actual)
     good = _speeds_hold(task, design, speeds, len(small))
     if not good.any():
         return actual, None
     grown = replace(grown, speeds={**grown.speeds, **speeds})
     if not good.all():
         grown, small, large = grown.take(good), small[good], large[good]
-    return actual, _weighed(grown, task, design, small, large)
+    return actual, weighed_front(grown, task, design, small, large)
 
 
-def _weighed(front: Front, task: Task, design: Design, small: Ints, large: Ints) -> Front:
-    """Add a stage's teeth and bodies to the front, with every number of planets, candidate after candidate."""
+def weighed_front(front: Front, task: Task, design: Design, small: Ints, large: Ints) -> Front:
+    """Add a stage's teeth and bodies to the front, with every number of planets, candidate after candidate.
+
+    Args:
+        front: Choices of the stages before, one for each candidate.
+        task: The stage.
+        design: With the rules of the search.
+        small: Teeth of pinion or sun.
+        large: Teeth of wheel or planet.
+    """
     fronts, places = list[Front](), list[Ints]()
     for planets in planet_counts(task.name, design):
         fits = admissible(task, design, small, large, planets=planets)
@@ -125,8 +133,18 @@ def _weighed(front: Front, task: Task, design: Design, small: Ints, large: Ints)
     return fronts[0].joined(fronts[1:]).take(np.argsort(np.concatenate(places), kind="stable"))
 
 
-def _near_target(front: Front, task: Task, design: Design, target: Floats, *, reach: Reach) -> tuple[Ints, Ints, Ints]:
-    """Return a stage's candidates that some number of planets admits and that are near enough to what is asked."""
+def near_candidates(
+    front: Front, task: Task, design: Design, target: Floats, *, reach: Reach
+) -> tuple[Ints, Ints, Ints]:
+    """Return a stage's candidates that some number of planets admits and that are near enough to what is asked.
+
+    Args:
+        front: Choices of the stages before.
+        task: The stage.
+        design: With the rules of the search.
+        target: Tooth ratio asked of every choice [-].
+        reach: How far it looks.
+    """
     open_ = is_open(front, task, design)
     if task.twin:
         names = gears_of(task.twin, task.stage)
@@ -182,8 +200,14 @@ def _near(task: Task, design: Design, actual: Floats, asked: Floats) -> Bools:
     return np.asarray(np.abs((carrier_part + actual) / (carrier_part + asked) - 1.0) <= design.teeth.stage_tolerance)
 
 
-def _target(front: Front, task: Task, nominal: Targets) -> Floats:
-    """Return the tooth ratio asked of every choice in the front [-]."""
+def asked_ratios(front: Front, task: Task, nominal: Targets) -> Floats:
+    """Return the tooth ratio asked of every choice in the front [-].
+
+    Args:
+        front: Choices of the stages before.
+        task: The stage.
+        nominal: Asked speeds.
+    """
     count = len(front)
 
     def speed(shaft: str) -> Floats:
@@ -199,8 +223,14 @@ def _known(shafts: tuple[str, ...], front: Front) -> str:
     return next((shaft for shaft in shafts if shaft in front.speeds), shafts[0])
 
 
-def _new_speeds(front: Front, task: Task, ratio: Floats) -> dict[str, Floats]:
-    """Return the speeds of the shafts that a stage reaches."""
+def new_speeds(front: Front, task: Task, ratio: Floats) -> dict[str, Floats]:
+    """Return the speeds of the shafts that a stage reaches.
+
+    Args:
+        front: Choices with the stage's candidates.
+        task: The stage.
+        ratio: Tooth ratio of each [-].
+    """
     known = front.speeds
     if isinstance(task.stage, Planetary):
         missing = [member for member in members_of(task.stage) if member != GROUND and member not in known]

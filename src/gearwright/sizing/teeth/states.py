@@ -77,7 +77,7 @@ def lightest(front: Front, needs: Needs) -> Front:
     """
     if needs.kept > 1:
         return _several(front, needs.kept)
-    state, mass = _states(front, needs), front.mass
+    state, mass = states_of(front, needs), front.mass
     count = int(state.max()) + 1
     least = np.full(count, np.inf)
     np.minimum.at(least, state, mass)
@@ -106,8 +106,13 @@ def _several(front: Front, kept: int) -> Front:
     return replace(chosen, tally={"combinations": combinations, "second": second})
 
 
-def _states(front: Front, needs: Needs) -> Ints:
-    """Return a number for each choice, the same for those that leave the same behind."""
+def states_of(front: Front, needs: Needs) -> Ints:
+    """Return a number for each choice, the same for those that leave the same behind.
+
+    Args:
+        front: Choices.
+        needs: What the stages after them read.
+    """
     columns: list[Ints] = [
         np.rint(np.log(np.maximum(speed, _STILL)) / _SAME_SPEED).astype(np.int64)
         for shaft, speed in front.speeds.items()

@@ -62,10 +62,12 @@ def _drives(design: Design) -> dict[str, dict[str, Drive]]:
 def _drive(unsaid: Drive, said: Drive, rating: float | None) -> Drive:
     """Return what a machine does that a case names: what it says, or what is usual at the speed that it says."""
     if said.rating is not None:
-        return Drive(power=said.rating * (rating or 0.0), speed=said.speed)
+        return Drive.model_construct(power=said.rating * (rating or 0.0), speed=said.speed)
     if said.stated or said.balances:
         return said
-    return Drive(balances=True, speed=said.speed) if unsaid.idles else unsaid.model_copy(update={"speed": said.speed})
+    if unsaid.idles:
+        return Drive.model_construct(balances=True, speed=said.speed)
+    return unsaid.model_copy(update={"speed": said.speed})
 
 
 def levels_of(design: Design, case: str) -> tuple[tuple[float, float], ...]:

@@ -83,7 +83,7 @@ class Turbine(Machine):
     @property
     def fully(self) -> Drive:
         """Its rated power."""
-        return Drive(power=self.power)
+        return Drive.model_construct(power=self.power)
 
 
 class ElectricMachine(Machine):
@@ -124,7 +124,7 @@ class Motor(ElectricMachine):
     @property
     def fully(self) -> Drive:
         """Its rated power, unless it balances."""
-        return BALANCES if self.balances else Drive(power=self.power)
+        return BALANCES if self.balances else Drive.model_construct(power=self.power)
 
 
 class Generator(ElectricMachine):
@@ -196,7 +196,7 @@ class Accessory(Machine):
     @property
     def unsaid(self) -> Drive:
         """It takes its power."""
-        return Drive(power=-self.power)
+        return Drive.model_construct(power=-self.power)
 
 
 class Load(Machine):
@@ -219,8 +219,8 @@ class Load(Machine):
     def unsaid(self) -> Drive:
         """It takes its power or torque, or what the others leave."""
         if self.power is not None:
-            return Drive(power=-self.power)
-        return BALANCES if self.torque is None else Drive(torque=-self.torque)
+            return Drive.model_construct(power=-self.power)
+        return BALANCES if self.torque is None else Drive.model_construct(torque=-self.torque)
 
 
 MACHINES: Mapping[str, type[Machine]] = MappingProxyType({

@@ -1,0 +1,11 @@
+"""One computation for many designs at once: numbers in lanes, and twins of modules that compute with them.
+
+Here stands how; which modules have twins, and what is asked of them, is for `sizing.many`.
+"""
+
+from gearwright.lanes.builtin import chosen
+from gearwright.lanes.lanes import Lanes, lanes_of
+from gearwright.lanes.twins import CHANGES, twin
+from gearwright.lanes.work import Diverged, Unsupported
+
+__all__ = ["CHANGES", "Diverged", "Lanes", "Unsupported", "chosen", "lanes_of", "twin"]

@@ -1,0 +1,267 @@
+"""Functions of numpy for arrays and for lanes of them: exact ones at once, all else lane by lane."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from gearwright.lanes import made
+from gearwright.lanes.lanes import Lanes, lanes_of
+from gearwright.lanes.linear import linalg
+from gearwright.lanes.made import asarray, has_lanes
+from gearwright.lanes.work import Unsupported, aligned, summed
+
+_EXACT = {
+    "add", "subtract", "multiply", "divide", "true_divide", "negative", "absolute", "abs", "fabs", "sign", "sqrt",
+    "square", "floor", "ceil", "trunc", "rint", "maximum", "minimum", "isfinite", "isnan", "isinf", "greater", "less",
+    "greater_equal", "less_equal", "equal", "not_equal", "logical_and", "logical_or", "logical_not", "gcd",
+}  # fmt: skip
+"""Functions of arrays that give the same bits wherever an entry stands."""
+
+
+def where(truth: Any, one: Any, other: Any) -> Any:
+    """Return entries of one array where something is true, else of another.
+
+    Args:
+        truth: In lanes or not.
+        one: First.
+        other: Second.
+    """
+    return Lanes(np.where(*aligned(truth, one, other)))
+
+
+def sum_(values: Any, axis: int | None = None, *, keepdims: bool = False) -> Any:
+    """Return sums of entries.
+
+    Args:
+        values: Numbers or an array, in lanes or not.
+        axis: Of the array in each lane; left out: all.
+        keepdims: As numpy has it.
+    """
+    return Lanes(summed(lanes_of(values).data, axis, keepdims=keepdims))
+
+
+def max_(values: Any, axis: int | None = None, **named: Any) -> Any:
+    """Return the largest entries.
+
+    Args:
+        values: Numbers or an array, in lanes or not.
+        axis: Of the array in each lane; left out: all.
+        named: What else the function takes.
+    """
+    return lanes_of(values).max(axis, **named)
+
+
+def min_(values: Any, axis: int | None = None, **named: Any) -> Any:
+    """Return the least entries.
+
+    Args:
+        values: Numbers or an array, in lanes or not.
+        axis: Of the array in each lane; left out: all.
+        named: What else the function takes.
+    """
+    return lanes_of(values).min(axis, **named)
+
+
+def any_(values: Any, axis: int | None = None) -> Any:
+    """Tell where any entry is true.
+
+    Args:
+        values: Numbers or an array, in lanes or not.
+        axis: Of the array in each lane; left out: all.
+    """
+    return asarray(values).any(axis)
+
+
+def all_(values: Any, axis: int | None = None) -> Any:
+    """Tell where all entries are true.
+
+    Args:
+        values: Numbers or an array, in lanes or not.
+        axis: Of the array in each lane; left out: all.
+    """
+    return asarray(values).all(axis)
+
+
+def argmax(values: Any, axis: int | None = None) -> Any:
+    """Return the place of the largest entry.
+
+    Args:
+        values: Numbers or an array, in lanes or not.
+        axis: Of the array in each lane; left out: all.
+    """
+    data = values.data
+    return Lanes(np.argmax(data.reshape(len(data), -1) if axis is None else data, axis=1 if axis is None else axis + 1))
+
+
+def argmin(values: Any, axis: int | None = None) -> Any:
+    """Return the place of the least entry.
+
+    Args:
+        values: Numbers or an array, in lanes or not.
+        axis: Of the array in each lane; left out: all.
+    """
+    data = values.data
+    return Lanes(np.argmin(data.reshape(len(data), -1) if axis is None else data, axis=1 if axis is None else axis + 1))
+
+
+def unravel_index(place: Any, shape: Any) -> Any:
+    """Return the indices of a place.
+
+    Args:
+        place: Where, in lanes.
+        shape: Of the array in each lane.
+    """
+    return tuple(Lanes(index) for index in np.unravel_index(place.data, shape))
+
+
+def array_equal(one: Any, other: Any) -> Any:
+    """Tell whether two arrays are the same.
+
+    Args:
+        one: First.
+        other: Second.
+    """
+    first, second = lanes_of(one), lanes_of(other)
+    return (first == second).all()
+
+
+def broadcast_arrays(*values: Any) -> Any:
+    """Return arrays of one shape.
+
+    Args:
+        values: Numbers or an array, in lanes or not.
+    """
+    parts = aligned(*(lanes_of(value) for value in values))
+    shape = np.broadcast_shapes(*(part.shape[1:] for part in parts))
+    return [Lanes(np.broadcast_to(part, (len(part), *shape))) for part in parts]
+
+
+def ndim(value: Any) -> int:
+    """Return how many axes there are.
+
+    Args:
+        value: A number, in lanes or not.
+    """
+    return int(value.ndim)
+
+
+def size(value: Any) -> int:
+    """Return how many entries there are.
+
+    Args:
+        value: A number, in lanes or not.
+    """
+    return int(value.size)
+
+
+def shape(value: Any) -> tuple[int, ...]:
+    """Return the shape.
+
+    Args:
+        value: A number, in lanes or not.
+    """
+    return tuple(value.shape)
+
+
+def ravel(value: Any) -> Any:
+    """Return all entries in one row.
+
+    Args:
+        value: A number, in lanes or not.
+    """
+    return value.ravel()
+
+
+def isscalar(value: Any) -> bool:
+    """Tell whether it is a number.
+
+    Args:
+        value: A number, in lanes or not.
+    """
+    return bool(value.ndim == 0)
+
+
+def interp(place: Any, places: Any, values: Any) -> Any:
+    """Return values between points, of each number that occurs once.
+
+    Args:
+        place: Where, in lanes.
+        places: Of the points.
+        values: Numbers or an array, in lanes or not.
+    """
+    numbers, where_ = np.unique(place.data, return_inverse=True)
+    found = np.array([np.interp(number, places, values) for number in numbers.tolist()])
+    return Lanes(found[where_.reshape(place.data.shape)])
+
+
+_READY = {"zeros", "ones", "zeros_like", "full"}
+"""What makes arrays that lanes are then written into."""
+_ALWAYS = {name: getattr(made, name) for name in ("array", "asarray", *_READY)}
+_BY_LANES = {
+    **{name: globals()[f"{name}_"] for name in ("sum", "max", "min", "any", "all")},
+    **{name: getattr(made, name) for name in ("stack", "concatenate", "vstack", "hstack")},
+    **{
+        name: globals()[name]
+        for name in (
+            "where", "argmax", "argmin", "unravel_index", "array_equal",
+            "broadcast_arrays", "ndim", "size", "shape", "ravel", "isscalar", "interp",
+        )
+    },
+}  # fmt: skip
+
+
+def _dispatched(name: str) -> Any:
+    real, own = getattr(np, name), _BY_LANES.get(name)
+    if isinstance(real, type) or not callable(real):
+        return real
+    if own is None:
+        own = _exactly(real) if name in _EXACT else _elementwise(real) if isinstance(real, np.ufunc) else _refused(real)
+
+    def computed(*values: Any, **named: Any) -> Any:
+        for value in values:
+            if type(value) is Lanes or (type(value) in (list, tuple) and has_lanes(value)):
+                return own(*values, **named)
+        return real(*values, **named)
+
+    return computed
+
+
+def _exactly(function: Any) -> Callable[..., Any]:
+    def computed(*values: Any) -> Any:
+        return Lanes(function(*aligned(*(asarray(v) if isinstance(v, list | tuple) else v for v in values))))
+
+    return computed
+
+
+def _elementwise(function: Any) -> Callable[..., Any]:
+    """Return a function of arrays entry by entry, over all lanes as over one long array."""
+
+    def computed(*values: Any) -> Any:
+        parts = np.broadcast_arrays(*aligned(*(asarray(v) if isinstance(v, list | tuple) else v for v in values)))
+        return Lanes(function(*(np.ascontiguousarray(part) for part in parts)))
+
+    return computed
+
+
+def _refused(function: Any) -> Callable[..., Any]:
+    def computed(*values: Any, **named: Any) -> Any:
+        raise Unsupported(f"numpy.{function.__name__} of lanes")
+
+    return computed
+
+
+class _Module:
+    """What twins import as numpy."""
+
+    linalg = linalg
+
+    def __getattr__(self, name: str) -> Any:
+        found = _ALWAYS[name] if name in _ALWAYS else _dispatched(name)
+        setattr(self, name, found)
+        return found
+
+
+numpy: Any = _Module()

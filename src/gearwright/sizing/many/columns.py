@@ -1,0 +1,207 @@
+"""Rows of one design sized at once, its numbers in lanes: by the twins of what sizes one design, with its bits.
+
+Rows whose computation takes another way part, and are computed apart. What cannot be computed in lanes, what is refused
+and groups too small to be worth it are left to the caller, who sizes each alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Bools, Floats, Ints
+from gearwright.errors import GearwrightError
+from gearwright.lanes import Diverged, Lanes
+from gearwright.sizing.many.search import Rows, choose_rows
+from gearwright.sizing.many.sizings import Structure, structure_of
+from gearwright.sizing.many.twinned import twinned
+from gearwright.sizing.teeth import Chosen
+from gearwright.spec import Design, edited
+from gearwright.spec.design import given_values
+from gearwright.spec.edit import entry_of, replaced
+
+LANES = 2048
+"""Rows that are computed at once [-]."""
+FEW = 12
+"""Rows that are sized sooner one by one than together [-]."""
+DEEP = 12
+"""How often rows may part before they are sized one by one [-]."""
+
+
+class Group(NamedTuple):
+    """Rows that differ by plain numbers alone."""
+
+    design: Design
+    """That has every entry; the numbers of its first row stand in it."""
+    rows: Ints
+    entries: Mapping[tuple[str, ...], Floats]
+    """Location of a number -> its value in each of these rows [SI]."""
+
+    def lanes(self, place: Ints, design: Design | None = None) -> Design:
+        """Return the design with the numbers of some of its rows in lanes."""
+        return replaced(design or self.design, {at: Lanes(values[place]) for at, values in self.entries.items()})
+
+
+@dataclass
+class Found:
+    """Results of rows that were computed in lanes."""
+
+    count: int
+    """Rows of all, also of those that are not computed here [-]."""
+    values: dict[str, Floats] = field(default_factory=dict)
+    """Result -> its value in every row [SI]; NaN where it is not computed here."""
+    dimensions: dict[str, str] = field(default_factory=dict)
+    """Result -> its dimension."""
+    done: Bools = field(default_factory=lambda: np.zeros(0, dtype=bool))
+    """Which rows are computed."""
+
+    def __post_init__(self) -> None:
+        self.done = np.zeros(self.count, dtype=bool)
+
+    def add(self, rows: Ints, numbers: Mapping[str, Any]) -> None:
+        """Note the results of some rows."""
+        for name, number in numbers.items():
+            if name not in self.values:
+                self.values[name] = np.full(self.count, np.nan)
+            value = number.value
+            self.values[name][rows] = value.data if isinstance(value, Lanes) else value
+            self.dimensions[name] = number.dimension
+        self.done[rows] = True
+
+
+def in_lanes(
+    design: Design, axes: Mapping[str, Sequence[Any]], results: Sequence[str] | None, *, count: int
+) -> tuple[Found, dict[int, Structure]]:
+    """Return the results of as many rows as can be computed at once, and the structures of those rows.
+
+    Args:
+        design: That the axes vary.
+        axes: Dotted path -> value in every row; None leaves a row its own.
+        results: Names of results; left out: totals.
+        count: Rows [-].
+    """
+    found, structures = Found(count), dict[int, Structure]()
+    if count >= FEW:
+        with np.errstate(all="ignore"):
+            for group in groups_of(design, axes, count):
+                structure = structure_of(group.design)
+                structures |= dict.fromkeys(group.rows.tolist(), structure)
+                for first in range(0, len(group.rows), LANES):
+                    _size(group, np.arange(first, min(first + LANES, len(group.rows))), found, results)
+    return found, structures
+
+
+def groups_of(design: Design, axes: Mapping[str, Sequence[Any]], count: int) -> Iterator[Group]:
+    """Yield the rows that differ by plain numbers alone, as far as they are many and allowed.
+
+    Args:
+        design: That the axes vary.
+        axes: Dotted path -> value in every row.
+        count: Rows [-].
+    """
+    columns = {path: list(values) for path, values in axes.items()}
+    plain = {path: all(_is_plain(cell) for cell in cells) for path, cells in columns.items()}
+    rows = dict[tuple[Any, ...], list[int]]()
+    others = [path for path in columns if not plain[path]]
+    for row in range(count):
+        rows.setdefault(tuple((type(columns[path][row]), columns[path][row]) for path in others), []).append(row)
+    for own in rows.values():
+        if len(own) >= FEW and (group := _group(design, columns, others, np.array(own))) is not None:
+            yield group
+
+
+def _is_plain(cell: Any) -> bool:
+    return isinstance(cell, float | int | np.floating | np.integer) and not isinstance(cell, bool)
+
+
+def _group(design: Design, columns: Mapping[str, list[Any]], others: Sequence[str], rows: Ints) -> Group | None:
+    """Return the rows of a group whose numbers are allowed; None where it has none."""
+    first = {path: _python(cells[rows[0]]) for path, cells in columns.items()}
+    try:
+        base = edited(design, {path: cell for path, cell in first.items() if cell is not None})
+    except GearwrightError:
+        return None
+    entries: dict[tuple[str, ...], Floats] = {}
+    good = np.ones(len(rows), dtype=bool)
+    for path, cells in columns.items():
+        own = [_python(cells[row]) for row in rows.tolist()]
+        if path in others:
+            continue
+        entry = entry_of(base, path)
+        if entry is None:
+            if any(cell != own[0] for cell in own):
+                return None
+            continue
+        values = np.array([entry.si(float(cell)) for cell in own])
+        allowed = entry.allowed
+        good &= np.isfinite(values) & (values > allowed.minimum if allowed.above else values >= allowed.minimum)
+        good &= values < allowed.maximum if allowed.below else values <= allowed.maximum
+        good &= (values == 0.0) | (np.abs(values) >= allowed.smallest)
+        entries[entry.location] = values
+    if not good.any():
+        return None
+    return Group(base, rows[good], {at: values[good] for at, values in entries.items()})
+
+
+def _python(cell: Any) -> Any:
+    return cell.item() if isinstance(cell, np.generic) else cell
+
+
+def _size(group: Group, place: Ints, found: Found, results: Sequence[str] | None) -> None:
+    """Size some rows of a group, and note their results."""
+    for part, rows in _parting(place, partial(_teeth, group)):
+        planets = np.stack([*rows.planets.values(), np.zeros(len(part))]) if rows.planets else np.zeros((1, len(part)))
+        for counts in np.unique(planets[:, rows.found], axis=1).T:
+            own = np.flatnonzero(rows.found & (planets == counts[:, None]).all(axis=0))
+            given = dict(zip(rows.planets, counts.astype(int).tolist(), strict=False))
+            teeth = {gear: numbers[own] for gear, numbers in rows.teeth.items()}
+            sized = partial(_numbers, group, part[own], teeth, given, results)
+            for some, numbers in _parting(np.arange(len(own)), sized):
+                found.add(group.rows[part[own[some]]], numbers)
+
+
+def _teeth(group: Group, place: Ints) -> Rows:
+    """Return the teeth of some rows, whose design nothing speaks against."""
+    design = group.lanes(place)
+    if twinned("gearwright.spec.checks.design").reference_problems(design) or given_values(design).problems:
+        raise TypeError("a design that is refused")
+    return choose_rows(design, twinned("gearwright.train").build_train(design), len(place))
+
+
+def _numbers(
+    group: Group, place: Ints, teeth: Mapping[str, Ints], planets: Mapping[str, int], results: Sequence[str] | None,
+    some: Ints,
+) -> Mapping[str, Any]:  # fmt: skip
+    """Return the results of some of the rows whose teeth are chosen."""
+    base = edited(group.design, {f"planetaries.{name}.planets": count for name, count in planets.items()})
+    design = group.lanes(place[some], base)
+    train = twinned("gearwright.train").build_train(design)
+    in_every: Any = {gear: Lanes(numbers[some]) for gear, numbers in teeth.items()}
+    given = given_values(design).values
+    sizing = twinned("gearwright.sizing.size").sized_with(design, train, Chosen(in_every, {}), given=given)
+    named = twinned("gearwright.sizing.answers.named")
+    if results is None:
+        return dict(named.total_results(sizing))
+    numbers = named.asked_results(sizing, results)
+    return {name: numbers[name] for name in results if name in numbers}
+
+
+def _parting(place: Ints, computed: Callable[[Ints], Any], depth: int = 0) -> Iterator[tuple[Ints, Any]]:
+    """Yield what a computation in lanes gives of rows, apart where they part; nothing of those that must be alone."""
+    if len(place) < FEW or depth > DEEP:
+        return
+    try:
+        result = computed(place)
+    except Diverged as parted:
+        labels = np.broadcast_to(np.asarray(parted.labels), (len(place),))
+    except (GearwrightError, ArithmeticError, LookupError, TypeError, ValueError, AttributeError, RecursionError):
+        return
+    else:
+        yield place, result
+        return
+    for label in np.unique(labels):
+        yield from _parting(place[labels == label], computed, depth + 1)

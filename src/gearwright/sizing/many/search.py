@@ -1,0 +1,254 @@
+"""The search for teeth of many designs of one structure: one front of choices, each with the row that it belongs to.
+
+Stage after stage it takes the steps of the search for one design (`sizing.teeth`), by the same functions of arrays; the
+row of a choice stands among its teeth, so that choices of different rows never leave the same to what comes after them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Bools, Floats, Ints
+from gearwright.lanes import Lanes, Unsupported, lanes_of
+from gearwright.sizing.many.twinned import twinned
+from gearwright.sizing.teeth.candidates import REACHES, Reach, is_given, planet_counts
+from gearwright.sizing.teeth.front import Front
+from gearwright.sizing.teeth.masses import aligned
+from gearwright.sizing.teeth.search import MANY, Chosen, carried_over, is_ready
+from gearwright.sizing.teeth.stage import (
+    PARENTS,
+    asked_ratios,
+    is_open,
+    near_candidates,
+    new_speeds,
+    tooth_ratio,
+    weighed_front,
+)
+from gearwright.sizing.teeth.states import EQUAL, Needs, needs_of, states_of
+from gearwright.spec import Design
+from gearwright.spec.edit import replaced
+
+ROW = "\0row"
+"""Under which name the row of a choice stands among its teeth."""
+
+AT_ONCE = 128
+"""Rows that are searched at once, so that memory is bounded [-]."""
+
+
+class Rows(NamedTuple):
+    """Teeth of many designs."""
+
+    teeth: dict[str, Ints]
+    """Gear -> tooth number in every row."""
+    planets: dict[str, Ints]
+    """Planetary set whose number of planets is open -> that number in every row."""
+    found: Bools
+    """Rows whose teeth are chosen; the others are to be searched alone."""
+
+
+def rows_of(value: Any, count: int) -> Any:
+    """Return a number of every row.
+
+    Args:
+        value: Lanes, or a number that all rows have.
+        count: Rows [-].
+    """
+    return np.broadcast_to(lanes_of(value).data, (count,))
+
+
+def _spread(rating: Any, row: Ints) -> Any:
+    """Return rules whose numbers that are lanes are those of the row of every choice."""
+    rules, material = rating.rules, rating.material
+    own = {name: value for name, value in rules.__dict__.items() if type(value) is Lanes}
+    steel = {name: value for name, value in vars(material).items() if type(value) is Lanes}
+    if own:
+        rules = replaced(rules, {(name,): rows_of(value, len(value.data))[row] for name, value in own.items()})
+    if steel:
+        material = replace(material, **{name: value.data[row] for name, value in steel.items()})
+    return replace(rating, rules=rules, material=material) if own or steel else rating
+
+
+class _Given(NamedTuple):
+    """What the search of a batch reads."""
+
+    design: Design
+    """As the case holds it that asks for the speeds; its numbers may be lanes."""
+    tasks: Sequence[Any]
+    nominal: Any
+    speeds: Mapping[str, Floats]
+    """Shaft -> asked speed in every row [rad/s]."""
+    asked: Mapping[str, Floats]
+    """Machine -> asked speed in every row [rad/s]."""
+    numbers: Mapping[str, tuple[Floats, Floats, Floats]]
+    """Stage -> torque, speed and rolling speed of its task in every row."""
+
+    def task(self, task: Any, front: Front) -> Any:
+        """Return a task with the numbers of every choice of a front."""
+        row = front.teeth[ROW]
+        torque, speed, rolling = (numbers[row] for numbers in self.numbers[task.name])
+        return replace(task, torque=torque, speed=speed, rolling=rolling, rating=_spread(task.rating, row))
+
+    def targets(self, front: Front) -> Any:
+        """Return the asked speeds of every choice of a front."""
+        row = front.teeth[ROW]
+        return replace(self.nominal, speeds={shaft: speed[row] for shaft, speed in self.speeds.items()})
+
+
+def choose_rows(design: Design, train: Any, count: int) -> Rows:
+    """Return the teeth of every row of a design whose numbers are lanes.
+
+    Args:
+        design: With lanes.
+        train: Its graph.
+        count: Rows [-].
+
+    Raises:
+        Unsupported: If its rows have to be searched one by one.
+    """
+    search = twinned("gearwright.sizing.teeth.search")
+    if all(is_given(stage) and len(planet_counts(name, design)) == 1 for name, stage in design.stages.items()):
+        teeth = search.given_teeth(design)
+        every = np.ones(count, dtype=bool)
+        return Rows({gear: rows_of(number, count) for gear, number in teeth.items()}, {}, every)
+    rules = design.teeth
+    if rules.sized != 1 or rules.split != "equal" or rules.ring_deviation:
+        raise Unsupported("teeth that are searched in another way")
+    nominal = search.targets(design)
+    if any(not is_given(stage) and nominal.tooth_ratios[name] <= 1.0 for name, stage in design.planetaries.items()):
+        raise Unsupported("a ring no larger than its sun")
+    flow, kept = search.nominal_flow(design, train, nominal)
+    design = nominal.design
+    tasks = [search.task_of(name, design, train, nominal, flow) for name in design.simple_stages]
+    if any(task.rating.proportions is not None for task in tasks):
+        raise Unsupported("gears that a standard rates")
+    tasks = search.with_twins(tasks, design, nominal)
+    given = _Given(
+        design, tasks, nominal,
+        {shaft: rows_of(speed, count) for shaft, speed in nominal.speeds.items()},
+        {name: rows_of(machine.asked_speed, count) for name, machine in design.machines.items()
+         if machine.asked_speed is not None},
+        {task.name: tuple(rows_of(number, count) for number in (task.torque, task.speed, task.rolling))
+         for task in tasks},
+    )  # fmt: skip
+    fronts = []
+    for first in range(0, count, AT_ONCE):
+        row = np.arange(first, min(first + AT_ONCE, count))
+        start = Front({ROW: row}, {shaft: given.speeds[shaft][row] for shaft in kept}, {}, {})
+        fronts.append(_searched(given, start))
+    return _chosen(given, search, fronts[0].joined(fronts[1:]), count)
+
+
+def _chosen(given: _Given, search: Any, front: Front, count: int) -> Rows:
+    """Return of every row the first of its lightest choices."""
+    mass, row = aligned(front, given.design).mass, front.teeth[ROW]
+    place = _first_lightest(row, mass, count)
+    found = place >= 0
+    teeth = {name: values[place] for name, values in front.teeth.items() if name != ROW}
+    teeth |= {gear: rows_of(number, count) for gear, number in search.compound_teeth(given.design).items()}
+    left_out = {name for name, stage in given.design.planetaries.items() if stage.planets_given is None}
+    return Rows(teeth, {name: values[place] for name, values in front.planets.items() if name in left_out}, found)
+
+
+def _first_lightest(row: Ints, mass: Floats, count: int) -> Ints:
+    """Return of every row the place of the first choice that is as light as any; −1 where it has none."""
+    least = np.full(count, np.inf)
+    if len(row):
+        starts = np.flatnonzero(np.r_[True, row[1:] != row[:-1]])
+        least[row[starts]] = np.minimum.reduceat(mass, starts)
+    light = np.flatnonzero(mass <= least[row] * (1.0 + EQUAL))
+    place = np.full(count, -1)
+    place[row[light[::-1]]] = light[::-1]
+    return place
+
+
+def _searched(given: _Given, front: Front) -> Front:
+    """Return whole combinations of every row, as far as they are found here."""
+    later = list(given.tasks)
+    front = carried_over(given.design, front)
+    while later:
+        task = next((task for task in later if is_ready(task, front)), None)
+        if task is None:
+            raise Unsupported("stages to which no known speed leads")
+        later.remove(task)
+        front = _extended(given, front, task, needs_of(later, given.design), last=not later)
+        front = carried_over(given.design, _not_too_many(front))
+    return front
+
+
+def _not_too_many(front: Front) -> Front:
+    """Leave out the rows that have so many choices that one design's search would look for those that cannot win."""
+    row = front.teeth[ROW]
+    if not len(row):
+        return front
+    many = np.bincount(row) > min(MANY, PARENTS)
+    return front.take(~many[row]) if many.any() else front
+
+
+def _extended(given: _Given, front: Front, task: Any, needs: Needs, *, last: bool) -> Front:
+    """Multiply every row's choices by a stage's candidates; those that find none look further."""
+    grown, waiting = list[Front](), front
+    for reach in REACHES:
+        added = _grown(given, waiting, task, reach)
+        if added is not None:
+            grown.append(_lightest(added, needs, last=last))
+            done = np.zeros(int(front.teeth[ROW].max()) + 1, dtype=bool)
+            done[added.teeth[ROW]] = True
+            waiting = waiting.take(~done[waiting.teeth[ROW]])
+        if not len(waiting):
+            break
+    if not grown:
+        raise Unsupported("no row has candidates")
+    whole = grown[0].joined(grown[1:]) if len(grown) > 1 else grown[0]
+    return whole.take(np.argsort(whole.teeth[ROW], kind="stable")) if len(grown) > 1 else whole
+
+
+def _grown(given: _Given, front: Front, task: Any, reach: Reach) -> Front | None:
+    """Return the choices that a stage's candidates make of those of a front."""
+    if is_open(front, task, given.design) and len(front) == 1:
+        raise Unsupported("a ratio that is the search's own choice")
+    own = given.task(task, front)
+    target = asked_ratios(front, own, given.targets(front))
+    parent, small, large = near_candidates(front, own, given.design, target, reach=reach)
+    actual = tooth_ratio(task, small, large)
+    grown = front.take(parent)
+    speeds = new_speeds(grown, task, actual)
+    good = _speeds_hold(given, task, speeds, grown.teeth[ROW])
+    if not good.any():
+        return None
+    grown = replace(grown, speeds={**grown.speeds, **speeds})
+    if not good.all():
+        grown, small, large = grown.take(good), small[good], large[good]
+    return weighed_front(grown, given.task(task, grown), given.design, small, large)
+
+
+def _speeds_hold(given: _Given, task: Any, speeds: Mapping[str, Floats], row: Ints) -> Bools:
+    """Tell which choices keep the machines' speeds within the tolerance; given teeth are as they are."""
+    good = np.ones(len(row), dtype=bool)
+    if is_given(task.stage):
+        return good
+    for name, asked in given.asked.items():
+        shaft = given.design.machines[name].shaft
+        if shaft in speeds:
+            good &= np.abs(speeds[shaft] / asked[row] - 1.0) <= given.design.teeth.speed_tolerance
+    return good
+
+
+def _lightest(front: Front, needs: Needs, *, last: bool) -> Front:
+    """Return the lightest of the choices of each row that leave the same to the stages after them."""
+    mass = front.mass
+    if last and not needs.gears and not needs.groups:
+        place = _first_lightest(front.teeth[ROW], mass, int(front.teeth[ROW].max()) + 1)
+        return front.take(place[place >= 0])
+    state = states_of(front, needs._replace(gears=needs.gears | {ROW}))
+    least = np.full(int(state.max()) + 1, np.inf)
+    np.minimum.at(least, state, mass)
+    light = np.flatnonzero(mass <= least[state] * (1.0 + EQUAL))
+    chosen = np.sort(light[np.unique(state[light], return_index=True)[1]])
+    return front if len(chosen) == len(front) else front.take(chosen)
+
+
+__all__ = ["Chosen", "Lanes", "Rows", "choose_rows"]

@@ -1,0 +1,247 @@
+"""What the twins of sizing do otherwise than their modules, because they do it for many designs at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from functools import wraps
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from gearwright.checks import ROUNDING
+from gearwright.lanes import CHANGES, Diverged, Lanes, Unsupported, chosen, lanes_of, twin
+from gearwright.spec.design import stage_shifts
+
+KEPT = 20_000
+"""Matrices of which the results are kept [-]."""
+
+
+def _remembered(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """Return a function of one matrix that looks every lane up by its own."""
+    kept: dict[tuple[bytes, tuple[int, ...]], Any] = {}
+
+    @wraps(function)
+    def looked_up(matrix: Any) -> Any:
+        data = lanes_of(matrix).data
+        places = dict[bytes, int]()
+        place = [places.setdefault(row.tobytes(), len(places)) for row in data]
+        shape = data.shape[1:]
+        results = [_result(kept, function, content, shape) for content in places]
+        if not isinstance(results[0], tuple):
+            return _gathered(results, place)
+        return tuple(_gathered([result[k] for result in results], place) for k in range(len(results[0])))
+
+    return looked_up
+
+
+def _result(kept: dict[Any, Any], function: Callable[[Any], Any], content: bytes, shape: tuple[int, ...]) -> Any:
+    if (content, shape) not in kept:
+        if len(kept) >= KEPT:
+            kept.clear()
+        found = function(np.frombuffer(content).reshape(shape))
+        kept[content, shape] = tuple(map(_plain, found)) if isinstance(found, tuple) else _plain(found)
+    return kept[content, shape]
+
+
+def _plain(found: Any) -> Any:
+    return found.data[0] if isinstance(found, Lanes) else found
+
+
+def _gathered(results: list[Any], place: list[int]) -> Lanes:
+    """Return the result of every lane; lanes whose results differ in shape part."""
+    if len(results) == 1:
+        return Lanes(results[0][None])
+    shapes = [str(result.shape) for result in results]
+    if len(set(shapes)) > 1:
+        raise Diverged(np.array(shapes)[place])
+    return Lanes(np.stack(results)[place])
+
+
+def _memory(module: ModuleType) -> None:
+    module.remembered = _remembered  # type: ignore[attr-defined]
+
+
+def _gate(module: ModuleType) -> None:
+    """Let the gate look at all lanes; those that it does not let pass are told apart."""
+    alone: Callable[..., bool] = module._is_number
+
+    def is_number(value: Any, *, endless: bool = False) -> bool:
+        if type(value) is not Lanes:
+            return alone(value, endless=endless)
+        good = ~np.isnan(value.data) if endless else np.isfinite(value.data)
+        whole = good.reshape(len(good), -1).all(axis=1)
+        return bool(Lanes(whole))
+
+    module._is_number = is_number  # type: ignore[attr-defined]
+
+
+def _checks(module: ModuleType) -> None:
+    """Leave checks in the order in which they are made: which is worst differs from design to design."""
+    in_order: Callable[..., Any] = module.accepted
+
+    def accepted(checks: Iterable[Any], waivers: Mapping[str, str]) -> Any:
+        return in_order(checks, waivers) if waivers else tuple(checks)
+
+    module.accepted = accepted  # type: ignore[attr-defined]
+
+
+def _interference(module: ModuleType) -> None:
+    """Let the tips of every lane pass until its own are beyond the ring."""
+    room_of = module.Room
+
+    def assembly_room(pair: Any) -> Any:
+        halves, active, best = module.tip_halves(pair), lanes_of(np.True_), None
+        last = lanes_of(pair.driver.teeth // 2)
+        for j in range(int(last.data.max()) + 1):
+            reaches, room = module.passing_tip(pair, j, halves)
+            active = active & reaches & (last >= j)
+            if not active.data.any():
+                break
+            if best is None:
+                if not bool(active):
+                    return None
+                best = room
+                continue
+            better = active & (room.clearance < best.clearance)
+            best = room_of(*(chosen(better, one, other) for one, other in zip(room, best, strict=True)))
+        return best
+
+    module.assembly_room = assembly_room  # type: ignore[attr-defined]
+
+
+def _by_teeth(module: ModuleType) -> None:
+    """Find shifts of teeth once for each teeth that occur: they repeat."""
+    in_lanes: Callable[..., Any] = module.stage_shifts
+
+    def stage_shifts_of(design: Any, name: str, teeth: Mapping[Any, Any]) -> Any:
+        columns = [lanes_of(number).data for number in teeth.values()]
+        count = max(map(len, columns))
+        rows = list(zip(*(np.broadcast_to(column, (count,)).tolist() for column in columns), strict=True))
+        places = dict[tuple[int, ...], int]()
+        place = [places.setdefault(row, len(places)) for row in rows]
+        try:
+            results = [stage_shifts(design, name, dict(zip(teeth, row, strict=True))) for row in places]
+        except TypeError:  # lanes in what it reads
+            return in_lanes(design, name, teeth)
+        return gathered(results, place)
+
+    module.stage_shifts = stage_shifts_of  # type: ignore[attr-defined]
+
+
+def gathered(results: list[Any], place: list[int]) -> Any:
+    """Return what each lane has of some results; lanes part where they are of different kinds.
+
+    Args:
+        results: Numbers, texts or nothing, or tuples of them.
+        place: Of every lane, which of them it has.
+    """
+    first = results[0]
+    if all(result == first for result in results):
+        return first
+    kinds = [type(result) for result in results]
+    if len(set(kinds)) > 1 or isinstance(first, str):
+        words = isinstance(first, str)
+        labels = [str(result) if words else kind.__name__ for result, kind in zip(results, kinds, strict=True)]
+        raise Diverged(np.array(labels)[place])
+    if isinstance(first, tuple):
+        parts = [gathered(list(entries), place) for entries in zip(*results, strict=True)]
+        return first._make(parts) if hasattr(first, "_make") else tuple(parts)
+    if not isinstance(first, int | float):
+        raise Unsupported(f"lanes of {type(first).__name__}")
+    return Lanes(np.array(results)[place])
+
+
+def _tooth_checks(module: ModuleType) -> None:
+    """Take of every lane the gear that is nearest to undercut; the check is named by the first."""
+    alone: Callable[..., Any] = module._undercut
+
+    def undercut(context: Any, gears: list[Any]) -> Any:
+        external = [gear for gear in gears if gear.name not in context.train.internal]
+        best, room = alone(context, external[:1]), None
+        for gear in external:
+            check, spare = alone(context, [gear]), gear.teeth - module.fewest_uncut(context, gear)
+            if room is None:
+                room = spare
+                continue
+            nearer = spare < room
+            best = replace(
+                best, value=chosen(nearer, check.value, best.value), limit=chosen(nearer, check.limit, best.limit)
+            )
+            room = chosen(nearer, spare, room)
+        return best
+
+    module._undercut = undercut  # type: ignore[attr-defined]
+
+
+def _named(module: ModuleType) -> None:
+    """Find the worst margin of every lane."""
+    totals = {**module._TOTALS, "worst_margin": lambda sizing: module.Named(worst_margin(sizing.checks), "ratio")}
+    module._TOTALS = totals  # type: ignore[attr-defined]
+
+
+_NEAR = 2e-9
+"""Margins that are nearer may be one in the order of checks, which rounds them to nine digits [-]."""
+
+
+def worst_margin(checks: Iterable[Any]) -> Any:
+    """Return the margin of the worst check of every lane [-].
+
+    Args:
+        checks: Of lanes, without waivers.
+    """
+    assessed = [check for check in checks if check.ratio is not None and not check.waiver]
+    if not assessed:
+        return math.inf
+    assessed.sort(key=lambda check: (str(check.part), check.what))
+    ranks = [np.where(lanes_of(check.ratio >= 1.0 - ROUNDING).data, 4.0, 0.0) + (check.reserve is None)
+             for check in assessed]  # fmt: skip
+    margins = [lanes_of(check.margin).data for check in assessed]
+    rank, margin = (np.stack(np.broadcast_arrays(*columns)) for columns in (ranks, margins))
+    margin = np.where(rank == rank.min(axis=0), margin, np.inf)
+    close = margin <= margin.min(axis=0) + _NEAR
+    unnamed = np.array([check.mode in _CHOSEN for check in assessed])
+    if (parted := (close.sum(axis=0) > 1) & close[unnamed].any(axis=0)).any():
+        raise Unsupported("checks that are one but for rounding") if parted.all() else Diverged(parted)
+    first = close & (np.cumsum(close, axis=0) == 1)
+    worst, rounded = margin[first.argmax(axis=0), np.arange(margin.shape[1])], None
+    for own, near in zip(margin, close & ~first, strict=True):
+        if near.any():
+            rounded = _rounded(worst) if rounded is None else rounded
+            lower = near & (_rounded(own) < rounded)
+            worst, rounded = np.where(lower, own, worst), np.where(lower, _rounded(own), rounded)
+    return Lanes(worst)
+
+
+_CHOSEN = ("undercut", "room between bodies")
+"""Modes of checks of which each lane has its own part or place."""
+
+
+def _rounded(values: Any) -> Any:
+    return np.array([round(value, DIGITS) for value in values.tolist()])
+
+
+DIGITS = 9
+"""To which the order of checks rounds margins [-]."""
+
+
+CHANGES.update({
+    "gearwright.sizing.answers.named": _named,
+    "gearwright.sizing.stages.tooth_checks": _tooth_checks,
+    "gearwright.parts.gears.internal_interference": _interference,
+    "gearwright.spec.design.teeth.profile_shifts": _by_teeth,
+    "gearwright.train.algebra.memory": _memory,
+    "gearwright.sizing.answers.gate": _gate,
+    "gearwright.checks": _checks,
+})  # fmt: skip
+
+
+def twinned(name: str) -> Any:
+    """Return the twin of a module of sizing.
+
+    Args:
+        name: Of the module.
+    """
+    return twin(name)
