@@ -26,7 +26,11 @@ def too_long(path):
         is_command = path.parent.name == "commands"
         # A wrapper may pass on what it wraps, typed by a ParamSpec or, in place of a library's function, as that takes it;
         # nothing else takes what it does not name.
-        loose = arguments.kwarg is not None and path.parent.name != "lanes" and not ast.unparse(arguments.kwarg.annotation).endswith(".kwargs")
+        loose = (
+            arguments.kwarg is not None
+            and path.parent.name != "lanes"
+            and not ast.unparse(arguments.kwarg.annotation).endswith(".kwargs")
+        )
         long = function.end_lineno - function.lineno >= LONGEST_FUNCTION
         if long or loose or (count > MOST_ARGUMENTS and not is_command):
             wrong.append(function.name)
