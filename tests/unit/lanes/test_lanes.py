@@ -17,6 +17,10 @@ ONE = [DRAW.uniform(0.1, 9.0) * 10.0 ** DRAW.randint(-6, 6) for _ in range(500)]
 OTHER = [DRAW.uniform(0.1, 9.0) for _ in range(500)]
 
 
+def pairs(one, other):
+    return zip(one, other, strict=True)
+
+
 def lanes(values):
     return Lanes(np.array(values))
 
@@ -39,15 +43,15 @@ def test_functions_give_the_bits_of_numbers(name):
 
 
 def test_complex_numbers_are_multiplied_and_divided_as_python_does():
-    one, other = ([complex(a, b) for a, b in pair] for pair in (zip(ONE, OTHER), zip(OTHER, reversed(ONE))))
+    one, other = ([complex(a, b) for a, b in pair] for pair in (pairs(ONE, OTHER), pairs(OTHER, ONE[::-1])))
     for function in (operator.mul, operator.truediv, operator.add):
-        assert function(lanes(one), lanes(other)).data.tolist() == [function(a, b) for a, b in zip(one, other)]
+        assert function(lanes(one), lanes(other)).data.tolist() == [function(a, b) for a, b in pairs(one, other)]
     assert abs(lanes(one)).data.tolist() == list(map(abs, one))
 
 
 def test_sums_extremes_and_roundings_are_those_of_numbers():
     columns = [ONE, OTHER, ONE[::-1]]
-    given, rows = list(map(lanes, columns)), list(zip(*columns))
+    given, rows = list(map(lanes, columns)), list(zip(*columns, strict=True))
     assert sum_(given).data.tolist() == list(map(sum, rows))
     assert max_(given).data.tolist() == list(map(max, rows))
     assert min_(*given).data.tolist() == list(map(min, rows))
