@@ -24,7 +24,7 @@ def too_long(path):
         arguments = function.args
         count = len(arguments.posonlyargs) + len(arguments.args) + len(arguments.kwonlyargs)
         is_command = path.parent.name == "commands"
-        # A wrapper may pass on what it wraps, typed by a ParamSpec, or as the library takes it in whose place it stands;
+        # A wrapper may pass on what it wraps, typed by a ParamSpec, or as the library takes it whose place it takes;
         # nothing else takes what it does not name.
         loose = (
             arguments.kwarg is not None
