@@ -15,7 +15,7 @@ from gearwright.machines.power import exhaust_heat
 from gearwright.mission.flight import Balance, Flight, PackWear, consumed, fuel_energy
 from gearwright.mission.gearbox import Drag, Gearbox, Point
 from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, stacked
-from gearwright.mission.plant import Pack, PackState, Warmths
+from gearwright.mission.plant import DryRun, GearHeat, Pack, PackState, Warm, Warmths, dry_run
 from gearwright.mission.profile import Moment
 from gearwright.mission.supply import Drawn, Supply
 from gearwright.mission.thrust import Blades, Performance
@@ -41,6 +41,8 @@ class Interval(NamedTuple):
     """Of the battery at its end."""
     warmths: Warmths
     """Of the motors at its end."""
+    warm: Warm | None
+    """Of the gearbox at its end."""
 
 
 class Flown(NamedTuple):
@@ -65,7 +67,7 @@ class Lost(NamedTuple):
 
 
 def recorded(
-    moment: Moment, performance: Performance, drawn: Drawn, *, lost: Lost, work: float, share: float
+    moment: Moment, performance: Performance, drawn: Drawn, *, lost: Lost, work: float, share: float, warm: Warm | None
 ) -> History[float]:
     """Return what is recorded of an interval.
 
@@ -76,6 +78,7 @@ def recorded(
         lost: On the way.
         work: Power of the propeller's shaft [W].
         share: Motors' part of the machines' power [-].
+        warm: Temperatures of the gearbox at its end, where they are followed.
     """
     return History(
         time=moment.time,
@@ -107,6 +110,10 @@ def recorded(
         bearing_loss=lost.friction.bearings,
         windage_loss=lost.friction.windage,
         churning_loss=lost.friction.churning,
+        oil_temperature=warm.oil if warm else None,
+        gears_temperature=warm.gears if warm else None,
+        bearings_temperature=warm.bearings if warm else None,
+        housing_temperature=warm.housing if warm else None,
         gearbox_heat=lost.meshes + sum(lost.friction),
         motor_loss=lost.motors,
         battery_loss=drawn.battery.loss,
@@ -130,6 +137,8 @@ def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
     history = stacked([interval.values for interval in intervals])
     heat = history.gearbox_heat
     oil_outlet = mission.oil.inlet_temperature_k + mission.oil.rise_k * heat / heat.max()
+    if history.oil_temperature is not None:
+        oil_outlet = history.oil_temperature
     nodes = _nodes(gearbox, intervals)
     machines = {
         name: MachineHistory(np.array([interval.powers[name] for interval in intervals]), nodes[shaft].speed)
@@ -149,6 +158,7 @@ def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
         pack=_wear(flown.supply.pack, intervals[-1].pack),
         oil_flow=oil_flow(float(heat.max()), mission.oil.rise_k),
         cooler_conductance=_cooler(mission, history, oil_outlet),
+        dry=_dry(mission, gearbox, intervals),
         inertia=gearbox.inertia,
         propeller_map=blades.chart,
     )
@@ -169,6 +179,8 @@ def _meshes(gearbox: Gearbox, intervals: Sequence[Interval]) -> dict[str, MeshHi
 
 def _cooler(mission: Mission, history: History[Floats], oil_outlet: Floats) -> float:
     """The largest conductance that any interval needs [W/K]."""
+    if mission.oil.network is not None:
+        return mission.oil.network.cooler_w_k
     oil, air = 0.5 * (mission.oil.inlet_temperature_k + oil_outlet), history.air_temperature
     if float((oil - air).min()) < _LEAST_COOLING:
         message = (
@@ -178,6 +190,18 @@ def _cooler(mission: Mission, history: History[Floats], oil_outlet: Floats) -> f
         raise DesignError([Problem("oil.inlet_temperature_k", message)])
     rows = zip(history.gearbox_heat, oil, air, strict=True)
     return max(cooler_conductance(float(power), float(warm), float(cold)) for power, warm, cold in rows)
+
+
+def _dry(mission: Mission, gearbox: Gearbox, intervals: Sequence[Interval]) -> DryRun | None:
+    """How long the gearbox runs without oil from the end of the phase that the mission names."""
+    rules = mission.oil.network
+    if rules is None or rules.dry_from is None:
+        return None
+    k = max(place for place, interval in enumerate(intervals) if interval.phase == rules.dry_from)
+    warm, row = intervals[k].warm, intervals[k].values
+    assert warm is not None  # followed where there is a network
+    heat = GearHeat(row.mesh_loss, row.bearing_loss, row.windage_loss, row.churning_loss)
+    return dry_run(rules, gearbox.sizing.mass, warm, heat=heat, air=row.air_temperature)
 
 
 def _wear(pack: Pack | None, end: PackState) -> PackWear | None:

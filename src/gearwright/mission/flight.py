@@ -27,6 +27,7 @@ from gearwright.mission.history import (
     Series,
     marked_series,
 )
+from gearwright.mission.plant import DryRun
 from gearwright.showing import Shown, frame
 from gearwright.sizing import Sizing
 from gearwright.spec import GROUND, Mission
@@ -128,6 +129,8 @@ class Flight(Shown):
     """Through the gearbox [m³/s]."""
     cooler_conductance: float
     """U A that cools the oil at its hottest [W/K]."""
+    dry: DryRun | None
+    """Without oil, from the end of a phase that the mission names."""
     inertia: float
     """Of everything that turns, at the propeller [kg m²]."""
     propeller_map: PropellerMap | None

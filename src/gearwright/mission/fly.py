@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,7 +16,7 @@ from gearwright.mission.flight import Flight
 from gearwright.mission.gearbox import Point, gearbox_of
 from gearwright.mission.loading import Asked, loaded
 from gearwright.mission.oil import flown_oil
-from gearwright.mission.plant import PackState, Warmths, started
+from gearwright.mission.plant import GearHeat, PackState, Warm, Warmths, oil_start, oil_step, started
 from gearwright.mission.profile import Moment, moments
 from gearwright.mission.strategies import Then, planned_shares, shared
 from gearwright.mission.supplied import supply_of
@@ -35,6 +36,8 @@ class _Before(NamedTuple):
     """Of the battery."""
     warmths: Warmths
     """Of the motors."""
+    warm: Warm | None
+    """Of the gearbox; None where a mission does not follow it."""
     burnt: float
     """Fuel of all engines [kg]."""
     clocks: Clocks
@@ -75,7 +78,7 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
         intervals.append(interval)
         engines = mission.phases[moment.phase].engines or mission.engines
         burnt = before.burnt + interval.values.fuel_flow * moment.duration * engines
-        before = _Before(interval.point, interval.pack, interval.warmths, burnt, clocks)
+        before = _Before(interval.point, interval.pack, interval.warmths, interval.warm, burnt, clocks)
     return collect(flown, intervals)
 
 
@@ -85,7 +88,9 @@ def _start(flown: Flown) -> _Before:
     charge = rules.start_charge if rules else 0.0
     pack = supply.pack.start(charge) if supply.pack else PackState(charge)
     air = next(iter(moments(flown.mission))).air.temperature
-    return _Before(None, pack, started(supply.windings, supply.motors, air), 0.0, {})
+    oil = flown.mission.oil
+    warm = oil_start(oil.network, oil.inlet_temperature_k) if oil.network else None
+    return _Before(None, pack, started(supply.windings, supply.motors, air), warm, 0.0, {})
 
 
 def _chart(mission: Mission, folder: Path | None) -> PropellerMap | None:
@@ -104,6 +109,7 @@ def _placed(error: DesignError, moment: Moment) -> DesignError:
 
 def _interval(flown: Flown, moment: Moment, before: _Before, planned: float) -> Interval:
     """Return what is recorded of an interval."""
+    flown = _oiled(flown, before.warm)
     gearbox, blades, mission, supply = flown
     phase = mission.phases[moment.phase]
     wanted = propeller_power(blades, mission, moment, burnt=before.burnt)
@@ -117,8 +123,27 @@ def _interval(flown: Flown, moment: Moment, before: _Before, planned: float) -> 
     performance = performed(blades, moment, point.work)
     lost = Lost(point.mesh_loss, friction, drawn.motor_loss + dragged, spin_up)
     share = sum(asked.parts.get(name, 0.0) for name in supply.motors)
-    values = recorded(moment, performance, drawn, lost=lost, work=point.work, share=share)
-    return Interval(moment.phase, values, powers, point, drawn.pack, drawn.warmths)
+    warm = _warmed(flown, moment, before.warm, lost)
+    values = recorded(moment, performance, drawn, lost=lost, work=point.work, share=share, warm=warm)
+    return Interval(moment.phase, values, powers, point, drawn.pack, drawn.warmths, warm)
+
+
+def _oiled(flown: Flown, warm: Warm | None) -> Flown:
+    """Return what flies with oil as warm as it is."""
+    if warm is None:
+        return flown
+    oil = flown.gearbox.oil._replace(temperature=warm.oil)
+    return flown._replace(gearbox=replace(flown.gearbox, oil=oil))
+
+
+def _warmed(flown: Flown, moment: Moment, warm: Warm | None, lost: Lost) -> Warm | None:
+    """Return the temperatures of a gearbox at the end of an interval."""
+    rules = flown.mission.oil.network
+    if warm is None or rules is None:
+        return None
+    heat, mass = GearHeat(lost.meshes, *lost.friction), flown.gearbox.sizing.mass
+    air, duration = moment.air.temperature, moment.duration
+    return oil_step(rules, mass, warm, heat=heat, air=air, duration=duration)[0]
 
 
 def _clocks(flown: Flown, moment: Moment, interval: Interval, before: Clocks) -> Clocks:

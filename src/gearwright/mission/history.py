@@ -87,6 +87,11 @@ class History(Generic[T]):
     bearing_loss: Annotated[T, Quantity("power"), BEARING_LOSS]
     windage_loss: Annotated[T, Quantity("power"), WINDAGE_LOSS]
     churning_loss: Annotated[T, Quantity("power"), CHURNING_LOSS]
+    oil_temperature: Annotated[T | None, Quantity("absolute_temperature"), WARMTH]
+    """At the end of the interval, like those below; None where a mission does not follow them."""
+    gears_temperature: Annotated[T | None, Quantity("absolute_temperature"), WARMTH]
+    bearings_temperature: Annotated[T | None, Quantity("absolute_temperature"), WARMTH]
+    housing_temperature: Annotated[T | None, Quantity("absolute_temperature"), WARMTH]
     gearbox_heat: Annotated[T, Quantity("power"), Origin("meshes + bearings + windage + churning", "heat balance")]
     motor_loss: Annotated[T, Quantity("power"), MOTOR_LOSS]
     """Motors and inverters, and motors that are dragged without current."""

@@ -33,7 +33,7 @@ from gearwright.spec.flying import MOST_INTERVALS, is_map_file, mission_problems
 from gearwright.spec.keys import keys_of
 from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.mission import NO_MAP, BatteryRules, BearingLifeRules, Mission, MotorRules, Phase, engine_out
-from gearwright.spec.power import CellRules, StrategyRules, WindingRules
+from gearwright.spec.power import CellRules, OilNetworkRules, StrategyRules, WindingRules
 from gearwright.spec.read import file_text, parse, placed, read
 from gearwright.spec.record import Record, build
 from gearwright.spec.schema import records, schema
@@ -79,6 +79,7 @@ __all__ = [
     "Mission",
     "Motor",
     "MotorRules",
+    "OilNetworkRules",
     "OneOf",
     "Pair",
     "Phase",

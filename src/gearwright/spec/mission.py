@@ -8,7 +8,7 @@ from pydantic import Field
 
 from gearwright.showing import Shown
 from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageName
-from gearwright.spec.power import CellRules, StrategyRules, WindingRules
+from gearwright.spec.power import CellRules, OilNetworkRules, StrategyRules, WindingRules
 from gearwright.spec.record import Record
 from gearwright.spec.windows import GovernorRules, WindowRules
 from gearwright.units import Angle, Area, Energy, Length, Mass, Power, Ratio, Speed, Time, Velocity
@@ -132,6 +132,9 @@ class OilRules(Record):
     dip: dict[str, Ratio] = Field(
         default_factory=dict,
         description="Gear -> part of it that dips into an oil bath, 0 to 1: it churns; left out: as in the design",
+    )
+    network: OilNetworkRules | None = Field(
+        None, description="Temperatures of oil, gears, bearings and housing; left out: the oil is as warm as stated"
     )
 
 

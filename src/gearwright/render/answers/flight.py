@@ -103,6 +103,18 @@ class LifeAnswer:
 
 
 @dataclass(frozen=True)
+class DryAnswer:
+    """How long a gearbox runs without oil."""
+
+    lasts: Time
+    """Until the first limit; null where none is reached within six hours."""
+    part: str
+    """What reaches its limit first."""
+    gears: Annotated[float, Quantity("absolute_temperature")]
+    bearings: Annotated[float, Quantity("absolute_temperature")]
+
+
+@dataclass(frozen=True)
 class FlyAnswer:
     """A flown mission, of one gearbox."""
 
@@ -122,6 +134,8 @@ class FlyAnswer:
     oil_flow: Annotated[float, Quantity("oil_flow")]
     oil_hottest: Annotated[float, Quantity("absolute_temperature")]
     """Behind the gearbox."""
+    dry: DryAnswer | None
+    """Null where the mission does not ask for it."""
     damage: tuple[PartDamage, ...]
     """The worst first."""
     bearings: tuple[SeatBearing, ...]
@@ -154,6 +168,7 @@ def fly_answer(flight: Flight, parts: Durability, review: Review, *, life: LifeS
         phases=phase_summaries(flight),
         oil_flow=flight.oil_flow,
         oil_hottest=flight.hottest_oil,
+        dry=None if flight.dry is None else DryAnswer(*flight.dry),
         damage=tuple(PartDamage(row.name, row.mode, row.damage, row.flights, row.life * _HOUR) for row in parts.parts),
         bearings=tuple(
             SeatBearing(

@@ -96,6 +96,14 @@ def _totals(flight: Flight) -> list[str]:
         f" the gearbox; a cooler of {flight.cooler_conductance:.0f} W/K",
         f"Energies close {energy_text(balance.residual)}",
     ]
+    if flight.dry is not None:
+        rules = flight.mission.oil.network
+        ends = (
+            f"{flight.dry.part} at their limit after {flight.dry.lasts / 60.0:.1f} min"
+            if flight.dry.part
+            else "no limit"
+        )
+        lines.append(f"Without oil from the end of {rules.dry_from if rules else ''}: {ends}")
     if balance.consumers:
         lines.insert(1, f"Accessories, tail rotors and other loads take {balance.consumers / KWH:.2f} kWh")
     if flight.has_battery:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from gearwright.catalogue import USUAL_HARDNESS, gear_steel
-from gearwright.errors import DesignError, Problem
+from gearwright.errors import DesignError, Problem, near
 from gearwright.spec.checks import STEEL_KEYS
 from gearwright.spec.flying.strategies import strategy_problems
 from gearwright.spec.mission import NO_MAP, BatteryRules, GearLifeRules, Mission, OilRules, Phase
@@ -33,6 +33,7 @@ def mission_problems(mission: Mission) -> list[Problem]:
         problems += [Problem(at, message) for message in _altitude(phase, last)]
         last = phase.altitude
     problems += strategy_problems(mission)
+    problems += _network(mission)
     problems += _shares(mission.motor.loss_shares)
     problems += [
         *_steel(mission.gears),
@@ -74,6 +75,13 @@ def _cells(rules: BatteryRules | None) -> Iterator[Problem]:
             f"{cells.highest_temperature_k:g} K is not above the lowest, {cells.lowest_temperature_k:g} K; raise it"
         )
         yield Problem(f"{at}.highest_temperature_k", message)
+
+
+def _network(mission: Mission) -> Iterator[Problem]:
+    network = mission.oil.network
+    if network is not None and network.dry_from is not None and network.dry_from not in mission.phases:
+        message = f"there is no phase {network.dry_from!r}; {near(network.dry_from, mission.phases)}"
+        yield Problem("oil.network.dry_from", message)
 
 
 def _shares(shares: list[float] | None) -> Iterator[Problem]:

@@ -3,7 +3,8 @@
 Records alone; `spec/flying` checks what does not fit together, `mission` flies them.
 """
 
+from gearwright.spec.power.oil import OilNetworkRules
 from gearwright.spec.power.strategies import KEYS_OF, NEEDED, StrategyRules
 from gearwright.spec.power.warmth import CellRules, WindingRules
 
-__all__ = ["KEYS_OF", "NEEDED", "CellRules", "StrategyRules", "WindingRules"]
+__all__ = ["KEYS_OF", "NEEDED", "CellRules", "OilNetworkRules", "StrategyRules", "WindingRules"]
