@@ -28,6 +28,7 @@ from gearwright.catalogue.propellers import (
     propeller_map,
     read_propeller_map,
 )
+from gearwright.catalogue.published_gearboxes import PublishedGearbox, published_gearboxes
 
 __all__ = [
     "CENTRE_FITS",
@@ -49,6 +50,7 @@ __all__ = [
     "HousingMaterial",
     "ModifiedLife",
     "Printed",
+    "PublishedGearbox",
     "Series",
     "StandardKey",
     "all_series",
@@ -77,6 +79,7 @@ __all__ = [
     "nearest",
     "notes",
     "propeller_map",
+    "published_gearboxes",
     "rated_steel",
     "read_propeller_map",
     "seat_tolerance",

@@ -26,7 +26,7 @@ def mass(
         power: At the rating that sizes the gearbox [W].
         engine_speed: Of the input [rad/s].
         propeller_speed: Of the propeller or rotor [rad/s].
-        bottom_up: Sum of the parts of a sized design, as `Sizing.mass` [kg].
+        bottom_up: Sum of the parts of a sized design, as the total of `gw.complete_mass` [kg].
         stated: The user's own mass with its origin; it wins over every estimate.
 
     Raises:

@@ -14,7 +14,7 @@ from gearwright.weights.methods import methods
 from gearwright.weights.refit import Band, bands
 from gearwright.weights.requirement import Requirement
 
-PARTS = "sum of gears, shafts and carriers of the sized design, without housing, bearings and oil"
+PARTS = "sum of the parts of the sized design"
 """Origin of a bottom-up mass."""
 
 
@@ -56,7 +56,7 @@ class Comparison(Shown):
 
     @property
     def taken(self) -> StatedMass | None:
-        """The mass for every later result: the user's own, else the refit's median; a sum of parts has no housing."""
+        """The mass for every later result: the user's own, else the refit's median; a sum of parts stands beside it."""
         return self.stated or self._from_refit()
 
     @property
@@ -75,7 +75,7 @@ class Comparison(Shown):
 def compare(
     requirement: Requirement,
     *,
-    bottom_up: Mass | None = None,
+    bottom_up: Mass | StatedMass | None = None,
     stated: StatedMass | None = None,
     count: int = 5,
 ) -> Comparison:
@@ -83,7 +83,7 @@ def compare(
 
     Args:
         requirement: Power and speeds.
-        bottom_up: Sum of the parts of a sized design [kg].
+        bottom_up: Sum of the parts of a sized design, with its origin or alone [kg].
         stated: The user's own mass with its origin.
         count: How many engines to show [-].
 
@@ -99,6 +99,6 @@ def compare(
         estimates=estimates,
         bands=bands(requirement) if has_refit else (),
         engines=nearest(requirement.power, requirement.engine_speed, requirement.propeller_speed, count=count),
-        bottom_up=None if bottom_up is None else StatedMass(bottom_up, PARTS),
+        bottom_up=bottom_up if bottom_up is None or isinstance(bottom_up, StatedMass) else StatedMass(bottom_up, PARTS),
         stated=stated,
     )

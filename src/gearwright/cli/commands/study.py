@@ -122,14 +122,27 @@ def compare(
     chosen = {name: design_of(name) for name in study.designs}
     table = compared(chosen, power=power, engine_speed=engine, propeller_speed=propeller, changes=study.changes)
     show_table("compare", table, csv=csv, json=json, jsonl=jsonl)
+    fitted = {
+        row.design: for_requirement(chosen[row.design], power=power, engine_speed=engine, propeller_speed=propeller)
+        for row in table.good
+    }
+    if not json and not jsonl:
+        _show_statistics(table, fitted)
     if figure is not None:
         _draw(study, table, figure)
     if report is not None:
-        fitted = {
-            row.design: for_requirement(chosen[row.design], power=power, engine_speed=engine, propeller_speed=propeller)
-            for row in table.good
-        }
         _write_comparison(report, table, fitted, study.changes)
+
+
+def _show_statistics(table: Table, designs: dict[str, Design]) -> None:
+    """Show what real gearboxes weigh, where the designs are of one requirement; their powers are then alike."""
+    from gearwright.render.words.masses import beside_statistics
+    from gearwright.sizing import size
+
+    first = next(iter(designs.values()), None)
+    sentence = "" if first is None else beside_statistics(table, size(first))
+    if sentence:
+        show(sentence)
 
 
 def _write_comparison(path: Path, table: Table, designs: dict[str, Design], changes: dict[str, Value]) -> None:

@@ -20,6 +20,7 @@ from gearwright.writing import write_text
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from gearwright.sizing import Sizing
     from gearwright.weights import CheckedEngine, StatedMass
 
 _KW = 1e3
@@ -117,7 +118,7 @@ def mass(
     sizing = sized(design) if design is not None else None
     comparison = compare(
         Requirement(power_kw * _KW, engine_rpm * RPM, propeller_rpm * RPM),
-        bottom_up=sizing.mass if sizing is not None else None,
+        bottom_up=_of_parts(sizing) if sizing is not None else None,
         stated=stated_mass(mass_kg, origin),
     )
     if json:
@@ -134,6 +135,18 @@ def mass(
 
         write_text(report, weights_page(comparison))
         tell(f"wrote {report}")
+
+
+def _of_parts(sizing: Sizing) -> StatedMass:
+    """Return the sum of all parts of a sizing, with its band and what gears, shafts and carriers are of it."""
+    from gearwright.sizing.mass import complete_mass
+    from gearwright.units import text
+    from gearwright.weights import StatedMass
+
+    mass = complete_mass(sizing)
+    low, high, solid = (text(value, "mass", 3) for value in (*mass.band, sizing.parts_mass))
+    words = f"sum of its parts, 68 % from {low} to {high}; its gears as solid bodies, shafts and carriers {solid}"
+    return StatedMass(mass.total, words)
 
 
 def _sort_keys() -> dict[Order, Callable[[CheckedEngine], float | str]]:

@@ -11,6 +11,7 @@ from gearwright.errors import DesignError, Problem, near
 from gearwright.sizing.answers.passing import ways_of
 from gearwright.sizing.arrangement import envelope
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
+from gearwright.sizing.mass import complete_mass
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.result import GearSizing, MachineSizing, Sizing
 from gearwright.train import PowerFlow
@@ -40,7 +41,7 @@ def named_results(sizing: Sizing) -> dict[str, Named]:
     box = envelope(sizing)
     sides = {f"envelope.{side}": Named(getattr(box, side), "length") for side in ("width", "height", "length")}
     sides["envelope.volume"] = Named(box.volume, "volume")
-    return {**total_results(sizing), **sides, **dict(_parts(sizing))}
+    return {**total_results(sizing), **complete_results(sizing), **sides, **dict(_parts(sizing))}
 
 
 def total_results(sizing: Sizing) -> dict[str, Named]:
@@ -52,6 +53,16 @@ def total_results(sizing: Sizing) -> dict[str, Named]:
     return {name: total(sizing) for name, total in _TOTALS.items()}
 
 
+def complete_results(sizing: Sizing) -> dict[str, Named]:
+    """Return the sum of all parts and the limits of its band of 68 %, by name.
+
+    Args:
+        sizing: What was sized.
+    """
+    mass = complete_mass(sizing)
+    return {name: Named(value, "mass") for name, value in zip(_SUMS, (mass.total, *mass.band), strict=True)}
+
+
 def asked_results(sizing: Sizing, asked: Collection[str]) -> dict[str, Named]:
     """Return results of a sizing with those that are asked among them, where it has them; little more than need be.
 
@@ -59,8 +70,9 @@ def asked_results(sizing: Sizing, asked: Collection[str]) -> dict[str, Named]:
         sizing: What was sized.
         asked: Their names.
     """
-    if all(name in _TOTALS for name in asked):
-        return {name: _TOTALS[name](sizing) for name in asked}
+    if all(name in _TOTALS or name in _SUMS for name in asked):
+        sums = complete_results(sizing) if set(asked) & set(_SUMS) else {}
+        return {name: sums[name] if name in sums else _TOTALS[name](sizing) for name in asked}
     return named_results(sizing)
 
 
@@ -75,6 +87,8 @@ def _efficiency(flow: PowerFlow) -> float:
     return 1.0 - flow.loss / sum(power for power in flow.machine_powers.values() if power > 0.0)
 
 
+_SUMS = ("complete_mass", "complete_mass.low", "complete_mass.high")
+"""Results of the complete mass."""
 _TOTALS: Mapping[str, Callable[[Sizing], Named]] = MappingProxyType({
     "mass": lambda sizing: Named(sizing.mass, "mass"),
     "gear_mass": lambda sizing: Named(sizing.gear_mass, "mass"),

@@ -3,7 +3,7 @@
 The mass of gears, shafts and carriers by which designs are chosen is `Sizing.mass`; statistics are `weights`'s.
 """
 
-from gearwright.sizing.mass.beside import Statistics, requirement_of, statistics_beside
+from gearwright.sizing.mass.beside import Statistics, band_of, requirement_of, statistics_beside
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
 from gearwright.sizing.mass.gears import gear_blank
@@ -21,6 +21,7 @@ __all__ = [
     "Shell",
     "Statistics",
     "Wall",
+    "band_of",
     "complete_mass",
     "gear_blank",
     "reaction_torque",

@@ -38,7 +38,8 @@ def bearing_items(sizing: Sizing, duties: Sequence[SeatDuty], bores: Mapping[str
             "catalogue of bearings",
         )
     yield from _estimated(sizing, duties)
-    yield from _ends(sizing, duties)
+    if sizing.design.housing.own:  # else what stands around the gearbox holds its shafts, too
+        yield from _ends(sizing, duties)
     for bore in dict.fromkeys(bores.values()):
         formula = "catalogue" if bore.named else "m = (C/c)^1.5, in the room between pin and rim"
         source, sure = ("catalogue of bearings", _CHOSEN) if bore.named else (SOURCE, SURE)

@@ -47,6 +47,19 @@ def requirement_of(sizing: Sizing) -> Requirement | None:
         return None
 
 
+def band_of(need: Requirement) -> tuple[float, float, float] | None:
+    """Return median and 68 % limits of the refit [kg]; None outside the range of its weights.
+
+    Args:
+        need: Power and speeds.
+    """
+    refit = estimate(next(method for method in methods() if method.key == "refit"), need)
+    if refit.mass is None:
+        return None
+    (band,) = bands(need, (_LEVEL,))
+    return refit.mass, band.low, band.high
+
+
 def statistics_beside(sizing: Sizing, mass: CompleteMass) -> Statistics:
     """Return the refit's band for a design, and a sentence on the sum of its parts.
 
@@ -57,11 +70,11 @@ def statistics_beside(sizing: Sizing, mass: CompleteMass) -> Statistics:
     need = requirement_of(sizing)
     if need is None:
         return Statistics(None, None, None, "No statistics: they are of gearboxes that reduce an engine's speed.")
-    refit = estimate(next(method for method in methods() if method.key == "refit"), need)
-    if refit.mass is None:
-        return Statistics(None, None, None, f"No statistics: {refit.reason}.")
-    (band,) = bands(need, (_LEVEL,))
-    return Statistics(refit.mass, band.low, band.high, _sentence(mass, refit.mass, (band.low, band.high)))
+    found = band_of(need)
+    if found is None:
+        return Statistics(None, None, None, "No statistics: its β is outside that of the 61 weights.")
+    median, low, high = found
+    return Statistics(median, low, high, _sentence(mass, median, (low, high)))
 
 
 def _sentence(mass: CompleteMass, median: float, band: tuple[float, float]) -> str:

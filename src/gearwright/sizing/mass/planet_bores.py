@@ -35,12 +35,13 @@ class PlanetBore(NamedTuple):
     """Whether the design names it."""
 
 
-def planet_bores(sizing: Sizing, duties: Sequence[SeatDuty]) -> dict[str, PlanetBore]:
+def planet_bores(sizing: Sizing, duties: Sequence[SeatDuty], *, films: bool = False) -> dict[str, PlanetBore]:
     """Return planet gear -> what it turns on.
 
     Args:
         sizing: As sized.
         duties: From `seat_duties`.
+        films: Whether planets turn on films of oil instead, on hollow pins that fill their bores.
     """
     ratings: dict[str, float] = {}
     for duty in duties:
@@ -49,7 +50,9 @@ def planet_bores(sizing: Sizing, duties: Sequence[SeatDuty]) -> dict[str, Planet
     pins = {carrier.stage: carrier.pin_diameter for carrier in sizing.carriers}
     bores: dict[str, PlanetBore] = {}
     for body in planet_bodies(sizing.design, sizing.gears):
-        bore = _named(body) or _estimated(body, pins[body.stage], ratings)
+        pin = pins[body.stage]
+        film = PlanetBore(str(body.part), max(_room(body), pin), 0.0, body.steps[0].bodies, named=False)
+        bore = film if films else _named(body) or _estimated(body, pin, ratings)
         bores |= {step.name: bore for step in body.steps}
     return bores
 
@@ -65,8 +68,12 @@ def _named(body: PlanetBody) -> PlanetBore | None:
 
 def _estimated(body: PlanetBody, pin: float, ratings: Mapping[str, float]) -> PlanetBore:
     """Return a bearing as heavy as its load asks, as wide as the planet, in the room between pin and rim."""
-    room = min(step.pitch_diameter - 2.0 * _RIM * step.module for step in body.steps)
     steel = _SHARE * math.pi / 4.0 * body.width * STEEL_DENSITY
     wanted = math.sqrt(pin**2 + loaded_mass(ratings.get(body.stage, 0.0)) / steel)
-    outside = max(min(max(wanted, pin * (1.0 + 2.0 * _LEAST)), room), pin)
+    outside = max(min(max(wanted, pin * (1.0 + 2.0 * _LEAST)), _room(body)), pin)
     return PlanetBore(str(body.part), outside, steel * (outside**2 - pin**2), body.steps[0].bodies, named=False)
+
+
+def _room(body: PlanetBody) -> float:
+    """Return the diameter inside the rim of a planet, of its smallest step [m]."""
+    return min(step.pitch_diameter - 2.0 * _RIM * step.module for step in body.steps)

@@ -13,7 +13,9 @@ from gearwright.study import Row, Table
 from gearwright.study.answers import quantiles
 
 _WORDS = {"mass": "gearbox", "gear_mass": "gears", "shaft_mass": "shafts", "carrier_mass": "carriers",
-          "motor_mass": "motors", "total_mass": "gearbox + motors", "total_power_density": "power density with motors",
+          "motor_mass": "motors", "complete_mass": "complete", "complete_mass.low": "68 % from",
+          "complete_mass.high": "to",
+          "total_mass": "gearbox + motors", "total_power_density": "power density with motors",
           "envelope.volume": "envelope",
           "worst_margin": "worst margin of sizing", "review.margin": "worst margin", "review.worst": "worst check",
           "review.verdict": "verdict", "review.failing": "failing checks",

@@ -1,0 +1,96 @@
+"""Sums of parts held against published gearboxes: printed, computed, band; the fit of the two constants.
+
+``python benchmarks/gearbox_masses.py`` prints the tables of docs/theory/gearbox-mass.md; with ``--figure FILE`` it
+draws the figure, too, and with ``--fit`` it fits the constants and leaves each gearbox out of its own fit.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from collections.abc import Sequence
+
+import numpy as np
+
+from gearwright.catalogue import published_gearboxes
+from gearwright.sizing.mass import CALIBRATED
+from gearwright.validate.gearboxes import Held, fitted, held, left_out, score
+
+_FAMILIES = {"catalogue": "catalogues", "study": "WindPACT", "model": "SIMPACK", "press": "fan drive"}
+
+
+def main() -> None:
+    started = time.process_time()
+    rows = held(published_gearboxes().values())
+    print(f"{len(rows)} gearboxes sized in {time.process_time() - started:.0f} s of processor time")
+    table(rows)
+    told("all, constants as shipped", rows, [row.mass().total for row in rows])
+    for status, name in _FAMILIES.items():
+        own = [row for row in rows if row.gearbox.status == status]
+        told(name, own, [row.mass().total for row in own])
+    if "--fit" in sys.argv:
+        fit(rows)
+    if "--figure" in sys.argv:
+        figure(rows, sys.argv[sys.argv.index("--figure") + 1])
+
+
+def table(rows: Sequence[Held]) -> None:
+    print("| gearbox | kW | kN m | ratio | published, kg | computed, kg | 68 % | computed/published |")
+    print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+    for row in rows:
+        box, mass = row.gearbox, row.mass()
+        low, high = mass.band
+        print(
+            f"| {box.name} | {box.power / 1e3:.0f} | {box.torque / 1e3:.4g} | {box.ratio:.4g} | {box.mass:.5g} |"
+            f" {mass.total:.4g} | {low:.3g} to {high:.3g} | {mass.total / box.mass:.2f} |"
+        )
+
+
+def told(name: str, rows: Sequence[Held], computed: Sequence[float]) -> None:
+    if len(rows) < 2:
+        print(f"{name}: computed/published {computed[0] / rows[0].gearbox.mass:.3f}")
+        return
+    found = score(rows, computed)
+    print(
+        f"{name}: n = {found.count}, bias {100.0 * (found.bias - 1.0):+.1f} %, 1σ × {found.scatter:.3f},"
+        f" mass ~ T^{found.exponents[0]:.3f} published, T^{found.exponents[1]:.3f} computed"
+    )
+
+
+def fit(rows: Sequence[Held]) -> None:
+    print("fitted to all:", fitted(rows), "shipped:", CALIBRATED)
+    masses, constants = left_out(rows)
+    told("each left out of its own fit", rows, masses)
+    errors = np.log([mass / row.gearbox.mass for mass, row in zip(masses, rows, strict=True)])
+    print(f"root mean square of those errors: × {math.exp(float(np.sqrt(np.mean(errors**2)))):.3f}")
+    shares, details = zip(*((found.stress_share, found.details) for found in constants), strict=True)
+    print(f"constants over the fits: {min(shares):.3f} to {max(shares):.3f}, {min(details):.2f} to {max(details):.2f}")
+
+
+def figure(rows: Sequence[Held], path: str) -> None:
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    mpl.rcParams["svg.hashsalt"] = "gearwright"
+    import matplotlib.pyplot as plt
+
+    drawn, axes = plt.subplots(figsize=(6.0, 5.2), layout="constrained")
+    for status, name in _FAMILIES.items():
+        own = [row for row in rows if row.gearbox.status == status]
+        masses = [row.mass() for row in own]
+        low, high = ([abs(mass.total - mass.band[side]) for mass in masses] for side in (0, 1))
+        axes.errorbar(
+            [row.gearbox.mass for row in own], [mass.total for mass in masses], (low, high),
+            fmt="o", markersize=4, linewidth=0.8, label=name,
+        )  # fmt: skip
+    ends = np.array([60.0, 90e3])
+    axes.plot(ends, ends, color="black", linewidth=1.0)
+    axes.plot(ends, 1.35 * ends, ends, ends / 1.35, color="grey", linewidth=0.7, linestyle="--")
+    axes.set(xscale="log", yscale="log", xlabel="published mass [kg]", ylabel="sum of parts [kg], 68 %")
+    axes.legend(frameon=False)
+    drawn.savefig(path, metadata={"Date": None})
+
+
+if __name__ == "__main__":
+    main()
