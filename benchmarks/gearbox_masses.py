@@ -1,7 +1,7 @@
-"""Sums of parts held against published gearboxes: printed, computed, band; the fit of the two constants.
+"""Sums of parts held against published gearboxes: printed, computed, band; the fit of the housing's constant.
 
 ``python benchmarks/gearbox_masses.py`` prints the tables of docs/theory/gearbox-mass.md; with ``--figure FILE`` it
-draws the figure, too, and with ``--fit`` it fits the constants and leaves each gearbox out of its own fit.
+draws the figure, too, and with ``--fit`` it fits the constant and leaves each gearbox out of its own fit.
 """
 
 from __future__ import annotations
@@ -64,8 +64,14 @@ def fit(rows: Sequence[Held]) -> None:
     told("each left out of its own fit", rows, masses)
     errors = np.log([mass / row.gearbox.mass for mass, row in zip(masses, rows, strict=True)])
     print(f"root mean square of those errors: × {math.exp(float(np.sqrt(np.mean(errors**2)))):.3f}")
-    shares, details = zip(*((found.stress_share, found.details) for found in constants), strict=True)
-    print(f"constants over the fits: {min(shares):.3f} to {max(shares):.3f}, {min(details):.2f} to {max(details):.2f}")
+    shares = [found.stress_share for found in constants]
+    print(f"stress share over the fits: {min(shares):.4f} to {max(shares):.4f}")
+    for group in ("gears", "housing"):
+        wind = [row for row in rows if row.gearbox.status in ("catalogue", "study")]
+        slope = np.polyfit(
+            np.log([row.gearbox.torque for row in wind]), np.log([row.mass().of(group) for row in wind]), 1
+        )[0]
+        print(f"{group} of wind gearboxes ~ T^{slope:.3f}")
 
 
 def figure(rows: Sequence[Held], path: str) -> None:

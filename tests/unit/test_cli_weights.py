@@ -6,6 +6,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+from gearwright import complete_mass, read, size
 from gearwright.cli.commands import weights as cli_weights
 from gearwright.errors import DesignError
 
@@ -45,7 +46,9 @@ def test_a_mass_without_origin_and_an_origin_without_mass_are_refused():
 def test_the_mass_of_a_design_is_a_row_of_its_own():
     result = run(*PW127, "--design", "in-line-h2", "--json")
     found = json.loads(result.stdout)["result"]
-    assert found["bottom_up"]["mass_kg"] == pytest.approx(43.77, abs=0.01)
+    sizing = size(read("in-line-h2"))
+    assert found["bottom_up"]["mass_kg"] == pytest.approx(complete_mass(sizing).total)
+    assert "shafts and carriers 43.8 kg" in found["bottom_up"]["origin"]
     assert found["taken"]["mass_kg"] == pytest.approx(136.5, abs=0.1)
     assert "This design" in run(*PW127, "--design", "in-line-h2").output
 

@@ -120,7 +120,8 @@ def score_assumption() -> str:
     ratios, speeds = [edge.ratio for edge in edges], [edge.propeller_speed / RPM for edge in edges]
     centre_rpm = centre.propeller_speed / RPM
     return (
-        f"The weights give β only. Assumed for all: ratio {centre.ratio:.3g}, output {centre_rpm:.3g} rpm; "
+        "The weights give β only: a band of plausibility, no validation. "
+        f"Assumed for all: ratio {centre.ratio:.3g}, output {centre_rpm:.3g} rpm; "
         f"last column: ratio {min(ratios):.3g} to {max(ratios):.3g}, {min(speeds):.0f} to {max(speeds):.0f} rpm. "
         f"The refit has seen these weights; predicting each from the others it scatters by {left_out_scatter():.3f}."
     )

@@ -34,20 +34,19 @@ def complete_mass(sizing: Sizing) -> CompleteMass:
     return summed(sizing, CALIBRATED)
 
 
-def summed(sizing: Sizing, fitted: Calibration, *, films: bool = False) -> CompleteMass:
+def summed(sizing: Sizing, fitted: Calibration) -> CompleteMass:
     """Return the complete mass with given constants, for their fit.
 
     Args:
         sizing: As sized.
         fitted: What published gearboxes set.
-        films: Whether planets turn on films of oil, which weigh nothing, on hollow pins.
     """
     whole = sizing.given.get("gearbox.mass")
     if whole is not None:
         item = MassItem("gearbox", "details", 1, whole.value, 0.02, "given", whole.origin or "the design")
         return CompleteMass(sizing.design.name, (item,), 1.0)
     duties = tuple(seat_duties(sizing))
-    bores = planet_bores(sizing, duties, films=films)
+    bores = planet_bores(sizing, duties)
     bearings = tuple(bearing_items(sizing, duties, bores))
     parts = [*gear_items(sizing, bores), *shaft_items(sizing), *carrier_items(sizing), *bearings]
     shell = shell_around(sizing.arrangement.bodies)

@@ -35,13 +35,12 @@ class PlanetBore(NamedTuple):
     """Whether the design names it."""
 
 
-def planet_bores(sizing: Sizing, duties: Sequence[SeatDuty], *, films: bool = False) -> dict[str, PlanetBore]:
+def planet_bores(sizing: Sizing, duties: Sequence[SeatDuty]) -> dict[str, PlanetBore]:
     """Return planet gear -> what it turns on.
 
     Args:
         sizing: As sized.
         duties: From `seat_duties`.
-        films: Whether planets turn on films of oil instead, on hollow pins that fill their bores.
     """
     ratings: dict[str, float] = {}
     for duty in duties:
@@ -50,9 +49,7 @@ def planet_bores(sizing: Sizing, duties: Sequence[SeatDuty], *, films: bool = Fa
     pins = {carrier.stage: carrier.pin_diameter for carrier in sizing.carriers}
     bores: dict[str, PlanetBore] = {}
     for body in planet_bodies(sizing.design, sizing.gears):
-        pin = pins[body.stage]
-        film = PlanetBore(str(body.part), max(_room(body), pin), 0.0, body.steps[0].bodies, named=False)
-        bore = film if films else _named(body) or _estimated(body, pin, ratings)
+        bore = _named(body) or _estimated(body, pins[body.stage], ratings)
         bores |= {step.name: bore for step in body.steps}
     return bores
 

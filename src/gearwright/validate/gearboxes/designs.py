@@ -110,6 +110,9 @@ sun = "low-pressure"
 ring = "fan"
 carrier = "ground"
 planets = 5
+[planetaries.star.planet_bearing]
+kind = "plain"
+largest_pressure_mpa = 14
 [gears]
 material = "Pyrowear-53"
 rating = "iso6336"

@@ -1,9 +1,9 @@
-"""Sums of parts held against published masses: bias, scatter, exponent, and the fit of the two constants."""
+"""Sums of parts held against published masses: bias, scatter, exponent, and the fit of the housing's constant."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,10 +14,10 @@ from gearwright.sizing import Sizing, size
 from gearwright.sizing.mass import CALIBRATED, Calibration, CompleteMass, summed
 from gearwright.validate.gearboxes.designs import design_of
 
-SHARES = tuple(float(share) for share in np.geomspace(0.02, 0.5, 41))
+SHARES = tuple(float(share) for share in np.geomspace(0.03, 0.5, 15))
+"""Stress shares at which sums are made; between them logarithms of masses lie on lines [-]."""
+FINE = np.geomspace(SHARES[0], SHARES[-1], 400)
 """Stress shares that the fit tries [-]."""
-DETAILS = (0.0, 0.6)
-"""Details that the fit may find [-]: none, to more than half as much again."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Held:
         Args:
             constants: With which the sum is made.
         """
-        return summed(self.sizing, constants, films=self.gearbox.kind == "geared-fan")
+        return summed(self.sizing, constants)
 
 
 @dataclass(frozen=True)
@@ -73,30 +73,25 @@ def score(rows: Sequence[Held], computed: Sequence[float]) -> Score:
     )
 
 
-def fitted(rows: Sequence[Held], weights: Floats | None = None) -> Calibration:
-    """Return the two constants of least squares in the logarithms of the masses.
+def fitted(rows: Sequence[Held]) -> Calibration:
+    """Return the stress share of least squares in the logarithms of the masses; families of one source weigh alike.
 
     Args:
         rows: Published gearboxes.
-        weights: Of each [-]; left out: every family of one source weighs as much as any other.
     """
-    tried = [_tabled(row) for row in rows]
-    heavy = family_weights(rows) if weights is None else weights
-    return _best(tried, np.array([row.gearbox.mass for row in rows]), heavy)
+    return _best(rows, np.array([_curve(row) for row in rows]))
 
 
 def left_out(rows: Sequence[Held]) -> tuple[tuple[float, ...], tuple[Calibration, ...]]:
-    """Return the mass of every gearbox with constants that are fitted to the others alone, and these.
+    """Return the mass of every gearbox with a constant that is fitted to the others alone, and these.
 
     Args:
         rows: Published gearboxes.
     """
-    tried = [_tabled(row) for row in rows]
-    published, masses, constants = np.array([row.gearbox.mass for row in rows]), [], []
+    curves, masses, constants = np.array([_curve(row) for row in rows]), [], []
     for k, row in enumerate(rows):
         others = [j for j in range(len(rows)) if j != k]
-        heavy = family_weights([rows[j] for j in others])
-        found = _best([tried[j] for j in others], published[others], heavy)
+        found = _best([rows[j] for j in others], curves[others])
         constants.append(found)
         masses.append(row.mass(found).total)
     return tuple(masses), tuple(constants)
@@ -112,25 +107,14 @@ def family_weights(rows: Sequence[Held]) -> Floats:
     return np.array([1.0 / sources.count(source) for source in sources])
 
 
-def _tabled(row: Held) -> Callable[[float], tuple[float, float]]:
-    """Return share -> what details are a share of, and the rest of the mass [kg]; between tried shares by lines."""
-    sums = [row.mass(Calibration(share, 0.0, 1.0)) for share in SHARES]
-    plain = [sum(item.total for item in mass.parts) for mass in sums]
-    counted = [sum(item.total for item in mass.parts if item.group not in ("lubrication", "details")) for mass in sums]
-    logs = np.log(SHARES)
-    return lambda share: (
-        float(np.interp(math.log(share), logs, counted)), float(np.interp(math.log(share), logs, plain))
-    )  # fmt: skip
+def _curve(row: Held) -> Floats:
+    """Return the logarithm of a gearbox's mass at every share of `FINE`."""
+    masses = [row.mass(CALIBRATED._replace(stress_share=share)).total for share in SHARES]
+    return np.interp(np.log(FINE), np.log(SHARES), np.log(masses))
 
 
-def _best(tried: Sequence[Callable[[float], tuple[float, float]]], published: Floats, weights: Floats) -> Calibration:
-    """Return the best of the shares with the details that suit it."""
-    least, best = math.inf, CALIBRATED
-    for share in SHARES:
-        counted, plain = np.array([table(share) for table in tried]).T
-        for details in np.linspace(*DETAILS, 61):
-            errors = np.log((plain + details * counted) / published)
-            square = float(weights @ errors**2)
-            if square < least:
-                least, best = square, Calibration(share, float(details), CALIBRATED.scatter)
-    return best
+def _best(rows: Sequence[Held], curves: Floats) -> Calibration:
+    """Return the share whose masses differ least from the published ones."""
+    errors = curves - np.log([row.gearbox.mass for row in rows])[:, None]
+    squares = family_weights(rows) @ errors**2
+    return CALIBRATED._replace(stress_share=float(FINE[int(np.argmin(squares))]))

@@ -18,7 +18,9 @@ from gearwright.study import Row, Table
 FEW_CURVES = 3
 """Curves up to which every optimum is written beside its ring."""
 _STACK = ("gear_mass", "shaft_mass", "carrier_mass", "motor_mass")
+_COMPLETE = ("complete_mass", "motor_mass")
 _STACK_COLOURS = dict(zip(_STACK, (theme.BLUE, theme.GREEN, theme.AMBER, theme.ORANGE), strict=True))
+_STACK_COLOURS["complete_mass"] = theme.BLUE
 _HEAVIER_IS_BETTER = ("power_density", "total_power_density", "worst_margin", "review.margin")
 
 
@@ -118,9 +120,11 @@ def comparison_figure(table: Table) -> Figure:
     """Return the masses of several designs as stacked bars, lightest first, with their power density.
 
     Args:
-        table: With the results ``gear_mass``, ``shaft_mass``, ``carrier_mass`` and ``motor_mass``, or some of them.
+        table: With the results ``complete_mass`` and ``motor_mass``, or ``gear_mass``, ``shaft_mass``,
+            ``carrier_mass`` and ``motor_mass``, or some of them.
     """
-    parts = [part for part in _STACK if part in table.results] or list(table.numbers[:1])
+    whole = _COMPLETE[0] in table.results
+    parts = [part for part in (_COMPLETE if whole else _STACK) if part in table.results] or list(table.numbers[:1])
     rows = sorted(table.good, key=lambda row: sum(row.number(part) for part in parts))
     figure = theme.sheet(180.0, 26.0 + 7.0 * len(rows))
     axes = figure.add_subplot()
@@ -136,7 +140,8 @@ def comparison_figure(table: Table) -> Figure:
         axes.annotate(_bar_text(row, end), (end, place), (4, 0), textcoords="offset points", va="center", fontsize=7.5)
     axes.invert_yaxis()
     axes.set_xlim(0.0, max(start, default=1.0) * 1.42)
-    axes.set_xlabel("mass [kg]: gears, shafts, carriers and motors; without housing, bearings and oil")
+    left_out = "gears, shafts, carriers and motors; without housing, bearings and oil"
+    axes.set_xlabel(f"mass [kg]: {'gearbox with all its parts, and motors' if whole else left_out}")
     axes.legend(loc="upper right")
     axes.set_title(table.name)
     theme.only_grid(axes, "x")
@@ -145,4 +150,5 @@ def comparison_figure(table: Table) -> Figure:
 
 def _bar_text(row: Row, total: float) -> str:
     text = f"{total:.1f} kg"
-    return f"{text}   gearbox {row.shown('power_density'):.1f} kW/kg" if "power_density" in row.results else text
+    dense = "power_density" in row.results and _COMPLETE[0] not in row.results  # it is of gears, shafts and carriers
+    return f"{text}   gearbox {row.shown('power_density'):.1f} kW/kg" if dense else text
