@@ -52,20 +52,35 @@ def thesis(
 def _chapter(page: Path, figures: Path | None) -> None:
     """Write the page of chapter 4 with a figure for each window beside it, and all counterparts into a folder."""
     from gearwright.render.style.theme import to_png
-    from gearwright.replays.pulvirenti.flight.claims import chapter_runs, flight_claims
-    from gearwright.replays.pulvirenti.flight.page import FIGURES, PANELS, chapter_figure, chapter_markdown
-    from gearwright.replays.pulvirenti.flight.phases import phased
+    from gearwright.replays.pulvirenti.flight.claims import chapter_runs, flight_claims, printed_runs
+    from gearwright.replays.pulvirenti.flight.departures import departed, frequencies
+    from gearwright.replays.pulvirenti.flight.page import (
+        FIGURES,
+        PANELS,
+        SHOWN_STIFFNESS,
+        STIFFNESS,
+        Chapter,
+        Side,
+        chapter_figure,
+        chapter_markdown,
+    )
 
-    runs = chapter_runs()
+    tell("flying the windows as they should be, as printed, and with one departure at a time: some minutes")
+    right = chapter_runs()
+    printed = printed_runs(right)
+    sides = (Side("as printed", printed), Side("as it should be", right))
     images = {window: f"{page.stem}-{window}.png" for window in PANELS}
     for window, name in images.items():
-        write_bytes(page.with_name(name), to_png(chapter_figure(runs, window, PANELS[window]), PAGE_RESOLUTION))
-    write_text(page, chapter_markdown(flight_claims(runs), phased(runs), images))
+        figure = chapter_figure(sides, window, PANELS[window], stiffness=SHOWN_STIFFNESS[window])
+        write_bytes(page.with_name(name), to_png(figure, PAGE_RESOLUTION))
+    chapter = Chapter(flight_claims(printed, right), departed(right), frequencies(right), images)
+    write_text(page, chapter_markdown(chapter))
     show(f"wrote {page} and {len(images)} figures beside it")
     if figures is not None:
         make_folder(figures)
         for number, (window, panel) in FIGURES.items():
-            write_figure(chapter_figure(runs, window, (panel,)), figures / f"{number}.svg")
+            figure = chapter_figure(sides, window, (panel,), stiffness=STIFFNESS[number])
+            write_figure(figure, figures / f"{number}.svg")
         show(f"wrote {len(FIGURES)} figures to {figures}")
 
 

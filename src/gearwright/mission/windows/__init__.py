@@ -4,7 +4,7 @@ The quasi-steady flight around them is in `mission`.
 """
 
 from gearwright.mission.windows.governed import Trim, Window, governed_window, rotor_at, trim_at
-from gearwright.mission.windows.window import DynamicWindow, fly_window, window_rules, window_step
+from gearwright.mission.windows.window import DynamicWindow, fly_window, window_outputs, window_rules, window_step
 
 __all__ = [
     "DynamicWindow",
@@ -14,6 +14,7 @@ __all__ = [
     "governed_window",
     "rotor_at",
     "trim_at",
+    "window_outputs",
     "window_rules",
     "window_step",
 ]

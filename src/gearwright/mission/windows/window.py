@@ -101,7 +101,7 @@ def fly_window(flight: Flight, name: str, rules: WindowRules | None = None) -> D
     system = _system(back, rules)
     state = _start(system, back, rules)
     system = followed(system, rules.duration) if np.all(state[1] == 0.0) else system
-    trace = simulate(system, rules.duration, start=state, outputs=_outputs(system, rules))
+    trace = simulate(system, rules.duration, start=state, outputs=window_outputs(system, rules))
     return DynamicWindow(name, rules, back.start, system, trace, _cycle(back, trace))
 
 
@@ -131,7 +131,13 @@ def window_step(system: System) -> float:
     return min(stable, 1.0 / (STEPS_PER_CYCLE * excited)) if excited else stable
 
 
-def _outputs(system: System, rules: WindowRules) -> Outputs:
+def window_outputs(system: System, rules: WindowRules) -> Outputs:
+    """Return what is kept of a window: its time bins, and every step of its last cycles.
+
+    Args:
+        system: With its speed profile.
+        rules: Of the window.
+    """
     turning = np.abs(system.arrays.tone_rate[system.arrays.tone_rate != 0.0])
     slowest = float(np.min(turning)) * float(system.arrays.profile.factor[-1]) if len(turning) else 0.0
     close = min(2.0 * math.pi * CLOSE_CYCLES / slowest, rules.duration) if slowest else min(0.02, rules.duration)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -16,9 +17,17 @@ from gearwright.identity import Row, mesh_part
 from gearwright.mission.windows import DynamicWindow
 from gearwright.render.style import theme
 from gearwright.render.style.theme import WIDTH
-from gearwright.replays.pulvirenti.flight.claims import CONSTANT, ROUNDING, VARYING, JudgedClaim, Runs
+from gearwright.replays.pulvirenti.flight.claims import (
+    CLAIMS,
+    CONSTANT,
+    ROUNDING,
+    VARYING,
+    JudgedClaim,
+    Judgement,
+    Runs,
+)
+from gearwright.replays.pulvirenti.flight.departures import Departed, Frequencies
 from gearwright.replays.pulvirenti.flight.measures import torques
-from gearwright.replays.pulvirenti.flight.phases import Phased
 
 ROW = 44.0
 """Height of one row of panels [mm]."""
@@ -39,6 +48,12 @@ FIGURES: Mapping[str, tuple[str, str]] = MappingProxyType({
     "4.20": ("taxi", "torques"), "4.21": ("taxi", "forces"), "4.22": ("taxi", "torques"), "4.23": ("taxi", "output"),
 })  # fmt: skip
 """Figure of the thesis -> window and panel of its counterpart."""
+STIFFNESS: Mapping[str, str] = MappingProxyType({claim.figure: claim.stiffness for claim in CLAIMS})
+"""Figure of the thesis -> its mesh stiffness."""
+SHOWN_STIFFNESS: Mapping[str, str] = MappingProxyType({
+    "cruise": VARYING, "second-order": CONSTANT, "take-off": VARYING, "taxi": VARYING,
+})  # fmt: skip
+"""Window -> mesh stiffness of its figure on the page."""
 LEAST_RANGE: Mapping[str, float] = MappingProxyType({"output": 0.02, "pitch": 0.1})
 """Panel -> range that its axis has at least, in its unit."""
 PANELS: Mapping[str, tuple[str, ...]] = MappingProxyType({
@@ -54,23 +69,32 @@ TITLES: Mapping[str, str] = MappingProxyType({
 })  # fmt: skip
 
 
+class Side(NamedTuple):
+    """One column of a figure."""
+
+    words: str
+    """Above it."""
+    runs: Runs
+
+
 @theme.styled
-def chapter_figure(runs: Runs, window: str, panels: Sequence[str]) -> Figure:
-    """Return panels of a window, constant stiffness on the left and varying on the right.
+def chapter_figure(sides: Sequence[Side], window: str, panels: Sequence[str], *, stiffness: str) -> Figure:
+    """Return panels of a window, as printed on the left and as it should be on the right.
 
     Args:
-        runs: Of `chapter_runs`.
+        sides: Columns, from left to right.
         window: Its name.
         panels: Keys of `TITLES`, from top to bottom.
+        stiffness: Of the meshes.
     """
     figure = theme.sheet(WIDTH, ROW * len(panels) + 8.0)
-    grid = figure.subplots(len(panels), 2, squeeze=False, sharey="row")
-    for column, stiffness in enumerate((CONSTANT, VARYING)):
-        run = runs[window, stiffness]
+    grid = figure.subplots(len(panels), len(sides), squeeze=False, sharey="row")
+    for column, side in enumerate(sides):
+        run = side.runs[window, stiffness]
         for row, panel in enumerate(panels):
             axes = grid[row, column]
             _DRAWN[panel](axes, run)
-            axes.set_title(f"{TITLES[panel]}, {stiffness} stiffness", fontsize=8.0)
+            axes.set_title(f"{TITLES[panel]}, {side.words}", fontsize=8.0)
             axes.margins(x=0.0)
         grid[-1, column].set_xlabel("time [ms]" if window in QUIET else "time [s]")
     for row, panel in enumerate(panels):
@@ -187,46 +211,69 @@ def covered_text(judged: JudgedClaim) -> str:
     return f"up to {number_text(high, unit)}" if low == 0.0 else f"{low:.3g} to {number_text(high, unit)}"
 
 
-def chapter_markdown(judged: Sequence[JudgedClaim], phases: Sequence[Phased], images: Mapping[str, str]) -> str:
+class Chapter(NamedTuple):
+    """What the page of chapter 4 shows."""
+
+    judged: Sequence[JudgedClaim]
+    departed: Sequence[Departed]
+    frequencies: Frequencies
+    images: Mapping[str, str]
+    """Window -> file of its figure, beside the page."""
+
+
+def chapter_markdown(chapter: Chapter) -> str:
     """Return the page of the chapter as Markdown.
 
     Args:
-        judged: Of `flight_claims`.
-        phases: Of `phased`.
-        images: Window -> file of its figure, beside the page.
+        chapter: Claims, departures, figures.
     """
-    holds = sum(claim.holds for claim in judged)
+    counts = {judgement: sum(claim.judgement is judgement for claim in chapter.judged) for judgement in Judgement}
     parts = [
-        _HEAD.format(claims=len(judged), holds=holds, fails=len(judged) - holds),
-        "\n".join([_TABLE, *map(_row, judged)]),
+        _HEAD.format(
+            claims=len(chapter.judged),
+            reproduced=counts[Judgement.REPRODUCED],
+            failed=counts[Judgement.NOT_REPRODUCED],
+            untestable=counts[Judgement.NOT_TESTABLE],
+        ),
+        "\n".join([_TABLE, *map(_row, chapter.judged)]),
         _ASSUMED,
-        _PHASED,
-        "\n".join([_PHASE_TABLE, *map(_phase_row, phases)]),
-        *(f"## {_WORDS[window]}\n\n![{_WORDS[window]}]({path})" for window, path in images.items()),
+        _DEPARTED,
+        "\n".join([_DEPARTED_TABLE, *_departed_rows(chapter.departed)]),
+        _INERTIA.format(pairs=_pairs(chapter.frequencies)),
+        *(f"## {_WORDS[window]}\n\n![{_WORDS[window]}]({path})" for window, path in chapter.images.items()),
     ]
     return "\n\n".join(parts) + "\n"
 
 
-def _phase_row(row: Phased) -> str:
-    numbers = " | ".join(number_text(100.0 * value, "%") for value in (row.maximum, row.mean, row.swing))
-    return f"| {row.window} | {row.phases} | {numbers} |"
+def _departed_rows(departed: Sequence[Departed]) -> Sequence[str]:
+    """Return one row for each way, with all windows side by side."""
+    rows: dict[tuple[str, str], list[str]] = {}
+    for row in departed:
+        numbers = [number_text(100.0 * value, "%") for value in (row.maximum, row.mean, row.swing)]
+        rows.setdefault((row.equation, row.words), []).extend(numbers)
+    return [f"| {equation or '–'} | {words} | {' | '.join(numbers)} |" for (equation, words), numbers in rows.items()]
+
+
+def _pairs(frequencies: Frequencies) -> str:
+    """Return the frequencies that the planets' inertia moves, lowest first."""
+    distinct = [sorted({round(value, 1) for value in values}) for values in (frequencies.right, frequencies.printed)]
+    right, printed = ([value for value in own if value not in other] for own, other in (distinct, distinct[::-1]))
+    return f"{', '.join(f'{value:g}' for value in right)} Hz become {', '.join(f'{value:g}' for value in printed)} Hz"
 
 
 def _row(judged: JudgedClaim) -> str:
     claim = judged.claim
-    numbers = [number_text(value, claim.unit) for value in (judged.constant, judged.varying)]
-    counted = 0 if claim.stiffness == CONSTANT else 1
-    numbers[counted] = f"**{numbers[counted]}**"
-    verdict = "holds" if judged.holds else "does not hold"
+    printed, right = (number_text(value, claim.unit) for value in (judged.printed, judged.right))
+    why = f"{claim.why}. Not printed: {claim.setting}" if claim.setting else claim.why
     return (
-        f"| {claim.figure} | {claim.says} | {covered_text(judged)} | {numbers[0]} | {numbers[1]} | {verdict} | "
-        f"{claim.why} |"
+        f"| {claim.figure} | {claim.says} | {covered_text(judged)} | **{printed}** | {right} | "
+        f"{judged.judgement.value} | {why} |"
     )
 
 
 _WORDS: Mapping[str, str] = MappingProxyType({
-    "cruise": "Cruise", "second-order": "Cruise, pitch of second order", "take-off": "Climb into cruise",
-    "taxi": "Green taxi",
+    "cruise": "Cruise, varying stiffness", "second-order": "Cruise, pitch of second order",
+    "take-off": "Climb into cruise, varying stiffness", "taxi": "Green taxi, varying stiffness",
 })  # fmt: skip
 _HEAD = """---
 hide: [toc]
@@ -236,23 +283,28 @@ hide: [toc]
 
 Chapter 4 of Pulvirenti (2023) shows its two-stage hybrid gearbox in flight, in figures 4.2 to 4.23: cruise, a climb
 into cruise, and taxi on the motor alone, with constant and with varying mesh stiffness. In-Line H2 flies the same
-windows here, with propeller, governor and machines on the elastic train. The page is written by
+windows here, with propeller, governor and machines on the elastic train, twice: with the model **as printed**, its
+departures included, and **as it should be**. The page is written by
 
     gearwright replay pulvirenti --chapter-4 thesis-flight.md --figures FOLDER
 
-and FOLDER gets a counterpart of each figure, `4.2.svg` to `4.23.svg`, with both stiffnesses side by side. Of {claims}
-claims {holds} hold and {fails} do not. Every claim is measured with both stiffnesses; the number that is judged, in
-bold, is that with the stiffness of the thesis's figure."""
-_TABLE = """| figure | the thesis says, in our words | the wording covers | constant | varying | verdict | why |
-| --- | --- | --- | --- | --- | --- | --- |"""
-_ASSUMED = """The thesis prints no power, stiffness, inertia, map, time constant or damping: masses, stiffnesses and
-inertias come from gearwright's own sizing, the map from the Hamilton Standard method, and what else is assumed stands
-in the mission file `thesis-chapter-4.toml`. Losses are left out, as there. Each run's own error estimate is below 1e-3
-of the largest line force. In quiet windows curves show the last milliseconds, every step; elsewhere bands reach from
-the least to the greatest force of each 25 ms."""
-_PHASED = """## What the planets' phases do
+and FOLDER gets a counterpart of each figure, `4.2.svg` to `4.23.svg`, as printed beside as it should be. Each of
+{claims} claims is judged by the printed model with the stiffness of its figure (bold): {reproduced} are
+reproduced, not reproduced {failed}, and {untestable} cannot be tested: they hang on a number that is not printed."""
+_TABLE = """| figure | the thesis says, in our words | its wording covers | as printed | as it should be | verdict | why |
+| --- | --- | --- | --- | --- | --- | --- |"""  # noqa: E501
+_ASSUMED = """Printed are I_prop = 100 kg m², the damping ratio 0.1, speeds, the governor's gain and the form of every
+equation; powers, teeth, modules, widths, stiffnesses and maps are not. These come from gearwright's own sizing, the map
+from the Hamilton Standard method, and what else is assumed stands in the mission file `thesis-chapter-4.toml`. Losses
+are left out, as there. Each run's own error estimate is below 1e-3 of the largest line force. In quiet windows curves
+show the last milliseconds, every step; elsewhere bands reach from the least to the greatest force of each 25 ms."""
+_DEPARTED = """## Which departure makes which number
 
-How far the output torque swings with varying stiffness is a matter of how the planets' meshes follow each other. The
-same windows with three ways of phasing them, against the ideal torque:"""
-_PHASE_TABLE = """| window | planets at | at most | on average | greatest less least |
-| --- | --- | --- | --- | --- |"""
+The output torque with varying stiffness against the ideal one: greatest difference, mean difference, greatest less
+least, in cruise and in taxi. Every row is a run of its own. The first seven change the right model by what they say;
+*as printed* has the first four together. Below it stand, each on top of *as printed*, formulas whose units do not fit
+or which may be meant otherwise, with the numbers that they give as they stand."""
+_DEPARTED_TABLE = """| equation | what is printed | cruise, most | mean | swing | taxi, most | mean | swing |
+| --- | --- | --- | --- | --- | --- | --- | --- |"""
+_INERTIA = """The planets' inertia, alone, moves natural frequencies of the train: {pairs}.
+With θ_p relative to the carrier the kinetic energy is J_p (θ̇_c − θ̇_p)²/2 and not J_p θ̇_p²/2; gearwright takes absolute angles."""
