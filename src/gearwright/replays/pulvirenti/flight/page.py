@@ -307,4 +307,5 @@ or which may be meant otherwise, with the numbers that they give as they stand."
 _DEPARTED_TABLE = """| equation | what is printed | cruise, most | mean | swing | taxi, most | mean | swing |
 | --- | --- | --- | --- | --- | --- | --- | --- |"""
 _INERTIA = """The planets' inertia, alone, moves natural frequencies of the train: {pairs}.
-With θ_p relative to the carrier the kinetic energy is J_p (θ̇_c − θ̇_p)²/2 and not J_p θ̇_p²/2; gearwright takes absolute angles."""
+With θ_p relative to the carrier the kinetic energy is J_p (θ̇_c − θ̇_p)²/2 and not J_p θ̇_p²/2; gearwright takes
+absolute angles."""
