@@ -103,7 +103,7 @@ REFUSED = {
     ),
     "a climb without power": (
         ("in-line", REGIONAL, "ft_min = 900", "ft_min = 2900"),
-        "phases.climb: at 437 s, gas-turbine: needs 2728 kW at 74 m, and gives 1930 kW .by its torque.; climb slower",
+        "phases.climb: at 437 s, gas-turbine: needs 2820 kW at 74 m, and gives 1930 kW .by its torque.; climb slower",
     ),
     "an empty battery": (
         ("in-line-h2", THESIS, "energy_kwh = 700", "energy_kwh = 400"),

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 from gearwright.air import air_at, stagnation_ratios
+from gearwright.errors import DesignError
 from gearwright.machines.power import Exhaust, exhaust_heat
 from gearwright.mission import fly
 from gearwright.sizing import size
-from gearwright.spec import edited_mission, read, read_mission
+from gearwright.spec import edited_mission, parse_mission, read, read_mission
 
 FLIGHTS = (("in-line-h2", "thesis"), ("in-line", "regional-250nm"), ("twin-engine-helicopter", "rotor-schedule"))
 
@@ -60,3 +61,31 @@ def test_a_turbine_that_is_off_leaves_the_air_as_it_is():
     assert flight.history.exhaust_temperature[off] == pytest.approx(
         flight.history.air_temperature[off] * (1.0 + 0.2 * flight.history.mach[off] ** 2), rel=1e-12
     )
+
+
+THIN = """
+schema = 1
+name = "thin and cold"
+isa_offset_k = {offset}
+propeller_map = "6-blades-af115"
+[engine]
+thermal_power_kw = 2600
+[phases.one]
+altitude_ft = {altitude}
+tas_kt = 290
+duration_min = 1
+power_kw = {power}
+propeller_speed_rpm = 1212
+"""
+
+
+def test_the_books_agree_at_minus_eighty_degrees():
+    flight = fly(size(read("in-line")), parse_mission(THIN.format(offset=-35, altitude=30000, power=800)))
+    assert flight.history.air_temperature.max() < 193.95
+    assert flight.balance.residual <= 1e-9
+
+
+def test_an_engine_beyond_its_ceiling_is_told_with_time_value_and_fix():
+    wanted = r"phases.one: at 5 s, gas-turbine: needs 900 kW at 18288 m, and gives .* kW .by its core.; ask for less"
+    with pytest.raises(DesignError, match=wanted):
+        fly(size(read("in-line")), parse_mission(THIN.format(offset=0, altitude=60000, power=900)))
