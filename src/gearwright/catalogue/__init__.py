@@ -20,17 +20,21 @@ from gearwright.catalogue.keys import LENGTHS, StandardKey, key_for_shaft, stand
 from gearwright.catalogue.load_factors import load_factor_tables, load_factors
 from gearwright.catalogue.materials import material_of, materials
 from gearwright.catalogue.propellers import (
+    ALL_STATES,
     MAPS,
+    carried_on,
     charted_point,
     compressed,
     hamilton_standard_charts,
     map_of,
+    map_text,
     propeller_map,
     read_propeller_map,
 )
 from gearwright.catalogue.published_gearboxes import PublishedGearbox, published_gearboxes
 
 __all__ = [
+    "ALL_STATES",
     "CENTRE_FITS",
     "LARGEST",
     "LENGTHS",
@@ -57,6 +61,7 @@ __all__ = [
     "bearing",
     "bearing_friction",
     "bearings",
+    "carried_on",
     "centre_allowance",
     "charted_point",
     "check_bearing",
@@ -73,6 +78,7 @@ __all__ = [
     "load_factor_tables",
     "load_factors",
     "map_of",
+    "map_text",
     "material_of",
     "materials",
     "modified_life",

@@ -15,6 +15,7 @@ import numpy as np
 from gearwright.catalogue.tables import data_text
 from gearwright.errors import DesignError, Problem, SolveError, near
 from gearwright.machines import SMALL_THRUST, Blades, Charts, PropellerMap, compressibility, performance
+from gearwright.machines.propellers import continued, generic_blade
 from gearwright.reading import numbers_of, text_of
 
 MAPS: Mapping[str, Blades] = {
@@ -22,6 +23,14 @@ MAPS: Mapping[str, Blades] = {
     "4-blades-af114": Blades(4, 114.0, 0.5),
 }
 """Shipped maps by name -> blades; activity factor and lift are assumptions for a propeller of the ATR 72's class."""
+ALL_STATES: Mapping[str, str] = {f"{name}-all-states": name for name in MAPS}
+"""Maps that blade elements carry on to windmilling, feather and reverse -> the shipped map that they carry on."""
+STATE_RATIOS = np.array([4.5, 5.0, 5.5, 6.0])
+"""Advance ratios of these maps beyond the charts' [-]."""
+STATE_ANGLES = np.radians(np.arange(-30.0, 90.5, 3.0))
+"""Blade angles of these maps beside the charts' [rad]."""
+_THINNED = 2
+"""Every how many of a chart's advance ratios and blade angles stand in the map that carries it on."""
 COLUMNS = ("advance_ratio", "blade_angle_deg", "power_coefficient", "thrust_coefficient")
 """What a map's CSV file has: every advance ratio with a run of blade angles from one common list."""
 _SENSIBLE: Mapping[str, tuple[float, float]] = {
@@ -93,13 +102,15 @@ def propeller_map(name: str) -> PropellerMap:
     """Return a shipped propeller map.
 
     Args:
-        name: Such as ``6-blades-af115``.
+        name: Such as ``6-blades-af115``, which ends with the charts at positive thrust, or
+            ``6-blades-af115-all-states``, which blade elements carry on.
 
     Raises:
         DesignError: There is none of this name; with the nearest one.
     """
-    if name not in MAPS:
-        raise DesignError([Problem("propeller_map", f"there is no shipped map {name!r}; {near(name, MAPS)}")])
+    known = [*MAPS, *ALL_STATES]
+    if name not in known:
+        raise DesignError([Problem("propeller_map", f"there is no shipped map {name!r}; {near(name, known)}")])
     return map_of(data_text(f"propeller_{name}.csv"), name)
 
 
@@ -118,7 +129,8 @@ def compressed(name: str, advance_ratio: float, thrust_coefficient: float, *, ma
     Raises:
         DesignError: The charts do not hold the Mach number.
     """
-    if name not in MAPS:
+    name = ALL_STATES.get(name, name)
+    if name not in MAPS or thrust_coefficient <= 0.0:
         return 1.0
     factor, left = compressibility(
         hamilton_standard_charts(),
@@ -246,5 +258,41 @@ def charted_map(blades: Blades, advance_ratios: Iterable[float], blade_angles: I
         f"{ratio:g},{angle:g},{point[0]:.6f},{point[1]:.6f}"
         for ratio, angle in product(advance_ratios, blade_angles)
         if (point := charted_point(blades, ratio, math.radians(angle))) is not None
+    ]
+    return "\n".join([",".join(COLUMNS), *lines]) + "\n"
+
+
+def carried_on(name: str) -> PropellerMap:
+    """Return a shipped map in every state: every second of its points, carried on by a generic blade's elements.
+
+    Args:
+        name: Of a map that ends with the charts, such as ``6-blades-af115``.
+
+    Source: `machines.propellers.continued`; the maps of `ALL_STATES` are made so.
+    """
+    chart, step = propeller_map(name), _THINNED
+    first = -(-chart.first // step)
+    thin = PropellerMap(
+        chart.advance_ratio[::step],
+        chart.blade_angle[::step],
+        chart.power[::step, ::step],
+        chart.thrust[::step, ::step],
+        first[::step],
+        (chart.last // step)[::step],
+    )
+    return continued(thin, generic_blade(MAPS[name]), STATE_RATIOS, STATE_ANGLES)
+
+
+def map_text(chart: PropellerMap) -> str:
+    """Return a propeller map as the text of a CSV file, to be read by `map_of`.
+
+    Args:
+        chart: The map.
+    """
+    lines = [
+        f"{ratio:g},{math.degrees(angle):.6g},{chart.power[row, column]:.6f},{chart.thrust[row, column]:.6f}"
+        for row, ratio in enumerate(chart.advance_ratio)
+        for column, angle in enumerate(chart.blade_angle)
+        if chart.first[row] <= column <= chart.last[row]
     ]
     return "\n".join([",".join(COLUMNS), *lines]) + "\n"

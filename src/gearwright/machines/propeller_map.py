@@ -136,12 +136,19 @@ def angle_for_thrust(chart: PropellerMap, advance_ratio: float, thrust: float) -
 
 def _inverted(chart: PropellerMap, advance_ratio: float, value: float, *, table: Floats, name: str) -> float:
     angles, row = _row(chart, advance_ratio, table)
-    # Beyond the first fall the blade stalls, and an angle there is not what a governor would find.
+    rising = _rising(row)
+    row, angles = row[rising], angles[rising]
+    if not row[0] <= value <= row[-1]:
+        raise _outside(chart, advance_ratio, f"{name} {value:.4g}, of {row[0]:.4g} to {row[-1]:.4g}")
+    return float(np.interp(value, row, angles))
+
+
+def _rising(row: Floats) -> slice:
+    """The rise of a row that spans most: beyond its ends the blade stalls, where no governor would find an angle."""
     falls = np.flatnonzero(np.diff(row) <= 0.0)
-    end = int(falls[0]) + 1 if len(falls) else len(row)
-    if not row[0] <= value <= row[end - 1]:
-        raise _outside(chart, advance_ratio, f"{name} {value:.4g}, of {row[0]:.4g} to {row[end - 1]:.4g}")
-    return float(np.interp(value, row[:end], angles[:end]))
+    starts, ends = np.append(0, falls + 1), np.append(falls + 1, len(row))
+    most = int(np.argmax(row[ends - 1] - row[starts]))
+    return slice(int(starts[most]), int(ends[most]))
 
 
 def _row(chart: PropellerMap, advance_ratio: float, table: Floats) -> tuple[Floats, Floats]:

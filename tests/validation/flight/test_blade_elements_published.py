@@ -1,0 +1,89 @@
+"""Blade elements against charts and a measured propeller, and the maps that they carry on."""
+
+import math
+
+import numpy as np
+import pytest
+
+from gearwright.catalogue import ALL_STATES, MAPS, carried_on, hamilton_standard_charts, propeller_map
+from gearwright.machines import Blades, angle_for_power, look_up
+from gearwright.machines.propellers import activity_factor, generic_blade, integrated_lift, loads
+from gearwright.mission import fly
+from gearwright.shipped import shipped_mission
+from gearwright.sizing import size
+from gearwright.spec import parse_mission, read
+
+CHARTS = hamilton_standard_charts()
+
+
+def nodes(count):
+    """Charted C_T and C_P, and the elements', at every node of a blade count's charts, with J."""
+    shape = generic_blade(Blades(int(CHARTS.blade_counts[count]), 150.0, 0.5))
+    rows = []
+    for j, ratio in enumerate(CHARTS.advance_ratio):
+        found = loads(shape, ratio, np.radians(CHARTS.blade_angle[j]))
+        rows += zip(
+            np.full(len(found.thrust), ratio), CHARTS.thrust[count][j], CHARTS.power[count][j],
+            found.thrust, found.power, strict=True,
+        )  # fmt: skip
+    return np.array(rows).T
+
+
+def test_the_generic_blade_has_the_activity_factor_and_lift_it_is_made_for():
+    shape = generic_blade(Blades(6, 115.0, 0.45))
+    assert activity_factor(shape) == pytest.approx(115.0, rel=1e-9)
+    assert integrated_lift(shape) == pytest.approx(0.45, rel=2e-3)
+
+
+@pytest.mark.parametrize("count", range(4))
+def test_efficiency_at_the_charts_nodes(count):
+    """NASA CR-114399 where η ≥ 0.6, at one blade angle: median within 3 %, 95 % within 8 %."""
+    ratio, thrust, power, found, taken = nodes(count)
+    at = (power > 0.0) & (ratio * thrust >= 0.6 * power)
+    error = np.abs((found / taken)[at] / (thrust / power)[at] - 1.0)
+    assert at.sum() > 15
+    assert np.median(error) < 0.03
+    assert np.percentile(error, 95) < 0.08
+
+
+def test_windmilling_thrust_at_the_charts_nodes():
+    """Charted negative C_T of 2 to 8 blades: three quarters within 0.01, all within 0.024."""
+    errors = []
+    for count in range(4):
+        _, thrust, _, found, _ = nodes(count)
+        errors += list(np.abs(found - thrust)[thrust < 0.0])
+    assert len(errors) == 40
+    assert np.percentile(errors, 75) < 0.01
+    assert max(errors) < 0.024
+
+
+@pytest.mark.parametrize("name", ALL_STATES)
+def test_maps_in_all_states_are_made_as_they_say_and_keep_the_chart(name):
+    """The made map is the shipped one (its sixth decimal); on the chart's own points it is the chart."""
+    shipped, chart, made = propeller_map(name), propeller_map(ALL_STATES[name]), carried_on(ALL_STATES[name])
+    assert MAPS[ALL_STATES[name]]
+    assert shipped.thrust == pytest.approx(made.thrust, abs=2e-6)
+    assert shipped.power == pytest.approx(made.power, abs=2e-6)
+    for row in range(0, len(chart.advance_ratio), 10):
+        column = -(-int(chart.first[row]) // 2) * 2
+        at = float(chart.advance_ratio[row]), float(chart.blade_angle[column])
+        assert look_up(shipped, *at).thrust == pytest.approx(chart.thrust[row, column], abs=2e-6)
+
+
+@pytest.mark.parametrize("name", ALL_STATES)
+def test_maps_in_all_states_windmill_feather_and_reverse(name):
+    chart = propeller_map(name)
+    idle = angle_for_power(chart, 2.0, 0.0)
+    assert look_up(chart, 2.0, idle).thrust < 0.0
+    assert look_up(chart, 0.3, math.radians(-20.0)).thrust < 0.0 < look_up(chart, 0.3, math.radians(-20.0)).power
+    assert abs(look_up(chart, 5.0, math.radians(66.0)).thrust) < 1.0
+
+
+def test_a_descent_at_idle_flies_on_a_map_in_all_states():
+    """40 kW at 220 kt: the propeller drags; the map that ends with the charts refuses it."""
+    text = shipped_mission("regional-250nm").read_text(encoding="utf-8")
+    text = text.replace('"6-blades-af115"', '"6-blades-af115-all-states"')
+    text = text.replace("rate_of_climb_ft_min = -900\n", "rate_of_climb_ft_min = -900\npower_kw = 40\n")
+    flight = fly(size(read("in-line")), parse_mission(text))
+    thrust = flight.history.thrust[flight.phase.index("descent") + 5]
+    assert thrust < 0.0
