@@ -113,7 +113,7 @@ def _parts(sizing: Sizing, tables: Mapping[str, Table]) -> Iterator[Section]:
         yield Section("The gears by every method", tables=tuple(method_tables(sizing).values()))
     caption = "Shear, bending (both planes together) and torsion in the case that governs; triangles are bearings."
     bent = (_figure(shaft_figure(sizing), "shafts", caption),) if bent_shafts(sizing) else ()
-    loaded = ("shafts", "shaft_sizes", "bearings", "carriers", "machines")
+    loaded = ("shafts", "shaft_sizes", "bearings", "carriers", "planet_bearings", "machines")
     yield _chapter("Shafts, carriers and machines", tables, *loaded, figures=bent)
     if sizing.built_shafts:
         built = ("bearing_sizes", "bearing_oil", "joints", "steps", "strength", "stiffness")

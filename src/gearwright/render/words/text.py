@@ -41,6 +41,7 @@ _ORDER = (
     "bearing_oil",
     "joints",
     "carriers",
+    "planet_bearings",
     "machines",
     "mass",
     "complete_mass",

@@ -21,8 +21,8 @@ from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 
 HELP = (
-    "no size that has room lives as long: take a plain bearing, more planets, thinner rims (gears.rim_ratio), a slower"
-    " carrier, or a carrier that stands still"
+    "no size that has room lives as long: take a plain bearing, more planets, thinner rims"
+    " (gears.rim_thickness_ratio), a slower carrier, or one that stands still"
 )
 """What would help where no rolling bearing lives as long as is asked."""
 

@@ -126,15 +126,10 @@ def _made(task: Task, pin: float) -> PlanetBearingSizing | None:
     """Return rollers or a film on a pin; None where too few rollers have room."""
     asked = task.asked
     if asked.kind == "plain":
-        return on_film(asked, pin, task.width, task.load(_bare(task, pin)))
+        return on_film(asked, pin, task.width, task.fastest)
     roller = roller_of(asked.kind, pin, asked.roller_diameter)
     rollers = integral(asked.kind, pin, roller, width=task.width / asked.side_by_side)
     return None if rollers is None else on_rollers(asked.kind, rollers, asked.side_by_side)
-
-
-def _bare(task: Task, pin: float) -> PlanetBearingSizing:
-    """Return a film without clearance, whose speeds are those of any."""
-    return PlanetBearingSizing("plain", None, 1, pin, pin, task.width, 0.0, 0.0, 0.0, 0.0)
 
 
 def margin(task: Task, runs_on: PlanetBearingSizing) -> float:
@@ -173,6 +168,6 @@ def _static_share(runs_on: PlanetBearingSizing) -> float:
 def _refuse_room(task: Task, what: str) -> NoReturn:
     message = (
         f"no {what} has room: its bore may have {1e3 * task.room:.4g} mm and its width {1e3 * task.width:.4g} mm; take"
-        " another kind, larger or fewer planets, or thinner rims (gears.rim_ratio)"
+        " another kind, larger or fewer planets, or thinner rims (gears.rim_thickness_ratio)"
     )
     raise DesignError([Problem(task.path, message)])

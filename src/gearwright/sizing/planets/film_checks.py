@@ -13,7 +13,7 @@ from gearwright.sizing.rating import Context
 from gearwright.sizing.result import GearSizing
 from gearwright.units import CELSIUS
 
-HELP = "a wider or larger film, thinner rims (gears.rim_ratio), more planets or a slower carrier would help"
+HELP = "a wider or larger film, thinner rims (gears.rim_thickness_ratio), more planets or a slower carrier would help"
 """What helps a film that is pressed too hard."""
 
 

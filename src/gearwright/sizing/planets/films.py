@@ -61,16 +61,16 @@ def design_oil(design: Design, asked: PlanetBearing) -> FilmOil:
     return film_oil(grade, oil.density, supply + CELSIUS)
 
 
-def on_film(asked: PlanetBearing, pin: float, width: float, load: PlanetLoad) -> PlanetBearingSizing:
+def on_film(asked: PlanetBearing, pin: float, width: float, fastest: float = 0.0) -> PlanetBearingSizing:
     """Return a plain bearing of a size.
 
     Args:
         asked: As in the design.
         pin: D [m].
         width: B [m].
-        load: Speeds of the cases, for the usual clearance.
+        fastest: Speed of the planet against its carrier, for the usual clearance [rad/s].
     """
-    clearance = asked.clearance or usual_clearance(max(load.speeds, default=0.0) * pin / 2.0)
+    clearance = asked.clearance or usual_clearance(fastest * pin / 2.0)
     return PlanetBearingSizing(
         kind="plain",
         bearing=None,

@@ -56,6 +56,11 @@ class Task:
         """Of rollers' room or film [m]."""
         return self.asked.width or self.planet.face_width
 
+    @property
+    def fastest(self) -> float:
+        """Of the planet against its carrier, in all cases [rad/s]."""
+        return max(borne_by(self.context, self.seat).speeds, default=0.0)
+
     def load(self, runs_on: PlanetBearingSizing) -> PlanetLoad:
         """Return what a bearing bears in every case, with what it takes from the planet and what it swings itself.
 

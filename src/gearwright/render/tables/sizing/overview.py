@@ -12,6 +12,7 @@ from gearwright.render.tables.sizing.masses import mass_tables
 from gearwright.render.tables.sizing.materials import materials_table
 from gearwright.render.tables.sizing.mounted import mounted_tables
 from gearwright.render.tables.sizing.places import place_tables
+from gearwright.render.tables.sizing.planets import planet_table
 from gearwright.sizing import Sizing, asked_speeds, bearing_forces, mass_parts, passing, planet_positions
 from gearwright.sizing.arrangement import envelope
 from gearwright.train import Branch, branches
@@ -97,6 +98,7 @@ def tables_of(sizing: Sizing) -> dict[str, Table]:
         "carriers": table("Carriers", sizing.carriers,
                           ("stage", "torque", "tangential_force", "centrifugal_force", "radius", "pin_diameter",
                            "plate_thickness", "mass", "inertia"), mark=mark, note=_unequal(sizing)),
+        "planet_bearings": planet_table(sizing),
         "machines": table("Machines", sizing.machines, ("name", "kind", "shaft", "torque", "mass", "inertia"),
                           mark=mark),
         "mass": table("Mass", mass_parts(sizing), ("part", "group", "count", "each", "total", "share"),
