@@ -450,6 +450,8 @@ def of_carriers(sizing, carrier):
     shear = 2.0 * carrier.torque / (math.pi * hub**2 * carrier.plate_thickness) if hub else 0.0
     least = rules.plate_ratio * length
     needed = 2.0 * carrier.torque / (math.pi * hub**2) / (allowable(sizing, rules) / 2.0) if hub else 0.0
+    solid = (32.0 * arm / (math.pi * allowable(sizing, rules))) ** (1.0 / 3.0)
+    bore = None if carrier.pin_bore is None else d * min((1.0 - (solid / d) ** 3) ** 0.25, 0.8)
     simple = of_planets(sizing, carrier) if carrier.stage in sizing.design.planetaries else {}
     return {
         **simple,
@@ -457,7 +459,8 @@ def of_carriers(sizing, carrier):
         "F = √(F_t² + (F_c + F_r)²)": math.hypot(
             carrier.tangential_force, carrier.centrifugal_force + carrier.radial_force
         ),
-        "d³ = 32 (F b/2) / (π σ)": (32.0 * arm / (math.pi * allowable(sizing, rules))) ** (1.0 / 3.0),
+        "d³ = 32 (F b/2) / (π σ)": solid,
+        "1 − κ⁴ = (d_needed/d)³, κ ≤ 0.8": bore,
         "σ = 32 (F b/2) / (π d³)": 32.0 * arm / (math.pi * d**3),
         "R_p0.2 / S over the stress": over(steel.yield_strength / rules.safety, carrier.pin_stress),
         "share of b, or by τ = 2 T_c/(π d² t)": max(least, needed),

@@ -133,8 +133,10 @@ class CarrierSizing:
     """Pins and plate, without planets [kg]."""
     inertia: Annotated[float, Quantity("inertia"), Origin("pins and plate", "geometry")]
     """Pins and plate, without planets [kg m²]."""
-    pin_bore: Length | None = None
-    """Bore of pins that are thicker than their strength asks, 1 − κ⁴ = (d_needed/d)³ [m]; None where they are solid."""
+    pin_bore: Annotated[
+        float | None, Quantity("length"), Origin("1 − κ⁴ = (d_needed/d)³, κ ≤ 0.8", "equal strength")
+    ] = None
+    """Bore of pins that are thicker than their strength asks [m]; None where they are solid."""
 
     @property
     def part(self) -> PartId:
