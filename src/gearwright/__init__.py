@@ -55,7 +55,7 @@ if TYPE_CHECKING:
     from gearwright.sizing.mass import complete_mass
     from gearwright.spec import design_text, edited, edited_mission, parse, read, read_mission, read_study, schema
     from gearwright.store import StoredRun, load, save
-    from gearwright.study import compare, for_engine
+    from gearwright.study import compare, equal_life, for_engine
     from gearwright.study import run as study
     from gearwright.validate import validate
     from gearwright.weights import engines, mass
@@ -80,6 +80,7 @@ _VERBS = {
     "edited": "spec",
     "edited_mission": "spec",
     "engines": "weights",
+    "equal_life": "study",
     "figure": "render.pages.notebook",
     "fly": "mission",
     "for_engine": "study",
@@ -154,6 +155,7 @@ __all__ = [
     "edited",
     "edited_mission",
     "engines",
+    "equal_life",
     "figure",
     "fly",
     "for_engine",

@@ -32,6 +32,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
     "fly": (f"{_ROOM}flight:FlyAnswer", f"{_ROOM}flight:Moment"),
     "window": (f"{_ROOM}flight:WindowAnswer", f"{_ROOM}motion:Instant"),
     "compare": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
+    "compare closed": (f"{_ROOM}closure:EqualLifeAnswer", ""),
     "study": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "resume": (f"{_ROOM}study:StudyAnswer", f"{_ROOM}study:StudyRow"),
     "status": (f"{_ROOM}study:StatusAnswer", ""),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from gearwright.closure.stage_search import StageSize, StageTask, lightest, sized_at
+from gearwright.closure.stage_search import ROUNDING, StageSize, StageTask, lightest, sized_at
 from gearwright.closure.wishes import Wishes
 from gearwright.identity import Role
 from gearwright.sizing import Sizing, size
@@ -15,6 +15,10 @@ from gearwright.spec.design import Pair, Planetary, module_owners
 from gearwright.spec.edit import Value
 
 _MM = 1e-3
+MOST_SCALINGS = 12
+"""Times that modules of stages on common axes are made larger together [-]."""
+SLIGHTLY = 1.001
+"""The least factor by which they are [-]."""
 _TEETH = {
     Role.PINION: "pinion_teeth", Role.WHEEL: "wheel_teeth",
     Role.SUN: "sun_teeth", Role.PLANET: "planet_teeth", Role.RING: "ring_teeth",
@@ -82,22 +86,61 @@ def _sizes(
     trial: Trial, first: Sizing, wishes: Wishes, targets: Mapping[str, float]
 ) -> Iterator[tuple[str, StageSize]]:
     """Yield the size of every stage that is searched; one that nothing does has its widest face."""
-    owners = module_owners(trial.design)
-    modules = {gear.stage: gear.module for gear in first.gears}
+    owners, tied = module_owners(trial.design), list[StageTask]()
+    modules = {gear.stage: gear.module for gear in first.gears} | _given(trial)
     for name in searched(trial.design):
         rating = trial.rating(name)
         if rating.proportions is None or f"{name}.face_width" in trial.given:
             continue
         task = StageTask(trial, name, wishes.left_out, wishes.rounded, targets.get(name, 1.0))
-        fixed = _tied(trial.design, name, owners) or f"{name}.module" in trial.given
+        if is_tied(trial.design, name, owners):
+            tied.append(task)
+            continue
         standard = wishes.rounded and rating.proportions.standard_modules
-        module = trial.given.get(f"{name}.module", modules[name])
-        found = sized_at(task, module) if fixed else lightest(task, module, standard=standard)
+        given = f"{name}.module" in trial.given
+        module = modules[name]
+        found = sized_at(task, module) if given else lightest(task, module, standard=standard)
         yield name, found or _widest(task, module)
+    yield from _together(tied, modules)
 
 
-def _tied(design: Design, stage: str, owners: Mapping[str, str]) -> bool:
-    """Tell whether other stages have the same module or the same axes."""
+def _given(trial: Trial) -> dict[str, float]:
+    """Return stage -> module that the design gives [m]."""
+    names = trial.design.simple_stages
+    return {name: trial.given[f"{name}.module"] for name in names if f"{name}.module" in trial.given}
+
+
+def _together(tasks: list[StageTask], modules: Mapping[str, float]) -> Iterator[tuple[str, StageSize]]:
+    """Yield the sizes of stages that share a module or their axes: their modules grow together until all do."""
+    scale, sizes = 1.0, dict[str, StageSize]()
+    free = all(f"{task.name}.module" not in task.trial.given for task in tasks)
+    for _ in range(MOST_SCALINGS):
+        scaled = {task.name: scale * modules[task.name] for task in tasks}
+        sizes = {task.name: sized_at(task, scaled[task.name]) or _widest(task, scaled[task.name]) for task in tasks}
+        least = min((size.margin for size in sizes.values()), default=1.0)
+        if least >= 1.0 - ROUNDING or not free:
+            break
+        scale *= max(least**-0.5, SLIGHTLY)
+    yield from _as_wide(tasks, sizes)
+
+
+def _as_wide(tasks: list[StageTask], sizes: Mapping[str, StageSize]) -> Iterator[tuple[str, StageSize]]:
+    """Yield sizes with the widest face of all stages that share gears: teeth mesh over the narrower of two faces."""
+    for task in tasks:
+        owners, own = module_owners(task.trial.design), sizes[task.name]
+        width = max(size.face_width for name, size in sizes.items() if owners[name] == owners[task.name])
+        margin, governs = task.governing(own.module, width)
+        yield task.name, StageSize(own.module, width, margin, governs, task.volume(own.module, width))
+
+
+def is_tied(design: Design, stage: str, owners: Mapping[str, str]) -> bool:
+    """Tell whether other stages have the same module or the same axes.
+
+    Args:
+        design: With its stages.
+        stage: One of them.
+        owners: Stage -> the stage whose module it has.
+    """
     axes = {pair.coaxial_with for pair in design.pairs.values()}
     own = design.pairs.get(stage)
     shared = list(owners.values()).count(owners[stage]) > 1

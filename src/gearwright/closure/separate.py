@@ -10,7 +10,7 @@ from gearwright.checks import Check, Status
 from gearwright.closure.closed import Round, Step
 from gearwright.closure.confirm import changes_of
 from gearwright.closure.loop import Settled, settled
-from gearwright.closure.proportion import proportioned, searched, sizes_of, teeth_of
+from gearwright.closure.proportion import is_tied, proportioned, searched, sizes_of, teeth_of
 from gearwright.closure.requirements import requirement_of, wanted
 from gearwright.dynamics.vibration import resonance_checks
 from gearwright.errors import GearwrightError
@@ -18,12 +18,12 @@ from gearwright.identity import Role
 from gearwright.sizing import Sizing, size
 from gearwright.sizing.rating import STANDARD_MODULES
 from gearwright.spec import edited
-from gearwright.spec.design import Planetary
+from gearwright.spec.design import Planetary, module_owners
 from gearwright.spec.edit import Value
 
-SPEEDS = "critical speeds"
-"""Requirement that is looked after."""
-SWEEPS = 3
+MOVED = ("critical speeds", "room", "teeth")
+"""Requirements that other teeth and modules move."""
+SWEEPS = 5
 """Changes that are made one after another [-]."""
 CONFIRMED = 3
 """The most promising choices of a sweep that are confirmed [-]."""
@@ -31,6 +31,8 @@ TEETH = (-6, -4, -3, -2, -1, 1, 2, 3, 4, 6)
 """By how many teeth the sun or the pinion of a stage is changed [-]."""
 MODULES = (1, 2)
 """By how many steps of ISO 54 the module of a stage is changed, upwards: smaller ones do not bear the load [-]."""
+LARGER = (1.05, 1.1, 1.15)
+"""Factors on the modules of stages on common axes, which have no standard ones [-]."""
 _MM = 1e-3
 
 
@@ -41,7 +43,7 @@ class Candidate(NamedTuple):
     short: float
     """Sum of what all failing checks lack of their limits [-]."""
     near: float
-    """The part of critical speeds in it [-]."""
+    """The part of critical speeds and of room in it [-]."""
 
     @property
     def rank(self) -> tuple[float, float]:
@@ -57,7 +59,7 @@ def judged(state: Settled) -> Candidate:
     """
     checks = wanted([*state.sizing.checks, *resonance_checks(state.sizing)], state.task.wishes.left_out)
     lacking = [check for check in checks if check.status is Status.FAILS and not check.waiver]
-    near = (check for check in lacking if requirement_of(check) == SPEEDS)
+    near = (check for check in lacking if requirement_of(check) in MOVED)
     return Candidate(state, _sum(lacking), _sum(near))
 
 
@@ -110,7 +112,7 @@ def _settled_of(state: Settled) -> Iterator[Candidate]:
 
 def _neighbours(state: Settled) -> Iterator[Candidate]:
     """Yield every choice of one change that can be sized, with the dynamic factors of what it is a change of."""
-    for change in _changes(state):
+    for change in (*_changes(state), *_together(state)):
         try:
             yield _screened(state, change)
         except GearwrightError:
@@ -150,10 +152,22 @@ def _changes(state: Settled) -> Iterator[Change]:
         if all(getattr(stage, key) is None for key in keys) and gear.role in (Role.SUN, Role.PINION):
             frees = tuple(f"{table}.{key}" for key in keys)
             yield from (Change(table, {frees[0]: gear.teeth + step}, frees) for step in TEETH)
-        if stage.module is None and f"{table}.module_mm" not in chosen:
+        alone = not is_tied(design, name, module_owners(design))
+        if alone and stage.module is None and f"{table}.module_mm" not in chosen:
             series = [value for value in STANDARD_MODULES if value * _MM > gear.module * (1.0 + 1e-9)]
             steps = (step for step in MODULES if step <= len(series))
             yield from (Change("", {f"{table}.module_mm": series[step - 1]}) for step in steps)
+
+
+def _together(state: Settled) -> Iterator[Change]:
+    """Yield larger modules of the stages on common axes, all by one factor, where the design leaves them open."""
+    design, owners = state.task.design, module_owners(state.task.design)
+    tied = [name for name in searched(design) if is_tied(design, name, owners)]
+    modules = {gear.stage: gear.module for gear in state.sizing.gears}
+    if tied and all(design.simple_stages[name].module is None for name in tied):
+        own = {name: modules[name] for name in tied if owners[name] == name}
+        for factor in LARGER:
+            yield Change("", {f"{design.table(name)}.module_mm": factor * own[name] / _MM for name in own})
 
 
 _SET = ("sun_teeth", "planet_teeth", "ring_teeth")

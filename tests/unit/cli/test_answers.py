@@ -55,6 +55,7 @@ LINES = {
     "fly": "fly in-line-h2 thesis --life-h 2000",
     "window": "window in-line-h2 short.toml cut",
     "compare": "compare in-line star",
+    "compare closed": "compare pair.toml --life-h 300",
     "study": "study small.toml --workers 0",
     "resume": "resume journal --workers 0",
     "status": "status journal",

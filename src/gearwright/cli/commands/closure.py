@@ -1,12 +1,13 @@
-"""The command ``close``: a design becomes a gearbox that meets what its checks know, written out.
+"""The command ``close``, and architectures closed for one life: designs that meet what their checks know.
 
 Imports that cost time stand inside the command, so that ``--help`` stays quick.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -14,6 +15,9 @@ from gearwright.cli.answers import show_answer
 from gearwright.cli.designs import design_of, placed_in
 from gearwright.cli.options import DesignArgument, JsonOption
 from gearwright.cli.terminal.output import show, tell
+
+if TYPE_CHECKING:
+    from gearwright.spec import Design
 
 
 def close(
@@ -56,3 +60,30 @@ def close(
 
 def _quiet(_: str) -> None:
     """Say nothing beside the answer."""
+
+
+def show_equal_life(designs: Mapping[str, Design], life_h: float, *, out: Path | None, json: bool) -> None:
+    """Show designs closed for one life, and write them into a folder.
+
+    Args:
+        designs: Name -> design.
+        life_h: Asked life [h].
+        out: Folder; None: they are not written.
+        json: For machines.
+    """
+    from gearwright.closure import Wishes
+    from gearwright.closure.wishes import HOUR
+    from gearwright.render.answers.closure import EqualLifeAnswer
+    from gearwright.render.tables.study.equal_life import equal_life_table
+    from gearwright.render.words.text import table_text
+    from gearwright.study import equal_life
+    from gearwright.writing import write_text
+
+    rows = equal_life(designs, wishes=Wishes(life_h * HOUR), tell=_quiet if json else tell)
+    if json:
+        show_answer("compare closed", EqualLifeAnswer(life_h * HOUR, rows))
+    else:
+        show(table_text(equal_life_table(rows, f"Closed for {life_h:g} h")))
+    for row in rows if out is not None else ():
+        if row.file and out is not None:
+            write_text(out / f"{row.design}.toml", row.file)

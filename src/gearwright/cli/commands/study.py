@@ -104,6 +104,10 @@ def compare(
     engine_rpm: Annotated[float | None, typer.Option(help="Speed of the turbine", min=0.0)] = None,
     propeller_rpm: Annotated[float | None, typer.Option(help="Speed of the propeller", min=0.0)] = None,
     changes: SetOption = None,
+    life_h: Annotated[
+        float | None, typer.Option(help="Close every design for this life, and compare complete masses", min=0.0)
+    ] = None,
+    out: Annotated[Path | None, typer.Option(help="With --life-h: write the closed designs into this folder")] = None,
     csv: CsvOption = None,
     figure: FigureOption = None,
     report: Annotated[Path | None, typer.Option(help="Write the comparison as one self-contained HTML page")] = None,
@@ -111,6 +115,8 @@ def compare(
     jsonl: LinesOption = False,
 ) -> None:
     """Compare architectures for one engine: masses, margins and power density, in one table and one figure."""
+    from gearwright.cli.commands.closure import show_equal_life
+    from gearwright.spec import edited
     from gearwright.study import compare as compared
     from gearwright.study import for_requirement
     from gearwright.study.running.compare import comparison_of
@@ -120,6 +126,15 @@ def compare(
     power = None if power_kw is None else power_kw * 1e3
     engine, propeller = (None if rpm is None else rpm * RPM for rpm in (engine_rpm, propeller_rpm))
     chosen = {name: design_of(name) for name in study.designs}
+    if life_h is not None:
+        fitted = {
+            name: for_requirement(
+                edited(design, study.changes), power=power, engine_speed=engine, propeller_speed=propeller
+            )
+            for name, design in chosen.items()
+        }
+        show_equal_life(fitted, life_h, out=out, json=json)
+        return
     table = compared(chosen, power=power, engine_speed=engine, propeller_speed=propeller, changes=study.changes)
     show_table("compare", table, csv=csv, json=json, jsonl=jsonl)
     fitted = {

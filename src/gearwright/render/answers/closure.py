@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from gearwright.closure import Closed, Outcome, Round, StageLife, Unmet
 from gearwright.render.answers.review import Factor, ReviewedCheck, reviewed_check
 from gearwright.spec.text import design_text
+from gearwright.study.running.equal_life import EqualLife
 from gearwright.units import Life, Mass
 
 
@@ -78,3 +79,12 @@ def close_answer(closed: Closed) -> CloseAnswer:
 
 def _unmet(unmet: Unmet) -> UnmetRequirement:
     return UnmetRequirement(unmet.requirement, reviewed_check(unmet.check), unmet.kept, unmet.helps)
+
+
+@dataclass(frozen=True)
+class EqualLifeAnswer:
+    """Designs closed for one life."""
+
+    life_asked: Life
+    rows: tuple[EqualLife, ...]
+    """The lightest that meet everything first."""

@@ -1,0 +1,108 @@
+"""Architectures at equal life: each closed, and judged by an independent review of the design that was written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from gearwright.checks import Check
+from gearwright.closure import Closed, Wishes, close
+from gearwright.errors import DesignError, Problem
+from gearwright.reviews import Review, Verdict, review
+from gearwright.spec import Design, design_text, parse, read
+from gearwright.study.running.compare import comparison_of
+from gearwright.units import Life, Mass, Ratio
+from gearwright.verbs import verb
+
+
+@dataclass(frozen=True)
+class EqualLife:
+    """A design closed for a life."""
+
+    design: str
+    """As it was named."""
+    verdict: str
+    """Of the independent review; refused where it cannot be sized."""
+    complete_mass: Mass | None
+    """Of the whole gearbox [kg]; None where there is none."""
+    lightest: Mass | None
+    """End of its band of 68 % [kg]."""
+    heaviest: Mass | None
+    """The other end [kg]."""
+    gears_and_shafts: Mass | None
+    """Gears, shafts and carriers alone, wheels as their rules weigh them [kg]."""
+    machines: Mass | None
+    """Motors, generators and accessories, which are not in the complete mass [kg]."""
+    life: Life | None
+    """Of the gears that end first at the asked safeties [s]."""
+    limits: str
+    """What ends the life, or comes nearest to its limit."""
+    fails: str
+    """What no freedom met, with its best margin; empty where all is met."""
+    worst: Ratio | None
+    """Margin of the worst check of the review [-]."""
+    file: str = ""
+    """The closed design as TOML."""
+
+
+@verb
+def equal_life(
+    designs: Mapping[str, Design] | None = None,
+    *,
+    wishes: Wishes | None = None,
+    tell: Callable[[str], None] | None = None,
+) -> tuple[EqualLife, ...]:
+    """Return designs closed for one life, the lightest that meet everything first, then those that do not.
+
+    Args:
+        designs: Name -> design; left out: the architectures of the shipped study.
+        wishes: Life and rounding; left out: each as its design says.
+        tell: Called with what is being done.
+    """
+    chosen = {name: read(name) for name in comparison_of(None).designs} if designs is None else dict(designs)
+    asked, rows = wishes or Wishes(), list[EqualLife]()
+    for name, design in chosen.items():
+        say = None if tell is None else _named(tell, name)
+        try:
+            closed = close(design, wishes=asked, tell=say)
+            rows.append(_row(name, closed, review(parse(design_text(closed.design)))))
+        except DesignError as error:
+            rows.append(_refused(name, error.problems))
+    return tuple(sorted(rows, key=_order))
+
+
+def _named(tell: Callable[[str], None], name: str) -> Callable[[str], None]:
+    return lambda words: tell(f"{name}: {words}")
+
+
+def _order(row: EqualLife) -> tuple[bool, float]:
+    return row.verdict not in (str(Verdict.PASSES), str(Verdict.PASSES_SO_FAR)), row.complete_mass or float("inf")
+
+
+def _row(name: str, closed: Closed, judged: Review) -> EqualLife:
+    whole, shortest = closed.whole, next(iter(closed.lives), None)
+    low, high = whole.band
+    return EqualLife(
+        design=name,
+        verdict=str(judged.verdict),
+        complete_mass=whole.total,
+        lightest=low,
+        heaviest=high,
+        gears_and_shafts=closed.mass,
+        machines=closed.sizing.motor_mass,
+        life=None if shortest is None else shortest.life,
+        limits="" if shortest is None else shortest.governs,
+        fails="; ".join(map(_words, judged.failing)),
+        worst=None if judged.worst is None else judged.worst.margin,
+        file=design_text(closed.design),
+    )
+
+
+def _words(check: Check) -> str:
+    return f"{check.name} {check.margin:.3f}"
+
+
+def _refused(name: str, problems: tuple[Problem, ...]) -> EqualLife:
+    """Return the row of a design that cannot be sized, with the reason."""
+    nothing = EqualLife(name, "refused", None, None, None, None, None, None, "", "", None)
+    return replace(nothing, fails="; ".join(f"{problem.path}: {problem.message}" for problem in problems))
