@@ -243,7 +243,7 @@ UNKNOWN = {
 }
 """Verb and argument -> call with a name that is not there."""
 FREE = {
-    "source", "title", "text", "results", "designs",
+    "source", "title", "text", "results", "designs", "tell",
     "path of load", "path of save", "shaft of waterfall_figure", "name of bending_shaft",
 }  # fmt: skip
 """Texts that are no names of what is there."""
