@@ -37,6 +37,7 @@ FLOWN = MappingProxyType({
     "equal-power": ("in-line", "mixed-h1", "off-set-h2", "single-planetary", "twin-engine-sprag"),
     "regional-250nm": ("in-line", "mixed", "star"),
     "rotor-schedule": ("face-gear-split-torque",),
+    "strategies": ("in-line-h2",),
     "thesis": ("in-line-h1", "in-line-h2", "mixed-h2", "off-set-h3"),
     "thesis-chapter-4": ("in-line-h2", "mixed-h1", "off-set-h1"),
 })  # fmt: skip

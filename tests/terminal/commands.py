@@ -49,6 +49,7 @@ COMMANDS = (
     Command("fly in-line-h2"),
     Command("window in-line-h2"),
     Command("compare in-line star"),
+    Command("close pair.toml --life-h 1000"),
     Command("study"),
     Command("study small.toml --workers 0"),
     Command("status journal"),

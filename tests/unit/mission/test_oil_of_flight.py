@@ -61,8 +61,8 @@ def test_a_gear_that_there_is_not_does_not_dip():
 
 
 def test_lives_over_a_flight_are_modified_where_the_design_asks():
-    plain = {row.seat: row for row in bearing_lives(fly(sized(), sortie())).rows}
-    thick = {"oil__viscosity_40": 68.0, "oil__viscosity_100": 8.5}
+    thick = {"oil__viscosity_40": 68.0, "oil__viscosity_100": 8.5, "gears__iso6336__oil_viscosity": 68.0}
+    plain = {row.seat: row for row in bearing_lives(fly(sized(**thick), sortie())).rows}
     asked = fly(sized(bearing_rules__life="modified", **thick), sortie())
     for row in bearing_lives(asked).rows:
         assert row.life_factor is not None and plain[row.seat].life_factor is None

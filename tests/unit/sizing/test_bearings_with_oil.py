@@ -13,6 +13,8 @@ from gearwright.units import RPM
 
 HOUR = 3600.0
 near = pytest.approx
+THICK = {"oil__viscosity_40": 68.0, "oil__viscosity_100": 8.5, "gears__iso6336__oil_viscosity": 68.0}
+"""One oil for bearings and teeth, of which the design states its own."""
 
 
 @functools.cache
@@ -58,7 +60,7 @@ def test_both_lives_are_shown_and_the_basic_one_is_asked_unless_the_design_says_
 
 
 def test_a_design_that_asks_for_the_modified_life_takes_bearings_that_reach_it():
-    asked = sized(bearing_rules__life="modified", oil__viscosity_40=68.0, oil__viscosity_100=8.5)
+    asked = sized(bearing_rules__life="modified", **THICK)
     lives = [check for check in asked.checks if check.mode == "life" and check.symbol == "L_nmh"]
     assert len(lives) == len(asked.bearings)
     for row in asked.bearings:
@@ -67,7 +69,7 @@ def test_a_design_that_asks_for_the_modified_life_takes_bearings_that_reach_it()
 
 
 def test_thicker_and_cleaner_oil_never_shortens_a_life():
-    plain, thick = sized(), sized(oil__viscosity_40=68.0, oil__viscosity_100=8.5)
+    plain, thick = sized(), sized(**THICK)
     clean = sized(oil__cleanliness="high")
     for one, two, three in zip(plain.bearings, thick.bearings, clean.bearings, strict=True):
         assert one.designation == two.designation == three.designation
@@ -81,7 +83,8 @@ def test_an_oil_filter_is_asked_by_its_name():
 
 
 def test_too_thin_an_oil_is_refused_where_its_life_is_asked_and_not_shown_elsewhere():
-    thin = {"oil__viscosity_40": 4.0, "oil__viscosity_100": 1.2, "oil__temperature": 180.0}
+    thin = THICK | dict.fromkeys(("oil__viscosity_40", "gears__iso6336__oil_viscosity"), 5.0)
+    thin |= {"oil__viscosity_100": 1.2, "oil__temperature": 180.0}
     assert any(row.modified_life is None for row in sized(**thin).bearings)
     with pytest.raises(DesignError, match=r"below 0\.1, where ISO 281 gives no life; take a thicker oil, in \[oil\]"):
         sized(bearing_rules__life="modified", **thin)

@@ -150,7 +150,9 @@ def test_crowned_and_adjusted_gears_of_agma_have_four_fifths(crowned, adjusted):
 )  # fmt: skip
 def test_the_curve_of_a_steel_is_that_of_its_hardness(steel, hardness, start):
     """Y_N at 1000 cycles, AGMA 2001-D04, figure 17."""
+    fitting = {"carburised": "18CrNiMo7-6", "through-hardened": "structural-steel"}
     rules = {"gears.rating": "agma2001", "gears.agma2001.steel": steel, "gears.agma2001.grade": 1}
+    rules["gears.material"] = fitting.get(steel, "nitriding-steel-785")
     if hardness is not None:
         rules["gears.agma2001.hardness_hb"] = hardness
     making = making_of(rating_of(edited(OFF_SET, rules), "first"))

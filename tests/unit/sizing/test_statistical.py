@@ -5,6 +5,7 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.special import stdtrit
 
 from gearwright.errors import DesignError
 from gearwright.units import RPM
@@ -25,6 +26,7 @@ from gearwright.weights import (
     scores,
     willis,
 )
+from gearwright.weights.refit import student_quantile
 
 PW127 = Requirement(2051e3, 20204 * RPM, 1212 * RPM)
 
@@ -209,3 +211,9 @@ def test_the_middle_of_the_assumption_lies_between_its_corners():
     speeds = [one.propeller_speed for one in corners()]
     assert min(ratios) < middle().ratio < max(ratios)
     assert min(speeds) < middle().propeller_speed < max(speeds)
+
+
+@pytest.mark.parametrize("freedoms", [1, 2, 3, 4, 5, 10, 59, 60, 200])
+def test_students_quantile_is_that_of_a_library(freedoms):
+    for level in (0.5, 0.68, 0.95, 0.999):
+        assert student_quantile(freedoms, level) == pytest.approx(stdtrit(freedoms, 0.5 + 0.5 * level), rel=1e-9)

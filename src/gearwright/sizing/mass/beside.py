@@ -67,14 +67,25 @@ def statistics_beside(sizing: Sizing, mass: CompleteMass) -> Statistics:
         sizing: As sized.
         mass: Its complete mass.
     """
-    need = requirement_of(sizing)
+    need, cramped = requirement_of(sizing), _cramped(mass)
     if need is None:
-        return Statistics(None, None, None, "No statistics: they are of gearboxes that reduce an engine's speed.")
+        said = "No statistics: they are of gearboxes that reduce an engine's speed."
+        return Statistics(None, None, None, said + cramped)
     found = band_of(need)
     if found is None:
-        return Statistics(None, None, None, "No statistics: its β is outside that of the 61 weights.")
+        return Statistics(None, None, None, "No statistics: its β is outside that of the 61 weights." + cramped)
     median, low, high = found
-    return Statistics(median, low, high, _sentence(mass, median, (low, high)))
+    return Statistics(median, low, high, _sentence(mass, median, (low, high)) + cramped)
+
+
+def _cramped(mass: CompleteMass) -> str:
+    """Say whose bearings are lighter than their load asks."""
+    if not mass.crowded:
+        return ""
+    return (
+        f" The bearings of {' and '.join(mass.crowded)} are weighed as large as there is room, and their load asks for"
+        " larger ones: gearwright close finds what lives."
+    )
 
 
 def _sentence(mass: CompleteMass, median: float, band: tuple[float, float]) -> str:

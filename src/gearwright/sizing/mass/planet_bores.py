@@ -33,6 +33,8 @@ class PlanetBore(NamedTuple):
     """Equal planets [-]."""
     named: bool
     """Whether the design names it."""
+    crowded: bool
+    """Whether the load asks for more than the room between pin and rim holds."""
 
 
 def planet_bores(sizing: Sizing, duties: Sequence[SeatDuty]) -> dict[str, PlanetBore]:
@@ -60,7 +62,9 @@ def _named(body: PlanetBody) -> PlanetBore | None:
     if not taken:
         return None
     outside = max(runs_on.outer_diameter for runs_on in taken)
-    return PlanetBore(str(body.part), outside, sum(runs_on.mass for runs_on in taken), body.steps[0].bodies, named=True)
+    return PlanetBore(
+        str(body.part), outside, sum(runs_on.mass for runs_on in taken), body.steps[0].bodies, named=True, crowded=False
+    )
 
 
 def _estimated(body: PlanetBody, pin: float, ratings: Mapping[str, float]) -> PlanetBore:
@@ -68,7 +72,8 @@ def _estimated(body: PlanetBody, pin: float, ratings: Mapping[str, float]) -> Pl
     steel = _SHARE * math.pi / 4.0 * body.width * STEEL_DENSITY
     wanted = math.sqrt(pin**2 + loaded_mass(ratings.get(body.stage, 0.0)) / steel)
     outside = max(min(max(wanted, pin * (1.0 + 2.0 * _LEAST)), _room(body)), pin)
-    return PlanetBore(str(body.part), outside, steel * (outside**2 - pin**2), body.steps[0].bodies, named=False)
+    mass = steel * (outside**2 - pin**2)
+    return PlanetBore(str(body.part), outside, mass, body.steps[0].bodies, named=False, crowded=wanted > outside)
 
 
 def _room(body: PlanetBody) -> float:

@@ -13,6 +13,8 @@ from gearwright.units import Mass, Origin, Quantity, Ratio
 
 GROUPS = ("gears", "shafts", "carriers", "bearings", "housing", "lubrication", "details")
 """Groups of parts, in the order of tables."""
+CROWDED = "what the room between pin and rim holds: less than (C/c)^1.5 for load and life"
+"""Formula of a planet's bearing that does not fit."""
 WITHIN = 0.68
 """Probability of the band of one standard deviation [-]."""
 
@@ -66,6 +68,11 @@ class CompleteMass(Shown):
     """In the order of groups, the heaviest of each first."""
     scatter: Ratio
     """Factor of one standard deviation by which sums differ from published gearboxes [-]; 1 where it is not known."""
+
+    @property
+    def crowded(self) -> tuple[str, ...]:
+        """Planets whose bearing is weighed as large as there is room, which is less than its load and life ask."""
+        return tuple(sorted(item.part for item in self.parts if item.formula == CROWDED))
 
     @cached_property
     def total(self) -> Mass:

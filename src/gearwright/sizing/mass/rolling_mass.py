@@ -30,7 +30,7 @@ class Similar(NamedTuple):
 @cache
 def similar() -> Similar:
     """Return the geometric means over the catalogue's cylindrical roller bearings."""
-    rollers = [size for size in bearings().values() if size.kind is BearingKind.CYLINDRICAL and size.bore >= 0.03]
+    rollers = [size for size in bearings().values() if size.kind == BearingKind.CYLINDRICAL and size.bore >= 0.03]
     loads = np.log([size.dynamic_rating / size.mass ** (2.0 / 3.0) for size in rollers])
     bores = np.sort(np.log([size.mass / size.bore**3 for size in rollers]))
     return Similar(float(np.exp(loads.mean())), float(np.exp(np.quantile(bores, _LIGHT))))

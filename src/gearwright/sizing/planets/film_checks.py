@@ -57,7 +57,7 @@ def _checks(context: Context, seat: Seat) -> Iterator[Check]:
     wild = max(films, key=lambda film: film.state.reynolds)
     yield Check(
         seat.part, "film thickness", "ISO 7902-1, h_min", thin.state.film, thin.least_film, "film_thickness",
-        exponent=None, symbol="h_min", place=place, case=cases[thin.case],
+        symbol="h_min", place=place, case=cases[thin.case],
     )  # fmt: skip
     yield Check(
         seat.part, "oil at the exit", "ISO 7902-1, T_ex", hot.state.exit - CELSIUS, asked.largest_temperature,

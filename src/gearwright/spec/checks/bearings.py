@@ -79,6 +79,11 @@ def _planet_bearing(path: str, asked: PlanetBearing) -> Iterator[Problem]:
     if (asked.dynamic_rating is None) != (asked.static_rating is None):
         yield Problem(path, "one rating without the other; give dynamic_rating_kn and static_rating_kn, or neither")
     yield from _idle_keys(path, asked)
+    if asked.oil_temperature is not None and asked.oil_temperature >= asked.largest_temperature:
+        message = (
+            f"oil enters at {asked.oil_temperature:.4g} °C, and may leave at {asked.largest_temperature:.4g} °C at most"
+        )
+        yield Problem(f"{path}.oil_temperature", f"{message}; give cooler oil, or a higher largest_temperature")
     if asked.designation is None:
         return
     try:
