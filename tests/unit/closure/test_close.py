@@ -1,12 +1,15 @@
 """A closed design meets everything in an independent review of its text, and no less would do."""
 
 from functools import cache
+from io import StringIO
 
 import pytest
+from rich.console import Console
 
 from designs import PAIR
 from gearwright.closure import Outcome, Step, Wishes, close, requirement_of
 from gearwright.errors import DesignError
+from gearwright.render.words.review import closure_text
 from gearwright.reviews import Verdict, review
 from gearwright.shipped import shipped_designs
 from gearwright.sizing import size
@@ -162,3 +165,17 @@ def test_every_check_of_the_shipped_designs_belongs_to_a_requirement():
         if check.ratio is not None and requirement_of(check) == "others"
     }
     assert unnamed == set()
+
+
+def test_the_screen_shows_the_first_round_of_each_kind_and_the_last_or_all():
+    found = closed()
+    widest = Console(width=200, file=StringIO())
+    told = []
+    for all_rounds in (False, True):
+        with widest.capture() as screen:
+            widest.print(closure_text(found, all_rounds=all_rounds))
+        told.append([line.split()[1] for line in screen.get().splitlines() if line.split()[:1] == ["round"]])
+    kinds = [row.step for row in found.rounds]
+    expected = sorted({*(kinds.index(kind) + 1 for kind in kinds), len(kinds)})
+    assert told == [[str(number) for number in expected], [str(number + 1) for number in range(len(kinds))]]
+    assert len(told[0]) < len(told[1])

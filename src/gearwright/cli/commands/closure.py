@@ -31,6 +31,9 @@ def close(
     crossings: Annotated[
         bool, typer.Option("--crossings", help="Keep the lightest teeth, and list the critical speeds that they cross")
     ] = False,
+    rounds: Annotated[
+        bool, typer.Option("--rounds", help="Show every round; left out: the first of each kind and the last")
+    ] = False,
     out: Annotated[Path | None, typer.Option(help="Write the closed design to this file")] = None,
     json: JsonOption = False,
 ) -> None:
@@ -50,7 +53,7 @@ def close(
     if json:
         show_answer("close", close_answer(closed), design=closed.design.name)
     else:
-        show(closure_text(closed))
+        show(closure_text(closed, all_rounds=rounds))
     if out is not None:
         write_text(out, design_text(closed.design))
         tell(f"wrote {out}")

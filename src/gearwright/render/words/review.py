@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rich.console import Group, RenderableType
-from rich.table import Table
 from rich.text import Text
 
-from gearwright.closure import Closed
+from gearwright.closure import Closed, Round
 from gearwright.closure.life import LONGEST
+from gearwright.render.grid.grid import Grid
 from gearwright.render.grid.table import written
 from gearwright.render.tables.checks import check_sentence, review_tables
 from gearwright.render.words.headline import headline, unneeded_text
@@ -31,22 +31,23 @@ def review_text(review: Review) -> RenderableType:
     return Group(*parts, *map(Text, notes))
 
 
-def closure_text(closed: Closed) -> RenderableType:
+def closure_text(closed: Closed, *, all_rounds: bool = False) -> RenderableType:
     """Return a closed design on one screen: what it meets, what it weighs and lives, how it came about.
 
     Args:
         closed: From `close`.
+        all_rounds: Every round; else the first, the first of every other kind of step, and the last.
     """
-    grid = Table.grid(padding=(0, 1))
-    grid.add_column(no_wrap=True)
-    grid.add_column()
-    for name, value in _closed_rows(closed):
+    grid = Grid(show_header=False)
+    grid.add_column("what", no_wrap=True)
+    grid.add_column("value")
+    for name, value in _closed_rows(closed, all_rounds=all_rounds):
         grid.add_row(name, value)
     first = f"{closed.outcome}: the worst is {check_sentence(closed.worst)}" if closed.worst else str(closed.outcome)
     return Group(Text(closed.design.name, style="bold"), Text(f"{first}."), Text(), grid)
 
 
-def _closed_rows(closed: Closed) -> Iterator[tuple[str, str]]:
+def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str]]:
     yield "gears, shafts, carriers", text(closed.mass, "mass")
     low, high = closed.whole.band
     yield "complete mass", f"{text(closed.whole.total, 'mass')}, {text(low, 'mass')} to {text(high, 'mass')}"
@@ -58,10 +59,20 @@ def _closed_rows(closed: Closed) -> Iterator[tuple[str, str]]:
     for gear in closed.sizing.gears:
         size = f"z {gear.teeth}, m_n {text(gear.module, 'length')}, b {text(gear.face_width, 'length')}"
         yield gear.name, size
-    for number, round_ in enumerate(closed.rounds, start=1):
+    told = _told(closed.rounds, all_rounds=all_rounds)
+    for number, round_ in told.items():
         yield f"round {number}", f"{round_.step}, {text(round_.mass, 'mass')}: {round_.what}"
+    if left := len(closed.rounds) - len(told):
+        yield "rounds not shown", f"{left}: of kinds that are shown; --rounds shows all"
     for unmet in closed.unmet:
         kept = f"; given and kept: {unmet.kept}" if unmet.kept else ""
         yield f"not met: {unmet.requirement}", f"{check_sentence(unmet.check)}{kept}. What helps: {unmet.helps}"
     if closed.kept:
         yield "given and kept", ", ".join(closed.kept)
+
+
+def _told(rounds: Sequence[Round], *, all_rounds: bool) -> dict[int, Round]:
+    """Return number -> round: all, or the first of each kind of step and the last."""
+    seen = {round_.step: number for number, round_ in reversed(list(enumerate(rounds, start=1)))}
+    numbers = {*seen.values(), len(rounds)}
+    return {number: round_ for number, round_ in enumerate(rounds, start=1) if all_rounds or number in numbers}
