@@ -48,7 +48,7 @@ def closure_text(closed: Closed, *, all_rounds: bool = False) -> RenderableType:
 
 
 def _closed_rows(closed: Closed, *, all_rounds: bool) -> Iterator[tuple[str, str]]:
-    yield "gears, shafts, carriers", text(closed.mass, "mass")
+    yield "of solid wheels", text(closed.mass, "mass")
     low, high = closed.whole.band
     yield "complete mass", f"{text(closed.whole.total, 'mass')}, {text(low, 'mass')} to {text(high, 'mass')}"
     for row in closed.lives:

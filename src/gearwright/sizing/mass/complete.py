@@ -28,8 +28,8 @@ def complete_mass(sizing: Sizing) -> CompleteMass:
 
     >>> import gearwright as gw
     >>> mass = gw.complete_mass(gw.size(gw.read("off-set")))
-    >>> [group.group for group in mass.groups]
-    ['gears', 'shafts', 'bearings', 'housing', 'lubrication', 'details']
+    >>> ", ".join(group.group for group in mass.groups)
+    'gears, shafts, bearings, housing, lubrication, details'
     """
     return summed(sizing, CALIBRATED)
 
