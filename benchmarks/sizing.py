@@ -1,7 +1,8 @@
 """How fast sizing is: ``python benchmarks/sizing.py`` measures all, or some of ``one many teeth``.
 
 one    size(in-line-h2), size(ec120b): least CPU time of twenty, and how many calls of functions it takes
-many   1000 designs of In-Line H2 by `size_many`, motor speed and fill of the carriers varied: CPU time of a design
+many   10 000 designs of In-Line H2 by `size_many`, motor speed and fill of the carriers varied: every hundredth is held
+       against `size` alone, bit for bit; then the CPU time of a design, together and alone
 teeth  five open stages, three of them bevel pairs by ISO 10300; and pairs in a row, three to six of them
 
 CPU times count what other processes do not take, and are still up to twice as long beside them; calls are the same on
@@ -20,11 +21,13 @@ from pathlib import Path
 import numpy as np
 
 from gearwright.sizing import Sizing, size, size_many
-from gearwright.spec import Design, parse, read
+from gearwright.spec import Design, edited, parse, read
 
 HERE = Path(__file__).parent
 SHIPPED = ("in-line-h2", "ec120b")
 LEAST_OF = 20
+EVERY, COLD = 100, 50
+"""Designs from one that is held against `size` to the next; designs with which lanes are loaded [-]."""
 
 
 def timed(design: Design, times: int) -> tuple[float, Sizing]:
@@ -57,15 +60,25 @@ def one() -> None:
 
 
 def many() -> None:
-    design, count = read("in-line-h2"), 1000
+    design, count = read("in-line-h2"), 10_000
     draw = np.random.default_rng(1)
     axes = {
         "motors.electric.speed_rpm": draw.uniform(3500, 5500, count),
         "carriers.fill": draw.uniform(0.4, 0.8, count),
     }
+    columns = {path: values.tolist() for path, values in axes.items()}
+    size_many(design, {path: values[:COLD] for path, values in columns.items()}, results=["mass"])  # loads the lanes
     start = time.process_time()
-    sizings = size_many(design, {path: values.tolist() for path, values in axes.items()}, results=["mass"])
-    print(f"size_many: {1e3 * (time.process_time() - start) / count:.2f} ms a design, {int(sizings.sized.sum())} sized")
+    sizings = size_many(design, columns, results=["mass"])
+    together = (time.process_time() - start) / count
+    rows = range(0, count, EVERY)
+    start = time.process_time()
+    alone = [size(edited(design, {path: values[row] for path, values in columns.items()})).mass for row in rows]
+    apart = (time.process_time() - start) / len(rows)
+    if not np.array_equal(sizings.columns["mass"][rows.start :: EVERY], alone):
+        raise SystemExit("size_many and size do not give the same bits")
+    print(f"size_many: {1e3 * together:.2f} ms a design, {1e3 * apart:.2f} ms alone;")
+    print(f"{int(sizings.sized.sum())} sized, {int(np.sum(sizings.together))} together")
 
 
 def pairs_in_a_row(count: int) -> str:

@@ -24,7 +24,7 @@ PLANET_HUB = 1.1
 _SOLID = "A_z b ρ + annuli; A_z = z ∫ 2 ψ r dr"
 _SOURCE = "ISO 21771:2007 (ψ); AGMA 2001-D04 (backup ratio 1.2); geometry"
 SURE = 0.10
-"""One standard deviation of gears over their value, an estimate: bores, webs and lightening holes [-]."""
+"""One standard deviation of gears over their value, an estimate: bores, webs, holes that lighten [-]."""
 
 
 def gear_items(sizing: Sizing, bores: Mapping[str, PlanetBore]) -> Iterator[MassItem]:
