@@ -13,6 +13,7 @@ from gearwright.machines.power.cells import (
     resistance_factor,
     straight,
 )
+from gearwright.machines.power.equilibrium import engine_state, state_for, steady_state
 from gearwright.machines.power.exhaust import Breathing, Exhaust, air_flow, exhaust_heat, exhaust_of, mixed
 from gearwright.machines.power.gases import (
     AIR,
@@ -41,12 +42,9 @@ from gearwright.machines.power.turboshaft import (
     Rated,
     Turboshaft,
     engine_of,
-    engine_state,
     entering,
     leaving,
     state_at,
-    state_for,
-    steady_state,
 )
 
 __all__ = [
