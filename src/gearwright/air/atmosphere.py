@@ -67,6 +67,10 @@ def air_at(altitude: float, offset: float = 0.0) -> Air:
     if not -100.0 <= offset <= 100.0:
         problems.append(Problem("isa_offset", f"{offset:g} K from the standard atmosphere; give -100 to 100 K"))
     refuse(problems)
+    return _state(altitude, offset)
+
+
+def _state(altitude: float, offset: float) -> Air:
     temperature, pressure = standard_temperature(altitude) + offset, standard_pressure(altitude)
     density = pressure / (GAS_CONSTANT * temperature)
     return Air(temperature, pressure, density, math.sqrt(HEAT_RATIO * GAS_CONSTANT * temperature))

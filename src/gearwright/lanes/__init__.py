@@ -5,7 +5,8 @@ Here stands how; which modules have twins, and what is asked of them, is for `si
 
 from gearwright.lanes.builtin import chosen
 from gearwright.lanes.lanes import Lanes, lanes_of
+from gearwright.lanes.rebound import rebound
 from gearwright.lanes.twins import CHANGES, twin
 from gearwright.lanes.work import Diverged, Unsupported
 
-__all__ = ["CHANGES", "Diverged", "Lanes", "Unsupported", "chosen", "lanes_of", "twin"]
+__all__ = ["CHANGES", "Diverged", "Lanes", "Unsupported", "chosen", "lanes_of", "rebound", "twin"]

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from itertools import pairwise
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
+from itertools import chain
+from typing import Any, NamedTuple
 
-from gearwright.air import Air, air_at, true_of_calibrated
+import numpy as np
+
+from gearwright.air import Air, air_along, true_along
+from gearwright.arrays import Bools, Floats
 from gearwright.errors import DesignError, Problem
 from gearwright.spec import Mission, Phase
 
@@ -46,15 +49,36 @@ class Moment(NamedTuple):
         return self.true_airspeed / self.air.sound_speed
 
 
-class _Cut(NamedTuple):
-    """One interval of a phase, from the phase's start."""
+class Course(NamedTuple):
+    """The middles of all intervals of a mission, in their order: `Moment` with arrays of shape (n,)."""
 
-    start: float
-    """[s]"""
-    end: float
-    """[s]"""
-    duration: float
-    """Of the phase [s]."""
+    phase: tuple[str, ...]
+    starts_phase: Bools
+    time: Floats
+    duration: Floats
+    altitude: Floats
+    air: Air
+    """Its fields are arrays."""
+    true_airspeed: Floats
+    acceleration: Floats
+    climb: Floats
+    propeller_speed: Floats
+    propeller_gain: Floats
+    power: Floats
+    """NaN where pitch or thrust set it [W]."""
+
+    @property
+    def mach(self) -> Floats:
+        """Flight Mach numbers [-]."""
+        return self.true_airspeed / self.air.sound_speed
+
+    def moments(self) -> Iterator[Moment]:
+        """Yield the intervals one by one."""
+        air = map(Air, *(np.asarray(column).tolist() for column in self.air))
+        columns = [column.tolist() for column in (self.starts_phase, self.time, self.duration, self.altitude)]
+        rest = [column.tolist() for column in self[6:-1]]
+        power = [None if math.isnan(value) else value for value in self.power.tolist()]
+        yield from map(Moment, self.phase, *columns, air, *rest, power)
 
 
 class _Before(NamedTuple):
@@ -77,15 +101,41 @@ def moments(mission: Mission) -> Iterator[Moment]:
     Raises:
         DesignError: A speed that is supersonic where it is flown; with the phase.
     """
+    yield from course_of(mission).moments()
+
+
+def course_of(mission: Mission) -> Course:
+    """Return all intervals of a mission.
+
+    Args:
+        mission: As read.
+
+    Raises:
+        DesignError: A speed that is supersonic where it is flown; with the phase.
+    """
     first = next(iter(mission.phases.values()))
     altitude = first.altitude if first.from_altitude is None else first.from_altitude
-    before = _Before(0.0, altitude, first.propeller_speed)
+    before, stretches = _Before(0.0, altitude, first.propeller_speed), list[Course]()
     for name, phase in mission.phases.items():
         duration = phase_duration(phase, before.altitude)
-        edges = _edges(duration, phase.ramp, mission.step)
-        for start, end in pairwise(edges):
-            yield _moment(mission, name, _Cut(start, end, duration), before)
+        stretches.append(_stretch(mission, name, duration, before))
         before = _Before(before.clock + duration, phase.altitude, _ramped(phase, duration, before.speed))
+    return joined(stretches)
+
+
+def joined(courses: Sequence[Course]) -> Course:
+    """Return courses one after the other; their times stay as they are.
+
+    Args:
+        courses: At least one.
+    """
+    air: Any = [np.concatenate(column) for column in zip(*(course.air for course in courses), strict=True)]
+    columns: dict[str, Any] = {
+        name: np.concatenate([getattr(course, name) for course in courses])
+        for name in Course._fields
+        if name not in ("phase", "air")
+    }
+    return Course(phase=tuple(chain.from_iterable(course.phase for course in courses)), air=Air(*air), **columns)
 
 
 def phase_duration(phase: Phase, altitude: float) -> float:
@@ -110,53 +160,58 @@ def _edges(duration: float, ramp: float, step: float) -> list[float]:
     return edges
 
 
-def _ramped(phase: Phase, time: float, before: float) -> float:
-    return before + (phase.propeller_speed - before) * min(time / phase.ramp, 1.0)
+def _ramped(phase: Phase, time: Any, before: float) -> Any:
+    part = np.minimum(time / phase.ramp, 1.0)
+    return before + (phase.propeller_speed - before) * part
 
 
-def _moment(mission: Mission, name: str, cut: _Cut, before: _Before) -> Moment:
-    phase, (start, end, duration) = mission.phases[name], cut
-    part = 0.5 * (start + end) / duration
+def _stretch(mission: Mission, name: str, duration: float, before: _Before) -> Course:
+    """Return the intervals of a phase."""
+    phase, edges = mission.phases[name], np.array(_edges(duration, mission.phases[name].ramp, mission.step))
+    start, end = edges[:-1], edges[1:]
+    part, count = 0.5 * (start + end) / duration, len(start)
     altitude = before.altitude + (phase.altitude - before.altitude) * part
-    air = air_at(altitude, mission.isa_offset_k)
-    airspeeds = [_true_airspeed(mission, name, before, time / duration) for time in (start, end)]
-    speeds = [_ramped(phase, time, before.speed) for time in (start, end)]
-    power = phase.power
-    if power is not None and phase.end_power is not None:
-        power += (phase.end_power - power) * part
-    return Moment(
-        phase=name,
+    airspeeds = _true_airspeeds(mission, name, before, edges / duration)
+    speeds = _ramped(phase, edges, before.speed)
+    power = np.full(count, math.nan if phase.power is None else phase.power)
+    if phase.power is not None and phase.end_power is not None:
+        power += (phase.end_power - phase.power) * part
+    return Course(
+        phase=(name,) * count,
         starts_phase=start == 0.0,
         time=before.clock + 0.5 * (start + end),
         duration=end - start,
         altitude=altitude,
-        air=air,
-        true_airspeed=_true_airspeed(mission, name, before, part),
-        acceleration=(airspeeds[1] - airspeeds[0]) / (end - start),
-        climb=(phase.altitude - before.altitude) / duration,
-        propeller_speed=0.5 * sum(speeds),
-        propeller_gain=speeds[1] - speeds[0],
+        air=air_along(altitude, mission.isa_offset_k),
+        true_airspeed=_true_airspeeds(mission, name, before, part),
+        acceleration=np.diff(airspeeds) / (end - start),
+        climb=np.full(count, (phase.altitude - before.altitude) / duration),
+        propeller_speed=0.5 * (speeds[:-1] + speeds[1:]),
+        propeller_gain=np.diff(speeds),
         power=power,
     )
 
 
-def _true_airspeed(mission: Mission, name: str, before: _Before, part: float) -> float:
-    """Return the true airspeed at a part of a phase [m/s]."""
+def _true_airspeeds(mission: Mission, name: str, before: _Before, part: Floats) -> Floats:
+    """Return the true airspeed at parts of a phase [m/s]."""
     phase = mission.phases[name]
 
-    def air(at: float) -> Air:
-        return air_at(before.altitude + (phase.altitude - before.altitude) * at, mission.isa_offset_k)
+    def air(at: Floats) -> Air:
+        return air_along(before.altitude + (phase.altitude - before.altitude) * at, mission.isa_offset_k)
 
     try:
         if phase.from_tas is None and phase.from_cas is None:
             return _by_law(phase, air(part))
-        first = phase.from_tas if phase.from_tas is not None else true_of_calibrated(phase.from_cas or 0.0, air(0.0))
-        return first + (_by_law(phase, air(1.0)) - first) * part
+        ends = air(np.array([0.0, 1.0]))
+        calibrated = true_along(np.full(2, phase.from_cas or 0.0), ends)[0]
+        first, last = phase.from_tas if phase.from_tas is not None else calibrated, _by_law(phase, ends)[1]
+        return np.asarray(first + (last - first) * part)
     except DesignError as error:
         raise DesignError([Problem(f"phases.{name}", problem.message) for problem in error.problems]) from None
 
 
-def _by_law(phase: Phase, air: Air) -> float:
+def _by_law(phase: Phase, air: Air) -> Floats:
+    along = np.ones_like(air.temperature)
     if phase.mach is not None:
-        return phase.mach * air.sound_speed
-    return phase.tas if phase.tas is not None else true_of_calibrated(phase.cas or 0.0, air)
+        return np.asarray(phase.mach * air.sound_speed)
+    return phase.tas * along if phase.tas is not None else true_along((phase.cas or 0.0) * along, air)
