@@ -121,6 +121,10 @@ def _hints(function: Any) -> dict[str, Any]:
     return {name: hint for name, hint in typing.get_type_hints(function).items() if name != "return"}
 
 
+_ALIKE = {float, int, bool, type(None)}
+"""Types of which all values fit, or none."""
+
+
 def _fits(value: object, hint: Any) -> bool:
     """Return False only for what is certainly of another type."""
     origin, inside = get_origin(hint), get_args(hint)
@@ -152,9 +156,10 @@ def _holds(value: object, origin: Any, inside: tuple[Any, ...]) -> bool:
 
 
 def _some(value: object, origin: type, inside: tuple[Any, ...]) -> Iterator[object]:
-    """Yield the members that can be looked at: of lists and tuples that hold one kind of thing."""
+    """Yield the members that can be looked at: of lists and tuples that hold one kind of thing; of numbers, some."""
     if isinstance(value, list | tuple) and inside and origin is not tuple and origin.__module__ != "numpy":
-        yield from value
+        alike = set(map(type, value)) <= _ALIKE
+        yield from {type(member): member for member in value}.values() if alike else value
 
 
 def _sentence(value: object, hint: Any) -> str:

@@ -152,10 +152,19 @@ def power(one: Any, other: Any) -> Any:
     if not (is_numeric(one) and is_numeric(other)):
         return NotImplemented
     if is_number(one) and is_number(other):
-        return each(operator.pow, one, other)
+        return _powers(one, other)
     if type(other) in (int, float) and other == 2 and not is_complex(one):
         return np.square(one.data)
     return per_lane(operator.pow, one, other)
+
+
+def _powers(one: Any, other: Any) -> Any:
+    """Return powers of numbers; `float_power` calls the function that Python calls, which `power` does not."""
+    base, exponent = (value.data if isinstance(value, InLanes) else np.asarray(value) for value in (one, other))
+    if base.dtype != np.float64 or exponent.dtype.kind not in "fi" or not (base > 0.0).all():
+        return each(operator.pow, one, other)
+    found = np.float_power(base, exponent)
+    return found if np.isfinite(found).all() else each(operator.pow, one, other)
 
 
 def each(function: Function, *values: Any) -> Any:

@@ -24,7 +24,7 @@ from gearwright.spec import Design, edited
 from gearwright.spec.design import given_values
 from gearwright.spec.edit import entry_of, replaced
 
-LANES = 2048
+LANES = 16384
 """Rows that are computed at once [-]."""
 FEW = 12
 """Rows that are sized sooner one by one than together [-]."""

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from gearwright.arrays import Ints
 from gearwright.checks import ROUNDING
 from gearwright.lanes import CHANGES, Diverged, Lanes, Unsupported, chosen, lanes_of, twin
 from gearwright.spec.design import stage_shifts
@@ -26,15 +27,30 @@ def _remembered(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
     @wraps(function)
     def looked_up(matrix: Any) -> Any:
         data = lanes_of(matrix).data
-        places = dict[bytes, int]()
-        place = [places.setdefault(row.tobytes(), len(places)) for row in data]
-        shape = data.shape[1:]
-        results = [_result(kept, function, content, shape) for content in places]
+        first, place = _distinct(data)
+        results = [_result(kept, function, data[k].tobytes(), data.shape[1:]) for k in first.tolist()]
         if not isinstance(results[0], tuple):
             return _gathered(results, place)
         return tuple(_gathered([result[k] for result in results], place) for k in range(len(results[0])))
 
     return looked_up
+
+
+def _distinct(data: Any) -> tuple[Ints, Ints]:
+    """Return the lanes whose matrices occur first, and of every lane which of them it has, bit for bit."""
+    bits = np.ascontiguousarray(data).reshape(len(data), -1).view(np.uint64)
+    varied = bits[:, (bits != bits[0]).any(axis=0)]
+    if not varied.shape[1]:
+        return np.zeros(1, dtype=np.int64), np.zeros(len(bits), dtype=np.int64)
+    _, first, place = np.unique(varied @ _odd(varied.shape[1]), return_index=True, return_inverse=True)
+    if (varied != varied[first[place]]).any():  # two matrices of one sum
+        _, first, place = np.unique(varied, axis=0, return_index=True, return_inverse=True)
+    return first, place.ravel()
+
+
+def _odd(count: int) -> Any:
+    """Return odd numbers without a pattern, to tell matrices apart by one sum each."""
+    return np.random.default_rng(count).integers(1 << 62, size=count, dtype=np.uint64) * np.uint64(2) + np.uint64(1)
 
 
 def _result(kept: dict[Any, Any], function: Callable[[Any], Any], content: bytes, shape: tuple[int, ...]) -> Any:
@@ -50,7 +66,7 @@ def _plain(found: Any) -> Any:
     return found.data[0] if isinstance(found, Lanes) else found
 
 
-def _gathered(results: list[Any], place: list[int]) -> Lanes:
+def _gathered(results: list[Any], place: Ints) -> Lanes:
     """Return the result of every lane; lanes whose results differ in shape part."""
     if len(results) == 1:
         return Lanes(results[0][None])

@@ -7,7 +7,7 @@ of their shafts, and what they leave open is split into equal ratios (Pulvirenti
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -171,15 +171,26 @@ def _potentials(design: Design, edges: Mapping[str, Edge], fixed: Mapping[str, f
     joined = design.clutches.values()
     equations += [({clutch.driving: 1.0, clutch.driven: -1.0}, 0.0, _GIVEN) for clutch in joined]
     matrix = np.zeros((len(equations), len(column)))
-    right = np.zeros(len(equations))
+    kept, wanted = math.log(next(iter(strong.values()))), list[float]()
     for k, (terms, value, weight) in enumerate(equations):
-        for shaft, factor in terms.items():
-            if shaft != GROUND:
-                matrix[k, column[shaft]] += factor * weight
-        right[k] = value * weight
+        own = {column[shaft]: factor for shaft, factor in terms.items() if shaft != GROUND}
+        for place, factor in own.items():
+            matrix[k, place] += factor * weight
+        wanted.append(value - kept if sum(own.values()) else value)
     _require_connected(matrix, design)
-    solution, *_ = np.linalg.lstsq(matrix, right, rcond=1e-14)
-    return {name: math.exp(solution[k]) for name, k in column.items()}
+    shares = _shares(matrix).tolist()
+    return {name: math.exp(kept + _dot(shares[k], wanted)) for name, k in column.items()}
+
+
+@remembered
+def _shares(matrix: Floats) -> Floats:
+    """Return how much of what each equation asks, in its own weight, becomes of each unknown, (unknowns, equations)."""
+    weights = np.abs(matrix).max(axis=1)
+    return np.asarray(np.linalg.lstsq(matrix, np.diag(weights), rcond=1e-14)[0])
+
+
+def _dot(shares: Sequence[float], values: Sequence[float]) -> float:
+    return sum(share * value for share, value in zip(shares, values, strict=True))
 
 
 def _alike(edge: Edge, strong: Mapping[str, float]) -> Iterator[tuple[str, str]]:
