@@ -68,7 +68,7 @@ def test_static_work_hardening_is_held_between_130_and_470_brinell():
     """1.05 − (HB − 130)/680 of a soft gear against a hard mate, never below 1; ISO 6336-2:2006, clause 13."""
     soft = [static_work_hardening(replace(TEMPERED, hardness=hardness), CASE) for hardness in (100.0, 160.0, 300.0)]
     assert soft[0] == pytest.approx(1.05)
-    assert 1.0 < soft[1] < 1.05
+    assert soft[1] == pytest.approx(1.05 - (0.95 * 160.0 - 130.0) / 680.0, rel=1e-12)
     assert soft[2] == 1.0
     assert static_work_hardening(TEMPERED, TEMPERED) == static_work_hardening(CASE, CASE) == 1.0
 
