@@ -1,7 +1,12 @@
-"""Faults anew: a child imports the faulty module, and all that computes with it, as if it had always been faulty."""
+"""Faults anew: a child imports the faulty module, and all that computes with it, as if it had always been faulty.
+
+A fault is noticed by a test that fails, by a test module that cannot be imported, or if the faulty module itself cannot
+be imported. Any other end of pytest says nothing: tests that are not found, none collected, an error of its own.
+"""
 
 from __future__ import annotations
 
+import importlib
 import importlib.abc
 import importlib.machinery
 import sys
@@ -42,11 +47,19 @@ class Finder(importlib.abc.MetaPathFinder):
         return spec
 
 
-class _Red:
-    """Notes the first test, or test module, that is red."""
+UNIMPORTABLE = "it cannot be imported"
 
-    def __init__(self) -> None:
+
+class _Red:
+    """Notes the first test, or test module, that is red; runs the tests that are asked for, of those that there are."""
+
+    def __init__(self, tests: Sequence[str]) -> None:
         self.first = ""
+        self.place = {test: place for place, test in enumerate(tests)}
+
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        """Keep what is asked for, in its order: a fault may rename tests that are named by a table."""
+        items[:] = sorted((item for item in items if item.nodeid in self.place), key=lambda i: self.place[i.nodeid])
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Note a red test."""
@@ -70,16 +83,32 @@ def noticed_anew(trials: Sequence[Trial], jobs: int) -> dict[str, str]:
         if str(getattr(module, "__file__", "")).startswith(own) and not faults and name != "__main__":
             del sys.modules[name]
     noticed = {}
-    for number, (trial, red) in enumerate(run_all(trials, jobs, _run), start=1):
+    for number, (trial, red) in enumerate(run_all(trials, jobs, _faulty), start=1):
         noticed[str(trial.fault)] = red
         print(f"{number}/{len(trials)} {trial.fault} -- {red or 'SURVIVED'}", flush=True)
+    telling = sorted({red for red in noticed.values() if red.partition("::")[0].endswith(".py")})
+    if telling:
+        seconds = {test: own for trial in trials for test, own in trial.seconds.items()} | dict.fromkeys(telling, 10.0)
+        for _, red in run_all([Trial(trials[0].fault, telling, seconds)], 1, _sound):
+            if red:
+                raise pytest.UsageError(f"red without any fault: {red}")
     return noticed
 
 
-def _run(trial: Trial) -> str:
+def _faulty(trial: Trial) -> str:
     if not trial.tests:
         return ""
-    red = _Red()
     sys.meta_path.insert(0, Finder(trial.fault))
-    status = pytest.main([*RULES, *trial.tests], plugins=[red])
-    return red.first or ("while it was imported" if status else "")
+    try:
+        importlib.import_module(trial.fault.module)
+    except Exception:
+        return UNIMPORTABLE
+    return _sound(trial)
+
+
+def _sound(trial: Trial) -> str:
+    """Return the first red test of a trial, or the test module that cannot be imported."""
+    red = _Red(trial.tests)
+    files = list(dict.fromkeys(test.partition("::")[0] for test in trial.tests))
+    pytest.main([*RULES, *files], plugins=[red])
+    return red.first

@@ -16,7 +16,7 @@ from mutators import Fault
 
 PATIENCE = 5.0
 """A child that takes 20 s and this many times its tests' own time of the processor hangs."""
-HANGS = "it hangs"
+HANGS, ENDS = "it hangs", "it ends the process"
 
 
 @dataclass
@@ -53,7 +53,8 @@ def run_all(trials: Sequence[Trial], jobs: int, work: Callable[[Trial], str]) ->
         text = os.pread(answer, 4096, 0).decode()
         os.close(answer)
         hangs = os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL)
-        yield trial, HANGS if hangs else text or ("it ends the process" if status else "")
+        # An error of the injector's own ends a child, too, but with an exit status: no test has noticed anything.
+        yield trial, HANGS if hangs else text or (ENDS if os.WIFSIGNALED(status) else "")
 
 
 def _child(trial: Trial, work: Callable[[Trial], str], answer: int) -> int:

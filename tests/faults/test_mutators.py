@@ -1,5 +1,10 @@
 """The injector's own test: what it changes, what it leaves alone, and that a fault does what it says."""
 
+import os
+import subprocess
+import sys
+from pathlib import Path
+
 from mutators import faults_of
 
 SOURCE = '''
@@ -62,3 +67,40 @@ def test_a_choice_of_sentences_is_counted_apart_and_a_choice_of_words_is_not():
     assert kinds["x > 1.0 -> x < 1.0"] == kinds["1.0 -> 1.25"] == "words"
     assert kinds["x > 2.0 -> x < 2.0"] == "comparison" and kinds["2.0 -> 2.5"] == "constant"
     assert sum(kind == "choice" for kind in kinds.values()) == 1
+
+
+COUNTED = """
+import sys
+from anew import noticed_anew
+from children import Trial
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from mutators import faults_of
+from concerned import source_of
+
+module = "gearwright.parts.gears.hertz"
+fault = next(faults_of(module, source_of(module)))
+for test in sys.argv[1:]:
+    noticed = noticed_anew([Trial(fault, [test], {test: 1.0})], 1)
+    print("counted", list(noticed.values()))
+"""
+
+
+def test_a_test_that_is_not_there_has_noticed_nothing():
+    """pytest ends with 4 or 5 where it finds no test: that is no red test."""
+    here = Path(__file__).parent
+    gone = ["tests/faults/test_mutators.py::test_gone", "tests/unit/test_units.py::test_gone"]
+    done = subprocess.run(
+        [sys.executable, "-c", COUNTED, *gone],
+        env={**os.environ, "PYTHONPATH": str(here)},
+        cwd=here.parents[1],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert [line for line in done.stdout.splitlines() if line.startswith("counted")] == ["counted ['']"] * 2, (
+        done.stderr
+    )
