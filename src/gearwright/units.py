@@ -23,7 +23,9 @@ GRAVITY = 9.80665
 """Standard gravity in m/s² (exact, 3rd CGPM 1901)."""
 FOOT = 12.0 * INCH
 """[m]"""
-KNOT = 1852.0 / 3600.0
+NAUTICAL_MILE = 1852.0
+"""[m]"""
+KNOT = NAUTICAL_MILE / 3600.0
 """[m/s]"""
 CELSIUS = 273.15
 """0 °C [K]."""
@@ -38,6 +40,7 @@ SUFFIXES: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "angle": {"deg": math.pi / 180.0, "rad": 1.0},
         "area": {"mm2": 1e-6, "m2": 1.0},
         "density": {"kg_m3": 1.0},
+        "distance": {"m": 1.0, "km": 1e3, "nmi": NAUTICAL_MILE},
         "energy": {"j": 1.0, "kj": 1e3, "mj": 1e6, "kwh": KWH},
         "force": {"n": 1.0, "kn": 1e3, "lbf": POUND_FORCE},
         "frequency": {"hz": 1.0, "khz": 1e3},
@@ -64,6 +67,7 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
     "angle": ("°", math.pi / 180.0),
     "area": ("mm²", 1e-6),
     "density": ("kg/m³", 1.0),
+    "distance": ("NM", NAUTICAL_MILE),
     "electric_energy": ("kWh", KWH),
     "energy": ("kJ", 1e3),
     "force": ("N", 1.0),
@@ -102,7 +106,8 @@ _SHOWN: Mapping[str, tuple[str, float]] = {
     "oil_flow": ("l/min", 1e-3 / 60.0),
 }
 _SI: Mapping[str, str] = MappingProxyType({
-    "angle": "rad", "area": "m²", "density": "kg/m³", "energy": "J", "electric_energy": "J", "force": "N",
+    "angle": "rad", "area": "m²", "density": "kg/m³", "distance": "m",
+    "energy": "J", "electric_energy": "J", "force": "N",
     "frequency": "Hz", "inertia": "kg m²", "length": "m", "altitude": "m", "life": "s", "flight_time": "s",
     "film_thickness": "m", "mass": "kg", "power": "W", "specific_power": "W/kg", "specific_torque": "N m/kg",
     "slope": "rad", "speed": "rad/s",
@@ -114,6 +119,7 @@ _SI: Mapping[str, str] = MappingProxyType({
 })  # fmt: skip
 
 _SUFFIX: Mapping[str, str] = MappingProxyType({
+    "distance": "nmi",
     "electric_energy": "kwh", "specific_power": "kw_kg", "specific_torque": "nm_kg", "percent": "percent",
     "altitude": "ft", "flight_time": "min", "bearing_force": "kn", "elasticity_factor": "sqrt_mpa",
     "mass_per_length": "g_mm", "temperature": "degc", "absolute_temperature": "k", "current": "a", "voltage": "v",
@@ -161,6 +167,7 @@ class OriginOf:
 
 
 Angle = Annotated[float, Quantity("angle")]
+Distance = Annotated[float, Quantity("distance")]
 Area = Annotated[float, Quantity("area")]
 Density = Annotated[float, Quantity("density")]
 Energy = Annotated[float, Quantity("energy")]

@@ -1,5 +1,6 @@
 """A mission flown by a sized gearbox: Mission x Sizing becomes a Flight."""
 
+from gearwright.mission.aircraft import PhaseForces, phase_forces
 from gearwright.mission.flight import Balance, Flight, PackWear, PhaseSummary, flight_series, phase_summaries
 from gearwright.mission.fly import fly
 from gearwright.mission.gearbox import Oil, gearbox_of
@@ -28,6 +29,7 @@ __all__ = [
     "Oil",
     "PackWear",
     "PartLife",
+    "PhaseForces",
     "PhaseSummary",
     "Series",
     "Window",
@@ -41,6 +43,7 @@ __all__ = [
     "gearbox_of",
     "governed_window",
     "mesh_spectrum",
+    "phase_forces",
     "phase_summaries",
     "rotor_at",
     "shaft_spectrum",

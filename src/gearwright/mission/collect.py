@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -15,6 +16,7 @@ from gearwright.machines.power import exhaust_heat
 from gearwright.mission.flight import Balance, Flight, PackWear, consumed, fuel_energy
 from gearwright.mission.gearbox import Drag, Gearbox, Point
 from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, stacked
+from gearwright.mission.path import Paths
 from gearwright.mission.plant import DryRun, GearHeat, Pack, PackState, Warm, Warmths, dry_run
 from gearwright.mission.profile import Moment
 from gearwright.mission.supply import Drawn, Supply
@@ -52,6 +54,8 @@ class Flown(NamedTuple):
     blades: Blades
     mission: Mission
     supply: Supply
+    paths: Paths = MappingProxyType({})
+    """Of the phases that an aircraft flies."""
 
 
 class Lost(NamedTuple):
@@ -133,7 +137,7 @@ def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
         flown: Gearbox, propeller, mission and machines.
         intervals: In their order.
     """
-    gearbox, blades, mission, _ = flown
+    gearbox, blades, mission, _, paths = flown
     history = stacked([interval.values for interval in intervals])
     heat = history.gearbox_heat
     oil_outlet = mission.oil.inlet_temperature_k + mission.oil.rise_k * heat / heat.max()
@@ -161,6 +165,7 @@ def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
         dry=_dry(mission, gearbox, intervals),
         inertia=gearbox.inertia,
         propeller_map=blades.chart,
+        paths=paths,
     )
 
 
@@ -211,7 +216,7 @@ def _wear(pack: Pack | None, end: PackState) -> PackWear | None:
 
 
 def _balance(flown: Flown, history: History[Floats], taken: Floats, end: PackState) -> Balance:
-    gearbox, _, mission, supply = flown
+    gearbox, _, mission, supply, _ = flown
 
     def total(power: Floats) -> float:
         return float((power * history.duration).sum())

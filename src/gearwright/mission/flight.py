@@ -27,6 +27,7 @@ from gearwright.mission.history import (
     Series,
     marked_series,
 )
+from gearwright.mission.path import Paths
 from gearwright.mission.plant import DryRun
 from gearwright.showing import Shown, frame
 from gearwright.sizing import Sizing
@@ -135,6 +136,8 @@ class Flight(Shown):
     """Of everything that turns, at the propeller [kg m²]."""
     propeller_map: PropellerMap | None
     """As read; None where powers are schedules."""
+    paths: Paths
+    """Phase -> path, where an aircraft flies it."""
 
     @property
     def duration(self) -> Time:

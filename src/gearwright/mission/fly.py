@@ -9,6 +9,7 @@ from typing import NamedTuple
 from gearwright.catalogue import propeller_map, read_propeller_map
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.machines import PropellerMap
+from gearwright.mission.aircraft import paths_of
 from gearwright.mission.collect import Flown, Interval, Lost, collect, recorded
 from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.endurance import Clocks, bounds_of, endured
@@ -67,9 +68,10 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     gearbox = gearbox_of(sizing, flown_airscrew(sizing), flown_oil(sizing, mission))
     blades = Blades(mission.propeller_map, _chart(mission, folder), sizing.design.airscrews[gearbox.propeller].diameter)
     flown = Flown(gearbox, blades, mission, supply_of(sizing, mission))
+    flown = flown._replace(paths=paths_of(flown))
     before, intervals = _start(flown), list[Interval]()
     plan = planned_shares(flown)
-    for k, moment in enumerate(moments(mission)):
+    for k, moment in enumerate(moments(mission, flown.paths)):
         try:
             interval = _interval(flown, moment, before, plan.get(k, 0.0))
             clocks = _clocks(flown, moment, interval, before.clocks)
@@ -87,7 +89,7 @@ def _start(flown: Flown) -> _Before:
     rules, supply = flown.mission.battery, flown.supply
     charge = rules.start_charge if rules else 0.0
     pack = supply.pack.start(charge) if supply.pack else PackState(charge)
-    air = next(iter(moments(flown.mission))).air.temperature
+    air = next(iter(moments(flown.mission, flown.paths))).air.temperature
     oil = flown.mission.oil
     warm = oil_start(oil.network, oil.inlet_temperature_k) if oil.network else None
     return _Before(None, pack, started(supply.windings, supply.motors, air), warm, 0.0, {})
@@ -110,7 +112,7 @@ def _placed(error: DesignError, moment: Moment) -> DesignError:
 def _interval(flown: Flown, moment: Moment, before: _Before, planned: float) -> Interval:
     """Return what is recorded of an interval."""
     flown = _oiled(flown, before.warm)
-    gearbox, blades, mission, supply = flown
+    gearbox, blades, mission, supply, _ = flown
     phase = mission.phases[moment.phase]
     wanted = propeller_power(blades, mission, moment, burnt=before.burnt)
     spin_up = gearbox.inertia * moment.propeller_speed * moment.propeller_gain / moment.duration
@@ -148,7 +150,7 @@ def _warmed(flown: Flown, moment: Moment, warm: Warm | None, lost: Lost) -> Warm
 
 def _clocks(flown: Flown, moment: Moment, interval: Interval, before: Clocks) -> Clocks:
     """Return how long limits of machines have been passed after an interval."""
-    gearbox, _, mission, supply = flown
+    gearbox, _, mission, supply, _ = flown
     contingency = mission.engine.contingency if engine_out(mission, mission.phases[moment.phase]) else 1.0
     overload = dict.fromkeys(supply.motors, mission.motor.overload) | dict.fromkeys(supply.engines, contingency)
     ratings = {name: rating * overload[name] for name, rating in supply.ratings.items()}

@@ -75,7 +75,7 @@ def _operating(flown: Flown, moment: Moment, asked: Asked, last: Point | None) -
     A propeller that the air drives has a negative power: it is found with machines that take power, so that losses
     stay losses.
     """
-    gearbox, _, _, supply = flown
+    gearbox, supply = flown.gearbox, flown.supply
     efficiency = efficiencies(gearbox, last) if last is not None else {}
 
     def given(power: float) -> Point:

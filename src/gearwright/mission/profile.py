@@ -12,6 +12,7 @@ import numpy as np
 from gearwright.air import Air, air_along, true_along
 from gearwright.arrays import Bools, Floats
 from gearwright.errors import DesignError, Problem
+from gearwright.mission.path import Path, Paths
 from gearwright.spec import Mission, Phase
 
 
@@ -92,23 +93,25 @@ class _Before(NamedTuple):
     """Of the propeller [rad/s]."""
 
 
-def moments(mission: Mission) -> Iterator[Moment]:
+def moments(mission: Mission, paths: Paths | None = None) -> Iterator[Moment]:
     """Yield the intervals of a mission in their order.
 
     Args:
         mission: As read.
+        paths: Of the phases that an aircraft flies; left out: none.
 
     Raises:
         DesignError: A speed that is supersonic where it is flown; with the phase.
     """
-    yield from course_of(mission).moments()
+    yield from course_of(mission, paths).moments()
 
 
-def course_of(mission: Mission) -> Course:
+def course_of(mission: Mission, paths: Paths | None = None) -> Course:
     """Return all intervals of a mission.
 
     Args:
         mission: As read.
+        paths: Of the phases that an aircraft flies; left out: none.
 
     Raises:
         DesignError: A speed that is supersonic where it is flown; with the phase.
@@ -117,9 +120,13 @@ def course_of(mission: Mission) -> Course:
     altitude = first.altitude if first.from_altitude is None else first.from_altitude
     before, stretches = _Before(0.0, altitude, first.propeller_speed), list[Course]()
     for name, phase in mission.phases.items():
-        duration = phase_duration(phase, before.altitude)
-        stretches.append(_stretch(mission, name, duration, before))
-        before = _Before(before.clock + duration, phase.altitude, _ramped(phase, duration, before.speed))
+        if paths and name in paths:
+            duration = paths[name].duration
+            stretches.append(_on_path(mission, name, paths[name], before))
+        else:
+            duration = phase_duration(phase, before.altitude)
+            stretches.append(_stretch(mission, name, duration, before))
+        before = _Before(before.clock + duration, phase.altitude, ramped(phase, duration, before.speed))
     return joined(stretches)
 
 
@@ -150,29 +157,63 @@ def phase_duration(phase: Phase, altitude: float) -> float:
     return (phase.altitude - altitude) / (phase.rate_of_climb or math.nan)
 
 
-def _edges(duration: float, ramp: float, step: float) -> list[float]:
-    """Cut a phase so that no interval is longer than a step, and the end of the ramp is a cut."""
+def edges(duration: float, ramp: float, step: float) -> list[float]:
+    """Cut a phase so that no interval is longer than a step, and the end of the ramp is a cut [s].
+
+    Args:
+        duration: Of the phase [s].
+        ramp: In which the propeller comes to its speed [s].
+        step: Longest interval [s].
+    """
     middle = min(ramp, duration)
-    edges = [0.0]
+    times = [0.0]
     for start, end in ((0.0, middle), (middle, duration)):
         count = max(math.ceil((end - start) / step - 1e-9), 1) if end > start else 0
-        edges += [start + (end - start) * k / count for k in range(1, count + 1)]
-    return edges
+        times += [start + (end - start) * k / count for k in range(1, count + 1)]
+    return times
 
 
-def _ramped(phase: Phase, time: Any, before: float) -> Any:
+def ramped(phase: Phase, time: Any, before: float) -> Any:
+    """Return the propeller's speed in a phase [rad/s].
+
+    Args:
+        phase: With its speed and ramp.
+        time: From its start [s].
+        before: Speed at its start [rad/s].
+    """
     part = np.minimum(time / phase.ramp, 1.0)
     return before + (phase.propeller_speed - before) * part
 
 
+def _on_path(mission: Mission, name: str, path: Path, before: _Before) -> Course:
+    """Return the intervals of an aircraft's path."""
+    phase, count = mission.phases[name], len(path.stages)
+    times, heights, airspeeds = np.array(path.nodes).T
+    altitude, duration, speeds = 0.5 * (heights[:-1] + heights[1:]), np.diff(times), ramped(phase, times, before.speed)
+    return Course(
+        phase=(name,) * count,
+        starts_phase=times[:-1] == 0.0,
+        time=before.clock + 0.5 * (times[:-1] + times[1:]),
+        duration=duration,
+        altitude=altitude,
+        air=air_along(altitude, mission.isa_offset_k),
+        true_airspeed=0.5 * (airspeeds[:-1] + airspeeds[1:]),
+        acceleration=np.diff(airspeeds) / duration,
+        climb=np.diff(heights) / duration,
+        propeller_speed=0.5 * (speeds[:-1] + speeds[1:]),
+        propeller_gain=np.diff(speeds),
+        power=np.full(count, math.nan if phase.power is None else phase.power),
+    )
+
+
 def _stretch(mission: Mission, name: str, duration: float, before: _Before) -> Course:
     """Return the intervals of a phase."""
-    phase, edges = mission.phases[name], np.array(_edges(duration, mission.phases[name].ramp, mission.step))
-    start, end = edges[:-1], edges[1:]
+    phase, cuts = mission.phases[name], np.array(edges(duration, mission.phases[name].ramp, mission.step))
+    start, end = cuts[:-1], cuts[1:]
     part, count = 0.5 * (start + end) / duration, len(start)
     altitude = before.altitude + (phase.altitude - before.altitude) * part
-    airspeeds = _true_airspeeds(mission, name, before, edges / duration)
-    speeds = _ramped(phase, edges, before.speed)
+    airspeeds = _true_airspeeds(mission, name, before, cuts / duration)
+    speeds = ramped(phase, cuts, before.speed)
     power = np.full(count, math.nan if phase.power is None else phase.power)
     if phase.power is not None and phase.end_power is not None:
         power += (phase.end_power - phase.power) * part

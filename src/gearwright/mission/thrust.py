@@ -8,8 +8,9 @@ from typing import NamedTuple
 from gearwright.catalogue import compressed
 from gearwright.errors import DesignError, Problem
 from gearwright.machines import PropellerMap, angle_for_power, angle_for_thrust, coefficients
+from gearwright.mission.forces import stated_thrust
 from gearwright.mission.profile import Moment
-from gearwright.spec import Mission, Phase
+from gearwright.spec import Aircraft, Mission, Phase
 from gearwright.units import GRAVITY
 
 LARGEST_LIFT = 10.0
@@ -87,8 +88,12 @@ def propeller_power(blades: Blades, mission: Mission, moment: Moment, *, burnt: 
     advance = diameter, turns, ratio = _advance(blades, moment)
     angle = phase.pitch
     if angle is None:
-        thrust = _needed_thrust(mission, moment, phase, burnt) / (moment.air.density * turns**2 * diameter**4)
-        angle = angle_for_thrust(chart, ratio, _incompressible(blades.map_name, moment, advance, thrust))
+        needed = _needed_thrust(mission, moment, phase, burnt)
+        thrust = needed / (moment.air.density * turns**2 * diameter**4)
+        try:
+            angle = angle_for_thrust(chart, ratio, _incompressible(blades.map_name, moment, advance, thrust))
+        except DesignError as error:
+            raise _too_steep(error, moment, phase, needed) from None
     return coefficients(chart, ratio, angle).power * moment.air.density * turns**3 * diameter**5
 
 
@@ -102,14 +107,38 @@ def _needed_thrust(mission: Mission, moment: Moment, phase: Phase, burnt: float)
     aircraft = mission.aircraft
     if aircraft is None:  # `mission_problems` refuses it
         raise DesignError([Problem("aircraft", "a phase needs a thrust; give an [aircraft]")])
+    _refuse_empty(aircraft, burnt)
+    if phase.kind is not None:
+        return stated_thrust(aircraft, phase, moment, aircraft.mass - burnt) / (phase.engines or mission.engines)
     dynamic = 0.5 * moment.air.density * moment.true_airspeed**2 * aircraft.wing_area
     borne = Borne(aircraft.mass, burnt, dynamic)
     _refuse_no_flight(moment, borne)
     weight = borne.weight
     slope = moment.climb / moment.true_airspeed
     lift = weight * math.sqrt(1.0 - slope**2) / dynamic
-    drag_force = dynamic * (aircraft.zero_lift_drag + aircraft.induced_drag * lift**2)
+    drag_force = dynamic * (aircraft.zero_lift_drag + aircraft.induced * lift**2)
     return (drag_force + weight * (slope + moment.acceleration / GRAVITY)) / (phase.engines or mission.engines)
+
+
+def _too_steep(error: DesignError, moment: Moment, phase: Phase, thrust: float) -> DesignError:
+    """Return what is wrong with a thrust that the propeller does not give; one that brakes is named as such."""
+    if thrust >= 0.0 or phase.kind is None:
+        return error
+    speed, sink = moment.true_airspeed, -moment.climb
+    message = (
+        f"at {speed:.4g} m/s, sinking {max(sink, 0.0):.3g} m/s and gaining {moment.acceleration:.3g} m/s², the aircraft"
+        f" is held by less than it weighs down the path: a propeller would have to brake by {-thrust / 1e3:.3g} kN, and"
+        " its map does not; sink or slow down more gently, set flaps, or fly a map in all states"
+        " (6-blades-af115-all-states)"
+    )
+    return DesignError([Problem("descent", message)])
+
+
+def _refuse_empty(aircraft: Aircraft, burnt: float) -> None:
+    """Refuse fuel that is not on board."""
+    if aircraft.fuel is not None and burnt > aircraft.fuel:
+        message = f"{burnt:.4g} kg are burnt, and {aircraft.fuel:.4g} kg are on board; take more, or fly shorter"
+        raise DesignError([Problem("aircraft.fuel", message)])
 
 
 def _refuse_no_flight(moment: Moment, borne: Borne) -> None:
@@ -142,6 +171,25 @@ def _incompressible(name: str, moment: Moment, advance: Advance, thrust: float) 
 def _factor(name: str, moment: Moment, advance: Advance, thrust: float) -> float:
     tip_mach = math.pi * advance.turns * advance.diameter / moment.air.sound_speed
     return compressed(name, advance.ratio, thrust, mach=moment.mach, tip_mach=tip_mach)
+
+
+def thrust_at(blades: Blades, moment: Moment, pitch: float) -> tuple[float, float]:
+    """Return power and thrust of a propeller whose blade angle is held [W], [N].
+
+    Args:
+        blades: The propeller, with a map.
+        moment: Where it is flown.
+        pitch: Blade angle [rad].
+
+    Raises:
+        DesignError: The point lies outside the map.
+    """
+    assert blades.chart is not None  # `mission_problems` refuses it
+    advance = diameter, turns, ratio = _advance(blades, moment)
+    found = coefficients(blades.chart, ratio, pitch)
+    factor = _factor(blades.map_name, moment, advance, found.thrust)
+    scale = moment.air.density * turns**2 * diameter**4
+    return found.power * scale * turns * diameter, factor * found.thrust * scale
 
 
 def performed(blades: Blades, moment: Moment, work: float) -> Performance:

@@ -1,5 +1,6 @@
 """What users write: the design file, its types, its reader and its JSON Schema."""
 
+from gearwright.spec.aircraft import Aircraft, Flaps, PhaseKind
 from gearwright.spec.axis import MOST_VALUES, Axis, axis_values, value_at
 from gearwright.spec.bounds import LONGEST_NAME, OneOf, Range, is_name, quantity_of, range_of, reciprocals_of
 from gearwright.spec.design import (
@@ -59,6 +60,7 @@ __all__ = [
     "NO_MAP",
     "RATED",
     "Accessory",
+    "Aircraft",
     "Airscrew",
     "Axis",
     "BatteryRules",
@@ -71,6 +73,7 @@ __all__ = [
     "Drive",
     "ElectricMachine",
     "Epicyclic",
+    "Flaps",
     "Flown",
     "GearRules",
     "GovernorRules",
@@ -83,6 +86,7 @@ __all__ = [
     "OneOf",
     "Pair",
     "Phase",
+    "PhaseKind",
     "Planetary",
     "Propeller",
     "Range",

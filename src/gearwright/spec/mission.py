@@ -7,11 +7,12 @@ from typing import Literal
 from pydantic import Field
 
 from gearwright.showing import Shown
+from gearwright.spec.aircraft import Aircraft, PhaseKind, Setting
 from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageName
 from gearwright.spec.power import CellRules, OilNetworkRules, StrategyRules, WindingRules
 from gearwright.spec.record import Record
 from gearwright.spec.windows import GovernorRules, WindowRules
-from gearwright.units import Angle, Area, Energy, Length, Mass, Power, Ratio, Speed, Time, Velocity
+from gearwright.units import Angle, Distance, Energy, Length, Power, Ratio, Speed, Time, Velocity
 
 NO_MAP = "none"
 """Name that stands for no propeller map."""
@@ -53,6 +54,20 @@ class Phase(Record):
     ramp: Time = Field(10.0, ge=0.01, le=1e4, description="Time in which the propeller comes to this speed")
     engines: int | None = Field(None, ge=1, le=20, description="Gearboxes that work; left out: all of them")
     inoperative: list[str] = Field(default_factory=list, description="Turbines and motors of a gearbox that are out")
+    kind: PhaseKind | None = Field(
+        None, description="What the aircraft does; left out: altitude, speed and power as they are written"
+    )
+    distance: Distance | None = Field(None, ge=1, le=2e7, description="Flown in a cruise; or duration")
+    path_angle: Angle | None = Field(
+        None, ge=-0.5, le=0.5, description="Angle of the path, negative down; or rate_of_climb, or power"
+    )
+    flaps: Setting | None = Field(
+        None, description="Left out: take-off in take-off, landing in approach and landing, else clean"
+    )
+    end_speed: Velocity | None = Field(
+        None, ge=0, le=340, description="True airspeed at which a landing's roll ends; left out: 5 m/s"
+    )
+    reserve: bool = Field(False, description="Flown for its fuel, which is a reserve and no part of the block fuel")
 
 
 class EngineRules(Record):
@@ -100,15 +115,6 @@ class BatteryRules(Record):
     start_charge: Ratio = Field(0.95, ge=0, le=1, description="State of charge at the start")
     minimum_charge: Ratio = Field(0.1, ge=0, lt=1, description="State of charge that must remain")
     cells: CellRules | None = Field(None, description="Equivalent circuit, warmth, ageing; left out: a line and R")
-
-
-class Aircraft(Record):
-    """The aircraft, where phases ask for the thrust that flight needs."""
-
-    mass: Mass = Field(gt=0, le=1e6, description="At the start")
-    wing_area: Area = Field(gt=0, le=1e4, description="Reference area S")
-    zero_lift_drag: Ratio = Field(gt=0, le=1, description="C_D0")
-    induced_drag: Ratio = Field(ge=0, le=1, description="k of C_D = C_D0 + k C_L²")
 
 
 class OilRules(Record):

@@ -94,7 +94,7 @@ def _needs(flown: Flown, plan: Mapping[int, float]) -> list[Need]:
     """Return what every interval needs, with the shares of a plan; limits are not looked at."""
     mission, before, burnt, needs = flown.mission, None, 0.0, list[Need]()
     charge = mission.battery.start_charge if mission.battery else 0.0
-    for k, moment in enumerate(moments(mission)):
+    for k, moment in enumerate(moments(mission, flown.paths)):
         phase = mission.phases[moment.phase]
         wanted = propeller_power(flown.blades, mission, moment, burnt=burnt)
         gain = flown.gearbox.inertia * moment.propeller_speed * moment.propeller_gain / moment.duration

@@ -8,6 +8,7 @@ from itertools import pairwise
 from gearwright.catalogue import USUAL_HARDNESS, gear_steel
 from gearwright.errors import DesignError, Problem, near
 from gearwright.spec.checks import STEEL_KEYS
+from gearwright.spec.flying.aircraft import aircraft_problems, kind_problems
 from gearwright.spec.flying.strategies import strategy_problems
 from gearwright.spec.mission import NO_MAP, BatteryRules, GearLifeRules, Mission, OilRules, Phase
 from gearwright.spec.power import WindingRules
@@ -15,6 +16,8 @@ from gearwright.spec.windows import window_problems
 
 _SAME_ALTITUDE = 0.1
 """Altitudes nearer than this are the same [m]."""
+SLOWEST = 30.0
+"""Airspeed of a cruise over a distance, for a count of intervals before it is flown [m/s]."""
 MOST_INTERVALS = 10_000
 """Intervals into which a mission may be cut: some seconds of work, and a day of flight in steps of ten [-]."""
 
@@ -28,10 +31,10 @@ def mission_problems(mission: Mission) -> list[Problem]:
     problems: list[Problem] = []
     last: float | None = None
     for name, phase in mission.phases.items():
-        at = f"phases.{name}"
-        problems += [Problem(at, message) for message in (*_speed(phase), *_power(phase, mission))]
-        problems += [Problem(at, message) for message in _altitude(phase, last)]
+        messages = (*_plain(phase, mission, last), *_drive(phase, mission), *_start(phase, last))
+        problems += [Problem(f"phases.{name}", message) for message in messages]
         last = phase.altitude
+    problems += aircraft_problems(mission)
     problems += strategy_problems(mission)
     problems += _network(mission)
     problems += _shares(mission.motor.loss_shares)
@@ -113,6 +116,7 @@ def _intervals(mission: Mission) -> Iterator[Problem]:
         start = phase.from_altitude if phase.from_altitude is not None else altitude
         climb, altitude = phase.altitude - (phase.altitude if start is None else start), phase.altitude
         duration = climb / phase.rate_of_climb if phase.rate_of_climb else phase.duration or 0.0
+        duration += (phase.distance or 0.0) / SLOWEST
         count += duration / mission.step + 2.0
     if count > MOST_INTERVALS:
         message = (
@@ -134,6 +138,30 @@ def _steel(rules: GearLifeRules) -> list[Problem]:
     return []
 
 
+def _plain(phase: Phase, mission: Mission, last: float | None) -> Iterator[str]:
+    """Yield what is wrong with speed, power and altitude, by what a phase says of itself or of its aircraft."""
+    if phase.kind is not None:
+        yield from kind_problems(phase, mission, _first_altitude(phase, last))
+        return
+    for key in ("distance", "path_angle", "flaps", "end_speed"):
+        if getattr(phase, key) is not None:
+            yield f"{key} is read where an aircraft flies; give a kind too, or leave it out"
+    yield from _speed(phase)
+    yield from _power(phase, mission)
+    yield from _altitude(phase, last)
+
+
+def _first_altitude(phase: Phase, last: float | None) -> float:
+    start = phase.from_altitude if phase.from_altitude is not None else last
+    return phase.altitude if start is None else start
+
+
+def _start(phase: Phase, last: float | None) -> Iterator[str]:
+    start = _first_altitude(phase, last)
+    if last is not None and abs(start - last) > _SAME_ALTITUDE:
+        yield f"it starts at {start:.0f} m, but the phase before ended at {last:.0f} m; make them equal"
+
+
 def _speed(phase: Phase) -> Iterator[str]:
     stated = [name for name in ("cas", "tas", "mach") if getattr(phase, name) is not None]
     if len(stated) != 1:
@@ -152,6 +180,10 @@ def _power(phase: Phase, mission: Mission) -> Iterator[str]:
         yield "without a propeller map only a power can be flown; give power, or a propeller_map"
     if phase.end_power is not None and phase.power is None:
         yield "end_power without power; give both, or only power"
+
+
+def _drive(phase: Phase, mission: Mission) -> Iterator[str]:
+    """Yield what is wrong with who drives."""
     if phase.mode == "hybrid" and phase.electric_share is None:
         yield "hybrid without electric_share; give the motors' part of the power, such as 0.3"
     if phase.mode != "hybrid" and phase.electric_share is not None:
@@ -163,11 +195,7 @@ def _power(phase: Phase, mission: Mission) -> Iterator[str]:
 
 
 def _altitude(phase: Phase, last: float | None) -> Iterator[str]:
-    start = phase.from_altitude if phase.from_altitude is not None else last
-    if start is None:
-        start = phase.altitude
-    if last is not None and abs(start - last) > _SAME_ALTITUDE:
-        yield f"it starts at {start:.0f} m, but the phase before ended at {last:.0f} m; make them equal"
+    start = _first_altitude(phase, last)
     climb = phase.altitude - start
     if (phase.duration is None) == (phase.rate_of_climb is None):
         yield "give one of duration and rate_of_climb"
