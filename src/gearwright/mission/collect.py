@@ -47,6 +47,21 @@ class Interval(NamedTuple):
     """Of the gearbox at its end."""
 
 
+class Log(NamedTuple):
+    """What is known of all intervals, for a flight."""
+
+    phase: tuple[str, ...]
+    history: History[Floats]
+    point: Point
+    """Of the gearbox; every field has a first axis of intervals."""
+    powers: Mapping[str, Floats]
+    """Machine -> power into the train [W]."""
+    end: PackState
+    """Of the battery."""
+    warm: tuple[Warm | None, ...]
+    """Of the gearbox at the end of each; empty where it is not followed."""
+
+
 class Flown(NamedTuple):
     """What flew."""
 
@@ -130,54 +145,64 @@ def _inlet(moment: Moment) -> float:
     return stagnation_ratios(moment.air, moment.mach)[0] * SEA_LEVEL_TEMPERATURE
 
 
-def collect(flown: Flown, intervals: Sequence[Interval]) -> Flight:
+def logged(intervals: Sequence[Interval]) -> Log:
+    """Return what is known of intervals that were flown one by one.
+
+    Args:
+        intervals: In their order.
+    """
+    points = zip(*(interval.point for interval in intervals), strict=True)
+    return Log(
+        phase=tuple(interval.phase for interval in intervals),
+        history=stacked([interval.values for interval in intervals]),
+        point=Point(*map(np.array, points)),
+        powers={name: np.array([interval.powers[name] for interval in intervals]) for name in intervals[0].powers},
+        end=intervals[-1].pack,
+        warm=tuple(interval.warm for interval in intervals),
+    )
+
+
+def collect(flown: Flown, log: Log) -> Flight:
     """Return the flight of its intervals.
 
     Args:
         flown: Gearbox, propeller, mission and machines.
-        intervals: In their order.
+        log: Of its intervals.
     """
     gearbox, blades, mission, _, paths = flown
-    history = stacked([interval.values for interval in intervals])
+    history, point, train = log.history, log.point, gearbox.sizing.train
     heat = history.gearbox_heat
     oil_outlet = mission.oil.inlet_temperature_k + mission.oil.rise_k * heat / heat.max()
     if history.oil_temperature is not None:
         oil_outlet = history.oil_temperature
-    nodes = _nodes(gearbox, intervals)
+    rows = zip(train.nodes, point.speeds.T, point.shaft_torques.T, strict=True)
+    nodes = {name: NodeHistory(*map(np.ascontiguousarray, columns)) for name, *columns in rows}
     machines = {
-        name: MachineHistory(np.array([interval.powers[name] for interval in intervals]), nodes[shaft].speed)
-        for name, shaft in gearbox.sizing.train.machines.items()
+        name: MachineHistory(log.powers[name], nodes[shaft].speed)
+        for name, shaft in train.machines.items()
         if name != gearbox.propeller
     }
     return Flight(
         mission=mission,
         sizing=gearbox.sizing,
-        phase=tuple(interval.phase for interval in intervals),
+        phase=log.phase,
         history=history,
         oil_outlet=oil_outlet,
         nodes=nodes,
         machines=machines,
-        meshes=_meshes(gearbox, intervals),
-        balance=_balance(flown, history, consumed(gearbox.sizing, machines, history.time), intervals[-1].pack),
-        pack=_wear(flown.supply.pack, intervals[-1].pack),
+        meshes=_meshes(gearbox, np.ascontiguousarray(point.mesh_torques.T)),
+        balance=_balance(flown, history, consumed(gearbox.sizing, machines, history.time), log.end),
+        pack=_wear(flown.supply.pack, log.end),
         oil_flow=oil_flow(float(heat.max()), mission.oil.rise_k),
         cooler_conductance=_cooler(mission, history, oil_outlet),
-        dry=_dry(mission, gearbox, intervals),
+        dry=_dry(mission, gearbox, log),
         inertia=gearbox.inertia,
         propeller_map=blades.chart,
         paths=paths,
     )
 
 
-def _nodes(gearbox: Gearbox, intervals: Sequence[Interval]) -> dict[str, NodeHistory]:
-    speeds = np.array([interval.point.speeds for interval in intervals]).T
-    torques = np.array([interval.point.shaft_torques for interval in intervals]).T
-    rows = zip(gearbox.sizing.train.nodes, speeds, torques, strict=True)
-    return {name: NodeHistory(speed, torque) for name, speed, torque in rows}
-
-
-def _meshes(gearbox: Gearbox, intervals: Sequence[Interval]) -> dict[str, MeshHistory]:
-    torques = np.array([interval.point.mesh_torques for interval in intervals]).T
+def _meshes(gearbox: Gearbox, torques: Floats) -> dict[str, MeshHistory]:
     rows = zip(gearbox.sizing.train.meshes, torques, torques / gearbox.teeth.radii[:, None], strict=True)
     return {mesh.name: MeshHistory(torque, force) for mesh, torque, force in rows}
 
@@ -197,16 +222,17 @@ def _cooler(mission: Mission, history: History[Floats], oil_outlet: Floats) -> f
     return max(cooler_conductance(float(power), float(warm), float(cold)) for power, warm, cold in rows)
 
 
-def _dry(mission: Mission, gearbox: Gearbox, intervals: Sequence[Interval]) -> DryRun | None:
+def _dry(mission: Mission, gearbox: Gearbox, log: Log) -> DryRun | None:
     """How long the gearbox runs without oil from the end of the phase that the mission names."""
     rules = mission.oil.network
     if rules is None or rules.dry_from is None:
         return None
-    k = max(place for place, interval in enumerate(intervals) if interval.phase == rules.dry_from)
-    warm, row = intervals[k].warm, intervals[k].values
+    k = max(place for place, phase in enumerate(log.phase) if phase == rules.dry_from)
+    warm, history = log.warm[k], log.history
     assert warm is not None  # followed where there is a network
-    heat = GearHeat(row.mesh_loss, row.bearing_loss, row.windage_loss, row.churning_loss)
-    return dry_run(rules, gearbox.sizing.mass, warm, heat=heat, air=row.air_temperature)
+    losses = (history.mesh_loss, history.bearing_loss, history.windage_loss, history.churning_loss)
+    heat = GearHeat(*(float(loss[k]) for loss in losses))
+    return dry_run(rules, gearbox.sizing.mass, warm, heat=heat, air=float(history.air_temperature[k]))
 
 
 def _wear(pack: Pack | None, end: PackState) -> PackWear | None:

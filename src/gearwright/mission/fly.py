@@ -10,7 +10,7 @@ from gearwright.catalogue import propeller_map, read_propeller_map
 from gearwright.errors import DesignError, Problem, refuse
 from gearwright.machines import PropellerMap
 from gearwright.mission.aircraft import paths_of
-from gearwright.mission.collect import Flown, Interval, Lost, collect, recorded
+from gearwright.mission.collect import Flown, Interval, Log, Lost, collect, logged, recorded
 from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.endurance import Clocks, bounds_of, endured
 from gearwright.mission.flight import Flight
@@ -23,6 +23,7 @@ from gearwright.mission.strategies import Then, planned_shares, shared
 from gearwright.mission.supplied import supply_of
 from gearwright.mission.supply import Given, Terms, machine_speeds
 from gearwright.mission.thrust import Blades, performed, propeller_power
+from gearwright.mission.together import log_at_once
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, engine_out, is_map_file, mission_problems
 from gearwright.verbs import verb
@@ -69,7 +70,12 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
     blades = Blades(mission.propeller_map, _chart(mission, folder), sizing.design.airscrews[gearbox.propeller].diameter)
     flown = Flown(gearbox, blades, mission, supply_of(sizing, mission))
     flown = flown._replace(paths=paths_of(flown))
-    before, intervals = _start(flown), list[Interval]()
+    return collect(flown, log_at_once(flown) or _one_by_one(flown))
+
+
+def _one_by_one(flown: Flown) -> Log:
+    """Fly the intervals one after the other."""
+    mission, before, intervals = flown.mission, _start(flown), list[Interval]()
     plan = planned_shares(flown)
     for k, moment in enumerate(moments(mission, flown.paths)):
         try:
@@ -81,7 +87,7 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
         engines = mission.phases[moment.phase].engines or mission.engines
         burnt = before.burnt + interval.values.fuel_flow * moment.duration * engines
         before = _Before(interval.point, interval.pack, interval.warmths, interval.warm, burnt, clocks)
-    return collect(flown, intervals)
+    return logged(intervals)
 
 
 def _start(flown: Flown) -> _Before:

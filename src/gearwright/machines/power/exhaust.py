@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from gearwright.machines.gas_turbine import HEATING_VALUE
@@ -62,6 +62,10 @@ def exhaust_of(breathing: Breathing, air: float, inlet: float, *, fuel: float, p
     """
     if not fuel:
         return Exhaust(0.0, 0.0, inlet, 0.0)
+    return _burning(breathing, air, inlet, fuel, power)
+
+
+def _burning(breathing: Breathing, air: float, inlet: float, fuel: float, power: float) -> Exhaust:
     casing = breathing.casing_loss * fuel * HEATING_VALUE
     left = air * enthalpy(AIR, inlet) + fuel * HEATING_VALUE - power - casing
     return Exhaust(air, fuel, temperature_of(Gas(fuel / air), left / (air + fuel)), casing)
@@ -79,6 +83,10 @@ def mixed(flows: Iterable[Exhaust]) -> Exhaust:
     running = [flow for flow in each if flow.fuel_flow]
     if len(running) < 2:
         return running[0] if running else each[0]
+    return _joined(running)
+
+
+def _joined(running: Sequence[Exhaust]) -> Exhaust:
     air, fuel = sum(flow.air_flow for flow in running), sum(flow.fuel_flow for flow in running)
     carried = sum((gas.air_flow + gas.fuel_flow) * enthalpy(_gas(gas), gas.temperature) for gas in running)
     warm = temperature_of(Gas(fuel / air), carried / (air + fuel))
@@ -96,6 +104,10 @@ def exhaust_heat(exhaust: Exhaust, inlet: float) -> float:
     """
     if not exhaust.fuel_flow:
         return 0.0
+    return _gained(exhaust, inlet)
+
+
+def _gained(exhaust: Exhaust, inlet: float) -> float:
     away = (exhaust.air_flow + exhaust.fuel_flow) * enthalpy(_gas(exhaust), exhaust.temperature)
     return away - exhaust.air_flow * enthalpy(AIR, inlet)
 

@@ -1,5 +1,6 @@
 """What a load case sends through a train: torques and powers with losses, by branch, and what circulates."""
 
+from gearwright.train.flow.along import Loads, along, can_be_along
 from gearwright.train.flow.branches import Attachment, Branch, attachments, branches
 from gearwright.train.flow.carried import MeshFlow, PowerFlow, shaft_powers
 from gearwright.train.flow.case import power_flow, power_flows
@@ -13,14 +14,17 @@ __all__ = [
     "Attachment",
     "Branch",
     "Efficiency",
+    "Loads",
     "MeshFlow",
     "PowerFlow",
     "Sharing",
     "Turning",
+    "along",
     "asked_speeds",
     "attachments",
     "balance",
     "branches",
+    "can_be_along",
     "efficiencies",
     "power_flow",
     "power_flows",

@@ -1,0 +1,90 @@
+"""What the intervals of one flight, or of many, ask of a gearbox: courses one after the other, with modes as arrays."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Bools, Floats
+from gearwright.mission.profile import Course, course_of, joined
+from gearwright.mission.supply import Supply
+from gearwright.spec import Mission, Phase, engine_out
+
+
+class Deck(NamedTuple):
+    """All intervals of some flights; arrays have one entry for each."""
+
+    missions: tuple[Mission, ...]
+    course: Course
+    flights: tuple[slice, ...]
+    """Which intervals are whose."""
+    parts: Mapping[str, Floats]
+    """Machine -> part of the power of all machines [-]."""
+    driven: Mapping[str, Bools]
+    """Machine -> where it has a part."""
+    pitch: Floats
+    """That is held; NaN: none [rad]."""
+    rating: Floats
+    """Of the turbines over the usual one [-]."""
+
+    @property
+    def first(self) -> Bools:
+        """Where a flight begins."""
+        starts = np.zeros(len(self.pitch), bool)
+        starts[[lanes.start for lanes in self.flights]] = True
+        return starts
+
+
+def is_free(mission: Mission) -> bool:
+    """Tell whether intervals of a mission can be loaded before it is known how warm, full or heavy all is by then.
+
+    Args:
+        mission: As read.
+    """
+    warm = mission.oil.network is not None or mission.motor.heat is not None
+    stated = all(phase.power is not None or phase.pitch is not None for phase in mission.phases.values())
+    return stated and not warm and not any(phase.strategy for phase in mission.phases.values())
+
+
+def deck_of(supply: Supply, missions: Sequence[Mission]) -> Deck:
+    """Return what the intervals of missions ask.
+
+    Args:
+        supply: The machines.
+        missions: For which `is_free` holds.
+
+    Raises:
+        DesignError: A phase asks for a machine that there is not, or is supersonic.
+    """
+    courses = [course_of(mission) for mission in missions]
+    edges = np.cumsum([0, *(len(course.time) for course in courses)]).tolist()
+    stretches = [
+        (mission, mission.phases[name], count)
+        for mission, course in zip(missions, courses, strict=True)
+        for name, count in Counter(course.phase).items()
+    ]
+    counts = [count for _, _, count in stretches]
+    asked = [supply.parts(phase) for _, phase, _ in stretches]
+    names = (*supply.engines, *supply.motors)
+    return Deck(
+        missions=tuple(missions),
+        course=joined(courses),
+        flights=tuple(slice(start, end) for start, end in pairwise(edges)),
+        parts={name: np.repeat([parts.get(name, 0.0) for parts in asked], counts) for name in names},
+        driven={name: np.repeat([name in parts for parts in asked], counts) for name in names},
+        pitch=np.repeat([_pitch(phase) for _, phase, _ in stretches], counts),
+        rating=np.repeat([_rating(mission, phase) for mission, phase, _ in stretches], counts),
+    )
+
+
+def _pitch(phase: Phase) -> float:
+    return math.nan if phase.pitch is None else phase.pitch
+
+
+def _rating(mission: Mission, phase: Phase) -> float:
+    return mission.engine.contingency if engine_out(mission, phase) else 1.0
