@@ -97,8 +97,9 @@ def test_hotter_oil_and_more_load_are_worse():
 
 
 def test_what_cannot_be_rated_is_refused():
-    with pytest.raises(DesignError, match="external pairs only"):
-        ScuffingMesh(MeshGeometry((20.0, -60.0), 2e-3, 0.02, 0.04, (0.022, 0.058)), 1e5, 1e5, 10.0, 0.5e-6)
+    with pytest.raises(DesignError, match="nothing rolls"):
+        crossed = MeshGeometry((20.0, 60.0), 2e-3, 0.02, 0.08, (0.026, 0.066))
+        flash_temperature(ScuffingMesh(crossed, 1e5, 1e5, 10.0, 0.5e-6), Oil(90.0, 10e-3, 9.0))
     with pytest.raises(DesignError, match="roughness: 0 given"):
         ScuffingMesh(TYPE_A, 1e5, 1e5, 10.0, 0.0)
     with pytest.raises(DesignError) as refused:

@@ -43,7 +43,7 @@ ANSWERS: Mapping[str, tuple[str, str]] = MappingProxyType({
 })  # fmt: skip
 """Command -> type of its answer, and of its rows where it has any."""
 REVISIONS: Mapping[str, int] = MappingProxyType({
-    "campbell": 2, "compare": 2, "fly": 7, "modes": 2, "resume": 2, "run": 15, "runup": 2, "simulate": 2, "size": 14,
+    "campbell": 2, "compare": 2, "fly": 7, "modes": 2, "resume": 2, "run": 16, "runup": 2, "simulate": 2, "size": 15,
     "study": 2, "window": 2,
 })  # fmt: skip
 """Command -> number of its schema, where keys of its answer have changed since the first."""

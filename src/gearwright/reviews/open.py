@@ -9,6 +9,7 @@ from gearwright.dynamics.assembly import untold_orders
 from gearwright.identity import GEARBOX, Kind, PartId
 from gearwright.sizing import Sizing
 from gearwright.sizing.bearings import planet_bodies
+from gearwright.sizing.rating import Unloaded
 from gearwright.spec.design import RATINGS
 
 _LIVES = "no mission is given; gearwright review DESIGN MISSION flies one"
@@ -56,12 +57,18 @@ def _teeth(sizing: Sizing, stage: str) -> Iterator[Check]:
     """Yield what is left open of the teeth of a stage."""
     part, pair = PartId(Kind.STAGE, stage), sizing.design.pairs.get(stage)
     meshes = [mesh for mesh in sizing.meshes if mesh.stage == stage]
-    parts = {mesh.part for mesh in meshes}
-    scuffing = any(check.mode == "scuffing" for check in sizing.checks if check.part in parts)
+    scuffed = {check.part for check in sizing.checks if check.mode == "scuffing"}
+    open_meshes = [mesh for mesh in meshes if mesh.part not in scuffed]
     if pair is not None and pair.kind == "face":
         yield not_assessed(part, "rating of face gears", "", "no standard rates them; Lewis and Hertz stand in")
     elif not (method := RATINGS[sizing.design.rules(stage).rating]).fatigue:
         why = f'{method.title}: static strength only; rating = "iso6336" knows life, scuffing, what can be cut'
         yield not_assessed(part, "tooth fatigue and scuffing", "ISO 6336", why)
-    elif not scuffing:
-        yield not_assessed(part, "scuffing", "ISO/TS 6336-21", "the method covers external cylindrical pairs only")
+    elif method.table != "iso6336":
+        why = f'{method.title} does not rate it; rating = "iso6336" does'
+        yield not_assessed(part, "scuffing", "ISO/TS 6336-21", why)
+    else:
+        for mesh in open_meshes:
+            idle = isinstance(mesh.rating, Unloaded)
+            why = "no load case loads these teeth" if idle else "tips interfere, so that nothing rolls"
+            yield not_assessed(mesh.part, "scuffing", "ISO/TS 6336-21", why)

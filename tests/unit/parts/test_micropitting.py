@@ -137,8 +137,8 @@ def test_better_oils_permit_thinner_films_and_softer_flanks_ask_for_thicker_ones
 def test_what_it_does_not_cover_is_named():
     with pytest.raises(DesignError, match="stages 5 to 10"):
         film_of_test(OIL, 12.0)
-    with pytest.raises(DesignError, match="external"):
-        FilmMesh(replace(EVEN, teeth=(24.0, -72.0)), 1e3, 1.0, 10.0, 0.5e-6)
+    with pytest.raises(DesignError, match="nothing rolls"):
+        FilmMesh(replace(EVEN, tip_radii=(60e-3, 52e-3)), 1e3, 1.0, 10.0, 0.5e-6)
     with pytest.raises(DesignError, match="above 0"):
         FilmMesh(EVEN, 1e3, 1.0, 10.0, 0.0)
 

@@ -8,7 +8,7 @@ import pytest
 
 from gearwright.parts.bevel import BevelDuty, BevelPair, BevelTooth, VirtualPair, rate_bevel, virtual_mesh
 from gearwright.parts.iso6336 import GearSteel, Treatment
-from gearwright.parts.scuffing import ScuffingMesh, integral_temperature
+from gearwright.parts.scuffing import ScuffingMesh, flash_temperature, integral_temperature
 from gearwright.shipped import shipped_design
 from gearwright.sizing import size
 from gearwright.sizing.rating import METHODS, rating_of
@@ -29,8 +29,12 @@ def pair(spiral=35.0, **changes):
     return replace(BevelPair((17, 43), 8.5e-3, 51e-3, math.radians(spiral), tooth=tooth), **changes)
 
 
-def scuffed(bevel, duty=DUTY, rating=RATING):
+def temperatures(bevel, duty=DUTY, rating=RATING):
     return bevel_scuffing(rating, rate_bevel(bevel, (STEEL, STEEL), duty, 3500.0 * 3600.0))
+
+
+def scuffed(bevel, duty=DUTY, rating=RATING):
+    return temperatures(bevel, duty, rating).integral
 
 
 @pytest.mark.parametrize("spiral", [0.0, 12.0, 35.0])
@@ -61,7 +65,10 @@ def test_a_bevel_mesh_is_as_hot_as_the_cylindrical_pair_that_stands_for_it():
         poisson_ratio=RATING.material.poisson_ratio,
     )
     found, hand = bevel_scuffing(RATING, rated), integral_temperature(by_hand, oil_of(rules))
-    assert astuple(found) == pytest.approx(astuple(hand), rel=1e-12)
+    assert astuple(found.integral) == pytest.approx(astuple(hand), rel=1e-12)
+    plain = flash_temperature(by_hand, oil_of(rules))
+    assert found.flash.friction == pytest.approx(plain.friction, rel=1e-12)
+    assert found.flash.contact < plain.contact  # crowned teeth do not bear at their tips, where these slide most
 
 
 def test_load_speed_and_roughness_heat_and_a_better_oil_bears_more():
@@ -85,3 +92,31 @@ def test_a_design_is_checked_and_shows_it():
     asked = size(edited(DESIGN, {"gears.iso6336.scuffing_safety": 1.7}))
     (check,) = [check for check in asked.checks if str(check.part) == "bevel" and check.mode == "scuffing"]
     assert check.limit == 1.7
+
+
+@pytest.mark.parametrize("spiral", [0.0, 12.0, 35.0])
+def test_lines_over_the_zone_bear_the_whole_force_wherever_they_are(spiral):
+    """Σ p* l_b of lines one base pitch apart, each with its share at its middle; even about the middle of the path."""
+    virtual = VirtualPair(pair(spiral))
+    middle, quarter = virtual.load_share(0.0), 0.25 * virtual.path
+    assert virtual.load_share(quarter) == pytest.approx(virtual.load_share(-quarter), rel=1e-9)
+    step = virtual.base_pitch * math.cos(virtual.base_helix_angle)
+    lines = [virtual._line(number * step) for number in range(-9, 10)]
+    whole = virtual.effective_width / math.cos(virtual.base_helix_angle)
+    assert middle * sum(line.peak * line.length for line in lines) == pytest.approx(whole * lines[9].peak, rel=1e-12)
+    assert virtual.load_share(0.5 * virtual.path) == pytest.approx(0.0, abs=1e-6)  # tips fade out
+
+
+def test_lines_that_all_bear_alike_share_by_the_contact_ratio():
+    """Without crowning, e_LS → ∞, wide spirals bear 1/ε_vα, as ISO/TS 6336-20 has it, but for the shortened lines."""
+    virtual = VirtualPair(pair(35.0), peak_exponent=1e6)
+    flat = virtual.load_share(0.0) * (1.0 - (1.0 - math.sqrt(0.85)))
+    assert flat == pytest.approx(1.0 / virtual.profile_ratio, rel=0.1)  # the zone holds 2 or 3 lines, not ε_γ of them
+
+
+def test_the_flash_temperature_may_be_what_is_asked_for():
+    asked = size(edited(DESIGN, {"gears.iso6336.scuffing_method": "both", "gears.iso6336.scuffing_stage": 12}))
+    checks = [check for check in asked.checks if str(check.part) == "bevel" and check.mode == "scuffing"]
+    assert sorted(check.symbol for check in checks) == ["S_B", "S_intS"]
+    clause = next(check.clause for check in checks if check.symbol == "S_B")
+    assert clause == "ISO/TS 6336-20 on the virtual cylindrical gears"

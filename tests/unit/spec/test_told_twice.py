@@ -102,6 +102,59 @@ def test_a_shaper_cutter_without_a_ring_is_told():
     assert "no ring" in told
 
 
+RAVIGNEAUX_WITHOUT_RING = """
+schema = 1
+name = "two suns and a stepped planet"
+shafts = ["in", "out", "cage"]
+
+[motors.motor]
+shaft = "in"
+power_kw = 20
+speed_rpm = 3000
+
+[loads.load]
+shaft = "out"
+
+[clutches.hold]
+driving = "cage"
+driven = "ground"
+kind = "engaged"
+
+[epicyclics.set]
+carrier = "cage"
+sets = 3
+suns.small = { shaft = "in", teeth = 24 }
+suns.large = { shaft = "out", teeth = 36 }
+planets.first = { teeth = 36, meshes = ["small"] }
+planets.second = { teeth = 24, meshes = ["large"], in_one_piece_with = "first" }
+
+[gears]
+rating = "iso6336"
+"""
+
+
+@pytest.mark.parametrize(
+    ("rules", "path", "words"),
+    [
+        ("rim_thickness_ratio = 4", "gears.rim_thickness_ratio", "no ring"),
+        ("iso6336.ring_cutter = { teeth = 20 }", "gears.iso6336.ring_cutter", "no ring"),
+        ('iso6336.wheel = { steel = "case-hardened", hardness_hv = 700 }', "gears.iso6336.wheel", "no ring"),
+        ('iso6336.mounting = "straddle"', "gears.iso6336.mounting", "only bevel gears"),
+    ],
+)
+def test_a_sets_own_rules_of_what_it_does_not_have_are_told(rules, path, words):
+    parse(RAVIGNEAUX_WITHOUT_RING)
+    told = problem(f"{RAVIGNEAUX_WITHOUT_RING}\n[epicyclics.set.gears]\n{rules}\n")
+    assert f"epicyclics.set.{path}" in told
+    assert words in told
+
+
+def test_teeth_and_gearbox_have_one_oil_where_no_oil_is_named():
+    design = parse(rated("iso6336"))
+    teeth, oil = design.rules("stage").iso6336, design.oil
+    assert (teeth.oil_viscosity, teeth.oil_temperature) == (oil.viscosity_40, oil.temperature)
+
+
 @pytest.mark.parametrize(
     ("material", "rules", "path", "words"),
     [

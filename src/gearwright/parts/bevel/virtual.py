@@ -127,17 +127,47 @@ class VirtualPair:
         middle = -step * (1.0 - 0.5 * self.profile_ratio) * (1.0 - self.face_ratio) if self.face_ratio < 1.0 else 0.0
         return self._line(middle + step), self._line(middle), self._line(middle - step)
 
+    @cached_property
+    def furthest(self) -> float:
+        """Distance from the middle of the zone beyond which no line bears f_max [m]."""
+        helix = self.base_helix_angle
+        return 0.5 * (self.path + self.effective_width * math.tan(helix)) * math.cos(helix)
+
+    def load_share(self, place: float) -> float:
+        """Return the line load at a point of the path over that of one line across the face that bears all [-].
+
+        Args:
+            place: Distance of the point from the middle of the path of contact, along it, at mid-face [m].
+
+        Source: ISO 10300-1:2023, annex A: lines one base pitch apart share the load as A* ~ p* l_b, p* = 1 −
+            |f/f_max|^e_LS, which is p* (b_v,eff/cos β_vb)/Σ(p* l_b) or 1/ε_vα where all lines bear alike; along a line
+            it fades as half an ellipse, whose peak over its mean is left to K_Hβ.
+        """
+        step = self.base_pitch * math.cos(self.base_helix_angle)
+        here = place * math.cos(self.base_helix_angle)
+        count = math.ceil(2.0 * self.furthest / step)
+        lines = [self._line(here + number * step) for number in range(-count, count + 1)]
+        borne = sum(line.peak * line.length for line in lines)
+        start, end = self._ends(here)
+        beside = min(abs(self.effective_width - start - end) / max(end - start, 1e-12 * self.effective_width), 1.0)
+        across = self.effective_width / math.cos(self.base_helix_angle)
+        return lines[count].peak * math.sqrt(1.0 - beside**2) * across / borne
+
+    def _ends(self, distance: float) -> tuple[float, float]:
+        """Ends of a contact line along the face [m]; those of a line out of the zone are one place."""
+        helix, width = self.base_helix_angle, self.effective_width
+        if helix <= 1e-9:
+            return 0.0, width
+        centre = 0.5 * width + distance / math.sin(helix)
+        reach = 0.5 * self.path / math.tan(helix)
+        start = max(centre - reach, 0.0)
+        return start, max(min(centre + reach, width), start)
+
     def _line(self, distance: float) -> ContactLine:
         """One contact line, clipped at the edges of the zone of action."""
-        helix, width = self.base_helix_angle, self.effective_width
-        furthest = 0.5 * (self.path + width * math.tan(helix)) * math.cos(helix)
-        part = min(abs(distance) / furthest, 1.0)
-        if helix > 1e-9:
-            centre = 0.5 * width + distance / math.sin(helix)
-            reach = 0.5 * self.path / math.tan(helix)
-            length = max(min(centre + reach, width) - max(centre - reach, 0.0), 0.0) / math.cos(helix)
-        else:
-            length = width
+        part = min(abs(distance) / self.furthest, 1.0)
+        start, end = self._ends(distance)
+        length = (end - start) / math.cos(self.base_helix_angle)
         shortened = (1.0 - math.sqrt(EFFECTIVE_WIDTH)) * math.sqrt(1.0 - part**2)
         return ContactLine(distance, length * (1.0 - shortened), 1.0 - part**self.peak_exponent)
 

@@ -118,6 +118,22 @@ class MeshGeometry:
         return np.arccos((second + self.side * first) / (2.0 * self.centre_distance))
 
     @cached_property
+    def tangent_distance(self) -> Value:
+        """Distance between the tangent points of both base circles T_1T_2 = a_w sin α_wt [m]; negative within a ring.
+
+        With it the radii of curvature ρ_1 + ρ_2 = T_1T_2 of internal pairs are those of external ones: ρ_2 < 0, hollow.
+        """
+        return self.side * self.centre_distance * np.sin(self.working_angle)
+
+    @cached_property
+    def rolls(self) -> bool:
+        """Whether contact ends before the base circles' tangent points; beyond, tips interfere and nothing rolls."""
+        reach = self.tangent_distance
+        first, second = (0.5 * base * tip for base, tip in zip(self.base_diameters, self.tip_tangents, strict=True))
+        before = np.where(self.side > 0.0, np.maximum(first, second) < reach, second > -reach)
+        return bool(np.all(before))
+
+    @cached_property
     def base_pitch(self) -> Value:
         """Transverse base pitch p_bt [m]."""
         return np.pi * self.base_diameters[0] / self.teeth[0]

@@ -117,7 +117,8 @@ def tip_loaded(mesh: MeshGeometry, gear: int) -> LoadedTooth:
         mesh: The pair.
         gear: 0 for the pinion, 1 for the wheel.
 
-    Source: ISO 6336-3:1996, clause 5 (method C); DIN 3990-3:1987, clause 3.3: d_an of the equivalent spur gear.
+    Source: ISO 6336-3:1996, clause 5 (method C); DIN 3990-3:1987, clause 3.3: d_an of the equivalent spur gear. Rings
+        have d_an of their own tip, with the critical section of their fillet.
     """
     z_n = mesh.virtual_teeth[gear]
     tip = 2.0 * (mesh.tip_radii[gear] - 0.5 * mesh.pitch_diameters[gear]) / mesh.module + np.abs(z_n)

@@ -25,7 +25,7 @@ class FilmMesh:
     """A mesh as its oil film sees it."""
 
     geometry: MeshGeometry
-    """The pair, external."""
+    """The pair; of an internal one the second flank is hollow, ρ_2 < 0."""
     force: float
     """F_t [N]."""
     load_factor: float
@@ -52,8 +52,8 @@ class FilmMesh:
         problems = [
             Problem(name, f"{value:.4g} given; must be above 0") for name, value in values.items() if not value > 0.0
         ]
-        if np.any(np.asarray(self.geometry.side) < 0):
-            problems.append(Problem("geometry", "an internal pair given; ISO/TS 6336-22 rates external ones"))
+        if not self.geometry.rolls:
+            problems.append(Problem("geometry", "tips that interfere with the mate's root; nothing rolls there"))
         refuse(problems)
 
     @property
@@ -105,7 +105,8 @@ def film_thickness(mesh: FilmMesh, oil: OilGrade, temperature: float, *, sharing
 
     Source: ISO/TR 15144-1:2014, eqs 4 to 33 and 79 to 92 (ISO/TS 6336-22:2018 the same): h = 1600 ρ_n G^0.6 U^0.7
         W^−0.13 S^0.22, in N, mm, µm.
-    Valid for: external pairs of steel, ε_α ≤ 2.
+    Valid for: pairs of steel, ε_α ≤ 2. Internal ones by signed lengths: the document leaves them open as not yet
+        investigated enough, and a ring gives off its heat elsewhere than over a b.
     """
     pair = mesh.geometry
     place = path_places(pair)
@@ -228,14 +229,14 @@ def _buttressing(pair: MeshGeometry, near: Floats) -> Floats:
 def _path(pair: MeshGeometry) -> tuple[float, float, float]:
     """T_1A, T_1E and g_α [m]."""
     ends = [0.5 * float(base * tangent) for base, tangent in zip(pair.base_diameters, pair.tip_tangents, strict=True)]
-    reach = float(pair.centre_distance * np.sin(pair.working_angle))
-    return reach - ends[1], ends[0], ends[0] + ends[1] - reach
+    start = float(pair.tangent_distance - pair.side * ends[1])
+    return start, ends[0], ends[0] - start
 
 
 def _radii(pair: MeshGeometry, place: Floats) -> tuple[Floats, Floats]:
     """Radii of curvature of both flanks in the transverse section [m]."""
     first = _path(pair)[0] + place
-    return first, float(pair.centre_distance * np.sin(pair.working_angle)) - first
+    return first, float(pair.tangent_distance) - first
 
 
 def _curvature(pair: MeshGeometry, place: Floats) -> Floats:

@@ -53,7 +53,7 @@ def micropitting(
         treatment: Of the weaker flank.
 
     Source: ISO/TS 6336-22:2018, method B (ISO/TR 15144-1:2014).
-    Valid for: external pairs, ε_α ≤ 2, unmodified profiles.
+    Valid for: ε_α ≤ 2, unmodified profiles; internal pairs for information, see `film_thickness`.
     """
     film = film_thickness(mesh, oil, temperature)
     relative = film.relative(mesh.roughness)

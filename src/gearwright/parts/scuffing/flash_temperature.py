@@ -1,4 +1,4 @@
-"""Scuffing of external cylindrical pairs: flash temperature (ISO/TS 6336-20) with its load sharing and friction.
+"""Scuffing of cylindrical pairs: flash temperature (ISO/TS 6336-20) with its load sharing and friction.
 
 Temperatures are in °C and their differences in K. The empirical formulas are in the standard's own units, converted
 inside. The integral temperature method is in `scuffing_integral`.
@@ -6,6 +6,7 @@ inside. The integral temperature method is in `scuffing_integral`.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from typing import Annotated
@@ -65,7 +66,7 @@ class ScuffingMesh:
     """A mesh as the scuffing methods see it."""
 
     geometry: MeshGeometry
-    """The pair, external."""
+    """The pair; of an internal one the second flank is hollow, ρ_2 < 0."""
     specific_load: float
     """w_Bt = K_A K_γ K_V K_Hβ K_Hα F_t/b [N/m]."""
     nominal_load: float
@@ -97,8 +98,6 @@ class ScuffingMesh:
             )
             if not value > 0.0
         ]
-        if np.any(np.asarray(self.geometry.side) < 0):
-            problems.append(Problem("geometry", "an internal pair given; scuffing is rated for external pairs only"))
         refuse(problems)
 
 
@@ -176,31 +175,45 @@ def friction_coefficient(mesh: ScuffingMesh, oil: Oil, edition: FlashEdition = F
     return float(0.060 * load**0.2 * lubricant_factor_scuffing(oil) * (mesh.roughness / _MICRON) ** edition.value)
 
 
-def flash_temperature(mesh: ScuffingMesh, oil: Oil, edition: FlashEdition = FlashEdition.TS2017) -> FlashTemperature:
+def flash_temperature(
+    mesh: ScuffingMesh,
+    oil: Oil,
+    edition: FlashEdition = FlashEdition.TS2017,
+    *,
+    sharing: Callable[[Floats], Floats] | None = None,
+) -> FlashTemperature:
     """Return the contact temperature by the flash temperature method, the pinion driving.
 
     Args:
         mesh: The mesh.
         oil: The oil.
         edition: Of the method, which says how roughness enters friction.
+        sharing: X_Γ of the places Γ, of crowned flanks that fade in and out (X_J = 1) [-]; None: of unmodified ones.
 
     Source: ISO/TS 6336-20:2017, eqs 1 to 5: ϑ_fl = 2.52 μ_m X_M/50 X_J (X_Γ w_Bt)^¾ √(n_1/60)
         |√ρ_1 − √(ρ_2/u)|/ρ_rel^¼, in N, mm, 1/min.
-    Valid for: external pairs, unmodified profiles or tip relief that enters by X_J, steady load.
+    Valid for: unmodified profiles or tip relief that enters by X_J, steady load. Internal pairs by signed lengths, with
+        z_2, u, a and ρ_2 negative: what slides, rolls and presses is the same involute.
+
+    Raises:
+        DesignError: Tips that reach beyond the tangent points of the base circles, where nothing rolls.
     """
     pair = mesh.geometry
+    if not pair.rolls:
+        refuse([Problem("geometry", "tips that interfere with the mate's root; nothing rolls there")])
     ends = _path_ends(pair)
     place = np.linspace(ends[0], ends[3], _POINTS)
-    sine, ratio = np.sin(pair.working_angle), pair.ratio
-    first = (1.0 + place) / (1.0 + ratio) * pair.centre_distance * sine / _MM
-    second = (ratio - place) / (1.0 + ratio) * pair.centre_distance * sine / _MM
+    ratio = pair.ratio
+    first, second = (radius / _MM for radius in flank_radii(pair, place))
     relative = first * second / (first + second)
     friction = friction_coefficient(mesh, oil, edition)
     elastic = thermo_elastic_factor(mesh.elastic_modulus, mesh.poisson_ratio)
     turns = mesh.speed / (np.pi * pair.pitch_diameters[0])
-    load = (load_sharing(mesh, place) * mesh.specific_load * _MM) ** 0.75
+    share = load_sharing(mesh, place) if sharing is None else sharing(place)
+    shock = approach_factor(mesh, place) if sharing is None else np.ones_like(place)
+    load = (share * mesh.specific_load * _MM) ** 0.75
     geometry = np.abs(np.sqrt(first) - np.sqrt(second / ratio)) / relative**0.25
-    flash = 2.52 * friction * elastic / 50.0 * approach_factor(mesh, place) * load * np.sqrt(turns) * geometry
+    flash = 2.52 * friction * elastic / 50.0 * shock * load * np.sqrt(turns) * geometry
     bulk = oil.temperature + 0.47 * oil.supply * float(np.trapezoid(flash, place) / (place[-1] - place[0]))
     contact = bulk + float(flash.max())
     limit = 80.0 + (0.85 + 1.4 * mesh.structure) * lubricant_factor_scuffing(oil) * oil.load_stage**2
@@ -257,10 +270,22 @@ def _path_ends(pair: MeshGeometry) -> tuple[float, float, float, float]:
     return float(start), float(end - pitch), float(start + pitch), float(end)
 
 
+def flank_radii(pair: MeshGeometry, place: Value) -> tuple[Value, Value]:
+    """Return the radii of curvature of both flanks in the transverse section [m]; that of a ring is negative.
+
+    Args:
+        pair: The pair.
+        place: Γ along the path of contact [-], 0 at the pitch point.
+
+    Source: ISO/TS 6336-20:2017, eqs 6 and 7: (1 + Γ)/(1 + u) a sin α_wt and (u − Γ)/(1 + u) a sin α_wt, signed.
+    """
+    step = pair.tangent_distance / (1.0 + pair.ratio)
+    return (1.0 + place) * step, (pair.ratio - place) * step
+
+
 def _relative_radius(pair: MeshGeometry, place: float) -> Value:
-    """ρ_rel in the transverse section [m] (eqs 6 to 8)."""
-    reach = pair.centre_distance * np.sin(pair.working_angle)
-    first, second = (1.0 + place) / (1.0 + pair.ratio) * reach, (pair.ratio - place) / (1.0 + pair.ratio) * reach
+    """ρ_rel in the transverse section [m] (eq. 8)."""
+    first, second = flank_radii(pair, place)
     return first * second / (first + second)
 
 

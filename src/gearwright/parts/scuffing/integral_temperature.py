@@ -1,4 +1,4 @@
-"""Scuffing of external cylindrical pairs by the integral temperature method (ISO/TS 6336-21)."""
+"""Scuffing of cylindrical pairs by the integral temperature method (ISO/TS 6336-21)."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def integral_temperature(mesh: ScuffingMesh, oil: Oil) -> IntegralTemperature:
         oil: The oil; its viscosity at 40 °C enters the test temperature.
 
     Source: ISO/TS 6336-21:2017, clauses 5 and 6.1 (ISO/TR 13989-2:2000).
-    Valid for: external pairs, ε_α below 3, v from 1 m/s on.
+    Valid for: ε_α below 3, contact on both sides of the pitch point, v from 1 m/s on. Internal pairs by signed lengths.
 
     Raises:
         DesignError: ε_α of 3 and more.
@@ -173,9 +173,10 @@ def _angle_factor(mesh: ScuffingMesh) -> float:
 
 
 def _geometry_factor(mesh: ScuffingMesh) -> float:
-    """Geometry factor at the pinion's tip X_BE (eqs 22 to 24)."""
+    """Geometry factor at the pinion's tip X_BE (eqs 22 to 24); |u + 1| and |ρ_E2| of internal pairs."""
     pair = mesh.geometry
     first = 0.5 * pair.base_diameters[0] * pair.tip_tangents[0]
-    second = pair.centre_distance * np.sin(pair.working_angle) - first
+    second = pair.tangent_distance - first
     difference = np.sqrt(first) - np.sqrt(second / pair.ratio)
-    return float(0.51 * np.sqrt(pair.ratio + 1.0) * difference / (first * second) ** 0.25)
+    size = np.sqrt(pair.side * (pair.ratio + 1.0))
+    return float(0.51 * size * difference / (pair.side * first * second) ** 0.25)

@@ -154,8 +154,9 @@ def rounded(context: Context, stage: str, needed: float) -> float:
 def _bevel_size(context: Context, stage: str, needed: float, ratio: float) -> StageSize:
     """Return mean normal module and face width of a bevel stage from its outer module and width, rounded or given."""
     rating, given, teeth = context.ratings[stage], context.given, _teeth(context, stage)
-    outer = bevel_pair(teeth, needed, ratio * needed, rating).outer_module
-    outer = given.get(f"{stage}.outer_module", rounded(context, stage, outer))
+    outer = given.get(f"{stage}.outer_module")
+    if outer is None:
+        outer = rounded(context, stage, bevel_pair(teeth, needed, ratio * needed, rating).outer_module)
     width = bevel_width(teeth, outer, ratio, rating, partial(_gap, context, stage))
     asked = given.get(f"{stage}.face_width", width)
     width = min(asked, min(WIDEST * float(cone_ratio(*teeth)), WIDEST_MODULES) * outer)

@@ -16,6 +16,7 @@ from gearwright.spec.design import (
     RATINGS,
     SET_ROLES,
     Design,
+    Epicyclic,
     GearRules,
     Pair,
     Planetary,
@@ -38,12 +39,12 @@ _OF_HELICAL = ("overlap_ratio", "contact_angles")
 _OF_CYLINDERS = (
     "helix_modification", "widest_diameters", "widest_modules", "dynamic_method", "least_dynamic_factor", "face_method",
     "root_method",
-    "scuffing_method",
     "micropitting_stage", "micropitting_safety",
     "static_pitting_safety", "static_bending_safety", "yielding_safety", "wheel",
 )  # fmt: skip
 """Rules of ISO 6336 that ISO 10300 does not read."""
 _OF_RINGS = ("ring_cutter",)
+_OF_RINGS_OR_WHEELS = ("ring_cutter", "wheel")
 _OF_CONES = ("mounting", "profile_crowning")
 _OF_FITS = ("allowance", "centre_allowance")
 """Rules of gears that only cylindrical ones read."""
@@ -69,9 +70,11 @@ def effect_problems(design: Design) -> Iterator[Problem]:
         path, teeth = f"planetaries.{name}", (planetary.sun_teeth, planetary.planet_teeth, planetary.ring_teeth)
         yield from _ratio(path, planetary, given=sum(tooth is not None for tooth in teeth) > 1)
         yield from _stage_rules(path, design.rules(name), planetary.gears, _OF_PAIRS, "planetary sets are spur here")
+        yield from _set(path, planetary)
     for name, epicyclic in design.epicyclics.items():
         path = f"epicyclics.{name}"
         yield from _stage_rules(path, design.rules(name), epicyclic.gears, _OF_PAIRS, "compound sets are spur here")
+        yield from _set(path, epicyclic)
     yield from _axes(design)
     yield from _methods(design)
     yield from _joints(design)
@@ -106,6 +109,18 @@ def _pair(name: str, pair: Pair, design: Design) -> Iterator[Problem]:
     yield from _idle(f"{path}.gears.iso6336", written, foreign, standard)
     if not pair.internal:
         yield from _idle(f"{path}.gears.iso6336", written, _OF_RINGS, "this pair has no ring")
+
+
+def _set(path: str, stage: Planetary | Epicyclic) -> Iterator[Problem]:
+    """Find a set's own rules of ISO 6336 that are of bevel gears, or of a ring that it does not have."""
+    if stage.gears is None:
+        return
+    own = stage.gears.iso6336
+    yield from _idle(f"{path}.gears.iso6336", own, _OF_CONES, "only bevel gears read it")
+    if INTERNAL not in stage.meshes:
+        why = "this set has no ring"
+        yield from _idle(f"{path}.gears.iso6336", own, _OF_RINGS_OR_WHEELS, why)
+        yield from _idle(f"{path}.gears", stage.gears, ("rim_thickness_ratio",), why)
 
 
 def _fits(path: str, pair: Pair) -> Iterator[Problem]:

@@ -30,6 +30,7 @@ from gearwright.parts.iso6336.rating import PairRating
 from gearwright.parts.micropitting import FilmMesh, Micropitting, OilGrade, film_of_test, micropitting
 from gearwright.units import RPM
 from gearwright.validate.case import Case
+from gearwright.validate.gears.reports import PLANET_RING as WIDE_RING
 
 _SECOND = "KISSsoft 03/2017, NREL 5 MW gearbox, stage 2 (report in the repository gfsReboucas/Drivetrain)"
 _THIRD = _SECOND.replace("stage 2", "stage 3")
@@ -174,6 +175,15 @@ def _set_films() -> Sequence[float]:
     return first.thinnest, first.safety, second.thinnest, second.pressure / _MPA, second.safety
 
 
+def _ring_film() -> Sequence[float]:
+    """Return where the first ring's tip touches the planet, and the friction there; against its carrier."""
+    turning = (47.8 - 12.1) * RPM * 19.0 / 17.0
+    mesh = FilmMesh(WIDE_RING, 779_454.877, 1.25 * 1.1 * 1.05 * 1.15, turning, 0.825e-6, thermal=_THERMAL)
+    film = micropitting(mesh, _OIL, 75.0, stage=10.0)
+    touch = float(WIDE_RING.tangent_distance) + 0.5 * float(WIDE_RING.base_diameters[1] * WIDE_RING.tip_tangents[1])
+    return 2.0 * float(np.hypot(touch, 0.5 * WIDE_RING.base_diameters[0])) / _MM, film.friction, film.bulk
+
+
 def _test_film() -> Sequence[float]:
     film = film_of_test(_OIL, 10.0)
     return film, 1.4 * film, float(_OIL.pressure_coefficient(38.0)) * 1e6, float(_OIL.dynamic(85.0)) * 1e3
@@ -210,5 +220,7 @@ CASES = (
     Case("micropitting of sun and planet: λ_GF,min, S_λ of stage 1; λ_GF,min, p_dyn, S_λ of stage 2",
          f"{_FIRST}; stage 2", "–, –, –, N/mm², –", (0.378, 2.641, 0.536, 784.475, 3.746), _set_films, 1.3e-2,
          "the report takes the power of the sun's absolute speed for θ_M"),
+    Case("oil between planet and ring of stage 1: d_y of the planet at the ring's tip, μ_m, θ_M", _FIRST, "mm, –, °C",
+         (749.170, 0.040, 78.0), _ring_film, 1e-2, "as of sun and planet, and H_v is the integral for Ohlendorf's"),
 )  # fmt: skip
 """Printed roots, flanks and films."""

@@ -18,6 +18,7 @@ from gearwright.sizing.rating.factors import Factor, factor_rows, steel_rows
 from gearwright.sizing.rating.iso6336 import steel_of
 from gearwright.sizing.rating.iso6336.method import SAFETIES, iso_making, life_slope
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, safeties
+from gearwright.sizing.rating.iso6336.scuffing import scuffing_checks
 from gearwright.sizing.rating.iso10300.inputs import bevel_duty, bevel_surfaces
 from gearwright.sizing.rating.iso10300.limits import limited
 from gearwright.sizing.rating.iso10300.module import bevel_modules
@@ -65,6 +66,7 @@ class Iso10300:
         every = [factors] if alone else [
             _rated(mesh.rating, load, mesh.module, mesh.face_width) for load in mesh.loads
         ]  # fmt: skip
+        temperatures = bevel_scuffing(mesh.rating, factors)
         pitting, bending = safeties([_strains(rated) for rated in every], (steel, steel))
         return Iso10300Rating(
             case=mesh.heaviest.case,
@@ -72,10 +74,12 @@ class Iso10300:
             steel=steel,
             pitting=pitting,
             bending=bending,
-            scuffing=bevel_scuffing(mesh.rating, factors),
+            scuffing=temperatures.integral,
+            flash=temperatures.flash,
             pitting_asked=rules.pitting_safety,
             bending_asked=rules.bending_safety,
             scuffing_asked=rules.scuffing_safety,
+            scuffing_by=rules.scuffing_method,
             module_bending=mesh.asked[0],
             module_contact=mesh.asked[1],
             bending_stress=max(root.stress for root in factors.bending),
@@ -109,14 +113,17 @@ class Iso10300:
         for gear, pitting, bending in zip(gears, rated.pitting, rated.bending, strict=True):
             yield Check(gear, "pitting", "ISO 10300-2, eq. 5", pitting, rated.pitting_asked, symbol="S_H")
             yield Check(gear, "tooth root", "ISO 10300-3, eq. 5", bending, rated.bending_asked, symbol="S_F")
-        yield Check(mesh, "scuffing", SCUFFING, rated.scuffing.safety, rated.scuffing_asked, symbol="S_intS")
+        yield from scuffing_checks(rated, mesh, clauses=SCUFFING)
 
     def factors(self, rated: Iso10300Rating) -> Iterator[Factor]:
         """Yield steel, loads, flanks, roots and scuffing."""
         yield from steel_rows(rated.steel)
         yield from limited(factor_rows(rated.factors, "mesh"), rated.factors, rated.steel)
         for row in factor_rows(rated.scuffing, "scuffing"):
-            yield replace(row, clause=f"{SCUFFING}; as {row.clause}")
+            yield replace(row, clause=f"{SCUFFING[0]}; as {row.clause}")
+        if rated.flash is not None:
+            for row in factor_rows(rated.flash, "scuffing, flash temperature"):
+                yield replace(row, clause=f"{SCUFFING[1]}; as {row.clause}")
 
     def making(self, rating: Rating) -> Making:
         """Return flank class, roughness and steel."""

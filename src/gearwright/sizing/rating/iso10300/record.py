@@ -8,6 +8,7 @@ from typing import Annotated, ClassVar
 from gearwright.parts.bevel import BevelRating
 from gearwright.parts.iso6336 import GearSteel
 from gearwright.parts.scuffing import IntegralTemperature
+from gearwright.sizing.rating.iso6336.scuffing import FlashPeak
 from gearwright.units import Origin, Quantity, Ratio
 
 _CONTACT, _ROOT = "ISO 10300-2:2023", "ISO 10300-3:2023"
@@ -38,12 +39,16 @@ class Iso10300Rating:
     """S_F of both gears under the cases and their shares of the life [-]."""
     scuffing: IntegralTemperature
     """In the heaviest case, on the virtual cylindrical gears."""
+    flash: FlashPeak | None
+    """In the heaviest case, on the same gears; None where their tips interfere."""
     pitting_asked: Ratio
     """S_Hmin [-]."""
     bending_asked: Ratio
     """S_Fmin [-]."""
     scuffing_asked: Ratio
     """S_Smin [-]."""
+    scuffing_by: str
+    """Temperature that it is against: ``integral``, ``flash`` or ``both``."""
     module_bending: Annotated[float, Quantity("length"), Origin("m_mn at which S_F = S_Fmin", f"{_ROOT}, eq. 5")]
     """Mean normal module that bending asks for [m]."""
     module_contact: Annotated[float, Quantity("length"), Origin("m_mn at which S_H = S_Hmin", f"{_CONTACT}, eq. 5")]

@@ -1,25 +1,43 @@
-"""Scuffing of a rated bevel mesh by the integral temperature of its virtual cylindrical gears."""
+"""Scuffing of a rated bevel mesh by the temperatures of its virtual cylindrical gears."""
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Floats
 from gearwright.parts.bevel import BevelRating, virtual_mesh
 from gearwright.parts.iso6336 import RZ_OVER_RA
 from gearwright.parts.scuffing import IntegralTemperature, ScuffingMesh, integral_temperature
-from gearwright.sizing.rating.iso6336.scuffing import oil_of
+from gearwright.sizing.rating.iso6336.scuffing import FlashPeak, flash_peak, oil_of
 from gearwright.sizing.rating.rules import Rating
 
-SCUFFING = "ISO/TR 13989-2, 6.2"
+SCUFFING = ("ISO/TR 13989-2, 6.2", "ISO/TS 6336-20 on the virtual cylindrical gears")
+"""Of the integral and of the flash temperature."""
+_SAMPLES = 41
+"""Places of the path at which the load over the zone of action is looked at; straight between them."""
 
 
-def bevel_scuffing(rating: Rating, factors: BevelRating) -> IntegralTemperature:
-    """Return the integral temperature of a bevel mesh and its safety, without relief of the tips.
+class BevelTemperatures(NamedTuple):
+    """Both temperatures of a bevel mesh."""
+
+    integral: IntegralTemperature
+    """By the integral temperature."""
+    flash: FlashPeak | None
+    """By the flash temperature; None where tips of the virtual gears interfere."""
+
+
+def bevel_scuffing(rating: Rating, factors: BevelRating) -> BevelTemperatures:
+    """Return the temperatures of a bevel mesh and its safeties, without relief of the tips.
 
     Args:
         rating: Resolved rules: roughness, class, oil.
         factors: As rated in the heaviest case.
 
     Source: ISO/TR 13989-2:2000, 6.2: the formulas of cylindrical gears with z_v, d_va, a_v, v_mt and
-        w_Bt = K_A K_V K_Hβ K_Hα F_mt/(0.85 b).
+        w_Bt = K_A K_V K_Hβ K_Hα F_mt/(0.85 b); the flash temperature on the same gears, by ISO/TS 6336-20, is no
+        document's: ISO/TS 10300-20 was not at hand.
     """
     rules, geometry = rating.rules.iso6336, virtual_mesh(factors.virtual)
     force = factors.tangential_force / float(geometry.face_width)
@@ -33,4 +51,14 @@ def bevel_scuffing(rating: Rating, factors: BevelRating) -> IntegralTemperature:
         elastic_modulus=rating.material.elastic_modulus,
         poisson_ratio=rating.material.poisson_ratio,
     )
-    return integral_temperature(scuffed, oil_of(rules))
+    oil = oil_of(rules)
+    integral = integral_temperature(scuffed, oil)
+    if not geometry.rolls:
+        return BevelTemperatures(integral, None)
+
+    def sharing(place: Floats) -> Floats:
+        along = np.linspace(-0.5, 0.5, _SAMPLES)
+        shares = [factors.virtual.load_share(part * factors.virtual.path) for part in along]
+        return np.asarray(np.interp((place - place[0]) / (place[-1] - place[0]) - 0.5, along, shares))
+
+    return BevelTemperatures(integral, flash_peak(scuffed, oil, sharing))

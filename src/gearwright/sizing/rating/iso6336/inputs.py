@@ -120,7 +120,6 @@ def quality_of(
     idlers: tuple[bool, bool],
     shaft: PinionShaft = CENTRED,
     rims: tuple[float, float] = (1.0, 1.0),
-    internal: bool = False,
 ) -> MeshQuality:
     """Return how the flanks of a stage are made and mounted.
 
@@ -129,7 +128,6 @@ def quality_of(
         idlers: Which of the two gears is loaded on both flanks.
         shaft: Where the pinion sits on its shaft.
         rims: Y_B of both gears [-].
-        internal: Whether the second gear is a ring, whose roots method C does not cover.
     """
     rules = rating.rules.iso6336
     means = [IDLER_MEAN_STRESS if idler else 1.0 for idler in idlers]
@@ -145,7 +143,7 @@ def quality_of(
         mean_stresses=(means[0], means[1]),
         choices=Choices(
             RatingMethod(rules.dynamic_method),
-            RatingMethod.B if internal else RatingMethod(rules.root_method),
+            RatingMethod(rules.root_method),
             rules.least_dynamic_factor,
         ),
     )

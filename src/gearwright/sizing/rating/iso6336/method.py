@@ -30,7 +30,7 @@ from gearwright.sizing.rating.iso6336.limits import limited
 from gearwright.sizing.rating.iso6336.miner import Strain, Strains, damages, of_each, safeties
 from gearwright.sizing.rating.iso6336.ranges import Beyond, beyond_ranges, range_checks
 from gearwright.sizing.rating.iso6336.record import Iso6336Rating
-from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film
+from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film, scuffing_checks
 from gearwright.sizing.rating.iso6336.static_cases import static_checks, worst_static
 from gearwright.sizing.rating.protocol import Damage, Load, LoadedMesh, Making, MeshSpectrum
 from gearwright.sizing.rating.rims import rim_factors
@@ -155,6 +155,7 @@ class Iso6336:
         for gear, pitting, bending in zip(gears, rated.pitting, rated.bending, strict=True):
             yield Check(gear, "pitting", "ISO 6336-2, 5.3", pitting, rated.pitting_asked, symbol="S_H")
             yield Check(gear, "tooth root", "ISO 6336-3, 5.2", bending, rated.bending_asked, symbol="S_F")
+        yield from scuffing_checks(rated, mesh)
         yield from film_checks(rated, mesh)
         yield from static_checks(rated, gears)
         yield from range_checks(rated.beyond, mesh)
@@ -224,7 +225,7 @@ class Iso6336:
 def _quality(rating: Rating, ask: Ask) -> MeshQuality:
     """How the flanks and bodies of a mesh are made."""
     rims = rim_factors(rating, ask.roles, internal=ask.internal)
-    return quality_of(rating, idlers=ask.idlers, rims=rims, internal=ask.internal)
+    return quality_of(rating, idlers=ask.idlers, rims=rims)
 
 
 def life_slope(rating: Rating, mode: str) -> float:
@@ -240,7 +241,8 @@ def life_slope(rating: Rating, mode: str) -> float:
 def _beyond(mesh: LoadedMesh, factors: PairRating) -> tuple[Beyond, ...]:
     ask = mesh.heaviest.ask
     geometry = cylindrical_mesh(ask.teeth, mesh.module, mesh.face_width, mesh.rating, internal=ask.internal)
-    return beyond_ranges(geometry, factors)
+    films = mesh.rating.rules.iso6336.micropitting_stage is not None
+    return beyond_ranges(geometry, factors, films=films)
 
 
 def iso_making(rating: Rating, standard: str, iso_class: int | None) -> Making:

@@ -17,6 +17,9 @@ _CLASSES, _STIFFNESS = "ISO 1328-1:2013, clause 1", "ISO 6336-1:2019, clause 9"
 _STEEPEST: Angle = np.radians(30.0)
 """Helix angle as which a larger one counts in Y_β [rad] (ISO 6336-3:2019, clause 8)."""
 
+_STEEPEST_RATIO = 200.0
+"""Of 1000 teeth over 5 [-] (ISO 1328-1:2013, clause 1)."""
+
 
 @dataclass(frozen=True)
 class Beyond:
@@ -35,17 +38,19 @@ class Beyond:
     """That says so."""
 
 
-def beyond_ranges(mesh: MeshGeometry, rated: PairRating) -> tuple[Beyond, ...]:
+def beyond_ranges(mesh: MeshGeometry, rated: PairRating, *, films: bool = False) -> tuple[Beyond, ...]:
     """Return what of a mesh lies beyond the ranges of the formulas that rate it.
 
     Args:
         mesh: One mesh.
         rated: Its factors.
+        films: Whether its oil film is rated, too.
 
     Source: ISO 6336-1:2019, clauses 1 and 9 (ε_α, x_1 + x_2), ISO 6336-3:2019, clauses 7 and 8 (q_s, β), ISO
-        1328-1:2013, clause 1 (z, d, m_n, b).
+        1328-1:2013, clause 1 (z, d, m_n, b), ISO/TS 6336-22 (external pairs, ε_α).
     """
-    return tuple(entry for entry in _ranges(mesh, rated) if not entry.least <= entry.value <= entry.most)
+    ranges = [*_ranges(mesh, rated), *(_of_films(mesh) if films else ())]
+    return tuple(entry for entry in ranges if not entry.least <= entry.value <= entry.most)
 
 
 def _ranges(mesh: MeshGeometry, rated: PairRating) -> Iterator[Beyond]:
@@ -60,6 +65,11 @@ def _ranges(mesh: MeshGeometry, rated: PairRating) -> Iterator[Beyond]:
     if mesh.side > 0:
         shifts = sum(float(proportion.profile_shift) for proportion in mesh.proportions)
         yield _range("x_1 + x_2", "ratio", shifts, (-0.5, 2.0), _STIFFNESS)
+
+
+def _of_films(mesh: MeshGeometry) -> Iterator[Beyond]:
+    yield _range("u of the oil film", "ratio", mesh.ratio, (0.0, _STEEPEST_RATIO), "ISO/TS 6336-22: external pairs")
+    yield _range("ε_α of the oil film", "ratio", mesh.transverse_contact_ratio, (1.0, 2.0), "ISO/TS 6336-22, method B")
 
 
 def _range(quantity: str, dimension: str, value: object, span: tuple[float, float], clause: str) -> Beyond:

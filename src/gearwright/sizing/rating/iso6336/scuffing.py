@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Annotated, Protocol
 
-import numpy as np
-
+from gearwright.arrays import Floats
 from gearwright.checks import Check
 from gearwright.identity import PartId
-from gearwright.parts.iso6336 import RZ_OVER_RA, MeshGeometry, PairRating, Treatment
+from gearwright.parts.iso6336 import RZ_OVER_RA, PairRating, Treatment
 from gearwright.parts.losses import OIL_DENSITY, oil_viscosity
 from gearwright.parts.micropitting import BASES, FilmMesh, Micropitting, OilGrade, micropitting
 from gearwright.parts.scuffing import (
     SPRAY,
-    FlashTemperature,
     IntegralTemperature,
     Oil,
     ScuffingMesh,
@@ -29,6 +27,8 @@ from gearwright.spec.design import Iso6336Rules
 from gearwright.units import CELSIUS, Origin, Quantity
 
 _FLASH = "ISO/TS 6336-20:2017"
+CLAUSES = ("ISO/TS 6336-21, eq. 14", "ISO/TS 6336-20, eq. 100")
+"""Of the judgements by integral and by flash temperature."""
 _SOFTEST = (
     Treatment.STRUCTURAL, Treatment.THROUGH_HARDENED, Treatment.INDUCTION_HARDENED, Treatment.CASE_HARDENED,
 )  # fmt: skip
@@ -57,16 +57,16 @@ class FlashPeak:
 class OilFilm:
     """Scuffing by both temperatures, and micropitting where the oil was tested for it."""
 
-    integral: IntegralTemperature
-    """By the integral temperature."""
-    flash: FlashPeak | None
-    """By the flash temperature; None where tips interfere."""
+    integral: IntegralTemperature | None
+    """By the integral temperature; None where contact lies on one side of the pitch point alone."""
+    flash: FlashPeak
+    """By the flash temperature."""
     micropitting: Micropitting | None
     """None where the oil's load stage is not given."""
 
 
-class Rated(Protocol):
-    """A mesh with its oil film."""
+class Scuffed(Protocol):
+    """A mesh with its temperatures."""
 
     @property
     def scuffing(self) -> IntegralTemperature | None:
@@ -77,10 +77,6 @@ class Rated(Protocol):
         """By the flash temperature."""
 
     @property
-    def micropitting(self) -> Micropitting | None:
-        """Where it is assessed."""
-
-    @property
     def scuffing_asked(self) -> float:
         """Least safety [-]."""
 
@@ -88,24 +84,33 @@ class Rated(Protocol):
     def scuffing_by(self) -> str:
         """Temperature that the asked safety is against."""
 
+
+class Filmed(Protocol):
+    """A mesh with its oil film."""
+
+    @property
+    def micropitting(self) -> Micropitting | None:
+        """Where it is assessed."""
+
     @property
     def micropitting_asked(self) -> float:
         """Least S_λ [-]."""
 
 
 def oil_film(mesh: LoadedMesh, factors: PairRating) -> OilFilm | None:
-    """Return what the oil does in a mesh; None for internal gears, which no method covers.
+    """Return what the oil does in a mesh; None where tips interfere, so that nothing rolls.
 
     Args:
         mesh: With its heaviest load.
         factors: As rated in it.
     """
-    if mesh.heaviest.ask.internal:
+    rating, rules, ask = mesh.rating, mesh.rating.rules.iso6336, mesh.heaviest.ask
+    geometry = cylindrical_mesh(ask.teeth, mesh.module, mesh.face_width, rating, internal=ask.internal)
+    if not geometry.rolls:
         return None
-    rating, rules = mesh.rating, mesh.rating.rules.iso6336
     force = float(factors.tangential_force) / mesh.face_width
     scuffed = ScuffingMesh(
-        cylindrical_mesh(mesh.heaviest.ask.teeth, mesh.module, mesh.face_width, rating),
+        geometry,
         specific_load=force * float(factors.loads.contact),
         nominal_load=force * float(factors.loads.application) * float(factors.loads.mesh_load),
         speed=float(factors.speed),
@@ -116,31 +121,33 @@ def oil_film(mesh: LoadedMesh, factors: PairRating) -> OilFilm | None:
         reliefs=(rules.tip_relief, rules.tip_relief),
     )
     oil = oil_of(rules)
-    integral = integral_temperature(scuffed, oil)
-    if not _rolls(scuffed.geometry):
-        return OilFilm(integral, None, None)
-    return OilFilm(integral, _peak(flash_temperature(scuffed, oil)), _micropitted(mesh, scuffed, factors))
+    around = min(float(ratio) for ratio in geometry.addendum_contact_ratios) > 0.0
+    integral = integral_temperature(scuffed, oil) if around else None
+    return OilFilm(integral, flash_peak(scuffed, oil), _micropitted(mesh, scuffed, factors))
 
 
-def _rolls(pair: MeshGeometry) -> bool:
-    """Tell whether contact ends before the base circles' tangent points; beyond, tips interfere and nothing rolls."""
-    reach = float(pair.centre_distance * np.sin(pair.working_angle))
-    ends = (0.5 * float(base * tip) for base, tip in zip(pair.base_diameters, pair.tip_tangents, strict=True))
-    return max(ends) < reach
+def scuffing_checks(rated: Scuffed, mesh: PartId, *, clauses: tuple[str, str] = CLAUSES) -> Iterator[Check]:
+    """Yield the judgements on scuffing: by the temperature asked for, or by the only one that can be had.
+
+    Args:
+        rated: The mesh.
+        mesh: Its name.
+        clauses: Of the integral and of the flash temperature.
+    """
+    scuffed, peak, asked = rated.scuffing, rated.flash, rated.scuffing_asked
+    if scuffed is not None and (peak is None or rated.scuffing_by != "flash"):
+        yield Check(mesh, "scuffing", clauses[0], scuffed.safety, asked, symbol="S_intS")
+    if peak is not None and (scuffed is None or rated.scuffing_by != "integral"):
+        yield Check(mesh, "scuffing", clauses[1], peak.safety, asked, symbol="S_B")
 
 
-def film_checks(rated: Rated, mesh: PartId) -> Iterator[Check]:
-    """Yield the judgements on scuffing and micropitting.
+def film_checks(rated: Filmed, mesh: PartId) -> Iterator[Check]:
+    """Yield the judgement on micropitting, where it is assessed.
 
     Args:
         rated: The mesh.
         mesh: Its name.
     """
-    if (scuffed := rated.scuffing) is not None and rated.scuffing_by != "flash":
-        clause = "ISO/TS 6336-21, eq. 14"
-        yield Check(mesh, "scuffing", clause, scuffed.safety, rated.scuffing_asked, symbol="S_intS")
-    if (peak := rated.flash) is not None and rated.scuffing_by != "integral":
-        yield Check(mesh, "scuffing", "ISO/TS 6336-20, eq. 100", peak.safety, rated.scuffing_asked, symbol="S_B")
     if (film := rated.micropitting) is not None:
         place = f"at {film.point}"
         clause = "ISO/TS 6336-22, method B"
@@ -150,7 +157,15 @@ def film_checks(rated: Rated, mesh: PartId) -> Iterator[Check]:
         )  # fmt: skip
 
 
-def _peak(flash: FlashTemperature) -> FlashPeak:
+def flash_peak(mesh: ScuffingMesh, oil: Oil, sharing: Callable[[Floats], Floats] | None = None) -> FlashPeak:
+    """Return the hottest place of a mesh by the flash temperature.
+
+    Args:
+        mesh: As the methods of scuffing see it.
+        oil: At work.
+        sharing: X_Γ of crowned flanks [-]; None: of unmodified ones.
+    """
+    flash = flash_temperature(mesh, oil, sharing=sharing)
     return FlashPeak(flash.friction, flash.bulk, flash.contact, flash.scuffing, flash.safety)
 
 

@@ -7,6 +7,7 @@ from typing import Literal
 
 from pydantic import Field
 
+from gearwright.parts.losses import TURBINE_OIL
 from gearwright.spec.record import Record
 from gearwright.units import Density, Ratio
 
@@ -38,13 +39,19 @@ WARMTH_KEYS = MappingProxyType({"oil_temperature": "temperature"})
 """Likewise of its temperature."""
 
 
+VISCOSITY_40, VISCOSITY_100 = (1e6 * viscosity for viscosity in TURBINE_OIL)
+"""Of the oil where a design says none, at bearings and teeth [mm²/s]."""
+OIL_TEMPERATURE = 90.0
+"""Likewise its temperature, an assumption [°C]."""
+
+
 class OilOfDesign(Record):
     """The oil at bearings and teeth, for lives, losses and, where [gears.iso6336] says no other, films and scuffing."""
 
-    viscosity_40: float = Field(26.0, ge=2, le=2000, description="Kinematic viscosity at 40 °C [mm²/s]")
-    viscosity_100: float = Field(5.0, ge=1, le=200, description="Kinematic viscosity at 100 °C [mm²/s]")
+    viscosity_40: float = Field(VISCOSITY_40, ge=2, le=2000, description="Kinematic viscosity at 40 °C [mm²/s]")
+    viscosity_100: float = Field(VISCOSITY_100, ge=1, le=200, description="Kinematic viscosity at 100 °C [mm²/s]")
     density: Density = Field(950.0, ge=500, le=1500, description="At its temperature")
-    temperature: float = Field(90.0, ge=-40, le=200, description="At bearings and teeth [°C]")
+    temperature: float = Field(OIL_TEMPERATURE, ge=-40, le=200, description="At bearings and teeth [°C]")
     cleanliness: Dirt = Field(
         "normal", description="Contamination factor e_C: a word of ISO 281:2007, table 13, or the filter of its annex A"
     )

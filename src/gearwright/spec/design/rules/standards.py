@@ -6,6 +6,7 @@ from typing import Literal
 
 from pydantic import Field
 
+from gearwright.spec.design.rules.bearings import OIL_TEMPERATURE, VISCOSITY_40
 from gearwright.spec.record import Record
 from gearwright.units import Length, Ratio, Stress
 
@@ -91,7 +92,9 @@ class Iso6336Rules(Record):
         None,
         description="Shaper cutter of the rings, for their fillets; left out: as by a rack of ISO 53, profile A",
     )
-    oil_viscosity: float = Field(25.0, ge=5, le=1000, description="ν_40 of the oil [mm²/s]; left out: that of [oil]")
+    oil_viscosity: float = Field(
+        VISCOSITY_40, ge=5, le=1000, description="ν_40 of the oil [mm²/s]; left out: that of [oil]"
+    )
     oil_viscosity_100: float | None = Field(
         None,
         ge=1,
@@ -99,7 +102,10 @@ class Iso6336Rules(Record):
         description="ν_100 of the oil [mm²/s]; left out: that of [oil], or it thins as a turbine oil does",
     )
     oil_temperature: float = Field(
-        90.0, ge=-40, le=200, description="Temperature of the oil [°C], for scuffing; left out: that of [oil]"
+        OIL_TEMPERATURE,
+        ge=-40,
+        le=200,
+        description="Of the oil [°C], for scuffing; left out: that of [oil]",
     )
     oil_type: Literal[
         "mineral", "polyalphaolefin", "polyglycol", "water-soluble polyglycol", "phosphate ester", "traction"
