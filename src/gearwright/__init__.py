@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from gearwright.render.pages.report import report
     from gearwright.render.schematic.schematic import power_flow_figure, schematic_figure
     from gearwright.reviews import review
+    from gearwright.shape import scene
     from gearwright.shipped import (
         shipped_design,
         shipped_designs,
@@ -103,6 +104,7 @@ _VERBS = {
     "review": "reviews",
     "runup": "dynamics.vibration",
     "save": "store",
+    "scene": "shape",
     "schema": "spec",
     "schematic_figure": "render.schematic.schematic",
     "sharing": "dynamics.sharing",
@@ -178,6 +180,7 @@ __all__ = [
     "review",
     "runup",
     "save",
+    "scene",
     "schema",
     "schematic_figure",
     "sharing",

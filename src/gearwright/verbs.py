@@ -38,6 +38,7 @@ MAKES: Mapping[str, str] = types.MappingProxyType(
         "Response": "gw.frequency_response(system, frequency)",
         "RunUp": "gw.runup(sizing, system, factors)",
         "Samples": "trace.samples, of a trace from gw.simulate(system, duration)",
+        "Scene": "gw.scene(sizing)",
         "SharingProblem": "gearwright.dynamics.sharing.sharing_problem(sizing, stage)",
         "SharingStudy": "gw.sharing(sizing, stage)",
         "Sizing": "gw.size(design)",

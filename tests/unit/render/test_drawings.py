@@ -24,7 +24,7 @@ from gearwright.render.drawings.sheet.svg import sheet_svg
 from gearwright.render.drawings.views.gear_parts import hub_of
 from gearwright.render.drawings.views.positions import positions
 from gearwright.render.drawings.views.shaft_parts import shaft_body
-from gearwright.render.drawings.views.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
+from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, hand_of
 from gearwright.shipped import shipped_designs
 from gearwright.spec import edited
 

@@ -10,7 +10,7 @@ from designs import PAIR
 from gearwright.dynamics.assembly import gear_pairs
 from gearwright.errors import DesignError
 from gearwright.mission import Oil, gearbox_of
-from gearwright.render.drawings.views.teeth import cylindrical_gear
+from gearwright.shape.teeth import cylindrical_gear
 from gearwright.sizing import Sizing, size
 from gearwright.spec import parse
 

@@ -58,6 +58,7 @@ from gearwright.parts.gears.tooth_allowance import (
 )
 from gearwright.parts.gears.tooth_form import ToothForm, load_point, tooth_form
 from gearwright.parts.gears.tooth_measurement import ball_measurement, span_measurement, spanned_teeth
+from gearwright.parts.gears.transverse_form import TransverseTooth, form_radius, transverse_form, widest_rounding
 from gearwright.parts.gears.working_centre import (
     UNSHIFTED,
     ToothShift,
@@ -83,6 +84,7 @@ __all__ = [
     "Room",
     "ToothForm",
     "ToothShift",
+    "TransverseTooth",
     "assembly_room",
     "ball_measurement",
     "base_helix_angle",
@@ -96,6 +98,7 @@ __all__ = [
     "disc_inertia",
     "disc_mass",
     "feed_grade",
+    "form_radius",
     "half_angle_at",
     "hertz_coefficient",
     "interference",
@@ -130,8 +133,10 @@ __all__ = [
     "tip_thickness",
     "tooth_area",
     "tooth_form",
+    "transverse_form",
     "transverse_pressure_angle",
     "virtual_teeth",
+    "widest_rounding",
     "working_angle_at",
     "working_centre",
     "working_pressure_angle",

@@ -18,9 +18,9 @@ from gearwright.render.drawings.views.arrangement_parts import Item, axis_of, pl
 from gearwright.render.drawings.views.end_view import end_view
 from gearwright.render.drawings.views.positions import Positions, positions
 from gearwright.render.drawings.views.shaft_parts import MM
-from gearwright.render.drawings.views.teeth import kind_of
 from gearwright.render.schematic.layout import pair_meshes
 from gearwright.render.style.labels import overlap, spread
+from gearwright.shape.teeth import kind_of
 from gearwright.sizing import Sizing
 from gearwright.sizing.places import CLAUSE
 

@@ -12,7 +12,7 @@ from gearwright.render.drawings.shaft_sheet import shaft_content
 from gearwright.render.drawings.sheet.compose import Content, compose
 from gearwright.render.drawings.sheet.sheets import Sheet
 from gearwright.render.drawings.views.gear_parts import hub_of
-from gearwright.render.drawings.views.teeth import hand_of, kind_of
+from gearwright.shape.teeth import hand_of, kind_of
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.verbs import verb
 

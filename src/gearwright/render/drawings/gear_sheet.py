@@ -24,7 +24,8 @@ from gearwright.render.drawings.views.gear_view import (
 )
 from gearwright.render.drawings.views.shaft_parts import MM, bevel_profile
 from gearwright.render.drawings.views.shaft_view import OVERSHOOT, Axis
-from gearwright.render.drawings.views.teeth import (
+from gearwright.render.drawings.views.tooth_data import tooth_grid
+from gearwright.shape.teeth import (
     bevel_pair,
     cylindrical_gear,
     halves_of,
@@ -33,7 +34,6 @@ from gearwright.render.drawings.views.teeth import (
     making_of,
     meshes_of,
 )
-from gearwright.render.drawings.views.tooth_data import tooth_grid
 from gearwright.sizing import GearSizing, Sizing
 from gearwright.sizing.places import BACKUP, BOSS
 

@@ -25,9 +25,9 @@ from gearwright.render.drawings.sheet.symbols import cutting_plane, texture, tex
 from gearwright.render.drawings.sheet.tables import Grid
 from gearwright.render.drawings.views.shaft_parts import MM, Piece, ShaftBody, Slot, mass_with_gears, shaft_body
 from gearwright.render.drawings.views.shaft_view import Axis, end_chamfer, key_section, shaft_outline
-from gearwright.render.drawings.views.teeth import gear_of
 from gearwright.render.drawings.views.tooth_data import tooth_grid
 from gearwright.render.style.labels import spread
+from gearwright.shape.teeth import gear_of
 from gearwright.sizing import Sizing
 
 LEVEL = 8.0

@@ -6,7 +6,7 @@ The mass of gears, shafts and carriers by which designs are chosen is `Sizing.ma
 from gearwright.sizing.mass.beside import Statistics, band_of, requirement_of, statistics_beside
 from gearwright.sizing.mass.calibration import CALIBRATED, Calibration
 from gearwright.sizing.mass.complete import complete_mass, summed
-from gearwright.sizing.mass.gears import gear_blank
+from gearwright.sizing.mass.gears import gear_blank, gear_blanks
 from gearwright.sizing.mass.housing import Wall, reaction_torque, wall_of
 from gearwright.sizing.mass.record import GROUPS, CompleteMass, MassGroup, MassItem
 from gearwright.sizing.mass.shell import Shell, shell_around
@@ -24,6 +24,7 @@ __all__ = [
     "band_of",
     "complete_mass",
     "gear_blank",
+    "gear_blanks",
     "reaction_torque",
     "requirement_of",
     "shell_around",

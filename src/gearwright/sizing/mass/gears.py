@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping
 
 from gearwright.identity import Role
 from gearwright.parts.gears import Blank, CylindricalGear, blank_volume, tooth_area
-from gearwright.sizing.mass.planet_bores import PlanetBore
+from gearwright.sizing.mass.duties import seat_duties
+from gearwright.sizing.mass.planet_bores import PlanetBore, planet_bores
 from gearwright.sizing.mass.record import MassItem
 from gearwright.sizing.result import GearSizing, Sizing
 from gearwright.sizing.tooth_shape import cylindrical_gear
@@ -108,6 +109,43 @@ def gear_blank(gear: GearSizing, rules: GearRules, root: float, *, seat: tuple[f
     rim = root - (BACKUP if rules.rim_ratio is None else rules.rim_ratio) * height
     bore, hub = (min(diameter / 2.0, root) for diameter in seat)
     return Blank(root, max(rim, 0.0), hub, bore, gear.face_width, rules.web_thickness_ratio * gear.face_width)
+
+
+def gear_blanks(sizing: Sizing) -> dict[str, Blank]:
+    """Return external gear -> its body as it is weighed; a wheel that weighs a share of its disc has a web for it.
+
+    Args:
+        sizing: As sized.
+    """
+    bores = planet_bores(sizing, tuple(seat_duties(sizing)))
+    shafts = {shaft.name: shaft.diameter for shaft in sizing.shafts}
+    blanks = {}
+    for gear in sizing.gears:
+        if gear.rim:
+            continue
+        root, rules = cylindrical_gear(sizing.design, gear).root_radius, sizing.design.rules(gear.stage)
+        blank = gear_blank(gear, rules, root, seat=_seat(sizing, gear, bores, shafts))
+        lightened = gear.role is Role.WHEEL and rules.web_ratio < 1.0
+        blanks[gear.name] = _lightened(blank, rules.web_ratio) if lightened else blank
+    return blanks
+
+
+def _lightened(blank: Blank, share: float) -> Blank:
+    """Return a body with rim, hub and a web between them that weighs a share of the solid one."""
+    target = share * blank_volume(blank._replace(rim_radius=0.0))
+    if blank.is_solid:
+        return blank
+    web = blank.web_width
+    bare = blank_volume(blank._replace(web_width=0.0))
+    ring = math.pi * (blank.rim_radius**2 - blank.hub_radius**2)
+    if target > bare + 0.5 * web * ring:
+        return blank._replace(web_width=min((target - bare) / ring, blank.width))
+    # A rim by the rules weighs too much: a thinner one under half of the web.
+    web = 0.5 * web
+    hub = math.pi * (blank.hub_radius**2 - blank.bore_radius**2) * blank.width
+    squared = math.pi * (blank.root_radius**2 * blank.width - blank.hub_radius**2 * web) + hub - target
+    rim = math.sqrt(max(squared / (math.pi * (blank.width - web)), blank.hub_radius**2))
+    return blank._replace(rim_radius=min(rim, blank.root_radius), web_width=web)
 
 
 def _tie(sizing: Sizing, ring: GearSizing, hub: float) -> MassItem:

@@ -23,7 +23,7 @@ from gearwright.render.drawings.views.shaft_parts import (
     shaft_body,
 )
 from gearwright.render.drawings.views.shaft_view import Axis, shaft_outline
-from gearwright.render.drawings.views.teeth import cylindrical_gear, halves_of, is_internal, kind_of
+from gearwright.shape.teeth import cylindrical_gear, halves_of, is_internal, kind_of
 from gearwright.sizing import CarrierSizing, GearSizing, Sizing
 from gearwright.spec import GROUND
 

@@ -8,7 +8,7 @@ from gearwright.catalogue import key_for_shaft
 from gearwright.identity import Role
 from gearwright.parts.joints import KeySection, Spline
 from gearwright.render.drawings.views.shaft_parts import MM, away_of, bevel_profile, spline_of, toothed_piece
-from gearwright.render.drawings.views.teeth import cylindrical_gear, is_internal, kind_of
+from gearwright.shape.teeth import cylindrical_gear, is_internal, kind_of
 from gearwright.sizing import GearSizing, JointSizing, Sizing
 from gearwright.sizing.places import BOSS
 

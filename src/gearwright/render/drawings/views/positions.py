@@ -13,8 +13,8 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.identity import Kind, Role
 from gearwright.render.drawings.views.shaft_parts import MM
-from gearwright.render.drawings.views.teeth import bevel_pair, gear_of, halves_of, kind_of, sized_mesh
 from gearwright.render.schematic.layout import element, lay_out, pair_meshes
+from gearwright.shape.teeth import bevel_pair, gear_of, halves_of, kind_of, sized_mesh
 from gearwright.sizing import Sizing, places
 from gearwright.spec import GROUND
 from gearwright.train import Mesh, attachments

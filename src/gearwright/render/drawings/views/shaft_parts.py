@@ -9,7 +9,7 @@ from gearwright.catalogue import key_for_shaft, seat_tolerance
 from gearwright.parts import bevel
 from gearwright.parts.bevel import BevelProfile
 from gearwright.parts.joints import KeySection, Spline, spline
-from gearwright.render.drawings.views.teeth import bevel_pair, cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
+from gearwright.shape.teeth import bevel_pair, cylindrical_gear, gear_of, halves_of, kind_of, meshes_of
 from gearwright.sizing import GearSizing, JointSizing, ShaftStep, Sizing
 
 MM = 1e3

@@ -21,7 +21,7 @@ from gearwright.parts.gears import (
 )
 from gearwright.render.drawings.sheet.entities import trimmed
 from gearwright.render.drawings.sheet.tables import Grid
-from gearwright.render.drawings.views.teeth import (
+from gearwright.shape.teeth import (
     bevel_pair,
     cylindrical_gear,
     gear_of,

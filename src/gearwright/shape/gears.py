@@ -1,0 +1,121 @@
+"""The solids of gears: teeth of their tools over bodies as they are weighed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+from gearwright.identity import Role
+from gearwright.parts.bevel import Hand
+from gearwright.parts.gears import Blank, TransverseTooth, transverse_form, widest_rounding
+from gearwright.shape.solids import Fineness, Surface, bevel_gear, disc_gear, face_wheel, loop_of, ring_gear
+from gearwright.shape.stands import Stand
+from gearwright.shape.teeth import bevel_pair, cylindrical_gear, halves_of, hand_of, is_internal, kind_of, meshes_of
+from gearwright.sizing import GearSizing, Sizing
+from gearwright.sizing.arrangement import helix_hand
+
+WALL = 0.6
+"""Metal left between a bore and the roots where a shaft is as thick as the roots, in modules [-]."""
+
+
+class Leaning(NamedTuple):
+    """How the teeth of a gear lean."""
+
+    hand: float
+    """+1 right, −1 left, 0 straight."""
+    is_double: bool
+    """Whether the other half leans the other way."""
+
+    @property
+    def turning(self) -> float:
+        """By which it counts in the phase of a mesh; that of a double helix or of a cone is counted at its middle."""
+        return 0.0 if self.is_double else self.hand
+
+
+def leanings(sizing: Sizing, stands: tuple[Stand, ...]) -> dict[str, Leaning]:
+    """Return gear where it stands -> how its teeth lean.
+
+    Args:
+        sizing: As sized.
+        stands: Its gears.
+    """
+    found: dict[str, Leaning] = {}
+    for stand in stands:
+        gear = stand.gear
+        if kind_of(sizing, gear.stage) == "bevel":
+            hand = hand_of(sizing, gear, stand.node)
+            found[stand.name] = Leaning(0.0 if hand is None else 1.0 if hand is Hand.RIGHT else -1.0, is_double=True)
+        elif gear.helix_angle == 0.0:
+            found[stand.name] = Leaning(0.0, is_double=False)
+        elif gear.stage in sizing.design.pairs:
+            hand_of_helix = helix_hand(sizing.design, sizing.train, sizing.flows, stand.node)
+            found[stand.name] = Leaning(hand_of_helix, is_double=halves_of(gear) > 1)
+        else:
+            found[stand.name] = Leaning(1.0 if gear.role is Role.SUN else -1.0, is_double=False)
+    return found
+
+
+def tooth_of(sizing: Sizing, gear: GearSizing) -> TransverseTooth:
+    """Return what the outline of a cylindrical gear follows from; a ring's shaper has the teeth of its smallest mate.
+
+    Args:
+        sizing: As sized.
+        gear: One of its gears.
+    """
+    rack = cylindrical_gear(sizing, gear).rack
+    rack = replace(rack, fillet_radius=min(rack.fillet_radius, widest_rounding(rack)))
+    internal = is_internal(sizing, gear)
+    mates = [mesh.gears[0] for mesh, side in meshes_of(sizing, gear.name) if side == 1]
+    return TransverseTooth(
+        gear.teeth, gear.module, gear.helix_angle, gear.profile_shift, gear.tip_alteration, rack,
+        -1 if internal else 1, min(sizing.teeth[mate] for mate in mates) if internal else 0.0,
+    )  # fmt: skip
+
+
+def gear_surface(
+    sizing: Sizing, stand: Stand, leaning: Leaning, blanks: Mapping[str, Blank], *, fine: Fineness
+) -> Surface:
+    """Return the solid of a gear.
+
+    Args:
+        sizing: As sized.
+        stand: Where it stands.
+        leaning: How its teeth lean.
+        blanks: Gear -> its body.
+        fine: How finely.
+    """
+    gear, kind = stand.gear, kind_of(sizing, stand.gear.stage)
+    if kind == "bevel":
+        pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
+        return bevel_gear(pair, side, hand=leaning.hand, bore=blanks[gear.name].bore_radius, fine=fine)
+    if kind == "face" and gear.role is Role.WHEEL:
+        pinion = next(mate for mate in sizing.gears if mate.stage == gear.stage and mate.role is Role.PINION)
+        bore, width = blanks[gear.name].bore_radius, pinion.face_width
+        return face_wheel(tooth_of(sizing, pinion), gear.teeth, width=width, bore=bore, fine=fine)
+    tooth = tooth_of(sizing, gear)
+    loop = loop_of(transverse_form(tooth, fillet=fine.fillet, flank=fine.flank), gear.teeth)
+    levels = _levels(gear, leaning, fine.layer, halves=halves_of(gear))
+    if tooth.side < 0:
+        outside = max(gear.pitch_diameter / 2.0 + gear.rim, tooth.root_radius + WALL * gear.module)
+        return ring_gear(loop, levels, outside, fine.circle)
+    return disc_gear(loop, levels, _walled(blanks[gear.name], gear, halves_of(gear)), fine.circle)
+
+
+def _levels(gear: GearSizing, leaning: Leaning, layer: float, *, halves: int) -> list[tuple[float, float]]:
+    """Return places along the axis, and how far the teeth are turned there."""
+    half = halves * gear.face_width / 2.0
+    rate = leaning.hand * math.tan(gear.helix_angle) / (gear.pitch_diameter / 2.0)
+    count = max(1, math.ceil(abs(rate) * half / layer)) * (2 if rate else 1)
+    if not rate:
+        return [(-half, 0.0), (half, 0.0)]
+    places = [half * (2.0 * k / count - 1.0) for k in range(count + 1)]
+    return [(place, rate * (abs(place) if leaning.is_double else place)) for place in places]
+
+
+def _walled(blank: Blank, gear: GearSizing, halves: int) -> Blank:
+    """Return a body as wide as all halves, with metal under its teeth where its shaft is as thick as their roots."""
+    bore = min(blank.bore_radius, blank.root_radius - WALL * gear.module)
+    width, web = halves * blank.width, halves * blank.web_width
+    return blank._replace(bore_radius=bore, hub_radius=max(blank.hub_radius, bore), width=width, web_width=web)

@@ -1,0 +1,61 @@
+"""What the solids of a scene weigh, beside what sizing has for the same parts."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+
+from gearwright.identity import Kind, PartId
+from gearwright.shape.record import Node, Scene
+from gearwright.sizing import Sizing
+from gearwright.sizing.mass import complete_mass
+from gearwright.units import Mass
+
+
+@dataclass(frozen=True)
+class SolidMass:
+    """One kind of equal bodies, or all pieces of a carrier."""
+
+    part: PartId
+    bodies: int
+    """Equal ones in the scene [-]."""
+    solid: Mass
+    """Of one as drawn: its volume times the density of its material [kg]."""
+    sized: Mass
+    """Of one in the sizing's mass, by which designs are chosen [kg]."""
+    weighed: Mass | None
+    """Of one in the complete mass; None where that counts it within something else [kg]."""
+
+
+def solid_masses(sizing: Sizing, scene: Scene) -> tuple[SolidMass, ...]:
+    """Return what gears, shafts and carriers weigh as drawn, as sized and in the complete mass.
+
+    Args:
+        sizing: As sized.
+        scene: Of it.
+    """
+    weighed = {(item.group, item.part): item.each for item in complete_mass(sizing).parts}
+    found = []
+    for gear in sizing.gears:
+        nodes = [node for node in scene.nodes if node.part.kind is Kind.GEAR and _of(node, gear.stage, gear.part)]
+        density = sizing.design.material(sizing.design.rules(gear.stage).material).density
+        volume = sum(scene.surfaces[node.surface].volume for node in nodes) / gear.bodies
+        found.append(SolidMass(gear.part, gear.bodies, volume * density, gear.mass, weighed.get(("gears", gear.name))))
+    density = sizing.design.shaft_material.density
+    volumes: defaultdict[str, float] = defaultdict(float)
+    for node in scene.nodes:
+        if node.part.kind in (Kind.SHAFT, Kind.CARRIER):
+            volumes[str(node.part)] += scene.surfaces[node.surface].volume
+    for shaft in sizing.shafts:
+        part = PartId(Kind.SHAFT, shaft.name)
+        solid = volumes[shaft.name] * density
+        found.append(SolidMass(part, 1, solid, shaft.mass, weighed.get(("shafts", shaft.name))))
+    for carrier in sizing.carriers:
+        solid = volumes[str(carrier.part)] * density
+        found.append(SolidMass(carrier.part, 1, solid, carrier.mass, weighed.get(("carriers", str(carrier.part)))))
+    return tuple(found)
+
+
+def _of(node: Node, stage: str, part: PartId) -> bool:
+    same = (node.part.name, node.part.role, node.part.own) == (stage, part.role, part.own)
+    return same and node.look != "tie"

@@ -1,0 +1,68 @@
+"""A scene as a value: surfaces, and where each of them stands and how it turns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.identity import PartId
+from gearwright.shape.solids import Surface
+from gearwright.shape.stands import Axes
+
+
+@dataclass(frozen=True)
+class Node:
+    """A body where it stands."""
+
+    name: str
+    """Its label; unique in the scene."""
+    part: PartId
+    """Whose body it is, as checks and results name it: of a planet all equal ones."""
+    look: str
+    """What it is painted as: sun, planet, ring, pinion, wheel, tie, shaft, carrier, pin, bearing."""
+    surface: str
+    """Of the scene's surfaces; empty of what only carries others."""
+    axes: Axes
+    """Where it stands in space at rest, z along its own axis."""
+    phase: float
+    """By which it is turned about its axis from there [rad]."""
+    spins: Mapping[str, float]
+    """Load case -> speed about its own axis, against the carrier that it is on where it is on one [rad/s]."""
+    on: str = ""
+    """Name of the carrier that it goes round with."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A gearbox of solids."""
+
+    name: str
+    """Of the design."""
+    surfaces: Mapping[str, Surface]
+    """What nodes show; equal bodies share one."""
+    nodes: tuple[Node, ...]
+    """Carriers before what is on them."""
+    cases: tuple[str, ...]
+    """Load cases, the one that speaks for the design first."""
+    approximations: tuple[str, ...]
+    """What is not as it would be made, in sentences."""
+
+    @cached_property
+    def by_name(self) -> Mapping[str, Node]:
+        """Name -> node."""
+        return {node.name: node for node in self.nodes}
+
+    @property
+    def box(self) -> tuple[Floats, Floats]:
+        """Corners of a box around all bodies at rest [m]."""
+        lows, highs = [], []
+        for node in self.nodes:
+            if node.surface:
+                points = self.surfaces[node.surface].points @ node.axes.turned.T + node.axes.origin
+                lows.append(points.min(axis=0))
+                highs.append(points.max(axis=0))
+        return np.min(lows, axis=0), np.max(highs, axis=0)

@@ -1,0 +1,177 @@
+"""The verb: a sized gearbox as solids, each where it stands, turned so that teeth mesh, with its speeds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from gearwright.errors import Problem, near, refuse
+from gearwright.identity import Kind, PartId, Role, carrier_part
+from gearwright.parts.gears import Blank
+from gearwright.shape.carriers import pin_surface, planet_bearing, plate_surface
+from gearwright.shape.contacts import contacts_of
+from gearwright.shape.gears import Leaning, gear_surface, leanings, tooth_of
+from gearwright.shape.phases import Phases, phases_of
+from gearwright.shape.record import Node, Scene
+from gearwright.shape.shafts import Run, bearing_bodies, bearing_surface, runs, shaft_surface, tie_surface, ties
+from gearwright.shape.solids import Fineness, Surface
+from gearwright.shape.stands import Axes, Stand, axes_at, middle_of, set_frame, stands_of
+from gearwright.shape.teeth import halves_of, kind_of
+from gearwright.shape.words import approximations
+from gearwright.sizing import Sizing
+from gearwright.sizing.mass import gear_blanks
+from gearwright.spec import GROUND
+from gearwright.verbs import verb
+
+DETAILS: Mapping[str, Fineness] = {
+    "fine": Fineness(3, 5, 60, 0.06, 6),
+    "coarse": Fineness(2, 2, 30, 0.2, 3),
+}
+"""Level of detail -> how finely surfaces are cut."""
+
+
+@verb
+def scene(sizing: Sizing, *, detail: Literal["fine", "coarse"] = "fine") -> Scene:
+    """Return a sized gearbox as solids: teeth of the true tool, bodies as weighed, shafts, carriers, bearings.
+
+    Args:
+        sizing: As sized.
+        detail: ``fine``, or ``coarse`` with a third of the triangles.
+
+    >>> import gearwright as gw
+    >>> scene = gw.scene(gw.size(gw.read("in-line-h2")))
+    >>> round(scene.by_name["first.sun"].spins["rated"] / scene.by_name["first.carrier"].spins["rated"], 4)
+    4.4444
+    """
+    if detail not in DETAILS:
+        refuse([Problem("detail", f"{detail!r} is no level of detail; {near(detail, list(DETAILS))}")])
+    stands = stands_of(sizing)
+    leaning, contacts = leanings(sizing, stands), contacts_of(sizing, stands)
+    phases = phases_of(sizing, stands, contacts, {name: lean.turning for name, lean in leaning.items()})
+    drawn, shortened = runs(sizing)
+    task = _Task(sizing, DETAILS[detail], stands, leaning, phases, gear_blanks(sizing), drawn)
+    nodes = [*_carriers(task), *_gears(task), *_shafts(task), *_on_pins(task), *_bearings(task), *_ties(task)]
+    words = (*approximations(sizing, phases), *shortened)
+    return Scene(sizing.design.name, task.surfaces, tuple(nodes), tuple(sizing.flows), words)
+
+
+@dataclass(frozen=True)
+class _Task:
+    """What a scene is made of."""
+
+    sizing: Sizing
+    fine: Fineness
+    stands: tuple[Stand, ...]
+    leaning: Mapping[str, Leaning]
+    phases: Phases
+    blanks: Mapping[str, Blank]
+    runs: tuple[Run, ...]
+    surfaces: dict[str, Surface] = field(default_factory=dict)
+
+    def spins(self, node: str, carrier: str = "") -> dict[str, float]:
+        """Return load case -> speed of a node about its own axis, against a carrier [rad/s]."""
+        sense = self.phases.senses[node]
+        base = {case: flow.speeds[carrier] if carrier else 0.0 for case, flow in self.sizing.flows.items()}
+        return {case: sense * (flow.speeds[node] - base[case]) for case, flow in self.sizing.flows.items()}
+
+
+def _carriers(task: _Task) -> Iterator[Node]:
+    sizing = task.sizing
+    for carrier in sizing.carriers:
+        body = next(body for body in sizing.arrangement.bodies if body.part == carrier.part)
+        axes, label = axes_at(set_frame(sizing, carrier.stage), middle_of(body)), str(carrier.part)
+        own = [stand for stand in task.stands if stand.gear.stage == carrier.stage and stand.carrier]
+        task.surfaces[label] = plate_surface(sizing, carrier, body, axes, own, task.runs, task.fine.circle)
+        yield Node(label, carrier.part, "carrier", label, axes, 0.0, task.spins(carrier.shaft))
+
+
+def _gears(task: _Task) -> Iterator[Node]:
+    sizing = task.sizing
+    for stand in task.stands:
+        lean, part = task.leaning[stand.name], stand.part._replace(number=None)
+        phase, axes = task.phases.turned[stand.name], stand.axes
+        if _faces_back(sizing, task, stand):  # built with its tips towards −z
+            axes, phase = _flipped(axes), -phase
+        key = f"{stand.gear.name} {lean.hand:+.0f}" if lean.hand else stand.gear.name
+        if key not in task.surfaces:
+            task.surfaces[key] = gear_surface(sizing, stand, lean, task.blanks, fine=task.fine)
+        spins = task.spins(stand.node, stand.carrier)
+        if axes is not stand.axes:
+            spins = {case: -speed for case, speed in spins.items()}
+        on = str(carrier_part(stand.gear.stage)) if stand.carrier else ""
+        yield Node(stand.name, part, str(stand.gear.role), key, axes, phase, spins, on)
+
+
+def _faces_back(sizing: Sizing, task: _Task, stand: Stand) -> bool:
+    """Tell whether the tips of a bevel or face gear look along its shaft, from the first end to the second."""
+    kind = kind_of(sizing, stand.gear.stage)
+    if kind == "bevel":
+        pair = sizing.design.pairs[stand.gear.stage]
+        return (pair.pinion_apex if stand.gear.role is Role.PINION else pair.wheel_apex) == "second"
+    if kind == "face" and stand.gear.role is Role.WHEEL:
+        pinion = next(one for one in task.stands if one.gear.stage == stand.gear.stage and one.gear is not stand.gear)
+        return float((pinion.axes.origin - stand.axes.origin) @ stand.axes.along) > 0.0
+    return False
+
+
+def _flipped(axes: Axes) -> Axes:
+    """Return axes turned by half a turn about x, so that z looks the other way."""
+    return Axes(axes.origin, axes.turned * np.array([1.0, -1.0, -1.0]))
+
+
+def _shafts(task: _Task) -> Iterator[Node]:
+    for run in task.runs:
+        frame, part = task.sizing.arrangement.frames[run.shaft], PartId(Kind.SHAFT, run.shaft)
+        middle = (run.steps[0][0] + run.steps[-1][1]) / 2.0
+        label = f"shaft {run.shaft}"
+        task.surfaces[label] = shaft_surface(run, middle, task.fine.circle)
+        place = np.asarray(frame.origin) + middle * np.asarray(frame.along)
+        yield Node(label, part, "shaft", label, axes_at(frame, place), 0.0, task.spins(run.shaft))
+
+
+def _on_pins(task: _Task) -> Iterator[Node]:
+    """Yield the pins of planets, and what planets turn on."""
+    sizing = task.sizing
+    carriers = {carrier.stage: carrier for carrier in sizing.carriers}
+    seen = set()
+    for stand in task.stands:
+        if not stand.carrier:
+            continue
+        carrier = carriers[stand.gear.stage]
+        on, still = str(carrier.part), dict.fromkeys(sizing.flows, 0.0)
+        if (stand.node, stand.place) not in seen:
+            seen.add((stand.node, stand.place))
+            steps = [other for other in task.stands if (other.node, other.place) == (stand.node, stand.place)]
+            plate = next(body for body in sizing.arrangement.bodies if body.part == carrier.part)
+            key = f"{stand.node} pin"
+            task.surfaces.setdefault(key, pin_surface(carrier, plate, steps, stand.axes, task.fine.circle))
+            yield Node(f"{stand.node} pin {stand.place + 1}", carrier.part, "pin", key, stand.axes, 0.0, still, on)
+        blank = task.blanks[stand.gear.name]
+        ring = planet_bearing(carrier, stand.gear, blank, halves_of(stand.gear), task.fine.circle)
+        if ring is not None:
+            key, part = f"{stand.gear.name} bearing", stand.gear.part._replace(kind=Kind.BEARING)
+            task.surfaces.setdefault(key, ring)
+            yield Node(f"{stand.name} bearing", part, "bearing", key, stand.axes, 0.0, still, on)
+
+
+def _bearings(task: _Task) -> Iterator[Node]:
+    frames = task.sizing.arrangement.frames
+    for part, body in bearing_bodies(task.sizing):
+        label = f"bearing {part}"
+        task.surfaces[label] = bearing_surface(body, task.fine.circle)
+        axes = axes_at(frames[body.shaft], middle_of(body))
+        yield Node(label, part, "bearing", label, axes, 0.0, dict.fromkeys(task.sizing.flows, 0.0))
+
+
+def _ties(task: _Task) -> Iterator[Node]:
+    for tie in ties(task.sizing):
+        shaft = tie.ring.shafts[0]
+        frame, label = task.sizing.arrangement.frames[shaft], f"{tie.ring.name} tie"
+        hub = next((run.steps[0][2] for run in task.runs if run.shaft == shaft), 0.0)
+        task.surfaces[label] = tie_surface(tie, tooth_of(task.sizing, tie.ring).root_radius, hub, task.fine.circle)
+        place = np.asarray(frame.origin) + tie.middle * np.asarray(frame.along)
+        spins = task.spins(shaft) if shaft != GROUND else dict.fromkeys(task.sizing.flows, 0.0)
+        yield Node(label, tie.ring.part, "tie", label, axes_at(frame, place), 0.0, spins)

@@ -1,0 +1,30 @@
+"""Closed surfaces from numbers: toothed walls, cones, faces, bodies of revolution; none knows a sizing.
+
+Which bodies a gearbox has, and where they stand, is for `shape`.
+"""
+
+from gearwright.shape.solids.crossed import Fineness, bevel_form, bevel_gear, face_thickness, face_wheel, spiral_turn
+from gearwright.shape.solids.round_bodies import arms, bearing, bell, stepped, tube
+from gearwright.shape.solids.surface import Edges, Surface, edges_of
+from gearwright.shape.solids.toothed import Loop, disc_gear, loop_of, ring_gear
+
+__all__ = [
+    "Edges",
+    "Fineness",
+    "Loop",
+    "Surface",
+    "arms",
+    "bearing",
+    "bell",
+    "bevel_form",
+    "bevel_gear",
+    "disc_gear",
+    "edges_of",
+    "face_thickness",
+    "face_wheel",
+    "loop_of",
+    "ring_gear",
+    "spiral_turn",
+    "stepped",
+    "tube",
+]

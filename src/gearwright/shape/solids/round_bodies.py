@@ -1,0 +1,108 @@
+"""Bodies of revolution: shafts by their steps, bearings by their rings, pins, discs that tie rings to shafts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gearwright.parts.gears import Blank
+from gearwright.shape.solids.surface import Surface, circle, revolved
+from gearwright.shape.solids.toothed import Loop, disc_gear
+
+RING = 0.28
+"""Thickness of a bearing's ring over its section, an assumption [-]."""
+RECESS = 0.15
+"""How far rolling elements and cage stand behind the faces of the rings over the width, an assumption [-]."""
+LEAST_HUB = 0.3
+"""Radius of a carrier's plate between its arms over its outer one, at least [-]."""
+
+
+def tube(span: tuple[float, float], outer: float, bore: float, segments: int) -> Surface:
+    """Return a cylinder with a bore, or without one.
+
+    Args:
+        span: Where it begins and ends [m].
+        outer: Its radius [m].
+        bore: Radius of its bore; 0: none [m].
+        segments: Corners of a circle.
+    """
+    return stepped([(span[0], span[1], outer)], bore, segments)
+
+
+def stepped(steps: Sequence[tuple[float, float, float]], bore: float, segments: int) -> Surface:
+    """Return a shaft.
+
+    Args:
+        steps: Start, end [m] and radius [m] of each, without gaps.
+        bore: Radius of its bore; 0: none [m].
+        segments: Corners of a circle.
+    """
+    way = [(steps[0][0], bore)]
+    for start, end, radius in steps:
+        way += [(start, max(radius, 1.05 * bore)), (end, max(radius, 1.05 * bore))]
+    way.append((steps[-1][1], bore))
+    return revolved([*way, way[0]] if bore else way, segments)
+
+
+def bearing(bore: float, outer: float, width: float, segments: int) -> Surface:
+    """Return the envelope of a bearing: two rings, and between them what rolls.
+
+    Args:
+        bore: Radius [m].
+        outer: Radius [m].
+        width: [m].
+        segments: Corners of a circle.
+    """
+    section, half = outer - bore, width / 2.0
+    radii = (bore, bore + RING * section, outer - RING * section, outer)
+    inner = half * (1.0 - 2.0 * RECESS)
+    way = [(-half, radii[0]), (-half, radii[1]), (-inner, radii[1]), (-inner, radii[2]), (-half, radii[2]),
+           (-half, radii[3]), (half, radii[3]), (half, radii[2]), (inner, radii[2]), (inner, radii[1]),
+           (half, radii[1]), (half, radii[0]), (-half, radii[0])]  # fmt: skip
+    return revolved(way, segments)
+
+
+def arms(
+    angles: Sequence[float], reach: float, thickness: float, *, bore: float, fill: float, segments: int
+) -> Surface:
+    """Return the plate of a carrier, with as much of its disc left as its fill says.
+
+    Args:
+        angles: Of its pins [rad].
+        reach: Outer radius [m].
+        thickness: [m].
+        bore: Radius of its bore; 0: none [m].
+        fill: Share of the disc that is left [-].
+        segments: Corners of a circle.
+    """
+    count = max(4 * segments // 2, 24 * len(angles))
+    turn = circle(count)
+    near = np.min(np.abs(np.angle(np.exp(1j * (turn[:, None] - np.asarray(angles)[None, :])))), axis=1)
+    share = np.clip(0.5 + 1.1 * np.cos(near * len(angles)), 0.0, 1.0)
+    low = max(LEAST_HUB * reach, min(1.3 * bore, 0.95 * reach))
+    high = reach
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        left = float(np.mean((middle + (reach - middle) * share) ** 2)) / reach**2
+        low, high = (low, middle) if left > fill else (middle, high)
+    radius = np.full(count, reach) if fill >= 1.0 else low + (reach - low) * share
+    loop = Loop(radius, turn, np.zeros(count, dtype=bool))
+    blank = Blank(reach, 0.0, bore, bore, thickness, thickness)
+    return disc_gear(loop, [(-thickness / 2.0, 0.0), (thickness / 2.0, 0.0)], blank, segments)
+
+
+def bell(wall: tuple[float, float], ring: float, disc: tuple[float, float], hub: float, segments: int) -> Surface:
+    """Return what ties a turning ring to its shaft: a wall beside the ring and a disc down to the shaft.
+
+    Args:
+        wall: Inner and outer radius of the wall [m].
+        ring: Where the ring ends [m].
+        disc: Where the disc begins, and where it ends; beyond each other as the ring's end and the disc are [m].
+        hub: Radius of the shaft [m].
+        segments: Corners of a circle.
+    """
+    sign = 1.0 if disc[1] > ring else -1.0
+    way = [(ring, wall[0]), (ring, wall[1]), (disc[1], wall[1]), (disc[1], hub), (disc[0], hub), (disc[0], wall[0])]
+    way.append(way[0])
+    return revolved(way if sign > 0.0 else way[::-1], segments)

@@ -1,0 +1,159 @@
+"""Closed surfaces of triangles: what a body is made of, and what it encloses.
+
+Vertices are shared along smooth surfaces and doubled along edges, where the normals differ; points that coincide are
+equal to the last bit, so that who joins them by place finds every edge twice.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwright.arrays import Floats, Ints
+from gearwright.units import Volume
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Triangles of one body, about its own axis z, the middle of its width at z = 0."""
+
+    points: Floats
+    """Places of the vertices [m], shape (n, 3)."""
+    normals: Floats
+    """Unit vectors out of the body [-], shape (n, 3)."""
+    triangles: Ints
+    """Vertices of every triangle, counter-clockwise seen from outside, shape (m, 3)."""
+
+    @property
+    def volume(self) -> Volume:
+        """What it encloses [m³]."""
+        first, second, third = (self.points[self.triangles[:, k]] for k in range(3))
+        return float(np.einsum("ij,ij->", first, np.cross(second, third)) / 6.0)
+
+    @property
+    def reach(self) -> float:
+        """Largest distance of a vertex from the axis [m]."""
+        return float(np.max(np.hypot(self.points[:, 0], self.points[:, 1])))
+
+
+def joined(pieces: Sequence[Surface]) -> Surface:
+    """Return pieces as one surface.
+
+    Args:
+        pieces: That close each other.
+    """
+    starts = np.cumsum([0, *(len(piece.points) for piece in pieces)])
+    return Surface(
+        np.concatenate([piece.points for piece in pieces]),
+        np.concatenate([piece.normals for piece in pieces]),
+        np.concatenate([piece.triangles + start for piece, start in zip(pieces, starts, strict=False)]),
+    )
+
+
+def shifted(piece: Surface, by: Sequence[float]) -> Surface:
+    """Return a surface elsewhere.
+
+    Args:
+        piece: The surface.
+        by: How far [m].
+    """
+    return Surface(piece.points + np.asarray(by), piece.normals, piece.triangles)
+
+
+class Edges(NamedTuple):
+    """How the triangles of a surface hang together where vertices at one place are one."""
+
+    open: int
+    """Edges that are not passed once each way [-]."""
+    euler: int
+    """Euler's number: vertices less edges plus triangles; 2 of a ball, 0 of a ring [-]."""
+
+
+def edges_of(surface: Surface) -> Edges:
+    """Return whether a surface is closed, and its Euler number.
+
+    Args:
+        surface: The surface.
+
+    Source: a closed oriented surface passes every edge once each way; χ = V − E + F.
+    """
+    _, same = np.unique(surface.points, axis=0, return_inverse=True)
+    faces = same.reshape(-1)[surface.triangles]
+    faces = faces[(faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])]
+    ways = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    keys, counts = np.unique(np.sort(ways, axis=1), axis=0, return_counts=True)
+    ordered, times = np.unique(ways, axis=0, return_counts=True)
+    backwards = {tuple(way) for way in ordered[:, ::-1].tolist()}
+    wrong = int(np.sum(times != 1)) + sum(tuple(way) not in backwards for way in ordered.tolist())
+    return Edges(wrong + int(np.sum(counts != 2)), len(np.unique(faces)) - len(keys) + len(faces))
+
+
+def circle(segments: int) -> Floats:
+    """Return the angles of the corners of a circle [rad], shape (segments,).
+
+    Args:
+        segments: How many.
+    """
+    return np.arange(segments, dtype=np.float64) * (2.0 * math.pi / segments)
+
+
+def around(radius: float, height: float, segments: int) -> Floats:
+    """Return the corners of a circle about the axis [m], shape (segments, 3).
+
+    Args:
+        radius: [m].
+        height: z [m].
+        segments: How many corners.
+    """
+    angle = circle(segments)
+    return np.stack([radius * np.cos(angle), radius * np.sin(angle), np.full(segments, height)], axis=1)
+
+
+def revolved(profile: Sequence[tuple[float, float]], segments: int) -> Surface:
+    """Return the surface that a chain of straight lines sweeps about the axis, with edges at its corners.
+
+    Args:
+        profile: z and radius of its points [m], with the body to the right of the way from each to the next; a chain
+            whose ends meet, or lie on the axis, closes the surface.
+        segments: Corners of a circle.
+    """
+    pieces = []
+    angle = circle(segments)
+    for (low, inner), (high, outer) in pairwise(profile):
+        length = math.hypot(high - low, outer - inner)
+        if length == 0.0 or (inner == 0.0 and outer == 0.0):
+            continue
+        axial, radial = -(outer - inner) / length, (high - low) / length
+        points = np.concatenate([around(inner, low, segments), around(outer, high, segments)])
+        normal = np.stack([radial * np.cos(angle), radial * np.sin(angle), np.full(segments, axial)], axis=1)
+        here, there = np.arange(segments), np.roll(np.arange(segments), -1)
+        first = np.stack([here, there, there + segments], axis=1)
+        second = np.stack([here, there + segments, here + segments], axis=1)
+        triangles = second if inner == 0.0 else first if outer == 0.0 else np.concatenate([first, second])
+        pieces.append(Surface(points, np.concatenate([normal, normal]), triangles))
+    return joined(pieces)
+
+
+def strip(outer: Floats, inner: Floats) -> Ints:
+    """Return triangles between two closed loops about one axis, counter-clockwise seen from +z.
+
+    Args:
+        outer: Angles of the outer loop's points, rising but for small steps back [rad], shape (n,).
+        inner: Of the inner loop, shape (m,); its points are numbered after the outer ones.
+
+    Source: both are walked in order of angle; each step makes one triangle.
+    """
+    n, m = len(outer), len(inner)
+    keys = [np.maximum.accumulate(np.append(angle[1:], angle[0] + 2.0 * math.pi)) for angle in (outer, inner)]
+    order = np.argsort(np.concatenate(keys), kind="stable")
+    is_outer = order < n
+    i: Ints = np.cumsum(is_outer) - is_outer
+    j: Ints = np.cumsum(~is_outer) - ~is_outer
+    here, other = i % n, n + j % m
+    following = np.where(is_outer, (i + 1) % n, n + (j + 1) % m)
+    return np.stack([here, following, other], axis=1)

@@ -1,0 +1,81 @@
+"""What of a scene is not as it would be made, in sentences."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from gearwright.parts.gears import form_radius
+from gearwright.shape.gears import tooth_of
+from gearwright.shape.phases import Phases
+from gearwright.shape.teeth import halves_of, kind_of
+from gearwright.sizing import Sizing
+
+ROUNDED = 1e-6
+"""How far tips may reach below an involute by rounding [m]."""
+BESIDE = 1e-3
+"""How far gears in mesh may stand from each other along their axes before it is said [m]."""
+
+
+def approximations(sizing: Sizing, phases: Phases) -> tuple[str, ...]:
+    """Return what is approximated, assumed or cannot be, as far as it concerns this gearbox.
+
+    Args:
+        sizing: As sized.
+        phases: How its gears stand.
+    """
+    return (*_teeth(sizing), *_bodies(sizing), *_fillets(sizing), *_meets(sizing, phases))
+
+
+def _teeth(sizing: Sizing) -> Iterator[str]:
+    kinds = {kind_of(sizing, gear.stage) for gear in sizing.gears}
+    if "bevel" in kinds:
+        yield "bevel teeth are those of Tredgold's virtual gears, spirals cross the cone at a constant angle"
+    if "face" in kinds:
+        yield "teeth of face gears are racks in every cylinder about the axis; their wheels' bodies are assumed"
+    if any(gear.rim for gear in sizing.gears):
+        yield "roots of rings are those of a shaper with as many teeth as their smallest mate"
+    if any(halves_of(gear) > 1 for gear in sizing.gears):
+        yield "double helices have no gap between their halves"
+    yield "teeth have no backlash, crowning or tip relief"
+
+
+def _bodies(sizing: Sizing) -> Iterator[str]:
+    if sizing.carriers:
+        yield "carriers have the one plate that takes their torque; a second plate and bridges are not drawn"
+    if any(gear.rim and gear.shafts[0] in sizing.arrangement.frames for gear in sizing.gears):
+        yield "bells that tie turning rings to their shafts are assumed"
+    if sizing.bearings:
+        yield "bearings are envelopes with the rings and the row of rolling elements assumed"
+    yield "housing, seals, screws, machines and what holds rings are not drawn"
+
+
+def _fillets(sizing: Sizing) -> Iterator[str]:
+    """Yield rings whose tips reach below the involutes of their mates.
+
+    Source: radius at which a ring's tip touches, r_b1² + (√(r_a2² − r_b2²) − a_w sin α_wt)² (ISO 21771:2007).
+    """
+    gears = {gear.name: gear for gear in sizing.gears}
+    for row in sizing.meshes:
+        if row.gears[1] not in sizing.train.internal:
+            continue
+        mate, ring = (tooth_of(sizing, gears[name]) for name in row.gears)
+        reach = math.sqrt(max(ring.tip_radius**2 - ring.base_radius**2, 0.0))
+        reach -= row.centre_distance * math.sin(row.working_pressure_angle)
+        touched = math.hypot(mate.base_radius, max(reach, 0.0))
+        below = form_radius(mate) - touched
+        if below > ROUNDED:
+            yield (
+                f"tips of {row.gears[1]} reach {1e6 * below:.3g} µm below the involutes of {row.gears[0]}, into fillets"
+                " that a rack leaves: relieve them"
+            )
+
+
+def _meets(sizing: Sizing, phases: Phases) -> Iterator[str]:
+    for mesh, off in phases.missed.items():
+        yield f"the teeth of {mesh} miss each other's gaps by {abs(off):.2f} of a pitch: the loop does not close"
+    for mesh in phases.against:
+        yield f"the shafts of {mesh} cannot turn in space as the speeds of the train have them"
+    for mesh, off in sizing.arrangement.apart.items():
+        if abs(off) > BESIDE:
+            yield f"the gears of {mesh} stand {1e3 * abs(off):.3g} mm beside each other along their axes"
