@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from gearwright.checks import Check, not_assessed
 from gearwright.dynamics.assembly import untold_orders
@@ -13,13 +13,15 @@ from gearwright.sizing.rating import Unloaded
 from gearwright.spec.design import RATINGS
 
 _LIVES = "no mission is given; gearwright review DESIGN MISSION flies one"
+_NO_BEARING = "the design names none: no life, no room in the rim, and no kilogram of it; gearwright close chooses one"
 
 
-def open_checks(sizing: Sizing, *, flown: bool) -> Iterator[Check]:
+def open_checks(sizing: Sizing, looked_at: Iterable[Check], *, flown: bool) -> Iterator[Check]:
     """Yield what neither sizing nor motion nor a flight looks at.
 
     Args:
         sizing: As sized.
+        looked_at: The checks of sizing, motion and flight.
         flown: True where a mission is flown.
     """
     if not flown:
@@ -33,7 +35,10 @@ def open_checks(sizing: Sizing, *, flown: bool) -> Iterator[Check]:
         yield not_assessed(PartId(Kind.MACHINE, machine), "electrical and slot orders", "", why)
     for stage in sizing.design.stages:
         yield from _teeth(sizing, stage)
+    bearings = {str(check.part) for check in looked_at if check.part.kind is Kind.BEARING}
     for body in planet_bodies(sizing.design, sizing.gears):
+        if str(body.part) not in bearings:
+            yield not_assessed(body.part, "bearing of the planets", "ISO 281", _NO_BEARING)
         if len(body.steps) > 1 and not body.supports:
             why = "needs place_mm of every step, and two bearings or more; until then its whole force acts in one place"
             yield not_assessed(body.part, "moment that tilts a stepped planet", "statics", why)

@@ -107,7 +107,7 @@ def review_of(
     checks = [*sizing.checks, *motion_checks(sizing)]
     if flight is not None:
         checks += flight_checks(flight, lives or durability(flight), life=life)
-    checks += open_checks(sizing, flown=flight is not None)
+    checks += open_checks(sizing, tuple(checks), flown=flight is not None)
     refuse(unknown_waivers(checks, design.waivers, left=BEYOND_SIZING if flight is None else ()))
     return Review(
         design=design.name,

@@ -125,3 +125,10 @@ def test_the_public_verb_is_the_same_and_a_mission_that_does_not_fit_is_refused(
         review(read(shipped_design("ec120b")), MISSION)
     with pytest.raises(DesignError, match=r"design: .*; give a Design, from gw\.read"):
         review("in-line-h2")
+
+
+def test_planets_without_a_named_bearing_are_open_until_a_flight_rates_one_for_them():
+    """Thesis mission: a bearing is chosen for them, and its life is a check."""
+    bare = {str(check.part) for check in ground_review().open if check.mode == "bearing of the planets"}
+    assert bare == {"first.planet", "second.planet"}
+    assert not any(check.mode == "bearing of the planets" for check in flown_review().checks)

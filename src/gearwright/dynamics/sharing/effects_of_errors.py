@@ -15,6 +15,7 @@ from gearwright.dynamics.equations import Redundancy
 from gearwright.dynamics.model import Contact, System
 from gearwright.dynamics.sharing.error_sources import ErrorSource, as_forces, peak_shares, random_sets, unit_source
 from gearwright.errors import DesignError, Problem
+from gearwright.ranking import largest_first
 
 SETS = 5000
 """Random sets of a study."""
@@ -53,7 +54,7 @@ def influences(train: Redundancy, sources: Sequence[ErrorSource], lines: Ints) -
         )
         for source, gain in zip(sources, gains, strict=True)
     ]
-    return tuple(sorted(effects, key=lambda influence: -influence.effect))
+    return tuple(largest_first(effects, lambda influence: influence.effect))
 
 
 def effect_gains(train: Redundancy, sources: Sequence[ErrorSource], lines: Ints) -> Floats:

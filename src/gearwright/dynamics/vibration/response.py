@@ -13,6 +13,7 @@ from gearwright.dynamics.model import Arrays, Labels, System, finite_numbers, li
 from gearwright.dynamics.motion import UNDAMPED, index_of
 from gearwright.dynamics.vibration.sequences import positive_numbers
 from gearwright.errors import SolveError
+from gearwright.ranking import largest_first
 from gearwright.showing import Shown
 from gearwright.units import Force, Frequency
 from gearwright.verbs import verb
@@ -126,4 +127,4 @@ def peaks(response: Response, lines: Sequence[str]) -> list[Peak]:
         amplitude = np.abs(response.force(line))
         inner = np.flatnonzero((amplitude[1:-1] > amplitude[:-2]) & (amplitude[1:-1] >= amplitude[2:])) + 1
         maxima += [Peak(line, float(response.frequency[i]), float(amplitude[i])) for i in inner]
-    return sorted(maxima, key=lambda peak: -peak.force)
+    return largest_first(maxima, lambda peak: peak.force)

@@ -28,6 +28,7 @@ from gearwright.dynamics.vibration.spectra import tone_amplitudes
 from gearwright.dynamics.vibration.speed_map import at_speed
 from gearwright.dynamics.vibration.transmission import first_meshes
 from gearwright.errors import DesignError, Problem
+from gearwright.ranking import largest_first
 from gearwright.showing import Shown
 from gearwright.sizing import Sizing
 from gearwright.units import Force, Speed
@@ -177,4 +178,4 @@ def loudest_speeds(steady: RunUp, speed: float) -> list[Loudest]:
             Loudest(line, float(steady.factor[place]) * speed, float(steady.swing[place, number]),
                     float(steady.mean[place, number]), str(order))
         )  # fmt: skip
-    return sorted(rows, key=lambda row: -row.swing)
+    return largest_first(rows, lambda row: row.swing)

@@ -30,6 +30,7 @@ from gearwright.parts.bearings import (
     reliability_factor,
     taper_factors,
 )
+from gearwright.ranking import largest_first
 from gearwright.sizing.arrangement import axial_forces
 from gearwright.sizing.bearings import Fitted, Seat, bearing_seats, fitted_in, oiled_life, seat_forces
 from gearwright.spec import BearingLifeRules
@@ -173,7 +174,7 @@ def bearing_lives(flight: Flight) -> BearingLives:
         for row in rows
         if row.falls_short
     ]
-    return BearingLives(tuple(sorted(rows, key=lambda row: -row.damage)), tuple(notes), (*opened, *failed))
+    return BearingLives(tuple(largest_first(rows, lambda row: row.damage)), tuple(notes), (*opened, *failed))
 
 
 def seat_duties(flight: Flight) -> tuple[tuple[Seat, SeatDuty], ...]:

@@ -10,6 +10,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.identity import PartId, Role
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.spectrum import mesh_spectrum
+from gearwright.ranking import largest_first
 from gearwright.sizing.rating import Damage, MeshSpectrum, method_for, rating_of, row_ask
 from gearwright.spec import Design
 from gearwright.train import Gear, Mesh
@@ -83,7 +84,7 @@ def gear_damage(flight: Flight) -> tuple[GearDamage, ...]:
         GearDamage(train.gear(gear).part, mode, _joined(train.gear(gear), parts), hours)
         for (gear, mode), parts in sums.items()
     ]
-    return tuple(sorted(rows, key=lambda row: -row.damage))
+    return tuple(largest_first(rows, lambda row: row.damage))
 
 
 @verb

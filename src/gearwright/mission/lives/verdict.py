@@ -8,6 +8,7 @@ from gearwright.errors import DesignError
 from gearwright.mission.flight import Flight
 from gearwright.mission.lives.bearings import FATIGUE, BearingLives, bearing_lives
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
+from gearwright.ranking import largest_first
 from gearwright.showing import Shown
 from gearwright.units import Ratio
 from gearwright.verbs import verb
@@ -63,7 +64,7 @@ class Durability(Shown):
         """Every part and every way to fail, the one that governs first."""
         rows = [PartLife(gear.gear, gear.mode, gear.damage, gear.flights, gear.life) for gear in self.gears]
         rows += [PartLife(row.seat, FATIGUE, row.damage, row.flights, row.life) for row in self.bearings.rows]
-        return tuple(sorted(rows, key=lambda row: -row.damage))
+        return tuple(largest_first(rows, lambda row: row.damage))
 
     @property
     def failing(self) -> tuple[PartLife, ...]:

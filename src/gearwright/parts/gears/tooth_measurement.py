@@ -37,17 +37,16 @@ def spanned_teeth(gear: CylindricalGear) -> int:
     Args:
         gear: External gear.
 
-    Source: the base tangent length whose half meets the cylinder of diameter d + 2 x m_n (ISO 21771:2007).
+    Source: the base tangent length whose half meets the cylinder of diameter d + 2 x m_n (ISO 21771:2007); where two
+        numbers are as near, the smaller, as tables of spans have it (27 teeth of 20 degrees: 3).
 
-    >>> spanned_teeth(CylindricalGear(20, 1e-3, 0.01))
-    3
+    >>> spanned_teeth(CylindricalGear(20, 1e-3, 0.01)), spanned_teeth(CylindricalGear(27, 1e-3, 0.01))
+    (3, 3)
     """
     middle = gear.pitch_radius + gear.profile_shift * gear.module
     length = 2.0 * math.sqrt(max(middle**2 - gear.base_radius**2, 0.0)) / math.cos(gear.base_helix_angle)
-    return max(
-        2,
-        round(1 + (length - span_measurement(gear, 1)) / (math.pi * gear.module * math.cos(gear.rack.pressure_angle))),
-    )
+    pitches = (length - span_measurement(gear, 1)) / (math.pi * gear.module * math.cos(gear.rack.pressure_angle))
+    return max(2, math.ceil(round(pitches, 9) + 0.5))
 
 
 def ball_measurement(gear: CylindricalGear, diameter: float) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
+from gearwright.ranking import largest_first
 from gearwright.sizing.result import Sizing
 from gearwright.units import Length, Mass, Origin, Quantity, Speed
 
@@ -70,7 +71,7 @@ def mass_parts(sizing: Sizing) -> tuple[MassPart, ...]:
         MassPart(part, group, count, mass, count * mass, count * mass / sizing.parts_mass)
         for part, group, count, mass in parts
     ]
-    return tuple(sorted(rows, key=lambda row: -row.total))
+    return tuple(largest_first(rows, lambda row: row.total))
 
 
 def asked_speeds(sizing: Sizing) -> tuple[AskedSpeed, ...]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from gearwright.arrays import Floats
 from gearwright.errors import by_name
+from gearwright.ranking import largest_first
 from gearwright.sizing.bearings import bearing_seats
 from gearwright.sizing.losses.bodies import gear_losses, seal_losses
 from gearwright.sizing.losses.oil import Oil, oil_of_design
@@ -92,7 +93,11 @@ def loss_balance(sizing: Sizing, case: str | None = None) -> LossBalance:
     given = sum(power for power in flow.machine_powers.values() if power > 0.0)
     asked = _Case(flow.case, given, {**flow.speeds, GROUND: 0.0}, _torques(sizing, flow), oil_of_design(sizing))
     losses = [*_meshes(sizing, asked), *_bearings(sizing, asked), *_bodies(sizing, asked)]
-    return LossBalance(flow.case, given, tuple(sorted(losses, key=lambda one: (ORIGINS.index(one.origin), -one.power))))
+    return LossBalance(
+        flow.case,
+        given,
+        tuple(sorted(largest_first(losses, lambda loss: loss.power), key=lambda loss: ORIGINS.index(loss.origin))),
+    )
 
 
 class _Case(NamedTuple):

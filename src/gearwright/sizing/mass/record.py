@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated
 
+from gearwright.ranking import largest_first
 from gearwright.showing import Shown
 from gearwright.units import Mass, Origin, Quantity, Ratio
 
@@ -119,4 +120,9 @@ def ordered(items: Iterable[MassItem]) -> tuple[MassItem, ...]:
     Args:
         items: In any order.
     """
-    return tuple(sorted((item for item in items if item.total), key=lambda i: (GROUPS.index(i.group), -i.total)))
+    return tuple(
+        sorted(
+            largest_first((item for item in items if item.total), lambda item: item.total),
+            key=lambda item: GROUPS.index(item.group),
+        )
+    )

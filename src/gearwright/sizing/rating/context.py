@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from gearwright.errors import Problem, refuse
 from gearwright.identity import Role
+from gearwright.ranking import largest
 from gearwright.sizing.rating.methods import modules, stage_width_ratio, uncovered_teeth
 from gearwright.sizing.rating.rules import Ask, Rating, rating_of
 from gearwright.spec import Design
@@ -132,7 +133,7 @@ def worst_case(context: Context, mesh: Mesh) -> tuple[str, float]:
         for case, flow in context.flows.items()
         if not (known and case_named(context.design, case).static)
     }
-    case = max(loads, key=lambda case_name: loads[case_name])
+    case = largest(loads, lambda name: loads[name])
     return case, loads[case] / mesh.count * context.ratings[mesh.stage].load_factor
 
 

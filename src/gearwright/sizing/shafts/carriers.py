@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from gearwright.identity import Role, carrier_part, gear_part
 from gearwright.parts.planetary import pin_bore, pin_diameter, pin_mass, pin_stress, plate_mass, plate_shear_stress
+from gearwright.ranking import largest
 from gearwright.sizing.carrying import CarrierSizing, ShaftSizing
 from gearwright.sizing.loads import PinLoad, pin_length, pin_loads
 from gearwright.sizing.rating import Context
@@ -89,7 +90,7 @@ def _sized(
     rules, given, shaft = context.design.carriers, context.given, context.design.sets[name].carrier
     material = shaft_material(context)
     allowable = (material.yield_strength or 0.0) / rules.safety
-    worst = max(loads, key=lambda load: load.pin * load.lever)
+    worst = largest(loads, lambda load: load.pin * load.lever)
     length, hub = pins[worst.body].length, diameters.get(shaft, 0.0)
     needed = pin_diameter(worst.pin, worst.lever, allowable)
     pin = given.get(f"{name}.pin_diameter", max(needed, pins[worst.body].seat))

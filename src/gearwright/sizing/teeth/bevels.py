@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from gearwright.ranking import largest
 from gearwright.sizing.rating import (
     LEAST_TORQUE,
     Ask,
@@ -65,7 +66,7 @@ def bevel_rows(
     """
     lasting = {case: flow for case, flow in flows.items() if not case_named(design, case).static}
     rows = (
-        max((_load(case, mesh, flow, rating) for case, flow in lasting.items()), key=lambda load: load.torque)
+        largest((_load(case, mesh, flow, rating) for case, flow in lasting.items()), lambda load: load.torque)
         for mesh in meshes
     )
     return tuple(load for load in rows if load.torque > LEAST_TORQUE)

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gearwright.arrays import Floats
+from gearwright.ranking import largest
 from gearwright.spec import Design
 from gearwright.train.algebra import remembered
 from gearwright.train.flow.balanced import STANDSTILL
@@ -197,6 +198,9 @@ def _passed(rows: _Rows, torques: Floats, held: list[int], *, giving: list[int],
 
 def _ends(powers: Floats) -> tuple[list[int], list[int]]:
     """Return the nodes that give power and those that take it, the largest first."""
-    passing = [int(k) for k in np.argsort(-np.abs(powers), kind="stable")]
+    rest, passing = list(range(len(powers))), list[int]()
+    while rest:
+        passing.append(largest(rest, lambda node: abs(powers[node])))
+        rest.remove(passing[-1])
     passing = [k for k in passing if abs(powers[k]) > IDLE * abs(powers[passing[0]])]
     return [k for k in passing if powers[k] > 0.0], [k for k in passing if powers[k] < 0.0]

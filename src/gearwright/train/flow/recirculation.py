@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from gearwright.ranking import largest_first
 from gearwright.train.flow.carried import PowerFlow, shaft_powers
 from gearwright.train.graph import Train
 
@@ -40,7 +41,7 @@ def recirculation(train: Train, flow: PowerFlow) -> tuple[Loop, ...]:
             edges[start][end] -= power
             if edges[start][end] <= SMALLEST_SHARE * supplied:
                 del edges[start][end]
-    return tuple(sorted(loops, key=lambda loop: -loop.power))
+    return tuple(largest_first(loops, lambda loop: loop.power))
 
 
 def _edges(train: Train, flow: PowerFlow) -> dict[str, dict[str, float]]:
