@@ -21,7 +21,7 @@ from gearwright.sizing.carrying import CarrierSizing, ShaftDiagram, ShaftSizing
 from gearwright.sizing.chosen import TeethSearch
 from gearwright.sizing.compound import pins_of, towards
 from gearwright.sizing.insight import Beside, Influence, MeshBeside, MeshInfluences, influences, methods_beside
-from gearwright.sizing.many import Sizings, Structure, size_many, structure_of
+from gearwright.sizing.many import Sizings, Structure, in_lanes, size_many, structure_of
 from gearwright.sizing.meshed import MeshSizing
 from gearwright.sizing.mounted import BearingSizing, BuiltShaft, JointSizing, ShaftStep
 from gearwright.sizing.result import GearSizing, MachineSizing, Sizing
@@ -78,6 +78,7 @@ __all__ = [
     "bearing_forces",
     "cylindrical_gear",
     "fit_of",
+    "in_lanes",
     "influences",
     "mass_parts",
     "methods_beside",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from types import UnionType
 from typing import Any, NamedTuple, TypeVar, Union, get_args, get_origin
@@ -15,7 +16,7 @@ from gearwright.spec.design import Design
 from gearwright.spec.flying import mission_problems
 from gearwright.spec.keys import Key, keys_of, longer_keys
 from gearwright.spec.mission import Mission
-from gearwright.spec.record import Location, Record, Written, message_of
+from gearwright.spec.record import Location, Record, Written, brief, message_of
 from gearwright.units import suffix_unit
 from gearwright.verbs import verb
 
@@ -225,7 +226,10 @@ def _set(kind: type[Record], data: dict[str, Any], path: str, value: Value, writ
         meant = keys[part]
         name, suffix = meant.field, meant.suffix
         if last and suffix and value is not None and (isinstance(value, bool) or not isinstance(value, int | float)):
-            return Problem(path, f"{value!r} is not a number; give a number in {suffix_unit(suffix)}")
+            return Problem(path, f"{brief(value)} is not a number; give a number in {suffix_unit(suffix)}")
+        if last and suffix and isinstance(value, int) and abs(value) > sys.float_info.max:
+            fix = f"give a finite number in {suffix_unit(suffix)}"
+            return Problem(path, f"{brief(value)} is not a finite number; {fix}")
         if last:
             if (*location, name) in written.keys:
                 return Problem(path, f"{name} is given twice; keep one of {written.keys[(*location, name)]} and {path}")

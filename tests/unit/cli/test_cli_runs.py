@@ -147,7 +147,7 @@ def test_json_lines_of_a_study_come_as_its_cases_are_finished(folder: Path, monk
     if earlier:
         call("study", folder / "study.toml", "--journal", journal, "--workers", 0)
         with sqlite3.connect(journal) as database:
-            database.execute("DELETE FROM rows WHERE number >= ?", (earlier,))
+            database.execute("DELETE FROM blocks WHERE least >= ?", (earlier,))
     append = Journal.append
 
     def appended(self, rows):

@@ -28,6 +28,8 @@ LANES = 16384
 """Rows that are computed at once [-]."""
 FEW = 12
 """Rows that are sized sooner one by one than together [-]."""
+TRIED = 4
+"""Rows of a group of which one must make a design [-]."""
 DEEP = 12
 """How often rows may part before they are sized one by one [-]."""
 
@@ -104,37 +106,54 @@ def groups_of(design: Design, axes: Mapping[str, Sequence[Any]], count: int) -> 
         count: Rows [-].
     """
     columns = {path: list(values) for path, values in axes.items()}
-    plain = {path: all(_is_plain(cell) for cell in cells) for path, cells in columns.items()}
-    rows = dict[tuple[Any, ...], list[int]]()
-    others = [path for path in columns if not plain[path]]
-    for row in range(count):
-        rows.setdefault(tuple((type(columns[path][row]), columns[path][row]) for path in others), []).append(row)
-    for own in rows.values():
-        if len(own) >= FEW and (group := _group(design, columns, others, np.array(own))) is not None:
+    plain = {path: np.fromiter(map(_is_plain, cells), bool, count) for path, cells in columns.items()}
+    others = [path for path, numbers in plain.items() if 2 * numbers.sum() < count]
+    good = np.ones(count, dtype=bool)
+    for path in plain.keys() - others:
+        good &= plain[path]  # one that is no number where all others are is left to its own sizing
+    yield from _groups(design, columns, others, np.flatnonzero(good))
+
+
+def _groups(design: Design, columns: Mapping[str, list[Any]], others: Sequence[str], rows: Ints) -> Iterator[Group]:
+    """Yield some rows in groups that have the same values on the other axes."""
+    alike = dict[tuple[Any, ...], list[int]]()
+    for row in rows.tolist():
+        alike.setdefault(tuple((type(columns[path][row]), columns[path][row]) for path in others), []).append(row)
+    for own in alike.values():
+        group = _group(design, columns, others, np.array(own)) if len(own) >= FEW else None
+        if isinstance(group, Group):
             yield group
+        elif group:  # whole numbers, such as those of planets: the graph follows from them
+            yield from _groups(design, columns, [*others, *group], np.array(own))
 
 
 def _is_plain(cell: Any) -> bool:
-    return isinstance(cell, float | int | np.floating | np.integer) and not isinstance(cell, bool)
+    if isinstance(cell, float | np.floating):
+        return True
+    return isinstance(cell, int | np.integer) and not isinstance(cell, bool) and abs(int(cell)) < _LARGEST
 
 
-def _group(design: Design, columns: Mapping[str, list[Any]], others: Sequence[str], rows: Ints) -> Group | None:
-    """Return the rows of a group whose numbers are allowed; None where it has none."""
-    first = {path: _python(cells[rows[0]]) for path, cells in columns.items()}
-    try:
-        base = edited(design, {path: cell for path, cell in first.items() if cell is not None})
-    except GearwrightError:
+_LARGEST = 2**53
+"""Whole numbers below are as exact among real ones [-]."""
+
+
+def _group(
+    design: Design, columns: Mapping[str, list[Any]], others: Sequence[str], rows: Ints
+) -> Group | list[str] | None:
+    """Return the rows of a group whose numbers are allowed; paths by which they have to part; None of neither."""
+    base = next((made for row in rows[:TRIED].tolist() if (made := _made(design, columns, row)) is not None), None)
+    if base is None:
         return None
     entries: dict[tuple[str, ...], Floats] = {}
-    good = np.ones(len(rows), dtype=bool)
+    good, parting = np.ones(len(rows), dtype=bool), list[str]()
     for path, cells in columns.items():
-        own = [_python(cells[row]) for row in rows.tolist()]
         if path in others:
             continue
+        own = [_python(cells[row]) for row in rows.tolist()]
         entry = entry_of(base, path)
         if entry is None:
             if any(cell != own[0] for cell in own):
-                return None
+                parting.append(path)
             continue
         values = np.array([entry.si(float(cell)) for cell in own])
         allowed = entry.allowed
@@ -142,9 +161,20 @@ def _group(design: Design, columns: Mapping[str, list[Any]], others: Sequence[st
         good &= values < allowed.maximum if allowed.below else values <= allowed.maximum
         good &= (values == 0.0) | (np.abs(values) >= allowed.smallest)
         entries[entry.location] = values
+    if parting:
+        return parting
     if not good.any():
         return None
     return Group(base, rows[good], {at: values[good] for at, values in entries.items()})
+
+
+def _made(design: Design, columns: Mapping[str, list[Any]], row: int) -> Design | None:
+    """Return the design of a row; None where it is none."""
+    cells = {path: _python(cells[row]) for path, cells in columns.items()}
+    try:
+        return edited(design, {path: cell for path, cell in cells.items() if cell is not None})
+    except GearwrightError:
+        return None
 
 
 def _python(cell: Any) -> Any:

@@ -3,6 +3,17 @@
 How rows come about is in `cases` and `running`.
 """
 
+from gearwright.study.answers.blocks import (
+    NUMBER,
+    OTHER,
+    REAL,
+    WHOLE,
+    Block,
+    Blocks,
+    Shape,
+    block_of_columns,
+    blocks_of,
+)
 from gearwright.study.answers.export import columns, refuse_export, write_table
 from gearwright.study.answers.pareto import front_table, pareto_front, ranks, violations, wanted
 from gearwright.study.answers.sensitivity import Influence, sensitivity, varies
@@ -10,11 +21,20 @@ from gearwright.study.answers.table import Row, Table, quantiles
 from gearwright.study.answers.verdict import Standing, Verdict, bound, confidence, kept, scenarios, verdict
 
 __all__ = [
+    "NUMBER",
+    "OTHER",
+    "REAL",
+    "WHOLE",
+    "Block",
+    "Blocks",
     "Influence",
     "Row",
+    "Shape",
     "Standing",
     "Table",
     "Verdict",
+    "block_of_columns",
+    "blocks_of",
     "bound",
     "columns",
     "confidence",

@@ -1,7 +1,7 @@
 """Compute cases on a Dask cluster: a scheduler and workers on any machines, with nothing on them but gearwright.
 
-The scheduler repeats what a dead worker was at; a chunk that has killed several is split into its cases, and a case
-that does so alone becomes a row with the reason. The journal stays with the runner, so that a dead scheduler costs
+The scheduler repeats what a dead worker was at; a chunk that has killed several is split, and a case that does so
+alone becomes a row with the reason. The journal stays with the runner, so that a dead scheduler costs
 what was being computed, nothing else.
 """
 
@@ -23,12 +23,12 @@ from typing import Any
 from gearwright.errors import DesignError, Problem, SolveError, install, refuse
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Row
-from gearwright.study.cases import Case, evaluate
+from gearwright.study.cases import Case, evaluated, goes_together
 from gearwright.study.running.made_with import changes_of, made_with
-from gearwright.study.running.workers import Compute, Finished
+from gearwright.study.running.workers import PARTS, Compute, Finished
 
-CHUNK = 32
-"""Cases of one task: some 50 ms of first sizings, long beside the scheduler's 1 ms a task."""
+CHUNK, TOGETHER = 32, 512
+"""Cases of one task, long beside the scheduler's 1 ms a task; and of cases that are sized together."""
 AHEAD = 3
 """Tasks in flight for each thread of the cluster, so that none idles."""
 PATIENCE = 10.0
@@ -153,6 +153,7 @@ class _Tasks:
     def __init__(self, client: Any, study: Study, designs: Mapping[str, Design], cases: Iterator[Case]) -> None:
         texts = {name: _text(design) for name, design in designs.items()}
         self.client, self.given, self.cases = client, (dict(made_with()), _text(study), json.dumps(texts)), cases
+        self.chunk = TOGETHER if goes_together(study) else CHUNK
         self.again: deque[list[Case]] = deque()
         self.flying: dict[str, list[Case]] = {}
 
@@ -182,7 +183,7 @@ class _Tasks:
         return AHEAD * max(1, sum(threads.values()))
 
     def _fly(self) -> Any:
-        chunk = self.again.popleft() if self.again else list(islice(self.cases, CHUNK))
+        chunk = self.again.popleft() if self.again else list(islice(self.cases, self.chunk))
         if not chunk:
             return None
         future = self.client.submit(_rows, *self.given, chunk, pure=False)
@@ -198,7 +199,8 @@ class _Tasks:
             found: Finished = future.result()
         except KilledWorker:
             if len(chunk) > 1:
-                self.again.extend([case] for case in chunk)
+                step = max(1, len(chunk) // PARTS)
+                self.again.extend(chunk[first : first + step] for first in range(0, len(chunk), step))
                 return []
             case = chunk[0]
             return [(case.number, Row(case.design, case.inputs, {}, "it killed every worker that tried it"))]
@@ -218,7 +220,7 @@ def _rows(made: Mapping[str, str], study: str, designs: str, chunk: list[Case]) 
         message = f"a worker has {', '.join(differences)}; install the same on all machines"
         raise DesignError([Problem("--cluster", message)])
     read, known = _read(study, designs)
-    return [(case.number, evaluate(read, known[case.design], case)) for case in chunk]
+    return evaluated(read, known, chunk)
 
 
 @lru_cache(maxsize=1)

@@ -13,31 +13,39 @@ import time
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
+
+import numpy as np
 
 from gearwright.errors import DesignError, Problem, SolveError
 from gearwright.reading import refuse_irregular
 from gearwright.spec import Design, Study, case_count
-from gearwright.study.answers import Row
+from gearwright.study.answers import Block, Row, blocks_of
+from gearwright.study.running.journal_blocks import entry_of, finished
 from gearwright.study.running.journal_file import (
-    ADD_ROW,
+    ADD_BLOCK,
     FORMAT,
+    FORMER,
     add_tables,
     connect,
-    entry_of,
     has_tables,
     held,
     is_held,
-    kept_rows,
     reading,
     summed,
     written,
 )
 from gearwright.study.running.made_with import made_with
-from gearwright.study.running.salvage import Losses, losses, salvage
+from gearwright.study.running.salvage import Losses, format_of, kept_rows, losses, salvage
 from gearwright.version import __version__
 
 _ELSEWHERE = "Nothing was begun: free some space, or give another place"
+_DONE = {
+    FORMAT: "SELECT COALESCE(SUM(count), 0), COALESCE(SUM(failed), 0) FROM blocks",
+    FORMER: "SELECT COUNT(*), COALESCE(SUM(problem <> ''), 0) FROM rows",
+}
+"""Finished cases and failed ones."""
 _RATE = (
     """SELECT CAST(done AS REAL) / (CAST(seen AS REAL) - CAST(started AS REAL)) FROM runs ORDER BY run DESC LIMIT 1"""
 )
@@ -114,16 +122,28 @@ class Journal:
         Raises:
             SolveError: If the disk does not take them.
         """
-        entries = [entry_of(number, row) for number, row in rows]
+        fresh = [block for block in map(self._fresh, blocks_of(rows).blocks) if len(block)]
+        entries, count = [entry_of(block) for block in fresh], sum(map(len, fresh))
         with written(self.database):
-            self.database.executemany(ADD_ROW, entries)
+            self.database.executemany(ADD_BLOCK, entries)
             self.database.execute(
-                "UPDATE runs SET done = done + ?, seen = ? WHERE run = ?", (len(entries), time.time(), self.run)
+                "UPDATE runs SET done = done + ?, seen = ? WHERE run = ?", (count, time.time(), self.run)
             )
+        self.kept.update(number for block in fresh for number in block.numbers)
+
+    def _fresh(self, block: Block) -> Block:
+        """Return those rows of a block whose cases are not kept yet."""
+        known = np.array([number in self.kept for number in block.numbers])
+        return block.where(~known) if known.any() else block
+
+    @cached_property
+    def kept(self) -> set[int]:
+        """Numbers of the finished cases."""
+        return set(self.finished())
 
     def finished(self) -> dict[int, bool]:
         """Return number -> whether it failed, of every finished case."""
-        return dict(self.database.execute("SELECT number, problem <> '' FROM rows"))
+        return dict(finished(self.database))
 
     def rows(self, numbers: Iterable[int]) -> list[Row]:
         """Return rows in the order of their numbers.
@@ -131,8 +151,8 @@ class Journal:
         Args:
             numbers: Finished cases.
         """
-        wanted = set(numbers)
-        return [row for number, row in kept_rows(self.database, self.total) if number in wanted and row is not None]
+        known = {number: row for number, row in kept_rows(self.database, self.total) if row is not None}
+        return [known[number] for number in sorted(numbers) if number in known]
 
 
 def begin(path: Path, study: Study, designs: Mapping[str, Design], *, origin: str = "") -> None:
@@ -219,10 +239,15 @@ def opened(path: Path) -> Iterator[Journal]:
     total = recorded(path).total
     with held(path):
         known = losses(path, total)
-        if known.lost or known.damaged:
+        if known.lost or known.damaged or _is_former(path):
             salvage(path, total)
         with closing(connect(path)) as database:
             yield Journal(database, total)
+
+
+def _is_former(path: Path) -> bool:
+    with reading(path) as database:
+        return format_of(database) == FORMER
 
 
 def recorded(path: Path) -> Recorded:
@@ -236,7 +261,7 @@ def recorded(path: Path) -> Recorded:
     """
     with reading(path) as database:
         entry = database.execute("SELECT * FROM study").fetchone()
-    if entry is not None and entry[0] != FORMAT:
+    if entry is not None and entry[0] not in (FORMAT, FORMER):
         message = f"its format is {entry[0]}, not {FORMAT}; continue with the gearwright that began it, or begin anew"
         raise DesignError([Problem("", message)], str(path))
     if entry is None or entry != summed(*entry[:-1]):
@@ -264,7 +289,7 @@ def status(path: Path) -> Status:
     """
     known = recorded(path)
     with reading(path) as database:
-        done, failed = database.execute("SELECT COUNT(*), COALESCE(SUM(problem <> ''), 0) FROM rows").fetchone()
+        done, failed = database.execute(_DONE[format_of(database)]).fetchone()
         last = database.execute(_RATE).fetchone()
     return Status(known, done, failed, is_held(path), last[0] or 0.0 if last else 0.0)
 
@@ -289,4 +314,5 @@ def rows_of(path: Path) -> list[Row]:
     """
     total = recorded(path).total
     with reading(path) as database:
-        return [row for _, row in kept_rows(database, total) if row is not None]
+        known = {number: row for number, row in kept_rows(database, total) if row is not None}
+    return [known[number] for number in sorted(known)]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sqlite3
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
@@ -11,19 +10,20 @@ from pathlib import Path
 
 from gearwright.errors import DesignError, GearwrightError, Problem, SolveError
 from gearwright.reading import refuse_irregular
-from gearwright.sizing import Named
-from gearwright.study.answers import Row
 
-FORMAT = 4
-"""Version of the tables below."""
+FORMAT, FORMER = 5, 4
+"""Version of the tables below; the one before it, which can be read."""
 TABLES = """
 CREATE TABLE study (format INTEGER, version TEXT, study TEXT, designs TEXT, origin TEXT, total INTEGER, made TEXT,
                     sum TEXT);
-CREATE TABLE rows (number INTEGER PRIMARY KEY, design TEXT, inputs TEXT, results TEXT, problem TEXT, sum TEXT);
+CREATE TABLE blocks (block INTEGER PRIMARY KEY, least INTEGER, most INTEGER, count INTEGER, failed INTEGER, shape TEXT,
+                     sums BLOB, records BLOB, texts TEXT);
 CREATE TABLE runs (run INTEGER PRIMARY KEY, version TEXT, workers INTEGER, started REAL, done INTEGER, seen REAL);
 """
 ADD_STUDY = "INSERT INTO study VALUES (?, ?, ?, ?, ?, ?, ?, ?)"
-ADD_ROW = "INSERT OR IGNORE INTO rows VALUES (?, ?, ?, ?, ?, ?)"
+ADD_BLOCK = (
+    "INSERT INTO blocks (least, most, count, failed, shape, sums, records, texts) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"
+)
 SAFE = "What is in it is safe; free some space and `gearwright resume` it"
 NONE = (
     "this is no journal of a study, or a damaged one; `gearwright study --journal` writes one,"
@@ -42,51 +42,6 @@ def summed(*values: object) -> tuple[object, ...]:
         values: In the order of the table.
     """
     return *values, sha256(repr(values).encode()).hexdigest()[:16]
-
-
-def entry_of(number: int, row: Row) -> tuple[object, ...]:
-    """Return a row as it stands in the file.
-
-    Args:
-        number: Of the case.
-        row: As it was computed.
-    """
-    return summed(number, row.design, json.dumps(row.inputs), json.dumps(row.results), row.problem)
-
-
-def kept_rows(database: sqlite3.Connection, total: int) -> Iterator[tuple[int, Row | None]]:
-    """Yield number and row of every finished case in their order; no row where it is damaged or was edited.
-
-    Args:
-        database: Of a journal.
-        total: Number of cases.
-    """
-    reached = -1
-    try:
-        for entry in database.execute("SELECT * FROM rows ORDER BY number"):
-            yield entry[0], _row(entry, total)
-            reached = max(reached, min(entry[0], total))
-    except sqlite3.DatabaseError:  # the rest of the table is behind what cannot be read: case by case
-        for number in range(reached + 1, total):
-            yield from _single(database, number, total)
-
-
-def _single(database: sqlite3.Connection, number: int, total: int) -> Iterator[tuple[int, Row | None]]:
-    try:
-        entry = database.execute("SELECT * FROM rows WHERE number = ?", (number,)).fetchone()
-    except sqlite3.DatabaseError:
-        yield number, None
-        return
-    if entry is not None:
-        yield number, _row(entry, total)
-
-
-def _row(entry: tuple[object, ...], total: int) -> Row | None:
-    number, design, inputs, results, problem, _ = entry
-    if entry != summed(*entry[:-1]) or number not in range(total):
-        return None
-    named = {name: Named(*value) for name, value in json.loads(str(results)).items()}
-    return Row(str(design), json.loads(str(inputs)), named, str(problem))
 
 
 def connect(path: Path) -> sqlite3.Connection:

@@ -1,4 +1,4 @@
-"""Run a small study here and now: every case, one after the other."""
+"""Run a small study here and now."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ from gearwright.errors import DesignError, Problem
 from gearwright.shipped import find_design
 from gearwright.spec import Design, Study, case_count, read
 from gearwright.study.answers import Row, Table
-from gearwright.study.cases import Case, cases, evaluate
+from gearwright.study.cases import Case, cases
 from gearwright.study.running.search import generations
+from gearwright.study.running.workers import local
 from gearwright.verbs import verb
 
 
@@ -33,19 +34,19 @@ def run(
     Raises:
         DesignError: If there are too many cases, or all of them fail. A variant that fails is a row with its reason.
     """
-    count, rows = case_count(study), list[Row]()
+    count, rows = case_count(study), dict[int, Row]()
     if designs is None:
         designs = {name: read(find_design(name, folder)) for name in study.designs}
 
-    def computed(case: Case) -> Row:
-        rows.append(evaluate(study, designs[case.design], case))
-        if progress is not None:
-            progress(len(rows) / count)
-        return rows[-1]
-
-    for batch, answer in batches(study):
-        answer([computed(case) for case in batch])
-    return table_of(study, rows)
+    with local(study, designs, 0) as compute:
+        for batch, answer in batches(study):
+            first = len(rows)
+            for finished in compute(batch, count):
+                rows.update(finished)
+                if progress is not None:
+                    progress(len(rows) / count)
+            answer([rows[number] for number in range(first, len(rows))])
+    return table_of(study, [rows[number] for number in range(len(rows))])
 
 
 def batches(study: Study) -> Iterator[tuple[Iterator[Case], Callable[[list[Row]], None]]]:

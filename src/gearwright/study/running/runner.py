@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from gearwright.errors import Problem, SolveError, refuse
 from gearwright.spec import Design, Study, case_count
-from gearwright.study.answers import Row, Table
+from gearwright.study.answers import Blocks, Row, Table, blocks_of
 from gearwright.study.cases import Case, refuse_unknown_paths
 from gearwright.study.running.journal import Journal, Recorded, begin, in_memory, opened, recorded
 from gearwright.study.running.made_with import changes_of, made_with
@@ -30,8 +31,13 @@ class Progress:
     """Finished cases that are a reason instead of results."""
     rate: float
     """Cases a second since this run began [1/s]."""
-    rows: tuple[Row, ...] = ()
+    finished: Iterable[tuple[int, Row]] = ()
     """Cases that have been finished since this was told last; at first those of earlier runs."""
+
+    @cached_property
+    def rows(self) -> tuple[Row, ...]:
+        """Their rows."""
+        return tuple(row for _, row in self.finished)
 
     @property
     def remaining(self) -> float:
@@ -127,16 +133,22 @@ def _run(book: Journal, study: Study, workers: int, watch: Watch | None, compute
     """Compute what the journal lacks, batch after batch."""
     done = book.finished()
     meter = _Meter(case_count(study), len(done), sum(done.values()), watch)
+    searches = study.sampling.method == "nsga2"
+    known = dict(zip(sorted(done), book.rows(done), strict=True)) if done and (searches or watch is not None) else {}
     if watch is not None and done:
-        watch(Progress(len(done), meter.total, meter.failed, 0.0, tuple(book.rows(done))))
+        watch(Progress(len(done), meter.total, meter.failed, 0.0, tuple(known.items())))
+    known = known if searches else {}
     book.begin_run(workers)
     for batch, answer in batches(study):
         wanted: list[int] = []
         missing = _missing(batch, done, wanted)
         for finished in compute(missing, meter.total - len(done)):
-            book.append(finished)
-            meter.count(tuple(row for _, row in finished))
-        answer(book.rows(wanted) if study.sampling.method == "nsga2" else [])
+            together = blocks_of(finished)
+            book.append(together)
+            meter.count(together)
+            if searches:
+                known.update(together)
+        answer([known[number] for number in wanted if number in known])
     rows = book.rows(range(meter.total))
     if len(rows) < meter.total:
         raise SolveError(
@@ -159,11 +171,10 @@ class _Meter:
         self.total, self.earlier, self.done, self.failed, self.watch = total, done, done, failed, watch
         self.start = time.monotonic()
 
-    def count(self, rows: tuple[Row, ...]) -> None:
-        for row in rows:
-            self.done += 1
-            self.failed += bool(row.problem)
+    def count(self, finished: Blocks) -> None:
+        self.done += len(finished)
+        self.failed += finished.failed
         if self.watch is not None:
             elapsed = time.monotonic() - self.start
             rate = (self.done - self.earlier) / elapsed if elapsed > 0.0 else 0.0
-            self.watch(Progress(self.done, self.total, self.failed, rate, rows))
+            self.watch(Progress(self.done, self.total, self.failed, rate, finished))

@@ -3,13 +3,24 @@
 from __future__ import annotations
 
 import sqlite3
+from collections.abc import Iterator
 from contextlib import closing, suppress
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 
-from gearwright.study.answers import Row
-from gearwright.study.running.journal_file import ADD_ROW, add_tables, connect, entry_of, kept_rows, reading, written
+from gearwright.study.answers import Row, blocks_of
+from gearwright.study.running import journal_blocks, journal_former
+from gearwright.study.running.journal_file import (
+    ADD_BLOCK,
+    FORMAT,
+    FORMER,
+    add_tables,
+    connect,
+    reading,
+    summed,
+    written,
+)
 
 _BATCH = 1000
 """Rows that are written at once."""
@@ -42,7 +53,28 @@ def losses(path: Path, total: int) -> Losses:
                 lost.append(number)
             else:
                 kept += 1
-        return Losses(kept, tuple(lost), not _is_sound(database))
+        return Losses(kept, tuple(sorted(lost)), not _is_sound(database))
+
+
+def format_of(database: sqlite3.Connection) -> int:
+    """Return the format of a journal.
+
+    Args:
+        database: Of a journal whose study is whole.
+    """
+    return int(database.execute("SELECT format FROM study").fetchone()[0])
+
+
+def kept_rows(database: sqlite3.Connection, total: int) -> Iterator[tuple[int, Row | None]]:
+    """Yield number and row of every finished case in any order; no row where it is damaged or was edited.
+
+    Args:
+        database: Of a journal whose study is whole.
+        total: Number of cases.
+    """
+    if format_of(database) == FORMER:
+        return journal_former.kept_rows(database, total)
+    return journal_blocks.kept_rows(database, total)
 
 
 def _is_sound(database: sqlite3.Connection) -> bool:
@@ -53,7 +85,7 @@ def _is_sound(database: sqlite3.Connection) -> bool:
 
 
 def salvage(path: Path, total: int) -> None:
-    """Put a new file in the place of a damaged one, with every row that is as it was written.
+    """Put a new file in the place of a damaged or former one, with every row that is as it was written.
 
     Args:
         path: Of a journal that this process holds.
@@ -66,9 +98,9 @@ def salvage(path: Path, total: int) -> None:
     _remove(new, *_beside(new))
     try:
         with reading(path) as old, closing(sqlite3.connect(new, isolation_level=None)) as fresh:
-            entry = old.execute("SELECT * FROM study").fetchone()
+            _, *said, _ = old.execute("SELECT * FROM study").fetchone()
             with written(fresh, advice=_AGAIN):
-                add_tables(fresh, entry)
+                add_tables(fresh, summed(FORMAT, *said))
             rows = ((number, row) for number, row in kept_rows(old, total) if row is not None)
             while batch := list(islice(rows, _BATCH)):
                 _add(fresh, batch)
@@ -82,7 +114,7 @@ def salvage(path: Path, total: int) -> None:
 
 def _add(fresh: sqlite3.Connection, batch: list[tuple[int, Row]]) -> None:
     with written(fresh, advice=_AGAIN):
-        fresh.executemany(ADD_ROW, [entry_of(number, row) for number, row in batch])
+        fresh.executemany(ADD_BLOCK, [journal_blocks.entry_of(block) for block in blocks_of(batch).blocks])
 
 
 def _beside(path: Path) -> list[Path]:

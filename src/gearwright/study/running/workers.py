@@ -1,7 +1,8 @@
 """Worker processes that compute cases, and go on when one of them dies.
 
 Every worker has its own pipe and at most two chunks of cases, so that it is known what a dead one was at. A chunk whose
-worker died is done again case by case; a case that kills its worker a second time becomes a row with the reason.
+worker died is done again in smaller ones; a case that kills its worker alone a second time becomes a row with the
+reason.
 """
 
 from __future__ import annotations
@@ -24,22 +25,24 @@ from typing import NamedTuple
 
 from gearwright.errors import SolveError
 from gearwright.spec import Design, Study
-from gearwright.study.answers import Row
-from gearwright.study.cases import Case, evaluate
+from gearwright.study.answers import Blocks, Row
+from gearwright.study.cases import LEAST, Case, evaluate, evaluated, goes_together
+from gearwright.study.running.pace import Pace
 
 TRIES = 2
 """Times that a case may kill its worker."""
-CHUNK_TIME = 0.1
-"""Time that a chunk of cases should take [s]: long beside a message of 0.1 ms, short beside patience."""
-LARGEST_CHUNK = 256
 AHEAD = 2
 """Chunks that a worker holds: one at work, one waiting, so that it never idles."""
 FAILED_STARTS = 3
 """Workers in a row that may die before they are ready."""
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 
+PARTS = 16
+"""Into how many smaller chunks one goes whose worker died."""
+
 Chunk = list[Case]
-Finished = list[tuple[int, Row]]
+Finished = Blocks | list[tuple[int, Row]]
+"""Pairs of number and row."""
 Function = Callable[[Study, Design, Case], Row]
 """What computes a case."""
 Compute = Callable[[Iterator[Case], int], Iterator[Finished]]
@@ -56,13 +59,20 @@ class Given(NamedTuple):
     function: Function
     """What computes a case."""
 
-    def row(self, case: Case) -> tuple[int, Row]:
-        """Return the number and the row of a case.
+    @property
+    def pace(self) -> Pace:
+        """How large chunks are."""
+        return Pace(together=self.function is evaluate and goes_together(self.study))
+
+    def finished(self, chunk: Chunk) -> Finished:
+        """Return the numbers and rows of cases.
 
         Args:
-            case: The case.
+            chunk: The cases.
         """
-        return case.number, self.function(self.study, self.designs[case.design], case)
+        if self.function is evaluate:
+            return evaluated(self.study, self.designs, chunk)
+        return [(case.number, self.function(self.study, self.designs[case.design], case)) for case in chunk]
 
 
 @contextmanager
@@ -89,8 +99,12 @@ def local(
 
 
 def _here(given: Given, cases: Iterator[Case], count: int) -> Iterator[Finished]:
-    for case in cases:
-        yield [given.row(case)]
+    pace = given.pace
+    while chunk := list(islice(cases, pace.size)):
+        start = time.process_time()
+        for part in [chunk] if pace.together and len(chunk) >= LEAST else [[case] for case in chunk]:
+            yield given.finished(part)
+        pace.note(len(chunk), time.process_time() - start)
 
 
 def _serve(pipe: Connection, given: Given) -> None:
@@ -103,9 +117,9 @@ def _serve(pipe: Connection, given: Given) -> None:
             chunk: Chunk = pipe.recv()
         except (EOFError, OSError):  # the runner is gone, perhaps with an answer unread or a chunk half sent
             return
-        start = time.perf_counter()
-        rows = [given.row(case) for case in chunk]
-        answer = (rows, time.perf_counter() - start)
+        start = time.process_time()
+        rows = given.finished(chunk)
+        answer = (rows, time.process_time() - start)
 
 
 @dataclass(eq=False)
@@ -128,11 +142,11 @@ class _Crew:
         self.deaths: Counter[int] = Counter()
         self.members: list[_Worker] = []
         self.failed_starts = 0
-        self.chunk = 1
+        self.pace, self.left = given.pace, 0
 
     def work(self, cases: Iterator[Case], count: int) -> Iterator[Finished]:
         """Yield finished cases; of no more workers than cases."""
-        self.cases = cases
+        self.cases, self.left = cases, count
         for _ in range(len(self.members), min(self.workers, count)):
             self.members.append(self._hire())
         while self._give():
@@ -173,7 +187,9 @@ class _Crew:
     def _next(self) -> Chunk:
         if self.again:
             return self.again.popleft()
-        return list(islice(self.cases, self.chunk))
+        chunk = list(islice(self.cases, self.pace.next_of(self.left, AHEAD * len(self.members))))
+        self.left -= len(chunk)
+        return chunk
 
     def _has_more(self) -> bool:
         if not self.again:
@@ -189,11 +205,10 @@ class _Crew:
         if message is None:
             worker.ready, self.failed_starts = True, 0
             return []
-        rows, seconds = message
+        rows: Finished = message[0]
         worker.chunks.popleft()
-        seconds_per_case = max(seconds / len(rows), 1e-6)
-        self.chunk = max(1, min(int(CHUNK_TIME / seconds_per_case), LARGEST_CHUNK, 2 * self.chunk))
-        return list(rows)
+        self.pace.note(len(rows), message[1])
+        return rows
 
     def _bury(self, worker: _Worker) -> Finished:
         """Hire another one; the chunk that the dead one was at is suspect, the one behind it is not."""
@@ -211,7 +226,8 @@ class _Crew:
         suspect = worker.chunks.popleft() if worker.chunks else []
         self.again.extend(worker.chunks)
         if len(suspect) != 1:
-            self.again.extend([case] for case in suspect)
+            step = max(1, len(suspect) // PARTS)
+            self.again.extend(suspect[first : first + step] for first in range(0, len(suspect), step))
             return []
         case = suspect[0]
         self.deaths[case.number] += 1
