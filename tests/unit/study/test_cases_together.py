@@ -124,10 +124,10 @@ def test_rows_come_out_of_their_blocks_as_they_went_in() -> None:
 def test_chunks_grow_by_two_and_never_take_longer_than_they_should() -> None:
     pace = Pace(together=True)
     sizes = []
-    for _ in range(14):
+    for _ in range(16):
         sizes.append(pace.size)
-        pace.note(pace.size, 1e-3 * pace.size)
-    assert sizes[:12] == [2**k for k in range(12)] and sizes[-1] == 2048
-    pace.note(2048, 2048.0)
+        pace.note(pace.size, 1e-4 * pace.size)
+    assert sizes[:14] == [2**k for k in range(14)] and sizes[-1] == 8192
+    pace.note(1000, 1000.0)
     assert pace.size == 3
     assert Pace(together=True, size=2048).next_of(1000, 4) == LAST, "the last chunks are smaller"

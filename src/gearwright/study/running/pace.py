@@ -7,7 +7,7 @@ from dataclasses import dataclass
 CHUNK_TIME, TOGETHER_TIME = 0.1, 3.0
 """Processor time that a chunk should take [s]: beside a message of 0.1 ms; and of cases sized together, the more the
 quicker each."""
-LARGEST, LARGEST_TOGETHER = 256, 2048
+LARGEST, LARGEST_TOGETHER = 256, 8192
 """Cases of a chunk at most [-]."""
 LAST = 256
 """Cases of those last chunks that are made smaller, so that all workers end at once [-]."""
