@@ -35,7 +35,9 @@ SIMULATED, MOST_STEPS = 0.002, 20_000
 FLOWN = MappingProxyType({
     "ec120b-sortie": ("ec120b", "face-gear-split-torque", "off-set", "star"),
     "equal-power": ("in-line", "mixed-h1", "off-set-h2", "single-planetary", "twin-engine-sprag"),
+    "hybrid-reserves": ("in-line-h2",),
     "regional-250nm": ("in-line", "mixed", "star"),
+    "regional-aircraft": ("in-line",),
     "rotor-schedule": ("face-gear-split-torque",),
     "strategies": ("in-line-h2",),
     "thesis": ("in-line-h1", "in-line-h2", "mixed-h2", "off-set-h3"),

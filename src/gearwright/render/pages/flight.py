@@ -17,7 +17,15 @@ from gearwright.render.pages.report_parts import Figure, Section, formulas
 from gearwright.render.style import theme
 from gearwright.render.style.templates import environment
 from gearwright.render.tables.checks import review_tables
-from gearwright.render.tables.flight import asked_table, bearing_table, life_table, loss_table, mode_table, phase_table
+from gearwright.render.tables.flight import (
+    asked_table,
+    bearing_table,
+    forces_table,
+    life_table,
+    loss_table,
+    mode_table,
+    phase_table,
+)
 from gearwright.render.words.flight import count_text, life_text, verdict_text
 from gearwright.render.words.headline import energy_text, headline
 from gearwright.render.words.inputs import entries
@@ -30,7 +38,7 @@ _HOUR, _LITRE_PER_MINUTE, _MILE = 3600.0, 1e-3 / 60.0, 1852.0
 BASIS = (
     ("Air", "standard atmosphere with offset; CAS, TAS and Mach by Saint-Venant", "ISO 2533:1975"),
     ("Propeller", "map J × β → C_P, C_T", "NASA CR-114399 (shipped maps), or a file of the user"),
-    ("Need of thrust", "(D + m g sin γ)/engines, C_D = C_D0 + k C_L²", "steady flight"),
+    ("Need of thrust", "(D + m g sin γ + m dV/dt)/engines, C_D = C_D0 + k C_L²", "Newton along the path"),
     ("Turbine", "P ∝ δ_t θ_t^n, flat rating, torque limit; Willans line", "Saravanamuttoo et al., Gas Turbine Theory"),
     ("Motor", "k_c T² + k_i ω + k_w ω³ + C", "Larminie and Lowry 2012, eq. 7.23"),
     ("Battery", "V_oc(s) − R I, with limits of charge and C-rate", "first-order circuit"),
@@ -137,7 +145,8 @@ def _took(flight: Flight) -> Iterator[str]:
 def _way(flight: Flight) -> Iterator[Section]:
     """Yield what the flight did, over its time."""
     profile = _figure(profile_figure(flight), "profile", "The mission: phases and who drives in them.")
-    yield Section("Mission", tables=(asked_table(flight),), figures=(profile,))
+    forces = forces_table(flight)
+    yield Section("Mission", tables=(asked_table(flight), *([forces] if forces else ())), figures=(profile,))
     powers = _figure(power_figure(flight), "power", "Powers of the machines, stacked, and torques of the shafts.")
     yield Section("Powers and torques", figures=(powers,))
     stores = _figure(stores_figure(flight), "stores", "Fuel and battery of one gearbox.")

@@ -9,11 +9,23 @@ from typing import Annotated
 
 import numpy as np
 
-from gearwright.mission import Balance, BearingDamage, Durability, Flight, PhaseSummary, phase_summaries
+from gearwright.mission import Balance, BearingDamage, Durability, Flight, PhaseSummary, phase_forces, phase_summaries
 from gearwright.mission.lives import ENDLESS, USUAL_RELIABILITY
 from gearwright.render.grid.table import Table, table
 from gearwright.spec import Phase
-from gearwright.units import CELSIUS, FOOT, KNOT, Mass, Number, Origin, Power, Quantity, marks_of
+from gearwright.units import (
+    CELSIUS,
+    FOOT,
+    KNOT,
+    NAUTICAL_MILE,
+    Distance,
+    Mass,
+    Number,
+    Origin,
+    Power,
+    Quantity,
+    marks_of,
+)
 
 ElectricEnergy = Annotated[float, Quantity("electric_energy")]
 GEAR_RELIABILITY = "0.99"
@@ -132,6 +144,12 @@ def _asked(name: str, phase: Phase) -> AskedView:
     for words, value in (("CAS", phase.cas), ("TAS", phase.tas)):
         speed = f"{value / KNOT:.4g} kt {words}" if value is not None else speed
     lasts = f"{(phase.duration or 0.0) / 60.0:.4g} min"
+    if phase.distance is not None:
+        lasts = f"{phase.distance / NAUTICAL_MILE:.4g} NM"
+    if phase.path_angle is not None:
+        lasts = f"at {math.degrees(phase.path_angle):.3g}°"
+    if phase.kind is not None and phase.duration is phase.distance is phase.path_angle is None:
+        lasts = "as it follows"
     if phase.rate_of_climb is not None:
         lasts = f"at {phase.rate_of_climb / (FOOT / 60.0):.4g} ft/min"
     return AskedView(
@@ -156,6 +174,37 @@ def _asks(phase: Phase) -> str:
         words = f"{phase.power / 1e3:.4g}{end} kW"
     working = "" if phase.engines is None else f", {phase.engines} gearboxes work"
     return words + working + (f", without {', '.join(phase.inoperative)}" if phase.inoperative else "")
+
+
+@dataclass(frozen=True)
+class ForcesView:
+    """Forces of one phase, of the whole aircraft."""
+
+    name: str
+    distance: Distance
+    mass: Mass
+    thrust: Annotated[float | None, Quantity("bearing_force")]
+    drag: Annotated[float, Quantity("bearing_force"), Origin("q S (C_D0 + k C_L²) + μ (m g − L)", "drag polar")]
+    path: Annotated[float, Quantity("bearing_force"), Origin("m (g sin γ + dV/dt)", "Newton")]
+    left_over: Annotated[float | None, Quantity("bearing_force")]
+    jump: Annotated[float, Quantity("velocity")]
+    """Of the airspeed, at its start."""
+
+
+def forces_table(flight: Flight) -> Table | None:
+    """Return thrust beside drag and path of each phase; None where the mission has no aircraft.
+
+    Args:
+        flight: As flown.
+    """
+    rows = [
+        ForcesView(
+            row.name, row.distance, row.mass, row.thrust, row.drag, row.path, left_over=row.left_over, jump=row.jump
+        )
+        for row in phase_forces(flight)
+    ]
+    note = "Means of the phase, of the aircraft: thrust that is left over would accelerate it; 0 where it flies so."
+    return table("Forces of the aircraft", rows, _names(ForcesView), note=note) if rows else None
 
 
 def phase_table(flight: Flight) -> Table:

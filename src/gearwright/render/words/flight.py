@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from gearwright.mission import Durability, Flight, LifeSizing, PartLife, PhaseSummary, phase_summaries
+from gearwright.render.words.forces import forces_text
 from gearwright.render.words.headline import energy_text, headline
 from gearwright.reviews import Review
 from gearwright.units import CELSIUS, KWH
@@ -28,7 +29,7 @@ def flight_text(flight: Flight, parts: Durability, review: Review, *, life: Life
     head = f"{flight.mission.name}, flown by {flight.sizing.design.name}"
     lines = [head, f"{headline(review)}.", "", _heading()]
     lines += [_phase(row) for row in phase_summaries(flight)]
-    lines += ["", *_totals(flight), "", *_damage(parts.parts), *_bearings(parts)]
+    lines += [*forces_text(flight), "", *_totals(flight), "", *_damage(parts.parts), *_bearings(parts)]
     lines += [f"Note: {note}" for note in parts.notes]
     return "\n".join([*lines, *([life_text(life)] if life is not None else [])])
 
