@@ -45,7 +45,7 @@ def gear_steel(name: str, grade: str, hardness: float, *, yield_strength: float 
     Args:
         name: Such as ``"case-hardened"``.
         grade: ML, MQ or ME.
-        hardness: Surface hardness [HV, for structural steel HBW].
+        hardness: Surface hardness [HV, HBW for structural steel and cast irons].
         yield_strength: R_p0.2 [Pa]; the root of structural and through-hardened steel needs it.
 
     Source: ISO 6336-5:2016, table 1.
@@ -84,7 +84,7 @@ def rated_steel(
         material: Of the gear.
         name: Class in the table in place of the material's own, then of grade MQ and 700 HV where nothing is said.
         grade: ML, MQ or ME in place of its own, or MQ.
-        hardness: Surface hardness in place of its own [HV, for structural steel HBW].
+        hardness: Surface hardness in place of its own [HV, HBW for structural steel and cast irons].
 
     Source: ISO 6336-5:2016, table 1, for strengths that the material does not state.
 

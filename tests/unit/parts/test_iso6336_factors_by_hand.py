@@ -69,7 +69,7 @@ from gearwright.parts.iso6336.loads.stiffness import mesh_springs
 from gearwright.parts.iso6336.loads.tolerances import flank_tolerances
 from gearwright.parts.iso6336.pitting import ContactStrengthFactors, contact_ratio_factor, zone_factor
 
-ST, V, EH, IF, NT, NV, NVC = Treatment
+ST, V, EH, IF, NT, NV, NVC, *_ = Treatment
 HARD = GearSteel("hard", EH, "MQ", 700.0, 1500e6, 461e6, 206e9, 0.3, 7830.0)
 SOFT = GearSteel("soft", V, "MQ", 280.0, 640e6, 310e6, 210e9, 0.28, 7850.0, 700e6)
 MESH = MeshGeometry((23, 71), 3e-3, 19e-3, 146.1e-3, (39.1e-3, 113.2e-3), math.radians(14.0), math.radians(21.0))

@@ -29,7 +29,10 @@ _ROUNDING = 1e-9
 # Slip-layer thickness ρ′ [mm] over the yield strength [N/mm²] of steels without a hard case, ISO 6336-3:2006, table 3.
 _YIELD = (300.0, 400.0, 500.0, 600.0, 800.0, 1000.0)
 _SLIP = (0.0833, 0.0445, 0.0281, 0.0194, 0.0064, 0.0014)
-_SLIP_YIELD_ONLY = (Treatment.STRUCTURAL, Treatment.THROUGH_HARDENED)
+_SLIP_YIELD_ONLY = (
+    Treatment.STRUCTURAL, Treatment.THROUGH_HARDENED, Treatment.MALLEABLE_IRON, Treatment.NODULAR_IRON,
+)  # fmt: skip
+_SLIP_BRITTLE_IRON = 0.3095
 _SLIP_NITRIDED = 0.1005
 _SLIP_CASE = 0.0030
 
@@ -194,13 +197,15 @@ def slip_layer(steel: GearSteel) -> float:
     Source: ISO 6336-3:2006, table 3; linear in the yield strength between its rows.
 
     Raises:
-        DesignError: a structural or through-hardened steel without a yield strength.
+        DesignError: a structural or through-hardened steel, malleable or perlitic iron without a yield strength.
     """
     if steel.treatment in _SLIP_YIELD_ONLY:
         if steel.yield_strength is None:
             message = "none given; the notch sensitivity of a steel without a hard case needs R_p0.2"
             raise DesignError([Problem("yield_strength", message)])
         return 1e-3 * float(np.interp(steel.yield_strength / _MPA, _YIELD, _SLIP))
+    if steel.treatment.is_brittle_iron:
+        return 1e-3 * _SLIP_BRITTLE_IRON
     return 1e-3 * (_SLIP_NITRIDED if steel.treatment.is_nitrided else _SLIP_CASE)
 
 
@@ -233,7 +238,7 @@ def surface_factor(roughness: Value, treatment: Treatment) -> Value:
     height = np.clip(rough, 1.0, 40.0) + 1.0
     if treatment is Treatment.STRUCTURAL:
         return as_value(np.where(rough < 1.0, 1.07, 5.306 - 4.203 * height**0.01))
-    if treatment.is_nitrided:
+    if treatment.is_nitrided or treatment.is_brittle_iron:
         return as_value(np.where(rough < 1.0, 1.025, 4.299 - 3.259 * height**0.0058))
     return as_value(np.where(rough < 1.0, 1.12, 1.674 - 0.529 * height**0.1))
 
@@ -245,8 +250,11 @@ def bending_size_factor(module: Value, treatment: Treatment) -> Value:
         module: m_n [m].
         treatment: Material group.
 
-    Source: ISO 6336-3:2006, table 5: 1.05 − 0.01 m_n to 25 mm for hard cases, 1.03 − 0.006 m_n to 30 mm for others.
+    Source: ISO 6336-3:2006, table 5: 1.05 − 0.01 m_n to 25 mm for hard cases, 1.075 − 0.015 m_n to 25 mm for grey and
+        ferritic nodular iron, 1.03 − 0.006 m_n to 30 mm for others.
     """
+    if treatment.is_brittle_iron:
+        return np.minimum(np.maximum(1.075 - 0.015 * module / 1e-3, 0.7), 1.0)
     if treatment.is_surface_hardened:
         return np.minimum(np.maximum(1.05 - 0.01 * module / 1e-3, 0.8), 1.0)
     return np.minimum(np.maximum(1.03 - 0.006 * module / 1e-3, 0.85), 1.0)

@@ -145,13 +145,13 @@ def work_hardening_factor(
         ratio: |u| [-].
 
     Returns:
-        Z_W [-]; 1 unless this gear is soft and the mate is hard or clearly harder.
+        Z_W [-]; 1 unless this gear is of soft steel and its steel mate is hard or clearly harder.
 
     Source: ISO 6336-2:2006, clause 13: 1.2 − (HB − 130)/1700 times (3 µm/R_zH)^0.15 against a hard mate;
         1 + (0.00898 HB_1/HB_2 − 0.00829)(u − 1) between through-hardened gears.
     """
     treatment, mate_treatment = treatments
-    if treatment.is_surface_hardened:
+    if treatment.is_surface_hardened or treatment.is_cast_iron or mate_treatment.is_cast_iron:
         return 1.0
     if mate_treatment.is_surface_hardened:
         base = 1.2 - (min(max(hardness, 130.0), 470.0) - 130.0) / 1700.0

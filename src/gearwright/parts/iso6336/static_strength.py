@@ -75,6 +75,7 @@ def static_notch_sensitivity(correction: Value, steel: GearSteel) -> Value:
     Source: ISO 6336-3:2006, clause 12.3: 0.44 Y_S + 0.12 for case- and induction-hardened roots, 0.20 Y_S + 0.60 for
         nitrided ones; by the yield strength (1 + k (Y_S − 1) s)/(1 + k s), with k = 0.93 and s = (200/σ_S)^¼ for
         structural, k = 0.82 and s = (300/σ_0.2)^¼ for through-hardened steel.
+        Grey and ferritic nodular iron are taken at 1, an assumption.
     Valid for: stress up to the first crack, or up to yielding where the steel is soft.
 
     >>> from gearwright.parts.iso6336.steels import Treatment
@@ -82,6 +83,8 @@ def static_notch_sensitivity(correction: Value, steel: GearSteel) -> Value:
     >>> round(float(static_notch_sensitivity(2.0, steel)), 12)  # of the test gears
     1.0
     """
+    if steel.treatment.is_brittle_iron:
+        return as_value(np.ones_like(np.asarray(correction)))
     if steel.treatment.is_nitrided:
         return 0.20 * correction + 0.60
     if steel.treatment.is_surface_hardened or steel.yield_strength is None:
@@ -102,7 +105,7 @@ def static_work_hardening(steel: GearSteel, mate: GearSteel) -> float:
     Source: ISO 6336-2:2006, clause 13: 1.05 − (HB − 130)/680 of a soft gear against a hard mate, 1.05 below 130 HB,
         at least 1; 1 otherwise.
     """
-    if steel.treatment.is_surface_hardened or not mate.treatment.is_surface_hardened:
+    if steel.treatment.is_cast_iron or steel.treatment.is_surface_hardened or not mate.treatment.is_surface_hardened:
         return 1.0
     brinell = min(max(steel.hardness * BRINELL_PER_VICKERS, _SOFT), _HARD)
     return max(1.0, 1.05 - (brinell - _SOFT) / 680.0)

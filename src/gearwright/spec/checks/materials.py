@@ -175,7 +175,7 @@ def _wheel(path: str, wheel: WheelSteel, material: Material) -> Iterator[Problem
 
 def _needs_yield(steel: GearSteel) -> bool:
     """Tell whether the notch sensitivity of a steel goes by its proof stress (ISO 6336-3:2019, clause 13)."""
-    return not steel.treatment.is_surface_hardened
+    return not (steel.treatment.is_surface_hardened or steel.treatment.is_brittle_iron)
 
 
 def _replaced(path: str, rules: GearRules, design: Design) -> Iterator[Problem]:

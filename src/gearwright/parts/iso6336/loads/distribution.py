@@ -122,8 +122,12 @@ def lead_allowance(misalignment: Value, steel: GearSteel, speed: Value) -> Value
     Returns:
         y_β [m].
 
-    Source: ISO 6336-1:2006, clause 7.5.2.5: 0.15 F_βx ≤ 6 µm for surface-hardened, 320/σ_Hlim F_βx for other steels.
+    Source: ISO 6336-1:2006, clause 7.5.2.5: 0.15 F_βx ≤ 6 µm for surface-hardened, 0.55 F_βx ≤ 45 or 22 µm from 5 and
+        10 m/s for grey and ferritic nodular iron, 320/σ_Hlim F_βx for others.
     """
+    if steel.treatment.is_brittle_iron:
+        most = np.where(np.asarray(speed) <= 5.0, np.inf, np.where(np.asarray(speed) <= 10.0, 45.0, 22.0))
+        return as_value(np.minimum(0.55 * misalignment, most * _MICRON))
     if steel.treatment.is_surface_hardened:
         return np.minimum(0.15 * misalignment, 6.0 * _MICRON)
     strength = steel.tabulated_strength / _MPA

@@ -61,8 +61,12 @@ def running_in_allowance(deviation: Value, steel: GearSteel, speed: Value) -> Va
     Returns:
         y_α (y_p, y_f) [m].
 
-    Source: ISO 6336-1:2019, clause 8.3.6: 0.075 f ≤ 3 µm for surface-hardened, 160/σ_Hlim f for other steels.
+    Source: ISO 6336-1:2019, clause 8.3.6: 0.075 f ≤ 3 µm for surface-hardened, 0.275 f ≤ 22 or 11 µm from 5 and 10 m/s
+        for grey and ferritic nodular iron, 160/σ_Hlim f for others.
     """
+    if steel.treatment.is_brittle_iron:
+        most = np.where(np.asarray(speed) <= 5.0, np.inf, np.where(np.asarray(speed) <= 10.0, 22.0, 11.0))
+        return np.minimum(0.275 * deviation, most * _MICRON)
     if steel.treatment.is_surface_hardened:
         return np.minimum(0.075 * deviation, 3.0 * _MICRON)
     strength = steel.tabulated_strength / _MPA

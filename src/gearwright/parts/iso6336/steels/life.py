@@ -20,7 +20,7 @@ def _contact_corners(treatment: Treatment, *, some_pitting: bool) -> LifeCurve:
     """Corners of Z_NT up to the reference, ISO 6336-2:2019, table 2."""
     if treatment is Treatment.NITROCARBURISED:
         return LifeCurve((1e5, 2e6), (1.1, 1.0))
-    if treatment.is_nitrided:
+    if treatment.is_nitrided or treatment.is_brittle_iron:
         return LifeCurve((1e5, 2e6), (1.3, 1.0))
     if some_pitting:
         return LifeCurve((6e5, 1e7, 1e9), (1.6, 1.3, 1.0))
@@ -60,6 +60,10 @@ def bending_life_curve(treatment: Treatment, *, at_1e10: float = LIFE_AT_1E10) -
         Treatment.NITRIDED: (1e3, 1.6),
         Treatment.NITRIDED_THROUGH_HARDENED: (1e3, 1.6),
         Treatment.NITROCARBURISED: (1e3, 1.1),
+        Treatment.MALLEABLE_IRON: (1e4, 2.5),
+        Treatment.NODULAR_IRON: (1e4, 2.5),
+        Treatment.FERRITIC_NODULAR_IRON: (1e3, 1.6),
+        Treatment.GREY_IRON: (1e3, 1.6),
     }[treatment]
     return LifeCurve((first_corner, 3e6, 1e10), (greatest, 1.0, at_1e10))
 

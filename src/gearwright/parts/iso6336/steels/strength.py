@@ -33,11 +33,29 @@ class Treatment(Enum):
     """Nitrided through-hardening steel."""
     NITROCARBURISED = "NVc"
     """Nitrocarburised steel."""
+    MALLEABLE_IRON = "GTS"
+    """Black malleable cast iron, perlitic."""
+    NODULAR_IRON = "GGG"
+    """Nodular cast iron, perlitic or bainitic."""
+    FERRITIC_NODULAR_IRON = "GGGf"
+    """Nodular cast iron, ferritic."""
+    GREY_IRON = "GG"
+    """Grey cast iron."""
 
     @property
     def is_surface_hardened(self) -> bool:
         """Whether the flank is harder than the core."""
-        return self not in (Treatment.STRUCTURAL, Treatment.THROUGH_HARDENED)
+        return self in (Treatment.CASE_HARDENED, Treatment.INDUCTION_HARDENED) or self.is_nitrided
+
+    @property
+    def is_cast_iron(self) -> bool:
+        """Whether it is cast iron."""
+        return self in (Treatment.MALLEABLE_IRON, Treatment.NODULAR_IRON) or self.is_brittle_iron
+
+    @property
+    def is_brittle_iron(self) -> bool:
+        """Whether it is grey or ferritic nodular iron, which the standard sets beside nitrided steel."""
+        return self in (Treatment.GREY_IRON, Treatment.FERRITIC_NODULAR_IRON)
 
     @property
     def is_nitrided(self) -> bool:
@@ -54,7 +72,7 @@ class StrengthLine:
     intercept: float
     """B [Pa]."""
     hardness: tuple[float, float]
-    """Least and greatest surface hardness [HV, or HBW for St]."""
+    """Least and greatest surface hardness [HV, or HBW for St and cast irons]."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +116,7 @@ class GearSteel:
     grade: str
     """Material quality ML, MQ or ME."""
     hardness: float
-    """Surface hardness [HV, or HBW for St]."""
+    """Surface hardness [HV, or HBW for St and cast irons]."""
     contact_strength: Annotated[float, Quantity("stress"), Origin("σ_Hlim", "as stated, or ISO 6336-5:2016, table 1")]
     """Allowable stress number for contact σ_Hlim [Pa]."""
     bending_strength: Annotated[float, Quantity("stress"), Origin("σ_Flim", "as stated, or ISO 6336-5:2016, table 1")]
@@ -131,7 +149,7 @@ def allowable_stress(line: StrengthLine, hardness: float) -> float:
 
     Args:
         line: The row.
-        hardness: Surface hardness x [HV, or HBW for St].
+        hardness: Surface hardness x [HV, or HBW for St and cast irons].
 
     Returns:
         σ_Hlim or σ_Flim [Pa].

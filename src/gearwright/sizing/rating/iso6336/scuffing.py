@@ -171,7 +171,8 @@ def flash_peak(mesh: ScuffingMesh, oil: Oil, sharing: Callable[[Floats], Floats]
 
 def _micropitted(mesh: LoadedMesh, scuffed: ScuffingMesh, factors: PairRating) -> Micropitting | None:
     rules = mesh.rating.rules.iso6336
-    if rules.micropitting_stage is None:
+    treatments = [steel.treatment for steel in steels_of(mesh.rating, mesh.heaviest.ask.roles)]
+    if rules.micropitting_stage is None or any(treatment.is_cast_iron for treatment in treatments):
         return None
     film = FilmMesh(
         scuffed.geometry,
@@ -184,7 +185,6 @@ def _micropitted(mesh: LoadedMesh, scuffed: ScuffingMesh, factors: PairRating) -
         poisson_ratio=scuffed.poisson_ratio,
         supply=SPRAY,
     )
-    treatments = [steel.treatment for steel in steels_of(mesh.rating, mesh.heaviest.ask.roles)]
     weaker = next((each for each in _SOFTEST if each in treatments), treatments[0])
     oil, temperature = _grade(rules), rules.oil_temperature
     return micropitting(film, oil, temperature, stage=rules.micropitting_stage, treatment=weaker)
