@@ -1,6 +1,8 @@
-"""How fast studies are: ``python benchmarks/studies.py`` measures all, or some of ``sizing scaling overhead journal``.
+"""How fast studies are: ``python benchmarks/studies.py`` measures all, or some of what stands below.
 
-sizing    100 000 first sizings of In-Line H2, two workers, journal on disk; once
+command   100 000 first sizings of In-Line H2 by ``gearwright study FILE --journal FILE --workers 2``, from its start to
+          the last word; once
+sizing    the same in this process and two workers, and where the CPU time of a row goes; once
 scaling   the same cases with one worker and with two, in turn, seven times
 overhead  cases of 10 ms of CPU: CPU time of runner and worker over that of the cases, start apart; five times
 journal   rows a second into the journal, each transaction on disk before the next; five times
@@ -16,11 +18,13 @@ import os
 import platform
 import resource
 import statistics
+import subprocess
 import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from unittest.mock import patch
 
 from gearwright.shipped import shipped_design
 from gearwright.sizing import Named
@@ -29,6 +33,7 @@ from gearwright.study import run
 from gearwright.study.answers import Row
 from gearwright.study.cases import Case, cases
 from gearwright.study.running import Progress, begin, local, opened, run_study
+from gearwright.study.running.journal import Journal
 
 NAME = "in-line-h2"
 DESIGNS = {NAME: read(shipped_design(NAME))}
@@ -37,7 +42,11 @@ CASE_TIME = 0.010
 
 
 def study_of(count: int) -> Study:
-    return parse_study(f"""
+    return parse_study(text_of(count))
+
+
+def text_of(count: int) -> str:
+    return f"""
 schema = 1
 name = "benchmark"
 designs = ["{NAME}"]
@@ -48,7 +57,7 @@ results = ["mass", "total_mass", "worst_margin"]
 [sampling]
 method = "sobol"
 count = {count}
-""")
+"""
 
 
 def waiting(study: Study, design: object, case: Case) -> Row:
@@ -96,9 +105,33 @@ def spread(values: Iterable[float], form: str) -> str:
     return f"{statistics.median(found):{form}} ({found[0]:{form}} to {found[-1]:{form}})"
 
 
+def command(count: int = 100_000) -> str:
+    before, start = cpu_time(), time.perf_counter()
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "study.toml").write_text(text_of(count), encoding="utf-8")
+        call = (sys.executable, "-c", "from gearwright.cli import main; main()", "study", "study.toml")
+        subprocess.run((*call, "--journal", "j", "--workers", "2"), cwd=folder, check=True, capture_output=True)
+    seconds, cpu = time.perf_counter() - start, cpu_time() - before
+    return f"the command `study`: {count} first sizings, two workers, journal | {seconds:.1f} s, {cpu:.0f} s of CPU"
+
+
 def sizing(count: int = 100_000) -> str:
-    seconds, rate, cpu = timed(count, 2)
-    return f"{count} first sizings, two workers, journal on disk | {seconds:.1f} s, {rate:.0f}/s; {cpu:.0f} s of CPU"
+    append, spent = Journal.append, [0.0]
+
+    def timed_append(book: Journal, rows: Iterable[tuple[int, Row]]) -> None:
+        start = time.process_time()
+        append(book, rows)
+        spent[0] += time.process_time() - start
+
+    with patch.object(Journal, "append", timed_append):
+        own = time.process_time()
+        seconds, rate, cpu = timed(count, 2)
+        own = time.process_time() - own
+    a_row = [1e6 * part / count for part in (cpu - own, spent[0], own - spent[0])]
+    return (
+        f"{count} first sizings, two workers, journal on disk | {seconds:.1f} s, {rate:.0f}/s; {cpu:.0f} s of CPU,"
+        f" a row {a_row[0]:.0f} µs in workers, {a_row[1]:.1f} in the journal, {a_row[2]:.0f} in the rest of the runner"
+    )
 
 
 def scaling(count: int = 3000, repeats: int = 7) -> str:
@@ -126,12 +159,12 @@ def _spent(count: int) -> float:
 
 
 def journal(count: int = 20_000, repeats: int = 5) -> str:
-    found = {batch: [_rows_a_second(count, batch) for _ in range(repeats)] for batch in (100, 1000)}
+    found = {batch: [_rows_a_second(count, batch) for _ in range(repeats)] for batch in (100, 1000, 4000)}
     words = (
         f"{spread((wall for wall, _ in each), '.0f')}/s, {spread((cpu for _, cpu in each), '.0f')} a second of CPU"
         for each in found.values()
     )
-    return f"rows into the journal, 100 and 1000 a transaction | {'; '.join(words)}"
+    return f"rows into the journal, 100, 1000 and 4000 a transaction | {'; '.join(words)}"
 
 
 def _rows_a_second(count: int, batch: int) -> tuple[float, float]:
@@ -148,7 +181,9 @@ def _rows_a_second(count: int, batch: int) -> tuple[float, float]:
 
 
 def main() -> None:
-    known: dict[str, Callable[[], str]] = {each.__name__: each for each in (sizing, scaling, overhead, journal)}
+    known: dict[str, Callable[[], str]] = {
+        each.__name__: each for each in (command, sizing, scaling, overhead, journal)
+    }
     print(f"Python {platform.python_version()}, {os.cpu_count()} cores\n\n| what | measured | processes at work |")
     print("| --- | --- | --- |")
     for name in sys.argv[1:] or known:

@@ -36,7 +36,7 @@ from gearwright.spec.lines import key_lines, line_of
 from gearwright.spec.mission import NO_MAP, BatteryRules, BearingLifeRules, Mission, MotorRules, Phase, engine_out
 from gearwright.spec.power import CellRules, OilNetworkRules, StrategyRules, WindingRules
 from gearwright.spec.read import file_text, parse, placed, read
-from gearwright.spec.record import Record, build
+from gearwright.spec.record import Record, brief, build
 from gearwright.spec.schema import records, schema
 from gearwright.spec.study import (
     MISSION_PATH,
@@ -98,6 +98,7 @@ __all__ = [
     "WindingRules",
     "WindowRules",
     "axis_values",
+    "brief",
     "build",
     "case_count",
     "case_named",

@@ -111,6 +111,8 @@ def groups_of(design: Design, axes: Mapping[str, Sequence[Any]], count: int) -> 
     good = np.ones(count, dtype=bool)
     for path in plain.keys() - others:
         good &= plain[path]  # one that is no number where all others are is left to its own sizing
+    for path in others:
+        good &= np.fromiter((isinstance(cell, _SCALARS) for cell in columns[path]), bool, count)
     yield from _groups(design, columns, others, np.flatnonzero(good))
 
 
@@ -133,6 +135,7 @@ def _is_plain(cell: Any) -> bool:
     return isinstance(cell, int | np.integer) and not isinstance(cell, bool) and abs(int(cell)) < _LARGEST
 
 
+_SCALARS = (str, float, int, bool, type(None))
 _LARGEST = 2**53
 """Whole numbers below are as exact among real ones [-]."""
 

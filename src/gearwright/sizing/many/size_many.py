@@ -14,7 +14,7 @@ from gearwright.sizing.many.columns import Found, in_lanes
 from gearwright.sizing.many.sizings import Sizings, Structure, stacked, structure_of
 from gearwright.sizing.result import Sizing
 from gearwright.sizing.size import size
-from gearwright.spec import Design, edited, path_problems
+from gearwright.spec import Design, brief, edited, path_problems
 from gearwright.verbs import verb
 
 Cell = float | int | str | bool | None
@@ -24,7 +24,7 @@ Cell = float | int | str | bool | None
 @verb
 def size_many(
     designs: Design | Sequence[Design],
-    axes: Mapping[str, Sequence[Cell]] | None = None,
+    axes: Mapping[str, Any] | None = None,
     *,
     results: Sequence[str] | None = None,
 ) -> Sizings:
@@ -40,10 +40,11 @@ def size_many(
         results: Names as `named_results` has them; left out: masses, power densities, margin and efficiency.
 
     Raises:
-        DesignError: For axes of different lengths, that no design has, or that mean the same entry; for results that
-            no design has, or that are names.
+        DesignError: For axes that are no columns, of different lengths, that no design has, or that mean the same
+            entry; for results that no design has, or that are names.
     """
-    columns = axes or {}
+    columns: Mapping[str, Sequence[Cell]] = axes or {}
+    refuse(_column_problems(columns), "axes")
     given = [designs] if isinstance(designs, Design) else list(designs)
     count = _count(designs, columns)
     first = {structure_of(design): design for design in reversed(given)}.values() if count else ()
@@ -87,6 +88,16 @@ def _count(designs: Design | Sequence[Design], axes: Mapping[str, Sequence[Cell]
         told = ", ".join(f"{path} {length}" for path, length in lengths.items())
         raise DesignError([Problem("axes", f"columns of different lengths: {told}; give every design its row in each")])
     return next(iter(lengths.values()), 1)
+
+
+def _column_problems(axes: Mapping[str, Any]) -> Iterator[Problem]:
+    """Yield the axes that are no columns: one value, or a table of them."""
+    for path, column in axes.items():
+        if isinstance(column, str | bytes | Mapping) or not hasattr(column, "__len__"):
+            yield Problem(path, f"{brief(column)} is no column; give a list with its value in every row")
+        elif getattr(column, "ndim", 1) != 1:
+            shape = "×".join(map(str, column.shape))
+            yield Problem(path, f"an array of {shape} is no column; give one value for every row, in one axis")
 
 
 def _axis_problems(axes: Mapping[str, Sequence[Cell]], designs: Iterable[Design]) -> list[Problem]:
