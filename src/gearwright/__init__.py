@@ -56,7 +56,7 @@ if TYPE_CHECKING:
     from gearwright.sizing.mass import complete_mass
     from gearwright.spec import design_text, edited, edited_mission, parse, read, read_mission, read_study, schema
     from gearwright.store import StoredRun, load, save
-    from gearwright.study import compare, equal_life, for_engine
+    from gearwright.study import compare, equal_life, fly_many, for_engine
     from gearwright.study import run as study
     from gearwright.validate import validate
     from gearwright.weights import engines, mass
@@ -84,6 +84,7 @@ _VERBS = {
     "equal_life": "study",
     "figure": "render.pages.notebook",
     "fly": "mission",
+    "fly_many": "study",
     "for_engine": "study",
     "frequency_response": "dynamics",
     "influences": "sizing",
@@ -160,6 +161,7 @@ __all__ = [
     "equal_life",
     "figure",
     "fly",
+    "fly_many",
     "for_engine",
     "frequency_response",
     "influences",

@@ -223,6 +223,9 @@ UNKNOWN = {
     "sharing method": lambda: gw.sharing(sizing("face-gear-split-torque"), method="quasi"),
     "sharing stage": lambda: gw.sharing(sizing(), "firs"),
     "sharing_study method": lambda: sharing_study(split(), method="quasi"),
+    "fly_many scatter": lambda: gw.fly_many(
+        sizing().design, read_mission("thesis"), {"mission.isa_offst_k": {"from": 0.0, "to": 1.0}}, 2
+    ),
     "size_many axes": lambda: gw.size_many(sizing().design, {"gears.face_width_rati": [1.0]}),
     "sheets names": lambda: gw.draw(sizing(), ["shaf"]),
     "shipped_file name": lambda: shipped_file("thesi"),

@@ -2,7 +2,7 @@
 
 from gearwright.mission.aircraft import PhaseForces, phase_forces
 from gearwright.mission.flight import Balance, Flight, PackWear, PhaseSummary, flight_series, phase_summaries
-from gearwright.mission.fly import fly
+from gearwright.mission.fly import fly, fly_each
 from gearwright.mission.gearbox import Oil, gearbox_of
 from gearwright.mission.history import History, MachineHistory, MeshHistory, NodeHistory, Series
 from gearwright.mission.lives.bearings import BearingDamage, BearingLives, bearing_lives
@@ -39,6 +39,7 @@ __all__ = [
     "flight_checks",
     "flight_series",
     "fly",
+    "fly_each",
     "gear_damage",
     "gearbox_of",
     "governed_window",

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from gearwright.catalogue import propeller_map, read_propeller_map
 from gearwright.errors import DesignError, Problem, refuse
@@ -14,7 +15,7 @@ from gearwright.mission.collect import Flown, Interval, Log, Lost, collect, logg
 from gearwright.mission.consumers import flown_airscrew
 from gearwright.mission.endurance import Clocks, bounds_of, endured
 from gearwright.mission.flight import Flight
-from gearwright.mission.gearbox import Point, gearbox_of
+from gearwright.mission.gearbox import Gearbox, Point, gearbox_of
 from gearwright.mission.loading import Asked, loaded
 from gearwright.mission.oil import flown_oil
 from gearwright.mission.plant import GearHeat, PackState, Warm, Warmths, oil_start, oil_step, started
@@ -23,7 +24,7 @@ from gearwright.mission.strategies import Then, planned_shares, shared
 from gearwright.mission.supplied import supply_of
 from gearwright.mission.supply import Given, Terms, machine_speeds
 from gearwright.mission.thrust import Blades, performed, propeller_power
-from gearwright.mission.together import log_at_once
+from gearwright.mission.together import flights_together, log_at_once
 from gearwright.sizing import Sizing
 from gearwright.spec import NO_MAP, Mission, engine_out, is_map_file, mission_problems
 from gearwright.verbs import verb
@@ -64,13 +65,74 @@ def fly(sizing: Sizing, mission: Mission, *, folder: Path | None = None) -> Flig
 
     Valid for: steady flight; a propeller map of one's own has the compressibility that it was measured with.
     """
-    problems = mission_problems(mission)
-    refuse(problems)
-    gearbox = gearbox_of(sizing, flown_airscrew(sizing), flown_oil(sizing, mission))
+    flown = _prepared(sizing, mission, folder)
+    return collect(flown, log_at_once(flown) or _one_by_one(flown))
+
+
+@verb
+def fly_each(sizing: Sizing, missions: Sequence[Mission], *, folder: Path | None = None) -> list[Flight | DesignError]:
+    """Return the flight of each mission, or why it cannot be flown; those that differ by numbers are flown together.
+
+    A flight has the same bits whatever others it is flown with.
+
+    Args:
+        sizing: The sized transmission.
+        missions: What is flown.
+        folder: Where propeller maps are looked for that are files.
+    """
+    found: list[Flight | DesignError] = []
+    prepared = list[Flown | DesignError]()
+    for mission in missions:
+        known = next((flown.gearbox for flown in reversed(prepared) if isinstance(flown, Flown)), None)
+        prepared.append(_attempted(sizing, mission, folder, known))
+    for alike in _alike(prepared):
+        together = flights_together(alike) if isinstance(alike[0], Flown) else [None]
+        for flown, flight in zip(alike, together, strict=True):
+            found.append(flight if flight is not None else _alone(flown))
+    return found
+
+
+def _alike(prepared: Sequence[Flown | DesignError]) -> Iterator[list[Any]]:
+    """Yield neighbours that are flown with the same machines, oil and propeller; what cannot be flown stands alone."""
+    group: list[Any] = []
+    for flown in prepared:
+        if group and not (isinstance(flown, Flown) and isinstance(group[0], Flown) and _same(group[0], flown)):
+            yield group
+            group = []
+        group.append(flown)
+    if group:
+        yield group
+
+
+def _same(one: Flown, other: Flown) -> bool:
+    kept = one.mission.propeller_map == other.mission.propeller_map and one.gearbox.oil == other.gearbox.oil
+    return kept and one.supply == other.supply
+
+
+def _attempted(sizing: Sizing, mission: Mission, folder: Path | None, known: Gearbox | None) -> Flown | DesignError:
+    try:
+        return _prepared(sizing, mission, folder, known)
+    except DesignError as error:
+        return error
+
+
+def _alone(flown: Flown | DesignError) -> Flight | DesignError:
+    if isinstance(flown, DesignError):
+        return flown
+    try:
+        return collect(flown, _one_by_one(flown))
+    except DesignError as error:
+        return error
+
+
+def _prepared(sizing: Sizing, mission: Mission, folder: Path | None, known: Gearbox | None = None) -> Flown:
+    """Return what flies; a gearbox that is ready to fly is made ready again where its oil is another."""
+    refuse(mission_problems(mission))
+    oil = flown_oil(sizing, mission)
+    gearbox = known if known and known.oil == oil else gearbox_of(sizing, flown_airscrew(sizing), oil)
     blades = Blades(mission.propeller_map, _chart(mission, folder), sizing.design.airscrews[gearbox.propeller].diameter)
     flown = Flown(gearbox, blades, mission, supply_of(sizing, mission))
-    flown = flown._replace(paths=paths_of(flown))
-    return collect(flown, log_at_once(flown) or _one_by_one(flown))
+    return flown._replace(paths=paths_of(flown))
 
 
 def _one_by_one(flown: Flown) -> Log:

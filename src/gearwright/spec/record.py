@@ -226,10 +226,12 @@ def _table(value: object, annotation: Any, written: Written, location: Location)
 
 
 def _is_named(name: str, written: Written, location: Location) -> bool:
-    """Tell whether a text can be a name, and note it where it cannot."""
-    if not is_path(name):
+    """Tell whether a text can be a name, of an axis of a study several paths, and note it where it cannot."""
+    paths = name.split(",") if location[:-1] == ("axes",) else [name]
+    good = all(is_path(path.strip()) for path in paths)
+    if not good:
         written.report(location, f"{brief(name)} {NAME_RULE}")
-    return is_path(name)
+    return good
 
 
 def build(model: type[Record], raw: Mapping[str, object]) -> tuple[Record | None, Written]:

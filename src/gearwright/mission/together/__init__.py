@@ -4,5 +4,6 @@ What one interval asks and gets is in `mission`; here it is asked for all of the
 """
 
 from gearwright.mission.together.log import log_at_once
+from gearwright.mission.together.many import flights_together
 
-__all__ = ["log_at_once"]
+__all__ = ["flights_together", "log_at_once"]

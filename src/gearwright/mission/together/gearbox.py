@@ -10,7 +10,7 @@ from gearwright.arrays import Floats
 from gearwright.lanes import rebound
 from gearwright.mission.gearbox import Drag, Gearbox, Point
 from gearwright.parts.losses import MeshDuty, MeshLaw, bearing, mesh, oil, seal, tooth_power
-from gearwright.sizing.bearings import seat_forces
+from gearwright.sizing.bearings import seat_forces_along
 from gearwright.sizing.losses import bodies
 from gearwright.spec import GROUND, Drive
 from gearwright.train import Loads, along, asked_speeds, can_be_along
@@ -172,7 +172,7 @@ def drag_of(box: Box, mesh_torques: Floats, propeller_speed: Floats, idle: Idle)
     speeds, rubbing = node_speeds(box, propeller_speed), np.zeros(len(propeller_speed))
     for seat in box.gearbox.seats:
         radial, turning = (
-            seat_forces(seat, mesh_torques, speeds[seat.carrier])[0],
+            seat_forces_along(seat, mesh_torques, speeds[seat.carrier])[0],
             speeds[seat.nodes[0]] - speeds[seat.nodes[1]],
         )
         rubbing = rubbing + seat.count * _BEARING.bearing_torque_constant(radial, seat.bore) * np.abs(turning)

@@ -31,10 +31,16 @@ def log_at_once(flown: Flown) -> Log | None:
     found = flown_together(box, blades, supply, deck)
     if found is None or found.fails.any():
         return None
-    return Log(deck.course.phase, _history(deck, found), found.point, found.powers, found.battery.ends[0], ())
+    return Log(deck.course.phase, history_of(deck, found), found.point, found.powers, found.battery.ends[0], ())
 
 
-def _history(deck: Deck, found: Together) -> History[Floats]:
+def history_of(deck: Deck, found: Together) -> History[Floats]:
+    """Return what is recorded of all intervals of a deck.
+
+    Args:
+        deck: What was asked.
+        found: What it got.
+    """
     course, battery, burnt = deck.course, found.battery, found.burnt
     friction: dict[str, Any] = dict(zip(("bearing", "windage", "churning"), found.friction, strict=True))
     none: Any = None

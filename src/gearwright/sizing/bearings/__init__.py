@@ -13,7 +13,7 @@ from gearwright.sizing.bearings.planet_room import named_room, planet_room
 from gearwright.sizing.bearings.planet_seats import Carrying, planet_seats, room_in
 from gearwright.sizing.bearings.run_checks import life_check, limit_checks
 from gearwright.sizing.bearings.running import oil_of, oiled_life, running_of
-from gearwright.sizing.bearings.seat import Seat, seat_forces
+from gearwright.sizing.bearings.seat import Seat, seat_forces, seat_forces_along
 from gearwright.sizing.bearings.unit_loads import unit_loads
 
 __all__ = [
@@ -42,6 +42,7 @@ __all__ = [
     "room_in",
     "running_of",
     "seat_forces",
+    "seat_forces_along",
     "seating",
     "unit_loads",
 ]

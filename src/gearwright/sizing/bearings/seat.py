@@ -69,5 +69,25 @@ def seat_forces(seat: Seat, torques: Floats, carrier_speed: Floats) -> tuple[Flo
     Source: equilibrium; m r ω² of a planet stands across its tangential force; a rotor points where it loads most.
     """
     force = np.maximum(torques, 0.0) @ seat.forward + np.maximum(-torques, 0.0) @ seat.backward
+    return _borne(seat, force, carrier_speed)
+
+
+def seat_forces_along(seat: Seat, torques: Floats, carrier_speed: Floats) -> tuple[Floats, Floats]:
+    """Return `seat_forces` of many loads, each of which has the same bits whatever others it is found with.
+
+    Args:
+        seat: The seat.
+        torques: On gear a of one single mesh of each row, shape (n, meshes) [N m].
+        carrier_speed: Speed of what swings a planet, shape (n,) or (1,) [rad/s].
+    """
+    force = np.zeros((len(torques), 3))
+    for k, torque in enumerate(torques.T):
+        force += np.where(torque < 0.0, -torque, torque)[:, None] * np.where(
+            torque[:, None] < 0.0, seat.backward[k], seat.forward[k]
+        )
+    return _borne(seat, force, carrier_speed)
+
+
+def _borne(seat: Seat, force: Floats, carrier_speed: Floats) -> tuple[Floats, Floats]:
     radial = np.hypot(force[..., 0], force[..., 1] + seat.swung * carrier_speed**2)
     return radial + seat.across, force[..., 2]

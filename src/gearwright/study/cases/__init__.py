@@ -5,15 +5,18 @@ Which answers they give together is in `answers`, how thousands are run in `runn
 
 from gearwright.study.cases.engine import for_engine, for_requirement, refuse_no_size
 from gearwright.study.cases.evaluate import evaluate, refuse_unknown_paths, reviewed, sized
+from gearwright.study.cases.flights import TOGETHER, fly_together
 from gearwright.study.cases.sampling import Case, cases, unit_sample
 from gearwright.study.cases.together import LEAST, evaluated, goes_together
 
 __all__ = [
     "LEAST",
+    "TOGETHER",
     "Case",
     "cases",
     "evaluate",
     "evaluated",
+    "fly_together",
     "for_engine",
     "for_requirement",
     "goes_together",

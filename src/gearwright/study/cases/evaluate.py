@@ -28,8 +28,19 @@ def evaluate(
         case: Its inputs.
         fitted: What becomes of the design before it is changed; left out: it stays as it is.
     """
+    return row_of(study, case, lambda: _results(study, fitted(design), case.inputs))
+
+
+def row_of(study: Study, case: Case, computed: Callable[[], dict[str, Named]]) -> Row:
+    """Return the row of a case whose results are computed here; what fails becomes its reason.
+
+    Args:
+        study: With the results that are asked for.
+        case: Its inputs.
+        computed: Returns its results by name.
+    """
     try:
-        results = _results(study, fitted(design), case.inputs)
+        results = computed()
         return Row(case.design, case.inputs, {name: pick(results, name) for name in study.asked})
     except DesignError as error:
         reason = "; ".join(str(problem) for problem in error.problems)
@@ -44,8 +55,10 @@ def split(changes: Mapping[str, Value]) -> tuple[dict[str, Value], dict[str, Val
     """Return the changes of the design and those of the mission, each by its own paths.
 
     Args:
-        changes: Dotted path -> value; those of the mission begin with ``mission.``.
+        changes: Dotted path -> value; those of the mission begin with ``mission.``. Several paths with commas between
+            them have the same value.
     """
+    changes = {path.strip(): value for paths, value in changes.items() for path in paths.split(",")}
     flight = {path for path in changes if path.startswith(MISSION_PATH)}
     design = {path: value for path, value in changes.items() if path not in flight}
     return design, {path.removeprefix(MISSION_PATH): changes[path] for path in changes if path in flight}

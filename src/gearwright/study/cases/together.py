@@ -11,7 +11,7 @@ from gearwright.errors import GearwrightError
 from gearwright.sizing import in_lanes
 from gearwright.spec import MISSION_PATH, Design, Study, edited
 from gearwright.study.answers import Blocks, block_of_columns, blocks_of
-from gearwright.study.cases.evaluate import evaluate
+from gearwright.study.cases.flights import flown_together
 from gearwright.study.cases.sampling import Case
 
 LEAST = 64
@@ -50,7 +50,7 @@ def evaluated(study: Study, designs: Mapping[str, Design], cases: Sequence[Case]
                 done[np.array(own)[sized]] = True
                 found = Blocks((*found.blocks, *blocks.blocks))
     alone = [cases[place] for place in np.flatnonzero(~done).tolist()]
-    rest = blocks_of((case.number, evaluate(study, designs[case.design], case)) for case in alone)
+    rest = blocks_of(zip((case.number for case in alone), flown_together(study, designs, alone), strict=True))
     return Blocks((*found.blocks, *rest.blocks))
 
 

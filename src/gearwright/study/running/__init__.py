@@ -5,6 +5,7 @@ A single case is computed in `cases`.
 
 from gearwright.study.running.cluster import Cluster, commands
 from gearwright.study.running.compare import compare
+from gearwright.study.running.fly_many import fly_many
 from gearwright.study.running.journal import begin, opened, recorded, rows_of, status, verify
 from gearwright.study.running.made_with import changes_of, made_with
 from gearwright.study.running.run import run, table_of
@@ -20,6 +21,7 @@ __all__ = [
     "changes_of",
     "commands",
     "compare",
+    "fly_many",
     "generations",
     "local",
     "made_with",

@@ -26,7 +26,7 @@ from typing import NamedTuple
 from gearwright.errors import SolveError
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Blocks, Row
-from gearwright.study.cases import LEAST, Case, evaluate, evaluated, goes_together
+from gearwright.study.cases import LEAST, TOGETHER, Case, evaluate, evaluated, fly_together, goes_together
 from gearwright.study.running.pace import Pace
 
 TRIES = 2
@@ -63,6 +63,11 @@ class Given(NamedTuple):
     def pace(self) -> Pace:
         """How large chunks are."""
         return Pace(together=self.function is evaluate and goes_together(self.study))
+
+    @property
+    def flies(self) -> bool:
+        """Whether flights are found together."""
+        return self.function is evaluate and fly_together(self.study)
 
     def finished(self, chunk: Chunk) -> Finished:
         """Return the numbers and rows of cases.
@@ -102,8 +107,10 @@ def _here(given: Given, cases: Iterator[Case], count: int) -> Iterator[Finished]
     pace = given.pace
     while chunk := list(islice(cases, pace.size)):
         start = time.process_time()
-        for part in [chunk] if pace.together and len(chunk) >= LEAST else [[case] for case in chunk]:
-            yield given.finished(part)
+        size = TOGETHER if given.flies else 1
+        size = len(chunk) if pace.together and len(chunk) >= LEAST else size
+        for first in range(0, len(chunk), size):
+            yield given.finished(chunk[first : first + size])
         pace.note(len(chunk), time.process_time() - start)
 
 

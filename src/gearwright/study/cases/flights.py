@@ -1,0 +1,105 @@
+"""Cases of which only the mission differs: sized once, and flown together as arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+
+from gearwright.errors import DesignError, GearwrightError
+from gearwright.sizing import Named, Sizing, asked_results, size
+from gearwright.spec import Design, Mission, Study, edited, edited_mission
+from gearwright.spec.axis import Value
+from gearwright.study.answers import Row
+from gearwright.study.cases.evaluate import evaluate, row_of, split
+from gearwright.study.cases.sampling import Case
+
+_LONE_VERBS = ("review", "modes", "simulate")
+"""Beginnings of results for which a case is computed alone."""
+_kept: list[tuple[Design, Mapping[str, Value], Sizing]] = []
+"""The last sizing."""
+
+
+TOGETHER = 16
+"""Flights of a chunk: their arrays stay in the caches of a processor."""
+
+
+def flown_together(study: Study, designs: Mapping[str, Design], cases: Sequence[Case]) -> list[Row]:
+    """Return the rows of cases, each with the bits that it has alone.
+
+    Args:
+        study: Changes, and the results that are asked for.
+        designs: Name -> design.
+        cases: Their inputs.
+    """
+    if not fly_together(study):
+        return [evaluate(study, designs[case.design], case) for case in cases]
+    rows, place = list[Row](), 0
+    while place < len(cases):
+        first = cases[place]
+        end, (changes, _) = place + 1, split({**study.changes, **first.inputs})
+        while (
+            end < min(len(cases), place + TOGETHER)
+            and cases[end].design == first.design
+            and _design_part(study, cases[end]) == changes
+        ):
+            end += 1
+        rows += _flown_rows(study, designs[first.design], changes, cases[place:end])
+        place = end
+    return rows
+
+
+def fly_together(study: Study) -> bool:
+    """Tell whether flights of a study can be found together.
+
+    Args:
+        study: With its results.
+    """
+    alone = any(name.partition(".")[0] in _LONE_VERBS for name in study.asked)
+    return study.flies and study.mission is not None and study.fly.life is None and not alone
+
+
+def _design_part(study: Study, case: Case) -> Mapping[str, Value]:
+    return split({**study.changes, **case.inputs})[0]
+
+
+def _flown_rows(study: Study, design: Design, changes: Mapping[str, Value], cases: Sequence[Case]) -> list[Row]:
+    from gearwright.mission import fly_each  # what flies is loaded for those who ask for it
+
+    mission = study.mission
+    assert mission is not None  # `fly_together`
+    try:
+        sizing = _sized(design, changes)
+    except GearwrightError:
+        return [evaluate(study, design, case) for case in cases]
+    missions = [_edited(mission, split({**study.changes, **case.inputs})[1]) for case in cases]
+    good = [entry for entry in missions if isinstance(entry, Mission)]
+    flights = iter(fly_each(sizing, good))
+    found = [next(flights) if isinstance(entry, Mission) else entry for entry in missions]
+    return [row_of(study, case, partial(_results, study, sizing, one)) for case, one in zip(cases, found, strict=True)]
+
+
+def _sized(design: Design, changes: Mapping[str, Value]) -> Sizing:
+    """Return the sizing of a design with changes; the last one is kept."""
+    for known, same, sizing in _kept:
+        if known is design and same == changes:
+            return sizing
+    sizing = size(edited(design, changes))
+    _kept[:] = [(design, dict(changes), sizing)]
+    return sizing
+
+
+def _edited(mission: Mission, changes: Mapping[str, Value]) -> Mission | DesignError:
+    try:
+        return edited_mission(mission, changes)
+    except DesignError as error:
+        return error
+
+
+def _results(study: Study, sizing: Sizing, flight: object) -> dict[str, Named]:
+    from gearwright.mission import Flight
+    from gearwright.study.cases.flight import flight_results
+
+    if isinstance(flight, DesignError):
+        raise flight
+    assert isinstance(flight, Flight)
+    return asked_results(sizing, study.asked) | flight_results(flight, study.asked)
