@@ -14,20 +14,25 @@ from gearwright.parts.gears import ToothShift, contact_angles
 from gearwright.parts.iso6336 import Edition, Treatment
 from gearwright.parts.losses import OIL_DENSITY
 from gearwright.shipped import shipped_design
-from gearwright.sizing.rating import METHODS, Ask, rating_of
+from gearwright.sizing.rating import Ask, rating_of
 from gearwright.sizing.rating.agma2001.inputs import hobbed_pair, yield_strength_of
+from gearwright.sizing.rating.agma2001.inputs import making_of as cylindrical_making_of
+from gearwright.sizing.rating.agma2001.method import Agma2001
 from gearwright.sizing.rating.agma2001.yielding import worst_yielding, yielding_checks
 from gearwright.sizing.rating.agma2003.inputs import making_of as bevel_making_of
-from gearwright.sizing.rating.context import bends_both_ways
+from gearwright.sizing.rating.agma2003.method import Agma2003
+from gearwright.sizing.rating.context import bends_both_ways, row_ask
 from gearwright.sizing.rating.factors import Factor
 from gearwright.sizing.rating.iso6336.inputs import clause_of, steel_of
 from gearwright.sizing.rating.iso6336.limits import limited
 from gearwright.sizing.rating.iso6336.method import Iso6336
 from gearwright.sizing.rating.iso6336.miner import Strain, of_each, safeties
-from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_of
+from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film, oil_of
 from gearwright.sizing.rating.iso6336.static_cases import static_checks
 from gearwright.sizing.rating.iso10300.inputs import bevel_duty, bevel_surfaces
 from gearwright.sizing.rating.iso10300.limits import limited as bevel_limited
+from gearwright.sizing.rating.iso10300.method import Iso10300
+from gearwright.sizing.rating.lewis_hertz.method import LewisHertz
 from gearwright.sizing.rating.lewis_hertz.strength import (
     bending_allowable,
     contact_allowable,
@@ -58,6 +63,13 @@ from gearwright.sizing.rating.widths import (
 from gearwright.spec import edited, parse, read
 from mounted_designs import HELICOPTER
 
+METHODS = {
+    "lewis-hertz": LewisHertz(),
+    "iso6336": Iso6336(),
+    "iso10300": Iso10300(),
+    "agma2001": Agma2001(),
+    "agma2003": Agma2003(),
+}
 OFF_SET = read(shipped_design("off-set"))
 BEVEL = parse(HELICOPTER)
 
@@ -643,3 +655,180 @@ def test_a_single_load_has_the_safety_of_its_own_limit():
     steel = steel_of(rating("iso6336"))
     rows = [Strain(100.0, 1.0, value, 1e7) for value in (150.0, 160.0, 170.0, 180.0)]
     assert safeties([((rows[0], rows[1]), (rows[2], rows[3]))], (steel, steel)) == ((1.5, 1.6), (1.7, 1.8))
+
+
+# What a rating hands on
+
+
+def told(method: str, **asked: float):
+    """Return rules of a method with asked safeties that are not 1, K_A = 1.25 and a helix."""
+    own = rating(method)
+    table = "iso6336" if method == "iso10300" else method
+    rules = own.rules.model_copy(update={table: getattr(own.rules, table).model_copy(update=asked)})
+    return replace(own, rules=rules, service=own.service.model_copy(update={"application_factor": 1.25}))
+
+
+@pytest.mark.parametrize("method", ROWS)
+def test_a_rating_hands_on_stresses_margins_and_peaks(method):
+    own = told(method, pitting_safety=1.3, bending_safety=1.7)
+    rated = METHODS[method].rate(loaded(method, width=30e-3, own=own))
+    assert (rated.pitting_asked, rated.bending_asked) == (1.3, 1.7)
+    assert rated.contact_margin == near(min(rated.pitting) / 1.3)
+    assert rated.bending_margin == near(min(rated.bending) / 1.7)
+    factors = rated.factors
+    if method.startswith("agma"):
+        roots = [float(gear.bending_stress) for gear in factors.gears]
+        flanks = [float(gear.contact_stress) for gear in factors.gears]
+        peak = (factors if method == "agma2001" else factors.mesh).dynamic
+        # (A + Q_v − 3)² ft/min with A = 50 + 56 (1 − 0.25 (12 − Q_v)^⅔)
+        quality = getattr(own.rules, method).quality_number
+        base = 50.0 + 56.0 * (1.0 - 0.25 * (12.0 - quality) ** (2.0 / 3.0))
+        assert rated.velocity_limit == pytest.approx((base + quality - 3.0) ** 2 * 0.3048 / 60.0, rel=1e-9)
+    else:
+        roots = [float(root.stress) for root in factors.bending]
+        pitting = factors.pitting
+        flanks = [float(s) for s in pitting.stresses] if method == "iso6336" else [pitting.stress]
+        peak = factors.loads.dynamic
+    assert roots[0] != roots[1]
+    assert rated.bending_stress == max(roots) and rated.contact_stress == max(flanks)
+    assert rated.peaks == near(1.25 * float(peak))
+    assert len(rated.pitting) == len(rated.bending) == 2 and len(set(rated.bending)) == 2
+
+
+@pytest.mark.parametrize("method", ROWS)
+def test_every_row_of_a_rating_stands_in_its_chapter(method):
+    rows = list(METHODS[method].factors(METHODS[method].rate(loaded(method, width=30e-3))))
+    chapters = {row.chapter for row in rows}
+    assert "mesh" in chapters and all(isinstance(chapter, str) for chapter in chapters)
+    assert {"strength of flanks", "tooth root"} <= chapters or {"tooth root"} <= chapters or method == "agma2001"
+    assert all(row.values and row.clause for row in rows)
+
+
+@pytest.mark.parametrize("method", ["iso10300", "agma2003"])
+@pytest.mark.parametrize("teeth", [(17, 43), (30, 90), (20, 25)])
+def test_bevel_widths_are_three_tenths_of_the_cone_and_ten_modules_at_most(method, teeth):
+    """b = 0.30 R_e, at most 10 m_et; λ = b/m_mn, m_mn = m_et cos β (1 − b/(2 R_e))."""
+    own = rating(method)
+    cone = math.hypot(*teeth) / 2.0
+    width = min(0.3 * cone, 10.0)
+    mean = math.cos(own.helix_angle) * (1.0 - width / (2.0 * cone))
+    found = METHODS[method].width_ratio(own, *(np.array([z]) for z in teeth))
+    assert float(found[0]) == near(width / mean)
+
+
+def test_how_gears_are_made_is_said_in_the_words_of_each_method():
+    iso = rating("iso6336").rules.iso6336
+    made = Iso6336().making(rating("iso6336"))
+    assert made.accuracy == f"{iso.tolerance_class} ISO 1328-1" and made.iso_class == iso.tolerance_class
+    assert made.roughness == (iso.flank_roughness, iso.root_roughness)
+    assert made.steel[0] == "ISO 6336-5" and made.iso_steel == steel_of(rating("iso6336"))
+    bevel = Iso10300().making(rating("iso10300"))
+    assert bevel.accuracy.endswith("ISO 17485") and bevel.iso_class is None
+    assert LewisHertz().making(rating("lewis-hertz")).accuracy == "not chosen (Lewis and Hertz)"
+    for method, name in ((Agma2001(), "agma2001"), (Agma2003(), "agma2003")):
+        own = rating(name)
+        rules = getattr(own.rules, name)
+        for steel, shown in (("carburised", False), ("through-hardened", True)):
+            other = rules.model_copy(update={"steel": steel, "hardness_hb": 320.0, "grade": 2})
+            made = method.making(replace(own, rules=own.rules.model_copy(update={name: other})))
+            assert made.accuracy.startswith(f"Q_v {rules.quality_number} AGMA")
+            assert made.steel[1].startswith(f"{steel}, grade 2") and ("320 HB" in made.steel[1]) is shown
+
+
+def test_a_wheel_of_its_own_steel_by_agma_2001():
+    """Grade 1 at 240 HB: s_at = 77.3 HB + 12 800, s_ac = 322 HB + 29 100 psi; rims by 1.6 ln(2.242/m_B)."""
+    own = rating("agma2001")
+    rules = own.rules.agma2001
+    wheel = SimpleNamespace(steel="through-hardened", grade=1, hardness_hb=240.0)
+    other = rules.model_copy(update={"steel": "through-hardened", "grade": 1, "hardness_hb": 300.0, "wheel": wheel})
+    changed = replace(own, rules=own.rules.model_copy(update={"agma2001": other, "rim_ratio": 0.8}))
+    making = cylindrical_making_of(changed)
+    psi = 6894.757
+    assert making.strength.bending == pytest.approx((77.3 * 300.0 + 12800.0) * psi, rel=1e-6)
+    assert making.wheel.strength.bending == pytest.approx((77.3 * 240.0 + 12800.0) * psi, rel=1e-6)
+    assert making.wheel.strength.contact == pytest.approx((322.0 * 240.0 + 29100.0) * psi, rel=1e-6)
+    hard = making.wheel.hardnesses
+    assert (hard.pinion, hard.wheel, hard.hard_pinion, hard.hard_wheel) == (300.0, 240.0, False, False)
+    assert hard.roughness == rules.flank_roughness
+    assert making.rims == (1.0, near(1.6 * math.log(2.242 / 0.8)))
+    assert cylindrical_making_of(own).rims == (1.0, 1.0)
+    case = other.model_copy(update={"steel": "carburised"})
+    told_case = cylindrical_making_of(replace(changed, rules=changed.rules.model_copy(update={"agma2001": case})))
+    assert told_case.wheel.hardnesses.hard_pinion and not told_case.wheel.hardnesses.hard_wheel
+
+
+def test_a_steel_that_is_not_known_bears_nothing_by_lewis_and_hertz():
+    own = rating("lewis-hertz")
+    unknown = replace(own, material=replace(own.material, surface_hardness=None, yield_strength=None))
+    assert contact_allowable(unknown) == bending_allowable(unknown, idler=False) == 0.0
+
+
+def test_stresses_of_lewis_and_hertz_are_judged_with_their_margins():
+    rated = METHODS["lewis-hertz"].rate(loaded("lewis-hertz"))
+    checks = LewisHertz().checks(rated, MESH, (FIRST, SECOND))
+    rows = [(c.part, c.mode, c.clause, c.value, c.limit, c.case) for c in checks]
+    assert rows == [
+        (MESH, "bending", "Pulvirenti 2023, eq. 2.1", rated.bending_stress, near(rated.bending_allowable), "case 0"),
+        (MESH, "contact", "Pulvirenti 2023, eq. 2.2", rated.contact_stress, near(rated.contact_allowable), "case 0"),
+    ]
+
+
+def test_lewis_and_hertz_of_a_mesh_by_hand():
+    """F = 2 T/d_1, σ = F/(b m Y) with the smaller gear's Y, 1/r_1 ± 1/r_2; d = z m/cos β."""
+    own = rating("lewis-hertz")
+    own = replace(own, shifts=own.shifts._replace(centre=None))
+    for internal in (False, True):
+        ask = Ask(30.0, (23, 59), 10.0, internal=internal)
+        load = Load("x", 690.0, ask, 1.0)
+        rated = LewisHertz().rate(LoadedMesh(own, 4e-3, 40e-3, load, (load,), (0.0, 0.0)))
+        diameters = [z * 4e-3 / math.cos(own.helix_angle) for z in (23, 59)]
+        force = 2.0 * 690.0 / diameters[0]
+        assert rated.bending_stress == near(force / (40e-3 * 4e-3 * rated.form_factor))
+        curvature = 2.0 / diameters[0] + (-2.0 if internal else 2.0) / diameters[1]
+        angles = contact_angles(
+            own.rules.pressure_angle, own.helix_angle, transverse=own.rules.contact_angles == "transverse"
+        )
+        stress = 0.418 * math.sqrt(
+            force * own.material.elastic_modulus * curvature * math.cos(angles.line)
+            / (40e-3 * math.cos(angles.pressure) * math.sin(angles.pressure))
+        )  # fmt: skip
+        assert rated.contact_stress == pytest.approx(stress, rel=2e-3)  # 0.418 is √(0.35/2) to three digits
+
+
+def test_the_weakest_treatment_of_a_mesh_says_what_film_it_needs():
+    """W_W 0.5 through-hardened, 0.65 induction-hardened, 1 case-hardened, 1.5 nitrided: the softer flank of two."""
+    own = rating("iso6336")
+    rules = own.rules.iso6336.model_copy(update={"micropitting_stage": 8})
+    own = replace(own, rules=own.rules.model_copy(update={"iso6336": rules}), helix_angle=0.0)
+    mesh = loaded("iso6336", own=own)
+    factors = METHODS["iso6336"].rate(mesh).factors
+    film = oil_film(mesh, factors)
+    assert steel_of(own).treatment is Treatment.NITRIDED
+    bare = film.micropitting.permissible / 1.5
+    wheel = SimpleNamespace(steel="case-hardened", grade="MQ", hardness_hv=700.0, yield_strength=None)
+    mixed = own.rules.model_copy(update={"iso6336": rules.model_copy(update={"wheel": wheel})})
+    other = oil_film(mesh._replace(rating=replace(own, rules=mixed)), factors)
+    assert other.micropitting.permissible == pytest.approx(bare, rel=1e-9)
+    assert film.flash is not None and film.integral is not None
+
+
+def test_a_steel_of_the_asked_reliability_is_that_of_the_table():
+    assert "K_R" not in steel_of(rating("iso6336")).source
+    own = rating("iso6336")
+    rules = own.rules.iso6336.model_copy(update={"reliability": 0.999})
+    surer = steel_of(replace(own, rules=own.rules.model_copy(update={"iso6336": rules})))
+    assert "K_R = 1.25" in surer.source
+    assert surer.contact_strength == near(steel_of(own).contact_strength / 1.25)
+    assert surer.bending_strength == near(steel_of(own).bending_strength / 1.25)
+
+
+def test_a_row_is_asked_without_load_and_of_width_one():
+    rows = (("a", Role.SUN, 1), ("b", Role.PLANET, 3))
+    gears = {name: SimpleNamespace(name=name, role=role, bodies=bodies) for name, role, bodies in rows}
+    mesh = SimpleNamespace(name="m", gears=("a", "b"), sign=-1, count=3)
+    train = SimpleNamespace(meshes=[mesh], gear=gears.__getitem__)
+    found = row_ask(train, {"a": 20, "b": 31}, mesh, {"m": [5.0]})  # type: ignore[arg-type]
+    assert (found.per_tooth, found.teeth, found.width_ratio, found.internal) == (0.0, (20, 31), 1.0, False)
+    assert (found.passes, found.roles, found.idlers) == ((3.0, 1.0), (Role.SUN, Role.PLANET), (False, False))
+    fewer = SimpleNamespace(name="m", gears=("a", "b"), sign=1, count=1)
+    assert row_ask(train, {"a": 20, "b": 31}, fewer, {"m": [5.0]}).passes == (1.0, 1.0)  # type: ignore[arg-type]
