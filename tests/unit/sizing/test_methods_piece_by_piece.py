@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 
 from gearwright.identity import Kind, PartId, Role
-from gearwright.parts.agma2001 import bending_geometry, overload_distribution
+from gearwright.parts.agma2001 import bending_geometry, miner_sum, overload_distribution
+from gearwright.parts.agma2003 import BENDING, CONTACT
 from gearwright.parts.bevel import BOTH_OVERHUNG, ONE_OVERHUNG, STRADDLE
 from gearwright.parts.gears import ToothShift, contact_angles
 from gearwright.parts.iso6336 import Edition, Treatment
 from gearwright.parts.losses import OIL_DENSITY
+from gearwright.parts.micropitting import FilmMesh, OilGrade, film_thickness
 from gearwright.shipped import shipped_design
 from gearwright.sizing.rating import Ask, rating_of
 from gearwright.sizing.rating.agma2001.inputs import hobbed_pair, yield_strength_of
@@ -40,7 +42,7 @@ from gearwright.sizing.rating.lewis_hertz.strength import (
     width_ratio,
     working_angles,
 )
-from gearwright.sizing.rating.protocol import Load, LoadedMesh
+from gearwright.sizing.rating.protocol import Load, LoadedMesh, MeshSpectrum
 from gearwright.sizing.rating.rims import rim_factors
 from gearwright.sizing.rating.rules import _open_shifts
 from gearwright.sizing.rating.search import by_teeth, module_for
@@ -307,8 +309,9 @@ def test_the_fewest_virtual_teeth_fall_with_the_shift(shift):
 
 def test_lewis_and_hertz_by_hand():
     """m³ = 2 T/z cos β …/(λ Y σ): checked by σ = F/(b m Y) and the allowables that it was asked for."""
-    own = rating("lewis-hertz")
+    own = rating("lewis-hertz", idler_factor=0.7)
     material, rules = own.material, own.rules
+    assert rules.idler_factor == 0.7
     allowed = material.yield_strength / rules.bending_safety
     assert bending_allowable(own, idler=False) == near(allowed)
     assert bending_allowable(own, idler=True) == near(allowed * rules.idler_factor)
@@ -323,7 +326,7 @@ def test_lewis_and_hertz_by_hand():
 @pytest.mark.parametrize("idlers", [(False, False), (True, False)])
 def test_modules_of_lewis_and_hertz_are_at_their_allowables(internal, idlers):
     """Rated with the module that it asks for, each stress is what is allowed; its margin is 1."""
-    own, ask = rating("lewis-hertz"), Ask(31.0, (23, 59), 9.0, internal=internal, idlers=idlers)
+    own, ask = rating("lewis-hertz", idler_factor=0.7), Ask(31.0, (23, 59), 9.0, internal=internal, idlers=idlers)
     for mode, module in zip(("bending", "contact"), first_modules(ask, own), strict=True):
         load = Load("x", 31.0 * 23, ask, 1.0)
         rated = METHODS["lewis-hertz"].rate(
@@ -809,6 +812,14 @@ def test_the_weakest_treatment_of_a_mesh_says_what_film_it_needs():
     mixed = own.rules.model_copy(update={"iso6336": rules.model_copy(update={"wheel": wheel})})
     other = oil_film(mesh._replace(rating=replace(own, rules=mixed)), factors)
     assert other.micropitting.permissible == pytest.approx(bare, rel=1e-9)
+    geometry = cylindrical_mesh((23, 59), 4e-3, 40e-3, own)
+    force = 2.0 * 700.0 / (23 * 4e-3)
+    line = FilmMesh(
+        geometry, force, float(factors.loads.contact), 500.0, rules.flank_roughness / 6.0, grade=rules.tolerance_class,
+        elastic_modulus=own.material.elastic_modulus, poisson_ratio=own.material.poisson_ratio, supply=1.2,
+    )  # fmt: skip
+    alone = film_thickness(line, OilGrade(rules.oil_viscosity * 1e-6), rules.oil_temperature)
+    assert film.micropitting.films == pytest.approx(alone.relative(rules.flank_roughness / 6.0).tolist(), rel=1e-6)
     assert film.flash is not None and film.integral is not None
 
 
@@ -832,3 +843,45 @@ def test_a_row_is_asked_without_load_and_of_width_one():
     assert (found.passes, found.roles, found.idlers) == ((3.0, 1.0), (Role.SUN, Role.PLANET), (False, False))
     fewer = SimpleNamespace(name="m", gears=("a", "b"), sign=1, count=1)
     assert row_ask(train, {"a": 20, "b": 31}, fewer, {"m": [5.0]}).passes == (1.0, 1.0)  # type: ignore[arg-type]
+
+
+def test_yield_strengths_of_two_steels_are_each_gears_own():
+    """482 HB − 32 800 psi of AGMA 2001-D04, clause 16.4: 300 HB and 240 HB."""
+    own = rating("agma2001")
+    wheel = SimpleNamespace(steel="through-hardened", grade=1, hardness_hb=240.0)
+    other = own.rules.agma2001.model_copy(
+        update={"steel": "through-hardened", "grade": 1, "hardness_hb": 300.0, "wheel": wheel}
+    )
+    changed = replace(own, rules=own.rules.model_copy(update={"agma2001": other}))
+    mesh = loaded("agma2001", own=changed)
+    once = mesh.loads[0]._replace(static=True)
+    found = worst_yielding(mesh._replace(loads=(once,)))
+    assert found.strengths == pytest.approx([(482.0 * hb - 32800.0) * 6894.757 for hb in (300.0, 240.0)], rel=1e-6)
+    unknown = replace(own, material=replace(own.material, yield_strength=None))
+    case = own.rules.agma2001.model_copy(update={"steel": "carburised", "grade": 1, "wheel": None})
+    bare = replace(unknown, rules=own.rules.model_copy(update={"agma2001": case}))
+    assert worst_yielding(mesh._replace(rating=bare, loads=(once,))) is None
+
+
+@pytest.mark.parametrize("method", ["agma2001", "agma2003"])
+def test_damages_of_agma_are_turns_over_what_the_curves_bear(method):
+    """N where the stress cycle factor equals the stress over its limit; the wheel turns 23/59 as often, three mates."""
+    torque = 900.0 if method == "agma2001" else 2600.0
+    own = loaded(method, torque, width=30e-3)
+    ask = own.heaviest.ask._replace(passes=(2.0, 3.0))
+    load = own.heaviest._replace(ask=ask, life=1.0)
+    factors = METHODS[method].rate(own._replace(heaviest=load, loads=(load,))).factors
+    spectrum = MeshSpectrum(
+        own.rating, ask, own.module, own.face_width, torques=(torque,), speeds=(500.0,), turns=(3e6,), steel=None
+    )  # type: ignore[arg-type]
+    mesh = factors if method == "agma2001" else factors.mesh
+    damages = METHODS[method].damage(spectrum)
+    making = (cylindrical_making_of if method == "agma2001" else bevel_making_of)(own.rating)
+    curves = making.curves_of(0) if method == "agma2001" else (CONTACT, BENDING)
+    for gear, turns in enumerate((2.0 * 3e6, 3.0 * 3e6 * 23 / 59)):
+        one = factors.gears[gear]
+        flank = float(one.contact_stress * mesh.contact_cycles[gear] / one.contact_limit)
+        root = float(one.bending_stress * mesh.bending_cycles[gear] / one.bending_limit)
+        assert damages[gear].pitting == pytest.approx(miner_sum(curves[0], [flank], [turns]), rel=1e-9)
+        assert damages[gear].bending == pytest.approx(miner_sum(curves[1], [root], [turns]), rel=1e-9)
+        assert damages[gear].pitting > 0.0
