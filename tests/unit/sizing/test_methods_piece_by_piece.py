@@ -1,5 +1,6 @@
 """Every piece of a method of rating by itself, without a sizing: searches, widths, rims, shifts, judgements."""
 
+import inspect
 import math
 from dataclasses import replace
 from types import SimpleNamespace
@@ -12,10 +13,11 @@ from gearwright.parts.agma2001 import bending_geometry, miner_sum, overload_dist
 from gearwright.parts.agma2003 import BENDING, CONTACT
 from gearwright.parts.bevel import BOTH_OVERHUNG, ONE_OVERHUNG, STRADDLE
 from gearwright.parts.gears import ToothShift, contact_angles
-from gearwright.parts.iso6336 import Edition, Treatment
+from gearwright.parts.iso6336 import Edition, MeshGeometry, RatingMethod, Treatment
 from gearwright.parts.losses import OIL_DENSITY
 from gearwright.parts.micropitting import FilmMesh, OilGrade, film_thickness
 from gearwright.shipped import shipped_design
+from gearwright.sizing.rating import METHODS as ALL
 from gearwright.sizing.rating import Ask, rating_of
 from gearwright.sizing.rating.agma2001.inputs import hobbed_pair, yield_strength_of
 from gearwright.sizing.rating.agma2001.inputs import making_of as cylindrical_making_of
@@ -25,11 +27,11 @@ from gearwright.sizing.rating.agma2003.inputs import making_of as bevel_making_o
 from gearwright.sizing.rating.agma2003.method import Agma2003
 from gearwright.sizing.rating.context import bends_both_ways, row_ask
 from gearwright.sizing.rating.factors import Factor
-from gearwright.sizing.rating.iso6336.inputs import clause_of, steel_of
+from gearwright.sizing.rating.iso6336.inputs import clause_of, quality_of, steel_of
 from gearwright.sizing.rating.iso6336.limits import limited
 from gearwright.sizing.rating.iso6336.method import Iso6336
 from gearwright.sizing.rating.iso6336.miner import Strain, of_each, safeties
-from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film, oil_of
+from gearwright.sizing.rating.iso6336.scuffing import _rolls, film_checks, oil_film, oil_of
 from gearwright.sizing.rating.iso6336.static_cases import static_checks
 from gearwright.sizing.rating.iso10300.inputs import bevel_duty, bevel_surfaces
 from gearwright.sizing.rating.iso10300.limits import limited as bevel_limited
@@ -44,6 +46,7 @@ from gearwright.sizing.rating.lewis_hertz.strength import (
 )
 from gearwright.sizing.rating.protocol import Load, LoadedMesh, MeshSpectrum
 from gearwright.sizing.rating.rims import rim_factors
+from gearwright.sizing.rating.rows import rate_row
 from gearwright.sizing.rating.rules import _open_shifts
 from gearwright.sizing.rating.search import by_teeth, module_for
 from gearwright.sizing.rating.standard_teeth import (
@@ -885,3 +888,65 @@ def test_damages_of_agma_are_turns_over_what_the_curves_bear(method):
         assert damages[gear].pitting == pytest.approx(miner_sum(curves[0], [flank], [turns]), rel=1e-9)
         assert damages[gear].bending == pytest.approx(miner_sum(curves[1], [root], [turns]), rel=1e-9)
         assert damages[gear].pitting > 0.0
+
+
+def test_method_c_says_up_to_which_speed_it_holds():
+    """v z_1/100 √(u²/(1 + u²)) below 3 m/s (ISO 6336-1:2006, clause 6)."""
+    own = rating("iso6336")
+    rules = own.rules.iso6336.model_copy(update={"dynamic_method": "C"})
+    mesh = loaded("iso6336", own=replace(own, rules=own.rules.model_copy(update={"iso6336": rules})))
+    rated = METHODS["iso6336"].rate(mesh)
+    (check,) = (c for c in METHODS["iso6336"].checks(rated, MESH, (FIRST, SECOND)) if c.mode == "speed of K_V")
+    assert (check.part, check.limit, check.at_most, check.dimension) == (MESH, 3.0, True, "velocity")
+    speed = 500.0 * 23 * 4e-3 / math.cos(own.helix_angle) / 2.0
+    assert check.value == pytest.approx(speed * 0.23 * 59 / math.hypot(23, 59), rel=1e-9)
+    assert check.exponent is None and check.symbol == "v z_1/100"
+
+
+def test_methods_have_their_editions_by_name():
+    editions = {name: method.edition for name, method in ALL.items()}
+    assert editions == {
+        "lewis-hertz": "Lewis and Hertz", "iso6336": "ISO 6336, method B", "iso6336-2006": "ISO 6336:2006, method B",
+        "din3990": "DIN 3990:1987, method B", "iso10300": "ISO 10300, method B1", "agma2001": "ANSI/AGMA 2001-D04",
+        "agma2003": "ANSI/AGMA 2003-D19",
+    }  # fmt: skip
+    for name in ("iso6336", "iso6336-2006", "din3990"):
+        assert ALL[name].rate(loaded("iso6336", own=rating(name))).method == name
+
+
+def test_roots_of_rings_are_rated_by_method_b_and_others_as_asked():
+    own = rating("iso6336")
+    rules = own.rules.iso6336.model_copy(update={"root_method": "C", "dynamic_method": "C"})
+    asked = replace(own, rules=own.rules.model_copy(update={"iso6336": rules}))
+    ring, pair = (quality_of(asked, idlers=(True, False), internal=internal).choices for internal in (True, False))
+    assert (ring.root, ring.dynamic) == (RatingMethod.B, RatingMethod.C)
+    assert (pair.root, pair.dynamic) == (RatingMethod.C, RatingMethod.C)
+    assert quality_of(asked, idlers=(True, False)).mean_stresses == (0.7, 1.0)
+
+
+def test_all_that_iso_6336_computes_has_its_rows():
+    own = rating("iso6336")
+    wheel = SimpleNamespace(steel="case-hardened", grade="MQ", hardness_hv=700.0, yield_strength=None)
+    rules = own.rules.iso6336.model_copy(update={"micropitting_stage": 8, "wheel": wheel})
+    own = replace(own, rules=own.rules.model_copy(update={"iso6336": rules}))
+    mesh = loaded("iso6336", own=own)
+    once = mesh.loads[0]._replace(static=True, life=1.0, case="once")
+    rated = METHODS["iso6336"].rate(mesh._replace(loads=(mesh.loads[0], once)))
+    rows = list(METHODS["iso6336"].factors(rated))
+    chapters = list(dict.fromkeys(row.chapter for row in rows))
+    expected = {"steel", "steel of the second gear", "mesh", "dynamic factor", "face load factor", "pitting"}
+    expected |= {"tooth root", "scuffing", "scuffing, flash temperature", "micropitting", "static strength"}
+    assert expected <= set(chapters)
+    second = {row.quantity: row.values for row in rows if row.chapter == "steel of the second gear"}
+    assert second["contact strength"] == (rated.mate_steel.contact_strength,)
+
+
+def test_tips_that_interfere_do_not_roll():
+    """√(r_a² − r_b²) of 50 mm over 43 mm cos 20° is 29.5 mm, the line of action has 21.2 mm."""
+    usual = MeshGeometry((18.0, 43.0), 2.0, 20.0, 62.0, (20.9, 45.6))
+    assert _rolls(usual) and not _rolls(replace(usual, tip_radii=(20.9, 50.0)))
+    assert not _rolls(replace(usual, tip_radii=(30.0, 45.6)))
+
+
+def test_a_row_asks_for_nothing_where_nothing_is_said():
+    assert inspect.signature(rate_row).parameters["asked"].default == (0.0, 0.0)
