@@ -14,7 +14,7 @@ from gearwright.parts.micropitting.lubricant import OilGrade
 
 POINTS = ("A", "AB", "B", "C", "D", "DE", "E")
 """Where the film is looked at: ends of contact, of single contact, pitch point, and midway in double contact."""
-_MM, _MICRON, _MPA = 1e-3, 1e-6, 1e6
+_MM, _MICRON = 1e-3, 1e-6
 _CONDUCTIVITY, _DENSITY, _HEAT = 45.0, 7800.0, 440.0
 THERMAL = float(np.sqrt(_CONDUCTIVITY * _DENSITY * _HEAT))
 """B_M of steel [N/(m s^½ K)] (ISO/TR 15144-1:2014, table 2)."""
