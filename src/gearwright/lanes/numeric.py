@@ -11,7 +11,7 @@ from gearwright.lanes import made
 from gearwright.lanes.lanes import Lanes, lanes_of
 from gearwright.lanes.linear import linalg
 from gearwright.lanes.made import asarray, has_lanes
-from gearwright.lanes.work import Unsupported, aligned, summed
+from gearwright.lanes.work import Unsupported, aligned, axes_of, summed
 
 _EXACT = {
     "add", "subtract", "multiply", "divide", "true_divide", "negative", "absolute", "abs", "fabs", "sign", "sqrt",
@@ -83,6 +83,31 @@ def all_(values: Any, axis: int | None = None) -> Any:
         axis: Of the array in each lane; left out: all.
     """
     return asarray(values).all(axis)
+
+
+def count_nonzero(values: Any, axis: int | None = None) -> Any:
+    """Return how many entries are not zero.
+
+    Args:
+        values: Numbers or an array, in lanes or not.
+        axis: Of the array in each lane; left out: all.
+    """
+    data = lanes_of(values).data
+    return Lanes(np.asarray(np.count_nonzero(data, axis=axes_of(data, axis))))
+
+
+def select(conditions: Any, choices: Any, default: Any = 0) -> Any:
+    """Return entries of the array beside the first condition that is true.
+
+    Args:
+        conditions: In lanes or not.
+        choices: One for each condition.
+        default: Where none is true.
+    """
+    chosen = default
+    for condition, choice in zip(reversed(conditions), reversed(choices), strict=True):
+        chosen = where(condition, choice, chosen)
+    return chosen
 
 
 def argmax(values: Any, axis: int | None = None) -> Any:
@@ -207,7 +232,7 @@ _BY_LANES = {
         name: globals()[name]
         for name in (
             "where", "argmax", "argmin", "unravel_index", "array_equal",
-            "broadcast_arrays", "ndim", "size", "shape", "ravel", "isscalar", "interp",
+            "broadcast_arrays", "count_nonzero", "select", "ndim", "size", "shape", "ravel", "isscalar", "interp",
         )
     },
 }  # fmt: skip

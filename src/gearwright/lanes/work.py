@@ -257,7 +257,10 @@ def looked_up(data: Any, entries: tuple[Any, ...]) -> Any:
         entries: Places, in lanes or not.
     """
     if len(entries) == 1 and entries[0].data.dtype == np.bool_:
-        raise Diverged(np.array([str(row) for row in entries[0].data.tolist()]))
+        truths = entries[0].data
+        if (truths != truths[0]).any():
+            raise Diverged(np.array([str(row) for row in truths.tolist()]))
+        return data[:, truths[0]]
     if not all(isinstance(entry, InLanes | int) for entry in entries):
         raise Unsupported("slices where lanes say")
     count = max(len(data), *(len(entry.data) for entry in entries if isinstance(entry, InLanes)))

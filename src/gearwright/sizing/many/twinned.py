@@ -18,6 +18,8 @@ from gearwright.spec.design import stage_shifts
 
 KEPT = 20_000
 """Matrices of which the results are kept [-]."""
+SOME, MANY = 16, 512
+"""New matrices that are computed with sooner together; and those that are not kept [-]."""
 
 
 def _remembered(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
@@ -28,12 +30,50 @@ def _remembered(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
     def looked_up(matrix: Any) -> Any:
         data = lanes_of(matrix).data
         first, place = _distinct(data)
-        results = [_result(kept, function, data[k].tobytes(), data.shape[1:]) for k in first.tolist()]
+        own, shape = data[first], data.shape[1:]
+        keys = [(content.tobytes(), shape) for content in own]
+        missing = [k for k, key in enumerate(keys) if key not in kept]
+        if len(missing) == len(keys) >= MANY:
+            return _spread(_together(function, own, place), place, len(own))
+        if len(kept) + len(missing) > KEPT:
+            kept.clear()
+            missing = list(range(len(keys)))
+        if len(missing) >= SOME:
+            found = _together(function, own[missing], np.searchsorted(missing, place))
+            kept.update((keys[k], _lane(found, n)) for n, k in enumerate(missing))
+        else:
+            kept.update((keys[k], _plain(function(own[k]))) for k in missing)
+        results = [kept[key] for key in keys]
         if not isinstance(results[0], tuple):
             return _gathered(results, place)
         return tuple(_gathered([result[k] for result in results], place) for k in range(len(results[0])))
 
     return looked_up
+
+
+def _together(function: Callable[[Any], Any], matrices: Any, place: Ints) -> Any:
+    """Return what a function gives of many matrices in lanes; where they part, so do the lanes that have them."""
+    try:
+        return function(Lanes(matrices))
+    except Diverged as parted:
+        labels = np.broadcast_to(np.asarray(parted.labels), (len(matrices),))
+        raise Diverged(labels[np.minimum(place, len(labels) - 1)]) from parted
+
+
+def _spread(found: Any, place: Ints, count: int) -> Any:
+    """Return of every lane the result of the matrix that it has."""
+    if isinstance(found, tuple):
+        return tuple(_spread(part, place, count) for part in found)
+    data = lanes_of(found).data
+    return Lanes(data[place] if len(data) == count > 1 else data)
+
+
+def _lane(found: Any, place: int) -> Any:
+    """Return the result of one of many matrices."""
+    if isinstance(found, tuple):
+        return tuple(_lane(part, place) for part in found)
+    data = lanes_of(found).data
+    return data[place if len(data) > 1 else 0]
 
 
 def _distinct(data: Any) -> tuple[Ints, Ints]:
@@ -53,16 +93,10 @@ def _odd(count: int) -> Any:
     return np.random.default_rng(count).integers(1 << 62, size=count, dtype=np.uint64) * np.uint64(2) + np.uint64(1)
 
 
-def _result(kept: dict[Any, Any], function: Callable[[Any], Any], content: bytes, shape: tuple[int, ...]) -> Any:
-    if (content, shape) not in kept:
-        if len(kept) >= KEPT:
-            kept.clear()
-        found = function(np.frombuffer(content).reshape(shape))
-        kept[content, shape] = tuple(map(_plain, found)) if isinstance(found, tuple) else _plain(found)
-    return kept[content, shape]
-
-
 def _plain(found: Any) -> Any:
+    """Return arrays without their one lane."""
+    if isinstance(found, tuple):
+        return tuple(map(_plain, found))
     return found.data[0] if isinstance(found, Lanes) else found
 
 

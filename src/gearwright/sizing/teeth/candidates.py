@@ -108,6 +108,16 @@ def candidates(front: Front, task: Task, design: Design, target: Floats, *, reac
     return _neighbours(target[:, None] * small, small, stage.wheel_teeth, reach.around)
 
 
+def shares_gear(front: Front, task: Task) -> bool:
+    """Tell whether a gear of a stage is chosen with another stage, so that its candidates are those beside it.
+
+    Args:
+        front: Choices of the stages before.
+        task: The stage.
+    """
+    return any(gear in front.teeth for gear in gears_of(task.name, task.stage))
+
+
 def _virtual_pinion(small: Ints, large: Ints) -> Floats:
     """Return the virtual tooth number of the pinion of a bevel pair on square axes, z_1/cos δ_1 [-]."""
     return np.asarray(small * np.hypot(small, large) / large)
@@ -164,7 +174,7 @@ def fewest_teeth(rating: Rating, gear: int = 0) -> int:
     return max(math.ceil(2.0 * math.cos(angle) * (1.0 - shift) / math.sin(transverse) ** 2), LEAST_LEWIS)
 
 
-def _whole(wanted: Floats) -> Ints:
+def whole_below(wanted: Floats) -> Ints:
     """Return the tooth number below, of a whole number the one before it, whatever its rounding; at least one tooth.
 
     What an absurd ratio asks is refused later by its rules.
@@ -174,7 +184,7 @@ def _whole(wanted: Floats) -> Ints:
 
 def _neighbours(wanted: Floats, small: Ints, large_teeth: int | None, reach: int) -> tuple[Ints, Ints, Ints]:
     """Return every choice of the front with every small gear and the integers around the wanted large one."""
-    low = _whole(wanted)[:, :, None]
+    low = whole_below(wanted)[:, :, None]
     large = (
         np.maximum(low + np.arange(1 - reach, 1 + reach), 1)
         if large_teeth is None
@@ -186,7 +196,7 @@ def _neighbours(wanted: Floats, small: Ints, large_teeth: int | None, reach: int
 
 def _around(wanted: Floats, large: Ints, small_teeth: int | None, reach: int) -> tuple[Ints, Ints, Ints]:
     """Return the integers around the wanted gear that meshes with one that is chosen already."""
-    low = _whole(wanted)[:, None]
+    low = whole_below(wanted)[:, None]
     small = (
         np.maximum(low + np.arange(1 - reach, 1 + reach), 1)
         if small_teeth is None

@@ -15,22 +15,27 @@ from gearwright.sizing.teeth.candidates import (
     Reach,
     admissible,
     all_candidates,
-    candidates,
     fewest_teeth,
     is_given,
     planet_counts,
     ring_teeth,
+    shares_gear,
 )
 from gearwright.sizing.teeth.closing import ring_variants
 from gearwright.sizing.teeth.front import Front, Task
 from gearwright.sizing.teeth.masses import weigh
 from gearwright.sizing.teeth.refusal import contradiction, refusal
 from gearwright.sizing.teeth.states import Needs, lightest
+from gearwright.sizing.teeth.tables import admitted, admitted_candidates
 from gearwright.spec import GROUND, Design, Planetary
 from gearwright.train import Targets, gears_of, members_of, willis_ratio, willis_speed
 
 PARENTS = 2000
 """Choices that a stage multiplies by its candidates at once, so that memory is bounded [-]."""
+
+
+MANY = 256
+"""Ratios asked from which those that occur more than once are looked up once [-]."""
 
 
 class Extended(NamedTuple):
@@ -117,8 +122,10 @@ def weighed_front(front: Front, task: Task, design: Design, small: Ints, large: 
         small: Teeth of pinion or sun.
         large: Teeth of wheel or planet.
     """
-    fronts, places = list[Front](), list[Ints]()
-    for planets in planet_counts(task.name, design):
+    fronts, places, counts = list[Front](), list[Ints](), planet_counts(task.name, design)
+    if len(counts) == 1 and not task.twin:  # by which the candidates are chosen
+        return weigh(front, task, small, large, planets=counts[0])
+    for planets in counts:
         fits = admissible(task, design, small, large, planets=planets)
         if task.twin in front.planets:
             fits = fits & (front.planets[task.twin] == planets)
@@ -145,21 +152,39 @@ def near_candidates(
         target: Tooth ratio asked of every choice [-].
         reach: How far it looks.
     """
-    open_ = is_open(front, task, design)
+    if not task.twin and not is_open(front, task, design):
+        if len(target) < MANY or shares_gear(front, task):
+            return _near_of(front, task, design, target, reach=reach)
+        distinct, place = np.unique(target, return_inverse=True)
+        parent, small, large = _near_of(front, task, design, distinct, reach=reach)
+        parent, index = _repeated(parent, place, len(distinct))
+        return parent, small[index], large[index]
     if task.twin:
         names = gears_of(task.twin, task.stage)
         parent, small, large = np.arange(len(front)), front.teeth[names[0]], front.teeth[names[1]]
-    elif open_:
-        parent, small, large = all_candidates(task, design)
     else:
-        parent, small, large = candidates(front, task, design, target, reach=reach)
-    counts = planet_counts(task.name, design)
-    fits = np.any([admissible(task, design, small, large, planets=planets) for planets in counts], axis=0)
+        parent, small, large = all_candidates(task, design)
+    fits = admitted(task, design, small, large)
     parent, small, large = parent[fits], small[fits], large[fits]
-    if open_:
+    if not task.twin:
         return parent, small, large
     near = _near(task, design, tooth_ratio(task, small, large), target[parent])
     return parent[near], small[near], large[near]
+
+
+def _near_of(front: Front, task: Task, design: Design, target: Floats, *, reach: Reach) -> tuple[Ints, Ints, Ints]:
+    """Return the candidates for some ratios that are admitted and near enough."""
+    parent, small, large = admitted_candidates(front, task, design, target, reach=reach)
+    near = _near(task, design, tooth_ratio(task, small, large), target[parent])
+    return parent[near], small[near], large[near]
+
+
+def _repeated(owner: Ints, place: Ints, count: int) -> tuple[Ints, Ints]:
+    """Return who has a candidate, and which, where each has those of one of so many owners, in their order."""
+    own = np.bincount(owner, minlength=count)
+    first, many = np.cumsum(own) - own, own[place]
+    parent = np.arange(len(place)).repeat(many)
+    return parent, np.arange(len(parent)) + (first[place] - np.cumsum(many) + many).repeat(many)
 
 
 def tooth_ratio(task: Task, small: Ints, large: Ints) -> Floats:
