@@ -265,19 +265,31 @@ def task_of(name: str, design: Design, train: Train, nominal: Targets, flows: Ma
     meshes = [mesh for mesh in train.meshes if mesh.stage == name]
     ring = edge is not None and edge.grounded is Role.SUN
     own_rows = meshes[1:] if ring else (meshes[:1] if isinstance(stage, Planetary) else meshes)
-    torque, rolling, fatigue = 0.0, 1.0, RATINGS[rating.method].fatigue
+    fatigue, loads = RATINGS[rating.method].fatigue, list[tuple[float, float]]()
     for case, flow in flows.items():
         if fatigue and case_named(design, case).static:
             continue
         for mesh in own_rows:
             meshes_alike = 1 if isinstance(stage, Planetary) else mesh.count
             load = abs(flow.meshes[mesh.name].torques[1 if ring else 0]) / meshes_alike * rating.load_factor
-            if load > torque:
-                torque = load
-                rolling = abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])
+            loads.append((load, abs(flow.speeds[meshes[0].nodes[0]] - flow.speeds[meshes[0].nodes[2]])))
+    torque, rolling = heaviest(loads)
     speed = 1.0 if edge is None else nominal.speeds[edge.fast[0]]
     rows = bevel_rows(design, meshes, flows, rating) if rating.kind == "bevel" else ()
     return Task(name, stage, edge, module_owners(design)[name], rating, torque, speed, rolling, rows)
+
+
+def heaviest(loads: Sequence[tuple[float, float]]) -> tuple[float, float]:
+    """Return the largest of some torques, the first of equal ones, and the speed beside it; 0 and 1 without any.
+
+    Args:
+        loads: Torques [N m] and rolling speeds [rad/s].
+    """
+    torque, rolling = 0.0, 1.0
+    for load, speed in loads:
+        if load > torque:
+            torque, rolling = load, speed
+    return torque, rolling
 
 
 def is_ready(task: Task, front: Front) -> bool:
