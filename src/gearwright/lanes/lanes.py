@@ -295,6 +295,18 @@ class Lanes(InLanes):
         """Return all entries in one row."""
         return Lanes(self.data.reshape(len(self.data), -1))
 
+    def reshape(self, *shape: int) -> Lanes:
+        """Return the entries in another shape."""
+        return Lanes(self.data.reshape(len(self.data), *shape))
+
+    def repeat(self, times: int) -> Lanes:
+        """Return the entries of a row, each several times."""
+        return Lanes(self.data.reshape(len(self.data), -1).repeat(times, axis=1))
+
+    def cumsum(self, axis: int) -> Lanes:
+        """Return sums up to every entry."""
+        return Lanes(self.data.cumsum(axis=axes_of(self.data, axis)))
+
     def max(self, axis: int | None = None, *, initial: Any = None, keepdims: bool = False) -> Lanes:
         """Return the largest entries."""
         return _extreme(np.max, self, axis, initial, keepdims=keepdims)

@@ -11,12 +11,13 @@ from gearwright.lanes import made
 from gearwright.lanes.lanes import Lanes, lanes_of
 from gearwright.lanes.linear import linalg
 from gearwright.lanes.made import asarray, has_lanes
-from gearwright.lanes.work import Unsupported, aligned, axes_of, summed
+from gearwright.lanes.work import Unsupported, aligned, axes_of, one_of, summed
 
 _EXACT = {
     "add", "subtract", "multiply", "divide", "true_divide", "negative", "absolute", "abs", "fabs", "sign", "sqrt",
     "square", "floor", "ceil", "trunc", "rint", "maximum", "minimum", "isfinite", "isnan", "isinf", "greater", "less",
     "greater_equal", "less_equal", "equal", "not_equal", "logical_and", "logical_or", "logical_not", "gcd",
+    "clip", "cross",
 }  # fmt: skip
 """Functions of arrays that give the same bits wherever an entry stands."""
 
@@ -94,6 +95,26 @@ def count_nonzero(values: Any, axis: int | None = None) -> Any:
     """
     data = lanes_of(values).data
     return Lanes(np.asarray(np.count_nonzero(data, axis=axes_of(data, axis))))
+
+
+def argsort(values: Any, axis: int = -1, *, kind: Any = None) -> Any:
+    """Return the order of entries, where it is one in all lanes; else lanes part by it.
+
+    Args:
+        values: One row in each lane.
+        axis: The last.
+        kind: As numpy has it.
+    """
+    return one_of(np.argsort(values.data, axis=axis, kind=kind))
+
+
+def flatnonzero(values: Any) -> Any:
+    """Return where entries are not zero, where it is one in all lanes; else lanes part by it.
+
+    Args:
+        values: In lanes.
+    """
+    return np.flatnonzero(one_of(values.data.reshape(len(values.data), -1) != 0))
 
 
 def select(conditions: Any, choices: Any, default: Any = 0) -> Any:
@@ -232,7 +253,8 @@ _BY_LANES = {
         name: globals()[name]
         for name in (
             "where", "argmax", "argmin", "unravel_index", "array_equal",
-            "broadcast_arrays", "count_nonzero", "select", "ndim", "size", "shape", "ravel", "isscalar", "interp",
+            "broadcast_arrays", "count_nonzero", "select", "argsort", "flatnonzero",
+            "ndim", "size", "shape", "ravel", "isscalar", "interp",
         )
     },
 }  # fmt: skip

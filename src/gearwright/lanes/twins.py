@@ -23,6 +23,7 @@ PREFIX = "gearwright_lanes"
 TWINNED = ("parts", "machines", "train", "sizing", "checks", "spec.checks", "spec.design.teeth")
 """What is computed with lanes; what only holds values is shared."""
 _CALLS = {"float", "int", "bool", "complex", "min", "max", "sum", "isinstance"}
+_KINDS = {"Enum", "StrEnum", "IntEnum"}
 _MODULES = {"math": "functions", "cmath": "complexes"}
 
 
@@ -61,6 +62,15 @@ CHANGES: dict[str, Callable[[ModuleType], None]] = {}
 
 class _Twinned(ast.NodeTransformer):
     """Gives a source the other names."""
+
+    def __init__(self, module: str) -> None:
+        self.module = module
+
+    def visit_ClassDef(self, node: ast.ClassDef) -> Any:
+        """Leave kinds as they are: what a design says is one of them."""
+        if any(isinstance(base, ast.Name) and base.id in _KINDS for base in node.bases):
+            return ast.copy_location(ast.ImportFrom(self.module, [ast.alias(node.name)], 0), node)
+        return self.generic_visit(node)
 
     def visit_Import(self, node: ast.Import) -> Any:
         """Replace modules of numbers."""
@@ -130,7 +140,7 @@ class _Loader(SourceFileLoader):
 
     def source_to_code(self, data: Any, path: Any, *, _optimize: int = -1) -> Any:  # type: ignore[override]
         """Return the code of a source with other names."""
-        tree = _Twinned().visit(ast.parse(data, path))
+        tree = _Twinned(self.name.replace(PREFIX, "gearwright", 1)).visit(ast.parse(data, path))
         names = [ast.alias(f"{name}_", f"_lanes_{name}") for name in sorted(_CALLS)]
         start = next(
             k for k, node in enumerate(tree.body)

@@ -249,6 +249,17 @@ def summed(data: Any, axis: int | None, *, keepdims: bool = False) -> Any:
     return np.expand_dims(total, place) if keepdims else total
 
 
+def one_of(data: Any) -> Any:
+    """Return the array that all lanes have, or part them by it.
+
+    Args:
+        data: Arrays, with the axis of lanes.
+    """
+    if (data != data[0]).any():
+        raise Diverged(np.unique(data.reshape(len(data), -1), axis=0, return_inverse=True)[1].ravel())
+    return data[0]
+
+
 def looked_up(data: Any, entries: tuple[Any, ...]) -> Any:
     """Return the entries at places that differ from lane to lane.
 
@@ -257,10 +268,7 @@ def looked_up(data: Any, entries: tuple[Any, ...]) -> Any:
         entries: Places, in lanes or not.
     """
     if len(entries) == 1 and entries[0].data.dtype == np.bool_:
-        truths = entries[0].data
-        if (truths != truths[0]).any():
-            raise Diverged(np.array([str(row) for row in truths.tolist()]))
-        return data[:, truths[0]]
+        return data[:, one_of(entries[0].data)]
     if not all(isinstance(entry, InLanes | int) for entry in entries):
         raise Unsupported("slices where lanes say")
     count = max(len(data), *(len(entry.data) for entry in entries if isinstance(entry, InLanes)))

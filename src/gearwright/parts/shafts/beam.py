@@ -132,7 +132,7 @@ def diagram(loads: PointLoads) -> Diagram:
     force, couple = loads.force[..., order], loads.couple[..., order]
     shear = force.cumsum(axis=-1)
     carried = np.zeros(shear.shape)
-    (shear[..., :-1] * (position[1:] - position[:-1])).cumsum(axis=-1, out=carried[..., 1:])
+    carried[..., 1:] = (shear[..., :-1] * (position[1:] - position[:-1])).cumsum(axis=-1)
     bending = carried - couple.cumsum(axis=-1)
     return Diagram(stations, _both_sides(shear - force, shear), _both_sides(bending + couple, bending), twisted)
 

@@ -178,6 +178,9 @@ def whole_below(wanted: Floats) -> Ints:
     """Return the tooth number below, of a whole number the one before it, whatever its rounding; at least one tooth.
 
     What an absurd ratio asks is refused later by its rules.
+
+    Args:
+        wanted: Teeth that the exact ratio asks for [-].
     """
     return np.minimum(np.maximum(np.ceil(wanted * (1.0 - ROUNDING)) - 1.0, 1.0), MOST_TEETH).astype(np.int64)
 
