@@ -34,6 +34,7 @@ SIMULATED, MOST_STEPS = 0.002, 20_000
 """Time that is simulated [s], and most steps: a stiff train is simulated for less."""
 FLOWN = MappingProxyType({
     "ec120b-sortie": ("ec120b", "face-gear-split-torque", "off-set", "star"),
+    "ec120b-trim": ("ec120b",),
     "equal-power": ("in-line", "mixed-h1", "off-set-h2", "single-planetary", "twin-engine-sprag"),
     "hybrid-reserves": ("in-line-h2",),
     "regional-250nm": ("in-line", "mixed", "star"),

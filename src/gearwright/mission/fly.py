@@ -23,6 +23,7 @@ from gearwright.mission.profile import Moment, moments
 from gearwright.mission.strategies import Then, planned_shares, shared
 from gearwright.mission.supplied import supply_of
 from gearwright.mission.supply import Given, Terms, machine_speeds
+from gearwright.mission.tail import with_tail
 from gearwright.mission.thrust import Blades, performed, propeller_power
 from gearwright.mission.together import flights_together, log_at_once
 from gearwright.sizing import Sizing
@@ -187,6 +188,8 @@ def _interval(flown: Flown, moment: Moment, before: _Before, planned: float) -> 
     asked = Asked(supply.parts(phase), wanted, spin_up)
     if phase.strategy is not None:
         phase, asked = shared(flown, moment, asked, Then(phase, before.point, before.pack.charge, planned))
+    flown = with_tail(flown, moment, asked, before.point, burnt=before.burnt)
+    gearbox = flown.gearbox
     point, friction, dragged, powers = loaded(flown, moment, asked, before.point)
     rating = mission.engine.contingency if engine_out(mission, phase) else 1.0
     drawn = supply.drive(gearbox, moment, Given(point, powers), Terms(before.pack, before.warmths, rating, phase.mode))

@@ -10,6 +10,7 @@ from gearwright.errors import DesignError, Problem
 from gearwright.machines import PropellerMap, angle_for_power, angle_for_thrust, coefficients
 from gearwright.mission.forces import stated_thrust
 from gearwright.mission.profile import Moment
+from gearwright.mission.trim import trimmed
 from gearwright.spec import Aircraft, Mission, Phase
 from gearwright.units import GRAVITY
 
@@ -83,6 +84,8 @@ def propeller_power(blades: Blades, mission: Mission, moment: Moment, *, burnt: 
         DesignError: Pitch or thrust lie outside the map.
     """
     phase, chart = mission.phases[moment.phase], blades.chart
+    if moment.power is None and mission.rotorcraft is not None:
+        return trimmed(mission.rotorcraft, mission, moment, diameter=blades.diameter, burnt=burnt).main
     if moment.power is not None or chart is None:
         return None
     advance = diameter, turns, ratio = _advance(blades, moment)

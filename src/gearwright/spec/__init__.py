@@ -37,6 +37,7 @@ from gearwright.spec.mission import NO_MAP, BatteryRules, BearingLifeRules, Miss
 from gearwright.spec.power import CellRules, OilNetworkRules, StrategyRules, WindingRules
 from gearwright.spec.read import file_text, parse, placed, read
 from gearwright.spec.record import Record, brief, build
+from gearwright.spec.rotorcraft import Rotorcraft
 from gearwright.spec.schema import records, schema
 from gearwright.spec.study import (
     MISSION_PATH,
@@ -91,6 +92,7 @@ __all__ = [
     "Propeller",
     "Range",
     "Record",
+    "Rotorcraft",
     "Simulated",
     "StrategyRules",
     "Study",

@@ -11,6 +11,7 @@ from gearwright.spec.aircraft import Aircraft, PhaseKind, Setting
 from gearwright.spec.design import FrictionName, SealName, TorqueName, WindageName
 from gearwright.spec.power import CellRules, OilNetworkRules, StrategyRules, WindingRules
 from gearwright.spec.record import Record
+from gearwright.spec.rotorcraft import Rotorcraft
 from gearwright.spec.windows import GovernorRules, WindowRules
 from gearwright.units import Angle, Distance, Energy, Length, Power, Ratio, Speed, Time, Velocity
 
@@ -184,6 +185,7 @@ class Mission(Shown, Record):
     motor: MotorRules = Field(default_factory=MotorRules, description="Motors in flight")
     battery: BatteryRules | None = Field(None, description="Battery of one gearbox")
     aircraft: Aircraft | None = Field(None, description="For phases without power and pitch")
+    rotorcraft: Rotorcraft | None = Field(None, description="For phases of a helicopter without power")
     oil: OilRules = Field(default_factory=OilRules, description="Oil of one gearbox")
     gears: GearLifeRules = Field(default_factory=GearLifeRules, description="Steel, for damage and life")
     bearings: BearingLifeRules | None = Field(

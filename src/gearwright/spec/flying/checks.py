@@ -35,6 +35,9 @@ def mission_problems(mission: Mission) -> list[Problem]:
         problems += [Problem(f"phases.{name}", message) for message in messages]
         last = phase.altitude
     problems += aircraft_problems(mission)
+    if mission.rotorcraft is not None and (mission.aircraft is not None or mission.propeller_map != NO_MAP):
+        message = f'a helicopter has neither wing nor propeller; leave [aircraft] out, propeller_map = "{NO_MAP}"'
+        problems.append(Problem("rotorcraft", message))
     problems += strategy_problems(mission)
     problems += _network(mission)
     problems += _shares(mission.motor.loss_shares)
@@ -174,9 +177,10 @@ def _power(phase: Phase, mission: Mission) -> Iterator[str]:
     stated = [name for name in ("power", "pitch") if getattr(phase, name) is not None]
     if len(stated) > 1:
         yield "power and pitch given; the propeller's speed allows only one of them"
-    if not stated and mission.aircraft is None:
+    craft = mission.rotorcraft
+    if not stated and mission.aircraft is None and craft is None:
         yield "nothing sets its power; give power or pitch, or an [aircraft] that needs a thrust"
-    if phase.power is None and mission.propeller_map == NO_MAP:
+    if phase.power is None and mission.propeller_map == NO_MAP and (craft is None or phase.pitch is not None):
         yield "without a propeller map only a power can be flown; give power, or a propeller_map"
     if phase.end_power is not None and phase.power is None:
         yield "end_power without power; give both, or only power"
