@@ -15,8 +15,8 @@ from gearwright.sizing.rating.rules import Rating
 
 SCUFFING = ("ISO/TR 13989-2, 6.2", "ISO/TS 6336-20 on the virtual cylindrical gears")
 """Of the integral and of the flash temperature."""
-_SAMPLES = 41
-"""Places of the path at which the load over the zone of action is looked at; straight between them."""
+_SAMPLES = 21
+"""Places of half the path at which the load over the zone of action is looked at; straight between them."""
 
 
 class BevelTemperatures(NamedTuple):
@@ -57,8 +57,8 @@ def bevel_scuffing(rating: Rating, factors: BevelRating) -> BevelTemperatures:
         return BevelTemperatures(integral, None)
 
     def sharing(place: Floats) -> Floats:
-        along = np.linspace(-0.5, 0.5, _SAMPLES)
+        along = np.linspace(0.0, 0.5, _SAMPLES)  # even about the middle
         shares = [factors.virtual.load_share(part * factors.virtual.path) for part in along]
-        return np.asarray(np.interp((place - place[0]) / (place[-1] - place[0]) - 0.5, along, shares))
+        return np.asarray(np.interp(np.abs((place - place[0]) / (place[-1] - place[0]) - 0.5), along, shares))
 
     return BevelTemperatures(integral, flash_peak(scuffed, oil, sharing))
