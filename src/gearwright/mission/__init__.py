@@ -9,6 +9,8 @@ from gearwright.mission.lives.bearings import BearingDamage, BearingLives, beari
 from gearwright.mission.lives.checks import flight_checks
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.mission.lives.life import LifeSizing, size_for_life
+from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty
+from gearwright.mission.lives.mix import MixedLife, mixed_life
 from gearwright.mission.lives.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
 from gearwright.mission.lives.verdict import Durability, PartLife, durability
 from gearwright.mission.windows.governed import Window, governed_window, rotor_at, trim_at
@@ -19,12 +21,15 @@ __all__ = [
     "BearingLives",
     "Durability",
     "DutyBin",
+    "DutySpectrum",
     "Flight",
     "GearDamage",
     "History",
     "LifeSizing",
     "MachineHistory",
+    "MeasuredDuty",
     "MeshHistory",
+    "MixedLife",
     "NodeHistory",
     "Oil",
     "PackWear",
@@ -36,6 +41,7 @@ __all__ = [
     "bearing_lives",
     "bearing_spectra",
     "durability",
+    "duty_spectrum",
     "flight_checks",
     "flight_series",
     "fly",
@@ -44,8 +50,10 @@ __all__ = [
     "gearbox_of",
     "governed_window",
     "mesh_spectrum",
+    "mixed_life",
     "phase_forces",
     "phase_summaries",
+    "read_duty",
     "rotor_at",
     "shaft_spectrum",
     "size_for_life",

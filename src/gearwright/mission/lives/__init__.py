@@ -7,6 +7,8 @@ from gearwright.mission.lives.bearings import USUAL_RELIABILITY, BearingDamage, 
 from gearwright.mission.lives.checks import flight_checks
 from gearwright.mission.lives.damage import GearDamage, gear_damage, unrated_stages
 from gearwright.mission.lives.life import LifeSizing, size_for_life
+from gearwright.mission.lives.measured import DutySpectrum, MeasuredDuty, duty_spectrum, read_duty
+from gearwright.mission.lives.mix import MixedLife, mixed_life
 from gearwright.mission.lives.spectrum import DutyBin, bearing_spectra, mesh_spectrum, shaft_spectrum
 from gearwright.mission.lives.verdict import ENDLESS, Durability, PartLife, durability
 
@@ -17,15 +19,21 @@ __all__ = [
     "BearingLives",
     "Durability",
     "DutyBin",
+    "DutySpectrum",
     "GearDamage",
     "LifeSizing",
+    "MeasuredDuty",
+    "MixedLife",
     "PartLife",
     "bearing_lives",
     "bearing_spectra",
     "durability",
+    "duty_spectrum",
     "flight_checks",
     "gear_damage",
     "mesh_spectrum",
+    "mixed_life",
+    "read_duty",
     "seat_duties",
     "shaft_spectrum",
     "size_for_life",

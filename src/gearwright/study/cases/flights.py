@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import partial
+from itertools import takewhile
 
 from gearwright.errors import DesignError, GearwrightError
 from gearwright.sizing import Named, Sizing, asked_results, size
@@ -35,16 +36,10 @@ def flown_together(study: Study, designs: Mapping[str, Design], cases: Sequence[
         return [evaluate(study, designs[case.design], case) for case in cases]
     rows, place = list[Row](), 0
     while place < len(cases):
-        first = cases[place]
-        end, (changes, _) = place + 1, split({**study.changes, **first.inputs})
-        while (
-            end < min(len(cases), place + TOGETHER)
-            and cases[end].design == first.design
-            and _design_part(study, cases[end]) == changes
-        ):
-            end += 1
-        rows += _flown_rows(study, designs[first.design], changes, cases[place:end])
-        place = end
+        first, changes = cases[place], _design_part(study, cases[place])
+        chunk = list(takewhile(partial(_alike, study, first.design, changes), cases[place : place + TOGETHER]))
+        rows += _flown_rows(study, designs[first.design], changes, chunk)
+        place += len(chunk)
     return rows
 
 
@@ -56,6 +51,10 @@ def fly_together(study: Study) -> bool:
     """
     alone = any(name.partition(".")[0] in _LONE_VERBS for name in study.asked)
     return study.flies and study.mission is not None and study.fly.life is None and not alone
+
+
+def _alike(study: Study, design: str, changes: Mapping[str, Value], case: Case) -> bool:
+    return case.design == design and _design_part(study, case) == changes
 
 
 def _design_part(study: Study, case: Case) -> Mapping[str, Value]:

@@ -21,6 +21,12 @@ class Pace:
     """True where cases are sized together."""
     size: int = 1
     """Cases of the next chunk [-]."""
+    least: int = 1
+    """Cases of a chunk at least, however long they take: flights that are found together [-]."""
+
+    def __post_init__(self) -> None:
+        """Begin with the least."""
+        self.size = max(self.size, self.least)
 
     def note(self, count: int, seconds: float) -> None:
         """Take account of a finished chunk.
@@ -31,7 +37,7 @@ class Pace:
         """
         aim, largest = (TOGETHER_TIME, LARGEST_TOGETHER) if self.together else (CHUNK_TIME, LARGEST)
         seconds_per_case = max(seconds / max(count, 1), 1e-6)
-        self.size = max(1, min(int(aim / seconds_per_case), largest, 2 * self.size))
+        self.size = max(self.least, min(int(aim / seconds_per_case), largest, 2 * self.size))
 
     def next_of(self, left: int, chunks: int) -> int:
         """Return the cases of the next chunk [-].

@@ -62,7 +62,8 @@ class Given(NamedTuple):
     @property
     def pace(self) -> Pace:
         """How large chunks are."""
-        return Pace(together=self.function is evaluate and goes_together(self.study))
+        together = self.function is evaluate and goes_together(self.study)
+        return Pace(together=together, least=TOGETHER if self.flies else 1)
 
     @property
     def flies(self) -> bool:

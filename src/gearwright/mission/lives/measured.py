@@ -1,0 +1,222 @@
+"""Measured duty: a file of time, torque or power, speed and temperature, and the load spectrum that it becomes."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.errors import Problem, near, refuse
+from gearwright.reading import text_of
+from gearwright.units import CELSIUS, RPM
+from gearwright.verbs import verb
+
+COLUMNS: Mapping[str, tuple[str, float]] = MappingProxyType(
+    {
+        "time_s": ("time", 1.0),
+        "time_min": ("time", 60.0),
+        "time_h": ("time", 3600.0),
+        "torque_nm": ("torque", 1.0),
+        "torque_knm": ("torque", 1e3),
+        "power_w": ("power", 1.0),
+        "power_kw": ("power", 1e3),
+        "speed_rpm": ("speed", RPM),
+        "speed_rad_s": ("speed", 1.0),
+        "temperature_k": ("temperature", 1.0),
+        "temperature_c": ("temperature", 1.0),
+    }
+)
+"""Name in a file's first line -> what it is, and its unit in SI; of temperatures the zero differs, too."""
+MOST_SHOWN = 8
+"""Lines that are named of a file with many faults [-]."""
+
+
+@dataclass(frozen=True)
+class MeasuredDuty:
+    """A record of one shaft, each row lasting until the next; arrays of shape (n,)."""
+
+    time: Floats
+    """Start of each row [s]."""
+    duration: Floats
+    """Until the next row [s]; the last row only ends the one before."""
+    torque: Floats
+    """[N m]"""
+    speed: Floats
+    """[rad/s]"""
+    temperature: Floats | None
+    """[K]; None where the file has none."""
+
+    @property
+    def power(self) -> Floats:
+        """[W]"""
+        return self.torque * self.speed
+
+
+@dataclass(frozen=True)
+class DutySpectrum:
+    """Classes of a measured duty."""
+
+    torque: Floats
+    """Of each class, without sign, shape (classes,) [N m]."""
+    speed: Floats
+    """Mean over its time [rad/s]."""
+    share: Floats
+    """Part of the time [-]."""
+    time: float
+    """Of the whole record [s]."""
+
+    def text(self, machine: str, name: str = "measured") -> str:
+        """Return a load case and its spectrum as a design file has them.
+
+        Args:
+            machine: That gave what was measured.
+            name: Of case and spectrum.
+        """
+        top = float(self.torque.max())
+        levels = ", ".join(f"{value:.6g}" for value in self.torque / top)
+        shares = ", ".join(repr(value) for value in _whole(self.share))
+        speed = float((self.speed * self.share).sum())
+        return (
+            f'[cases.{name}]\nduration_s = {self.time:.9g}\nspectrum = "{name}"\n'
+            f"{machine} = {{torque_nm = {top:.9g}, speed_rpm = {speed / RPM:.9g}}}\n\n"
+            f"[spectra.{name}]\nload = [{levels}]\nshare = [{shares}]\n"
+        )
+
+
+@verb
+def read_duty(path: str | Path) -> MeasuredDuty:
+    """Return a measured duty.
+
+    Args:
+        path: Of a CSV file whose first line names its columns with their units: time_s, time_min or time_h; torque_nm,
+            torque_knm, power_w or power_kw; speed_rpm or speed_rad_s; if it has them temperature_c or temperature_k.
+
+    Raises:
+        DesignError: Columns that are missing or unknown; with their lines: cells that are no finite numbers, missing
+            cells, time that does not rise, torque from power at standstill, temperatures below absolute zero.
+    """
+    lines = text_of(path, "").splitlines()
+    rows = [(number, cells) for number, cells in enumerate(csv.reader(lines), start=1) if any(map(str.strip, cells))]
+    header = [cell.strip() for cell in rows[0][1]] if rows else []
+    refuse(_header_problems(header), str(path))
+    if len(rows) < 3:
+        refuse([Problem("", "a duty needs two rows at least, below the names of its columns")], str(path))
+    problems, numbers = list[Problem](), list[list[float]]()
+    for number, cells in rows[1:]:
+        found = list(_row_problems(number, cells, header))
+        problems += found
+        numbers.append([math.nan] * len(header) if found else [float(cell) for cell in cells])
+    table = np.array(numbers)
+    columns = {COLUMNS[name][0]: table[:, k] * COLUMNS[name][1] for k, name in enumerate(header)}
+    if "temperature_c" in header:
+        columns["temperature"] = columns["temperature"] + CELSIUS
+    problems += _order_problems([number for number, _ in rows[1:]], columns)
+    refuse(_short(problems), str(path))
+    return _duty(columns)
+
+
+def _duty(columns: Mapping[str, Floats]) -> MeasuredDuty:
+    speed = columns["speed"]
+    torque = columns.get("torque")
+    if torque is None:
+        torque = np.divide(columns["power"], speed, out=np.zeros_like(speed), where=speed != 0.0)
+    temperature = columns.get("temperature")
+    return MeasuredDuty(
+        columns["time"][:-1],
+        np.diff(columns["time"]),
+        torque[:-1],
+        speed[:-1],
+        None if temperature is None else temperature[:-1],
+    )
+
+
+@verb
+def duty_spectrum(duty: MeasuredDuty, *, classes: int = 20) -> DutySpectrum:
+    """Return the load spectrum of a measured duty: classes of equal width of the torque, empty ones left out.
+
+    The torque of a class is its upper end, so that no class counts less than what was measured in it; rows without
+    torque are a class of none.
+
+    Args:
+        duty: As measured.
+        classes: Between nothing and the largest torque [-].
+
+    Source: time at level, classes counted at their upper bound (ISO 6336-6:2019, clause 4: load bins).
+
+    Raises:
+        DesignError: Fewer than one class, or nothing that turns under torque.
+    """
+    problems = [] if classes >= 1 else [Problem("classes", f"{classes}; take 1 or more")]
+    load, top = np.abs(duty.torque), float(np.abs(duty.torque).max())
+    if not top:
+        problems.append(Problem("torque", "nothing was measured but zero; there is no load to rate"))
+    refuse(problems, "duty")
+    place = np.ceil(load / top * classes - 1e-9).astype(int)
+    kept = np.unique(place)
+    time = np.array([duty.duration[place == k].sum() for k in kept])
+    turning = np.array([(np.abs(duty.speed) * duty.duration)[place == k].sum() for k in kept])
+    return DutySpectrum(kept / classes * top, turning / time, time / time.sum(), float(time.sum()))
+
+
+def _whole(shares: Floats) -> list[float]:
+    """Return shares of seven digits whose sum is 1."""
+    rounded = [round(float(share), 7) for share in shares]
+    rounded[int(np.argmax(shares))] = round(rounded[int(np.argmax(shares))] + 1.0 - sum(rounded), 7)
+    return rounded
+
+
+def _header_problems(header: Sequence[str]) -> list[Problem]:
+    problems = [
+        Problem(name or "a column", f"no such column; {near(name, COLUMNS)}") for name in header if name not in COLUMNS
+    ]
+    kinds = [COLUMNS[name][0] for name in header if name in COLUMNS]
+    problems += [
+        Problem(kind, "is given twice; keep one column") for kind in dict.fromkeys(kinds) if kinds.count(kind) > 1
+    ]
+    for kind in ("time", "speed"):
+        if kind not in kinds:
+            names = [name for name, (what, _) in COLUMNS.items() if what == kind]
+            problems.append(Problem(kind, f"there is no such column; give one of {', '.join(names)}"))
+    if ("torque" in kinds) == ("power" in kinds):
+        problems.append(Problem("torque", "give one column of torque or power, and not both"))
+    return problems
+
+
+def _row_problems(number: int, cells: Sequence[str], header: Sequence[str]) -> Iterator[Problem]:
+    if len(cells) != len(header):
+        yield Problem(f"line {number}", f"has {len(cells)} cells, and {len(header)} columns are named")
+        return
+    for name, cell in zip(header, cells, strict=True):
+        try:
+            finite = math.isfinite(float(cell))
+        except ValueError:
+            finite = False
+        if not finite:
+            yield Problem(
+                f"line {number}, {name}", f"{cell.strip()!r} is no finite number; fill the gap, or leave the row out"
+            )
+
+
+def _order_problems(lines: Sequence[int], columns: Mapping[str, Floats]) -> Iterator[Problem]:
+    time, speed = columns["time"], columns["speed"]
+    for k in np.flatnonzero(np.diff(time) <= 0.0).tolist():
+        message = f"{time[k + 1]:g} s comes after {time[k]:g} s; time has to rise from row to row"
+        yield Problem(f"line {lines[k + 1]}", message)
+    if "power" in columns:
+        for k in np.flatnonzero((columns["power"] != 0.0) & (speed == 0.0)).tolist():
+            yield Problem(f"line {lines[k]}", "power without speed has no torque; measure the torque")
+    for k in np.flatnonzero(columns.get("temperature", np.ones(1)) <= 0.0).tolist():
+        yield Problem(f"line {lines[k]}", "a temperature below absolute zero; look at its unit")
+
+
+def _short(problems: Sequence[Problem]) -> list[Problem]:
+    """Return the first faults, and how many there are more."""
+    if len(problems) <= MOST_SHOWN:
+        return list(problems)
+    return [*problems[:MOST_SHOWN], Problem("", f"and {len(problems) - MOST_SHOWN} more lines like these")]

@@ -1,0 +1,98 @@
+"""Measured duty: the file, what is wrong with it, and the spectrum that it becomes."""
+
+import math
+
+import numpy as np
+import pytest
+
+import gearwright as gw
+from gearwright.errors import DesignError
+from gearwright.mission import duty_spectrum, read_duty
+
+GOOD = "time_s,torque_knm,speed_rpm,temperature_c\n0,0,600,20\n10,1,600,30\n30,2,1200,40\n40,-2,1200,50\n100,0,0,60\n"
+
+
+def written(tmp_path, text):
+    """Return the path of a file with a text."""
+    path = tmp_path / "duty.csv"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_units_are_read_from_the_first_line(tmp_path):
+    duty = read_duty(written(tmp_path, GOOD))
+    assert duty.time.tolist() == [0.0, 10.0, 30.0, 40.0]
+    assert duty.duration.tolist() == [10.0, 20.0, 10.0, 60.0]
+    assert duty.torque.tolist() == [0.0, 1000.0, 2000.0, -2000.0]
+    assert duty.speed == pytest.approx(np.array([600, 600, 1200, 1200]) * math.pi / 30.0)
+    assert duty.temperature == pytest.approx([293.15, 303.15, 313.15, 323.15])
+
+
+def test_power_over_speed_is_torque(tmp_path):
+    text = "time_min,power_kw,speed_rad_s\n0,10,100\n1,0,0\n2,0,0\n"
+    duty = read_duty(written(tmp_path, text))
+    assert duty.torque.tolist() == [100.0, 0.0] and duty.duration.tolist() == [60.0, 60.0]
+    assert duty.power.tolist() == [10e3, 0.0]
+
+
+def test_classes_hold_all_the_time_and_no_less_load(tmp_path):
+    spectrum = duty_spectrum(read_duty(written(tmp_path, GOOD)), classes=4)
+    assert spectrum.torque.tolist() == [0.0, 1000.0, 2000.0]  # edges 0, 500, …, 2000
+    assert spectrum.share.tolist() == [0.1, 0.2, 0.7] and spectrum.time == 100.0
+    coarse = duty_spectrum(read_duty(written(tmp_path, GOOD)), classes=3)
+    assert coarse.torque == pytest.approx([0.0, 4000.0 / 3.0, 2000.0])  # the upper end of the class
+
+
+def test_more_classes_come_down_to_what_was_measured(tmp_path):
+    duty = read_duty(written(tmp_path, GOOD))
+    damage = float((np.abs(duty.torque) ** 6.6 * duty.duration).sum() / duty.duration.sum())
+    found = [duty_spectrum(duty, classes=classes) for classes in (3, 30, 3000)]
+    sums = [float((spectrum.torque**6.6 * spectrum.share).sum()) / damage for spectrum in found]
+    assert sums[0] >= sums[1] >= sums[2] >= 1.0 - 1e-12 and sums[2] == pytest.approx(1.0, rel=1e-3)
+
+
+def test_the_text_is_a_case_of_a_design(tmp_path):
+    text = duty_spectrum(read_duty(written(tmp_path, GOOD)), classes=10).text("motor", "bench")
+    design = gw.parse(gw.design_text(gw.read("single-planetary")) + "\n" + text.replace("motor =", _driver() + " ="))
+    assert design.cases["bench"].duration == 100.0
+    assert sum(design.spectra["bench"].share) == pytest.approx(1.0, abs=1e-12)
+    assert "bench" in gw.size(design).flows
+
+
+def _driver():
+    return next(name for name, machine in gw.read("single-planetary").machines.items() if machine.drives)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "there is no such column; give one of time_s"),
+        ("time_s,torque_nm,speed_rpm\n0,1,1\n", "two rows at least"),
+        ("time_s,torque_nm,sped_rpm\n0,1,1\n1,1,1\n", "sped_rpm: no such column"),
+        ("time_s,torque_nm,power_w,speed_rpm\n0,1,1,1\n1,1,1,1\n", "one column of torque or power"),
+        ("time_s,torque_nm,torque_knm,speed_rpm\n0,1,1,1\n1,1,1,1\n", "torque: is given twice"),
+        ("time_s,torque_nm,speed_rpm\n0,1,1\n1,,1\n2,1,1\n", "line 3, torque_nm: '' is no finite number"),
+        ("time_s,torque_nm,speed_rpm\n0,1,1\n1,nan,1\n2,1,1\n", "line 3, torque_nm: 'nan' is no finite number"),
+        ("time_s,torque_nm,speed_rpm\n0,1,1\n1,1\n2,1,1\n", "line 3: has 2 cells, and 3 columns"),
+        ("time_s,torque_nm,speed_rpm\n0,1,1\n2,1,1\n1,1,1\n", "line 4: 1 s comes after 2 s"),
+        ("time_s,power_w,speed_rpm\n0,1,1\n1,5,0\n2,1,1\n", "line 3: power without speed"),
+        ("time_s,torque_nm,speed_rpm,temperature_k\n0,1,1,300\n1,1,1,-4\n2,1,1,300\n", "line 3: a temperature below"),
+    ],
+)
+def test_what_is_wrong_with_a_file_is_told_with_its_line(text, said, tmp_path):
+    with pytest.raises(DesignError, match=said):
+        read_duty(written(tmp_path, text))
+
+
+def test_many_faults_are_counted(tmp_path):
+    rows = "".join(f"{k},x,1\n" for k in range(30))
+    with pytest.raises(DesignError, match="and 22 more lines like these"):
+        read_duty(written(tmp_path, f"time_s,torque_nm,speed_rpm\n{rows}"))
+
+
+def test_a_duty_of_nothing_and_no_classes_are_refused(tmp_path):
+    idle = read_duty(written(tmp_path, "time_s,torque_nm,speed_rpm\n0,0,1\n1,0,1\n"))
+    with pytest.raises(DesignError, match="nothing was measured but zero"):
+        duty_spectrum(idle)
+    with pytest.raises(DesignError, match="classes: 0; take 1 or more"):
+        duty_spectrum(read_duty(written(tmp_path, GOOD)), classes=0)
