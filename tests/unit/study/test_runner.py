@@ -163,3 +163,12 @@ def test_what_cannot_be_written_leaves_no_half_batch(tmp_path: Path) -> None:
             book.append((number, table.rows[1]) for number in range(1, 2000))
         with closing(book.database.execute("SELECT SUM(count) FROM blocks")) as found:
             assert found.fetchone() == (1,)
+
+
+def test_chunks_and_answers_larger_than_a_pipe_do_not_wait_for_each_other() -> None:
+    """Chunks of 256 cases of 4 kB, and answers as large; a pipe holds some 200 kB."""
+    study, text = study_of(3000).model_copy(update={"description": "never"}), "long" * 1000
+    long = (case._replace(inputs={"text": f"{case.number} {text}"}) for case in cases(study))
+    with local(study, DESIGNS, 2, function=deadly.sized_at_once) as compute:
+        found = dict(row for finished in compute(long, 3000) for row in finished)
+    assert sorted(found) == list(range(3000))

@@ -21,18 +21,22 @@ from itertools import islice
 from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
+from multiprocessing.reduction import ForkingPickler
 from typing import NamedTuple
 
 from gearwright.errors import SolveError
 from gearwright.spec import Design, Study
 from gearwright.study.answers import Blocks, Row
 from gearwright.study.cases import LEAST, TOGETHER, Case, evaluate, evaluated, fly_together, goes_together
-from gearwright.study.running.pace import Pace
+from gearwright.study.running.pace import LARGEST, Pace
 
 TRIES = 2
 """Times that a case may kill its worker."""
 AHEAD = 2
-"""Chunks that a worker holds: one at work, one waiting, so that it never idles."""
+"""Chunks that a worker holds: one at work, one waiting, so that it never idles; of large ones it holds one."""
+SMALL = 1 << 13
+"""Message that a pipe takes from the runner while its worker is at work, on every system: two processes that send each
+other more than it holds would wait for each other for ever [bytes]."""
 FAILED_STARTS = 3
 """Workers in a row that may die before they are ready."""
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
@@ -178,7 +182,7 @@ class _Crew:
         """Fill up every ready worker; tell whether anything is left to wait for."""
         for _ in range(AHEAD):
             for worker in self.members:
-                if worker.ready and len(worker.chunks) < AHEAD:
+                if worker.ready and len(worker.chunks) < (AHEAD if self.pace.size <= LARGEST else 1):
                     self._hand(worker)
         return any(worker.chunks for worker in self.members) or self._has_more()
 
@@ -186,9 +190,13 @@ class _Crew:
         chunk = self._next()
         if not chunk:
             return
+        message = ForkingPickler.dumps(chunk)
+        if worker.chunks and len(message) > SMALL:
+            self.again.appendleft(chunk)
+            return
         worker.chunks.append(chunk)
         try:
-            worker.pipe.send(chunk)
+            worker.pipe.send_bytes(message)
         except OSError:
             return  # its death is seen at the next wait
 
