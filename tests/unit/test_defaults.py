@@ -64,7 +64,7 @@ NOTHINGS = """
 NO = """
     AgmaBevelMaking.is_critical Hardnesses.hard_pinion Hardnesses.hard_wheel MeanSection.is_static
     ShaftSection.hard_surface bending_cycle_factor.is_critical rim_factor.internal
-    Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal quality_of.internal Joint.is_open
+    Load.static Ask.internal rim_below_roots.internal cylindrical_mesh.internal beyond_ranges.films Joint.is_open
     ClutchDrive.one_way Line.turns_along
 """
 PAIRS_OF_ONE = (
