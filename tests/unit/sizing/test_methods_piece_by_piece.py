@@ -31,7 +31,7 @@ from gearwright.sizing.rating.iso6336.inputs import clause_of, quality_of, steel
 from gearwright.sizing.rating.iso6336.limits import limited
 from gearwright.sizing.rating.iso6336.method import Iso6336
 from gearwright.sizing.rating.iso6336.miner import Strain, of_each, safeties
-from gearwright.sizing.rating.iso6336.scuffing import _rolls, film_checks, oil_film, oil_of
+from gearwright.sizing.rating.iso6336.scuffing import film_checks, oil_film, oil_of, scuffing_checks
 from gearwright.sizing.rating.iso6336.static_cases import static_checks
 from gearwright.sizing.rating.iso10300.inputs import bevel_duty, bevel_surfaces
 from gearwright.sizing.rating.iso10300.limits import limited as bevel_limited
@@ -475,13 +475,17 @@ def test_scuffing_and_micropitting_are_judged_by_the_asked_method():
     rows = {}
     for by in ("integral", "flash", "both"):
         film.scuffing_by = by
-        rows[by] = [(c.part, c.mode, c.value, c.limit, c.symbol) for c in film_checks(film, MESH)]
+        rows[by] = [
+            (c.part, c.mode, c.value, c.limit, c.symbol)
+            for checks in (scuffing_checks(film, MESH), film_checks(film, MESH))
+            for c in checks
+        ]
     tiny = (MESH, "micropitting", 1.4, 1.1, "S_λ")
     assert rows["integral"] == [(MESH, "scuffing", 2.1, 1.8, "S_intS"), tiny]
     assert rows["flash"] == [(MESH, "scuffing", 3.2, 1.8, "S_B"), tiny]
     assert rows["both"] == [(MESH, "scuffing", 2.1, 1.8, "S_intS"), (MESH, "scuffing", 3.2, 1.8, "S_B"), tiny]
     film.micropitting = film.flash = film.scuffing = None
-    assert list(film_checks(film, MESH)) == []
+    assert list(film_checks(film, MESH)) == list(scuffing_checks(film, MESH)) == []
 
 
 # Limits
@@ -914,14 +918,14 @@ def test_methods_have_their_editions_by_name():
         assert ALL[name].rate(loaded("iso6336", own=rating(name))).method == name
 
 
-def test_roots_of_rings_are_rated_by_method_b_and_others_as_asked():
+@pytest.mark.parametrize(("root", "dynamic"), [("B", "B"), ("C", "B"), ("B", "C")])
+def test_roots_and_dynamic_factors_are_rated_by_the_methods_that_are_asked(root, dynamic):
     own = rating("iso6336")
-    rules = own.rules.iso6336.model_copy(update={"root_method": "C", "dynamic_method": "C"})
+    rules = own.rules.iso6336.model_copy(update={"root_method": root, "dynamic_method": dynamic})
     asked = replace(own, rules=own.rules.model_copy(update={"iso6336": rules}))
-    ring, pair = (quality_of(asked, idlers=(True, False), internal=internal).choices for internal in (True, False))
-    assert (ring.root, ring.dynamic) == (RatingMethod.B, RatingMethod.C)
-    assert (pair.root, pair.dynamic) == (RatingMethod.C, RatingMethod.C)
-    assert quality_of(asked, idlers=(True, False)).mean_stresses == (0.7, 1.0)
+    quality = quality_of(asked, idlers=(True, False))
+    assert (quality.choices.root, quality.choices.dynamic) == (RatingMethod(root), RatingMethod(dynamic))
+    assert quality.mean_stresses == (0.7, 1.0)
 
 
 def test_all_that_iso_6336_computes_has_its_rows():
@@ -944,8 +948,8 @@ def test_all_that_iso_6336_computes_has_its_rows():
 def test_tips_that_interfere_do_not_roll():
     """√(r_a² − r_b²) of 50 mm over 43 mm cos 20° is 29.5 mm, the line of action has 21.2 mm."""
     usual = MeshGeometry((18.0, 43.0), 2.0, 20.0, 62.0, (20.9, 45.6))
-    assert _rolls(usual) and not _rolls(replace(usual, tip_radii=(20.9, 50.0)))
-    assert not _rolls(replace(usual, tip_radii=(30.0, 45.6)))
+    assert usual.rolls and not replace(usual, tip_radii=(20.9, 50.0)).rolls
+    assert not replace(usual, tip_radii=(30.0, 45.6)).rolls
 
 
 def test_a_row_asks_for_nothing_where_nothing_is_said():
