@@ -40,6 +40,8 @@ COMMANDS = (
     Command("review ec120b"),
     Command("report pair.toml"),
     Command("draw pair.toml --what arrangement --format svg"),
+    Command("export pair.toml --to glb"),
+    Command("export pair.toml --to html --out turning.html --detail coarse"),
     Command("schema", machine=True),
     Command("campbell pair.toml"),
     Command("response hybrid.toml"),

@@ -89,7 +89,7 @@ def gear_surface(
     gear, kind = stand.gear, kind_of(sizing, stand.gear.stage)
     if kind == "bevel":
         pair, side = bevel_pair(sizing, gear.stage), meshes_of(sizing, gear.name)[0][1]
-        return bevel_gear(pair, side, hand=leaning.hand, bore=blanks[gear.name].bore_radius, fine=fine)
+        return bevel_gear(pair, side, hand=leaning.hand, bore=_seated(sizing, stand, blanks).bore_radius, fine=fine)
     if kind == "face" and gear.role is Role.WHEEL:
         pinion = next(mate for mate in sizing.gears if mate.stage == gear.stage and mate.role is Role.PINION)
         bore, width = blanks[gear.name].bore_radius, pinion.face_width
@@ -100,7 +100,7 @@ def gear_surface(
     if tooth.side < 0:
         outside = max(gear.pitch_diameter / 2.0 + gear.rim, tooth.root_radius + WALL * gear.module)
         return ring_gear(loop, levels, outside, fine.circle)
-    return disc_gear(loop, levels, _walled(blanks[gear.name], gear, halves_of(gear)), fine.circle)
+    return disc_gear(loop, levels, _walled(_seated(sizing, stand, blanks), gear, halves_of(gear)), fine.circle)
 
 
 def _levels(gear: GearSizing, leaning: Leaning, layer: float, *, halves: int) -> list[tuple[float, float]]:
@@ -112,6 +112,19 @@ def _levels(gear: GearSizing, leaning: Leaning, layer: float, *, halves: int) ->
         return [(-half, 0.0), (half, 0.0)]
     places = [half * (2.0 * k / count - 1.0) for k in range(count + 1)]
     return [(place, rate * (abs(place) if leaning.is_double else place)) for place in places]
+
+
+def _seated(sizing: Sizing, stand: Stand, blanks: Mapping[str, Blank]) -> Blank:
+    """Return the body of a gear with the bore of its seat, where its shaft is built by steps."""
+    blank = blanks[stand.gear.name]
+    steps = next((shaft.steps for shaft in sizing.built_shafts if shaft.name == stand.node), ())
+    place = sizing.arrangement.plans[stand.node].places[stand.gear.name] if steps else 0.0
+    half = stand.gear.face_width / 2.0
+    under = [step.diameter / 2.0 for step in steps if step.start < place + half and place - half < step.end]
+    if not under:
+        return blank
+    bore = max(under)
+    return blank._replace(bore_radius=bore, hub_radius=max(blank.hub_radius - blank.bore_radius, 0.0) + bore)
 
 
 def _walled(blank: Blank, gear: GearSizing, halves: int) -> Blank:

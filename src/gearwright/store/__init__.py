@@ -2,6 +2,6 @@
 
 from gearwright.store.image import new_netcdf
 from gearwright.store.netcdf import StoredRun, load_run, save_run
-from gearwright.store.value import load, save
+from gearwright.store.value import load, save, text_of_value
 
-__all__ = ["StoredRun", "load", "load_run", "new_netcdf", "save", "save_run"]
+__all__ = ["StoredRun", "load", "load_run", "new_netcdf", "save", "save_run", "text_of_value"]

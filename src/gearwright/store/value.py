@@ -45,6 +45,18 @@ def save(value: object, path: str | Path) -> None:
     if isinstance(value, StoredRun | Trace):
         save_run(value, Path(path))
         return
+    write_text(Path(path), text_of_value(value))
+
+
+def text_of_value(value: object) -> str:
+    """Return what `save` writes of a value that is no run.
+
+    Args:
+        value: What a verb of gearwright returned.
+
+    Raises:
+        DesignError: If the value is none of gearwright's.
+    """
     if not _kept(value):
         raise DesignError([Problem("value", f"{_shown(value)}; give what a verb returned, as gw.size(design)")], "save")
     try:
@@ -53,7 +65,7 @@ def save(value: object, path: str | Path) -> None:
         message = f"{unkept}, which no file keeps; give what a verb returned, as gw.size(design)"
         raise DesignError([Problem("value", message)], "save") from None
     head = {"format": KIND, "version": VERSION, "gearwright": __version__}
-    write_text(Path(path), json.dumps({**head, "value": tree}, allow_nan=False) + "\n")
+    return json.dumps({**head, "value": tree}, allow_nan=False) + "\n"
 
 
 def _kept(value: object) -> bool:

@@ -19,7 +19,7 @@ import numpy as np
 from gearwright.arrays import Floats
 from gearwright.parts.bevel import BevelPair
 from gearwright.parts.gears import BasicRack, TransverseTooth, transverse_form
-from gearwright.shape.solids.surface import Surface, joined, revolved
+from gearwright.shape.solids.surface import Surface, around_hole, joined, revolved
 from gearwright.shape.solids.toothed import Loop, Section, cap, loop_of, ring_of, wall
 
 RIM = 1.2
@@ -190,7 +190,7 @@ def _backed(
 ) -> Surface:  # fmt: skip
     """Return teeth with what is behind them: a rim from toe to heel, a plate, a hub about the bore."""
     ahead = (math.cos(slope), math.sin(slope))
-    profile = _behind(toe, heel, bore, web)
+    profile = _behind(toe, heel, around_hole(bore, segments), web)
     ends = [cap(section, ring_of(profile[end][1], profile[end][0], segments), (sign * ahead[0], sign * ahead[1]), up=up)
             for section, end, sign, up in ((sections[-1], 0, 1.0, True), (sections[0], -1, -1.0, False))]  # fmt: skip
     return joined([wall(sections, loop.edges), *ends, revolved(profile, segments)])

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gearwright.parts.gears import Blank
-from gearwright.shape.solids.surface import Surface, circle, revolved
+from gearwright.shape.solids.surface import Surface, around_hole, circle, revolved
 from gearwright.shape.solids.toothed import Loop, disc_gear
 
 RING = 0.28
@@ -55,7 +55,7 @@ def bearing(bore: float, outer: float, width: float, segments: int) -> Surface:
         segments: Corners of a circle.
     """
     section, half = outer - bore, width / 2.0
-    radii = (bore, bore + RING * section, outer - RING * section, outer)
+    radii = (around_hole(bore, segments), bore + RING * section, outer - RING * section, outer)
     inner = half * (1.0 - 2.0 * RECESS)
     way = [(-half, radii[0]), (-half, radii[1]), (-inner, radii[1]), (-inner, radii[2]), (-half, radii[2]),
            (-half, radii[3]), (half, radii[3]), (half, radii[2]), (inner, radii[2]), (inner, radii[1]),

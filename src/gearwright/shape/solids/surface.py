@@ -102,6 +102,16 @@ def circle(segments: int) -> Floats:
     return np.arange(segments, dtype=np.float64) * (2.0 * math.pi / segments)
 
 
+def around_hole(radius: float, segments: int) -> float:
+    """Return the radius of the corners of a hole whose sides touch a circle: a round body of that radius fits into it.
+
+    Args:
+        radius: Of the circle [m].
+        segments: How many corners.
+    """
+    return radius / math.cos(math.pi / segments)
+
+
 def around(radius: float, height: float, segments: int) -> Floats:
     """Return the corners of a circle about the axis [m], shape (segments, 3).
 

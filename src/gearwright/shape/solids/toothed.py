@@ -9,7 +9,7 @@ import numpy as np
 
 from gearwright.arrays import Bools, Floats
 from gearwright.parts.gears import Blank
-from gearwright.shape.solids.surface import Surface, circle, joined, revolved, strip
+from gearwright.shape.solids.surface import Surface, around_hole, circle, joined, revolved, strip
 
 SAME = 1e-9
 """Angle between two points that are one [rad]."""
@@ -165,6 +165,8 @@ def disc_gear(loop: Loop, levels: Sequence[tuple[float, float]], blank: Blank, s
         blank: The body under the teeth.
         segments: Corners of its circles.
     """
+    bore = around_hole(blank.bore_radius, segments)
+    blank = blank._replace(bore_radius=bore, hub_radius=max(blank.hub_radius, bore))
     sections, profile = sections_of(loop, levels), inner_profile(blank)
     ends = [cap(sections[end], ring_of(profile[0][1], float(sections[end].height[0]), segments), (sign, 0.0), up=up)
             for end, sign, up in ((-1, 1.0, True), (0, -1.0, False))]  # fmt: skip

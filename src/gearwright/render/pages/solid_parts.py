@@ -1,0 +1,155 @@
+"""What the page of the turning gearbox says of every part, and how far its solids move apart."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from gearwright.arrays import Floats
+from gearwright.checks import Check, worst_first
+from gearwright.identity import Kind, PartId
+from gearwright.shape import Node, Scene
+from gearwright.sizing import CarrierSizing, GearSizing, ShaftSizing, Sizing
+from gearwright.units import text
+
+MOST = 8
+"""Checks of a part that are shown [-]."""
+Rows = list[list[str]]
+
+
+def labels_of(scene: Scene) -> dict[str, str]:
+    """Return node -> label of the part whose numbers are shown where it is picked.
+
+    Args:
+        scene: The scene.
+    """
+    return {node.name: _label(node.part) for node in scene.nodes}
+
+
+def _label(part: PartId) -> str:
+    return str(part) if part.kind is not Kind.BEARING else f"bearing {part}"
+
+
+def parts_of(sizing: Sizing, scene: Scene, checks: Sequence[Check]) -> dict[str, dict[str, Any]]:
+    """Return label -> title, numbers, worst margin and checks of every part of a scene.
+
+    Args:
+        sizing: As sized.
+        scene: Of it.
+        checks: Of its parts.
+    """
+    parts = {_label(node.part): node for node in scene.nodes}
+    return {label: _part(sizing, scene, node, checks) for label, node in parts.items()}
+
+
+def _part(sizing: Sizing, scene: Scene, node: Node, checks: Sequence[Check]) -> dict[str, Any]:
+    own = worst_first(
+        check for check in checks if check.margin is not None and _concerns(sizing, check.part, node.part)
+    )
+    margins = [check.margin for check in own if check.margin is not None and math.isfinite(check.margin)]
+    shown = [[f"{check.part} {check.what}", f"{check.margin:.2f}"] for check in own[:MOST]
+             if check.margin is not None and math.isfinite(check.margin)]  # fmt: skip
+    found: dict[str, Any] = {"title": _label(node.part), "rows": _rows(sizing, node.part), "checks": shown,
+                             "margin": round(min(margins), 4) if margins else None}  # fmt: skip
+    gear = _gear(sizing, node.part)
+    if gear is not None and node.part.kind is Kind.GEAR:
+        found["teeth"] = gear.teeth
+    return found
+
+
+def _concerns(sizing: Sizing, checked: PartId, part: PartId) -> bool:
+    """Tell whether a check of a part or of a mesh concerns the part of a body."""
+    gear = _gear(sizing, part)
+    if part.kind is Kind.GEAR and gear is not None:
+        rows = [mesh.part for mesh in sizing.meshes if gear.name in mesh.gears]
+        return checked in (part, gear.part) or any(checked.is_of(row) for row in rows)
+    return checked._replace(number=None) == part or (checked.kind is Kind.JOINT and checked.branch == part.name)
+
+
+def _gear(sizing: Sizing, part: PartId) -> GearSizing | None:
+    same = (gear for gear in sizing.gears
+            if (gear.stage, gear.role, gear.own) == (part.name, part.role, part.own))  # fmt: skip
+    return next(same, None)
+
+
+def _rows(sizing: Sizing, part: PartId) -> Rows:
+    gear = _gear(sizing, part)
+    if part.kind is Kind.GEAR and gear is not None:
+        return _of_gear(sizing, gear, part)
+    for shaft in sizing.shafts:
+        if part == PartId(Kind.SHAFT, shaft.name):
+            return _of_shaft(sizing, shaft)
+    for carrier in sizing.carriers:
+        if part == carrier.part:
+            return _of_carrier(carrier)
+    for bearing in sizing.bearings:
+        if part == PartId(Kind.BEARING, bearing.name):
+            return [
+                ["bearing", bearing.designation], ["on shaft", bearing.shaft],
+                ["bore", text(bearing.inner_diameter, "length")], ["outside", text(bearing.outer_diameter, "length")],
+                ["width", text(bearing.width, "length")], ["mass", text(bearing.mass, "mass")],
+            ]  # fmt: skip
+    runs_on = gear.runs_on if gear is not None else None
+    return [["of", str(gear.part) if gear else str(part)], ["bearing", runs_on.designation if runs_on else "not sized"]]
+
+
+def _of_gear(sizing: Sizing, gear: GearSizing, part: PartId) -> Rows:
+    rules, node = sizing.design.rules(gear.stage), part.branch or gear.shafts[0]
+    speeds = [[f"speed, {case}", text(flow.speeds[node], "speed")] for case, flow in sizing.flows.items()]
+    word = "spiral angle" if getattr(sizing.design.stages[gear.stage], "kind", "") == "bevel" else "helix angle"
+    leaning = [[word, text(gear.helix_angle, "angle")]] if gear.helix_angle else []
+    return [
+        ["teeth", str(gear.teeth)], ["normal module", text(gear.module, "length")], *leaning,
+        ["pressure angle", text(rules.pressure_angle, "angle")], ["profile shift", f"{gear.profile_shift:.4g}"],
+        ["face width", text(gear.face_width, "length")], ["pitch diameter", text(gear.pitch_diameter, "length")],
+        ["material", rules.material], ["equal bodies", str(gear.bodies)],
+        ["mass of one, as sized", text(gear.mass, "mass")], *speeds[:4],
+    ]  # fmt: skip
+
+
+def _of_shaft(sizing: Sizing, shaft: ShaftSizing) -> Rows:
+    speeds = [[f"speed, {case}", text(flow.speeds[shaft.name], "speed")] for case, flow in sizing.flows.items()]
+    return [
+        ["diameter", text(shaft.diameter, "length")], ["bore", text(shaft.bore, "length")],
+        ["length", text(shaft.length, "length")], ["torque", text(shaft.torque, "torque")],
+        ["bending moment", text(shaft.bending_moment, "torque")],
+        ["material", sizing.design.shaft_material.name], ["mass, as sized", text(shaft.mass, "mass")], *speeds[:4],
+    ]  # fmt: skip
+
+
+def _of_carrier(carrier: CarrierSizing) -> Rows:
+    return [
+        ["on shaft", carrier.shaft], ["pin circle", text(2.0 * carrier.radius, "length")],
+        ["pins", text(carrier.pin_diameter, "length")], ["plate", text(carrier.plate_thickness, "length")],
+        ["torque", text(carrier.torque, "torque")], ["force on a pin", text(carrier.pin_force, "force")],
+        ["mass, as sized", text(carrier.mass, "mass")],
+    ]  # fmt: skip
+
+
+def parted(scene: Scene) -> dict[str, list[float]]:
+    """Return node -> how far it moves where the gearbox is drawn apart: shafts off each other, sets along their axis.
+
+    Args:
+        scene: The scene.
+    """
+    low, high = scene.box
+    middle, size = 0.5 * (low + high), float(np.linalg.norm(high - low))
+    along = {"sun": -0.10, "ring": 0.12, "tie": 0.20, "carrier": 0.26}
+    ways: dict[str, list[float]] = {}
+    for node in scene.nodes:
+        axis = node.axes.along
+        if node.on:
+            back = -along["carrier"] * size if node.look == "planet" else 0.0
+            half = -0.5 * along["carrier"] * size if node.look == "bearing" else 0.0
+            ways[node.name] = [0.0, 0.0, back + half]
+            continue
+        beside = _square(node.axes.origin - middle, axis)
+        ways[node.name] = (0.5 * beside + along.get(node.look, 0.0) * size * axis).tolist()
+    return ways
+
+
+def _square(way: Floats, axis: Floats) -> Floats:
+    return np.asarray(way - (way @ axis) * axis)

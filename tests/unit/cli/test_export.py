@@ -1,0 +1,60 @@
+"""The command that writes a sized design for other tools."""
+
+import pytest
+from typer.testing import CliRunner
+
+import gearwright as gw
+from designs import PAIR
+from gearwright.cli import app
+from gearwright.errors import DesignError
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """Return a folder with a design, in which commands run."""
+    (tmp_path / "pair.toml").write_text(PAIR, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def export(*words):
+    """Run the command; what it refuses is raised."""
+    return CliRunner().invoke(app, ["export", *words], catch_exceptions=False)
+
+
+def test_a_glb_file_is_written_beside_the_design(folder):
+    answer = export("pair.toml", "--to", "glb")
+    assert answer.exit_code == 0
+    assert (folder / "pair-gearbox.glb").read_bytes()[:4] == b"glTF"
+    assert "wrote pair-gearbox.glb: 4 bodies" in answer.output
+
+
+def test_coarse_solids_make_a_smaller_file(folder):
+    export("pair.toml", "--to", "glb", "--out", "fine.glb")
+    export("pair.toml", "--to", "glb", "--detail", "coarse", "--out", "coarse.glb")
+    assert (folder / "coarse.glb").stat().st_size < 0.6 * (folder / "fine.glb").stat().st_size
+
+
+def test_the_sizing_is_written_as_a_value_that_is_loaded_again(folder):
+    export("pair.toml", "--to", "json")
+    assert gw.load("pair-gearbox.json").gears == gw.size(gw.read("pair.toml")).gears
+
+
+def test_a_page_is_written(folder):
+    export("pair.toml", "--to", "html", "--detail", "coarse")
+    assert (folder / "pair-gearbox.html").read_text(encoding="utf-8").startswith("<!doctype html>")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("pair.toml", "--to", "gbl"), r"'gbl' is not written; did you mean glb"),
+        (("pair.toml", "--to", "dxf"), r"use gearwright draw DESIGN --format dxf"),
+        (("pair.toml", "--to", "glb", "--out", "no-folder/x.glb"), r"no-folder"),
+        (("broken.toml", "--to", "glb"), r"turbine"),
+    ],
+)
+def test_what_cannot_be_exported_is_refused_with_the_way_out(folder, words, said):
+    (folder / "broken.toml").write_text(PAIR.replace('shaft = "fast"', 'shaft = "fst"'), encoding="utf-8")
+    with pytest.raises(DesignError, match=said):
+        export(*words)
