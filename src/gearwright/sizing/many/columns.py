@@ -26,8 +26,9 @@ from gearwright.spec.edit import entry_of, replaced
 
 LANES = 16384
 """Rows that are computed at once [-]."""
-FEW = 12
-"""Rows that are sized sooner one by one than together [-]."""
+FEW, FEWEST = 12, 6
+"""Rows that are sized sooner one by one than together: of a batch, whose first loads the twins; and of a part of one
+(as quick either way: 5 rows where twins are loaded, 45 where the process loads them) [-]."""
 TRIED = 4
 """Rows of a group of which one must make a design [-]."""
 DEEP = 12
@@ -225,7 +226,7 @@ def _numbers(
 
 def _parting(place: Ints, computed: Callable[[Ints], Any], depth: int = 0) -> Iterator[tuple[Ints, Any]]:
     """Yield what a computation in lanes gives of rows, apart where they part; nothing of those that must be alone."""
-    if len(place) < FEW or depth > DEEP:
+    if len(place) < FEWEST or depth > DEEP:
         return
     try:
         result = computed(place)
