@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from functools import partial
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache, partial
 from itertools import takewhile
 
 from gearwright.errors import DesignError, GearwrightError
@@ -74,7 +74,8 @@ def _flown_rows(study: Study, design: Design, changes: Mapping[str, Value], case
     good = [entry for entry in missions if isinstance(entry, Mission)]
     flights = iter(fly_each(sizing, good))
     found = [next(flights) if isinstance(entry, Mission) else entry for entry in missions]
-    return [row_of(study, case, partial(_results, study, sizing, one)) for case, one in zip(cases, found, strict=True)]
+    once = cache(lambda: asked_results(sizing, study.asked))
+    return [row_of(study, case, partial(_results, study, once, one)) for case, one in zip(cases, found, strict=True)]
 
 
 def _sized(design: Design, changes: Mapping[str, Value]) -> Sizing:
@@ -94,11 +95,15 @@ def _edited(mission: Mission, changes: Mapping[str, Value]) -> Mission | DesignE
         return error
 
 
-def _results(study: Study, sizing: Sizing, flight: object) -> dict[str, Named]:
+def _results(study: Study, of_sizing: Callable[[], dict[str, Named]], flight: object) -> dict[str, Named]:
+    """Return the results that are asked for; those of the sizing, the same for all, where a flight has not all."""
     from gearwright.mission import Flight
     from gearwright.study.cases.flight import flight_results
 
     if isinstance(flight, DesignError):
         raise flight
     assert isinstance(flight, Flight)
-    return asked_results(sizing, study.asked) | flight_results(flight, study.asked)
+    results = flight_results(flight, study.asked)
+    if all(name in results for name in study.asked):
+        return {name: results[name] for name in study.asked}
+    return of_sizing() | results
