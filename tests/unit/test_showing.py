@@ -23,6 +23,7 @@ def value(name):
 MAKE = {
     "Design": lambda: gw.read("single-planetary"),
     "Sizing": lambda: gw.size(value("Design")),
+    "Scene": lambda: gw.scene(value("Sizing"), detail="coarse"),
     "System": lambda: gw.assemble(value("Sizing")),
     "Modes": lambda: gw.modes(value("System")),
     "Trace": lambda: gw.simulate(value("System"), 0.001),

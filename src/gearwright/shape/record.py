@@ -12,6 +12,7 @@ from gearwright.arrays import Floats
 from gearwright.identity import PartId
 from gearwright.shape.solids import Surface
 from gearwright.shape.stands import Axes
+from gearwright.showing import Shown
 
 
 @dataclass(frozen=True)
@@ -36,8 +37,8 @@ class Node:
     """Name of the carrier that it goes round with."""
 
 
-@dataclass(frozen=True)
-class Scene:
+@dataclass(frozen=True, repr=False)
+class Scene(Shown):
     """A gearbox of solids."""
 
     name: str

@@ -7,6 +7,7 @@ import struct
 import numpy as np
 import pytest
 
+import gearwright as gw
 from gearwright.shape import glb, scene
 from gearwright.shape.glb import quaternion
 from gearwright.shipped import shipped_designs
@@ -118,3 +119,10 @@ def matrix(values):
             [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
         ]
     )
+
+
+def test_a_scene_is_kept_in_a_file_and_read_back(tmp_path):
+    built = gw.scene(sized("off-set"), detail="coarse")
+    gw.save(built, tmp_path / "scene.json")
+    again = gw.load(tmp_path / "scene.json")
+    assert glb(again) == glb(built)

@@ -71,6 +71,14 @@ def _sizing(sizing: Any) -> Iterator[str]:
     yield "next: gw.review(sizing.design), gw.assemble(sizing, case), gw.fly(sizing, mission), gw.report(sizing)"
 
 
+def _scene(scene: Any) -> Iterator[str]:
+    triangles = sum(len(scene.surfaces[node.surface].triangles) for node in scene.nodes if node.surface)
+    solids = f"{len(scene.nodes)} bodies, {triangles} triangles"
+    yield f"Scene {scene.name[:LONGEST]!r}: {solids}; cases {_listed(scene.cases)}"
+    yield f"bodies {_listed(scene.by_name)}; {len(scene.approximations)} approximations"
+    yield "next: scene.by_name[name], scene.approximations, gearwright.shape.glb(scene)"
+
+
 def _sizings(sizings: Any) -> Iterator[str]:
     refused = len(sizings.reasons)
     yield f"Sizings: {len(sizings)} designs of {len(sizings.structures)} structures, {refused} refused"
@@ -208,7 +216,7 @@ _LINES: Mapping[str, Callable[[Any], Iterator[str]]] = MappingProxyType(
     {
         "Campbell": _campbell, "Design": _design, "DynamicWindow": _window, "Ensemble": _ensemble, "Flight": _flight,
         "Modes": _modes, "Orbit": _orbit, "Review": _review, "RunUp": _run_up, "Samples": _samples, "Sizing": _sizing,
-        "Sizings": _sizings,
+        "Scene": _scene, "Sizings": _sizings,
         "SpeedCase": _speed_case, "SpeedMap": _speed_map, "System": _system, "Table": _table, "Trace": _trace,
     }
 )  # fmt: skip

@@ -15,11 +15,12 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwright.arrays import Floats, Ints
+from gearwright.showing import Shown
 from gearwright.units import Volume
 
 
-@dataclass(frozen=True)
-class Surface:
+@dataclass(frozen=True, repr=False)
+class Surface(Shown):
     """Triangles of one body, about its own axis z, the middle of its width at z = 0."""
 
     points: Floats
