@@ -29,6 +29,8 @@ from gearwright.study.running.workers import PARTS, Compute, Finished
 
 CHUNK, TOGETHER = 32, 512
 """Cases of one task, long beside the scheduler's 1 ms a task; and of cases that are sized together."""
+SHARES = 64
+"""Tasks at least into which cases go that are sized together."""
 AHEAD = 3
 """Tasks in flight for each thread of the cluster, so that none idles."""
 PATIENCE = 10.0
@@ -100,7 +102,7 @@ class Cluster:
         """
         client = _client(self.address, self.tls)
         with _quiet(), client:
-            yield lambda cases, count: _Tasks(client, study, designs, cases).work()
+            yield lambda cases, count: _Tasks(client, study, designs, cases, count).work()
 
 
 @contextmanager
@@ -150,10 +152,13 @@ def _refuse_files(address: str, tls: Tls | None) -> None:
 class _Tasks:
     """The chunks of one run, in flight and to come."""
 
-    def __init__(self, client: Any, study: Study, designs: Mapping[str, Design], cases: Iterator[Case]) -> None:
+    def __init__(
+        self, client: Any, study: Study, designs: Mapping[str, Design], cases: Iterator[Case], count: int
+    ) -> None:
         texts = {name: _text(design) for name, design in designs.items()}
         self.client, self.given, self.cases = client, (dict(made_with()), _text(study), json.dumps(texts)), cases
-        self.chunk = TOGETHER if goes_together(study) else CHUNK
+        many = min(TOGETHER, count // SHARES) if goes_together(study) else CHUNK
+        self.chunk = max(CHUNK, many)
         self.again: deque[list[Case]] = deque()
         self.flying: dict[str, list[Case]] = {}
 
