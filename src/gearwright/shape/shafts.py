@@ -17,6 +17,8 @@ from gearwright.spec import GROUND
 
 IN_LINE = 1e-6
 """How far two axes may be apart and count as one [m]."""
+END = 2e-4
+"""By which a shaft ends inside the face of what sits at its end, so that shafts in line do not touch [m]."""
 TIE = 0.15
 """Thickness of the disc that ties a turning ring to its shaft over the ring's width, an assumption [-]."""
 LEAST_TIE = 3e-3
@@ -86,7 +88,7 @@ def _own(sizing: Sizing, shaft: str) -> list[Span]:
 
 def _reach(sizing: Sizing, shaft: str, length: float) -> Span:
     """Return a shaft from its first end to its second one, and on through what sits at its ends."""
-    own = _own(sizing, shaft)
+    own = [(low + END, high - END) for low, high in _own(sizing, shaft) if high - low > 4.0 * END]
     return min([0.0, *(low for low, _ in own)]), max([length, *(high for _, high in own)])
 
 

@@ -15,9 +15,9 @@ class View {
     this.orbit = new THREE.OrbitControls(this.camera, canvas);
     this.orbit.addEventListener("change", () => this.draw());
     this.plane = new THREE.Plane(new THREE.Vector3(0, 1, 0), 0);
+    this.size();
     this.home();
     new ResizeObserver(() => this.size()).observe(canvas);
-    this.size();
   }
 
   light() {
@@ -35,12 +35,24 @@ class View {
     this.size_ = size;
     this.middle = middle;
     this.orbit.target.copy(middle);
-    this.camera.position.copy(middle).addScaledVector(ahead, -0.8 * size).addScaledVector(beside, 0.97 * size).addScaledVector(this.up, 0.62 * size);
-    this.camera.near = size / 200;
+    const way = beside.clone().addScaledVector(ahead, -0.83).addScaledVector(this.up, 0.64).normalize();
+    this.camera.position.copy(middle).addScaledVector(way, this.distance(box, middle, way));
     this.camera.far = size * 20;
     this.camera.updateProjectionMatrix();
     this.orbit.update();
     this.draw();
+  }
+
+  /* How far away the whole box is in the picture. */
+  distance(box, middle, way) {
+    const right = new THREE.Vector3().crossVectors(this.up, way).normalize(), upward = new THREE.Vector3().crossVectors(way, right);
+    const half = Math.tan((this.camera.fov * Math.PI) / 360), aspect = this.camera.aspect || 1;
+    let far = 0;
+    for (const x of [box.min.x, box.max.x]) for (const y of [box.min.y, box.max.y]) for (const z of [box.min.z, box.max.z]) {
+      const arm = new THREE.Vector3(x, y, z).sub(middle);
+      far = Math.max(far, arm.dot(way) + Math.max(Math.abs(arm.dot(upward)), Math.abs(arm.dot(right)) / aspect) / half);
+    }
+    return 1.02 * far;
   }
 
   size() {
@@ -49,8 +61,7 @@ class View {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
-    this.draw();
+    if (this.middle) this.draw();
   }
 
   /* Cut away what lies before a plane square to an axis of space, at a share of the box along it. */
@@ -95,6 +106,10 @@ class View {
     this.waiting = true;
     requestAnimationFrame(() => {
       this.waiting = false;
+      // The nearer the first plane, the coarser the depth: walls that nearly touch, as shaft and bore, would flicker.
+      const far = this.camera.position.distanceTo(this.middle);
+      this.camera.near = Math.max(this.size_ / 300, far - 0.8 * this.size_);
+      this.camera.updateProjectionMatrix();
       this.renderer.render(this.scene, this.camera);
     });
   }
