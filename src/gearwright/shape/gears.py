@@ -99,7 +99,7 @@ def gear_surface(
     levels = _levels(gear, leaning, fine.layer, halves=halves_of(gear))
     if tooth.side < 0:
         outside = max(gear.pitch_diameter / 2.0 + gear.rim, tooth.root_radius + WALL * gear.module)
-        return ring_gear(loop, levels, outside, fine.circle)
+        return ring_gear(loop, levels, outside, 3 * fine.circle)  # thin walls lose most by chords
     return disc_gear(loop, levels, _walled(_seated(sizing, stand, blanks), gear, halves_of(gear)), fine.circle)
 
 
